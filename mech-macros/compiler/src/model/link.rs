@@ -1,0 +1,77 @@
+//! Links, and what is rigidly fixed to them.
+
+use super::{LinkId, Origin};
+
+/// A rigid body that moves in planes parallel to the screen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Link {
+    /// Its name.
+    pub name: String,
+    /// Where its name was declared.
+    pub origin: Origin,
+    /// Whether its frame is the scene's at the start, because joints were placed on it in the drawing (`at`).
+    pub drawn: bool,
+    /// What is seen of it.
+    pub shapes: Vec<Shape>,
+}
+
+impl Link {
+    /// A link that nothing is fixed to yet.
+    #[must_use]
+    pub fn new(name: &str, origin: Origin) -> Self {
+        Self { name: name.to_owned(), origin, drawn: false, shapes: Vec::new() }
+    }
+}
+
+/// An axis of rotation (a point with a direction) or of sliding (a line with an origin), fixed to a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// The link to which it is fixed.
+    pub link: LinkId,
+    /// Its name in that link; an axis made by a joint placed in the drawing has none.
+    pub name: Option<String>,
+    /// Where its name was declared, or the joint that made it.
+    pub origin: Origin,
+    /// Rotation or sliding.
+    pub kind: AxisKind,
+    /// Its origin, in the frame of the link.
+    pub at: [f64; 2],
+    /// Its direction, of length one, in the frame of the link.
+    pub direction: [f64; 2],
+}
+
+/// What an axis allows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxisKind {
+    /// Rotation about it.
+    Point,
+    /// Sliding along it.
+    Line,
+}
+
+/// A coloured spot that belongs to one plane for ever.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// Where it was declared.
+    pub origin: Origin,
+    /// Its outline, in the frame of the link.
+    pub kind: ShapeKind,
+    /// The plane it lies in: greater is nearer to the eye.
+    pub plane: i32,
+    /// Its entry in the palette.
+    pub color: u8,
+}
+
+/// The outline of a shape.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShapeKind {
+    /// A filled circle.
+    Circle {
+        /// Its centre.
+        center: [f64; 2],
+        /// Its radius, greater than zero.
+        radius: f64,
+    },
+    /// A filled simple polygon of at least three corners.
+    Polygon(Vec<[f64; 2]>),
+}

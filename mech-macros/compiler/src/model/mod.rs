@@ -1,0 +1,135 @@
+//! The mechanism as data: links, the axes rigidly fixed to them, the joints between axes, the motors on joints.
+//!
+//! A model knows no spans. Whatever a message may have to point at carries an [`Origin`], which `syntax` (or the studio)
+//! maps back to where it was declared.
+
+mod id;
+mod joint;
+mod link;
+mod start;
+
+pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
+pub use joint::{Joint, JointKind, Motor, Ratio};
+pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
+pub use start::{Near, Start, StartValue};
+
+/// The scalar type of the generated code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Precision {
+    /// Single precision.
+    F32,
+    /// Double precision.
+    #[default]
+    F64,
+}
+
+/// How the loops are solved at run time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Method {
+    /// Newton steps until the loop closes to rounding; the motor step is subdivided when that fails.
+    #[default]
+    Newton,
+    /// Exactly this many Newton steps (at least one), then the closure is checked.
+    NewtonSteps(u32),
+}
+
+/// A planar mechanism: the ground, the moving links, and what joins them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Model {
+    /// The name of the generated struct.
+    pub name: String,
+    /// Where the name was declared.
+    pub origin: Origin,
+    /// The scalar type of the generated code.
+    pub precision: Precision,
+    /// All links; [`LinkId::GROUND`] is the first.
+    pub links: Vec<Link>,
+    /// All axes of all links.
+    pub axes: Vec<Axis>,
+    /// All joints.
+    pub joints: Vec<Joint>,
+    /// All motors, in the order in which `move_to` takes their values.
+    pub motors: Vec<Motor>,
+    /// How the mechanism is assembled.
+    pub start: Start,
+    /// How the loops are solved.
+    pub method: Method,
+}
+
+impl Model {
+    /// A mechanism of nothing but the ground.
+    #[must_use]
+    pub fn new(name: &str, origin: Origin) -> Self {
+        Self {
+            name: name.to_owned(),
+            origin,
+            precision: Precision::default(),
+            links: vec![Link::new("ground", Origin::default())],
+            axes: Vec::new(),
+            joints: Vec::new(),
+            motors: Vec::new(),
+            start: Start::default(),
+            method: Method::default(),
+        }
+    }
+
+    /// The link with this id.
+    #[must_use]
+    pub fn link(&self, id: LinkId) -> &Link {
+        &self.links[id.index()]
+    }
+
+    /// The axis with this id.
+    #[must_use]
+    pub fn axis(&self, id: AxisId) -> &Axis {
+        &self.axes[id.index()]
+    }
+
+    /// The joint with this id.
+    #[must_use]
+    pub fn joint(&self, id: JointId) -> &Joint {
+        &self.joints[id.index()]
+    }
+
+    /// The motor with this id.
+    #[must_use]
+    pub fn motor(&self, id: MotorId) -> &Motor {
+        &self.motors[id.index()]
+    }
+
+    /// The motor that drives this joint, if one does.
+    #[must_use]
+    pub fn motor_of(&self, joint: JointId) -> Option<MotorId> {
+        self.motors.iter().position(|motor| motor.joint == joint).map(MotorId::new)
+    }
+
+    /// The two links of this joint, in the order in which they were declared: the coordinate is that of the second
+    /// relative to the first.
+    #[must_use]
+    pub fn ends(&self, id: JointId) -> (LinkId, LinkId) {
+        match self.joint(id).kind {
+            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => (self.axis(a).link, self.axis(b).link),
+            JointKind::Gear { a, b, .. } => (a, b),
+        }
+    }
+
+    /// The ids of all links, the ground first.
+    pub fn link_ids(&self) -> impl DoubleEndedIterator<Item = LinkId> + ExactSizeIterator + use<> {
+        (0..self.links.len()).map(LinkId::new)
+    }
+
+    /// The ids of the links that can move: all but the ground.
+    pub fn moving_links(&self) -> impl DoubleEndedIterator<Item = LinkId> + use<> {
+        (1..self.links.len()).map(LinkId::new)
+    }
+
+    /// The ids of all joints.
+    pub fn joint_ids(&self) -> impl DoubleEndedIterator<Item = JointId> + ExactSizeIterator + use<> {
+        (0..self.joints.len()).map(JointId::new)
+    }
+
+    /// The ids of all motors.
+    pub fn motor_ids(&self) -> impl DoubleEndedIterator<Item = MotorId> + ExactSizeIterator + use<> {
+        (0..self.motors.len()).map(MotorId::new)
+    }
+}

@@ -1,0 +1,34 @@
+//! Where a mechanism is assembled.
+
+use super::{JointId, LinkId, Origin};
+
+/// The start of the motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Start {
+    /// Coordinates of joints; a motor that is not listed starts at zero.
+    pub values: Vec<StartValue>,
+    /// Which of several assemblies is meant.
+    pub near: Vec<Near>,
+}
+
+/// A joint's coordinate at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StartValue {
+    /// The joint: one with a motor, or one that a gear drives.
+    pub joint: JointId,
+    /// Its coordinate, in radians or scene units.
+    pub value: f64,
+    /// Where it was declared.
+    pub origin: Origin,
+}
+
+/// Of several assemblies, take the one in which this link's direction in the scene is nearest to this angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Near {
+    /// The link.
+    pub link: LinkId,
+    /// The angle of its frame in the scene, in radians.
+    pub angle: f64,
+    /// Where it was declared.
+    pub origin: Origin,
+}

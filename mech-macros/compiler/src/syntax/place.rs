@@ -1,0 +1,77 @@
+//! Places in the text, and messages that point at them.
+
+use crate::model::Origin;
+use proc_macro2::{Span, TokenStream};
+use quote::{ToTokens, quote_spanned};
+
+/// A stretch of the text: from the start of one token to the end of another.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// The first token.
+    pub start: Span,
+    /// The last token.
+    pub end: Span,
+}
+
+impl Place {
+    /// The place of these tokens; the macro's own call site if there are none.
+    #[must_use]
+    pub fn of(tokens: &impl ToTokens) -> Self {
+        let mut spans = tokens.to_token_stream().into_iter().map(|tree| tree.span());
+        let start = spans.next().unwrap_or_else(Span::call_site);
+        Self { start, end: spans.last().unwrap_or(start) }
+    }
+
+    /// The place of one token.
+    #[must_use]
+    pub fn at(span: Span) -> Self {
+        Self { start: span, end: span }
+    }
+}
+
+/// Where everything was declared, by [`Origin`].
+#[derive(Debug, Default)]
+pub struct Places(Vec<Place>);
+
+impl Places {
+    /// Notes a place down and names it.
+    pub fn note(&mut self, place: Place) -> Origin {
+        self.0.push(place);
+        // `Origin(0)` is the default of things that no text declared, such as the ground.
+        Origin(u32::try_from(self.0.len()).unwrap_or(u32::MAX))
+    }
+
+    /// The place of this origin; the macro's own call site if no text declared it.
+    #[must_use]
+    pub fn get(&self, origin: Origin) -> Place {
+        let index = (origin.0 as usize).checked_sub(1);
+        index.and_then(|index| self.0.get(index)).copied().unwrap_or_else(|| Place::at(Span::call_site()))
+    }
+}
+
+/// Something to tell the user about a place: lower-case, without a final period, notes and helps on lines of their own.
+#[derive(Clone, Debug)]
+pub struct Message {
+    /// Where.
+    pub place: Place,
+    /// What.
+    pub text: String,
+}
+
+impl Message {
+    /// A message about a place.
+    #[must_use]
+    pub fn new(place: Place, text: impl Into<String>) -> Self {
+        Self { place, text: text.into() }
+    }
+
+    /// The item that makes the compiler show the message at its place.
+    #[must_use]
+    pub fn to_compile_error(&self) -> TokenStream {
+        let text = &self.text;
+        // The compiler underlines from the first token of an invocation to its last.
+        let path = quote_spanned!(self.place.start=> ::core::compile_error!);
+        let body = quote_spanned!(self.place.end=> { #text });
+        quote::quote!(#path #body)
+    }
+}

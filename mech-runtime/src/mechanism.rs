@@ -1,0 +1,43 @@
+//! What every mechanism can do, for code that takes any.
+
+use crate::{Blocked, Canvas, Pose, Scalar, Shape};
+
+/// A mechanism made by [`mechanism!`](crate::mechanism). Each of these is also an inherent item of its struct.
+pub trait Mechanism: Clone {
+    /// `f32` or `f64`.
+    type Scalar: Scalar;
+    /// One value for each motor, in the order of their declaration: `[Self::Scalar; n]`.
+    type Motors: Copy + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
+
+    /// The name of the struct.
+    const NAME: &'static str;
+    /// Mobility, trunk and arms, and the loops in the order in which they are solved.
+    const REPORT: &'static str;
+    /// The names of the joints that have a motor, in the order of their declaration.
+    const MOTORS: &'static [&'static str];
+    /// The names of the moving links, in the order of their declaration.
+    const LINKS: &'static [&'static str];
+    /// Everything that is seen, from the plane farthest from the eye to the nearest.
+    const SHAPES: &'static [Shape<Self::Scalar>];
+
+    /// The mechanism as it was assembled at compile time.
+    #[must_use]
+    fn new() -> Self;
+
+    /// The present values of the motors, in radians or scene units.
+    fn motors(&self) -> Self::Motors;
+
+    /// Gives the motors these values, in radians or scene units, and moves everything accordingly.
+    ///
+    /// # Errors
+    /// [`Blocked`] if a value is not finite or a loop cannot be closed there; the mechanism then stays where it was.
+    fn move_to(&mut self, motors: Self::Motors) -> Result<(), Blocked>;
+
+    /// The poses of the moving links in the scene, in the order of [`LINKS`](Self::LINKS).
+    fn poses(&self) -> &[Pose<Self::Scalar>];
+
+    /// Paints every shape, from the plane farthest from the eye to the nearest.
+    fn draw(&self, canvas: &mut impl Canvas<Self::Scalar>) {
+        crate::generated::paint(Self::SHAPES, self.poses(), canvas);
+    }
+}
