@@ -1,2 +1,15 @@
-//! The gallery.
-fn main() {}
+//! Paints the gallery: `gallery [NAME]…`.
+
+use mech_examples::{Curator, gallery};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let curator = Curator::new(gallery::exhibits(), Curator::usual_folder());
+    match curator.serve(std::env::args().skip(1)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -6,7 +6,7 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Blocked {
-    /// The motor or the loop at which it stopped, by its name.
+    /// The motor or the loop at which it stopped: the name of the motor's joint, or the loop's joints of unknown coordinate.
     pub place: &'static str,
     /// What stopped it.
     pub cause: Cause,
@@ -23,6 +23,8 @@ pub enum Cause {
     Open,
     /// This loop would have to pass a dead point or a change point to get there.
     DeadPoint,
+    /// A coordinate would be beyond the range of the scalar type.
+    Overflow,
 }
 
 impl Blocked {
@@ -39,7 +41,11 @@ impl fmt::Display for Blocked {
         match self.cause {
             Cause::NotFinite => write!(f, "the value for motor `{place}` is not a finite number"),
             Cause::Open => write!(f, "the loop {place} does not close there"),
-            Cause::DeadPoint => write!(f, "the loop {place} would have to pass a dead point to get there"),
+            Cause::DeadPoint => write!(
+                f,
+                "the loop {place} would have to pass a dead point to get there"
+            ),
+            Cause::Overflow => write!(f, "a coordinate would be beyond the range of the numbers"),
         }
     }
 }

@@ -1,6 +1,204 @@
 //! What generated code calls. Not for use by hand: it changes without notice.
 
-use crate::{Canvas, Pose, Scalar, Shape};
+pub use crate::{Blocked, Canvas, Isometry2, Mechanism, Outline, Point2, Pose, Shape};
+
+use crate::{Cause, Scalar};
+
+/// Everything that is carried from one move to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Position<T, const MOTORS: usize, const LINKS: usize, const ANGLES: usize> {
+    /// The values of the motors.
+    pub motors: [T; MOTORS],
+    /// The poses of the moving links.
+    pub poses: [Pose<T>; LINKS],
+    /// Angles that gears need, unwrapped.
+    pub angles: [T; ANGLES],
+}
+
+impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: usize>
+    Position<T, MOTORS, LINKS, ANGLES>
+{
+    /// The loops check themselves; what hangs on motors and gears alone may still overflow.
+    fn checked(self) -> Result<Self, Blocked> {
+        let finite = |pose: &Pose<T>| (pose.cos + pose.sin + pose.x + pose.y).is_finite();
+        if self.poses.iter().all(finite) {
+            Ok(self)
+        } else {
+            Err(Blocked::new("", Cause::Overflow))
+        }
+    }
+}
+
+fn all_finite<T: Scalar, const MOTORS: usize>(
+    motors: [T; MOTORS],
+    names: [&'static str; MOTORS],
+) -> Result<(), Blocked> {
+    match motors
+        .into_iter()
+        .zip(names)
+        .find(|(motor, _)| !motor.is_finite())
+    {
+        Some((_, name)) => Err(Blocked::new(name, Cause::NotFinite)),
+        None => Ok(()),
+    }
+}
+
+/// Moves in one step.
+///
+/// # Errors
+/// As `step`, or if a motor's value is not finite.
+#[inline]
+pub fn advance_at_once<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: usize>(
+    start: &Position<T, MOTORS, LINKS, ANGLES>,
+    motors: [T; MOTORS],
+    names: [&'static str; MOTORS],
+    step: impl Fn(
+        &Position<T, MOTORS, LINKS, ANGLES>,
+        [T; MOTORS],
+    ) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked>,
+) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked> {
+    all_finite(motors, names)?;
+    step(start, motors)?.checked()
+}
+
+/// Moves in one step if that works, else in as many as it takes.
+///
+/// # Errors
+/// As `step`, or if a motor's value is not finite.
+#[inline]
+pub fn advance<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: usize>(
+    start: &Position<T, MOTORS, LINKS, ANGLES>,
+    motors: [T; MOTORS],
+    names: [&'static str; MOTORS],
+    step: impl Fn(
+        &Position<T, MOTORS, LINKS, ANGLES>,
+        [T; MOTORS],
+    ) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked>,
+) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked> {
+    all_finite(motors, names)?;
+    match step(start, motors).and_then(Position::checked) {
+        Ok(position) => Ok(position),
+        Err(blocked) => by_pieces(start, motors, blocked, step),
+    }
+}
+
+#[cold]
+fn by_pieces<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: usize>(
+    start: &Position<T, MOTORS, LINKS, ANGLES>,
+    motors: [T; MOTORS],
+    mut blocked: Blocked,
+    step: impl Fn(
+        &Position<T, MOTORS, LINKS, ANGLES>,
+        [T; MOTORS],
+    ) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked>,
+) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked> {
+    /// The smallest part of a motor step that is tried.
+    const FINEST: f64 = 1.0 / 4096.0;
+    let mut position = *start;
+    let (mut done, mut stride) = (0.0, 0.5);
+    while stride >= FINEST {
+        let target = done + stride;
+        let mut aim = motors;
+        if target < 1.0 {
+            let part = <T as Scalar>::from_f64(target);
+            for (aim, from) in aim.iter_mut().zip(start.motors) {
+                *aim = from + (*aim - from) * part;
+            }
+        }
+        match step(&position, aim).and_then(Position::checked) {
+            Ok(next) if target < 1.0 => {
+                position = next;
+                done = target;
+                stride = (2.0 * stride).min(1.0 - done);
+            }
+            Ok(next) => return Ok(next),
+            Err(reason) => {
+                blocked = reason;
+                stride *= 0.5;
+            }
+        }
+    }
+    Err(blocked)
+}
+
+/// Tests the result of a loop: its gap, and its determinant with the sign it has at the start.
+///
+/// # Errors
+/// If the gap is greater than `accept` or the determinant less than `floor`, or either is not a number.
+#[inline]
+pub fn closed<T: Scalar>(
+    gap: [T; 2],
+    accept: T,
+    det: T,
+    floor: T,
+    place: &'static str,
+) -> Result<(), Blocked> {
+    let [x, y] = gap;
+    // So written that what is not a number does not pass.
+    let is_closed = x.abs() <= accept && y.abs() <= accept;
+    if is_closed && det >= floor {
+        Ok(())
+    } else {
+        Err(Blocked::new(
+            place,
+            if is_closed {
+                Cause::DeadPoint
+            } else {
+                Cause::Open
+            },
+        ))
+    }
+}
+
+/// The sine and the cosine of an angle in radians.
+#[inline]
+pub fn sin_cos<T: Scalar>(angle: T) -> (T, T) {
+    angle.libm_sin_cos()
+}
+
+/// The sine of an angle in radians.
+#[inline]
+pub fn sin<T: Scalar>(angle: T) -> T {
+    angle.libm_sin_cos().0
+}
+
+/// The cosine of an angle in radians.
+#[inline]
+pub fn cos<T: Scalar>(angle: T) -> T {
+    angle.libm_sin_cos().1
+}
+
+/// The angle of the vector (`x`, `y`), in radians.
+#[inline]
+pub fn atan2<T: Scalar>(y: T, x: T) -> T {
+    y.libm_atan2(x)
+}
+
+/// The nearest whole number, halves away from zero.
+#[inline]
+pub fn round<T: Scalar>(value: T) -> T {
+    value.libm_round()
+}
+
+/// An axis in the scene: the pose of its link, its origin and its direction in the link's frame.
+type Axis<T> = (Pose<T>, [T; 2], [T; 2]);
+
+fn heading<T: Scalar>((pose, _, [x, y]): Axis<T>) -> [T; 2] {
+    [pose.cos * x - pose.sin * y, pose.sin * x + pose.cos * y]
+}
+
+/// The coordinate of a revolute joint: the angle from one axis's direction to the other's, in radians.
+pub fn angle<T: Scalar>(from: Axis<T>, to: Axis<T>) -> T {
+    let ([a, b], [c, d]) = (heading(from), heading(to));
+    atan2(a * d - b * c, a * c + b * d)
+}
+
+/// The coordinate of a prismatic joint: the way from one axis's origin to the other's, along the first.
+pub fn slide<T: Scalar>(from: Axis<T>, to: Axis<T>) -> T {
+    let ([a, b], [c, d]) = (from.0.apply(from.1), to.0.apply(to.1));
+    let [x, y] = heading(from);
+    (c - a) * x + (d - b) * y
+}
 
 /// Paints shapes that are already in painting order.
 pub fn paint<T: Scalar>(shapes: &[Shape<T>], poses: &[Pose<T>], canvas: &mut impl Canvas<T>) {

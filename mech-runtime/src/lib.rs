@@ -21,3 +21,16 @@ pub use pose::Pose;
 pub use raster::{Canvas, Frame, Palette, View};
 pub use scalar::Scalar;
 pub use shape::{Outline, Shape};
+
+#[doc(hidden)]
+pub use mech_macros::mechanism as expand_mechanism;
+
+/// Declares a planar mechanism: a struct that moves, and a compile error if it would not.
+///
+/// The language is described in the crate's documentation.
+#[macro_export]
+macro_rules! mechanism {
+    ($($body:tt)*) => {
+        $crate::expand_mechanism! { $crate; $($body)* }
+    };
+}

@@ -20,13 +20,21 @@ impl<T: Scalar> Pose<T> {
     /// The pose of the ground.
     #[must_use]
     pub fn identity() -> Self {
-        Self { cos: T::one(), sin: T::zero(), x: T::zero(), y: T::zero() }
+        Self {
+            cos: T::one(),
+            sin: T::zero(),
+            x: T::zero(),
+            y: T::zero(),
+        }
     }
 
     /// Carries a point of the link into the scene: from relative to absolute coordinates.
     #[must_use]
     pub fn apply(self, [x, y]: [T; 2]) -> [T; 2] {
-        [self.x + self.cos * x - self.sin * y, self.y + self.sin * x + self.cos * y]
+        [
+            self.x + self.cos * x - self.sin * y,
+            self.y + self.sin * x + self.cos * y,
+        ]
     }
 
     /// The same pose as a nalgebra isometry.

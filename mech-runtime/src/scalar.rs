@@ -14,6 +14,12 @@ pub trait Scalar: RealField + Copy + sealed::Sealed {
     fn to_f64(self) -> f64;
     /// The nearest number of this type.
     fn from_f64(value: f64) -> Self;
+    #[doc(hidden)]
+    fn libm_sin_cos(self) -> (Self, Self);
+    #[doc(hidden)]
+    fn libm_atan2(self, x: Self) -> Self;
+    #[doc(hidden)]
+    fn libm_round(self) -> Self;
 }
 
 impl Scalar for f32 {
@@ -21,9 +27,24 @@ impl Scalar for f32 {
         f64::from(self)
     }
 
-    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is asked for")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "rounding is what is asked for"
+    )]
     fn from_f64(value: f64) -> Self {
         value as Self
+    }
+
+    fn libm_sin_cos(self) -> (Self, Self) {
+        libm::sincosf(self)
+    }
+
+    fn libm_atan2(self, x: Self) -> Self {
+        libm::atan2f(self, x)
+    }
+
+    fn libm_round(self) -> Self {
+        libm::roundf(self)
     }
 }
 
@@ -34,5 +55,17 @@ impl Scalar for f64 {
 
     fn from_f64(value: f64) -> Self {
         value
+    }
+
+    fn libm_sin_cos(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+
+    fn libm_atan2(self, x: Self) -> Self {
+        libm::atan2(self, x)
+    }
+
+    fn libm_round(self) -> Self {
+        libm::round(self)
     }
 }

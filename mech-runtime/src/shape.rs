@@ -41,8 +41,16 @@ impl<T: Scalar> Shape<T> {
                 let mut high = low;
                 for (i, &corner) in corners.iter().enumerate() {
                     let [x, y] = pose.apply(corner);
-                    low = if i == 0 { [x, y] } else { [low[0].min(x), low[1].min(y)] };
-                    high = if i == 0 { [x, y] } else { [high[0].max(x), high[1].max(y)] };
+                    low = if i == 0 {
+                        [x, y]
+                    } else {
+                        [low[0].min(x), low[1].min(y)]
+                    };
+                    high = if i == 0 {
+                        [x, y]
+                    } else {
+                        [high[0].max(x), high[1].max(y)]
+                    };
                 }
                 (low, high)
             }

@@ -1,15 +1,130 @@
 //! Everything that thinks: from the text of a mechanism to the code that moves it.
 //!
 //! One stair, and data only ever walks down it:
-//! `syntax → model → structure → plan → program → emit | evaluate`.
+//! `syntax → model → structure → plan → program → emit | evaluate`. The crate has two users: the macro `mechanism!`, which
+//! calls [`expand`], and whoever analyses a [`Model`](model::Model) made in another way, by [`compile`].
 
-use proc_macro2::TokenStream;
-
+mod emit;
+pub mod evaluate;
 pub mod model;
+pub mod plan;
+pub mod program;
+pub mod report;
+pub mod reporter;
+pub mod structure;
 pub mod syntax;
 
-/// Expands the body of a `mechanism!`. The first token tree is the path of the runtime crate, then a semicolon.
+use model::Model;
+use plan::Plan;
+use proc_macro2::{Span, TokenStream, TokenTree};
+use program::Program;
+use quote::quote;
+use structure::{Diagnosis, Structure};
+use syntax::{Message, Parsed, Place};
+
+/// A mechanism that was found coherent, and all that was found out about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compiled {
+    /// What is connected, what moves, what is trunk and what is arm.
+    pub structure: Structure,
+    /// In which order positions become known, and where everything is at the start.
+    pub plan: Plan,
+    /// The operations that move it.
+    pub program: Program,
+    /// All of this in words.
+    pub report: String,
+}
+
+/// Analyses a mechanism and writes its program.
+///
+/// # Errors
+/// Everything that keeps it from moving as its motors say.
+pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
+    let structure = structure::analyse(model)?;
+    let plan = plan::plan(model, &structure).map_err(|diagnosis| vec![diagnosis])?;
+    let mut program = program::build(model, &plan);
+    if let Err(stop) = evaluate::settle(&mut program) {
+        return Err(vec![unsettled(&plan, stop)]);
+    }
+    let report = report::report(model, &structure, &plan);
+    Ok(Compiled {
+        structure,
+        plan,
+        program,
+        report,
+    })
+}
+
+/// A loop that was assembled in closed form but does not close by its program starts where its equations are singular.
+fn unsettled(plan: &Plan, stop: evaluate::Stop) -> Diagnosis {
+    let unknowns = plan.loops().next().map(|ring| {
+        ring.ring
+            .iter()
+            .map(|connection| connection.joint)
+            .collect()
+    });
+    let _ = stop;
+    Diagnosis::DeadStart {
+        unknowns: unknowns.unwrap_or_default(),
+    }
+}
+
+/// Expands the body of a `mechanism!`: the path of the runtime crate, a semicolon, and the text of the mechanism.
 #[must_use]
 pub fn expand(input: TokenStream) -> TokenStream {
-    input
+    let (krate, body) = split(input);
+    let Parsed {
+        header,
+        model,
+        places,
+        errors,
+        motors,
+    } = syntax::parse(body);
+    let Some(header) = header else {
+        return all_errors(&errors);
+    };
+    let fail = |messages: &[Message]| {
+        let (errors, stub) = (
+            all_errors(messages),
+            emit::stub(&krate, &header, &places, &model, motors),
+        );
+        quote!(#errors #stub)
+    };
+    if !errors.is_empty() {
+        return fail(&errors);
+    }
+    match compile(&model) {
+        Ok(compiled) => emit::items(
+            &krate,
+            &header,
+            &places,
+            &model,
+            &compiled.program,
+            &compiled.report,
+        ),
+        Err(diagnoses) => {
+            let messages: Vec<Message> = diagnoses
+                .iter()
+                .map(|diagnosis| reporter::message(diagnosis, &model, &places))
+                .collect();
+            fail(&messages)
+        }
+    }
+}
+
+fn all_errors(errors: &[Message]) -> TokenStream {
+    if errors.is_empty() {
+        let place = Place::at(Span::call_site());
+        return Message::new(place, "this mechanism could not be read").to_compile_error();
+    }
+    errors.iter().map(Message::to_compile_error).collect()
+}
+
+/// The tokens before the first semicolon, and those after it.
+fn split(input: TokenStream) -> (TokenStream, TokenStream) {
+    let mut trees = input.into_iter();
+    let is_end =
+        |tree: &TokenTree| matches!(tree, TokenTree::Punct(punct) if punct.as_char() == ';');
+    let krate = trees.by_ref().take_while(|tree| !is_end(tree)).collect();
+    (krate, trees.collect())
 }

@@ -1,15 +1,29 @@
-//! The picture.
+//! The picture: one byte a pixel and a table of false colours, filled by scanline spans.
+//!
+//! ```
+//! use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, View};
+//!
+//! static TRIANGLE: [[f32; 2]; 3] = [[0.0, 0.0], [3.0, 0.0], [0.0, 3.0]];
+//!
+//! let mut frame = Frame::<64, 48>::new();
+//! frame.look_at(View::fit([-1.0, -1.0], [4.0, 4.0], 64, 48, 2.0));
+//! frame.fill(Outline::Polygon(&TRIANGLE), Pose::identity(), Palette::BLUE);
+//! assert_eq!(frame.pixel(26, 26), Some(Palette::BLUE));
+//! ```
+//!
+//! A pixel belongs to a shape if its centre does. A centre exactly on an outline belongs to the shape on its right, or
+//! below it: so shapes that share an edge leave no gap between them and paint no pixel twice. Whatever is not finite is
+//! not painted.
 
-use crate::{Outline, Pose, Scalar};
+mod canvas;
+mod circle;
+mod frame;
+mod grid;
+mod palette;
+mod polygon;
+mod view;
 
-/// Something that shapes can be painted on.
-pub trait Canvas<T: Scalar> {
-    /// Fills an outline given in the frame of a link that is at `pose`, with entry `color` of the palette.
-    fn fill(&mut self, outline: Outline<T>, pose: Pose<T>, color: u8);
-}
-/// TODO
-pub struct Frame;
-/// TODO
-pub struct Palette;
-/// TODO
-pub struct View;
+pub use canvas::Canvas;
+pub use frame::Frame;
+pub use palette::Palette;
+pub use view::View;

@@ -43,7 +43,10 @@ pub enum Ratio {
 impl Ratio {
     /// How fast the second wheel turns for one turn of the first, both seen from their carrier: −a / b.
     #[must_use]
-    #[expect(clippy::cast_precision_loss, reason = "a wheel of 2^53 teeth does not exist")]
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "a wheel of 2^53 teeth does not exist"
+    )]
     pub fn speed(self) -> f64 {
         match self {
             Self::Teeth(a, b) => -(a as f64) / b as f64,

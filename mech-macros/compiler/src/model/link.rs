@@ -19,7 +19,12 @@ impl Link {
     /// A link that nothing is fixed to yet.
     #[must_use]
     pub fn new(name: &str, origin: Origin) -> Self {
-        Self { name: name.to_owned(), origin, drawn: false, shapes: Vec::new() }
+        Self {
+            name: name.to_owned(),
+            origin,
+            drawn: false,
+            shapes: Vec::new(),
+        }
     }
 }
 

@@ -100,7 +100,10 @@ impl Model {
     /// The motor that drives this joint, if one does.
     #[must_use]
     pub fn motor_of(&self, joint: JointId) -> Option<MotorId> {
-        self.motors.iter().position(|motor| motor.joint == joint).map(MotorId::new)
+        self.motors
+            .iter()
+            .position(|motor| motor.joint == joint)
+            .map(MotorId::new)
     }
 
     /// The two links of this joint, in the order in which they were declared: the coordinate is that of the second
@@ -108,7 +111,9 @@ impl Model {
     #[must_use]
     pub fn ends(&self, id: JointId) -> (LinkId, LinkId) {
         match self.joint(id).kind {
-            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => (self.axis(a).link, self.axis(b).link),
+            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => {
+                (self.axis(a).link, self.axis(b).link)
+            }
             JointKind::Gear { a, b, .. } => (a, b),
         }
     }
@@ -124,12 +129,16 @@ impl Model {
     }
 
     /// The ids of all joints.
-    pub fn joint_ids(&self) -> impl DoubleEndedIterator<Item = JointId> + ExactSizeIterator + use<> {
+    pub fn joint_ids(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = JointId> + ExactSizeIterator + use<> {
         (0..self.joints.len()).map(JointId::new)
     }
 
     /// The ids of all motors.
-    pub fn motor_ids(&self) -> impl DoubleEndedIterator<Item = MotorId> + ExactSizeIterator + use<> {
+    pub fn motor_ids(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = MotorId> + ExactSizeIterator + use<> {
         (0..self.motors.len()).map(MotorId::new)
     }
 }

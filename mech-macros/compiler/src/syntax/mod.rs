@@ -1,6 +1,12 @@
 //! The text of a mechanism: the only room that knows `syn` and spans.
 
+mod ast;
+mod grammar;
+mod lower;
 mod place;
+mod spelling;
+#[cfg(test)]
+mod tests;
 
 pub use place::{Message, Place, Places};
 
@@ -11,8 +17,11 @@ use proc_macro2::{Ident, TokenStream};
 pub struct Parsed {
     /// The `struct` line, if it could be read.
     pub header: Option<Header>,
-    /// The mechanism; where there are errors, as much of it as could be understood.
+    /// The mechanism; where there are errors, as much of it as could be understood. Also then, no two of its links,
+    /// joints and points would be the same method, and all names are fit for one.
     pub model: Model,
+    /// How many motors the text has, those included that an error keeps out of the model.
+    pub motors: usize,
     /// Where everything in the model was declared.
     pub places: Places,
     /// Everything that is wrong with the text, in the order of the text.
@@ -31,6 +40,6 @@ pub struct Header {
 
 /// Reads the body of a `mechanism!`.
 #[must_use]
-pub fn parse(_input: TokenStream) -> Parsed {
-    todo!()
+pub fn parse(input: TokenStream) -> Parsed {
+    lower::lower(grammar::read(input))
 }

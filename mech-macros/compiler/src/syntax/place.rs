@@ -19,13 +19,28 @@ impl Place {
     pub fn of(tokens: &impl ToTokens) -> Self {
         let mut spans = tokens.to_token_stream().into_iter().map(|tree| tree.span());
         let start = spans.next().unwrap_or_else(Span::call_site);
-        Self { start, end: spans.last().unwrap_or(start) }
+        Self {
+            start,
+            end: spans.last().unwrap_or(start),
+        }
     }
 
     /// The place of one token.
     #[must_use]
     pub fn at(span: Span) -> Self {
-        Self { start: span, end: span }
+        Self {
+            start: span,
+            end: span,
+        }
+    }
+
+    /// From the start of this place to the end of another.
+    #[must_use]
+    pub fn to(self, other: Self) -> Self {
+        Self {
+            start: self.start,
+            end: other.end,
+        }
     }
 }
 
@@ -45,7 +60,10 @@ impl Places {
     #[must_use]
     pub fn get(&self, origin: Origin) -> Place {
         let index = (origin.0 as usize).checked_sub(1);
-        index.and_then(|index| self.0.get(index)).copied().unwrap_or_else(|| Place::at(Span::call_site()))
+        index
+            .and_then(|index| self.0.get(index))
+            .copied()
+            .unwrap_or_else(|| Place::at(Span::call_site()))
     }
 }
 
@@ -62,7 +80,10 @@ impl Message {
     /// A message about a place.
     #[must_use]
     pub fn new(place: Place, text: impl Into<String>) -> Self {
-        Self { place, text: text.into() }
+        Self {
+            place,
+            text: text.into(),
+        }
     }
 
     /// The item that makes the compiler show the message at its place.

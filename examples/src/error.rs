@@ -1,0 +1,84 @@
+//! What can go wrong in the gallery.
+
+use crate::Stuck;
+use std::{fmt, io, path::PathBuf};
+
+/// What went wrong in the gallery.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Error {
+    /// The command line asks for exhibits that do not exist.
+    Unknown {
+        /// The names asked for in vain.
+        names: Vec<String>,
+        /// The names of the exhibits there are.
+        known: Vec<&'static str>,
+    },
+    /// A mechanism does not go through its motion.
+    Stuck(Stuck),
+    /// Nothing of a mechanism is seen at any time.
+    Invisible,
+    /// A PNG could not be made.
+    Png(png::EncodingError),
+    /// A GIF could not be made.
+    Gif(gif::EncodingError),
+    /// A file could not be written.
+    File {
+        /// Which one.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// Some exhibits failed, for reasons that were told already.
+    Missing {
+        /// Their names.
+        names: Vec<&'static str>,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unknown { names, known } => {
+                let (names, known) = (names.join("`, `"), known.join("`, `"));
+                write!(f, "no exhibit is called `{names}`; there are `{known}`")
+            }
+            Self::Stuck(stuck) => stuck.fmt(f),
+            Self::Invisible => f.write_str("nothing is seen of it: give it a shape"),
+            Self::Png(error) => write!(f, "cannot make the PNG: {error}"),
+            Self::Gif(error) => write!(f, "cannot make the GIF: {error}"),
+            Self::File { path, source } => write!(f, "cannot write {}: {source}", path.display()),
+            Self::Missing { names } => write!(f, "the gallery lacks `{}`", names.join("`, `")),
+        }
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Stuck(error) => Some(error),
+            Self::Png(error) => Some(error),
+            Self::Gif(error) => Some(error),
+            Self::File { source, .. } => Some(source),
+            Self::Unknown { .. } | Self::Invisible | Self::Missing { .. } => None,
+        }
+    }
+}
+
+impl From<Stuck> for Error {
+    fn from(stuck: Stuck) -> Self {
+        Self::Stuck(stuck)
+    }
+}
+
+impl From<png::EncodingError> for Error {
+    fn from(error: png::EncodingError) -> Self {
+        Self::Png(error)
+    }
+}
+
+impl From<gif::EncodingError> for Error {
+    fn from(error: gif::EncodingError) -> Self {
+        Self::Gif(error)
+    }
+}

@@ -1,0 +1,110 @@
+//! A mechanism and what it is to do.
+
+use crate::{Film, Stuck};
+use mech_runtime::Mechanism;
+
+/// Frames in most films: enough for one turn of a crank to look smooth.
+pub const FRAMES: usize = 90;
+
+/// Something that hangs in the gallery. Made by filling in a [`Showcase`].
+pub trait Exhibit {
+    /// The name of its files and on the command line.
+    fn slug(&self) -> &'static str;
+    /// Its title.
+    fn title(&self) -> &'static str;
+    /// A paragraph about it.
+    fn caption(&self) -> &'static str;
+    /// What the macro found out about its mechanism.
+    fn report(&self) -> &'static str;
+    /// When it is at its most characteristic, in `0.0..1.0` of its motion.
+    fn still(&self) -> f64;
+    /// Moves it once through its whole motion.
+    ///
+    /// # Errors
+    /// [`Stuck`] if it cannot go on.
+    fn film(&self) -> Result<Film, Stuck>;
+}
+
+/// A mechanism and what it is to do.
+///
+/// ```
+/// use mech_examples::{Exhibit, FRAMES, Showcase};
+/// use std::f64::consts::TAU;
+/// # fn exhibit<FourBar>() -> Box<dyn Exhibit>
+/// # where FourBar: mech_runtime::Mechanism<Scalar = f64, Motors = [f64; 1]> + 'static {
+///
+/// Box::new(Showcase::<FourBar> {
+///     slug: "four-bar",
+///     title: "Four-bar linkage",
+///     caption: "A crank turns, a rocker rocks.",
+///     motion: |phase| [phase * TAU],
+///     frames: FRAMES,
+///     still: 0.1,
+/// })
+/// # }
+/// ```
+pub struct Showcase<M: Mechanism<Scalar = f64>> {
+    /// The name of its files and on the command line: `lower-case-with-hyphens`.
+    pub slug: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// A paragraph about it.
+    pub caption: &'static str,
+    /// The values of its motors (radians, scene units) at a phase in `0.0..1.0`. What it does between the last phase
+    /// and the first again should look like what it does between others.
+    pub motion: fn(f64) -> M::Motors,
+    /// How many frames its film has, at 30 ms each: [`FRAMES`], or more for a long motion.
+    pub frames: usize,
+    /// The phase of its still picture.
+    pub still: f64,
+}
+
+/// Positions on the way from one frame to the next, so that a method that goes from one position to a near one has it
+/// easy.
+const STEPS: usize = 8;
+
+impl<M: Mechanism<Scalar = f64>> Exhibit for Showcase<M> {
+    fn slug(&self) -> &'static str {
+        self.slug
+    }
+
+    fn title(&self) -> &'static str {
+        self.title
+    }
+
+    fn caption(&self) -> &'static str {
+        self.caption
+    }
+
+    fn report(&self) -> &'static str {
+        M::REPORT
+    }
+
+    fn still(&self) -> f64 {
+        self.still
+    }
+
+    fn film(&self) -> Result<Film, Stuck> {
+        let mut mechanism = M::new();
+        let mut film = Film::default();
+        for step in 0..self.frames * STEPS {
+            #[expect(clippy::cast_precision_loss, reason = "a film is not that long")]
+            let phase = step as f64 / (self.frames * STEPS) as f64;
+            let motors = (self.motion)(phase);
+            mechanism.move_to(motors).map_err(|blocked| Stuck {
+                frame: step / STEPS,
+                frames: self.frames,
+                motors: M::MOTORS
+                    .iter()
+                    .copied()
+                    .zip(motors.as_ref().iter().copied())
+                    .collect(),
+                blocked,
+            })?;
+            if step % STEPS == 0 {
+                film.take(&mechanism);
+            }
+        }
+        Ok(film)
+    }
+}

@@ -1,0 +1,102 @@
+//! The page with all exhibits.
+
+use crate::Exhibit;
+use std::fmt::Write;
+
+const HEAD: &str = r#"<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>If it compiles, it moves</title>
+<style>
+:root {
+  --back: #f1ece1; --card: #faf6ed; --line: #ddd5c6; --text: #2a2c39; --soft: #6d6a68; --accent: #3f74b0;
+}
+@media (prefers-color-scheme: dark) {
+  :root { --back: #15181f; --card: #1e222c; --line: #333947; --text: #e7e4dc; --soft: #9a9fab; --accent: #86bbdd; }
+}
+* { box-sizing: border-box; }
+body {
+  margin: 0 auto; max-width: 76rem; padding: 3rem 1.25rem 5rem; background: var(--back); color: var(--text);
+  font: 1.0625rem/1.6 ui-serif, Charter, "Iowan Old Style", Georgia, serif;
+}
+h1, h2, nav, pre, a, footer { font-family: ui-sans-serif, system-ui, sans-serif; }
+h1 { margin: 0; font-size: clamp(1.9rem, 5vw, 3rem); line-height: 1.1; letter-spacing: -0.02em; }
+header p { margin: .75rem 0 0; max-width: 44rem; color: var(--soft); }
+nav { display: flex; flex-wrap: wrap; gap: .4rem; margin: 1.5rem 0 2.5rem; font-size: .875rem; }
+nav a { padding: .2rem .8rem; border: 1px solid var(--line); border-radius: 2rem; background: var(--card); }
+a { color: var(--accent); text-decoration: none; }
+a:hover { text-decoration: underline; }
+article {
+  display: grid; grid-template-columns: minmax(0, 11fr) minmax(0, 9fr); margin: 0 0 2rem; overflow: hidden;
+  border: 1px solid var(--line); border-radius: 1rem; background: var(--card); scroll-margin-top: 1rem;
+}
+figure { display: grid; place-items: center; margin: 0; padding: .5rem; background: #faf6ed; }
+figure img { display: block; max-width: 100%; max-height: 40rem; height: auto; }
+.text { display: flex; flex-direction: column; min-width: 0; padding: 1.75rem; border-left: 1px solid var(--line); }
+h2 { margin: 0 0 .5rem; font-size: 1.375rem; line-height: 1.25; }
+.text p { margin: 0 0 1rem; }
+pre {
+  flex: 1; margin: 0 0 1rem; padding: .9rem 1rem; max-height: 22rem; overflow: auto; border: 1px solid var(--line);
+  border-radius: .5rem; background: var(--back); font: .78rem/1.5 ui-monospace, Menlo, Consolas, monospace;
+}
+.text a { align-self: start; font-size: .875rem; }
+@media (max-width: 52rem) {
+  article { grid-template-columns: minmax(0, 1fr); }
+  .text { border-left: 0; border-top: 1px solid var(--line); padding: 1.25rem; }
+}
+</style>
+<header>
+<h1>If it compiles, it moves</h1>
+<p>Planar mechanisms, declared in Rust, analysed and solved at compile time, and painted by the runtime’s own
+rasteriser. Under each caption is what the compiler found out about the mechanism.</p>
+</header>
+"#;
+
+/// The page with these exhibits. It refers to nothing but their pictures, beside it.
+pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> String {
+    let (mut entries, mut articles) = (String::new(), String::new());
+    for exhibit in exhibits {
+        let [slug, title, caption, report] = [
+            exhibit.slug(),
+            exhibit.title(),
+            exhibit.caption().trim(),
+            exhibit.report().trim_end(),
+        ]
+        .map(escaped);
+        // Writing to a `String` cannot fail.
+        let _ = writeln!(entries, "<a href=\"#{slug}\">{title}</a>");
+        let _ = write!(
+            articles,
+            r#"<article id="{slug}">
+<figure><picture>
+<source srcset="{slug}.png" media="(prefers-reduced-motion: reduce)">
+<img src="{slug}.gif" alt="{title}, moving" loading="lazy">
+</picture></figure>
+<div class="text">
+<h2>{title}</h2>
+<p>{caption}</p>
+<pre>{report}</pre>
+<a href="{slug}.png">Still picture (PNG)</a>
+</div>
+</article>
+"#
+        );
+    }
+    format!("{HEAD}<nav>\n{entries}</nav>\n<main>\n{articles}</main>\n</html>\n")
+}
+
+fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped += "&amp;",
+            '<' => escaped += "&lt;",
+            '>' => escaped += "&gt;",
+            '"' => escaped += "&quot;",
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}

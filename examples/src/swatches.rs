@@ -1,0 +1,90 @@
+//! A few colours in place of many.
+
+use crate::Picture;
+use std::{collections::HashMap, iter};
+
+/// The most colours of an animation: one entry of its table means "as before".
+const MOST: usize = 255;
+
+/// At most 255 colours that stand for all those in some pictures.
+#[derive(Clone, Debug)]
+pub struct Swatches {
+    colors: Vec<[u8; 3]>,
+    entries: HashMap<[u8; 3], u8>,
+}
+
+impl Swatches {
+    /// Chooses them: first what there is most of, and then whatever is not yet near one of those chosen. "Near" is as
+    /// near as 255 colours allow, so no pixel of any picture is farther from its true colour than that.
+    #[must_use]
+    pub fn for_pictures(pictures: &[Picture]) -> Self {
+        let mut counts = HashMap::<[u8; 3], usize>::new();
+        for picture in pictures {
+            for run in picture.pixels.chunk_by(|one, next| one == next) {
+                if let Some(&color) = run.first() {
+                    *counts.entry(color).or_default() += run.len();
+                }
+            }
+        }
+        let mut by_count: Vec<_> = counts.into_iter().collect();
+        by_count.sort_unstable_by_key(|&(color, count)| (usize::MAX - count, color));
+        let seen = by_count.into_iter().map(|(color, _)| color);
+        let seen: Vec<_> = seen.collect();
+
+        let colors = (0..)
+            .find_map(|radius| chosen(&seen, radius * radius))
+            .unwrap_or_default();
+        let entries = seen.into_iter().filter_map(|color| {
+            let nearest = (0..)
+                .zip(&colors)
+                .min_by_key(|&(_, &swatch)| distance(color, swatch));
+            nearest.map(|(entry, _)| (color, entry))
+        });
+        let entries = entries.collect();
+        Self { colors, entries }
+    }
+
+    /// The colours, most frequent ones first.
+    #[must_use]
+    pub fn colors(&self) -> &[[u8; 3]] {
+        &self.colors
+    }
+
+    /// The entry that stands for a colour: 0 if it was in none of the pictures.
+    #[must_use]
+    pub fn entry(&self, color: [u8; 3]) -> u8 {
+        self.entries.get(&color).copied().unwrap_or_default()
+    }
+
+    /// The entries for all the pixels of a picture.
+    #[must_use]
+    pub fn entries(&self, picture: &Picture) -> Vec<u8> {
+        let runs = picture.pixels.chunk_by(|one, next| one == next);
+        runs.flat_map(|run| {
+            let color = run.first().copied().unwrap_or_default();
+            iter::repeat_n(self.entry(color), run.len())
+        })
+        .collect()
+    }
+}
+
+/// Colours such that none of those seen is farther from all of them; `None` if that takes too many.
+fn chosen(seen: &[[u8; 3]], square: u32) -> Option<Vec<[u8; 3]>> {
+    let mut colors = Vec::with_capacity(MOST);
+    for &color in seen {
+        if colors.iter().all(|&near| distance(color, near) > square) {
+            if colors.len() == MOST {
+                return None;
+            }
+            colors.push(color);
+        }
+    }
+    Some(colors)
+}
+
+/// The square of the distance between two colours.
+fn distance(one: [u8; 3], other: [u8; 3]) -> u32 {
+    iter::zip(one, other)
+        .map(|(one, other)| u32::from(one.abs_diff(other)).pow(2))
+        .sum()
+}

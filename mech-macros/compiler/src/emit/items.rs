@@ -1,0 +1,293 @@
+//! The struct and its methods.
+
+use super::block::scalar;
+use super::scope::number;
+use super::shapes::shapes;
+use super::step::{position, step};
+use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
+use crate::program::{BlockKind, Newton, Program, Rounds};
+use crate::syntax::{Header, Places};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// Everything that a coherent mechanism becomes.
+pub(crate) fn items(
+    krate: &TokenStream,
+    header: &Header,
+    places: &Places,
+    model: &Model,
+    program: &Program,
+    report: &str,
+) -> TokenStream {
+    let Header {
+        attributes,
+        visibility,
+        name,
+    } = header;
+    let scalar = scalar(program);
+    let position = position(program);
+    let sizes = [
+        program.motors.len(),
+        program.poses.len(),
+        program.angles.len(),
+    ]
+    .map(Literal::usize_unsuffixed);
+    let [motors, links, _] = &sizes;
+    let doc = format!("\n```text\n{report}```");
+    let start = start(program);
+    let step = step(program);
+    let shapes = shapes(model, program);
+    let accessors = accessors(places, model, program, visibility);
+    let advance = if fixed_rounds(program) {
+        quote!(advance_at_once)
+    } else {
+        quote!(advance)
+    };
+    let (motor_names, link_names) = (&program.motors, &program.links);
+    let text = name.to_string();
+    quote! {
+        #(#attributes)*
+        #[doc = #doc]
+        #[derive(
+            ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq,
+        )]
+        #visibility struct #name {
+            position: #krate::generated::Position<::core::primitive::#scalar, #(#sizes),*>,
+        }
+
+        const _: () = {
+            use ::core::default::Default;
+            use ::core::primitive::#scalar;
+            use ::core::result::Result::{self, Ok};
+            #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
+            use #krate::generated::{
+                #advance as advance, Blocked, Canvas, Isometry2, Mechanism, Outline, Point2, Pose, Position, Shape, angle,
+                atan2, closed, cos, paint, round, sin, sin_cos, slide,
+            };
+
+            #shapes
+
+            const START: #position = #start;
+
+            #[allow(dead_code, reason = "nobody has to ask for every link, point and joint")]
+            impl #name {
+                /// Mobility, trunk and arms, and the loops in the order in which they are solved.
+                #visibility const REPORT: &'static str = #report;
+
+                /// The mechanism as it was assembled at compile time.
+                #[must_use]
+                #visibility const fn new() -> Self {
+                    Self { position: START }
+                }
+
+                /// The present values of the motors, in the order of their declaration, in radians or scene units.
+                #[must_use]
+                #visibility const fn motors(&self) -> [#scalar; #motors] {
+                    self.position.motors
+                }
+
+                /// Gives the motors these values, in the order of their declaration, in radians or scene units, and moves
+                /// everything accordingly.
+                ///
+                /// # Errors
+                /// If a value is not finite or a loop cannot be closed there; the mechanism then stays where it was.
+                #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked> {
+                    self.position = advance(&self.position, motors, [#(#motor_names),*], step)?;
+                    Ok(())
+                }
+
+                /// The poses of the moving links in the scene, in the order of their declaration.
+                #[must_use]
+                #visibility const fn poses(&self) -> &[Pose<#scalar>; #links] {
+                    &self.position.poses
+                }
+
+                /// Paints every shape, from the plane farthest from the eye to the nearest.
+                #visibility fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
+                    paint(SHAPES, &self.position.poses, canvas);
+                }
+
+                #accessors
+            }
+
+            impl Default for #name {
+                fn default() -> Self {
+                    Self::new()
+                }
+            }
+
+            impl Mechanism for #name {
+                type Scalar = #scalar;
+                type Motors = [#scalar; #motors];
+                const NAME: &'static str = #text;
+                const REPORT: &'static str = #report;
+                const MOTORS: &'static [&'static str] = &[#(#motor_names),*];
+                const LINKS: &'static [&'static str] = &[#(#link_names),*];
+                const SHAPES: &'static [Shape<#scalar>] = SHAPES;
+
+                fn new() -> Self {
+                    Self::new()
+                }
+
+                fn motors(&self) -> [#scalar; #motors] {
+                    self.motors()
+                }
+
+                fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked> {
+                    self.move_to(motors)
+                }
+
+                fn poses(&self) -> &[Pose<#scalar>] {
+                    self.poses()
+                }
+            }
+
+            #step
+        };
+    }
+}
+
+fn fixed_rounds(program: &Program) -> bool {
+    let fixed = |kind: &BlockKind| {
+        matches!(
+            kind,
+            BlockKind::Newton(Newton {
+                rounds: Rounds::Exactly(_),
+                ..
+            })
+        )
+    };
+    program.blocks.iter().any(|block| fixed(&block.kind))
+}
+
+/// The assembled position.
+fn start(program: &Program) -> TokenStream {
+    let n = |value: &f64| number(program.precision, *value);
+    let motors = program.start.motors.iter().map(n);
+    let angles = program.start.angles.iter().map(n);
+    let poses = program.start.poses.iter().map(|pose| {
+        let [cos, sin, x, y] = pose.each_ref().map(n);
+        quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
+    });
+    quote!(Position { motors: [#(#motors),*], poses: [#(#poses),*], angles: [#(#angles),*] })
+}
+
+/// An identifier that stands where the user wrote it.
+pub(super) fn user_ident(name: &str, places: &Places, origin: Origin) -> Ident {
+    let mut ident = format_ident!("{}", name);
+    ident.set_span(places.get(origin).start);
+    ident
+}
+
+/// A method for each link, named point and joint.
+fn accessors(
+    places: &Places,
+    model: &Model,
+    program: &Program,
+    visibility: &syn::Visibility,
+) -> TokenStream {
+    let scalar = scalar(program);
+    let mut tokens = TokenStream::new();
+    for id in model.moving_links() {
+        let link = model.link(id);
+        let name = user_ident(&link.name, places, link.origin);
+        let pose = pose(id);
+        let doc = format!(" The pose of link `{}` in the scene.", link.name);
+        tokens.extend(quote! {
+            #[doc = #doc]
+            #[must_use]
+            #visibility fn #name(&self) -> Isometry2<#scalar> {
+                #pose.isometry()
+            }
+        });
+    }
+    for (link, point, origin, [x, y]) in named_points(model) {
+        let name = user_ident(
+            &format!("{}_{point}", model.link(link).name),
+            places,
+            origin,
+        );
+        let (x, y) = (number(program.precision, x), number(program.precision, y));
+        let pose = pose(link);
+        let doc = format!(
+            " Point `{point}` of link `{}`, in the scene.",
+            model.link(link).name
+        );
+        tokens.extend(quote! {
+            #[doc = #doc]
+            #[must_use]
+            #visibility fn #name(&self) -> Point2<#scalar> {
+                let [x, y] = #pose.apply([#x, #y]);
+                Point2::new(x, y)
+            }
+        });
+    }
+    for joint in model.joint_ids() {
+        if let Some((unit, value)) = coordinate(model, program, joint) {
+            let joint = model.joint(joint);
+            let name = user_ident(&joint.name, places, joint.origin);
+            let doc = format!(" The coordinate of joint `{}`, in {unit}.", joint.name);
+            tokens.extend(quote! {
+                #[doc = #doc]
+                #[must_use]
+                #visibility fn #name(&self) -> #scalar {
+                    #value
+                }
+            });
+        }
+    }
+    tokens
+}
+
+/// The named points of the moving links: link, name, place, and where it is in the link.
+pub(super) fn named_points(
+    model: &Model,
+) -> impl Iterator<Item = (LinkId, &str, Origin, [f64; 2])> {
+    let points = model
+        .axes
+        .iter()
+        .filter(|axis| axis.kind == AxisKind::Point && axis.link != LinkId::GROUND);
+    points.filter_map(|axis| Some((axis.link, axis.name.as_deref()?, axis.origin, axis.at)))
+}
+
+/// The expression of a link's pose.
+fn pose(link: LinkId) -> TokenStream {
+    match link.index().checked_sub(1) {
+        None => quote!(Pose::identity()),
+        Some(index) => {
+            let index = Literal::usize_unsuffixed(index);
+            quote!(self.position.poses[#index])
+        }
+    }
+}
+
+/// The unit and the expression of a joint's coordinate; a gear has none.
+fn coordinate(
+    model: &Model,
+    program: &Program,
+    joint: crate::model::JointId,
+) -> Option<(&'static str, TokenStream)> {
+    let (unit, function, a, b) = match model.joint(joint).kind {
+        JointKind::Revolute(a, b) => (
+            "radians, between −π and π unless a motor gives it",
+            quote!(angle),
+            a,
+            b,
+        ),
+        JointKind::Prismatic(a, b) => ("scene units", quote!(slide), a, b),
+        JointKind::Gear { .. } => return None,
+    };
+    if let Some(motor) = model.motor_of(joint) {
+        let index = Literal::usize_unsuffixed(motor.index());
+        return Some((unit, quote!(self.position.motors[#index])));
+    }
+    let axis = |id: AxisId| {
+        let axis = model.axis(id);
+        let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
+            .map(|value| number(program.precision, value));
+        let pose = pose(axis.link);
+        quote!((#pose, [#x, #y], [#along, #across]))
+    };
+    let (a, b) = (axis(a), axis(b));
+    Some((unit, quote!(#function(#a, #b))))
+}

@@ -1,0 +1,141 @@
+//! The function that makes one move: block after block.
+
+use super::block::{function, scalar, statements};
+use super::flow::flows;
+use super::scope::{Scope, ident, uses};
+use crate::program::{BlockId, BlockKind, Op, Program, Value};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+use std::collections::BTreeMap;
+
+/// Straight blocks stand in the main function itself up to this number of values; beyond, each has its own function,
+/// because the compiler nests a scope for every `let`.
+const MOST_IN_PLACE: usize = 256;
+
+/// The function `step`, and those it calls.
+pub(super) fn step(program: &Program) -> TokenStream {
+    let flows = flows(program);
+    let position = position(program);
+    let in_place = straight_values(program) <= MOST_IN_PLACE;
+    let mut scope = Scope::new(program, all_uses(program));
+    let motors = motors(program, &mut scope);
+    let mut functions = TokenStream::new();
+    let mut body = TokenStream::new();
+    let mut names = FunctionNames::default();
+    for block in program.block_ids() {
+        let flow = &flows[block.index()];
+        if flow.gives.is_empty() {
+            continue;
+        }
+        let straight = matches!(program.blocks[block.index()].kind, BlockKind::Straight);
+        if straight && in_place {
+            body.extend(statements(program, block, flow, &mut scope));
+            continue;
+        }
+        let name = names.fresh(&program.blocks[block.index()].name);
+        functions.extend(function(program, block, &name, flow, &position));
+        let last = flow.reads_last.then(|| quote!(last,));
+        let takes: Vec<TokenStream> = flow
+            .takes
+            .iter()
+            .map(|&value| scope.expression(value))
+            .collect();
+        let gives: Vec<Ident> = flow.gives.iter().map(|&value| scope.bind(value)).collect();
+        let fails = (!straight).then(|| quote!(?));
+        body.extend(quote!(let (#(#gives),*) = #name(#last #(#takes),*)#fails;));
+    }
+    let pose = |values: &[Value; 4]| {
+        let [cos, sin, x, y] = values.map(|value| scope.expression(value));
+        quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
+    };
+    let poses: Vec<TokenStream> = program.poses.iter().map(pose).collect();
+    let angles: Vec<TokenStream> = program
+        .angles
+        .iter()
+        .map(|&value| scope.expression(value))
+        .collect();
+    let uses_last = flows
+        .iter()
+        .any(|flow| flow.reads_last && !flow.gives.is_empty());
+    let last = if uses_last { quote!(last) } else { quote!(_) };
+    let scalar = scalar(program);
+    let count = Literal::usize_unsuffixed(program.motors.len());
+    quote! {
+        #functions
+
+        /// The position at these motor values, close to the last one.
+        fn step(#last: &#position, motors: [#scalar; #count]) -> Result<#position, Blocked> {
+            let [#(#motors),*] = motors;
+            #body
+            Ok(Position { motors, poses: [#(#poses),*], angles: [#(#angles),*] })
+        }
+    }
+}
+
+/// The type of a position of this mechanism.
+pub(super) fn position(program: &Program) -> TokenStream {
+    let scalar = scalar(program);
+    let sizes = [
+        program.motors.len(),
+        program.poses.len(),
+        program.angles.len(),
+    ]
+    .map(Literal::usize_unsuffixed);
+    quote!(Position<#scalar, #(#sizes),*>)
+}
+
+/// A variable for each motor; one that nothing needs begins with an underscore.
+fn motors(program: &Program, scope: &mut Scope<'_>) -> Vec<Ident> {
+    let value = |motor| {
+        program
+            .live_values()
+            .find(|&value| program.node(value).op == Op::Motor(motor))
+    };
+    let variable = |(motor, name): (usize, &String)| match value(motor) {
+        Some(value) => scope.bind(value),
+        None => scope.fresh(&format!("_{name}")),
+    };
+    program.motors.iter().enumerate().map(variable).collect()
+}
+
+fn straight_values(program: &Program) -> usize {
+    let straight =
+        |block: BlockId| matches!(program.blocks[block.index()].kind, BlockKind::Straight);
+    program
+        .live_values()
+        .filter(|&value| straight(program.node(value).block))
+        .count()
+}
+
+/// The uses of values within the straight blocks, which share one function.
+fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
+    let mut all = BTreeMap::new();
+    for block in program.block_ids() {
+        for (value, count) in uses(program, block) {
+            *all.entry(value).or_insert(0) += count;
+        }
+    }
+    program
+        .poses
+        .iter()
+        .flatten()
+        .chain(&program.angles)
+        .for_each(|value| *all.entry(*value).or_insert(0) += 1);
+    all
+}
+
+/// Names of functions, each given once.
+#[derive(Default)]
+struct FunctionNames(Vec<String>);
+
+impl FunctionNames {
+    fn fresh(&mut self, wanted: &str) -> Ident {
+        let taken = |name: &String| self.0.contains(name) || name == "step";
+        let name = std::iter::once(wanted.to_owned())
+            .chain((2..).map(|number| format!("{wanted}_{number}")))
+            .find(|name| !taken(name))
+            .unwrap_or_default();
+        self.0.push(name.clone());
+        ident(&name)
+    }
+}

@@ -1,0 +1,117 @@
+//! What a mechanism that does not compile leaves behind: its struct and its methods, so that nothing else in the user's
+//! crate turns red.
+
+use super::items::{named_points, user_ident};
+use crate::model::{JointKind, Model, Precision};
+use crate::syntax::{Header, Places};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// The struct and the signatures of its methods. None of it is ever run.
+pub(crate) fn stub(
+    krate: &TokenStream,
+    header: &Header,
+    places: &Places,
+    model: &Model,
+    motors: usize,
+) -> TokenStream {
+    let Header {
+        attributes,
+        visibility,
+        name,
+    } = header;
+    let scalar = match model.precision {
+        Precision::F32 => quote!(::core::primitive::f32),
+        Precision::F64 => quote!(::core::primitive::f64),
+    };
+    let motors = Literal::usize_unsuffixed(motors);
+    let links = Literal::usize_unsuffixed(model.links.len() - 1);
+    let isometry = quote!(#krate::Isometry2<#scalar>);
+    let point = quote!(#krate::Point2<#scalar>);
+    let mut methods: Vec<(proc_macro2::Ident, &TokenStream)> = Vec::new();
+    for id in model.moving_links() {
+        let link = model.link(id);
+        methods.push((user_ident(&link.name, places, link.origin), &isometry));
+    }
+    for (link, name, origin, _) in named_points(model) {
+        methods.push((
+            user_ident(&format!("{}_{name}", model.link(link).name), places, origin),
+            &point,
+        ));
+    }
+    for joint in model
+        .joints
+        .iter()
+        .filter(|joint| !matches!(joint.kind, JointKind::Gear { .. }))
+    {
+        methods.push((user_ident(&joint.name, places, joint.origin), &scalar));
+    }
+    // What was declared twice is reported elsewhere: here each name may stand only once.
+    let mut seen = Vec::new();
+    methods.retain(|(name, _)| {
+        let new = !seen.contains(name);
+        seen.push(name.clone());
+        new
+    });
+    let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
+    let text = name.to_string();
+    quote! {
+        #(#attributes)*
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #visibility struct #name;
+
+        #[allow(dead_code, unused_variables, clippy::all, clippy::pedantic, reason = "never run: the mechanism has errors")]
+        const _: () = {
+            impl #name {
+                #visibility const REPORT: &'static ::core::primitive::str = "";
+                #[must_use]
+                #visibility const fn new() -> Self {
+                    Self
+                }
+                #visibility fn motors(&self) -> [#scalar; #motors] {
+                    loop {}
+                }
+                #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> ::core::result::Result<(), #krate::Blocked> {
+                    loop {}
+                }
+                #visibility fn poses(&self) -> &[#krate::Pose<#scalar>; #links] {
+                    loop {}
+                }
+                #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
+                #(
+                    #visibility fn #names(&self) -> #types {
+                        loop {}
+                    }
+                )*
+            }
+
+            impl ::core::default::Default for #name {
+                fn default() -> Self {
+                    Self
+                }
+            }
+
+            impl #krate::Mechanism for #name {
+                type Scalar = #scalar;
+                type Motors = [#scalar; #motors];
+                const NAME: &'static ::core::primitive::str = #text;
+                const REPORT: &'static ::core::primitive::str = "";
+                const MOTORS: &'static [&'static ::core::primitive::str] = &[];
+                const LINKS: &'static [&'static ::core::primitive::str] = &[];
+                const SHAPES: &'static [#krate::Shape<#scalar>] = &[];
+                fn new() -> Self {
+                    Self
+                }
+                fn motors(&self) -> [#scalar; #motors] {
+                    loop {}
+                }
+                fn move_to(&mut self, motors: [#scalar; #motors]) -> ::core::result::Result<(), #krate::Blocked> {
+                    loop {}
+                }
+                fn poses(&self) -> &[#krate::Pose<#scalar>] {
+                    &[]
+                }
+            }
+        };
+    }
+}

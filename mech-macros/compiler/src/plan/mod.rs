@@ -1,0 +1,53 @@
+//! The plan: in which order positions become known, and where everything is at the start.
+
+mod algebra;
+mod angles;
+mod assembly;
+mod closed_form;
+mod cluster;
+mod equation;
+mod placement;
+mod sequence;
+mod step;
+
+pub(crate) use algebra::{Algebra, Pose};
+pub(crate) use angles::Angles;
+pub use assembly::Assembly;
+pub(crate) use equation::{Equation, Solution, Unknown};
+pub(crate) use placement::{Coordinate, Placement};
+pub use step::{Connection, ConnectionKind, Drive, Loop, Mesh, Step};
+
+use crate::model::Model;
+use crate::structure::{Diagnosis, Structure};
+
+/// How a coherent mechanism is solved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// The steps, each of which needs only those before it.
+    pub steps: Vec<Step>,
+    /// Where everything is at the start.
+    pub start: Assembly,
+}
+
+impl Plan {
+    /// The loops, in the order in which they are solved.
+    pub fn loops(&self) -> impl Iterator<Item = &Loop> {
+        self.steps.iter().filter_map(|step| {
+            if let Step::Close(ring) = step {
+                Some(ring)
+            } else {
+                None
+            }
+        })
+    }
+}
+
+/// Plans a mechanism whose structure was found coherent.
+///
+/// # Errors
+/// It is not sequential, it cannot be assembled, or it can be in several ways.
+pub fn plan(model: &Model, structure: &Structure) -> Result<Plan, Diagnosis> {
+    let steps = sequence::sequence(model, structure)?;
+    let start = assembly::assemble(model, &steps)?;
+    Ok(Plan { steps, start })
+}

@@ -1,0 +1,506 @@
+//! From the plan to the program.
+
+use super::builder::Builder;
+use super::calibrate::calibrate;
+use super::live::live;
+use super::newton::{Limits, Newton, Rounds, Scalar};
+use super::node::{BlockId, Op, Part, Slot, Value};
+use super::{BlockKind, Position, Program};
+use crate::model::{AxisId, LinkId, Method, Model};
+use crate::plan::{
+    Algebra, Angles, Connection, ConnectionKind, Coordinate, Drive, Equation, Loop, Mesh,
+    Placement, Plan, Pose, Solution, Step, Unknown,
+};
+
+/// More rounds than this never help: Newton's iteration doubles its digits in each.
+const MOST_ROUNDS: u32 = 24;
+
+/// Writes the program of a planned mechanism.
+#[must_use]
+pub fn build(model: &Model, plan: &Plan) -> Program {
+    let mut builder = Builder::default();
+    builder.block("start".to_owned(), String::new());
+    let placement = Placement::new(&mut builder, model);
+    let angles = Angles::new(&mut builder, model.links.len());
+    let mut writer = Writer {
+        model,
+        plan,
+        builder,
+        placement,
+        angles,
+        kept: Vec::new(),
+        meshes: 0,
+        loops: 0,
+    };
+    for step in &plan.steps {
+        match step {
+            Step::Drive(drive) => writer.drive(drive),
+            Step::Mesh(mesh) => writer.mesh(mesh),
+            Step::Close(ring) => writer.close(ring),
+        }
+    }
+    writer.finish()
+}
+
+struct Writer<'m> {
+    model: &'m Model,
+    plan: &'m Plan,
+    builder: Builder,
+    placement: Placement<'m, Value>,
+    angles: Angles<Value>,
+    /// The new values of the angles that are kept unwrapped, and what they are at the start.
+    kept: Vec<(Value, f64)>,
+    meshes: usize,
+    loops: usize,
+}
+
+impl Writer<'_> {
+    fn link_of(&self, axis: AxisId) -> LinkId {
+        self.model.axis(axis).link
+    }
+
+    fn name_of(&self, link: LinkId) -> &str {
+        &self.model.link(link).name
+    }
+
+    fn drive(&mut self, drive: &Drive) {
+        let name = self.model.joint(drive.connection.joint).name.clone();
+        self.builder
+            .block(format!("drive_{name}"), format!("Motor `{name}`."));
+        let motor = self.builder.make(Op::Motor(drive.motor.index()));
+        self.builder.name(motor, &name);
+        match drive.connection.kind {
+            ConnectionKind::Revolute => {
+                let turn = self.unit(motor, &name);
+                self.connect(drive.connection, Coordinate::Turn(turn), Some(motor));
+            }
+            ConnectionKind::Prismatic => {
+                self.connect(drive.connection, Coordinate::Slide(motor), None)
+            }
+        }
+    }
+
+    /// The cosine and sine of an angle.
+    fn unit(&mut self, angle: Value, name: &str) -> [Value; 2] {
+        let (sin, cos) = (
+            self.builder.make(Op::Sin(angle)),
+            self.builder.make(Op::Cos(angle)),
+        );
+        self.builder.name_direction([cos, sin], name)
+    }
+
+    fn connect(
+        &mut self,
+        connection: Connection,
+        coordinate: Coordinate<Value>,
+        turn: Option<Value>,
+    ) {
+        let axis_angle = |id| {
+            let [x, y] = self.model.axis(id).direction;
+            f64::atan2(y, x)
+        };
+        let fixed = axis_angle(connection.from) - axis_angle(connection.to);
+        let fixed = self.builder.constant(fixed);
+        let angle = match turn {
+            Some(turn) => self.builder.add(fixed, turn),
+            None => fixed,
+        };
+        let (from, to) = (self.link_of(connection.from), self.link_of(connection.to));
+        self.angles.join(&mut self.builder, from, to, angle);
+        self.placement
+            .connect(&mut self.builder, connection, coordinate);
+        self.name_cluster(to);
+    }
+
+    fn mesh(&mut self, mesh: &Mesh) {
+        let name = self.model.joint(mesh.gear).name.clone();
+        self.builder
+            .block(format!("mesh_{name}"), format!("Gear `{name}`."));
+        let (carrier, wheel) = (self.link_of(mesh.input.from), self.link_of(mesh.input.to));
+        let (input_start, output_start) = self
+            .plan
+            .start
+            .meshes
+            .get(self.meshes)
+            .copied()
+            .unwrap_or_default();
+        self.meshes += 1;
+        let input = match self.angles.between(&mut self.builder, carrier, wheel) {
+            Some(angle) => angle,
+            None => self.unwrapped(carrier, wheel, input_start),
+        };
+        let speed = self.builder.constant(mesh.speed);
+        let turned = self.builder.mul(speed, input);
+        let offset = self
+            .builder
+            .constant(output_start - mesh.speed * input_start);
+        let output = self.builder.add(offset, turned);
+        let driven = self.link_of(mesh.output.to);
+        let driven_name = self.name_of(driven).to_owned();
+        self.builder.name(output, format!("{driven_name}_angle"));
+        let unit = self.unit(output, &driven_name);
+        self.angles.join(&mut self.builder, carrier, driven, output);
+        let carried = self.placement.pose(carrier).direction;
+        let direction = self.builder.turned(carried, unit);
+        self.placement
+            .turn_link(&mut self.builder, mesh.output, direction);
+        self.name_cluster(driven);
+    }
+
+    /// The angle between two links that loops have solved, followed over any number of turns.
+    fn unwrapped(&mut self, from: LinkId, to: LinkId, start: f64) -> Value {
+        let (base, end) = (
+            self.placement.pose(from).direction,
+            self.placement.pose(to).direction,
+        );
+        let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
+        let principal = self.builder.make(Op::Atan2(sin, cos));
+        let last = self.builder.make(Op::Last(Slot::Angle(self.kept.len())));
+        let behind = self.builder.sub(last, principal);
+        let turn = self.builder.constant(std::f64::consts::TAU);
+        let turns = self.builder.div(behind, turn);
+        let turns = self.builder.make(Op::Round(turns));
+        let whole = self.builder.mul(turn, turns);
+        let angle = self.builder.add(principal, whole);
+        let name = format!("{}_angle", self.name_of(to));
+        self.builder.name(angle, name);
+        self.kept.push((angle, start));
+        self.angles.join(&mut self.builder, from, to, angle);
+        angle
+    }
+
+    fn close(&mut self, ring: &Loop) {
+        self.loops += 1;
+        let bases = ring
+            .ring
+            .map(|connection| self.placement.base(connection.from));
+        let joints = ring
+            .ring
+            .map(|connection| self.model.joint(connection.joint).name.clone());
+        let links: Vec<&str> = bases[1..].iter().map(|&base| self.name_of(base)).collect();
+        let place = joints
+            .iter()
+            .map(|joint| format!("`{joint}`"))
+            .collect::<Vec<_>>()
+            .join(", ");
+        let name = format!("close_{}", links.join("_"));
+        let title = format!("Loop {}, closed by {place}.", self.loops);
+        let block = self.builder.block(name, title);
+        let Some(equation) = Equation::new(&mut self.builder, &self.placement, ring) else {
+            return;
+        };
+        self.builder.name_vector(equation.offset, "known");
+        let firsts = self.firsts(ring, &equation, bases);
+        self.builder.enter();
+        let (newton, solution) = self.iterate(block, &equation, firsts, place);
+        self.builder.leave();
+        if let Some(block) = self.builder.blocks.last_mut() {
+            block.kind = BlockKind::Newton(newton);
+        }
+        for connection in ring
+            .ring
+            .iter()
+            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
+        {
+            let (from, to) = (self.link_of(connection.from), self.link_of(connection.to));
+            let angle = |id| {
+                let [x, y] = self.model.axis(id).direction;
+                f64::atan2(y, x)
+            };
+            let fixed = self
+                .builder
+                .constant(angle(connection.from) - angle(connection.to));
+            self.angles.join(&mut self.builder, from, to, fixed);
+        }
+        equation.place(&mut self.builder, &mut self.placement, ring, solution);
+        bases[1..].iter().for_each(|&base| self.name_cluster(base));
+    }
+
+    /// The pose that the last position left behind.
+    fn last_pose(&mut self, link: LinkId) -> Pose<Value> {
+        match link.index().checked_sub(1) {
+            None => Pose::identity(&mut self.builder),
+            Some(index) => {
+                let [cos, sin, x, y] =
+                    Part::ALL.map(|part| self.builder.make(Op::Last(Slot::Pose(index, part))));
+                Pose {
+                    direction: [cos, sin],
+                    origin: [x, y],
+                }
+            }
+        }
+    }
+
+    /// For each unknown its name and where the iteration starts: at the last position.
+    fn firsts(
+        &mut self,
+        ring: &Loop,
+        equation: &Equation<Value>,
+        bases: [LinkId; 3],
+    ) -> [(String, Solution<Value>); 2] {
+        equation.unknowns.map(|unknown| match unknown {
+            Unknown::Direction { cluster, .. } => {
+                let link = bases[cluster];
+                let frame = self.last_pose(bases[0]).direction;
+                let back = self.builder.conjugate(frame);
+                let direction = self.last_pose(link).direction;
+                let direction = self.builder.turned(back, direction);
+                let direction = self.normalised(direction);
+                (
+                    self.name_of(link).to_owned(),
+                    Solution::Direction(direction),
+                )
+            }
+            Unknown::Slide { connection, .. } => {
+                let connection = ring.ring[connection];
+                let (from, to) = (
+                    self.model.axis(connection.from).clone(),
+                    self.model.axis(connection.to).clone(),
+                );
+                let (start, end) = (self.last_pose(from.link), self.last_pose(to.link));
+                let heading = start.turn(&mut self.builder, from.direction);
+                let start = start.carry(&mut self.builder, from.at);
+                let end = end.carry(&mut self.builder, to.at);
+                let way = self.builder.minus(end, start);
+                let way = self.builder.dot(heading, way);
+                (
+                    self.model.joint(connection.joint).name.clone(),
+                    Solution::Slide(way),
+                )
+            }
+        })
+    }
+
+    /// One step towards length one, so that rounding never adds up.
+    fn normalised(&mut self, v: [Value; 2]) -> [Value; 2] {
+        let square = self.builder.dot(v, v);
+        let (half, three) = (self.builder.constant(0.5), self.builder.constant(1.5));
+        let half = self.builder.mul(half, square);
+        let factor = self.builder.sub(three, half);
+        self.builder.scaled(factor, v)
+    }
+
+    /// The iteration: the gap, its rates, and the next round's unknowns.
+    fn iterate(
+        &mut self,
+        block: BlockId,
+        equation: &Equation<Value>,
+        firsts: [(String, Solution<Value>); 2],
+        place: String,
+    ) -> (Newton, [Solution<Value>; 2]) {
+        let mut scalars = Vec::new();
+        let now = firsts.map(|(name, first)| self.unknown(block, &name, first, &mut scalars));
+        let (gap, columns, sides) = self.gap(equation, &now);
+        let gap = self.builder.name_vector(gap, "gap");
+        let det = self.builder.cross(columns[0], columns[1]);
+        let det = self.builder.name(det, "det");
+        let (p, q) = (
+            self.builder.cross(columns[1], gap),
+            self.builder.cross(gap, columns[0]),
+        );
+        let steps = [self.builder.div(p, det), self.builder.div(q, det)];
+        let mut next = Vec::new();
+        for (now, step) in now.iter().zip(steps) {
+            match *now {
+                Solution::Direction(direction) => next.extend(self.turned_by(direction, step)),
+                Solution::Slide(way) => next.push(self.builder.add(way, step)),
+            }
+        }
+        let scalars: Vec<Scalar> = scalars
+            .into_iter()
+            .zip(next)
+            .map(|(scalar, next)| Scalar { next, ..scalar })
+            .collect();
+        let solution = self.solved(block, &now, &scalars);
+        let rounds = match self.model.method {
+            Method::Newton => Rounds::UntilClosed(MOST_ROUNDS),
+            Method::NewtonSteps(rounds) => Rounds::Exactly(rounds),
+        };
+        let newton = Newton {
+            place,
+            scalars,
+            gap,
+            det,
+            columns,
+            sides,
+            rounds,
+            limits: Limits::default(),
+        };
+        (newton, solution)
+    }
+
+    fn unknown(
+        &mut self,
+        block: BlockId,
+        name: &str,
+        first: Solution<Value>,
+        scalars: &mut Vec<Scalar>,
+    ) -> Solution<Value> {
+        let mut scalar = |name: String, first: Value| {
+            let now = self.builder.make(Op::Unknown(block, scalars.len()));
+            self.builder.name(now, &name);
+            scalars.push(Scalar {
+                name,
+                first,
+                now,
+                next: now,
+            });
+            now
+        };
+        match first {
+            Solution::Direction([cos, sin]) => Solution::Direction([
+                scalar(format!("{name}_cos"), cos),
+                scalar(format!("{name}_sin"), sin),
+            ]),
+            Solution::Slide(way) => Solution::Slide(scalar(name.to_owned(), way)),
+        }
+    }
+
+    /// The gap, its rate with each unknown, and the vectors it is made of.
+    #[expect(
+        clippy::type_complexity,
+        reason = "three things that are read off one walk round the loop"
+    )]
+    fn gap(
+        &mut self,
+        equation: &Equation<Value>,
+        now: &[Solution<Value>; 2],
+    ) -> ([Value; 2], [[Value; 2]; 2], Vec<[Value; 2]>) {
+        let builder = &mut self.builder;
+        let mut gap = equation.offset;
+        let mut sides = vec![equation.offset];
+        let mut arms: [Option<[Value; 2]>; 2] = equation.unknowns.map(|unknown| match unknown {
+            Unknown::Direction { arm, .. } => Some(arm),
+            Unknown::Slide { .. } => None,
+        });
+        let mut slides = [None; 2];
+        for (index, unknown) in equation.unknowns.iter().enumerate() {
+            if let (
+                &Unknown::Slide {
+                    along, turned_by, ..
+                },
+                Solution::Slide(way),
+            ) = (unknown, now[index])
+            {
+                let part = builder.scaled(way, along);
+                match turned_by.and_then(|turning| arms[turning].as_mut()) {
+                    Some(arm) => *arm = builder.plus(*arm, part),
+                    None => {
+                        gap = builder.plus(gap, part);
+                        sides.push(part);
+                    }
+                }
+                slides[index] = Some((along, turned_by));
+            }
+        }
+        let mut columns = [equation.offset; 2];
+        for index in 0..2 {
+            if let (Some(arm), Solution::Direction(direction)) = (arms[index], now[index]) {
+                let side = builder.turned(direction, arm);
+                gap = builder.plus(gap, side);
+                sides.push(side);
+                columns[index] = [builder.neg(side[1]), side[0]];
+            }
+        }
+        for (index, slide) in slides.into_iter().enumerate() {
+            if let Some((along, turned_by)) = slide {
+                columns[index] = match turned_by.map(|turning| now[turning]) {
+                    Some(Solution::Direction(direction)) => builder.turned(direction, along),
+                    _ => along,
+                };
+            }
+        }
+        (gap, columns, sides)
+    }
+
+    /// A direction turned by a small angle, by the rational map that keeps its length (Cayley's).
+    fn turned_by(&mut self, direction: [Value; 2], angle: Value) -> [Value; 2] {
+        let builder = &mut self.builder;
+        let (half, one) = (builder.constant(0.5), builder.constant(1.0));
+        let t = builder.mul(half, angle);
+        let square = builder.mul(t, t);
+        let sum = builder.add(one, square);
+        let scale = builder.div(one, sum);
+        let difference = builder.sub(one, square);
+        let double = builder.add(t, t);
+        let turn = builder.scaled(scale, [difference, double]);
+        builder.turned(direction, turn)
+    }
+
+    /// The unknowns after the last round.
+    fn solved(
+        &mut self,
+        block: BlockId,
+        now: &[Solution<Value>; 2],
+        scalars: &[Scalar],
+    ) -> [Solution<Value>; 2] {
+        let mut index = 0;
+        let mut next = || {
+            let value = self.builder.make(Op::Solved(block, index));
+            self.builder.name(value, scalars[index].name.clone());
+            index += 1;
+            value
+        };
+        now.map(|unknown| match unknown {
+            Solution::Direction(_) => Solution::Direction([next(), next()]),
+            Solution::Slide(_) => Solution::Slide(next()),
+        })
+    }
+
+    /// Names the poses of the links that were just placed.
+    fn name_cluster(&mut self, link: LinkId) {
+        let base = self.placement.clusters.base(link);
+        let links: Vec<LinkId> = self.placement.clusters.links(base).collect();
+        for link in links {
+            let pose = self.placement.pose(link);
+            let name = self.name_of(link).to_owned();
+            self.builder.name_direction(pose.direction, &name);
+            self.builder.name_vector(pose.origin, &name);
+        }
+    }
+
+    fn finish(self) -> Program {
+        let Self {
+            model,
+            plan,
+            builder,
+            placement,
+            kept,
+            ..
+        } = self;
+        let poses = model.moving_links().map(|link| {
+            let Pose {
+                direction: [cos, sin],
+                origin: [x, y],
+            } = placement.pose(link);
+            [cos, sin, x, y]
+        });
+        let start = Position {
+            motors: plan.start.motors.clone(),
+            poses: plan.start.poses[1..].to_vec(),
+            angles: kept.iter().map(|&(_, start)| start).collect(),
+        };
+        let mut program = Program {
+            name: model.name.clone(),
+            precision: model.precision,
+            nodes: builder.nodes,
+            blocks: builder.blocks,
+            motors: model
+                .motors
+                .iter()
+                .map(|motor| model.joint(motor.joint).name.clone())
+                .collect(),
+            links: model
+                .moving_links()
+                .map(|link| model.link(link).name.clone())
+                .collect(),
+            poses: poses.collect(),
+            angles: kept.into_iter().map(|(angle, _)| angle).collect(),
+            live: Vec::new(),
+            start,
+        };
+        program.live = live(&program);
+        calibrate(&mut program);
+        program
+    }
+}

@@ -1,0 +1,185 @@
+//! Writes a program: folds constants and finds common subexpressions while it goes.
+
+use super::node::{BlockId, Node, Number, Op, Value};
+use super::{Block, BlockKind};
+use crate::plan::Algebra;
+use std::collections::HashMap;
+
+/// A program in the making.
+#[derive(Debug, Default)]
+pub(super) struct Builder {
+    pub(super) nodes: Vec<Node>,
+    pub(super) blocks: Vec<Block>,
+    /// Looked up only, never iterated: the program does not depend on its order.
+    known: HashMap<Op, Value>,
+    /// What is known only inside the present iteration.
+    inside: Option<Vec<Op>>,
+}
+
+impl Builder {
+    /// Begins a new block.
+    pub(super) fn block(&mut self, name: String, title: String) -> BlockId {
+        self.blocks.push(Block {
+            name,
+            title,
+            kind: BlockKind::Straight,
+        });
+        self.current()
+    }
+
+    fn current(&self) -> BlockId {
+        BlockId(u32::try_from(self.blocks.len().saturating_sub(1)).unwrap_or(u32::MAX))
+    }
+
+    /// From here to [`leave`](Self::leave) whatever depends on the block's unknowns is made anew in every round.
+    pub(super) fn enter(&mut self) {
+        self.inside = Some(Vec::new());
+    }
+
+    /// Ends the iteration and forgets what was made in it.
+    pub(super) fn leave(&mut self) {
+        for op in self.inside.take().into_iter().flatten() {
+            self.known.remove(&op);
+        }
+    }
+
+    /// The value that this operation makes, made now unless it was before.
+    pub(super) fn make(&mut self, op: Op) -> Value {
+        if let Some(&known) = self.known.get(&op) {
+            return known;
+        }
+        let block = self.current();
+        let depends = |value: Value| {
+            let node = &self.nodes[value.index()];
+            node.iterated && node.block == block
+        };
+        let iterated =
+            self.inside.is_some() && (matches!(op, Op::Unknown(..)) || op.operands().any(depends));
+        let value = Value(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        self.nodes.push(Node {
+            op,
+            block,
+            iterated,
+            name: None,
+        });
+        self.known.insert(op, value);
+        if let (true, Some(inside)) = (iterated, &mut self.inside) {
+            inside.push(op);
+        }
+        value
+    }
+
+    /// Gives a value a name, unless it has one or is a constant.
+    pub(super) fn name(&mut self, value: Value, name: impl Into<String>) -> Value {
+        let node = &mut self.nodes[value.index()];
+        if node.name.is_none() && !matches!(node.op, Op::Constant(_)) {
+            node.name = Some(name.into());
+        }
+        value
+    }
+
+    /// Gives the two numbers of a vector names.
+    pub(super) fn name_vector(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
+        [
+            self.name(v[0], format!("{name}_x")),
+            self.name(v[1], format!("{name}_y")),
+        ]
+    }
+
+    /// Gives the cosine and sine of a direction names.
+    pub(super) fn name_direction(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
+        [
+            self.name(v[0], format!("{name}_cos")),
+            self.name(v[1], format!("{name}_sin")),
+        ]
+    }
+
+    pub(super) fn div(&mut self, a: Value, b: Value) -> Value {
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) if b != 0.0 => self.constant(a / b),
+            (_, Some(1.0)) => a,
+            _ => self.make(Op::Div(a, b)),
+        }
+    }
+
+    fn number(&self, value: Value) -> Option<f64> {
+        match self.nodes[value.index()].op {
+            Op::Constant(number) => Some(number.get()),
+            _ => None,
+        }
+    }
+
+    fn negated(&self, value: Value) -> Option<Value> {
+        match self.nodes[value.index()].op {
+            Op::Neg(inner) => Some(inner),
+            _ => None,
+        }
+    }
+}
+
+impl Algebra for Builder {
+    type Scalar = Value;
+
+    fn constant(&mut self, value: f64) -> Value {
+        self.make(Op::Constant(Number::new(value)))
+    }
+
+    fn add(&mut self, a: Value, b: Value) -> Value {
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => return self.constant(a + b),
+            (Some(0.0), _) => return b,
+            (_, Some(0.0)) => return a,
+            _ => {}
+        }
+        match (self.negated(a), self.negated(b)) {
+            (_, Some(b)) => self.sub(a, b),
+            (Some(a), _) => self.sub(b, a),
+            _ => self.make(Op::Add(a.min(b), a.max(b))),
+        }
+    }
+
+    fn sub(&mut self, a: Value, b: Value) -> Value {
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => return self.constant(a - b),
+            (Some(0.0), _) => return self.neg(b),
+            (_, Some(0.0)) => return a,
+            _ => {}
+        }
+        match self.negated(b) {
+            Some(b) => self.add(a, b),
+            None => self.make(Op::Sub(a, b)),
+        }
+    }
+
+    fn mul(&mut self, a: Value, b: Value) -> Value {
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => return self.constant(a * b),
+            (Some(0.0), _) | (_, Some(0.0)) => return self.constant(0.0),
+            (Some(1.0), _) => return b,
+            (_, Some(1.0)) => return a,
+            (Some(-1.0), _) => return self.neg(b),
+            (_, Some(-1.0)) => return self.neg(a),
+            _ => {}
+        }
+        match (self.negated(a), self.negated(b)) {
+            (Some(a), Some(b)) => self.mul(a, b),
+            (Some(a), None) => {
+                let product = self.mul(a, b);
+                self.neg(product)
+            }
+            (None, Some(b)) => {
+                let product = self.mul(a, b);
+                self.neg(product)
+            }
+            _ => self.make(Op::Mul(a.min(b), a.max(b))),
+        }
+    }
+
+    fn neg(&mut self, a: Value) -> Value {
+        match (self.number(a), self.negated(a)) {
+            (Some(a), _) => self.constant(-a),
+            (_, Some(inner)) => inner,
+            _ => self.make(Op::Neg(a)),
+        }
+    }
+}

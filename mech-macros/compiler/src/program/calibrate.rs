@@ -1,0 +1,58 @@
+//! Measures every loop at the start: tolerances are relative to what is found there.
+
+use super::node::{Op, Part, Slot, Value};
+use super::{BlockKind, Limits, Program};
+
+/// Sets the limits of all loops.
+pub(super) fn calibrate(program: &mut Program) {
+    let values = at_start(program);
+    let length = |[x, y]: [Value; 2]| values[x.index()].hypot(values[y.index()]);
+    for block in &mut program.blocks {
+        if let BlockKind::Newton(newton) = &mut block.kind {
+            newton.limits = Limits {
+                size: newton.sides.iter().map(|&side| length(side)).sum(),
+                reach: length(newton.columns[0]) * length(newton.columns[1]),
+                positive: values[newton.det.index()] > 0.0,
+            };
+        }
+    }
+}
+
+/// All values at the start, where every loop is already closed.
+fn at_start(program: &Program) -> Vec<f64> {
+    let mut values: Vec<f64> = Vec::with_capacity(program.nodes.len());
+    let first = |block: super::BlockId, index: usize| {
+        program
+            .newton(block)
+            .and_then(|newton| newton.scalars.get(index))
+            .map(|scalar| scalar.first)
+    };
+    for node in &program.nodes {
+        let value = match node.op {
+            Op::Motor(motor) => program.start.motors.get(motor).copied(),
+            Op::Last(slot) => last(program, slot),
+            Op::Unknown(block, index) | Op::Solved(block, index) => {
+                first(block, index).map(|value| values[value.index()])
+            }
+            op => op.apply(|value| values[value.index()]),
+        };
+        values.push(value.unwrap_or_default());
+    }
+    values
+}
+
+fn last(program: &Program, slot: Slot) -> Option<f64> {
+    match slot {
+        Slot::Pose(link, part) => {
+            let pose = program.start.poses.get(link)?;
+            let index = match part {
+                Part::Cos => 0,
+                Part::Sin => 1,
+                Part::X => 2,
+                Part::Y => 3,
+            };
+            Some(pose[index])
+        }
+        Slot::Angle(index) => program.start.angles.get(index).copied(),
+    }
+}

@@ -1,0 +1,41 @@
+//! Which values anything depends on: what no root reaches is not emitted.
+
+use super::node::{BlockId, Op, Value};
+use super::{Block, BlockKind, Program};
+
+/// For each node whether it is needed.
+pub(super) fn live(program: &Program) -> Vec<bool> {
+    let mut live = vec![false; program.nodes.len()];
+    let mut waiting: Vec<Value> = program
+        .poses
+        .iter()
+        .flatten()
+        .chain(&program.angles)
+        .copied()
+        .collect();
+    while let Some(value) = waiting.pop() {
+        if std::mem::replace(&mut live[value.index()], true) {
+            continue;
+        }
+        let op = program.nodes[value.index()].op;
+        waiting.extend(op.operands());
+        if let Op::Solved(block, _) = op {
+            waiting.extend(iteration(&program.blocks, block));
+        }
+    }
+    live
+}
+
+/// What an iteration needs.
+fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
+    match &blocks[block.index()].kind {
+        BlockKind::Straight => Vec::new(),
+        BlockKind::Newton(newton) => {
+            let scalars = newton
+                .scalars
+                .iter()
+                .flat_map(|scalar| [scalar.first, scalar.now, scalar.next]);
+            scalars.chain(newton.gap).chain([newton.det]).collect()
+        }
+    }
+}

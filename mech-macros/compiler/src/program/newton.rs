@@ -1,0 +1,86 @@
+//! The iteration that closes a loop.
+
+use super::node::Value;
+
+/// Newton's iteration on a loop's two equations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Newton {
+    /// The joints of the loop whose coordinates are unknown, for messages.
+    pub place: String,
+    /// The scalars that are iterated: a direction has two, a length one.
+    pub scalars: Vec<Scalar>,
+    /// What is missing for the loop to close.
+    pub gap: [Value; 2],
+    /// The determinant of the 2×2 core of the loop's 3×3 system.
+    pub det: Value,
+    /// Its two columns: the rates of the gap with each unknown.
+    pub columns: [[Value; 2]; 2],
+    /// The vectors that the way round is made of: their lengths tell the loop's size.
+    pub sides: Vec<[Value; 2]>,
+    /// How many rounds.
+    pub rounds: Rounds,
+    /// What a result must satisfy.
+    pub limits: Limits,
+}
+
+/// A scalar that is iterated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scalar {
+    /// What it is called.
+    pub name: String,
+    /// Its value before the first round.
+    pub first: Value,
+    /// Its value in a round.
+    pub now: Value,
+    /// Its value in the next round.
+    pub next: Value,
+}
+
+/// How many rounds an iteration makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounds {
+    /// Until the gap is closed to rounding, but not more than this.
+    UntilClosed(u32),
+    /// Exactly this many.
+    Exactly(u32),
+}
+
+/// The sizes at the start that all tolerances are relative to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// The sum of the lengths that the way round the loop is made of, in scene units.
+    pub size: f64,
+    /// The product of the lengths of the two columns: the determinant is at most this, times a sine.
+    pub reach: f64,
+    /// Whether the determinant is positive at the start. It stays so: it changes its sign at a dead point only.
+    pub positive: bool,
+}
+
+impl Newton {
+    /// A gap, in scene units, at which no further round is worth while.
+    #[must_use]
+    pub fn tight(&self, epsilon: f64) -> f64 {
+        4.0 * epsilon * self.limits.size
+    }
+
+    /// The greatest gap, in scene units, that passes for closed. A fixed number of rounds is taken to be enough if the
+    /// first leaves no more than a thousandth of the loop's size, and each further one squares what is left.
+    #[must_use]
+    pub fn accept(&self, epsilon: f64) -> f64 {
+        let rounding = 64.0 * epsilon;
+        let relative = match self.rounds {
+            Rounds::UntilClosed(_) => rounding,
+            Rounds::Exactly(rounds) => {
+                let squared = (1..rounds.min(8)).fold(1e-3_f64, |left, _| left * left);
+                squared.max(rounding)
+            }
+        };
+        relative * self.limits.size
+    }
+
+    /// The least determinant, its sign that of the start: a result below it is beyond a dead point or too near one.
+    #[must_use]
+    pub fn floor(&self, epsilon: f64) -> f64 {
+        64.0 * epsilon * self.limits.reach
+    }
+}

@@ -1,0 +1,136 @@
+//! Values and the operations that make them.
+
+/// A scalar: the result of one node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Value(pub(super) u32);
+
+impl Value {
+    /// Its position among the nodes.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A block of a program: one step of the plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BlockId(pub(super) u32);
+
+impl BlockId {
+    /// Its position among the blocks.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A finite number with an equality that tells every two bit patterns apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Number(u64);
+
+impl Number {
+    /// This number. The two zeros are one.
+    #[must_use]
+    pub fn new(value: f64) -> Self {
+        Self(if value == 0.0 { 0 } else { value.to_bits() })
+    }
+
+    /// Its value.
+    #[must_use]
+    pub fn get(self) -> f64 {
+        f64::from_bits(self.0)
+    }
+}
+
+/// What the last position left behind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Slot {
+    /// A number of the pose of a moving link, by its position among the moving links.
+    Pose(usize, Part),
+    /// An angle that is kept unwrapped, because a gear needs it.
+    Angle(usize),
+}
+
+/// A number of a pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The cosine of its angle.
+    Cos,
+    /// The sine of its angle.
+    Sin,
+    /// The abscissa of its origin.
+    X,
+    /// The ordinate of its origin.
+    Y,
+}
+
+impl Part {
+    /// All four, in the order in which poses are written.
+    pub const ALL: [Self; 4] = [Self::Cos, Self::Sin, Self::X, Self::Y];
+}
+
+/// An operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Op {
+    /// A constant.
+    Constant(Number),
+    /// The value given to a motor, by its number.
+    Motor(usize),
+    /// What the last position left behind.
+    Last(Slot),
+    /// An unknown of a loop while it is being solved.
+    Unknown(BlockId, usize),
+    /// An unknown of a loop after it was solved.
+    Solved(BlockId, usize),
+    /// −a.
+    Neg(Value),
+    /// a + b.
+    Add(Value, Value),
+    /// a − b.
+    Sub(Value, Value),
+    /// a · b.
+    Mul(Value, Value),
+    /// a / b.
+    Div(Value, Value),
+    /// The sine of an angle in radians.
+    Sin(Value),
+    /// The cosine of an angle in radians.
+    Cos(Value),
+    /// The angle in (−π, π] of the vector (b, a).
+    Atan2(Value, Value),
+    /// The nearest whole number.
+    Round(Value),
+}
+
+impl Op {
+    /// The values it is made from.
+    pub fn operands(self) -> impl Iterator<Item = Value> {
+        let pair = match self {
+            Self::Constant(_)
+            | Self::Motor(_)
+            | Self::Last(_)
+            | Self::Unknown(..)
+            | Self::Solved(..) => [None, None],
+            Self::Neg(a) | Self::Sin(a) | Self::Cos(a) | Self::Round(a) => [Some(a), None],
+            Self::Add(a, b)
+            | Self::Sub(a, b)
+            | Self::Mul(a, b)
+            | Self::Div(a, b)
+            | Self::Atan2(a, b) => [Some(a), Some(b)],
+        };
+        pair.into_iter().flatten()
+    }
+}
+
+/// A value in its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Node {
+    /// What makes it.
+    pub op: Op,
+    /// The block in which it is made.
+    pub block: BlockId,
+    /// Whether it is made anew in every round of its block's iteration.
+    pub iterated: bool,
+    /// What it is called, if it means something to a reader.
+    pub name: Option<String>,
+}

@@ -1,0 +1,91 @@
+//! The arithmetic of a program, the same in every reading of it.
+
+use super::node::{Op, Value};
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A float in which a program can be run.
+pub trait Real:
+    Copy
+    + Debug
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The distance from one to the next greater number.
+    const EPSILON: f64;
+    /// The nearest number of this type.
+    fn from_f64(value: f64) -> Self;
+    /// The number itself.
+    fn to_f64(self) -> f64;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// The angle of the vector (`x`, `self`).
+    fn atan2(self, x: Self) -> Self;
+    /// The nearest whole number, halves away from zero.
+    fn round(self) -> Self;
+    /// Whether it is neither infinite nor not a number.
+    fn is_finite(self) -> bool;
+}
+
+macro_rules! real {
+    ($float:ty, $sincos:ident, $atan2:ident, $round:ident) => {
+        impl Real for $float {
+            const EPSILON: f64 = <$float>::EPSILON as f64;
+
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "rounding is what is asked for"
+            )]
+            fn from_f64(value: f64) -> Self {
+                value as Self
+            }
+
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+
+            // The generated code calls the same library, so that both give the same bits.
+            fn sin_cos(self) -> (Self, Self) {
+                libm::$sincos(self)
+            }
+
+            fn atan2(self, x: Self) -> Self {
+                libm::$atan2(self, x)
+            }
+
+            fn round(self) -> Self {
+                libm::$round(self)
+            }
+
+            fn is_finite(self) -> bool {
+                <$float>::is_finite(self)
+            }
+        }
+    };
+}
+
+real!(f32, sincosf, atan2f, roundf);
+real!(f64, sincos, atan2, round);
+
+impl Op {
+    /// What the operation gives, if it is arithmetic on values; the others come from outside.
+    pub fn apply<T: Real>(self, get: impl Fn(Value) -> T) -> Option<T> {
+        Some(match self {
+            Self::Constant(number) => T::from_f64(number.get()),
+            Self::Motor(_) | Self::Last(_) | Self::Unknown(..) | Self::Solved(..) => return None,
+            Self::Neg(a) => -get(a),
+            Self::Add(a, b) => get(a) + get(b),
+            Self::Sub(a, b) => get(a) - get(b),
+            Self::Mul(a, b) => get(a) * get(b),
+            Self::Div(a, b) => get(a) / get(b),
+            Self::Sin(a) => get(a).sin_cos().0,
+            Self::Cos(a) => get(a).sin_cos().1,
+            Self::Atan2(a, b) => get(a).atan2(get(b)),
+            Self::Round(a) => get(a).round(),
+        })
+    }
+}

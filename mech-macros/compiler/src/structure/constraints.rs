@@ -1,0 +1,168 @@
+//! What the joints say about rates, at random geometry of the declared kinds.
+//!
+//! Links that can only slide on each other keep their direction: they form an angle class and share one angular rate.
+//! The unknowns are one angular rate for each class but the ground's, and the two rates of the origin of each moving
+//! link. A revolute joint then says two things about them, a prismatic joint and a gear one each.
+
+use super::elimination::Sparse;
+use super::field::{Dice, Element};
+use super::gear::Gear;
+use super::pin::Pin;
+use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
+use petgraph::unionfind::UnionFind;
+
+/// The unknowns, and the random geometry.
+pub(crate) struct Constraints<'m> {
+    model: &'m Model,
+    gears: &'m [Gear],
+    /// For each link the columns of its angular rate and of its origin's rates; none for what is fixed.
+    columns: Vec<Columns>,
+    count: usize,
+    /// For each joint a random point (revolute) or direction (prismatic); joints on one pin share theirs.
+    spots: Vec<(Element, Element)>,
+}
+
+#[derive(Clone, Copy)]
+struct Columns {
+    turn: Option<usize>,
+    x: Option<usize>,
+    y: Option<usize>,
+}
+
+impl<'m> Constraints<'m> {
+    pub(crate) fn new(model: &'m Model, pins: &[Pin], gears: &'m [Gear], dice: &mut Dice) -> Self {
+        let (columns, count) = columns(model);
+        Self {
+            model,
+            gears,
+            columns,
+            count,
+            spots: spots(model, pins, dice),
+        }
+    }
+
+    /// The number of unknowns.
+    pub(crate) fn unknowns(&self) -> usize {
+        self.count
+    }
+
+    /// The rows that a joint adds.
+    pub(crate) fn of_joint(&self, id: JointId) -> Vec<Sparse> {
+        let (a, b) = self.model.ends(id);
+        let (p, q) = self.spots[id.index()];
+        match self.model.joint(id).kind {
+            // The rate of the point (p, q) of a link is (x − turn · q, y + turn · p).
+            JointKind::Revolute(..) => {
+                let horizontal = self.difference(a, b, [-q, Element::ONE, Element::ZERO]);
+                let vertical = self.difference(a, b, [p, Element::ZERO, Element::ONE]);
+                vec![horizontal, vertical]
+            }
+            JointKind::Prismatic(..) => vec![self.difference(a, b, [Element::ZERO, -q, p])],
+            JointKind::Gear { .. } => self
+                .gears
+                .iter()
+                .filter(|gear| gear.joint == id)
+                .map(|gear| self.of_gear(gear))
+                .collect(),
+        }
+    }
+
+    /// The row whose value is the rate of this joint's coordinate; none for a gear, which has no coordinate.
+    pub(crate) fn rate(&self, id: JointId) -> Option<Sparse> {
+        let (a, b) = self.model.ends(id);
+        match self.model.joint(id).kind {
+            JointKind::Revolute(..) => {
+                Some(self.difference(a, b, [Element::ONE, Element::ZERO, Element::ZERO]))
+            }
+            JointKind::Prismatic(..) => {
+                let (p, q) = self.spots[id.index()];
+                Some(self.difference(a, b, [Element::ZERO, p, q]))
+            }
+            JointKind::Gear { .. } => None,
+        }
+    }
+
+    /// The rates of a link in a motion: of its angle and of its origin.
+    pub(crate) fn of_link(&self, link: LinkId, motion: &[Element]) -> [Element; 3] {
+        let columns = self.columns[link.index()];
+        [columns.turn, columns.x, columns.y]
+            .map(|column| column.map_or(Element::ZERO, |column| motion[column]))
+    }
+
+    /// `factors · (rates of b − rates of a)`.
+    fn difference(&self, a: LinkId, b: LinkId, factors: [Element; 3]) -> Sparse {
+        let mut row = self.weighted(b, factors);
+        row.extend(self.weighted(a, factors.map(|factor| -factor)));
+        row
+    }
+
+    fn weighted(&self, link: LinkId, factors: [Element; 3]) -> Sparse {
+        let columns = self.columns[link.index()];
+        let columns = [columns.turn, columns.x, columns.y];
+        columns
+            .into_iter()
+            .zip(factors)
+            .filter_map(|(column, factor)| Some((column?, factor)))
+            .collect()
+    }
+
+    /// Rolling, seen from the carrier: a · rate of a + b · rate of b = 0.
+    fn of_gear(&self, gear: &Gear) -> Sparse {
+        let (a, b) = match gear.ratio {
+            Ratio::Teeth(a, b) => (Element::from(a), Element::from(b)),
+            Ratio::Radii(a, b) => (Element::from(a), Element::from(b)),
+        };
+        let turn = |factor| [factor, Element::ZERO, Element::ZERO];
+        let mut row = self.difference(gear.carrier, gear.a.0, turn(a));
+        row.extend(self.difference(gear.carrier, gear.b.0, turn(b)));
+        row
+    }
+}
+
+fn columns(model: &Model) -> (Vec<Columns>, usize) {
+    let mut classes = UnionFind::<usize>::new(model.links.len());
+    for id in model.joint_ids() {
+        if let JointKind::Prismatic(..) = model.joint(id).kind {
+            let (a, b) = model.ends(id);
+            classes.union(a.index(), b.index());
+        }
+    }
+    let mut count = 0;
+    let mut next = || {
+        count += 1;
+        Some(count - 1)
+    };
+    let ground = classes.find(0);
+    let mut turns: Vec<Option<usize>> = vec![None; model.links.len()];
+    let mut columns = vec![Columns {
+        turn: None,
+        x: None,
+        y: None,
+    }];
+    for link in model.moving_links() {
+        let class = classes.find(link.index());
+        if class != ground && turns[class].is_none() {
+            turns[class] = next();
+        }
+        columns.push(Columns {
+            turn: turns[class],
+            x: next(),
+            y: next(),
+        });
+    }
+    (columns, count)
+}
+
+fn spots(model: &Model, pins: &[Pin], dice: &mut Dice) -> Vec<(Element, Element)> {
+    let mut spots: Vec<_> = model
+        .joints
+        .iter()
+        .map(|_| (dice.roll(), dice.roll()))
+        .collect();
+    for pin in pins {
+        for pair in pin.joints.windows(2) {
+            spots[pair[1].index()] = spots[pair[0].index()];
+        }
+    }
+    spots
+}

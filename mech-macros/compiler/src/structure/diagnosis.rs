@@ -1,0 +1,113 @@
+//! What can be wrong with a mechanism, as data: tests match it, the reporter puts it into words.
+
+use crate::model::{AxisId, JointId, LinkId, MotorId};
+
+/// Something that keeps a mechanism from moving as a mechanism should.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Diagnosis {
+    /// No joint holds this link.
+    Loose {
+        /// The link.
+        link: LinkId,
+    },
+    /// These links are joined to each other, but not to the ground.
+    Disconnected {
+        /// The piece that floats.
+        links: Vec<LinkId>,
+    },
+    /// No link turns on which both wheels of this gear turn.
+    NoCarrier {
+        /// The gear.
+        gear: JointId,
+    },
+    /// Several links could carry this gear, and each would mean another motion.
+    SeveralCarriers {
+        /// The gear.
+        gear: JointId,
+        /// The links on which both wheels turn.
+        carriers: Vec<LinkId>,
+    },
+    /// This motor's joint cannot move.
+    Blocked {
+        /// The motor.
+        motor: MotorId,
+        /// The links that form the rigid part it is in.
+        part: Vec<LinkId>,
+        /// The joints that hold the part rigid.
+        joints: Vec<JointId>,
+        /// Single joints whose removal makes the mechanism coherent: each was tried.
+        cures: Vec<JointId>,
+    },
+    /// The motors before it already determine this motor's joint.
+    TooManyMotors {
+        /// The motor that is too many.
+        motor: MotorId,
+        /// All motors that depend on each other, itself included.
+        among: Vec<MotorId>,
+    },
+    /// Joints that hold a part more than once: it could be assembled only if lengths matched exactly.
+    Overdetermined {
+        /// The joints that hold each other's part.
+        joints: Vec<JointId>,
+        /// Single joints whose removal makes the mechanism coherent: each was tried.
+        cures: Vec<JointId>,
+    },
+    /// There is no motor at all.
+    NoMotor {
+        /// How many motors it takes.
+        freedom: usize,
+        /// Joints on each of which a motor would do, or, where it takes several, joints that would do together.
+        candidates: Vec<JointId>,
+    },
+    /// Joints stay free with all motors held.
+    Undetermined {
+        /// How many motors are missing.
+        freedom: usize,
+        /// The joints that stay free.
+        free: Vec<JointId>,
+        /// Joints on each of which a motor would do, or, where it takes several, joints that would do together.
+        candidates: Vec<JointId>,
+    },
+    /// Nothing can move: there is no freedom for any motor.
+    Rigid {
+        /// Single joints whose removal would let it move with the motors it has.
+        cures: Vec<JointId>,
+    },
+    /// No further loop of three unknowns exists, though joints remain to be solved: they wait for each other.
+    NotSequential {
+        /// The joints that wait.
+        waiting: Vec<JointId>,
+    },
+    /// A loop does not close at the start.
+    CannotClose {
+        /// The joints of the loop whose coordinates are unknown.
+        unknowns: Vec<JointId>,
+        /// How far apart the nearest approach leaves the axes, in scene units.
+        gap: f64,
+        /// The axes that cannot be made to coincide.
+        axes: (AxisId, AxisId),
+    },
+    /// A loop starts at a dead point, where the way it goes on is not determined.
+    DeadStart {
+        /// The joints of the loop whose coordinates are unknown.
+        unknowns: Vec<JointId>,
+    },
+    /// Several assemblies satisfy the start.
+    SeveralAssemblies {
+        /// The links whose directions tell the assemblies apart.
+        links: Vec<LinkId>,
+        /// For each assembly the angle of each of these links, in radians.
+        angles: Vec<Vec<f64>>,
+    },
+    /// A link of the drawing would have to be elsewhere for the mechanism to close.
+    NotAsDrawn {
+        /// The link.
+        link: LinkId,
+    },
+    /// A start value for a joint that has neither a motor nor a gear.
+    StartNotFree {
+        /// The joint.
+        joint: JointId,
+    },
+}

@@ -1,0 +1,136 @@
+//! Sparse elimination, row by row, that remembers how each row came about.
+
+use super::field::{Dice, Element};
+
+/// A sparse row or combination: columns in ascending order, no zeros.
+pub(crate) type Sparse = Vec<(usize, Element)>;
+
+/// Builds a sparse row from entries in any order; entries of the same column are added.
+pub(crate) fn sparse(mut entries: Sparse) -> Sparse {
+    entries.sort_by_key(|&(column, _)| column);
+    let mut row: Sparse = Vec::with_capacity(entries.len());
+    for (column, value) in entries {
+        match row.last_mut() {
+            Some(last) if last.0 == column => last.1 = last.1 + value,
+            _ => row.push((column, value)),
+        }
+    }
+    row.retain(|&(_, value)| !value.is_zero());
+    row
+}
+
+/// `a + factor · b`.
+fn add_scaled(a: &Sparse, factor: Element, b: &Sparse) -> Sparse {
+    let mut sum = Vec::with_capacity(a.len() + b.len());
+    let (mut i, mut j) = (0, 0);
+    loop {
+        match (a.get(i), b.get(j)) {
+            (Some(&x), Some(&y)) if x.0 == y.0 => {
+                let value = x.1 + factor * y.1;
+                if !value.is_zero() {
+                    sum.push((x.0, value));
+                }
+                i += 1;
+                j += 1;
+            }
+            (Some(&x), Some(&y)) if x.0 < y.0 => {
+                sum.push(x);
+                i += 1;
+            }
+            (Some(&x), None) => {
+                sum.push(x);
+                i += 1;
+            }
+            (_, Some(&y)) => {
+                sum.push((y.0, factor * y.1));
+                j += 1;
+            }
+            (None, None) => return sum,
+        }
+    }
+}
+
+/// A row in echelon form: its last column is its pivot.
+#[derive(Clone, Debug)]
+struct Pivot {
+    row: Sparse,
+    /// Which of the added rows it is made of.
+    made_of: Sparse,
+}
+
+/// What became of a row that was added.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Added {
+    /// It says something new.
+    Independent,
+    /// It follows from these earlier rows (and names itself): the support of a left null vector.
+    Dependent(Vec<usize>),
+}
+
+/// Rows in echelon form, over columns `0..columns`.
+#[derive(Clone, Debug)]
+pub(crate) struct Elimination {
+    pivots: Vec<Option<Pivot>>,
+    added: usize,
+    rank: usize,
+}
+
+impl Elimination {
+    pub(crate) fn new(columns: usize) -> Self {
+        Self {
+            pivots: vec![None; columns],
+            added: 0,
+            rank: 0,
+        }
+    }
+
+    /// The number of columns that no row determines.
+    pub(crate) fn freedom(&self) -> usize {
+        self.pivots.len() - self.rank
+    }
+
+    /// Adds a row.
+    pub(crate) fn add(&mut self, row: Sparse) -> Added {
+        let mut row = sparse(row);
+        let mut made_of = vec![(self.added, Element::ONE)];
+        self.added += 1;
+        while let Some(&(column, value)) = row.last() {
+            match &self.pivots[column] {
+                Some(pivot) => {
+                    let lead = pivot.row.last().map_or(Element::ONE, |&(_, lead)| lead);
+                    let factor = -(value * lead.inverse());
+                    row = add_scaled(&row, factor, &pivot.row);
+                    made_of = add_scaled(&made_of, factor, &pivot.made_of);
+                }
+                None => {
+                    self.pivots[column] = Some(Pivot { row, made_of });
+                    self.rank += 1;
+                    return Added::Independent;
+                }
+            }
+        }
+        Added::Dependent(made_of.into_iter().map(|(index, _)| index).collect())
+    }
+
+    /// A random vector of the right null space: one value a column, all zero if nothing is free.
+    pub(crate) fn random_motion(&self, dice: &mut Dice) -> Vec<Element> {
+        let mut motion = Vec::with_capacity(self.pivots.len());
+        for pivot in &self.pivots {
+            let value = match pivot {
+                None => dice.roll(),
+                Some(Pivot { row, .. }) => {
+                    let (lead, rest) = match row.split_last() {
+                        Some((&(_, lead), rest)) => (lead, rest),
+                        None => (Element::ONE, &[][..]),
+                    };
+                    let sum = rest.iter().fold(Element::ZERO, |sum, &(column, value)| {
+                        sum + value * motion[column]
+                    });
+                    -(sum * lead.inverse())
+                }
+            };
+            motion.push(value);
+        }
+        motion
+    }
+}

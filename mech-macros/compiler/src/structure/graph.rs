@@ -1,0 +1,98 @@
+//! The kinematic graph: links are its vertices, joints its edges.
+
+use crate::model::{JointId, LinkId, Model};
+use petgraph::algo::{bridges::bridges, connected_components};
+use petgraph::graph::{NodeIndex, UnGraph};
+use petgraph::visit::{Dfs, EdgeRef};
+
+/// The kinematic graph of a mechanism.
+#[derive(Clone, Debug)]
+pub(crate) struct KinematicGraph(UnGraph<LinkId, JointId>);
+
+impl KinematicGraph {
+    pub(crate) fn new(model: &Model) -> Self {
+        let mut graph = UnGraph::with_capacity(model.links.len(), model.joints.len());
+        for link in model.link_ids() {
+            graph.add_node(link);
+        }
+        for joint in model.joint_ids() {
+            let (a, b) = model.ends(joint);
+            graph.add_edge(NodeIndex::new(a.index()), NodeIndex::new(b.index()), joint);
+        }
+        Self(graph)
+    }
+
+    /// The links without any joint, then the pieces that are joined in themselves but not to the ground.
+    pub(crate) fn pieces_off_ground(&self) -> Vec<Vec<LinkId>> {
+        if connected_components(&self.0) == 1 {
+            return Vec::new();
+        }
+        let mut seen = vec![false; self.0.node_count()];
+        let mut pieces = Vec::new();
+        for start in self.0.node_indices() {
+            if seen[start.index()] {
+                continue;
+            }
+            let mut piece = Vec::new();
+            let mut search = Dfs::new(&self.0, start);
+            while let Some(node) = search.next(&self.0) {
+                seen[node.index()] = true;
+                piece.push(self.0[node]);
+            }
+            piece.sort();
+            if piece.first() != Some(&LinkId::GROUND) {
+                pieces.push(piece);
+            }
+        }
+        pieces
+    }
+
+    /// The joints that belong to no loop: the arms.
+    pub(crate) fn arms(&self) -> Vec<JointId> {
+        // `bridges` is for simple graphs: two joints between the same two links are a loop.
+        let alone = |a, b| self.0.edges_connecting(a, b).count() == 1;
+        let mut arms: Vec<JointId> = bridges(&self.0)
+            .filter(|edge| alone(edge.source(), edge.target()))
+            .map(|edge| *edge.weight())
+            .collect();
+        arms.sort();
+        arms
+    }
+
+    /// The joints on a shortest way between two links over joints that `open` lets pass.
+    pub(crate) fn way(
+        &self,
+        from: LinkId,
+        to: LinkId,
+        open: impl Fn(JointId) -> bool,
+    ) -> Vec<JointId> {
+        let mut came_by: Vec<Option<(LinkId, JointId)>> = vec![None; self.0.node_count()];
+        let mut queue = std::collections::VecDeque::from([from]);
+        while let Some(link) = queue.pop_front() {
+            if link == to {
+                break;
+            }
+            let mut edges: Vec<_> = self.0.edges(NodeIndex::new(link.index())).collect();
+            edges.sort_by_key(|edge| *edge.weight());
+            for edge in edges {
+                let next = self.0[if edge.source().index() == link.index() {
+                    edge.target()
+                } else {
+                    edge.source()
+                }];
+                if next != from && came_by[next.index()].is_none() && open(*edge.weight()) {
+                    came_by[next.index()] = Some((link, *edge.weight()));
+                    queue.push_back(next);
+                }
+            }
+        }
+        let mut way = Vec::new();
+        let mut at = to;
+        while let Some((previous, joint)) = came_by[at.index()] {
+            way.push(joint);
+            at = previous;
+        }
+        way.reverse();
+        way
+    }
+}

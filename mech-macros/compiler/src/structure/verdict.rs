@@ -1,0 +1,165 @@
+//! Does it move, and do its motors determine the motion? Counted exactly, at random geometry.
+
+use super::constraints::Constraints;
+use super::diagnosis::Diagnosis;
+use super::elimination::{Added, Elimination};
+use super::field::{Dice, Element};
+use super::gear::Gear;
+use super::pin::Pin;
+use crate::model::{JointId, LinkId, Model, MotorId};
+
+/// An arbitrary number: the random geometry is the same in every build.
+const SEED: u64 = 0x6a09_e667_f3bc_c908;
+
+/// The rows of all joints and motors, eliminated.
+struct Rank<'m> {
+    model: &'m Model,
+    constraints: Constraints<'m>,
+    dice: Dice,
+    /// The joints alone.
+    joints: Elimination,
+    /// The joints and the motors.
+    driven: Elimination,
+    /// Joints whose rows follow from those of others.
+    dependent: Vec<JointId>,
+    /// For each motor that adds nothing: itself and the motors it depends on.
+    idle: Vec<(MotorId, Vec<MotorId>)>,
+}
+
+impl<'m> Rank<'m> {
+    fn new(model: &'m Model, pins: &[Pin], gears: &'m [Gear]) -> Self {
+        let mut dice = Dice::new(SEED);
+        let constraints = Constraints::new(model, pins, gears, &mut dice);
+        let mut joints = Elimination::new(constraints.unknowns());
+        let mut joint_of_row = Vec::new();
+        let mut dependent = vec![false; model.joints.len()];
+        for id in model.joint_ids() {
+            for row in constraints.of_joint(id) {
+                joint_of_row.push(id);
+                if let Added::Dependent(rows) = joints.add(row) {
+                    rows.into_iter()
+                        .for_each(|row| dependent[joint_of_row[row].index()] = true);
+                }
+            }
+        }
+        let mut driven = joints.clone();
+        let mut idle = Vec::new();
+        for id in model.motor_ids() {
+            let row = constraints.rate(model.motor(id).joint).unwrap_or_default();
+            if let Added::Dependent(rows) = driven.add(row) {
+                let among = rows
+                    .iter()
+                    .filter_map(|row| row.checked_sub(joint_of_row.len()))
+                    .map(MotorId::new);
+                idle.push((id, among.collect()));
+            }
+        }
+        let dependent = model
+            .joint_ids()
+            .filter(|id| dependent[id.index()])
+            .collect();
+        Self {
+            model,
+            constraints,
+            dice,
+            joints,
+            driven,
+            dependent,
+            idle,
+        }
+    }
+
+    /// The joints that move in a random motion of what is left free.
+    fn moving(&self, motion: &[Element]) -> Vec<JointId> {
+        let moves = |id: &JointId| {
+            let rate = self.constraints.rate(*id).unwrap_or_default();
+            let sum = rate.iter().fold(Element::ZERO, |sum, &(column, factor)| {
+                sum + factor * motion[column]
+            });
+            !sum.is_zero()
+        };
+        self.model.joint_ids().filter(moves).collect()
+    }
+
+    /// The links that keep their place relative to this one in every motion of the joints.
+    fn rigid_part(&mut self, link: LinkId) -> Vec<LinkId> {
+        let motion = self.joints.random_motion(&mut self.dice);
+        let rates = |id| self.constraints.of_link(id, &motion);
+        self.model
+            .link_ids()
+            .filter(|&id| rates(id) == rates(link))
+            .collect()
+    }
+
+    /// Joints for motors that would take all freedom that is left: each of them alone where one is missing, all of them
+    /// together where several are.
+    fn candidates(&mut self) -> Vec<JointId> {
+        let motion = self.driven.random_motion(&mut self.dice);
+        let free = self.moving(&motion);
+        if self.driven.freedom() <= 1 {
+            return free;
+        }
+        let mut driven = self.driven.clone();
+        let takes = |id: &JointId| {
+            driven.add(self.constraints.rate(*id).unwrap_or_default()) == Added::Independent
+        };
+        free.into_iter().filter(takes).collect()
+    }
+}
+
+/// Checks that the joints leave exactly the freedom that the motors take. Repairs are not looked for.
+pub(super) fn verdict(model: &Model, pins: &[Pin], gears: &[Gear]) -> Result<(), Vec<Diagnosis>> {
+    let mut rank = Rank::new(model, pins, gears);
+    let mut diagnoses = blocked_motors(model, &mut rank);
+    if rank.joints.freedom() == 0 && model.motors.is_empty() {
+        diagnoses.push(Diagnosis::Rigid { cures: Vec::new() });
+    } else if diagnoses.is_empty() && !rank.dependent.is_empty() {
+        diagnoses.push(Diagnosis::Overdetermined {
+            joints: rank.dependent.clone(),
+            cures: Vec::new(),
+        });
+    }
+    let freedom = rank.driven.freedom();
+    if freedom > 0 && model.motors.is_empty() {
+        diagnoses.push(Diagnosis::NoMotor {
+            freedom,
+            candidates: rank.candidates(),
+        });
+    } else if freedom > 0 {
+        let motion = rank.driven.random_motion(&mut rank.dice);
+        let free = rank.moving(&motion);
+        diagnoses.push(Diagnosis::Undetermined {
+            freedom,
+            free,
+            candidates: rank.candidates(),
+        });
+    }
+    if diagnoses.is_empty() {
+        Ok(())
+    } else {
+        Err(diagnoses)
+    }
+}
+
+fn blocked_motors(model: &Model, rank: &mut Rank<'_>) -> Vec<Diagnosis> {
+    let mut diagnoses = Vec::new();
+    for (motor, among) in rank.idle.clone() {
+        if among.len() > 1 {
+            diagnoses.push(Diagnosis::TooManyMotors { motor, among });
+            continue;
+        }
+        let part = rank.rigid_part(model.ends(model.motor(motor).joint).0);
+        let inside = |id: &JointId| {
+            let (a, b) = model.ends(*id);
+            part.contains(&a) && part.contains(&b)
+        };
+        let joints = model.joint_ids().filter(inside).collect();
+        diagnoses.push(Diagnosis::Blocked {
+            motor,
+            part,
+            joints,
+            cures: Vec::new(),
+        });
+    }
+    diagnoses
+}

@@ -1,0 +1,294 @@
+//! The text of a mechanism as a tree: everything that was written, with its place, before any name has a meaning.
+//!
+//! Where a part of a statement could not be read, the [`Message`] that says so stands in its stead: so the rest of
+//! the statement (above all its name) is still known, and messages stay in the order of the text.
+
+use super::{Header, Message, Place};
+use crate::model::Precision;
+use proc_macro2::{Ident, Span};
+
+/// A part of the text, or what is wrong with it.
+pub(super) type Read<T> = Result<T, Message>;
+
+/// The body of a `mechanism!`.
+#[derive(Default)]
+pub(super) struct Text {
+    /// The `struct` line, with the type after its colon.
+    pub header: Option<(Header, Precision)>,
+    /// Everything after it.
+    pub statements: Vec<Statement>,
+    /// How many of them begin with `motor`, readable or not.
+    pub motors: usize,
+}
+
+/// A statement.
+pub(super) enum Statement {
+    /// `const NAME = value;`
+    Constant(Constant),
+    /// `ground { ... }`
+    Ground(Ground),
+    /// `link name { ... }` or `link name;`
+    Link(Link),
+    /// `joint name = ...;`
+    Joint(Box<Joint>),
+    /// `motor name;`
+    Motor(Motor),
+    /// `start { ... }`
+    Start(Start),
+    /// `method newton(2);`
+    Method(Method),
+    /// `accuracy 1e-9;`
+    Accuracy { keyword: Span, value: Expr },
+    /// `effects { ... }`
+    Effects {
+        keyword: Span,
+        effects: Vec<Read<Ident>>,
+    },
+    /// `show a, b.c;`
+    Show { keyword: Span, what: Vec<End> },
+    /// `allow redundant;`
+    Allow(Ident),
+    /// Something that could not be read.
+    Broken(Broken),
+}
+
+/// A statement or an item that could not be read.
+pub(super) struct Broken {
+    /// What is wrong with it.
+    pub error: Message,
+    /// What it seems to declare: whoever refers to this name is not to blame.
+    pub name: Option<Ident>,
+}
+
+/// `const NAME = value;`
+pub(super) struct Constant {
+    /// Its name.
+    pub name: Ident,
+    /// Its value.
+    pub value: Read<Expr>,
+}
+
+/// `ground { ... }`
+pub(super) struct Ground {
+    /// The word `ground`.
+    pub keyword: Span,
+    /// What is fixed to it.
+    pub items: Read<Vec<Item>>,
+}
+
+/// `link name { ... }`
+pub(super) struct Link {
+    /// Its name.
+    pub name: Ident,
+    /// What is fixed to it.
+    pub items: Read<Vec<Item>>,
+}
+
+/// Something fixed to a link.
+pub(super) enum Item {
+    /// `point name = (x, y) -> (dx, dy);` or `line name = (x, y) -> (dx, dy);`
+    Axis(Axis),
+    /// `circle ...;` or `polygon ...;`
+    Shape(Shape),
+    /// Something that could not be read.
+    Broken(Broken),
+}
+
+/// A point or a line.
+pub(super) struct Axis {
+    /// Which of the two.
+    pub kind: crate::model::AxisKind,
+    /// Its name.
+    pub name: Ident,
+    /// Its origin, and its direction if one is given.
+    pub value: Read<(Pair, Option<Pair>)>,
+}
+
+/// A coloured spot.
+pub(super) struct Shape {
+    /// The word it begins with.
+    pub keyword: Span,
+    /// Its outline.
+    pub outline: Outline,
+    /// Its plane, if given.
+    pub plane: Option<Expr>,
+    /// Its colour, if given.
+    pub color: Option<Expr>,
+}
+
+/// The outline of a shape.
+pub(super) enum Outline {
+    /// `circle (x, y) radius r`
+    Circle { center: Pair, radius: Expr },
+    /// `polygon [(x, y), ...]`
+    Polygon { corners: Vec<Pair>, place: Place },
+}
+
+/// `joint name = ...;`
+pub(super) struct Joint {
+    /// Its name.
+    pub name: Ident,
+    /// What it joins, and how.
+    pub body: Read<JointBody>,
+}
+
+/// What a joint joins, and how: `kind(first, second, size) at (x, y) along (dx, dy)`.
+pub(super) struct JointBody {
+    /// The word for its kind.
+    pub word: Ident,
+    /// What that word means.
+    pub kind: JointWord,
+    /// What it joins.
+    pub ends: [End; 2],
+    /// The sizes of its wheels, where it has any.
+    pub size: Option<Size>,
+    /// Where it is in the drawing.
+    pub at: Option<Clause>,
+    /// Its direction in the drawing.
+    pub along: Option<Clause>,
+}
+
+/// The kinds of joint that can be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum JointWord {
+    Revolute,
+    Prismatic,
+    Gear,
+    Slot,
+    Rack,
+    Belt,
+    Weld,
+}
+
+/// `at (x, y)` or `along (dx, dy)`
+pub(super) struct Clause {
+    /// The word it begins with.
+    pub keyword: Span,
+    /// What follows.
+    pub value: Pair,
+}
+
+/// A link, or something fixed to it: `crank` or `crank.pin`.
+pub(super) struct End {
+    /// The link (in `show`, possibly a joint).
+    pub link: Ident,
+    /// The point or line.
+    pub axis: Option<Ident>,
+}
+
+impl End {
+    /// From the link's name to the axis's.
+    pub(super) fn place(&self) -> Place {
+        let last = self.axis.as_ref().unwrap_or(&self.link);
+        Place {
+            start: self.link.span(),
+            end: last.span(),
+        }
+    }
+}
+
+/// The sizes of wheels.
+pub(super) enum Size {
+    /// `20 : 40 on arm`
+    Ratio {
+        parts: [Expr; 2],
+        carrier: Option<Carrier>,
+    },
+    /// `radius 0.5`
+    Radius(Expr),
+}
+
+/// `on arm`
+pub(super) struct Carrier {
+    /// The word `on`.
+    pub keyword: Span,
+    /// The link that carries both wheels.
+    pub link: Ident,
+}
+
+/// `motor joint in low ..= high by step;`
+pub(super) struct Motor {
+    /// The joint it drives.
+    pub joint: Ident,
+    /// The word `in`, and the range after it.
+    pub range: Option<(Span, [Expr; 2])>,
+    /// The word `by`, and the step after it.
+    pub step: Option<(Span, Expr)>,
+}
+
+/// `start { ... }`
+pub(super) struct Start {
+    /// The word `start`.
+    pub keyword: Span,
+    /// How it is assembled.
+    pub clauses: Vec<Read<StartClause>>,
+}
+
+/// `joint = value;` or `link near angle;`
+pub(super) struct StartClause {
+    /// The joint or link.
+    pub name: Ident,
+    /// Whether the word `near` stands in the middle.
+    pub near: bool,
+    /// The coordinate or angle.
+    pub value: Expr,
+}
+
+/// `method newton(2);`
+pub(super) struct Method {
+    /// The word `method`.
+    pub keyword: Span,
+    /// The method.
+    pub word: Ident,
+    /// The number of steps.
+    pub steps: Option<Expr>,
+}
+
+/// `(x, y)`
+pub(super) struct Pair {
+    /// The first number.
+    pub x: Expr,
+    /// The second number.
+    pub y: Expr,
+    /// From bracket to bracket.
+    pub place: Place,
+}
+
+/// A number to be computed.
+pub(super) struct Expr {
+    /// How it is computed.
+    pub kind: ExprKind,
+    /// From its first token to its last.
+    pub place: Place,
+}
+
+/// How a number is computed. Chains are flat, so that a long one cannot exhaust the stack.
+pub(super) enum ExprKind {
+    /// A literal without a decimal point or an exponent: its decimal digits.
+    Integer(String),
+    /// A literal with one of them.
+    Decimal(String),
+    /// `PI`
+    Pi,
+    /// The name of a constant.
+    Constant(Ident),
+    /// `-a`
+    Negative(Box<Expr>),
+    /// `a + b - c`; the flag says that the term is taken away.
+    Sum(Vec<(bool, Expr)>),
+    /// `a * b / c`; the flag says that the factor divides.
+    Product(Vec<(bool, Expr)>),
+    /// `a deg`
+    Degrees(Box<Expr>),
+    /// `sqrt(a)`
+    Call(Function, Box<Expr>),
+}
+
+/// The functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Function {
+    Sqrt,
+    Sin,
+    Cos,
+    Tan,
+}

@@ -1,0 +1,83 @@
+//! The `struct` line.
+
+use super::recover::skip;
+use super::statement::BEGINNINGS;
+use super::tokens::{any_word, name, symbol, take, told, unexpected};
+use crate::model::Precision;
+use crate::syntax::ast::Read;
+use crate::syntax::{Header, Message, Place};
+use syn::parse::ParseStream;
+use syn::{Attribute, Token, Visibility};
+
+/// As much of a `struct` line as could be read, and what is wrong with it.
+pub(super) struct Line {
+    pub header: Option<(Header, Precision)>,
+    pub error: Option<Message>,
+}
+
+/// Whether a `struct` line comes next, its attributes apart.
+pub(super) fn comes(input: ParseStream) -> bool {
+    let invisible = input.peek(syn::token::Group) && input.peek2(Token![struct]);
+    invisible || input.peek(Token![pub]) || input.peek(Token![struct])
+}
+
+/// Reads a `struct` line from its visibility on.
+pub(super) fn line(input: ParseStream, attributes: Vec<Attribute>) -> Line {
+    let header = beginning(input, attributes);
+    let (mut header, error) = match header {
+        Ok(header) => (Some((header, Precision::default())), None),
+        Err(error) => (None, Some(error)),
+    };
+    let error = error.or_else(|| match ending(input) {
+        Ok(given) => {
+            if let Some((_, precision)) = &mut header {
+                *precision = given;
+            }
+            None
+        }
+        Err(error) => Some(error),
+    });
+    if error.is_some() {
+        skip(input, &BEGINNINGS);
+    }
+    Line { header, error }
+}
+
+/// `pub struct Name`
+fn beginning(input: ParseStream, attributes: Vec<Attribute>) -> Read<Header> {
+    let visibility: Visibility = input.parse().map_err(|error| told(&error))?;
+    if !input.peek(Token![struct]) {
+        return Err(unexpected(input, "`struct`"));
+    }
+    any_word(input);
+    let name = name(input, "the name of the struct")?;
+    Ok(Header {
+        attributes,
+        visibility,
+        name,
+    })
+}
+
+/// `: f64;`
+fn ending(input: ParseStream) -> Read<Precision> {
+    let precision = match take(input, ":") {
+        Some(_) => scalar(input)?,
+        None if input.peek(Token![;]) => Precision::default(),
+        None => return Err(unexpected(input, "`;`, or `: f64` or `: f32`")),
+    };
+    symbol(input, ";")?;
+    Ok(precision)
+}
+
+fn scalar(input: ParseStream) -> Read<Precision> {
+    let otherwise = unexpected(input, "`f64` or `f32`");
+    let ident = any_word(input).ok_or(otherwise)?;
+    match ident.to_string().as_str() {
+        "f64" => Ok(Precision::F64),
+        "f32" => Ok(Precision::F32),
+        other => {
+            let text = format!("a mechanism cannot be computed in `{other}`; write `f64` or `f32`");
+            Err(Message::new(Place::at(ident.span()), text))
+        }
+    }
+}

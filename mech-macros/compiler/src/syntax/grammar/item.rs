@@ -1,0 +1,157 @@
+//! What is fixed to a link: `{ point pin = (1, 0); circle (0, 0) radius 0.2; }`.
+
+use super::expression::{expression, pair};
+use super::recover::{at_beginning, or_skip, skip, to_semicolon};
+use super::tokens::{
+    any_word, comes, in_braces, in_brackets, name, symbol, take, take_tree, take_word, unexpected,
+    word,
+};
+use crate::model::AxisKind;
+use crate::syntax::ast::{Axis, Broken, Item, Outline, Pair, Read, Shape};
+use crate::syntax::{Message, Place, spelling};
+use proc_macro2::{Ident, Span};
+use syn::parse::ParseStream;
+
+/// The words that an item may begin with.
+const BEGINNINGS: [&str; 4] = ["point", "line", "circle", "polygon"];
+
+/// Reads `{ ... }`.
+pub(super) fn items(input: ParseStream) -> Read<Vec<Item>> {
+    in_braces(input, "`{`", item)
+}
+
+fn item(input: ParseStream) -> Item {
+    let otherwise = unexpected(input, "`point`, `line`, `circle` or `polygon`");
+    let Some(keyword) = any_word(input) else {
+        if take(input, ";").is_none() {
+            take_tree(input);
+            skip(input, &BEGINNINGS);
+        }
+        return Item::Broken(Broken {
+            error: otherwise,
+            name: None,
+        });
+    };
+    match keyword.to_string().as_str() {
+        "point" => axis(input, AxisKind::Point),
+        "line" => axis(input, AxisKind::Line),
+        "circle" => shape(input, keyword.span(), circle),
+        "polygon" => shape(input, keyword.span(), polygon),
+        _ => unknown(input, &keyword),
+    }
+}
+
+fn unknown(input: ParseStream, keyword: &Ident) -> Item {
+    let remedy = match spelling::nearest(&keyword.to_string(), &BEGINNINGS) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!(
+            "what is fixed to a link begins with one of {}",
+            spelling::list(&BEGINNINGS)
+        ),
+    };
+    let error = Message::new(
+        Place::at(keyword.span()),
+        format!("unknown item `{keyword}`; {remedy}"),
+    );
+    let name = if at_beginning(input, &BEGINNINGS) {
+        None
+    } else {
+        name(input, "a name").ok()
+    };
+    skip(input, &BEGINNINGS);
+    Item::Broken(Broken { error, name })
+}
+
+fn axis(input: ParseStream, kind: AxisKind) -> Item {
+    let what = match kind {
+        AxisKind::Point => "the name of a point",
+        AxisKind::Line => "the name of a line",
+    };
+    let name = match or_skip(input, &BEGINNINGS, |input| name(input, what)) {
+        Ok(name) => name,
+        Err(error) => return Item::Broken(Broken { error, name: None }),
+    };
+    let value = to_semicolon(input, &BEGINNINGS, |input| axis_value(input, kind));
+    Item::Axis(Axis { kind, name, value })
+}
+
+fn axis_value(input: ParseStream, kind: AxisKind) -> Read<(Pair, Option<Pair>)> {
+    symbol(input, "=")?;
+    let at = pair(input)?;
+    if take(input, "->").is_some() {
+        return Ok((at, Some(pair(input)?)));
+    }
+    match kind {
+        AxisKind::Point if comes(input, ";") => Ok((at, None)),
+        AxisKind::Point => Err(unexpected(input, "`;`, or `-> (dx, dy)`")),
+        AxisKind::Line => {
+            let mut error = unexpected(input, "`-> (dx, dy)`");
+            error.text.push_str("; a line has a direction");
+            Err(error)
+        }
+    }
+}
+
+fn shape(input: ParseStream, keyword: Span, outline: fn(ParseStream) -> Read<Outline>) -> Item {
+    let shape = to_semicolon(input, &BEGINNINGS, |input| {
+        let outline = outline(input)?;
+        let plane = plane(input)?;
+        let color = take_word(input, "color")
+            .map(|_| expression(input))
+            .transpose()?;
+        after_color(input)?;
+        Ok(Shape {
+            keyword,
+            outline,
+            plane,
+            color,
+        })
+    });
+    match shape {
+        Ok(shape) => Item::Shape(shape),
+        Err(error) => Item::Broken(Broken { error, name: None }),
+    }
+}
+
+fn plane(input: ParseStream) -> Read<Option<crate::syntax::ast::Expr>> {
+    if take_word(input, "on").is_none() {
+        return Ok(None);
+    }
+    word(input, "plane")?;
+    expression(input).map(Some)
+}
+
+fn after_color(input: ParseStream) -> Read<()> {
+    match take_word(input, "on") {
+        Some(on) => Err(Message::new(
+            Place::at(on),
+            "`on plane` stands before `color`; swap the two",
+        )),
+        None => Ok(()),
+    }
+}
+
+fn circle(input: ParseStream) -> Read<Outline> {
+    let center = pair(input)?;
+    word(input, "radius")?;
+    Ok(Outline::Circle {
+        center,
+        radius: expression(input)?,
+    })
+}
+
+fn polygon(input: ParseStream) -> Read<Outline> {
+    let (corners, place) = in_brackets(input, "`[(x, y), ...]`", corners)?;
+    Ok(Outline::Polygon { corners, place })
+}
+
+fn corners(input: ParseStream) -> Read<Vec<Pair>> {
+    let mut corners = Vec::new();
+    while !input.is_empty() {
+        corners.push(pair(input)?);
+        if take(input, ",").is_none() {
+            break;
+        }
+    }
+    Ok(corners)
+}

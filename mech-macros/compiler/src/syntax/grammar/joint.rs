@@ -1,0 +1,101 @@
+//! `joint name = kind(first, second, size) at (x, y) along (dx, dy);`
+
+use super::expression::{expression, one_of, pair};
+use super::recover::to_semicolon;
+use super::statement::{BEGINNINGS, declared};
+use super::tokens::{in_parens, name, symbol, take, take_word, word};
+use crate::syntax::ast::{
+    Carrier, Clause, End, Joint, JointBody, JointWord, Read, Size, Statement,
+};
+use syn::parse::ParseStream;
+
+const WORDS: [(&str, JointWord); 7] = [
+    ("revolute", JointWord::Revolute),
+    ("prismatic", JointWord::Prismatic),
+    ("gear", JointWord::Gear),
+    ("slot", JointWord::Slot),
+    ("rack", JointWord::Rack),
+    ("belt", JointWord::Belt),
+    ("weld", JointWord::Weld),
+];
+
+/// Reads a joint after its keyword.
+pub(super) fn joint(input: ParseStream) -> Statement {
+    declared(input, "the name of a joint", |input, name| {
+        let body = to_semicolon(input, &BEGINNINGS, body);
+        Statement::Joint(Box::new(Joint { name, body }))
+    })
+}
+
+fn body(input: ParseStream) -> Read<JointBody> {
+    symbol(input, "=")?;
+    let (word, kind) = one_of(input, "a kind of joint", &WORDS)?;
+    let ((ends, size), _) = in_parens(input, "`(`", |input| parts(input, kind))?;
+    let at = clause(input, "at")?;
+    let along = clause(input, "along")?;
+    Ok(JointBody {
+        word,
+        kind,
+        ends,
+        size,
+        at,
+        along,
+    })
+}
+
+fn parts(input: ParseStream, kind: JointWord) -> Read<([End; 2], Option<Size>)> {
+    let first = end(input)?;
+    symbol(input, ",")?;
+    let second = end(input)?;
+    let size = match kind {
+        JointWord::Gear | JointWord::Belt => Some(ratio(input)?),
+        JointWord::Rack => Some(radius(input)?),
+        JointWord::Revolute | JointWord::Prismatic | JointWord::Slot | JointWord::Weld => None,
+    };
+    take(input, ",");
+    Ok(([first, second], size))
+}
+
+/// Reads `link` or `link.axis`.
+pub(super) fn end(input: ParseStream) -> Read<End> {
+    let link = name(input, "the name of a link")?;
+    let axis = take(input, ".")
+        .map(|_| name(input, "the name of a point or line"))
+        .transpose()?;
+    Ok(End { link, axis })
+}
+
+fn ratio(input: ParseStream) -> Read<Size> {
+    symbol(input, ",")?;
+    let first = expression(input)?;
+    symbol(input, ":")?;
+    let second = expression(input)?;
+    Ok(Size::Ratio {
+        parts: [first, second],
+        carrier: carrier(input)?,
+    })
+}
+
+fn carrier(input: ParseStream) -> Read<Option<Carrier>> {
+    let Some(keyword) = take_word(input, "on") else {
+        return Ok(None);
+    };
+    let link = name(input, "the name of a link")?;
+    Ok(Some(Carrier { keyword, link }))
+}
+
+fn radius(input: ParseStream) -> Read<Size> {
+    symbol(input, ",")?;
+    word(input, "radius")?;
+    Ok(Size::Radius(expression(input)?))
+}
+
+fn clause(input: ParseStream, keyword: &str) -> Read<Option<Clause>> {
+    let Some(keyword) = take_word(input, keyword) else {
+        return Ok(None);
+    };
+    Ok(Some(Clause {
+        keyword,
+        value: pair(input)?,
+    }))
+}

@@ -1,0 +1,40 @@
+//! From tokens to the tree of the text. What cannot be read is reported in the tree, and reading goes on after it.
+
+mod expression;
+mod header;
+mod item;
+mod joint;
+mod recover;
+mod setting;
+mod statement;
+mod tokens;
+
+use super::ast::Text;
+use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
+
+/// Reads the body of a `mechanism!`.
+pub(super) fn read(input: TokenStream) -> Text {
+    let text = tokens::run(enclosed(input), |input| {
+        tokens::open_braces(input)
+            .map(|(_, content)| statement::text(&content))
+            .unwrap_or_default()
+    });
+    text.unwrap_or_default()
+}
+
+/// The tokens in braces that stand where the last token stands: there, a message about the end of the text is of use.
+fn enclosed(input: TokenStream) -> TokenStream {
+    let last = last_span(&input);
+    let mut group = Group::new(Delimiter::Brace, input);
+    group.set_span(last);
+    TokenTree::Group(group).into()
+}
+
+/// The place of the last token; the macro's own call site if there is none.
+pub(super) fn last_span(input: &TokenStream) -> Span {
+    match input.clone().into_iter().last() {
+        Some(TokenTree::Group(group)) => group.span_close(),
+        Some(tree) => tree.span(),
+        None => Span::call_site(),
+    }
+}

@@ -1,0 +1,122 @@
+//! Motors, the start, and how to compute: everything that refers to links and joints declared elsewhere.
+
+use super::expression::expression;
+use super::joint::end;
+use super::recover::{or_skip, to_semicolon};
+use super::statement::{BEGINNINGS, declared};
+use super::tokens::{any_word, in_braces, in_parens, name, symbol, take, take_word, unexpected};
+use crate::syntax::ast::{Broken, Expr, Method, Motor, Read, Start, StartClause, Statement};
+use proc_macro2::{Ident, Span};
+use syn::parse::ParseStream;
+use syn::token;
+
+/// Reads the rest of a statement that declares no name.
+fn settled(input: ParseStream, read: impl FnOnce(ParseStream) -> Read<Statement>) -> Statement {
+    to_semicolon(input, &BEGINNINGS, read)
+        .unwrap_or_else(|error| Statement::Broken(Broken { error, name: None }))
+}
+
+/// Reads `name in low ..= high by step;`.
+pub(super) fn motor(input: ParseStream) -> Statement {
+    declared(input, "the name of a joint", |input, joint| {
+        settled(input, |input| {
+            let range = take_word(input, "in")
+                .map(|span| Ok((span, range(input)?)))
+                .transpose()?;
+            let step = take_word(input, "by")
+                .map(|span| Ok((span, expression(input)?)))
+                .transpose()?;
+            Ok(Statement::Motor(Motor { joint, range, step }))
+        })
+    })
+}
+
+fn range(input: ParseStream) -> Read<[Expr; 2]> {
+    let low = expression(input)?;
+    symbol(input, "..=")?;
+    Ok([low, expression(input)?])
+}
+
+/// Reads `{ joint = value; link near angle; }`.
+pub(super) fn start(input: ParseStream, keyword: Span) -> Statement {
+    match or_skip(input, &BEGINNINGS, |input| in_braces(input, "`{`", clause)) {
+        Ok(clauses) => Statement::Start(Start { keyword, clauses }),
+        Err(error) => Statement::Broken(Broken { error, name: None }),
+    }
+}
+
+fn clause(input: ParseStream) -> Read<StartClause> {
+    to_semicolon(input, &[], |input| {
+        let name = name(input, "the name of a joint or a link")?;
+        let near = take_word(input, "near").is_some();
+        if !near && take(input, "=").is_none() {
+            return Err(unexpected(
+                input,
+                "`=` (for a joint) or `near` (for a link)",
+            ));
+        }
+        Ok(StartClause {
+            name,
+            near,
+            value: expression(input)?,
+        })
+    })
+}
+
+/// Reads `newton(2);`.
+pub(super) fn method(input: ParseStream, keyword: Span) -> Statement {
+    settled(input, |input| {
+        let word = any_word(input).ok_or_else(|| unexpected(input, "`newton`"))?;
+        let steps = if word == "newton" && input.peek(token::Paren) {
+            Some(in_parens(input, "`(`", expression)?.0)
+        } else {
+            None
+        };
+        Ok(Statement::Method(Method {
+            keyword,
+            word,
+            steps,
+        }))
+    })
+}
+
+/// Reads `1e-9;`.
+pub(super) fn accuracy(input: ParseStream, keyword: Span) -> Statement {
+    settled(input, |input| {
+        Ok(Statement::Accuracy {
+            keyword,
+            value: expression(input)?,
+        })
+    })
+}
+
+/// Reads `{ velocity; acceleration; }`.
+pub(super) fn effects(input: ParseStream, keyword: Span) -> Statement {
+    match or_skip(input, &BEGINNINGS, |input| in_braces(input, "`{`", effect)) {
+        Ok(effects) => Statement::Effects { keyword, effects },
+        Err(error) => Statement::Broken(Broken { error, name: None }),
+    }
+}
+
+fn effect(input: ParseStream) -> Read<Ident> {
+    to_semicolon(input, &[], |input| name(input, "the name of an effect"))
+}
+
+/// Reads `a, b.c;`.
+pub(super) fn show(input: ParseStream, keyword: Span) -> Statement {
+    settled(input, |input| {
+        let mut what = vec![end(input)?];
+        while take(input, ",").is_some() && !input.peek(token::Semi) {
+            what.push(end(input)?);
+        }
+        Ok(Statement::Show { keyword, what })
+    })
+}
+
+/// Reads `redundant;`.
+pub(super) fn allow(input: ParseStream) -> Statement {
+    settled(input, |input| {
+        let word = any_word(input).ok_or_else(|| unexpected(input, "`redundant` or `coupled`"))?;
+        Ok(Statement::Allow(word))
+    })
+}

@@ -1,0 +1,210 @@
+//! The list of statements, and what each begins with.
+
+use super::expression::expression;
+use super::header::{self, Line};
+use super::recover::{at_beginning, or_skip, skip, to_semicolon};
+use super::tokens::{any_word, comes_word, name, symbol, take, take_tree, told, unexpected};
+use super::{item, joint, setting};
+use crate::syntax::ast::{Broken, Constant, Ground, Item, Link, Read, Statement, Text};
+use crate::syntax::{Message, Place, spelling};
+use proc_macro2::{Ident, Span};
+use syn::parse::ParseStream;
+use syn::{Attribute, token};
+
+/// The words that a statement may begin with.
+pub(super) const BEGINNINGS: [&str; 14] = [
+    "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "effects", "show",
+    "allow", "param", "certify", "cost",
+];
+
+/// Those of them that stand for something today.
+const SUPPORTED: [&str; 7] = [
+    "const", "ground", "link", "joint", "motor", "start", "method",
+];
+
+/// Reads everything.
+pub(super) fn text(input: ParseStream) -> Text {
+    let mut text = Text::default();
+    let beginning = input.span();
+    let mut headed = false;
+    let mut first = true;
+    while !input.is_empty() {
+        let attributes = match attributes(input) {
+            Ok(attributes) => attributes,
+            Err(error) => {
+                text.statements.push(broken(error));
+                continue;
+            }
+        };
+        if header::comes(input) {
+            let Line { header, error } = header::line(input, attributes);
+            let misplaced = misplaced(
+                header.as_ref().map(|(header, _)| &header.name),
+                first,
+                headed,
+            );
+            text.statements.extend(misplaced.map(broken));
+            text.statements.extend(error.map(broken));
+            text.header = text.header.or(header);
+            headed = true;
+        } else {
+            text.statements.extend(stray(&attributes).map(broken));
+            if !input.is_empty() {
+                text.motors += usize::from(comes_word(input, "motor"));
+                text.statements.push(statement(input));
+            }
+        }
+        first = false;
+    }
+    if !headed {
+        text.statements.insert(0, broken(headless(beginning)));
+    }
+    text
+}
+
+fn broken(error: Message) -> Statement {
+    Statement::Broken(Broken { error, name: None })
+}
+
+fn headless(beginning: Span) -> Message {
+    let text = "expected `struct Name;` first; it names the type that the mechanism becomes";
+    Message::new(Place::at(beginning), text)
+}
+
+/// A `struct` line that stands where it should not.
+fn misplaced(name: Option<&Ident>, first: bool, headed: bool) -> Option<Message> {
+    let place = Place::at(name?.span());
+    if headed {
+        Some(Message::new(
+            place,
+            "a mechanism has one `struct` line; remove this one",
+        ))
+    } else if first {
+        None
+    } else {
+        Some(Message::new(
+            place,
+            "the `struct` line stands before everything else; move it to the top",
+        ))
+    }
+}
+
+fn attributes(input: ParseStream) -> Read<Vec<Attribute>> {
+    or_skip(input, &BEGINNINGS, |input| {
+        Attribute::parse_outer(input).map_err(|error| told(&error))
+    })
+}
+
+/// Attributes and doc comments that stand before something else than the `struct` line.
+fn stray(attributes: &[Attribute]) -> Option<Message> {
+    let attribute = attributes.first()?;
+    let text =
+        "only the `struct` line takes attributes and doc comments; write this as a `//` comment";
+    Some(Message::new(Place::of(attribute), text))
+}
+
+/// Reads a statement; takes at least one token.
+fn statement(input: ParseStream) -> Statement {
+    let otherwise = unexpected(input, "a statement");
+    let Some(keyword) = any_word(input) else {
+        // One token at least, or a stray keyword after it would be waited for forever.
+        if take(input, ";").is_none() {
+            take_tree(input);
+            skip(input, &BEGINNINGS);
+        }
+        return broken(otherwise);
+    };
+    match keyword.to_string().as_str() {
+        "const" => constant(input),
+        "ground" => ground(input, keyword.span()),
+        "link" => link(input),
+        "joint" => joint::joint(input),
+        "motor" => setting::motor(input),
+        "start" => setting::start(input, keyword.span()),
+        "method" => setting::method(input, keyword.span()),
+        "accuracy" => setting::accuracy(input, keyword.span()),
+        "effects" => setting::effects(input, keyword.span()),
+        "show" => setting::show(input, keyword.span()),
+        "allow" => setting::allow(input),
+        "param" | "certify" | "cost" => left_behind(input, not_yet(&keyword)),
+        _ => left_behind(input, unknown(&keyword)),
+    }
+}
+
+fn not_yet(keyword: &Ident) -> Message {
+    Message::new(
+        Place::at(keyword.span()),
+        format!("`{keyword}` is not supported yet"),
+    )
+}
+
+fn unknown(keyword: &Ident) -> Message {
+    let text = keyword.to_string();
+    let remedy = match spelling::nearest(&text, &BEGINNINGS) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!(
+            "a statement begins with one of {}",
+            spelling::list(&SUPPORTED)
+        ),
+    };
+    Message::new(
+        Place::at(keyword.span()),
+        format!("unknown statement `{text}`; {remedy}"),
+    )
+}
+
+/// A statement that is not read, but whose name is kept: it is not unknown where it is used.
+fn left_behind(input: ParseStream, error: Message) -> Statement {
+    let name = if at_beginning(input, &BEGINNINGS) {
+        None
+    } else {
+        name(input, "a name").ok()
+    };
+    skip(input, &BEGINNINGS);
+    Statement::Broken(Broken { error, name })
+}
+
+/// Reads the name that a statement declares; without one, the statement is lost.
+pub(super) fn declared(
+    input: ParseStream,
+    what: &str,
+    rest: impl FnOnce(ParseStream, Ident) -> Statement,
+) -> Statement {
+    match or_skip(input, &BEGINNINGS, |input| name(input, what)) {
+        Ok(name) => rest(input, name),
+        Err(error) => broken(error),
+    }
+}
+
+fn constant(input: ParseStream) -> Statement {
+    declared(input, "the name of a constant", |input, name| {
+        let value = to_semicolon(input, &BEGINNINGS, |input| {
+            symbol(input, "=")?;
+            expression(input)
+        });
+        Statement::Constant(Constant { name, value })
+    })
+}
+
+fn ground(input: ParseStream, keyword: Span) -> Statement {
+    let items = or_skip(input, &BEGINNINGS, item::items);
+    Statement::Ground(Ground { keyword, items })
+}
+
+fn link(input: ParseStream) -> Statement {
+    declared(input, "the name of a link", |input, name| {
+        let items = or_skip(input, &BEGINNINGS, body);
+        Statement::Link(Link { name, items })
+    })
+}
+
+/// `{ ... }` or `;`
+fn body(input: ParseStream) -> Read<Vec<Item>> {
+    if take(input, ";").is_some() {
+        return Ok(Vec::new());
+    }
+    if input.peek(token::Brace) {
+        return item::items(input);
+    }
+    Err(unexpected(input, "`{` or `;`"))
+}

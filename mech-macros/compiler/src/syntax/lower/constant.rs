@@ -1,0 +1,97 @@
+//! The constants, and where in the text each may be used.
+
+use super::report::Report;
+use crate::syntax::ast::Statement;
+use crate::syntax::{Place, spelling};
+use proc_macro2::Ident;
+
+/// Names of the language that no constant may take.
+const BUILT_IN: [&str; 6] = ["PI", "deg", "sqrt", "sin", "cos", "tan"];
+
+/// All constants of the text.
+#[derive(Default)]
+pub(super) struct Constants(Vec<Entry>);
+
+struct Entry {
+    name: String,
+    /// The number of the statement that declares it.
+    statement: usize,
+    /// None before it is computed, or if it could not be: then whoever uses it is not to blame.
+    value: Option<f64>,
+}
+
+impl Constants {
+    /// Notes down where each is declared; statements are counted from 1.
+    pub(super) fn of(statements: &[Statement]) -> Self {
+        let mut constants = Self::default();
+        for (statement, content) in (1..).zip(statements) {
+            match content {
+                Statement::Constant(constant) => constants.enter(&constant.name, statement),
+                // Something that could not be read counts as declared before everything else.
+                Statement::Broken(broken) => {
+                    broken.name.iter().for_each(|name| constants.enter(name, 0));
+                }
+                _ => {}
+            }
+        }
+        constants
+    }
+
+    fn enter(&mut self, name: &Ident, statement: usize) {
+        let name = name.to_string();
+        if self.find(&name).is_none() {
+            self.0.push(Entry {
+                name,
+                statement,
+                value: None,
+            });
+        }
+    }
+
+    fn find(&self, name: &str) -> Option<&Entry> {
+        self.0.iter().find(|entry| entry.name == name)
+    }
+
+    /// Gives a constant its value, at its declaration.
+    pub(super) fn declare(&mut self, name: &Ident, value: Option<f64>, report: &mut Report) {
+        let text = name.to_string();
+        let here = report.statement();
+        let entry = self.0.iter_mut().find(|entry| entry.name == text);
+        if BUILT_IN.contains(&text.as_str()) {
+            let message = format!("`{text}` belongs to the language; choose another name");
+            report.tell(Place::at(name.span()), message);
+        } else if let Some(entry) = entry {
+            if entry.statement == here {
+                entry.value = value;
+            } else if entry.statement != 0 {
+                let message = format!("there is a constant `{text}` already; choose another name");
+                report.tell(Place::at(name.span()), message);
+            }
+        }
+    }
+
+    /// The value of a constant where the report is.
+    pub(super) fn value(&self, name: &Ident, report: &mut Report) -> Option<f64> {
+        let text = name.to_string();
+        let here = report.statement();
+        let trouble = match self.find(&text) {
+            Some(entry) if entry.statement < here => return entry.value,
+            Some(entry) if entry.statement == here => {
+                format!("constant `{text}` cannot be computed from itself")
+            }
+            Some(_) => format!("constant `{text}` is declared further down; move its line up"),
+            None => format!("unknown constant `{text}`{}", self.remedy(&text, here)),
+        };
+        report.tell(Place::at(name.span()), trouble);
+        None
+    }
+
+    fn remedy(&self, text: &str, here: usize) -> String {
+        let known = self.0.iter().filter(|entry| entry.statement < here);
+        let known: Vec<_> = known
+            .map(|entry| entry.name.as_str())
+            .chain(["PI"])
+            .collect();
+        spelling::remedy(text, &known)
+    }
+}

@@ -1,0 +1,192 @@
+//! Links, and what is fixed to them.
+
+use super::Lowering;
+use super::name::{Named, word_for};
+use crate::model::{self, LinkId, ShapeKind};
+use crate::syntax::Place;
+use crate::syntax::ast::{Axis, Ground, Item, Link, Outline, Pair, Read, Shape};
+
+/// Where shapes go that do not say: the ground has the first colour after the background, and each link the next.
+const GROUND_COLOR: u8 = 1;
+
+impl Lowering {
+    pub(super) fn declare_ground(&mut self, ground: &Ground) {
+        self.single(ground.keyword, "ground", "put everything into the first");
+        if let Some(link) = self.model.links.first_mut()
+            && link.origin == model::Origin::default()
+        {
+            link.origin = self.places.note(Place::at(ground.keyword));
+        }
+        self.lower_items(LinkId::GROUND, &ground.items);
+    }
+
+    pub(super) fn declare_link(&mut self, link: &Link) {
+        if self.claim(&link.name, "link") {
+            let id = LinkId::new(self.model.links.len());
+            let origin = self.note(&link.name);
+            self.model
+                .links
+                .push(model::Link::new(&link.name.to_string(), origin));
+            self.names.enter(&link.name, Named::Link(id));
+            self.lower_items(id, &link.items);
+            return;
+        }
+        // What the second of a name has, the first has not; but that is not the trouble.
+        match self.names.look_up(&link.name) {
+            Some(Named::Link(first)) => self.names.lose_axis(first, None),
+            _ => self.names.enter(&link.name, Named::Broken),
+        }
+        self.pass_on_items(&link.items);
+    }
+
+    /// Reports at least what could not be read in a link that is left out.
+    fn pass_on_items(&mut self, items: &Read<Vec<Item>>) {
+        let errors: Vec<_> = match items {
+            Err(error) => vec![error],
+            Ok(items) => items.iter().filter_map(error_of).collect(),
+        };
+        for error in errors {
+            self.report.next_item();
+            self.report.pass_on(error.clone());
+        }
+    }
+
+    fn lower_items(&mut self, link: LinkId, items: &Read<Vec<Item>>) {
+        let items = match items {
+            Ok(items) => items,
+            Err(error) => {
+                self.report.pass_on(error.clone());
+                return self.names.lose_axis(link, None);
+            }
+        };
+        for item in items {
+            self.report.next_item();
+            match item {
+                Item::Axis(axis) => self.lower_axis(link, axis),
+                Item::Shape(shape) => self.lower_shape(link, shape),
+                Item::Broken(broken) => {
+                    self.report.pass_on(broken.error.clone());
+                    broken
+                        .name
+                        .iter()
+                        .for_each(|name| self.names.lose_axis(link, Some(name)));
+                }
+            }
+        }
+    }
+
+    /// Enters an axis, also one whose numbers are wrong: its name is known, and it is not to be missed elsewhere.
+    fn lower_axis(&mut self, link: LinkId, axis: &Axis) {
+        let kept = self.claim_axis(link, axis);
+        let (at, direction) = match &axis.value {
+            Ok((at, direction)) => (
+                self.pair(at),
+                direction.as_ref().and_then(|pair| self.direction(pair)),
+            ),
+            Err(error) => {
+                self.report.pass_on(error.clone());
+                (None, None)
+            }
+        };
+        if !kept {
+            return;
+        }
+        let origin = self.note(&axis.name);
+        self.model.axes.push(model::Axis {
+            link,
+            name: Some(axis.name.to_string()),
+            origin,
+            kind: axis.kind,
+            at: at.unwrap_or_default(),
+            direction: direction.unwrap_or([1.0, 0.0]),
+        });
+    }
+
+    /// Takes the name of an axis: whether it can have it.
+    fn claim_axis(&mut self, link: LinkId, axis: &Axis) -> bool {
+        let text = axis.name.to_string();
+        if let Some(earlier) = self.axis_of(link, &text) {
+            let earlier = word_for(self.model.axis(earlier).kind);
+            let link = &self.model.link(link).name;
+            let message = format!("`{link}` has a {earlier} `{text}` already; choose another name");
+            self.report.tell(Place::at(axis.name.span()), message);
+            return false;
+        }
+        let kept = axis.kind == model::AxisKind::Line || self.claim_point(link, &axis.name);
+        if !kept {
+            self.names.lose_axis(link, Some(&axis.name));
+        }
+        kept
+    }
+
+    fn lower_shape(&mut self, link: LinkId, shape: &Shape) {
+        let kind = match &shape.outline {
+            Outline::Circle { center, radius } => self.circle(center, radius),
+            Outline::Polygon { corners, place } => self.polygon(corners, *place),
+        };
+        let plane = match &shape.plane {
+            Some(plane) => self.whole(plane, "a plane", [i32::MIN, i32::MAX]),
+            None => Some(0),
+        };
+        let color = match &shape.color {
+            Some(color) => self
+                .whole(color, "a color", [0, 255])
+                .and_then(|color| u8::try_from(color).ok()),
+            None => Some(color_of(link)),
+        };
+        let (Some(kind), Some(plane), Some(color)) = (kind, plane, color) else {
+            return;
+        };
+        let origin = self.places.note(Place::at(shape.keyword));
+        if let Some(link) = self.model.links.get_mut(link.index()) {
+            link.shapes.push(model::Shape {
+                origin,
+                kind,
+                plane,
+                color,
+            });
+        }
+    }
+
+    fn circle(&mut self, center: &Pair, radius: &crate::syntax::ast::Expr) -> Option<ShapeKind> {
+        let center = self.pair(center);
+        let radius = self.positive(radius, "a radius");
+        Some(ShapeKind::Circle {
+            center: center?,
+            radius: radius?,
+        })
+    }
+
+    fn polygon(&mut self, corners: &[Pair], place: Place) -> Option<ShapeKind> {
+        let values: Vec<_> = corners.iter().map(|corner| self.pair(corner)).collect();
+        if corners.len() < 3 {
+            let text = format!(
+                "a polygon has at least three corners, not {}",
+                corners.len()
+            );
+            self.report.tell(place, text);
+            return None;
+        }
+        values
+            .into_iter()
+            .collect::<Option<_>>()
+            .map(ShapeKind::Polygon)
+    }
+}
+
+/// What could not be read of an item.
+fn error_of(item: &Item) -> Option<&crate::syntax::Message> {
+    match item {
+        Item::Axis(axis) => axis.value.as_ref().err(),
+        Item::Shape(_) => None,
+        Item::Broken(broken) => Some(&broken.error),
+    }
+}
+
+/// The colour of a link's shapes that name none: beginning anew after the last of the palette.
+fn color_of(link: LinkId) -> u8 {
+    match link.index().checked_sub(1) {
+        None => GROUND_COLOR,
+        Some(earlier) => u8::try_from(earlier % 254).map_or(u8::MAX, |step| step.saturating_add(2)),
+    }
+}

@@ -1,0 +1,153 @@
+//! From the tree of the text to the model: names get their meaning, numbers their value.
+
+mod constant;
+mod joint;
+mod link;
+mod name;
+mod report;
+mod setting;
+mod start;
+mod value;
+
+use self::constant::Constants;
+use self::name::{Named, Names};
+use self::report::Report;
+use super::ast::{Statement, Text};
+use super::{Parsed, Place, Places};
+use crate::model::{LinkId, Model, Origin};
+use proc_macro2::{Ident, Span};
+
+/// Makes the model of a text.
+pub(super) fn lower(text: Text) -> Parsed {
+    let mut lowering = Lowering::new(&text);
+    lowering.pass(&text.statements, Lowering::declare);
+    lowering.pass(&text.statements, Lowering::join);
+    lowering.pass(&text.statements, Lowering::set);
+    Parsed {
+        motors: text.motors,
+        header: text.header.map(|(header, _)| header),
+        model: lowering.model,
+        places: lowering.places,
+        errors: lowering.report.finish(),
+    }
+}
+
+/// The model in the making.
+struct Lowering {
+    model: Model,
+    places: Places,
+    report: Report,
+    constants: Constants,
+    names: Names,
+    /// The numbers of statements whose joint cannot have its name, and is left out.
+    nameless: Vec<usize>,
+    /// The statements that there may be only one of, as far as they have come.
+    singles: Vec<&'static str>,
+}
+
+impl Lowering {
+    fn new(text: &Text) -> Self {
+        let mut places = Places::default();
+        let mut model = match &text.header {
+            Some((header, _)) => {
+                Model::new(&header.name.to_string(), note(&mut places, &header.name))
+            }
+            None => Model::new("Mechanism", Origin::default()),
+        };
+        if let Some((_, precision)) = &text.header {
+            model.precision = *precision;
+        }
+        let mut names = Names::default();
+        names.enter(
+            &Ident::new("ground", Span::call_site()),
+            Named::Link(LinkId::GROUND),
+        );
+        let constants = Constants::of(&text.statements);
+        Self {
+            model,
+            places,
+            report: Report::default(),
+            constants,
+            names,
+            nameless: Vec::new(),
+            singles: Vec::new(),
+        }
+    }
+
+    /// Goes through the text once.
+    fn pass(&mut self, statements: &[Statement], visit: fn(&mut Self, &Statement)) {
+        for (number, statement) in (1..).zip(statements) {
+            self.report.enter(number);
+            visit(self, statement);
+        }
+    }
+
+    /// First: everything that has a name.
+    fn declare(&mut self, statement: &Statement) {
+        match statement {
+            Statement::Constant(constant) => {
+                let value = match &constant.value {
+                    Ok(expr) => self.value(expr),
+                    Err(error) => {
+                        self.report.pass_on(error.clone());
+                        None
+                    }
+                };
+                self.constants
+                    .declare(&constant.name, value, &mut self.report);
+            }
+            Statement::Ground(ground) => self.declare_ground(ground),
+            Statement::Link(link) => self.declare_link(link),
+            Statement::Joint(joint) => self.declare_joint(joint),
+            Statement::Broken(broken) => {
+                self.report.pass_on(broken.error.clone());
+                broken
+                    .name
+                    .iter()
+                    .for_each(|name| self.names.enter(name, Named::Broken));
+            }
+            _ => {}
+        }
+    }
+
+    /// Second: joints, which may refer to links declared after them.
+    fn join(&mut self, statement: &Statement) {
+        if let Statement::Joint(joint) = statement {
+            self.lower_joint(joint);
+        }
+    }
+
+    /// Third: what refers to joints.
+    fn set(&mut self, statement: &Statement) {
+        match statement {
+            Statement::Motor(motor) => self.lower_motor(motor),
+            Statement::Start(start) => self.lower_start(start),
+            Statement::Method(method) => self.lower_method(method),
+            Statement::Accuracy { keyword, value } => self.lower_accuracy(*keyword, value),
+            Statement::Effects { keyword, effects } => self.lower_effects(*keyword, effects),
+            Statement::Show { keyword, what } => self.lower_show(*keyword, what),
+            Statement::Allow(word) => self.lower_allow(word),
+            _ => {}
+        }
+    }
+
+    /// Complains about a statement of which there is one already.
+    fn single(&mut self, keyword: Span, word: &'static str, remedy: &str) {
+        if self.singles.contains(&word) {
+            self.report.tell(
+                Place::at(keyword),
+                format!("a mechanism has one `{word}`; {remedy}"),
+            );
+        } else {
+            self.singles.push(word);
+        }
+    }
+
+    fn note(&mut self, name: &Ident) -> Origin {
+        note(&mut self.places, name)
+    }
+}
+
+fn note(places: &mut Places, name: &Ident) -> Origin {
+    places.note(Place::at(name.span()))
+}

@@ -1,0 +1,272 @@
+//! What the names mean.
+
+use super::Lowering;
+use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
+use crate::syntax::ast::End;
+use crate::syntax::{Place, spelling};
+use proc_macro2::Ident;
+
+/// Methods that every mechanism has.
+const RESERVED: [&str; 7] = ["new", "move_to", "motors", "poses", "draw", "clone", "fmt"];
+
+/// What a name of the text stands for.
+#[derive(Clone, Copy)]
+pub(super) enum Named {
+    /// A link.
+    Link(LinkId),
+    /// A joint; without an id, one that is left out of the model because of an error.
+    Joint(Option<JointId>),
+    /// Something that is left out of the model because of an error: it has been reported.
+    Broken,
+}
+
+/// The names of links and joints, and the methods that the generated struct will have.
+#[derive(Default)]
+pub(super) struct Names {
+    entries: Vec<(String, Named)>,
+    /// Each with what it is made for.
+    methods: Vec<(String, String)>,
+    /// Names of points and lines that are left out of the model because of an error; of all, if there is no name.
+    lost: Vec<(LinkId, Option<String>)>,
+}
+
+impl Names {
+    fn get(&self, name: &str) -> Option<Named> {
+        self.entries
+            .iter()
+            .find(|(entry, _)| entry == name)
+            .map(|(_, named)| *named)
+    }
+
+    /// What this name stands for, if anything.
+    pub(super) fn look_up(&self, name: &Ident) -> Option<Named> {
+        self.get(&name.to_string())
+    }
+
+    /// Enters a name, unless it stands for something already.
+    pub(super) fn enter(&mut self, name: &Ident, named: Named) {
+        match self.entries.iter_mut().find(|(entry, _)| name == entry) {
+            Some((_, entry @ Named::Broken)) => *entry = named,
+            Some(_) => {}
+            None => self.entries.push((name.to_string(), named)),
+        }
+    }
+
+    /// Gives a joint its id, now that it has one.
+    pub(super) fn joint_is(&mut self, name: &Ident, id: JointId) {
+        let mut entries = self.entries.iter_mut();
+        if let Some((_, named)) = entries.find(|(entry, _)| name == entry) {
+            *named = Named::Joint(Some(id));
+        }
+    }
+
+    /// Notes that a link should have an axis of this name, or any, had there not been an error.
+    pub(super) fn lose_axis(&mut self, link: LinkId, name: Option<&Ident>) {
+        self.lost.push((link, name.map(ToString::to_string)));
+    }
+
+    fn is_lost(&self, link: LinkId, name: &str) -> bool {
+        let lost = |entry: &Option<String>| entry.as_deref().is_none_or(|entry| entry == name);
+        self.lost
+            .iter()
+            .any(|(owner, entry)| *owner == link && lost(entry))
+    }
+
+    fn links(&self) -> Vec<&str> {
+        let links = self
+            .entries
+            .iter()
+            .filter(|(_, named)| matches!(named, Named::Link(_)));
+        links.map(|(name, _)| name.as_str()).collect()
+    }
+
+    fn joints(&self) -> Vec<&str> {
+        let joints = self
+            .entries
+            .iter()
+            .filter(|(_, named)| matches!(named, Named::Joint(_)));
+        joints.map(|(name, _)| name.as_str()).collect()
+    }
+}
+
+impl Lowering {
+    /// Takes the name of a link or a joint (`what`): whether it can have it.
+    pub(super) fn claim(&mut self, name: &Ident, what: &str) -> bool {
+        let text = name.to_string();
+        let place = Place::at(name.span());
+        if text == "ground" {
+            let message =
+                format!("`ground` is the link that is fixed; choose another name for this {what}");
+            self.report.tell(place, message);
+            return false;
+        }
+        if RESERVED.contains(&text.as_str()) {
+            let message = format!(
+                "`{text}` is a method of every mechanism; choose another name for this {what}"
+            );
+            self.report.tell(place, message);
+            return false;
+        }
+        let earlier = match self.names.get(&text) {
+            Some(Named::Link(_)) => "link",
+            Some(Named::Joint(_)) => "joint",
+            Some(Named::Broken) | None => {
+                return self.claim_method(text.clone(), format!("{what} `{text}`"), place);
+            }
+        };
+        let message =
+            format!("there is a {earlier} `{text}` already; choose another name for this {what}");
+        self.report.tell(place, message);
+        false
+    }
+
+    /// Takes the method of a point: whether it can have it.
+    pub(super) fn claim_point(&mut self, link: LinkId, name: &Ident) -> bool {
+        let link = &self.model.link(link).name;
+        let method = format!("{link}_{name}");
+        let owner = format!("point `{link}.{name}`");
+        self.claim_method(method, owner, Place::at(name.span()))
+    }
+
+    fn claim_method(&mut self, method: String, owner: String, place: Place) -> bool {
+        if let Some((_, earlier)) = self
+            .names
+            .methods
+            .iter()
+            .find(|(taken, _)| *taken == method)
+        {
+            let text = format!(
+                "{owner} and {earlier} would both be the method `{method}`; rename one of them"
+            );
+            self.report.tell(place, text);
+            return false;
+        }
+        self.names.methods.push((method, owner));
+        true
+    }
+
+    /// The link of this name.
+    pub(super) fn find_link(&mut self, name: &Ident) -> Option<LinkId> {
+        let text = name.to_string();
+        let trouble = match self.names.get(&text) {
+            Some(Named::Link(id)) => return Some(id),
+            Some(Named::Broken) => return None,
+            Some(Named::Joint(_)) => {
+                let links = self.names.links();
+                format!(
+                    "`{text}` is a joint; this must be a link, one of {}",
+                    spelling::list(&links)
+                )
+            }
+            None => format!(
+                "unknown link `{text}`{}",
+                spelling::remedy(&text, &self.names.links())
+            ),
+        };
+        self.report.tell(Place::at(name.span()), trouble);
+        None
+    }
+
+    /// The joint of this name.
+    pub(super) fn find_joint(&mut self, name: &Ident) -> Option<JointId> {
+        let text = name.to_string();
+        let trouble = match self.names.get(&text) {
+            Some(Named::Joint(id)) => return id,
+            Some(Named::Broken) => return None,
+            Some(Named::Link(id)) => self.not_a_joint(id),
+            None => format!(
+                "unknown joint `{text}`{}",
+                spelling::remedy(&text, &self.names.joints())
+            ),
+        };
+        self.report.tell(Place::at(name.span()), trouble);
+        None
+    }
+
+    fn not_a_joint(&self, link: LinkId) -> String {
+        let name = &self.model.link(link).name;
+        let joints = self.model.joint_ids().filter(|&joint| {
+            let (a, b) = self.model.ends(joint);
+            let gear = matches!(self.model.joint(joint).kind, JointKind::Gear { .. });
+            !gear && (a == link || b == link)
+        });
+        let joints: Vec<_> = joints
+            .map(|joint| self.model.joint(joint).name.as_str())
+            .collect();
+        match joints.as_slice() {
+            [] => format!("`{name}` is a link; this must be a joint"),
+            joints => format!(
+                "`{name}` is a link; name one of its joints: {}",
+                spelling::list(joints)
+            ),
+        }
+    }
+
+    /// Complains about a name that is neither a link's nor a joint's.
+    pub(super) fn unknown(&mut self, name: &Ident) {
+        let text = name.to_string();
+        let candidates: Vec<_> = [self.names.links(), self.names.joints()].concat();
+        let remedy = spelling::remedy(&text, &candidates);
+        self.report.tell(
+            Place::at(name.span()),
+            format!("unknown link or joint `{text}`{remedy}"),
+        );
+    }
+
+    /// The axis of this name on a link; of this kind, if one is given.
+    pub(super) fn find_axis(
+        &mut self,
+        link: LinkId,
+        name: &Ident,
+        kind: Option<AxisKind>,
+    ) -> Option<AxisId> {
+        let text = name.to_string();
+        if let Some(id) = self.axis_of(link, &text) {
+            return Some(id);
+        }
+        if self.names.is_lost(link, &text) {
+            return None;
+        }
+        let link_name = self.model.link(link).name.clone();
+        let what = kind.map_or("point or line", word_for);
+        let candidates = self.axes_of(link, kind);
+        let remedy = if candidates.is_empty() {
+            format!("; declare it in `{link_name}`")
+        } else {
+            spelling::remedy(&text, &candidates)
+        };
+        let message = format!("`{link_name}` has no {what} `{text}`{remedy}");
+        self.report.tell(Place::at(name.span()), message);
+        None
+    }
+
+    /// The axis of this name on a link, without a word.
+    pub(super) fn axis_of(&self, link: LinkId, name: &str) -> Option<AxisId> {
+        let mut axes = self.model.axes.iter();
+        let axis = axes.position(|axis| axis.link == link && axis.name.as_deref() == Some(name));
+        axis.map(AxisId::new)
+    }
+
+    /// The names of a link's axes, of this kind if one is given.
+    pub(super) fn axes_of(&self, link: LinkId, kind: Option<AxisKind>) -> Vec<&str> {
+        let axes = self.model.axes.iter().filter(|axis| axis.link == link);
+        let axes = axes.filter(|axis| kind.is_none_or(|kind| axis.kind == kind));
+        axes.filter_map(|axis| axis.name.as_deref()).collect()
+    }
+
+    /// Checks that a link, and the axis if one is given, exist.
+    pub(super) fn check_end(&mut self, end: &End) {
+        let link = self.find_link(&end.link);
+        if let (Some(link), Some(axis)) = (link, &end.axis) {
+            self.find_axis(link, axis, None);
+        }
+    }
+}
+
+/// What an axis is called in the text.
+pub(super) fn word_for(kind: AxisKind) -> &'static str {
+    match kind {
+        AxisKind::Point => "point",
+        AxisKind::Line => "line",
+    }
+}

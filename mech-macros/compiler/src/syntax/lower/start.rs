@@ -1,0 +1,143 @@
+//! How the mechanism is assembled.
+
+use super::Lowering;
+use super::name::Named;
+use crate::model::{JointId, JointKind, LinkId, Near, StartValue};
+use crate::syntax::Place;
+use crate::syntax::ast::{Start, StartClause};
+
+impl Lowering {
+    pub(super) fn lower_start(&mut self, start: &Start) {
+        self.single(start.keyword, "start", "put everything into the first");
+        for clause in &start.clauses {
+            self.report.next_item();
+            match clause {
+                Ok(clause) => self.start_clause(clause),
+                Err(error) => self.report.pass_on(error.clone()),
+            }
+        }
+    }
+
+    fn start_clause(&mut self, clause: &StartClause) {
+        let named = self.names.look_up(&clause.name);
+        match (named, clause.near) {
+            (Some(Named::Link(id)), true) => self.near(clause, id),
+            (Some(Named::Joint(Some(id))), false) => self.start_value(clause, id),
+            (named, _) => {
+                self.value(&clause.value);
+                self.misfit(clause, named);
+            }
+        }
+    }
+
+    /// Complains about a name of the wrong kind.
+    fn misfit(&mut self, clause: &StartClause, named: Option<Named>) {
+        let name = &clause.name;
+        let text = match named {
+            Some(Named::Link(_)) => {
+                format!(
+                    "`{name}` is a link; write `{name} near ...` to choose the assembly nearest to an angle"
+                )
+            }
+            Some(Named::Joint(_)) if clause.near => {
+                format!("`{name}` is a joint; write `{name} = ...` to give its coordinate")
+            }
+            Some(Named::Joint(_) | Named::Broken) => return,
+            None if clause.near => {
+                self.find_link(name);
+                return;
+            }
+            None => {
+                self.find_joint(name);
+                return;
+            }
+        };
+        self.report.tell(Place::at(name.span()), text);
+    }
+
+    fn near(&mut self, clause: &StartClause, link: LinkId) {
+        let angle = self.value(&clause.value);
+        let name = &clause.name;
+        if link == LinkId::GROUND {
+            self.report
+                .tell(Place::at(name.span()), "`ground` is fixed; leave this out");
+        } else if self.model.start.near.iter().any(|near| near.link == link) {
+            let text =
+                format!("there is a `near` for link `{name}` already; remove one of the two");
+            self.report.tell(Place::at(name.span()), text);
+        } else if let Some(angle) = angle {
+            let origin = self.places.note(place(clause));
+            self.model.start.near.push(Near {
+                link,
+                angle,
+                origin,
+            });
+        }
+    }
+
+    fn start_value(&mut self, clause: &StartClause, joint: JointId) {
+        let Some(value) = self.value(&clause.value) else {
+            return;
+        };
+        if let Some((place, text)) = self.start_trouble(clause, joint, value) {
+            self.report.tell(place, text);
+            return;
+        }
+        let origin = self.places.note(place(clause));
+        self.model.start.values.push(StartValue {
+            joint,
+            value,
+            origin,
+        });
+    }
+
+    /// Why a joint cannot start at this value, and what to point at.
+    fn start_trouble(
+        &self,
+        clause: &StartClause,
+        joint: JointId,
+        value: f64,
+    ) -> Option<(Place, String)> {
+        let name = &clause.name;
+        let place = Place::at(name.span());
+        if matches!(self.model.joint(joint).kind, JointKind::Gear { .. }) {
+            let text = format!(
+                "`{name}` is a gear, which has no coordinate; give that of the joint of one of its wheels"
+            );
+            return Some((place, text));
+        }
+        if self
+            .model
+            .start
+            .values
+            .iter()
+            .any(|value| value.joint == joint)
+        {
+            return Some((
+                place,
+                format!("there is a start for joint `{name}` already; remove one of the two"),
+            ));
+        }
+        (value != 0.0 && self.is_drawn(joint)).then(|| {
+            let text = format!(
+                "joint `{name}` is placed in the drawing, where its coordinate is 0; \
+                 leave this out, or draw its links as they are to start"
+            );
+            (clause.value.place, text)
+        })
+    }
+
+    /// Whether a joint was placed by `at`.
+    fn is_drawn(&self, joint: JointId) -> bool {
+        match self.model.joint(joint).kind {
+            JointKind::Revolute(axis, _) | JointKind::Prismatic(axis, _) => {
+                self.model.axis(axis).name.is_none()
+            }
+            JointKind::Gear { .. } => false,
+        }
+    }
+}
+
+fn place(clause: &StartClause) -> Place {
+    Place::at(clause.name.span()).to(clause.value.place)
+}

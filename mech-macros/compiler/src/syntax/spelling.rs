@@ -1,0 +1,62 @@
+//! What the user may have meant.
+
+/// The candidate that looks most like the word, if one does.
+pub(super) fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    let length = word.chars().count();
+    // A third of the letters, but never all of them: one letter is like no other.
+    let limit = (length / 3).max(1).min(length.saturating_sub(1));
+    let near = candidates
+        .iter()
+        .map(|candidate| (distance(word, candidate, limit), *candidate));
+    let near = near.filter_map(|(distance, candidate)| Some((distance?, candidate)));
+    near.min_by_key(|(distance, _)| *distance)
+        .map(|(_, candidate)| candidate)
+}
+
+/// The end of a message about an unknown word: what it may have meant, or else what there is to choose from.
+pub(super) fn remedy(word: &str, candidates: &[&str]) -> String {
+    match (nearest(word, candidates), candidates) {
+        (Some(candidate), _) => format!("; did you mean `{candidate}`?"),
+        (None, []) => String::new(),
+        (None, [only]) => format!("; there is only `{only}`"),
+        (None, _) => format!("; there are {}", list(candidates)),
+    }
+}
+
+/// The words in back-ticks; the last of many are left out.
+pub(super) fn list(words: &[&str]) -> String {
+    const SHOWN: usize = 12;
+    let shown: Vec<_> = words
+        .iter()
+        .take(SHOWN)
+        .map(|word| format!("`{word}`"))
+        .collect();
+    let rest = if words.len() > SHOWN { ", …" } else { "" };
+    format!("{}{rest}", shown.join(", "))
+}
+
+/// The number of letters to insert, remove, replace or swap, unless it is above the limit.
+fn distance(a: &str, b: &str, limit: usize) -> Option<usize> {
+    let a: Vec<char> = a.chars().flat_map(char::to_lowercase).collect();
+    let b: Vec<char> = b.chars().flat_map(char::to_lowercase).collect();
+    if a.len().abs_diff(b.len()) > limit {
+        return None;
+    }
+    // Three rows of the table of optimal string alignment: the one before last is for swaps.
+    let mut before: Vec<usize> = Vec::new();
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    for (i, &left) in a.iter().enumerate() {
+        let mut row = Vec::with_capacity(b.len() + 1);
+        row.push(i + 1);
+        for (j, &right) in b.iter().enumerate() {
+            let replaced = last[j] + usize::from(left != right);
+            let mut best = replaced.min(last[j + 1] + 1).min(row[j] + 1);
+            if i > 0 && j > 0 && left == b[j - 1] && a[i - 1] == right {
+                best = best.min(before[j - 1] + 1);
+            }
+            row.push(best);
+        }
+        before = std::mem::replace(&mut last, row);
+    }
+    last.last().copied().filter(|&distance| distance <= limit)
+}

@@ -1,0 +1,147 @@
+//! Links, points, lines and shapes.
+
+use super::told;
+
+#[test]
+fn a_line_has_a_direction() {
+    told(
+        "link a { line l = (0, 0)«;» }",
+        &["expected `-> (dx, dy)`, found `;`; a line has a direction"],
+    );
+    told(
+        "link a { point p = (0, 0) «(»1, 0); }",
+        &["expected `;`, or `-> (dx, dy)`, found `(`"],
+    );
+    told(
+        "link a { point p = (0, 0) -> «(0, 1 - 1)»; }",
+        &["a direction cannot be (0, 0); give it a length"],
+    );
+}
+
+#[test]
+fn a_place_has_two_coordinates() {
+    told("link a { point p = (1«)»; }", &["expected `,`"]);
+    told(
+        "link a { point p = (1, 2, «3»); }",
+        &["expected `)`, found `3`"],
+    );
+    told(
+        "link a { point p = «1»; }",
+        &["expected `(x, y)`, found `1`"],
+    );
+    told("link a { point p «(»0, 0); }", &["expected `=`, found `(`"]);
+}
+
+#[test]
+fn a_circle_has_a_size() {
+    told(
+        "link a { circle (0, 0) radius «0»; }",
+        &["a radius must be greater than zero, not 0"],
+    );
+    told(
+        "link a { circle (0, 0) radius «1 - 3»; }",
+        &["a radius must be greater than zero, not -2"],
+    );
+    told(
+        "link a { circle (0, 0)«;» }",
+        &["expected `radius`, found `;`"],
+    );
+}
+
+#[test]
+fn a_polygon_has_three_corners() {
+    told(
+        "link a { polygon «[(0, 0), (1, 0),]»; }",
+        &["a polygon has at least three corners, not 2"],
+    );
+    told(
+        "link a { polygon «[]»; }",
+        &["a polygon has at least three corners, not 0"],
+    );
+    told(
+        "link a { polygon [(0, 0) «(»1, 0)]; }",
+        &["expected `]`, found `(`"],
+    );
+    told(
+        "link a { polygon «(»0, 0); }",
+        &["expected `[(x, y), ...]`, found `(`"],
+    );
+}
+
+#[test]
+fn planes_and_colors_are_whole_numbers() {
+    let circle = |rest: &str| format!("link a {{ circle (0, 0) radius 1 {rest}; }}");
+    told(
+        &circle("on plane «1.5»"),
+        &["a plane is a whole number from -2147483648 to 2147483647, not 1.5"],
+    );
+    told(
+        &circle("on plane «3e9»"),
+        &["a plane is a whole number from -2147483648 to 2147483647, not 3000000000"],
+    );
+    told(
+        &circle("color «256»"),
+        &["a color is a whole number from 0 to 255, not 256"],
+    );
+    told(
+        &circle("color «-1»"),
+        &["a color is a whole number from 0 to 255, not -1"],
+    );
+    told(
+        &circle("color 1 «on» plane 2"),
+        &["`on plane` stands before `color`; swap the two"],
+    );
+    told(
+        &circle("on «color» 2"),
+        &["expected `plane`, found `color`"],
+    );
+    told(&circle("color 2 «3»"), &["expected `;`, found `3`"]);
+}
+
+#[test]
+fn other_items_are_unknown() {
+    told(
+        "link a { «piont» p = (0, 0); }",
+        &["unknown item `piont`; did you mean `point`?"],
+    );
+    told(
+        "link a { «square» (0, 0); }",
+        &[
+            "unknown item `square`; what is fixed to a link begins with one of `point`, `line`, `circle`, `polygon`",
+        ],
+    );
+    told(
+        "link a { «;» }",
+        &["expected `point`, `line`, `circle` or `polygon`, found `;`"],
+    );
+    told("link a «(»);", &["expected `{` or `;`, found `(`"]);
+    told("ground«;»", &["expected `{`, found `;`"]);
+}
+
+#[test]
+fn a_point_with_bad_numbers_is_kept() {
+    let parsed = told("link a { point p = («1 / 0», 0); }", &["division by zero"]);
+    assert_eq!(parsed.model.axes.len(), 1);
+    let parsed = told(
+        "link a { point p = «oops»; } link b { point q = (0, 0); } joint d = revolute(a.p, b.q);",
+        &["expected `(x, y)`, found `oops`"],
+    );
+    assert_eq!(parsed.model.joints.len(), 1);
+}
+
+#[test]
+fn there_is_one_ground() {
+    let parsed = told(
+        "ground { point p = (0, 0); } «ground» { point q = (0, 0); } link a { point r = (0, 0); } joint d = revolute(ground.q, a.r);",
+        &["a mechanism has one `ground`; put everything into the first"],
+    );
+    assert_eq!(parsed.model.joints.len(), 1);
+}
+
+#[test]
+fn huge_numbers_are_told_briefly() {
+    told(
+        "link a { circle (0, 0) radius 1 on plane «1e300»; }",
+        &["a plane is a whole number from -2147483648 to 2147483647, not 1e300"],
+    );
+}

@@ -1,0 +1,92 @@
+//! Texts, and what is understood of them or told about them.
+
+mod expression;
+mod joint;
+mod link;
+mod model;
+mod name;
+mod recovery;
+mod robust;
+mod setting;
+mod statement;
+
+use super::{Parsed, parse};
+use proc_macro2::TokenStream;
+
+/// Line and column, both from 1.
+type Spot = (usize, usize);
+
+/// Reads a text.
+fn parsed(text: &str) -> Parsed {
+    parse(
+        text.parse::<TokenStream>()
+            .expect("the text is made of tokens"),
+    )
+}
+
+/// Reads a text in which nothing is wrong.
+fn good(text: &str) -> Parsed {
+    let parsed = parsed(text);
+    let errors: Vec<_> = parsed.errors.iter().map(|error| &error.text).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+    parsed
+}
+
+/// Takes the marks `«` and `»` out of a text: the text, and the places that they enclosed.
+fn unmarked(marked: &str) -> (String, Vec<(Spot, Spot)>) {
+    let (mut text, mut places, mut start) = (String::new(), Vec::new(), None);
+    let (mut line, mut column) = (1, 1);
+    for character in marked.chars() {
+        match character {
+            '«' => start = Some((line, column)),
+            '»' => places.push((start.take().expect("a mark was opened"), (line, column))),
+            _ => {
+                text.push(character);
+                (line, column) = if character == '\n' {
+                    (line + 1, 1)
+                } else {
+                    (line, column + 1)
+                };
+            }
+        }
+    }
+    (text, places)
+}
+
+/// The messages about a whole text are exactly these, each about the place of its mark.
+fn told_of(marked: &str, messages: &[&str]) -> Parsed {
+    let (text, places) = unmarked(marked);
+    let parsed = parsed(&text);
+    let spot = |spot: proc_macro2::LineColumn| (spot.line, spot.column + 1);
+    let found = parsed.errors.iter().map(|error| {
+        (
+            spot(error.place.start.start()),
+            spot(error.place.end.end()),
+            error.text.as_str(),
+        )
+    });
+    let found: Vec<_> = found.collect();
+    let expected: Vec<_> = places
+        .into_iter()
+        .zip(messages)
+        .map(|((start, end), message)| (start, end, *message))
+        .collect();
+    assert_eq!(found, expected, "{text}");
+    for (.., text) in found {
+        assert!(
+            !text.ends_with('.') && !text.starts_with(char::is_uppercase),
+            "{text}"
+        );
+    }
+    parsed
+}
+
+/// The messages about a text after its `struct` line.
+fn told(marked: &str, messages: &[&str]) -> Parsed {
+    assert_eq!(
+        marked.matches('«').count(),
+        messages.len(),
+        "a mark for each message"
+    );
+    told_of(&format!("struct M;\n{marked}"), messages)
+}

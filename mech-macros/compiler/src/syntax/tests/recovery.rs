@@ -1,0 +1,94 @@
+//! Several errors in one text.
+
+use super::told;
+
+#[test]
+fn every_bad_statement_is_told_in_the_order_of_the_text() {
+    let parsed = told(
+        "const A = 1 «2»;
+        link crank { point pin = (0, «;»); «circl» (0, 0) radius 1; point eye = (A, 0); }
+        link rod { point eye = (0, 0); } «foo» { bar; }
+        joint a = revolute(crank.pin, rod.«eey»);
+        joint b = «hinge»(crank, rod);
+        motor «c»;
+        motor a;
+        start { «c» = 1; a = «sqrt»; rod near 1 +«;» crank near 0; }
+        method «fast»;
+        link last;",
+        &[
+            "expected `;`, found `2`",
+            "expected a number, found `;`",
+            "unknown item `circl`; did you mean `circle`?",
+            "unknown statement `foo`; a statement begins with one of `const`, `ground`, `link`, `joint`, `motor`, \
+             `start`, `method`",
+            "`rod` has no point `eey`; did you mean `eye`?",
+            "expected a kind of joint, found `hinge`; there are `revolute`, `prismatic`, `gear`, `slot`, `rack`, \
+             `belt`, `weld`",
+            "unknown joint `c`; there are `a`, `b`",
+            "unknown joint `c`; there are `a`, `b`",
+            "unknown constant `sqrt`; there are `A`, `PI`",
+            "expected a number, found `;`",
+            "unknown method `fast`; there are `newton`, `linear`, `exact`",
+        ],
+    );
+    assert_eq!(parsed.model.links.len(), 4);
+    assert_eq!(parsed.model.start.near.len(), 1);
+}
+
+#[test]
+fn a_missing_semicolon_costs_one_statement() {
+    let parsed = told(
+        "const A = 1\n«link» a { point p = (0, 0)\n«point» q = (0, 0); }\n\
+         joint d = revolute(ground, a) at (0, 0)\n«motor» d; link b;",
+        &[
+            "expected `;`, found `link`",
+            "expected `;`, or `-> (dx, dy)`, found `point`",
+            "expected `;`, found `motor`",
+        ],
+    );
+    assert_eq!(parsed.model.links.len(), 3);
+    assert_eq!(parsed.model.axes.len(), 2);
+}
+
+#[test]
+fn a_bad_body_hides_no_names() {
+    told(
+        "link a «[»] { point p = (0, 0); } link b { point q = (0, 0); «piont» r = (0, 0); }\n\
+         joint d = revolute(a.p, b.r); joint e = revolute(a.x, b.«s»);",
+        &[
+            "expected `{` or `;`, found `[`",
+            "unknown item `piont`; did you mean `point`?",
+            "`b` has no point `s`; there is only `q`",
+        ],
+    );
+}
+
+#[test]
+fn messages_come_in_the_order_of_the_text() {
+    told(
+        "joint d = revolute(«x».p, «y».p);\nlink «d»;\nmotor «z»;\nconst A = «B»;\njoint e = gear(«v», «w», 1 : «A1»);",
+        &[
+            "unknown link `x`; there is only `ground`",
+            "unknown link `y`; there is only `ground`",
+            "there is a joint `d` already; choose another name for this link",
+            "unknown joint `z`; there are `d`, `e`",
+            "unknown constant `B`; there is only `PI`",
+            "unknown link `v`; there is only `ground`",
+            "unknown link `w`; there is only `ground`",
+            "unknown constant `A1`; did you mean `A`?",
+        ],
+    );
+}
+
+#[test]
+fn a_lost_name_may_be_declared_after_all() {
+    let parsed = told(
+        "«lnk» a; link a { point p = (0, 0); } link b { point q = (0, 0); }\n\
+         joint d = revolute(a.p, b.«r»);",
+        &[
+            "unknown statement `lnk`; did you mean `link`?",
+            "`b` has no point `r`; there is only `q`",
+        ],
+    );
+    assert_eq!(parsed.model.links.len(), 3);
+}

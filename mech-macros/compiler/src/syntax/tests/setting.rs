@@ -1,0 +1,185 @@
+//! Motors, the start, and how to compute.
+
+use super::told;
+
+const CRANK: &str = "ground { point o = (0, 0); line l = (0, 0) -> (1, 0); } link crank { point p = (0, 0); } link wheel;\n\
+    joint shaft = revolute(ground.o, crank.p); joint mesh = gear(crank, wheel, 1 : 2);\n\
+    joint drawn = revolute(ground, wheel) at (3, 0);\n";
+
+fn with_crank(marked: &str, messages: &[&str]) {
+    told(&format!("{CRANK}{marked}"), messages);
+}
+
+#[test]
+fn a_motor_drives_a_joint_that_can_be_driven() {
+    with_crank(
+        "motor «shft»;",
+        &["unknown joint `shft`; did you mean `shaft`?"],
+    );
+    with_crank(
+        "motor «crank»;",
+        &["`crank` is a link; name one of its joints: `shaft`"],
+    );
+    with_crank(
+        "motor «mesh»;",
+        &["`mesh` is a gear, which carries no motor; put it on `shaft`, the revolute of `crank`"],
+    );
+    with_crank(
+        "motor shaft; motor «shaft»;",
+        &["joint `shaft` has a motor already; remove one of the two"],
+    );
+    with_crank("motor «;»", &["expected the name of a joint, found `;`"]);
+}
+
+#[test]
+fn motor_ranges_are_to_come() {
+    with_crank(
+        "motor shaft «in» 0 deg ..= 360 deg «by» 1 deg;",
+        &[
+            "motor ranges are not supported yet",
+            "motor steps are not supported yet",
+        ],
+    );
+    with_crank("motor shaft in 0 «.». 1;", &["expected `..=`, found `.`"]);
+}
+
+#[test]
+fn the_start_names_joints_and_links() {
+    with_crank(
+        "start { «crank» = 0; }",
+        &["`crank` is a link; write `crank near ...` to choose the assembly nearest to an angle"],
+    );
+    with_crank(
+        "start { «shaft» near 0; }",
+        &["`shaft` is a joint; write `shaft = ...` to give its coordinate"],
+    );
+    with_crank(
+        "start { «shft» = 0; }",
+        &["unknown joint `shft`; did you mean `shaft`?"],
+    );
+    with_crank(
+        "start { «crnk» near 0; }",
+        &["unknown link `crnk`; did you mean `crank`?"],
+    );
+    with_crank(
+        "start { «ground» near 0; }",
+        &["`ground` is fixed; leave this out"],
+    );
+    with_crank(
+        "start { «mesh» = 0; }",
+        &["`mesh` is a gear, which has no coordinate; give that of the joint of one of its wheels"],
+    );
+    with_crank(
+        "start { shaft «0»; }",
+        &["expected `=` (for a joint) or `near` (for a link), found `0`"],
+    );
+    with_crank("start { shaft = «1 / 0»; }", &["division by zero"]);
+}
+
+#[test]
+fn the_start_says_things_once() {
+    with_crank(
+        "start { shaft = 0; «shaft» = 1; crank near 0; «crank» near 1; }",
+        &[
+            "there is a start for joint `shaft` already; remove one of the two",
+            "there is a `near` for link `crank` already; remove one of the two",
+        ],
+    );
+    with_crank(
+        "start { shaft = 0; } «start» { }",
+        &["a mechanism has one `start`; put everything into the first"],
+    );
+}
+
+#[test]
+fn a_drawn_joint_starts_at_zero() {
+    with_crank("start { drawn = 1 - 1; }", &[]);
+    with_crank(
+        "start { drawn = «90 deg»; }",
+        &[
+            "joint `drawn` is placed in the drawing, where its coordinate is 0; leave this out, or draw its links as they \
+           are to start",
+        ],
+    );
+}
+
+#[test]
+fn the_method_is_newton() {
+    use crate::model::Method;
+    assert_eq!(told("method newton;", &[]).model.method, Method::Newton);
+    assert_eq!(
+        told("method newton(64);", &[]).model.method,
+        Method::NewtonSteps(64)
+    );
+    told(
+        "method newton(«0»);",
+        &["the number of newton steps is a whole number from 1 to 64, not 0"],
+    );
+    told(
+        "method newton(«2.5»);",
+        &["the number of newton steps is a whole number from 1 to 64, not 2.5"],
+    );
+    told("method newton(2«,» 3);", &["expected `)`, found `,`"]);
+    told(
+        "method «linear»;",
+        &["method `linear` is not supported yet"],
+    );
+    told("method «exact»;", &["method `exact` is not supported yet"]);
+    told(
+        "method «newtn»;",
+        &["unknown method `newtn`; did you mean `newton`?"],
+    );
+    told(
+        "method newton; «method» newton(2);",
+        &["a mechanism has one `method`; remove one of the two"],
+    );
+    told("method «;»", &["expected `newton`, found `;`"]);
+}
+
+#[test]
+fn some_settings_are_to_come() {
+    told(
+        "«accuracy» 1e-9;",
+        &["`accuracy` is not supported yet; use `method newton(2)`"],
+    );
+    told(
+        "effects { «velocity»; «acceleration»; }",
+        &[
+            "effect `velocity` is not supported yet",
+            "effect `acceleration` is not supported yet",
+        ],
+    );
+    told(
+        "allow «redundant»;",
+        &["`allow redundant` is not supported yet"],
+    );
+    told(
+        "allow «coupled»;",
+        &["`allow coupled` is not supported yet"],
+    );
+    told(
+        "allow «couple»;",
+        &["unknown permission `couple`; did you mean `coupled`?"],
+    );
+    told("«certify»;", &["`certify` is not supported yet"]);
+    told("«cost»;", &["`cost` is not supported yet"]);
+    told(
+        "«param» r = 1 in 0 ..= 2;",
+        &["`param` is not supported yet"],
+    );
+}
+
+#[test]
+fn what_is_shown_must_exist() {
+    let show = "`show` is not supported yet; everything is shown";
+    with_crank("«show» crank, shaft, crank.p;", &[show]);
+    with_crank(
+        "«show» «crnk», crank.«q», «shaft».p;",
+        &[
+            show,
+            "unknown link or joint `crnk`; did you mean `crank`?",
+            "`crank` has no point or line `q`; there is only `p`",
+            "`shaft` is a joint; this must be a link, one of `ground`, `crank`, `wheel`",
+        ],
+    );
+}

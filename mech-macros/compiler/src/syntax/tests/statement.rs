@@ -1,0 +1,80 @@
+//! The `struct` line, and statements in general.
+
+use super::{told, told_of};
+
+#[test]
+fn the_struct_line_comes_first() {
+    let missing = "expected `struct Name;` first; it names the type that the mechanism becomes";
+    let parsed = told_of("«link» a;", &[missing]);
+    assert!(parsed.header.is_none());
+    assert_eq!(parsed.model.links.len(), 2);
+    assert_eq!(super::parsed("").errors[0].text, missing);
+    let late = "the `struct` line stands before everything else; move it to the top";
+    assert!(told_of("link a; pub struct «M»;", &[late]).header.is_some());
+    let parsed = told_of(
+        "struct M; struct «N»;",
+        &["a mechanism has one `struct` line; remove this one"],
+    );
+    assert_eq!(parsed.model.name, "M");
+}
+
+#[test]
+fn the_struct_line_says_f32_or_f64() {
+    let parsed = told_of(
+        "struct M: «f16»; link a;",
+        &["a mechanism cannot be computed in `f16`; write `f64` or `f32`"],
+    );
+    assert!(parsed.header.is_some());
+    assert_eq!(parsed.model.links.len(), 2);
+    told_of("struct M: «5»;", &["expected `f64` or `f32`, found `5`"]);
+    told_of(
+        "struct M «{»} link a;",
+        &["expected `;`, or `: f64` or `: f32`, found `{`"],
+    );
+    told_of(
+        "struct «fn»; link a;",
+        &["`fn` is a keyword of Rust; choose another name"],
+    );
+    told_of(
+        "pub «enum» M; link a;",
+        &["expected `struct`, found `enum`"],
+    );
+    told_of("struct «M»", &["expected `;`, or `: f64` or `: f32`"]);
+}
+
+#[test]
+fn attributes_belong_to_the_struct_line() {
+    let parsed = told_of("#[derive(Debug)] #[allow(dead_code)] struct M;", &[]);
+    assert_eq!(parsed.header.expect("a header").attributes.len(), 2);
+    let message =
+        "only the `struct` line takes attributes and doc comments; write this as a `//` comment";
+    let parsed = told(
+        "«/// The crank.»\nlink a; «#[inline]» link b;",
+        &[message, message],
+    );
+    assert_eq!(parsed.model.links.len(), 3);
+    told("#«foo» link a;", &["expected square brackets"]);
+}
+
+#[test]
+fn unknown_statements_have_a_remedy() {
+    told(
+        "«jiont» d = gear(a, b, 1 : 2); motor d;",
+        &["unknown statement `jiont`; did you mean `joint`?"],
+    );
+    told(
+        "«spring» s;",
+        &[
+            "unknown statement `spring`; a statement begins with one of `const`, `ground`, `link`, `joint`, `motor`, \
+           `start`, `method`",
+        ],
+    );
+    told("link a { }«;»", &["expected a statement, found `;`"]);
+    told("«5» = 3; link a;", &["expected a statement, found `5`"]);
+}
+
+#[test]
+fn a_message_about_the_end_points_at_the_end() {
+    told("link a; motor «a»", &["expected `;`"]);
+    told("lin«k»", &["expected the name of a link"]);
+}

@@ -1,0 +1,240 @@
+//! The table of false colours.
+
+/// 256 colours: red, green and blue of each entry.
+///
+/// The ready-made palettes share one order, so that a scene can change from one to the other:
+///
+/// | entry | colour |
+/// |---|---|
+/// | 0 | [`PAPER`](Self::PAPER), the background |
+/// | 1 | [`GROUND`](Self::GROUND) |
+/// | 2 ..= 13 | twelve main colours for links: [`BLUE`](Self::BLUE), [`ORANGE`](Self::ORANGE), [`TEAL`](Self::TEAL), [`RED`](Self::RED), [`YELLOW`](Self::YELLOW), [`PURPLE`](Self::PURPLE), [`GREEN`](Self::GREEN), [`PINK`](Self::PINK), [`SKY`](Self::SKY), [`BROWN`](Self::BROWN), [`OLIVE`](Self::OLIVE), [`SLATE`](Self::SLATE) |
+/// | 14 | [`INK`](Self::INK), for pins and lines |
+/// | 15 | [`EYE`](Self::EYE), for the hole in a pin |
+/// | 16 | [`HATCH`](Self::HATCH), for the hatching of the ground |
+/// | 17 | [`STEEL`](Self::STEEL), for plain metal |
+/// | 18 ..= 29 | the main colours, darker (nearer the ink): see [`darker`](Self::darker) |
+/// | 30, 31 | [`GROUND_DARK`](Self::GROUND_DARK), [`GROUND_LIGHT`](Self::GROUND_LIGHT) |
+/// | 32, 33 | [`STEEL_DARK`](Self::STEEL_DARK), [`STEEL_LIGHT`](Self::STEEL_LIGHT) |
+/// | 34 ..= 45 | the main colours, lighter (nearer the paper): see [`lighter`](Self::lighter) |
+/// | 46, 47 | [`SHADE`](Self::SHADE) and [`GRID`](Self::GRID), a little off the background |
+/// | 48 ..= 63 | sixteen steps from [`INK`](Self::INK) to [`PAPER`](Self::PAPER) |
+/// | 64 ..= 255 | twelve ramps of sixteen steps, from a main colour near the ink to one near the paper: see [`shade`](Self::shade) |
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Palette {
+    entries: [[u8; 3]; 256],
+}
+
+impl Palette {
+    /// The background.
+    pub const PAPER: u8 = 0;
+    /// What stands still.
+    pub const GROUND: u8 = 1;
+    /// The first main colour.
+    pub const BLUE: u8 = 2;
+    /// A main colour.
+    pub const ORANGE: u8 = 3;
+    /// A main colour.
+    pub const TEAL: u8 = 4;
+    /// A main colour.
+    pub const RED: u8 = 5;
+    /// A main colour.
+    pub const YELLOW: u8 = 6;
+    /// A main colour.
+    pub const PURPLE: u8 = 7;
+    /// A main colour.
+    pub const GREEN: u8 = 8;
+    /// A main colour.
+    pub const PINK: u8 = 9;
+    /// A main colour.
+    pub const SKY: u8 = 10;
+    /// A main colour.
+    pub const BROWN: u8 = 11;
+    /// A main colour.
+    pub const OLIVE: u8 = 12;
+    /// The last main colour.
+    pub const SLATE: u8 = 13;
+    /// Pins and lines: stands out against everything else.
+    pub const INK: u8 = 14;
+    /// The hole in a pin: stands out against the ink.
+    pub const EYE: u8 = 15;
+    /// The hatching of the ground.
+    pub const HATCH: u8 = 16;
+    /// Plain metal.
+    pub const STEEL: u8 = 17;
+    /// The ground, darker.
+    pub const GROUND_DARK: u8 = 30;
+    /// The ground, lighter.
+    pub const GROUND_LIGHT: u8 = 31;
+    /// Plain metal, darker.
+    pub const STEEL_DARK: u8 = 32;
+    /// Plain metal, lighter.
+    pub const STEEL_LIGHT: u8 = 33;
+    /// A soft shadow on the background.
+    pub const SHADE: u8 = 46;
+    /// Faint lines on the background.
+    pub const GRID: u8 = 47;
+
+    /// An illustration in a good textbook: calm colours on warm white paper, told apart also by the colour-blind.
+    pub const TEXTBOOK: Self = Self::built(&[
+        [0xFA, 0xF6, 0xED], // paper
+        [0x9A, 0x90, 0x84], // ground
+        [0x3F, 0x74, 0xB0], // blue
+        [0xE0, 0x85, 0x36], // orange
+        [0x2E, 0x9C, 0x90], // teal
+        [0xC9, 0x4F, 0x45], // red
+        [0xEB, 0xBE, 0x4D], // yellow
+        [0x7B, 0x62, 0xA6], // purple
+        [0x76, 0xA8, 0x56], // green
+        [0xDC, 0x8F, 0xA9], // pink
+        [0x86, 0xBB, 0xDD], // sky
+        [0x8F, 0x61, 0x43], // brown
+        [0xA6, 0x9F, 0x3C], // olive
+        [0x4D, 0x5D, 0x78], // slate
+        [0x2A, 0x2C, 0x39], // ink
+        [0xFF, 0xFF, 0xFF], // eye
+        [0xD3, 0xCB, 0xBE], // hatch
+        [0xA3, 0xAB, 0xB4], // steel
+    ]);
+
+    /// The same by night: brighter colours on deep blue. Its ink is light and its paper dark, so what is darker by day is
+    /// lighter by night, and stands out as much.
+    pub const NIGHT: Self = Self::built(&[
+        [0x15, 0x18, 0x22], // paper
+        [0x6C, 0x72, 0x80], // ground
+        [0x5B, 0x93, 0xD6], // blue
+        [0xF0, 0x9A, 0x4E], // orange
+        [0x43, 0xB8, 0xAB], // teal
+        [0xE2, 0x6B, 0x60], // red
+        [0xF3, 0xCC, 0x66], // yellow
+        [0x9A, 0x82, 0xCB], // purple
+        [0x8F, 0xC2, 0x6E], // green
+        [0xEA, 0xA3, 0xBC], // pink
+        [0x9F, 0xD0, 0xEF], // sky
+        [0xB0, 0x80, 0x5F], // brown
+        [0xBF, 0xB8, 0x55], // olive
+        [0x7F, 0x90, 0xAE], // slate
+        [0xEC, 0xEA, 0xE4], // ink
+        [0x0B, 0x0D, 0x13], // eye
+        [0x3A, 0x40, 0x4E], // hatch
+        [0x8D, 0x97, 0xA6], // steel
+    ]);
+
+    /// A palette of one's own.
+    #[must_use]
+    pub const fn new(entries: [[u8; 3]; 256]) -> Self {
+        Self { entries }
+    }
+
+    /// The same palette with another colour for one entry.
+    #[must_use]
+    pub const fn with(mut self, entry: u8, rgb: [u8; 3]) -> Self {
+        self.entries[entry as usize] = rgb;
+        self
+    }
+
+    /// Red, green and blue of an entry.
+    #[must_use]
+    pub const fn rgb(&self, entry: u8) -> [u8; 3] {
+        self.entries[entry as usize]
+    }
+
+    /// Red, green and blue of every entry.
+    #[must_use]
+    pub const fn entries(&self) -> &[[u8; 3]; 256] {
+        &self.entries
+    }
+
+    /// The entry for a darker kind of a main colour, of the ground or of steel; any other colour is left as it is.
+    #[must_use]
+    pub const fn darker(color: u8) -> u8 {
+        match color {
+            Self::GROUND => Self::GROUND_DARK,
+            Self::STEEL => Self::STEEL_DARK,
+            Self::BLUE..=Self::SLATE => color + 16,
+            _ => color,
+        }
+    }
+
+    /// The entry for a lighter kind of a main colour, of the ground or of steel; any other colour is left as it is.
+    #[must_use]
+    pub const fn lighter(color: u8) -> u8 {
+        match color {
+            Self::GROUND => Self::GROUND_LIGHT,
+            Self::STEEL => Self::STEEL_LIGHT,
+            Self::BLUE..=Self::SLATE => color + 32,
+            _ => color,
+        }
+    }
+
+    /// The entry for a main colour on its way from the ink (step 0) over the colour itself (between 7 and 8) to the
+    /// paper (step 15 and above); for any other colour, the entry on the way from plain ink to plain paper.
+    #[must_use]
+    pub const fn shade(color: u8, step: u8) -> u8 {
+        let step = if step < 16 { step } else { 15 };
+        match color {
+            Self::BLUE..=Self::SLATE => 32 + 16 * color + step,
+            _ => 48 + step,
+        }
+    }
+
+    /// The whole table from its first 18 entries.
+    const fn built(base: &[[u8; 3]; 18]) -> Self {
+        let mut entries = [[0; 3]; 256];
+        let mut color = 0;
+        while color < base.len() {
+            entries[color] = base[color];
+            color += 1;
+        }
+        let paper = base[Self::PAPER as usize];
+        let ground = base[Self::GROUND as usize];
+        let ink = base[Self::INK as usize];
+        let steel = base[Self::STEEL as usize];
+        entries[Self::GROUND_DARK as usize] = mixed(ground, ink, 100);
+        entries[Self::GROUND_LIGHT as usize] = mixed(ground, paper, 110);
+        entries[Self::STEEL_DARK as usize] = mixed(steel, ink, 100);
+        entries[Self::STEEL_LIGHT as usize] = mixed(steel, paper, 130);
+        entries[Self::SHADE as usize] = mixed(paper, ink, 24);
+        entries[Self::GRID as usize] = mixed(paper, ink, 40);
+        let mut step = 0;
+        while step < 16 {
+            entries[48 + step] = mixed(ink, paper, 17 * step);
+            step += 1;
+        }
+        let mut main = Self::BLUE as usize;
+        while main <= Self::SLATE as usize {
+            let color = base[main];
+            entries[main + 16] = mixed(color, ink, 90);
+            entries[main + 32] = mixed(color, paper, 130);
+            let mut step = 0;
+            while step < 8 {
+                entries[32 + 16 * main + step] = mixed(ink, color, 30 + 30 * step);
+                entries[32 + 16 * main + 8 + step] = mixed(color, paper, 15 + 30 * step);
+                step += 1;
+            }
+            main += 1;
+        }
+        Self { entries }
+    }
+}
+
+/// [`TEXTBOOK`](Palette::TEXTBOOK).
+impl Default for Palette {
+    fn default() -> Self {
+        Self::TEXTBOOK
+    }
+}
+
+/// A colour with `part`/255 of another in it.
+const fn mixed(one: [u8; 3], other: [u8; 3], part: usize) -> [u8; 3] {
+    let mut mixture = [0; 3];
+    let mut channel = 0;
+    while channel < 3 {
+        let sum = one[channel] as usize * (255 - part) + other[channel] as usize * part;
+        #[expect(clippy::cast_possible_truncation, reason = "a mean of two bytes")]
+        let byte = ((sum + 127) / 255) as u8;
+        mixture[channel] = byte;
+        channel += 1;
+    }
+    mixture
+}

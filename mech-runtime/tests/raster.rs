@@ -1,0 +1,494 @@
+//! What the rasteriser promises: see the documentation of `raster`.
+
+use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Scalar, View};
+use proptest::prelude::*;
+
+const STILL: Pose<f64> = Pose {
+    cos: 1.0,
+    sin: 0.0,
+    x: 0.0,
+    y: 0.0,
+};
+
+/// A view in which a scene unit is a pixel and the origin is the lower left corner of a picture of this size.
+fn pixelwise(width: f64, height: f64) -> View {
+    View::new([width / 2.0, height / 2.0], 1.0)
+}
+
+/// Outlines are for ever, as those in a mechanism are.
+fn polygon<T: Scalar>(corners: &[[T; 2]]) -> Outline<T> {
+    Outline::Polygon(corners.to_vec().leak())
+}
+
+fn circle(center: [f64; 2], radius: f64) -> Outline<f64> {
+    Outline::Circle { center, radius }
+}
+
+fn picture<const W: usize, const H: usize>(outline: Outline<f64>) -> Frame<W, H> {
+    let mut frame = Frame::new();
+    #[expect(clippy::cast_precision_loss, reason = "a few hundred pixels")]
+    frame.look_at(pixelwise(W as f64, H as f64));
+    frame.fill(outline, STILL, 1);
+    frame
+}
+
+fn area<const W: usize, const H: usize>(frame: &Frame<W, H>) -> f64 {
+    frame
+        .pixels()
+        .iter()
+        .flatten()
+        .map(|&pixel| f64::from(pixel))
+        .sum()
+}
+
+#[track_caller]
+fn assert_looks<const W: usize, const H: usize>(outline: Outline<f64>, expected: [&str; H]) {
+    let frame = picture::<W, H>(outline);
+    let rows = frame.pixels().map(|row| {
+        row.map(|pixel| if pixel == 0 { '.' } else { '#' })
+            .iter()
+            .collect::<String>()
+    });
+    assert_eq!(rows.join("\n"), expected.join("\n"));
+}
+
+#[test]
+fn rectangle() {
+    assert_looks::<7, 5>(
+        polygon(&[[1.0, 1.0], [5.0, 1.0], [5.0, 4.0], [1.0, 4.0]]),
+        [
+            ".......", //
+            ".####..", ".####..", ".####..", ".......",
+        ],
+    );
+}
+
+#[test]
+fn centers_on_the_outline_belong_to_the_right_and_below() {
+    assert_looks::<7, 5>(
+        polygon(&[[1.5, 1.5], [5.5, 1.5], [5.5, 3.5], [1.5, 3.5]]),
+        [
+            ".......", //
+            ".####..", ".####..", ".......", ".......",
+        ],
+    );
+}
+
+#[test]
+fn triangle_with_centers_on_its_diagonal() {
+    assert_looks::<6, 6>(
+        polygon(&[[0.0, 0.0], [6.0, 0.0], [0.0, 6.0]]),
+        [
+            "......", //
+            "#.....", "##....", "###...", "####..", "#####.",
+        ],
+    );
+    assert_looks::<6, 6>(
+        polygon(&[[6.0, 6.0], [6.0, 0.0], [0.0, 6.0]]),
+        [
+            "######", //
+            ".#####", "..####", "...###", "....##", ".....#",
+        ],
+    );
+}
+
+#[test]
+fn star_that_crosses_itself_is_hollow() {
+    assert_looks::<11, 9>(
+        polygon(&[[5.5, 9.2], [8.7, 0.0], [0.0, 5.7], [11.0, 5.7], [2.3, 0.0]]),
+        [
+            ".....#.....",
+            ".....#.....",
+            ".....#.....",
+            "####...####",
+            "..##...##..",
+            "...#...#...",
+            "...##.##...",
+            "...##.##...",
+            "..#.....#..",
+        ],
+    );
+}
+
+#[test]
+fn hole_by_a_bridge_that_touches_itself() {
+    let frame_with_hole = [
+        [0.0, 0.0],
+        [7.0, 0.0],
+        [7.0, 7.0],
+        [0.0, 7.0],
+        [0.0, 0.0],
+        [2.0, 2.0],
+        [2.0, 5.0],
+        [5.0, 5.0],
+        [5.0, 2.0],
+        [2.0, 2.0],
+    ];
+    assert_looks::<7, 7>(
+        polygon(&frame_with_hole),
+        [
+            "#######", //
+            "#######", "##...##", "##...##", "##...##", "#######", "#######",
+        ],
+    );
+}
+
+#[test]
+fn disc() {
+    assert_looks::<9, 7>(
+        circle([4.5, 3.5], 3.2),
+        [
+            "...###...", //
+            "..#####..",
+            ".#######.",
+            ".#######.",
+            ".#######.",
+            "..#####..",
+            "...###...",
+        ],
+    );
+}
+
+#[test]
+fn a_pose_turns_and_moves() {
+    let quarter = Pose {
+        cos: 0.0,
+        sin: 1.0,
+        x: 5.0,
+        y: 1.0,
+    };
+    let mut frame = Frame::<6, 5>::new();
+    frame.look_at(pixelwise(6.0, 5.0));
+    frame.fill(
+        polygon(&[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]]),
+        quarter,
+        7,
+    );
+    let painted: Vec<_> = (0..5)
+        .flat_map(|y| (0..6).map(move |x| (x, y)))
+        .filter(|&(x, y)| frame.pixel(x, y) == Some(7))
+        .collect();
+    assert_eq!(painted, [(4, 1), (4, 2), (4, 3)]);
+}
+
+#[test]
+fn the_two_scalars_paint_the_same() {
+    let corners = [[1.25, 2.5], [60.75, 11.0], [41.5, 44.125], [7.0, 39.5]];
+    let f64_frame = picture::<64, 48>(polygon(&corners));
+    let mut f32_frame = Frame::<64, 48>::new();
+    f32_frame.look_at(f64_frame.view());
+    let corners = corners.map(|corner| corner.map(<f32 as Scalar>::from_f64));
+    f32_frame.fill(polygon(&corners), Pose::identity(), 1);
+    assert_eq!(f64_frame, f32_frame);
+}
+
+#[test]
+fn frames_without_pixels() {
+    let shapes = [
+        circle([0.0, 0.0], 10.0),
+        polygon(&[[-5.0, -5.0], [5.0, -5.0], [0.0, 5.0]]),
+    ];
+    for outline in shapes {
+        assert_eq!(area(&picture::<0, 0>(outline)), 0.0);
+        assert_eq!(area(&picture::<0, 9>(outline)), 0.0);
+        assert_eq!(area(&picture::<9, 0>(outline)), 0.0);
+    }
+    assert_eq!(Frame::<0, 3>::new().rgb(0, 0), None);
+}
+
+#[test]
+fn nothing_to_paint() {
+    let empty: [Outline<f64>; 7] = [
+        polygon(&[]),
+        polygon(&[[1.0, 1.0]]),
+        polygon(&[[1.0, 1.0], [8.0, 6.0]]),
+        polygon(&[[3.0, 3.0]; 5]),
+        circle([4.0, 4.0], 0.0),
+        circle([4.0, 4.0], -3.0),
+        circle([4.0, 4.0], f64::NAN),
+    ];
+    for outline in empty {
+        assert_eq!(area(&picture::<9, 9>(outline)), 0.0, "{outline:?}");
+    }
+}
+
+#[test]
+fn a_corner_that_is_not_finite_hides_the_shape() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for axis in 0..2 {
+            for corner in 0..3 {
+                let mut corners = [[-90.0, -90.0], [90.0, -90.0], [0.0, 90.0]];
+                corners[corner][axis] = bad;
+                assert_eq!(area(&picture::<9, 9>(polygon(&corners))), 0.0);
+            }
+            let mut center = [4.0, 4.0];
+            center[axis] = bad;
+            assert_eq!(area(&picture::<9, 9>(circle(center, 3.0))), 0.0);
+        }
+        assert_eq!(area(&picture::<9, 9>(circle([4.0, 4.0], bad))), 0.0);
+        let lost = Pose { cos: bad, ..STILL };
+        let mut frame = Frame::<9, 9>::new();
+        frame.fill(circle([1.0, 1.0], 3.0), lost, 1);
+        frame.fill(
+            polygon(&[[-90.0, -90.0], [90.0, -90.0], [0.0, 90.0]]),
+            lost,
+            1,
+        );
+        assert_eq!(area(&frame), 0.0);
+    }
+}
+
+#[test]
+fn shapes_much_larger_than_the_picture() {
+    let corners = [[-1e9, -1e9], [1e9, -1e9], [1e9, 1e9], [-1e9, 1e9]];
+    assert_eq!(area(&picture::<20, 30>(polygon(&corners))), 600.0);
+    assert_eq!(area(&picture::<20, 30>(circle([0.0, 0.0], 1e9))), 600.0);
+    // The half plane left of x = 7, the half plane above y = 7.
+    assert_eq!(
+        area(&picture::<20, 30>(circle([7.0 - 1e9, 15.0], 1e9))),
+        7.0 * 30.0
+    );
+    assert_eq!(
+        area(&picture::<20, 30>(polygon(&[
+            [-1e9, 7.0],
+            [1e9, 7.0],
+            [0.0, 1e9]
+        ]))),
+        20.0 * 23.0
+    );
+    // Wholly to one side.
+    for center in [[-1e9, 15.0], [1e9, 15.0], [10.0, -1e9], [10.0, 1e9]] {
+        assert_eq!(area(&picture::<20, 30>(circle(center, 1e8))), 0.0);
+        let moved = corners.map(|[x, y]| [x / 2.0 + center[0], y / 2.0 + center[1]]);
+        assert_eq!(area(&picture::<20, 30>(polygon(&moved))), 0.0);
+    }
+}
+
+#[test]
+fn discs_have_the_area_of_discs() {
+    for tenths in 20..640 {
+        let radius = f64::from(tenths) / 10.0;
+        let disc = picture::<160, 160>(circle([80.3, 79.6], radius));
+        let expected = std::f64::consts::PI * radius * radius;
+        let error = (area(&disc) - expected).abs();
+        assert!(
+            error < 4.0 * radius.powf(0.67) + 2.0,
+            "radius {radius}: {error}"
+        );
+    }
+}
+
+#[test]
+fn views_of_any_box_are_usable() {
+    let numbers = [
+        0.0,
+        -3.0,
+        1e-300,
+        1e300,
+        f64::MAX,
+        f64::MIN,
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+    ];
+    for a in numbers {
+        for b in numbers {
+            for c in numbers {
+                for size in [0, 1, 640] {
+                    let view = View::fit([a, b], [c, a], size, 480, b);
+                    assert!(view.scale().is_finite() && view.scale() > 0.0);
+                    assert!(view.center().iter().all(|c| c.is_finite()));
+                    let mut frame = Frame::<8, 8>::new();
+                    frame.look_at(view);
+                    frame.fill(circle([a, b], c), STILL, 1);
+                    frame.fill(polygon(&[[a, b], [b, c], [c, a]]), STILL, 1);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_box_fits_with_its_margin() {
+    let mut frame = Frame::<40, 20>::new();
+    let [low, high] = [[-2.0, 1.0], [4.0, 9.0]];
+    frame.look_at(View::fit(low, high, 40, 20, 2.0));
+    assert_eq!(frame.view(), View::new([1.0, 5.0], 2.0));
+    frame.fill(polygon(&[low, [4.0, 1.0], high, [-2.0, 9.0]]), STILL, 1);
+    assert_eq!(area(&frame), 12.0 * 16.0);
+    assert_eq!(View::fit(high, low, 40, 20, 2.0), frame.view());
+    let upright = View::fit([0.0, 0.0], [0.0, 8.0], 40, 20, 2.0);
+    assert_eq!(upright.scale(), 2.0);
+    let point = View::fit([3.0, 3.0], [3.0, 3.0], 40, 20, 2.0);
+    assert_eq!((point.center(), point.scale()), ([3.0, 3.0], 16.0));
+}
+
+#[test]
+fn palettes_keep_to_their_order() {
+    for palette in [Palette::TEXTBOOK, Palette::NIGHT] {
+        for color in Palette::BLUE..=Palette::SLATE {
+            let [dark, main, light] =
+                [Palette::darker(color), color, Palette::lighter(color)].map(|entry| {
+                    let [r, g, b] = palette.rgb(entry).map(u32::from);
+                    299 * r + 587 * g + 114 * b
+                });
+            let ink_is_dark = palette.rgb(Palette::INK) < palette.rgb(Palette::PAPER);
+            assert_eq!(dark < main, ink_is_dark, "{color}");
+            assert_eq!(main < light, ink_is_dark, "{color}");
+        }
+        assert_eq!(Palette::shade(Palette::SLATE, 99), 255);
+        assert_eq!(Palette::shade(Palette::BLUE, 0), 64);
+        assert_eq!(
+            palette.rgb(Palette::shade(Palette::INK, 15)),
+            palette.rgb(Palette::PAPER)
+        );
+        let distinct: std::collections::BTreeSet<_> = palette.entries()[..48].iter().collect();
+        assert_eq!(distinct.len(), 48);
+    }
+    let own = Palette::default().with(200, [1, 2, 3]);
+    let mut frame = Frame::<1, 1>::new();
+    frame.fill(circle([0.0, 0.0], 9.0), STILL, 200);
+    frame.set_palette(own);
+    assert_eq!(frame.rgb(0, 0), Some([1, 2, 3]));
+    frame.clear();
+    assert_eq!(frame.rgb(0, 0), Some(frame.palette().rgb(Palette::PAPER)));
+}
+
+/// Corners of a grid with `COUNT` cells a side over `0..COUNT * CELL`, those inside moved about.
+const COUNT: usize = 6;
+const CELL: f64 = 11.0;
+const SIDE: usize = 66;
+
+fn jittered_grid() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    // A quarter of a cell at most, or triangles would turn over.
+    let jitters = prop::collection::vec([-0.24..0.24, -0.24..0.24], (COUNT + 1) * (COUNT + 1));
+    (jitters, any::<bool>()).prop_map(|(jitters, rounded)| {
+        let corner = |(index, jitter): (usize, [f64; 2])| {
+            let place = [index % (COUNT + 1), index / (COUNT + 1)];
+            std::array::from_fn(|axis| {
+                let at_rim = place[axis] == 0 || place[axis] == COUNT;
+                #[expect(clippy::cast_precision_loss, reason = "small")]
+                let whole = place[axis] as f64;
+                let exact = (whole + if at_rim { 0.0 } else { jitter[axis] }) * CELL;
+                // In half pixels, corners and edges meet centres every now and then.
+                if rounded {
+                    (exact * 2.0).round() / 2.0
+                } else {
+                    exact
+                }
+            })
+        };
+        jitters.into_iter().enumerate().map(corner).collect()
+    })
+}
+
+fn star_polygon() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    prop::collection::vec(5.0..60.0, 3..40).prop_map(|radii: Vec<f64>| {
+        #[expect(clippy::cast_precision_loss, reason = "small")]
+        let step = std::f64::consts::TAU / radii.len() as f64;
+        let mut angle = 0.1_f64;
+        radii
+            .into_iter()
+            .map(|radius| {
+                angle += step;
+                [64.0 + radius * angle.cos(), 64.0 + radius * angle.sin()]
+            })
+            .collect()
+    })
+}
+
+fn sides(corners: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
+    corners
+        .iter()
+        .copied()
+        .zip(corners.iter().copied().cycle().skip(1))
+}
+
+proptest! {
+    #[test]
+    fn tiles_meet_without_gap_or_overlap(corners in jittered_grid(), splits in prop::collection::vec(any::<(bool, bool)>(), COUNT * COUNT)) {
+        let mut painted = [[0_u8; SIDE]; SIDE];
+        for (cell, (diagonal, reversed)) in splits.into_iter().enumerate() {
+            let first = cell / COUNT * (COUNT + 1) + cell % COUNT;
+            let [a, b, c, d] = [0, 1, COUNT + 2, COUNT + 1].map(|next| corners[first + next]);
+            let mut tiles = if diagonal { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+            if reversed {
+                tiles[0].reverse();
+            }
+            for tile in tiles {
+                let frame = picture::<SIDE, SIDE>(polygon(&tile));
+                for (sum, pixel) in painted.iter_mut().flatten().zip(frame.pixels().iter().flatten()) {
+                    *sum += *pixel;
+                }
+            }
+        }
+        prop_assert!(painted.iter().flatten().all(|&times| times == 1));
+    }
+
+    #[test]
+    fn polygons_have_the_area_of_polygons(corners in star_polygon()) {
+        let expected: f64 = sides(&corners).map(|(a, b)| (a[0] * b[1] - a[1] * b[0]) / 2.0).sum();
+        let perimeter: f64 = sides(&corners).map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1])).sum();
+        let error = (area(&picture::<128, 128>(polygon(&corners))) - expected).abs();
+        prop_assert!(error < 0.2 * perimeter, "{error} of {expected}, perimeter {perimeter}");
+    }
+
+    #[test]
+    fn pixels_are_those_whose_centers_are_inside(corners in prop::collection::vec([-20.0..60.0, -20.0..60.0], 3..30)) {
+        let frame = picture::<40, 41>(polygon(&corners));
+        for (row, y) in frame.pixels().iter().rev().zip((0..).map(|row| f64::from(row) + 0.5)) {
+            for (pixel, x) in row.iter().zip((0..).map(|column| f64::from(column) + 0.5)) {
+                let crossings = sides(&corners)
+                    .filter(|(a, b)| (a[1] > y) != (b[1] > y) && x > a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]))
+                    .count();
+                prop_assert_eq!(usize::from(*pixel), crossings % 2, "at {} {}", x, y);
+            }
+        }
+    }
+
+    #[test]
+    fn a_picture_is_a_part_of_a_larger_one(corners in prop::collection::vec([-30.0..94.0, -30.0..94.0], 3..20), radius in 0.0..70.0) {
+        let center = corners[0];
+        for outline in [polygon(&corners), circle(center, radius)] {
+            let large = picture::<128, 128>(match outline {
+                Outline::Circle { center: [x, y], radius } => circle([x + 32.0, y + 32.0], radius),
+                Outline::Polygon(corners) => polygon(&corners.iter().map(|[x, y]| [x + 32.0, y + 32.0]).collect::<Vec<_>>()),
+            });
+            let small = picture::<64, 64>(outline);
+            for (small, large) in small.pixels().iter().zip(large.pixels().iter().skip(32)) {
+                prop_assert_eq!(&small[..], &large[32..96]);
+            }
+        }
+    }
+
+    #[test]
+    fn no_number_is_too_bad(
+        corners in prop::collection::vec([prop::num::f64::ANY, prop::num::f64::ANY], 0..12),
+        pose in [prop::num::f64::ANY; 4],
+        radius in prop::num::f64::ANY,
+        center in [-1e9..1e9, -1e9..1e9],
+        scale in prop::num::f64::ANY,
+    ) {
+        let mut frame = Frame::<33, 17>::new();
+        frame.look_at(View::new(center, scale));
+        let [cos, sin, x, y] = pose;
+        for pose in [STILL, Pose { cos, sin, x, y }] {
+            frame.fill(polygon(&corners), pose, 1);
+            frame.fill(circle(center, radius), pose, 2);
+        }
+        let narrow = |corner: &[f64; 2]| corner.map(<f32 as Scalar>::from_f64);
+        let corners: Vec<_> = corners.iter().map(narrow).collect();
+        frame.fill(polygon(&corners), Pose::identity(), 3);
+        frame.fill(Outline::Circle { center: narrow(&center), radius: <f32 as Scalar>::from_f64(radius) }, Pose::identity(), 4);
+    }
+
+    #[test]
+    fn far_corners_are_clipped(corners in prop::collection::vec([-1e9..1e9, -1e9..1e9], 3..12)) {
+        let frame = picture::<33, 17>(polygon(&corners));
+        let corner_inside = |[x, y]: [f64; 2]| sides(&corners)
+            .filter(|(a, b)| (a[1] > y) != (b[1] > y) && x > a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]))
+            .count() % 2;
+        prop_assert_eq!(frame.pixel(0, 0).map(usize::from), Some(corner_inside([0.5, 16.5])));
+        prop_assert_eq!(frame.pixel(32, 16).map(usize::from), Some(corner_inside([32.5, 0.5])));
+    }
+}
