@@ -39,7 +39,7 @@ pub(crate) fn items(
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
     let advance = if fixed_rounds(program) {
-        quote!(advance_at_once)
+        quote!(advance_at_once as advance)
     } else {
         quote!(advance)
     };
@@ -57,11 +57,11 @@ pub(crate) fn items(
 
         const _: () = {
             use ::core::default::Default;
-            use ::core::primitive::#scalar;
+            use ::core::primitive::{#scalar, str};
             use ::core::result::Result::{self, Ok};
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
             use #krate::generated::{
-                #advance as advance, Blocked, Canvas, Isometry2, Mechanism, Outline, Point2, Pose, Position, Shape, angle,
+                #advance, Blocked, Canvas, Isometry2, Mechanism, Outline, Point2, Pose, Position, Shape, angle,
                 atan2, closed, cos, paint, round, sin, sin_cos, slide,
             };
 
@@ -69,10 +69,12 @@ pub(crate) fn items(
 
             const START: #position = #start;
 
+            const REPORT: &str = #report;
+
             #[allow(dead_code, reason = "nobody has to ask for every link, point and joint")]
             impl #name {
                 /// Mobility, trunk and arms, and the loops in the order in which they are solved.
-                #visibility const REPORT: &'static str = #report;
+                #visibility const REPORT: &'static str = REPORT;
 
                 /// The mechanism as it was assembled at compile time.
                 #[must_use]
@@ -120,7 +122,7 @@ pub(crate) fn items(
                 type Scalar = #scalar;
                 type Motors = [#scalar; #motors];
                 const NAME: &'static str = #text;
-                const REPORT: &'static str = #report;
+                const REPORT: &'static str = REPORT;
                 const MOTORS: &'static [&'static str] = &[#(#motor_names),*];
                 const LINKS: &'static [&'static str] = &[#(#link_names),*];
                 const SHAPES: &'static [Shape<#scalar>] = SHAPES;
@@ -267,19 +269,16 @@ fn coordinate(
     program: &Program,
     joint: crate::model::JointId,
 ) -> Option<(&'static str, TokenStream)> {
+    let motor = model.motor_of(joint);
     let (unit, function, a, b) = match model.joint(joint).kind {
-        JointKind::Revolute(a, b) => (
-            "radians, between −π and π unless a motor gives it",
-            quote!(angle),
-            a,
-            b,
-        ),
+        JointKind::Revolute(a, b) => ("radians, between −π and π", quote!(angle), a, b),
         JointKind::Prismatic(a, b) => ("scene units", quote!(slide), a, b),
         JointKind::Gear { .. } => return None,
     };
-    if let Some(motor) = model.motor_of(joint) {
+    if let Some(motor) = motor {
         let index = Literal::usize_unsuffixed(motor.index());
-        return Some((unit, quote!(self.position.motors[#index])));
+        let value = quote!(self.position.motors[#index]);
+        return Some(("radians or scene units, as given to its motor", value));
     }
     let axis = |id: AxisId| {
         let axis = model.axis(id);

@@ -16,17 +16,20 @@ pub(super) fn ident(name: &str) -> Ident {
     ident
 }
 
-/// A literal of this precision.
+/// A literal of this precision, in the shortest form that gives the very number.
 pub(super) fn number(precision: Precision, value: f64) -> TokenStream {
     #[expect(
         clippy::cast_possible_truncation,
         reason = "rounding is what is asked for"
     )]
-    let literal = match precision {
-        Precision::F32 => Literal::f32_unsuffixed((value as f32).abs()),
-        Precision::F64 => Literal::f64_unsuffixed(value.abs()),
+    let text = match precision {
+        Precision::F32 => format!("{:?}", (value as f32).abs()),
+        Precision::F64 => format!("{:?}", value.abs()),
     };
-    if value.is_sign_negative() && value != 0.0 {
+    let literal = text
+        .parse::<Literal>()
+        .unwrap_or_else(|_| Literal::f64_unsuffixed(value.abs()));
+    if value < 0.0 {
         quote!(-#literal)
     } else {
         quote!(#literal)

@@ -22,7 +22,8 @@ pub(crate) enum Unknown<S> {
     Slide {
         /// Which connection of the ring.
         connection: usize,
-        /// Its direction: in the first cluster's frame, or in the frame of the turning cluster.
+        /// The direction in which the joint's own coordinate grows, for one who walks the ring: in the first cluster's
+        /// frame, or in the frame of the turning cluster.
         along: [S; 2],
         /// The unknown, if any, whose direction turns it.
         turned_by: Option<usize>,
@@ -86,7 +87,12 @@ impl<S: Copy + PartialEq> Equation<S> {
             if connection.kind == ConnectionKind::Prismatic {
                 let class = classes[index];
                 let heading = placement.heading(algebra, connection.from);
-                let along = algebra.turned(class.turn, heading);
+                let [x, y] = algebra.turned(class.turn, heading);
+                let along = if placement.as_declared(connection) {
+                    [x, y]
+                } else {
+                    [algebra.neg(x), algebra.neg(y)]
+                };
                 unknowns.push(Unknown::Slide {
                     connection: index,
                     along,
@@ -112,15 +118,15 @@ impl<S: Copy + PartialEq> Equation<S> {
     ) {
         let [first, _, third] = ring.ring;
         // Both are connected to the first cluster, whose base has the lowest number of the three and so stays.
-        self.place_one(algebra, placement, (first, 0, false), 1, solution);
-        self.place_one(algebra, placement, (third.reversed(), 2, true), 2, solution);
+        self.place_one(algebra, placement, (first, 0), 1, solution);
+        self.place_one(algebra, placement, (third.reversed(), 2), 2, solution);
     }
 
     fn place_one<A: Algebra<Scalar = S>>(
         &self,
         algebra: &mut A,
         placement: &mut Placement<'_, S>,
-        (connection, index, backwards): (Connection, usize, bool),
+        (connection, index): (Connection, usize),
         cluster: usize,
         solution: [Solution<S>; 2],
     ) {
@@ -141,8 +147,11 @@ impl<S: Copy + PartialEq> Equation<S> {
                     .position(is_this)
                     .map(|unknown| solution[unknown]);
                 if let Some(Solution::Slide(way)) = found {
-                    // The ring walks the third connection towards the first cluster: seen from there the way is opposite.
-                    let way = if backwards { algebra.neg(way) } else { way };
+                    let way = if placement.as_declared(connection) {
+                        way
+                    } else {
+                        algebra.neg(way)
+                    };
                     placement.connect(algebra, connection, Coordinate::Slide(way));
                 }
             }

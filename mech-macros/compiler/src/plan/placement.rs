@@ -3,7 +3,7 @@
 use super::algebra::{Algebra, Pose};
 use super::cluster::Clusters;
 use super::step::{Connection, ConnectionKind};
-use crate::model::{Axis, AxisId, LinkId, Model};
+use crate::model::{Axis, AxisId, JointKind, LinkId, Model};
 
 /// The coordinate of a connection.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +40,11 @@ impl<'m, S: Copy> Placement<'m, S> {
 
     pub(crate) fn axis(&self, id: AxisId) -> &'m Axis {
         self.model.axis(id)
+    }
+
+    /// Whether a sliding connection is walked in the direction in which its joint was declared.
+    pub(crate) fn as_declared(&self, connection: Connection) -> bool {
+        matches!(self.model.joint(connection.joint).kind, JointKind::Prismatic(from, _) if from == connection.from)
     }
 
     /// The base of the cluster in which an axis is.

@@ -245,14 +245,17 @@ impl Writer<'_> {
                 let back = self.builder.conjugate(frame);
                 let direction = self.last_pose(link).direction;
                 let direction = self.builder.turned(back, direction);
-                let direction = self.normalised(direction);
-                (
-                    self.name_of(link).to_owned(),
-                    Solution::Direction(direction),
-                )
+                let name = self.name_of(link).to_owned();
+                let direction = self.normalised(direction, &name);
+                (name, Solution::Direction(direction))
             }
             Unknown::Slide { connection, .. } => {
-                let connection = ring.ring[connection];
+                let walked = ring.ring[connection];
+                let connection = if self.placement.as_declared(walked) {
+                    walked
+                } else {
+                    walked.reversed()
+                };
                 let (from, to) = (
                     self.model.axis(connection.from).clone(),
                     self.model.axis(connection.to).clone(),
@@ -272,11 +275,12 @@ impl Writer<'_> {
     }
 
     /// One step towards length one, so that rounding never adds up.
-    fn normalised(&mut self, v: [Value; 2]) -> [Value; 2] {
+    fn normalised(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
         let square = self.builder.dot(v, v);
         let (half, three) = (self.builder.constant(0.5), self.builder.constant(1.5));
         let half = self.builder.mul(half, square);
         let factor = self.builder.sub(three, half);
+        let factor = self.builder.name(factor, format!("{name}_scale"));
         self.builder.scaled(factor, v)
     }
 
@@ -289,8 +293,9 @@ impl Writer<'_> {
         place: String,
     ) -> (Newton, [Solution<Value>; 2]) {
         let mut scalars = Vec::new();
+        let names = firsts.each_ref().map(|(name, _)| name.clone());
         let now = firsts.map(|(name, first)| self.unknown(block, &name, first, &mut scalars));
-        let (gap, columns, sides) = self.gap(equation, &now);
+        let (gap, columns, sides) = self.gap(equation, &now, &names);
         let gap = self.builder.name_vector(gap, "gap");
         let det = self.builder.cross(columns[0], columns[1]);
         let det = self.builder.name(det, "det");
@@ -300,9 +305,11 @@ impl Writer<'_> {
         );
         let steps = [self.builder.div(p, det), self.builder.div(q, det)];
         let mut next = Vec::new();
-        for (now, step) in now.iter().zip(steps) {
+        for ((now, step), name) in now.iter().zip(steps).zip(&names) {
             match *now {
-                Solution::Direction(direction) => next.extend(self.turned_by(direction, step)),
+                Solution::Direction(direction) => {
+                    next.extend(self.turned_by(direction, step, name))
+                }
                 Solution::Slide(way) => next.push(self.builder.add(way, step)),
             }
         }
@@ -365,6 +372,7 @@ impl Writer<'_> {
         &mut self,
         equation: &Equation<Value>,
         now: &[Solution<Value>; 2],
+        names: &[String; 2],
     ) -> ([Value; 2], [[Value; 2]; 2], Vec<[Value; 2]>) {
         let builder = &mut self.builder;
         let mut gap = equation.offset;
@@ -397,6 +405,7 @@ impl Writer<'_> {
         for index in 0..2 {
             if let (Some(arm), Solution::Direction(direction)) = (arms[index], now[index]) {
                 let side = builder.turned(direction, arm);
+                let side = builder.name_vector(side, &format!("{}_side", names[index]));
                 gap = builder.plus(gap, side);
                 sides.push(side);
                 columns[index] = [builder.neg(side[1]), side[0]];
@@ -414,16 +423,19 @@ impl Writer<'_> {
     }
 
     /// A direction turned by a small angle, by the rational map that keeps its length (Cayley's).
-    fn turned_by(&mut self, direction: [Value; 2], angle: Value) -> [Value; 2] {
+    fn turned_by(&mut self, direction: [Value; 2], angle: Value, name: &str) -> [Value; 2] {
         let builder = &mut self.builder;
         let (half, one) = (builder.constant(0.5), builder.constant(1.0));
-        let t = builder.mul(half, angle);
-        let square = builder.mul(t, t);
+        let tangent = builder.mul(half, angle);
+        let tangent = builder.name(tangent, format!("{name}_tangent"));
+        let square = builder.mul(tangent, tangent);
         let sum = builder.add(one, square);
-        let scale = builder.div(one, sum);
-        let difference = builder.sub(one, square);
-        let double = builder.add(t, t);
-        let turn = builder.scaled(scale, [difference, double]);
+        let two = builder.constant(2.0);
+        // cos = 2/(1 + t²) − 1 and sin = t · 2/(1 + t²), with t the tangent of half the angle.
+        let factor = builder.div(two, sum);
+        let factor = builder.name(factor, format!("{name}_factor"));
+        let turn = [builder.sub(factor, one), builder.mul(tangent, factor)];
+        let turn = builder.name_direction(turn, &format!("{name}_turn"));
         builder.turned(direction, turn)
     }
 
