@@ -17,8 +17,10 @@ pub trait Scalar: RealField + Copy + sealed::Sealed {
     #[doc(hidden)]
     fn libm_sin_cos(self) -> (Self, Self);
     #[doc(hidden)]
+    #[must_use]
     fn libm_atan2(self, x: Self) -> Self;
     #[doc(hidden)]
+    #[must_use]
     fn libm_round(self) -> Self;
 }
 

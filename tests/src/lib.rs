@@ -1,1 +1,44 @@
-//! Tests of the whole house live in `tests/`.
+//! What tests and benches of the whole house share.
+
+use std::time::Instant;
+
+/// Medians of two things timed side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Times {
+    /// Nanoseconds a call of the first.
+    pub first: f64,
+    /// Nanoseconds a call of the second.
+    pub second: f64,
+    /// The median of the ratios, first to second, round by round.
+    pub ratio: f64,
+}
+
+/// Times two things in one process, in turn, because a machine's speed drifts. Medians over the rounds.
+pub fn side_by_side(mut first: impl FnMut(), mut second: impl FnMut()) -> Times {
+    const ROUNDS: usize = 31;
+    const CALLS: u32 = 200;
+    let mut rounds = Vec::with_capacity(ROUNDS);
+    for _ in 0..ROUNDS {
+        rounds.push((time(&mut first, CALLS), time(&mut second, CALLS)));
+    }
+    Times {
+        first: median(rounds.iter().map(|round| round.0)),
+        second: median(rounds.iter().map(|round| round.1)),
+        ratio: median(rounds.iter().map(|round| round.0 / round.1)),
+    }
+}
+
+/// Nanoseconds a call.
+fn time(call: &mut impl FnMut(), calls: u32) -> f64 {
+    let start = Instant::now();
+    for _ in 0..calls {
+        call();
+    }
+    start.elapsed().as_secs_f64() * 1e9 / f64::from(calls)
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}

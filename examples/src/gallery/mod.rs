@@ -1,9 +1,23 @@
 //! The exhibits.
 
+pub mod andrews;
+pub mod four_bar;
+pub mod geared_piston;
+pub mod jansen;
+pub mod rocker_arm;
+pub mod watt;
+
 use crate::Exhibit;
 
 /// All of them, in the order in which they hang.
 #[must_use]
 pub fn exhibits() -> Vec<Box<dyn Exhibit>> {
-    vec![]
+    vec![
+        geared_piston::exhibit(),
+        four_bar::exhibit(),
+        watt::exhibit(),
+        andrews::exhibit(),
+        jansen::exhibit(),
+        rocker_arm::exhibit(),
+    ]
 }

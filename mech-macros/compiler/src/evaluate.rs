@@ -1,7 +1,7 @@
 //! Runs a program now: for the studio, and to check the generated code against.
 
 use crate::program::{
-    BlockId, BlockKind, Newton, Op, Part, Position, Program, Real, Rounds, Slot, Value,
+    BlockId, BlockKind, Newton, Op, Position, Program, Real, Rounds, Slot, Value,
 };
 
 /// The smallest part of a motor step that is tried before the mechanism is said to be blocked.
@@ -230,15 +230,7 @@ impl<'p, T: Real> Machine<'p, T> {
 fn read<T: Real>(last: &Position<T>, slot: Slot) -> T {
     match slot {
         Slot::Angle(index) => last.angles[index],
-        Slot::Pose(link, part) => {
-            let [cos, sin, x, y] = last.poses[link];
-            match part {
-                Part::Cos => cos,
-                Part::Sin => sin,
-                Part::X => x,
-                Part::Y => y,
-            }
-        }
+        Slot::Pose(link, part) => last.poses[link][part.index()],
     }
 }
 

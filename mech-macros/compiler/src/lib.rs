@@ -14,6 +14,7 @@ pub mod reporter;
 pub mod structure;
 pub mod syntax;
 
+use evaluate::Stop;
 use model::Model;
 use plan::Plan;
 use proc_macro2::{Span, TokenStream, TokenTree};
@@ -44,7 +45,10 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     let plan = plan::plan(model, &structure).map_err(|diagnosis| vec![diagnosis])?;
     let mut program = program::build(model, &plan);
     if let Err(stop) = evaluate::settle(&mut program) {
-        return Err(vec![unsettled(&plan, stop)]);
+        return Err(vec![unsettled(&plan, &program, stop)]);
+    }
+    if !(model.fits() && program.fits()) {
+        return Err(vec![Diagnosis::TooLarge]);
     }
     let report = report::report(model, &structure, &plan);
     Ok(Compiled {
@@ -56,16 +60,18 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
 }
 
 /// A loop that was assembled in closed form but does not close by its program starts where its equations are singular.
-fn unsettled(plan: &Plan, stop: evaluate::Stop) -> Diagnosis {
-    let unknowns = plan.loops().next().map(|ring| {
-        ring.ring
-            .iter()
-            .map(|connection| connection.joint)
-            .collect()
-    });
-    let _ = stop;
-    Diagnosis::DeadStart {
-        unknowns: unknowns.unwrap_or_default(),
+fn unsettled(plan: &Plan, program: &Program, stop: Stop) -> Diagnosis {
+    let number = match stop {
+        Stop::Open(block) | Stop::DeadPoint(block) => {
+            program.newton(block).map(|newton| newton.number)
+        }
+        Stop::NotFinite(_) | Stop::Overflow => None,
+    };
+    match number.and_then(|number| plan.loops().nth(number)) {
+        Some(ring) => Diagnosis::DeadStart {
+            unknowns: ring.unknowns(),
+        },
+        None => Diagnosis::TooLarge,
     }
 }
 

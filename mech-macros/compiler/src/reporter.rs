@@ -1,6 +1,6 @@
 //! Puts diagnoses into words and at their places.
 
-use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model, Origin};
+use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model, Origin, Precision};
 use crate::structure::Diagnosis;
 use crate::syntax::{Message, Places};
 
@@ -64,6 +64,16 @@ impl Words<'_> {
                     "joints {} hold each other more than once: they fit together only if all lengths match exactly{}",
                     self.joints(joints),
                     self.cures(cures)
+                ),
+            ),
+            Diagnosis::TooLarge => (
+                self.model.origin,
+                format!(
+                    "a length or a position of this mechanism is beyond the range of `{}`",
+                    match self.model.precision {
+                        Precision::F32 => "f32",
+                        Precision::F64 => "f64",
+                    }
                 ),
             ),
             Diagnosis::NoMotor { .. } | Diagnosis::Undetermined { .. } => self.free(diagnosis),

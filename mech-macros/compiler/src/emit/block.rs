@@ -115,7 +115,7 @@ fn iteration(
         .map(|scalar| scope.expression(scalar.next))
         .collect();
     let [gap_x, gap_y, det] = exits.map(|value| scope.expression(value));
-    let epsilon = epsilon(program);
+    let epsilon = program.precision.epsilon();
     let enough = match newton.rounds {
         Rounds::Exactly(rounds) => {
             let rounds = Literal::u32_unsuffixed(rounds);
@@ -164,14 +164,6 @@ fn reached(program: &Program, among: &[Value], roots: impl Iterator<Item = Value
         }
     }
     reached
-}
-
-/// The rounding of the precision that is emitted.
-fn epsilon(program: &Program) -> f64 {
-    match program.precision {
-        crate::model::Precision::F32 => f64::from(f32::EPSILON),
-        crate::model::Precision::F64 => f64::EPSILON,
-    }
 }
 
 /// A block as a function of its own, and the call of it.

@@ -45,6 +45,11 @@ enum Binding {
     Atom,
 }
 
+/// What generated functions use by name, so that no variable may be called so.
+const OUTER: [&str; 8] = [
+    "last", "rounds", "atan2", "closed", "cos", "round", "sin", "sin_cos",
+];
+
 /// The names and uses of values in one function.
 pub(super) struct Scope<'p> {
     program: &'p Program,
@@ -56,7 +61,12 @@ pub(super) struct Scope<'p> {
 
 impl<'p> Scope<'p> {
     pub(super) fn new(program: &'p Program, uses: BTreeMap<Value, usize>) -> Self {
-        let taken = ["last", "rounds"].into_iter().map(str::to_owned).collect();
+        let functions = program.blocks.iter().map(|block| block.name.clone());
+        let taken = OUTER
+            .into_iter()
+            .map(str::to_owned)
+            .chain(functions)
+            .collect();
         Self {
             program,
             names: BTreeMap::new(),

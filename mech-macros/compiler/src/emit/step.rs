@@ -131,10 +131,12 @@ struct FunctionNames(Vec<String>);
 impl FunctionNames {
     fn fresh(&mut self, wanted: &str) -> Ident {
         let taken = |name: &String| self.0.contains(name) || name == "step";
-        let name = std::iter::once(wanted.to_owned())
-            .chain((2..).map(|number| format!("{wanted}_{number}")))
-            .find(|name| !taken(name))
-            .unwrap_or_default();
+        let mut name = wanted.to_owned();
+        let mut number = 1;
+        while taken(&name) {
+            number += 1;
+            name = format!("{wanted}_{number}");
+        }
         self.0.push(name.clone());
         ident(&name)
     }

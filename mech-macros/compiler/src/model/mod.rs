@@ -23,6 +23,26 @@ pub enum Precision {
     F64,
 }
 
+impl Precision {
+    /// Whether a number is finite in this type.
+    #[must_use]
+    pub fn holds(self, value: f64) -> bool {
+        match self {
+            Self::F32 => value.abs() <= f64::from(f32::MAX),
+            Self::F64 => value.is_finite(),
+        }
+    }
+
+    /// The distance from one to the next greater number.
+    #[must_use]
+    pub fn epsilon(self) -> f64 {
+        match self {
+            Self::F32 => f64::from(f32::EPSILON),
+            Self::F64 => f64::EPSILON,
+        }
+    }
+}
+
 /// How the loops are solved at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Method {
@@ -71,6 +91,26 @@ impl Model {
             start: Start::default(),
             method: Method::default(),
         }
+    }
+
+    /// Whether every number in it is within the range of the scalar type.
+    #[must_use]
+    pub fn fits(&self) -> bool {
+        let shapes = self.links.iter().flat_map(|link| &link.shapes);
+        let in_shape = |shape: &Shape| match &shape.kind {
+            ShapeKind::Circle { center, radius } => center
+                .iter()
+                .chain([radius])
+                .all(|&n| self.precision.holds(n)),
+            ShapeKind::Polygon(corners) => {
+                corners.iter().flatten().all(|&n| self.precision.holds(n))
+            }
+        };
+        let in_axis = |axis: &Axis| axis.at.iter().all(|&n| self.precision.holds(n));
+        let in_start = |value: &StartValue| self.precision.holds(value.value);
+        shapes.into_iter().all(in_shape)
+            && self.axes.iter().all(in_axis)
+            && self.start.values.iter().all(in_start)
     }
 
     /// The link with this id.

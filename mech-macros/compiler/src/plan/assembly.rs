@@ -146,7 +146,7 @@ impl Draft<'_> {
         let forwards = model.ends(mesh.output.joint).1 == model.axis(mesh.output.to).link;
         let given = start_value(model, mesh.output.joint);
         let value = if forwards { given } else { -given };
-        let output = value + axis_angle(model, mesh.output);
+        let output = value + mesh.output.frame_angle(model);
         self.meshes.push((input, output));
         self.drive(mesh.output, value)
     }
@@ -156,29 +156,13 @@ impl Draft<'_> {
             self.placement.axis(connection.from),
             self.placement.axis(connection.to),
         );
-        let angle = turn + from.direction[1].atan2(from.direction[0])
-            - to.direction[1].atan2(to.direction[0]);
+        let angle = turn + connection.frame_angle(self.placement.model);
         self.angles.join(&mut Numbers, from.link, to.link, angle);
     }
 }
 
-/// The angle between the frames of the two links of a revolute connection when its coordinate is zero.
-fn axis_angle(model: &Model, connection: Connection) -> f64 {
-    let angle = |axis: crate::model::AxisId| {
-        let [x, y] = model.axis(axis).direction;
-        y.atan2(x)
-    };
-    angle(connection.from) - angle(connection.to)
-}
-
 /// Every way of closing a loop, for every draft.
 fn closed<'m>(drafts: &[Draft<'m>], ring: &Loop) -> Result<Vec<Draft<'m>>, Diagnosis> {
-    let unknowns = || {
-        ring.ring
-            .iter()
-            .map(|connection| connection.joint)
-            .collect()
-    };
     let mut gap = f64::INFINITY;
     let mut dead = false;
     let mut found = Vec::new();
@@ -208,11 +192,11 @@ fn closed<'m>(drafts: &[Draft<'m>], ring: &Loop) -> Result<Vec<Draft<'m>>, Diagn
         Ok(found)
     } else if dead {
         Err(Diagnosis::DeadStart {
-            unknowns: unknowns(),
+            unknowns: ring.unknowns(),
         })
     } else {
         Err(Diagnosis::CannotClose {
-            unknowns: unknowns(),
+            unknowns: ring.unknowns(),
             gap,
             axes: (ring.ring[1].from, ring.ring[1].to),
         })

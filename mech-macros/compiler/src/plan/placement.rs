@@ -17,7 +17,7 @@ pub(crate) enum Coordinate<S> {
 /// The poses of all links, each relative to the base of its cluster.
 #[derive(Clone, Debug)]
 pub(crate) struct Placement<'m, S> {
-    model: &'m Model,
+    pub(crate) model: &'m Model,
     pub(crate) clusters: Clusters,
     poses: Vec<Pose<S>>,
 }

@@ -1,6 +1,6 @@
 //! The steps by which every position becomes known.
 
-use crate::model::{AxisId, JointId, LinkId, MotorId};
+use crate::model::{AxisId, JointId, Model, MotorId};
 
 /// One step: it merges clusters of links, so that the links inside keep known relative positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +72,25 @@ pub enum ConnectionKind {
     Prismatic,
 }
 
+impl Loop {
+    /// The joints of unknown coordinate, in the order of the ring.
+    #[must_use]
+    pub fn unknowns(&self) -> [JointId; 3] {
+        self.ring.map(|connection| connection.joint)
+    }
+}
+
 impl Connection {
+    /// The angle from the frame of the first link to that of the second when the coordinate is zero.
+    #[must_use]
+    pub fn frame_angle(&self, model: &Model) -> f64 {
+        let heading = |axis| {
+            let [x, y] = model.axis(axis).direction;
+            f64::atan2(y, x)
+        };
+        heading(self.from) - heading(self.to)
+    }
+
     /// The same connection, walked the other way.
     #[must_use]
     pub fn reversed(self) -> Self {
@@ -80,21 +98,6 @@ impl Connection {
             from: self.to,
             to: self.from,
             ..self
-        }
-    }
-}
-
-impl Step {
-    /// The links, one for each cluster, that this step brings together.
-    #[must_use]
-    pub fn links(&self, axes: &[crate::model::Axis]) -> Vec<LinkId> {
-        let ends = |connection: &Connection| {
-            [connection.from, connection.to].map(|axis| axes[axis.index()].link)
-        };
-        match self {
-            Self::Drive(drive) => ends(&drive.connection).to_vec(),
-            Self::Mesh(mesh) => ends(&mesh.output).to_vec(),
-            Self::Close(ring) => ring.ring.iter().flat_map(ends).collect(),
         }
     }
 }

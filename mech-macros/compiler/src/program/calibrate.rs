@@ -1,6 +1,6 @@
 //! Measures every loop at the start: tolerances are relative to what is found there.
 
-use super::node::{Op, Part, Slot, Value};
+use super::node::{Op, Slot, Value};
 use super::{BlockKind, Limits, Program};
 
 /// Sets the limits of all loops.
@@ -43,16 +43,7 @@ fn at_start(program: &Program) -> Vec<f64> {
 
 fn last(program: &Program, slot: Slot) -> Option<f64> {
     match slot {
-        Slot::Pose(link, part) => {
-            let pose = program.start.poses.get(link)?;
-            let index = match part {
-                Part::Cos => 0,
-                Part::Sin => 1,
-                Part::X => 2,
-                Part::Y => 3,
-            };
-            Some(pose[index])
-        }
+        Slot::Pose(link, part) => Some(program.start.poses.get(link)?[part.index()]),
         Slot::Angle(index) => program.start.angles.get(index).copied(),
     }
 }

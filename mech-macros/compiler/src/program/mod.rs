@@ -73,6 +73,20 @@ pub struct Position<T> {
 }
 
 impl Program {
+    /// Whether its constants and its start are within the range of the scalar type.
+    #[must_use]
+    pub fn fits(&self) -> bool {
+        let start = self.start.poses.iter().flatten().chain(&self.start.angles);
+        let constants = self.nodes.iter().filter_map(|node| match node.op {
+            Op::Constant(number) => Some(number.get()),
+            _ => None,
+        });
+        start
+            .copied()
+            .chain(constants)
+            .all(|number| self.precision.holds(number))
+    }
+
     /// The node that makes a value.
     #[must_use]
     pub fn node(&self, value: Value) -> &Node {

@@ -5,6 +5,8 @@ use super::node::Value;
 /// Newton's iteration on a loop's two equations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Newton {
+    /// Which loop of the plan it closes.
+    pub number: usize,
     /// The joints of the loop whose coordinates are unknown, for messages.
     pub place: String,
     /// The scalars that are iterated: a direction has two, a length one.

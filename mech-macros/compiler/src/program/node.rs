@@ -67,6 +67,12 @@ pub enum Part {
 impl Part {
     /// All four, in the order in which poses are written.
     pub const ALL: [Self; 4] = [Self::Cos, Self::Sin, Self::X, Self::Y];
+
+    /// Its position in that order.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self as usize
+    }
 }
 
 /// An operation.

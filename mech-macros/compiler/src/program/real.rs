@@ -24,8 +24,10 @@ pub trait Real:
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
     /// The angle of the vector (`x`, `self`).
+    #[must_use]
     fn atan2(self, x: Self) -> Self;
     /// The nearest whole number, halves away from zero.
+    #[must_use]
     fn round(self) -> Self;
     /// Whether it is neither infinite nor not a number.
     fn is_finite(self) -> bool;

@@ -12,7 +12,7 @@ pub(super) fn offer(model: &Model, diagnoses: &mut [Diagnosis]) {
                 *cures = removable(model, joints);
             }
             Diagnosis::Rigid { cures } => {
-                *cures = removable(model, &model.joint_ids().collect::<Vec<_>>())
+                *cures = removable(model, &model.joint_ids().collect::<Vec<_>>());
             }
             _ => {}
         }

@@ -82,7 +82,7 @@ pub enum Diagnosis {
     /// A loop does not close at the start.
     CannotClose {
         /// The joints of the loop whose coordinates are unknown.
-        unknowns: Vec<JointId>,
+        unknowns: [JointId; 3],
         /// How far apart the nearest approach leaves the axes, in scene units.
         gap: f64,
         /// The axes that cannot be made to coincide.
@@ -91,7 +91,7 @@ pub enum Diagnosis {
     /// A loop starts at a dead point, where the way it goes on is not determined.
     DeadStart {
         /// The joints of the loop whose coordinates are unknown.
-        unknowns: Vec<JointId>,
+        unknowns: [JointId; 3],
     },
     /// Several assemblies satisfy the start.
     SeveralAssemblies {
@@ -110,4 +110,6 @@ pub enum Diagnosis {
         /// The joint.
         joint: JointId,
     },
+    /// A length or a position is beyond the range of the scalar type.
+    TooLarge,
 }

@@ -95,18 +95,15 @@ impl Elimination {
         let mut made_of = vec![(self.added, Element::ONE)];
         self.added += 1;
         while let Some(&(column, value)) = row.last() {
-            match &self.pivots[column] {
-                Some(pivot) => {
-                    let lead = pivot.row.last().map_or(Element::ONE, |&(_, lead)| lead);
-                    let factor = -(value * lead.inverse());
-                    row = add_scaled(&row, factor, &pivot.row);
-                    made_of = add_scaled(&made_of, factor, &pivot.made_of);
-                }
-                None => {
-                    self.pivots[column] = Some(Pivot { row, made_of });
-                    self.rank += 1;
-                    return Added::Independent;
-                }
+            if let Some(pivot) = &self.pivots[column] {
+                let lead = pivot.row.last().map_or(Element::ONE, |&(_, lead)| lead);
+                let factor = -(value * lead.inverse());
+                row = add_scaled(&row, factor, &pivot.row);
+                made_of = add_scaled(&made_of, factor, &pivot.made_of);
+            } else {
+                self.pivots[column] = Some(Pivot { row, made_of });
+                self.rank += 1;
+                return Added::Independent;
             }
         }
         Added::Dependent(made_of.into_iter().map(|(index, _)| index).collect())

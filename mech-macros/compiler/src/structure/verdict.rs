@@ -37,8 +37,9 @@ impl<'m> Rank<'m> {
             for row in constraints.of_joint(id) {
                 joint_of_row.push(id);
                 if let Added::Dependent(rows) = joints.add(row) {
-                    rows.into_iter()
-                        .for_each(|row| dependent[joint_of_row[row].index()] = true);
+                    for row in rows {
+                        dependent[joint_of_row[row].index()] = true;
+                    }
                 }
             }
         }

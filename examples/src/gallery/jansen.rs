@@ -1,0 +1,273 @@
+//! A leg of Theo Jansen's beach beasts, declared as it is drawn.
+
+use crate::{Exhibit, FRAMES, Showcase};
+use mech_runtime::mechanism;
+use std::f64::consts::TAU;
+
+mechanism! {
+    /// A leg of Theo Jansen's beach beasts. Its points are numbered from the crank shaft, 0, to the foot, 7.
+    pub struct JansenLeg: f64;
+
+    // Entries of the palette, by their names in `mech_runtime::Palette`.
+    const GROUND = 1;
+    const BLUE = 2;
+    const ORANGE = 3;
+    const TEAL = 4;
+    const RED = 5;
+    const YELLOW = 6;
+    const PURPLE = 7;
+    const GREEN = 8;
+    const INK = 14;
+    const EYE = 15;
+    const HATCH = 16;
+    const GRID = 47;
+    const DARKER = 16; // to be added to a link's colour
+    const LIGHTER = 32; // likewise
+    const GROUND_DARKER = 29; // to be added to the ground's
+
+    // The points as they are at the start. All coordinates below are the scene's, too.
+    const X1 = 9.61;
+    const Y1 = 11.52;
+    const X2 = -38;
+    const Y2 = -7.8;
+    const X3 = -35.24;
+    const Y3 = 33.61;
+    const X4 = -77.75;
+    const Y4 = -2.54;
+    const X5 = -20.1;
+    const Y5 = -42.79;
+    const X6 = -56.05;
+    const Y6 = -35.42;
+    const X7 = -22.22;
+    const Y7 = -91.74;
+
+    const BAR = 1.9; // half the width of a bar
+    const RIM = BAR + 0.5; // the same with its dark edge
+    const PIN = 1.2;
+    const SHOE = 3.2;
+
+    ground {
+        // The beast's body holds points 0 and 2.
+        polygon [
+            (-1.41, 6.86), (-39.41, -0.94), (-36.59, -14.66), (1.41, -6.86),
+        ] on plane 0 color GROUND + DARKER;
+        circle (0.0, 0.0) radius 7.0 on plane 0 color GROUND + DARKER;
+        circle (X2, Y2) radius 7.0 on plane 0 color GROUND + DARKER;
+        polygon [
+            (-1.29, 6.27), (-39.29, -1.53), (-36.71, -14.07), (1.29, -6.27),
+        ] on plane 0 color GROUND;
+        circle (0.0, 0.0) radius 6.4 on plane 0 color GROUND;
+        circle (X2, Y2) radius 6.4 on plane 0 color GROUND;
+
+        // The beach.
+        polygon [
+            (-62.0, -95.1), (18.0, -95.1), (18.0, -96.3), (17.3, -96.3), (14.1, -99.5),
+            (13.08, -99.5), (16.28, -96.3), (13.81, -96.3), (10.61, -99.5), (9.59, -99.5),
+            (12.79, -96.3), (10.32, -96.3), (7.12, -99.5), (6.1, -99.5), (9.3, -96.3),
+            (6.83, -96.3), (3.63, -99.5), (2.61, -99.5), (5.81, -96.3), (3.34, -96.3),
+            (0.14, -99.5), (-0.88, -99.5), (2.32, -96.3), (-0.15, -96.3), (-3.35, -99.5),
+            (-4.37, -99.5), (-1.17, -96.3), (-3.64, -96.3), (-6.84, -99.5), (-7.86, -99.5),
+            (-4.66, -96.3), (-7.13, -96.3), (-10.33, -99.5), (-11.35, -99.5), (-8.15, -96.3),
+            (-10.63, -96.3), (-13.83, -99.5), (-14.84, -99.5), (-11.64, -96.3), (-14.12, -96.3),
+            (-17.32, -99.5), (-18.33, -99.5), (-15.13, -96.3), (-17.61, -96.3), (-20.81, -99.5),
+            (-21.83, -99.5), (-18.63, -96.3), (-21.1, -96.3), (-24.3, -99.5), (-25.32, -99.5),
+            (-22.12, -96.3), (-24.59, -96.3), (-27.79, -99.5), (-28.81, -99.5), (-25.61, -96.3),
+            (-28.08, -96.3), (-31.28, -99.5), (-32.3, -99.5), (-29.1, -96.3), (-31.57, -96.3),
+            (-34.77, -99.5), (-35.79, -99.5), (-32.59, -96.3), (-35.06, -96.3), (-38.26, -99.5),
+            (-39.28, -99.5), (-36.08, -96.3), (-38.55, -96.3), (-41.75, -99.5), (-42.77, -99.5),
+            (-39.57, -96.3), (-42.04, -96.3), (-45.24, -99.5), (-46.26, -99.5), (-43.06, -96.3),
+            (-45.53, -96.3), (-48.73, -99.5), (-49.75, -99.5), (-46.55, -96.3), (-49.03, -96.3),
+            (-52.23, -99.5), (-53.24, -99.5), (-50.04, -96.3), (-52.52, -96.3), (-55.72, -99.5),
+            (-56.73, -99.5), (-53.53, -96.3), (-56.01, -96.3), (-59.21, -99.5), (-60.23, -99.5),
+            (-57.03, -96.3), (-62.0, -96.3),
+        ] on plane 0 color GROUND + GROUND_DARKER;
+
+        // Where the foot comes by, at every ten degrees of the crank.
+        circle (-43.17, -91.75) radius 0.6 on plane 1 color GRID;
+        circle (-39.17, -91.76) radius 0.6 on plane 1 color GRID;
+        circle (-35.04, -91.79) radius 0.6 on plane 1 color GRID;
+        circle (-30.82, -91.82) radius 0.6 on plane 1 color GRID;
+        circle (-26.54, -91.82) radius 0.6 on plane 1 color GRID;
+        circle (-22.29, -91.74) radius 0.6 on plane 1 color GRID;
+        circle (-18.16, -91.57) radius 0.6 on plane 1 color GRID;
+        circle (-14.26, -91.29) radius 0.6 on plane 1 color GRID;
+        circle (-10.72, -90.89) radius 0.6 on plane 1 color GRID;
+        circle (-7.69, -90.39) radius 0.6 on plane 1 color GRID;
+        circle (-5.37, -89.81) radius 0.6 on plane 1 color GRID;
+        circle (-3.95, -89.19) radius 0.6 on plane 1 color GRID;
+        circle (-3.68, -88.52) radius 0.6 on plane 1 color GRID;
+        circle (-4.83, -87.78) radius 0.6 on plane 1 color GRID;
+        circle (-7.68, -86.82) radius 0.6 on plane 1 color GRID;
+        circle (-12.41, -85.36) radius 0.6 on plane 1 color GRID;
+        circle (-18.93, -82.89) radius 0.6 on plane 1 color GRID;
+        circle (-26.53, -78.9) radius 0.6 on plane 1 color GRID;
+        circle (-33.76, -73.51) radius 0.6 on plane 1 color GRID;
+        circle (-39.98, -69.51) radius 0.6 on plane 1 color GRID;
+        circle (-47.45, -71.16) radius 0.6 on plane 1 color GRID;
+        circle (-55.44, -75.65) radius 0.6 on plane 1 color GRID;
+        circle (-61.99, -79.77) radius 0.6 on plane 1 color GRID;
+        circle (-66.74, -82.96) radius 0.6 on plane 1 color GRID;
+        circle (-69.76, -85.36) radius 0.6 on plane 1 color GRID;
+        circle (-71.26, -87.17) radius 0.6 on plane 1 color GRID;
+        circle (-71.49, -88.57) radius 0.6 on plane 1 color GRID;
+        circle (-70.68, -89.64) radius 0.6 on plane 1 color GRID;
+        circle (-69.08, -90.45) radius 0.6 on plane 1 color GRID;
+        circle (-66.85, -91.04) radius 0.6 on plane 1 color GRID;
+        circle (-64.16, -91.44) radius 0.6 on plane 1 color GRID;
+        circle (-61.14, -91.68) radius 0.6 on plane 1 color GRID;
+        circle (-57.86, -91.8) radius 0.6 on plane 1 color GRID;
+        circle (-54.39, -91.83) radius 0.6 on plane 1 color GRID;
+        circle (-50.78, -91.81) radius 0.6 on plane 1 color GRID;
+        circle (-47.04, -91.77) radius 0.6 on plane 1 color GRID;
+    }
+
+    link crank {
+        circle (0.0, 0.0) radius 5.0 on plane 7 color RED + DARKER;
+        circle (0.0, 0.0) radius 4.5 on plane 7 color RED;
+        polygon [
+            (1.84, -1.54), (11.45, 9.98), (7.77, 13.06), (-1.84, 1.54),
+        ] on plane 7 color RED + DARKER;
+        circle (0.0, 0.0) radius RIM on plane 7 color RED + DARKER;
+        circle (X1, Y1) radius RIM on plane 7 color RED + DARKER;
+        polygon [(1.46, -1.22), (11.07, 10.3), (8.15, 12.74), (-1.46, 1.22)] on plane 7 color RED;
+        circle (0.0, 0.0) radius BAR on plane 7 color RED;
+        circle (X1, Y1) radius BAR on plane 7 color RED;
+        circle (0.0, 0.0) radius PIN on plane 8 color INK;
+        circle (0.0, 0.0) radius PIN * 0.4 on plane 8 color EYE;
+        circle (X1, Y1) radius PIN on plane 8 color INK;
+        circle (X1, Y1) radius PIN * 0.4 on plane 8 color EYE;
+    }
+
+    link upper_rod {
+        polygon [
+            (10.67, 13.67), (-34.18, 35.76), (-36.3, 31.46), (8.55, 9.37),
+        ] on plane 5 color GREEN + DARKER;
+        circle (X1, Y1) radius RIM on plane 5 color GREEN + DARKER;
+        circle (X3, Y3) radius RIM on plane 5 color GREEN + DARKER;
+        polygon [
+            (10.45, 13.22), (-34.4, 35.31), (-36.08, 31.91), (8.77, 9.82),
+        ] on plane 5 color GREEN;
+        circle (X1, Y1) radius BAR on plane 5 color GREEN;
+        circle (X3, Y3) radius BAR on plane 5 color GREEN;
+    }
+
+    link upper_plate {
+        // A triangle with round corners: its edge, and the face on it.
+        polygon [
+            (-35.61, -7.96), (-32.85, 33.45), (-36.79, 35.44), (-79.3, -0.71), (-78.06, -4.92),
+            (-38.31, -10.18),
+        ] on plane 4 color BLUE + DARKER;
+        circle (X2, Y2) radius RIM on plane 4 color BLUE + DARKER;
+        circle (X3, Y3) radius RIM on plane 4 color BLUE + DARKER;
+        circle (X4, Y4) radius RIM on plane 4 color BLUE + DARKER;
+        polygon [
+            (-36.1, -7.93), (-33.34, 33.48), (-36.47, 35.06), (-78.98, -1.09), (-78.0, -4.42),
+            (-38.25, -9.68),
+        ] on plane 4 color BLUE;
+        circle (X2, Y2) radius BAR on plane 4 color BLUE;
+        circle (X3, Y3) radius BAR on plane 4 color BLUE;
+        circle (X4, Y4) radius BAR on plane 4 color BLUE;
+        polygon [(-41.0, -1.5), (-39.0, 24.5), (-66.5, 0.8)] on plane 4 color BLUE + LIGHTER;
+        circle (X3, Y3) radius PIN on plane 8 color INK;
+        circle (X3, Y3) radius PIN * 0.4 on plane 8 color EYE;
+        circle (X4, Y4) radius PIN on plane 8 color INK;
+        circle (X4, Y4) radius PIN * 0.4 on plane 8 color EYE;
+        circle (X2, Y2) radius PIN on plane 8 color INK;
+        circle (X2, Y2) radius PIN * 0.4 on plane 8 color EYE;
+    }
+
+    link lower_rod {
+        polygon [
+            (7.5, 12.67), (-22.21, -41.64), (-17.99, -43.94), (11.72, 10.37),
+        ] on plane 6 color TEAL + DARKER;
+        circle (X1, Y1) radius RIM on plane 6 color TEAL + DARKER;
+        circle (X5, Y5) radius RIM on plane 6 color TEAL + DARKER;
+        polygon [
+            (7.94, 12.43), (-21.77, -41.88), (-18.43, -43.7), (11.28, 10.61),
+        ] on plane 6 color TEAL;
+        circle (X1, Y1) radius BAR on plane 6 color TEAL;
+        circle (X5, Y5) radius BAR on plane 6 color TEAL;
+    }
+
+    link rocker {
+        polygon [
+            (-40.14, -8.89), (-22.24, -43.88), (-17.96, -41.7), (-35.86, -6.71),
+        ] on plane 5 color PURPLE + DARKER;
+        circle (X2, Y2) radius RIM on plane 5 color PURPLE + DARKER;
+        circle (X5, Y5) radius RIM on plane 5 color PURPLE + DARKER;
+        polygon [
+            (-39.69, -8.67), (-21.79, -43.66), (-18.41, -41.92), (-36.31, -6.93),
+        ] on plane 5 color PURPLE;
+        circle (X2, Y2) radius BAR on plane 5 color PURPLE;
+        circle (X5, Y5) radius BAR on plane 5 color PURPLE;
+    }
+
+    link tie {
+        polygon [
+            (-79.75, -3.86), (-58.05, -36.74), (-54.05, -34.1), (-75.75, -1.22),
+        ] on plane 5 color YELLOW + DARKER;
+        circle (X4, Y4) radius RIM on plane 5 color YELLOW + DARKER;
+        circle (X6, Y6) radius RIM on plane 5 color YELLOW + DARKER;
+        polygon [
+            (-79.34, -3.59), (-57.64, -36.47), (-54.46, -34.37), (-76.16, -1.49),
+        ] on plane 5 color YELLOW;
+        circle (X4, Y4) radius BAR on plane 5 color YELLOW;
+        circle (X6, Y6) radius BAR on plane 5 color YELLOW;
+    }
+
+    link lower_plate {
+        point foot = (X7, Y7);
+        circle (X7, Y7) radius SHOE on plane 4 color INK;
+        polygon [
+            (-19.62, -40.44), (-55.57, -33.07), (-58.11, -36.66), (-24.28, -92.98),
+            (-19.82, -91.84), (-17.7, -42.89),
+        ] on plane 4 color ORANGE + DARKER;
+        circle (X5, Y5) radius RIM on plane 4 color ORANGE + DARKER;
+        circle (X6, Y6) radius RIM on plane 4 color ORANGE + DARKER;
+        circle (X7, Y7) radius RIM on plane 4 color ORANGE + DARKER;
+        polygon [
+            (-19.72, -40.93), (-55.67, -33.56), (-57.68, -36.4), (-23.85, -92.72), (-20.32, -91.82),
+            (-18.2, -42.87),
+        ] on plane 4 color ORANGE;
+        circle (X5, Y5) radius BAR on plane 4 color ORANGE;
+        circle (X6, Y6) radius BAR on plane 4 color ORANGE;
+        circle (X7, Y7) radius BAR on plane 4 color ORANGE;
+        polygon [(-23.3, -45.2), (-49.5, -39.8), (-24.9, -80.5)] on plane 4 color ORANGE + LIGHTER;
+        circle (X5, Y5) radius PIN on plane 8 color INK;
+        circle (X5, Y5) radius PIN * 0.4 on plane 8 color EYE;
+        circle (X6, Y6) radius PIN on plane 8 color INK;
+        circle (X6, Y6) radius PIN * 0.4 on plane 8 color EYE;
+    }
+
+    joint a = revolute(ground, crank) at (0.0, 0.0);
+    joint b = revolute(crank, upper_rod) at (X1, Y1);
+    joint c = revolute(upper_rod, upper_plate) at (X3, Y3);
+    joint d = revolute(ground, upper_plate) at (X2, Y2);
+    joint e = revolute(crank, lower_rod) at (X1, Y1);
+    joint f = revolute(lower_rod, rocker) at (X5, Y5);
+    joint g = revolute(ground, rocker) at (X2, Y2);
+    joint h = revolute(upper_plate, tie) at (X4, Y4);
+    joint i = revolute(tie, lower_plate) at (X6, Y6);
+    joint j = revolute(rocker, lower_plate) at (X5, Y5);
+
+    motor a;
+}
+
+/// One turn of the crank.
+#[must_use]
+pub fn exhibit() -> Box<dyn Exhibit> {
+    Box::new(Showcase::<JansenLeg> {
+        slug: "jansen-leg",
+        title: "Jansen’s leg",
+        caption: "A leg of the beasts that walk on Dutch beaches. The crank drives two dyads at \
+                  once, upper rod and upper plate, lower rod and rocker: two loops that need \
+                  nothing but the motor. A third, tie and lower plate, hangs between them and \
+                  needs both. The two plates are ternary links, each a dyad that was made rigid, \
+                  so that the points of the leg are a chain of five dyads. The foot goes straight \
+                  along the sand for half a turn and comes back through the air; the dots show it \
+                  at every ten degrees of the crank.",
+        motion: |phase| [-phase * TAU],
+        frames: FRAMES,
+        still: 0.0,
+    })
+}

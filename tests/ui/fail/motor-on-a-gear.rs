@@ -1,0 +1,19 @@
+//! A motor sits on a gear, which has no coordinate.
+
+use mech_runtime::mechanism;
+
+mechanism! {
+    struct Gears;
+
+    ground { point o = (0.0, 0.0); point p = (3.0, 0.0); }
+    link pinion { point shaft = (0.0, 0.0); }
+    link wheel { point shaft = (0.0, 0.0); }
+
+    joint a = revolute(ground.o, pinion.shaft);
+    joint b = revolute(ground.p, wheel.shaft);
+    joint mesh = gear(pinion, wheel, 20 : 40);
+
+    motor mesh;
+}
+
+fn main() {}

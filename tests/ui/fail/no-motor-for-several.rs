@@ -1,0 +1,16 @@
+//! Nothing drives a mechanism that needs two motors.
+
+use mech_runtime::mechanism;
+
+mechanism! {
+    struct Arm;
+
+    ground { point base = (0.0, 0.0); }
+    link upper { point shoulder = (0.0, 0.0); point elbow = (1.0, 0.0); }
+    link lower { point elbow = (0.0, 0.0); point hand = (1.0, 0.0); }
+
+    joint shoulder = revolute(ground.base, upper.shoulder);
+    joint elbow = revolute(upper.elbow, lower.elbow);
+}
+
+fn main() {}

@@ -1,0 +1,31 @@
+//! Settings that are to come.
+
+use mech_runtime::mechanism;
+
+mechanism! {
+    struct FourBar;
+
+    ground { point o = (0.0, 0.0); point p = (3.5, 0.0); }
+    link crank { point shaft = (0.0, 0.0); point pin = (1.0, 0.0); }
+    link coupler { point left = (0.0, 0.0); point right = (3.0, 0.0); }
+    link rocker { point shaft = (0.0, 0.0); point pin = (2.5, 0.0); }
+
+    joint a = revolute(ground.o, crank.shaft);
+    joint b = revolute(crank.pin, coupler.left);
+    joint c = revolute(coupler.right, rocker.pin);
+    joint d = revolute(ground.p, rocker.shaft);
+
+    motor a in 0 deg ..= 360 deg by 1 deg;
+    start { a = 60 deg; coupler near 30 deg; }
+    accuracy 1e-9;
+    effects { velocity; acceleration; }
+    show rocker, coupler.right;
+    allow redundant;
+    allow coupled;
+    certify;
+    cost;
+    param length = 1.0 in 0.5 ..= 2.0;
+    method exact;
+}
+
+fn main() {}
