@@ -29,7 +29,7 @@ nav a { padding: .2rem .8rem; border: 1px solid var(--line); border-radius: 2rem
 a { color: var(--accent); text-decoration: none; }
 a:hover { text-decoration: underline; }
 article {
-  display: grid; grid-template-columns: minmax(0, 11fr) minmax(0, 9fr); margin: 0 0 2rem; overflow: hidden;
+  display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr); margin: 0 0 2rem; overflow: hidden;
   border: 1px solid var(--line); border-radius: 1rem; background: var(--card); scroll-margin-top: 1rem;
 }
 figure { display: grid; place-items: center; margin: 0; padding: .5rem; background: #faf6ed; }
@@ -38,8 +38,8 @@ figure img { display: block; max-width: 100%; max-height: 40rem; height: auto; }
 h2 { margin: 0 0 .5rem; font-size: 1.375rem; line-height: 1.25; }
 .text p { margin: 0 0 1rem; }
 pre {
-  flex: 1; margin: 0 0 1rem; padding: .9rem 1rem; max-height: 22rem; overflow: auto; border: 1px solid var(--line);
-  border-radius: .5rem; background: var(--back); font: .78rem/1.5 ui-monospace, Menlo, Consolas, monospace;
+  margin: 0 0 1rem; padding: .9rem 1rem; max-height: 22rem; overflow: auto; border: 1px solid var(--line);
+  border-radius: .5rem; background: var(--back); font: .72rem/1.5 ui-monospace, Menlo, Consolas, monospace;
 }
 .text a { align-self: start; font-size: .875rem; }
 @media (max-width: 52rem) {

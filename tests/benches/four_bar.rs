@@ -46,7 +46,11 @@ impl ByHand {
     const ROCKER: f64 = 3.0;
 
     fn new(start: [[f64; 4]; 3]) -> Self {
-        Self { coupler: (start[1][0], start[1][1]), rocker: (start[2][0], start[2][1]), poses: start }
+        Self {
+            coupler: (start[1][0], start[1][1]),
+            rocker: (start[2][0], start[2][1]),
+            poses: start,
+        }
     }
 
     fn move_to<const ROUNDS: usize>(&mut self, crank: f64) -> bool {
@@ -73,7 +77,11 @@ impl ByHand {
         }
         self.coupler = (uc, us);
         self.rocker = (vc, vs);
-        self.poses = [[cos, sin, 0.0, 0.0], [uc, us, cos, sin], [vc, vs, Self::GROUND, 0.0]];
+        self.poses = [
+            [cos, sin, 0.0, 0.0],
+            [uc, us, cos, sin],
+            [vc, vs, Self::GROUND, 0.0],
+        ];
         true
     }
 }

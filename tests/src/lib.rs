@@ -1,5 +1,13 @@
 //! What tests and benches of the whole house share.
 
+mod closure;
+mod dice;
+mod grow;
+
+pub use closure::{size, with_ground, worst_gap, worst_stretch};
+pub use dice::Dice;
+pub use grow::{Grown, grow, in_own_frames};
+
 use std::time::Instant;
 
 /// Medians of two things timed side by side.

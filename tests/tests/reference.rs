@@ -92,14 +92,25 @@ const TOLERANCE: f64 = 1e-12;
 
 #[track_caller]
 fn assert_point(found: Point2<f64>, x: f64, y: f64) {
-    assert!((found.x - x).abs() < TOLERANCE, "x: {} instead of {x}", found.x);
-    assert!((found.y - y).abs() < TOLERANCE, "y: {} instead of {y}", found.y);
+    assert!(
+        (found.x - x).abs() < TOLERANCE,
+        "x: {} instead of {x}",
+        found.x
+    );
+    assert!(
+        (found.y - y).abs() < TOLERANCE,
+        "y: {} instead of {y}",
+        found.y
+    );
 }
 
 #[track_caller]
 fn assert_turned(link: Isometry2<f64>, angle: f64) {
     let found = link.rotation.angle();
-    assert!((found - angle).abs() < TOLERANCE, "{found} instead of {angle}");
+    assert!(
+        (found - angle).abs() < TOLERANCE,
+        "{found} instead of {angle}"
+    );
 }
 
 /// Each row: the motor's angle from the start, point C, the turns of two links.
@@ -140,8 +151,16 @@ fn teaching_slider_crank() {
     // The collection gives the crank's absolute angle, which is a quarter turn at the start.
     const ROWS: [(f64, f64, f64); 4] = [
         (1.5707963267948966, -0.96999999999999997, 0.0),
-        (2.3561944901923413, -3.9079313410805039, -0.074950018490655967),
-        (3.9269908169872201, -3.9079313410805856, -0.43028147380786619),
+        (
+            2.3561944901923413,
+            -3.9079313410805039,
+            -0.074950018490655967,
+        ),
+        (
+            3.9269908169872201,
+            -3.9079313410805856,
+            -0.43028147380786619,
+        ),
         (5.4977871437820989, 1.4802223315608867, -0.43028147380787685),
     ];
     let mut mechanism = TeachingSliderCrank::new();
@@ -168,7 +187,11 @@ fn slider_crank_tracer() {
         assert_turned(mechanism.rod(), rod);
         // The tracer is (8, 2) from C at the start, and turns with the rod.
         let (sin, cos) = rod.sin_cos();
-        assert_point(mechanism.rod_d(), x + 8.0 * cos - 2.0 * sin, 8.0 * sin + 2.0 * cos);
+        assert_point(
+            mechanism.rod_d(),
+            x + 8.0 * cos - 2.0 * sin,
+            8.0 * sin + 2.0 * cos,
+        );
     }
 }
 

@@ -16,10 +16,10 @@ mechanism! {
     const RED = 5;
     const INK = 14;
     const EYE = 15;
-    const GRID = 47;
-    const DARKER = 16; // to be added to a link's colour
+    const DARKER = 16; // to be added to a link's color
     const LIGHTER = 32; // likewise
     const GROUND_DARKER = 29; // to be added to the ground's
+    const GROUND_LIGHTER = 30; // likewise
 
     // The four bars.
     const GROUND_BAR = 4.0;
@@ -55,42 +55,42 @@ mechanism! {
         ] on plane 0 color GROUND + GROUND_DARKER;
 
         // Where the coupler point comes by, at every ten degrees of the crank.
-        circle (0.8, 2.3) radius 0.03 on plane -1 color GRID;
-        circle (0.92, 2.48) radius 0.03 on plane -1 color GRID;
-        circle (1.02, 2.65) radius 0.03 on plane -1 color GRID;
-        circle (1.08, 2.79) radius 0.03 on plane -1 color GRID;
-        circle (1.1, 2.92) radius 0.03 on plane -1 color GRID;
-        circle (1.09, 3.03) radius 0.03 on plane -1 color GRID;
-        circle (1.03, 3.11) radius 0.03 on plane -1 color GRID;
-        circle (0.95, 3.16) radius 0.03 on plane -1 color GRID;
-        circle (0.84, 3.19) radius 0.03 on plane -1 color GRID;
-        circle (0.71, 3.19) radius 0.03 on plane -1 color GRID;
-        circle (0.57, 3.17) radius 0.03 on plane -1 color GRID;
-        circle (0.42, 3.12) radius 0.03 on plane -1 color GRID;
-        circle (0.27, 3.04) radius 0.03 on plane -1 color GRID;
-        circle (0.12, 2.94) radius 0.03 on plane -1 color GRID;
-        circle (-0.03, 2.83) radius 0.03 on plane -1 color GRID;
-        circle (-0.16, 2.69) radius 0.03 on plane -1 color GRID;
-        circle (-0.28, 2.55) radius 0.03 on plane -1 color GRID;
-        circle (-0.39, 2.4) radius 0.03 on plane -1 color GRID;
-        circle (-0.47, 2.24) radius 0.03 on plane -1 color GRID;
-        circle (-0.54, 2.09) radius 0.03 on plane -1 color GRID;
-        circle (-0.59, 1.94) radius 0.03 on plane -1 color GRID;
-        circle (-0.62, 1.79) radius 0.03 on plane -1 color GRID;
-        circle (-0.63, 1.66) radius 0.03 on plane -1 color GRID;
-        circle (-0.62, 1.54) radius 0.03 on plane -1 color GRID;
-        circle (-0.6, 1.44) radius 0.03 on plane -1 color GRID;
-        circle (-0.55, 1.36) radius 0.03 on plane -1 color GRID;
-        circle (-0.48, 1.3) radius 0.03 on plane -1 color GRID;
-        circle (-0.4, 1.27) radius 0.03 on plane -1 color GRID;
-        circle (-0.31, 1.27) radius 0.03 on plane -1 color GRID;
-        circle (-0.2, 1.3) radius 0.03 on plane -1 color GRID;
-        circle (-0.07, 1.37) radius 0.03 on plane -1 color GRID;
-        circle (0.06, 1.46) radius 0.03 on plane -1 color GRID;
-        circle (0.2, 1.59) radius 0.03 on plane -1 color GRID;
-        circle (0.35, 1.75) radius 0.03 on plane -1 color GRID;
-        circle (0.51, 1.92) radius 0.03 on plane -1 color GRID;
-        circle (0.66, 2.11) radius 0.03 on plane -1 color GRID;
+        circle (0.8, 2.3) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.92, 2.48) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (1.02, 2.65) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (1.08, 2.79) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (1.1, 2.92) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (1.09, 3.03) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (1.03, 3.11) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.95, 3.16) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.84, 3.19) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.71, 3.19) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.57, 3.17) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.42, 3.12) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.27, 3.04) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.12, 2.94) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.03, 2.83) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.16, 2.69) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.28, 2.55) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.39, 2.4) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.47, 2.24) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.54, 2.09) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.59, 1.94) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.62, 1.79) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.63, 1.66) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.62, 1.54) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.6, 1.44) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.55, 1.36) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.48, 1.3) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.4, 1.27) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.31, 1.27) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.2, 1.3) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (-0.07, 1.37) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.06, 1.46) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.2, 1.59) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.35, 1.75) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.51, 1.92) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
+        circle (0.66, 2.11) radius 0.03 on plane -1 color GROUND + GROUND_LIGHTER;
     }
 
     link crank {

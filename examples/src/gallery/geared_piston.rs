@@ -17,7 +17,7 @@ mechanism! {
     const INK = 14;
     const EYE = 15;
     const SHADE = 46;
-    const DARKER = 16; // to be added to a link's colour
+    const DARKER = 16; // to be added to a link's color
     const LIGHTER = 32; // likewise
     const GROUND_DARKER = 29; // to be added to the ground's
 
@@ -64,13 +64,13 @@ mechanism! {
             (4.36, -2.58), (4.15, -2.58), (3.93, -2.8), (3.84, -2.8), (4.06, -2.58), (3.86, -2.58),
             (3.64, -2.8), (3.54, -2.8), (3.76, -2.58), (3.4, -2.58),
         ] on plane 0 color GROUND + GROUND_DARKER;
-        polygon [(2.6, -WALL), (6.1, -WALL), (6.1, WALL), (2.6, WALL)]
+        polygon [(2.35, -WALL), (6.1, -WALL), (6.1, WALL), (2.35, WALL)]
             on plane 0 color GROUND + GROUND_DARKER;
-        polygon [(2.64, 0.04 - WALL), (6.06, 0.04 - WALL), (6.06, WALL - 0.04), (2.64, WALL - 0.04)]
+        polygon [(2.39, 0.04 - WALL), (6.06, 0.04 - WALL), (6.06, WALL - 0.04), (2.39, WALL - 0.04)]
             on plane 0 color GROUND;
-        polygon [(2.6, -BORE), (5.82, -BORE), (5.82, BORE), (2.6, BORE)]
+        polygon [(2.35, -BORE), (5.82, -BORE), (5.82, BORE), (2.35, BORE)]
             on plane 0 color GROUND + GROUND_DARKER;
-        polygon [(2.6, 0.04 - BORE), (5.78, 0.04 - BORE), (5.78, BORE - 0.04), (2.6, BORE - 0.04)]
+        polygon [(2.35, 0.04 - BORE), (5.78, 0.04 - BORE), (5.78, BORE - 0.04), (2.35, BORE - 0.04)]
             on plane 0 color SHADE;
     }
 

@@ -19,11 +19,10 @@ mechanism! {
     const GREEN = 8;
     const INK = 14;
     const EYE = 15;
-    const HATCH = 16;
-    const GRID = 47;
-    const DARKER = 16; // to be added to a link's colour
+    const DARKER = 16; // to be added to a link's color
     const LIGHTER = 32; // likewise
     const GROUND_DARKER = 29; // to be added to the ground's
+    const GROUND_LIGHTER = 30; // likewise
 
     // The points as they are at the start. All coordinates below are the scene's, too.
     const X1 = 9.61;
@@ -50,9 +49,9 @@ mechanism! {
         // The beast's body holds points 0 and 2.
         polygon [
             (-1.41, 6.86), (-39.41, -0.94), (-36.59, -14.66), (1.41, -6.86),
-        ] on plane 0 color GROUND + DARKER;
-        circle (0.0, 0.0) radius 7.0 on plane 0 color GROUND + DARKER;
-        circle (X2, Y2) radius 7.0 on plane 0 color GROUND + DARKER;
+        ] on plane 0 color GROUND + GROUND_DARKER;
+        circle (0.0, 0.0) radius 7.0 on plane 0 color GROUND + GROUND_DARKER;
+        circle (X2, Y2) radius 7.0 on plane 0 color GROUND + GROUND_DARKER;
         polygon [
             (-1.29, 6.27), (-39.29, -1.53), (-36.71, -14.07), (1.29, -6.27),
         ] on plane 0 color GROUND;
@@ -61,64 +60,65 @@ mechanism! {
 
         // The beach.
         polygon [
-            (-62.0, -95.1), (18.0, -95.1), (18.0, -96.3), (17.3, -96.3), (14.1, -99.5),
-            (13.08, -99.5), (16.28, -96.3), (13.81, -96.3), (10.61, -99.5), (9.59, -99.5),
-            (12.79, -96.3), (10.32, -96.3), (7.12, -99.5), (6.1, -99.5), (9.3, -96.3),
-            (6.83, -96.3), (3.63, -99.5), (2.61, -99.5), (5.81, -96.3), (3.34, -96.3),
-            (0.14, -99.5), (-0.88, -99.5), (2.32, -96.3), (-0.15, -96.3), (-3.35, -99.5),
-            (-4.37, -99.5), (-1.17, -96.3), (-3.64, -96.3), (-6.84, -99.5), (-7.86, -99.5),
-            (-4.66, -96.3), (-7.13, -96.3), (-10.33, -99.5), (-11.35, -99.5), (-8.15, -96.3),
-            (-10.63, -96.3), (-13.83, -99.5), (-14.84, -99.5), (-11.64, -96.3), (-14.12, -96.3),
-            (-17.32, -99.5), (-18.33, -99.5), (-15.13, -96.3), (-17.61, -96.3), (-20.81, -99.5),
-            (-21.83, -99.5), (-18.63, -96.3), (-21.1, -96.3), (-24.3, -99.5), (-25.32, -99.5),
-            (-22.12, -96.3), (-24.59, -96.3), (-27.79, -99.5), (-28.81, -99.5), (-25.61, -96.3),
-            (-28.08, -96.3), (-31.28, -99.5), (-32.3, -99.5), (-29.1, -96.3), (-31.57, -96.3),
-            (-34.77, -99.5), (-35.79, -99.5), (-32.59, -96.3), (-35.06, -96.3), (-38.26, -99.5),
-            (-39.28, -99.5), (-36.08, -96.3), (-38.55, -96.3), (-41.75, -99.5), (-42.77, -99.5),
-            (-39.57, -96.3), (-42.04, -96.3), (-45.24, -99.5), (-46.26, -99.5), (-43.06, -96.3),
-            (-45.53, -96.3), (-48.73, -99.5), (-49.75, -99.5), (-46.55, -96.3), (-49.03, -96.3),
-            (-52.23, -99.5), (-53.24, -99.5), (-50.04, -96.3), (-52.52, -96.3), (-55.72, -99.5),
-            (-56.73, -99.5), (-53.53, -96.3), (-56.01, -96.3), (-59.21, -99.5), (-60.23, -99.5),
-            (-57.03, -96.3), (-62.0, -96.3),
+            (-82.0, -95.1), (6.0, -95.1), (6.0, -96.3), (5.29, -96.3), (2.09, -99.5), (1.07, -99.5),
+            (4.27, -96.3), (1.76, -96.3), (-1.44, -99.5), (-2.47, -99.5), (0.73, -96.3),
+            (-1.77, -96.3), (-4.97, -99.5), (-6.0, -99.5), (-2.8, -96.3), (-5.31, -96.3),
+            (-8.51, -99.5), (-9.53, -99.5), (-6.33, -96.3), (-8.84, -96.3), (-12.04, -99.5),
+            (-13.07, -99.5), (-9.87, -96.3), (-12.37, -96.3), (-15.57, -99.5), (-16.6, -99.5),
+            (-13.4, -96.3), (-15.91, -96.3), (-19.11, -99.5), (-20.13, -99.5), (-16.93, -96.3),
+            (-19.44, -96.3), (-22.64, -99.5), (-23.67, -99.5), (-20.47, -96.3), (-22.97, -96.3),
+            (-26.17, -99.5), (-27.2, -99.5), (-24.0, -96.3), (-26.51, -96.3), (-29.71, -99.5),
+            (-30.73, -99.5), (-27.53, -96.3), (-30.04, -96.3), (-33.24, -99.5), (-34.27, -99.5),
+            (-31.07, -96.3), (-33.57, -96.3), (-36.77, -99.5), (-37.8, -99.5), (-34.6, -96.3),
+            (-37.11, -96.3), (-40.31, -99.5), (-41.33, -99.5), (-38.13, -96.3), (-40.64, -96.3),
+            (-43.84, -99.5), (-44.87, -99.5), (-41.67, -96.3), (-44.17, -96.3), (-47.37, -99.5),
+            (-48.4, -99.5), (-45.2, -96.3), (-47.71, -96.3), (-50.91, -99.5), (-51.93, -99.5),
+            (-48.73, -96.3), (-51.24, -96.3), (-54.44, -99.5), (-55.47, -99.5), (-52.27, -96.3),
+            (-54.77, -96.3), (-57.97, -99.5), (-59.0, -99.5), (-55.8, -96.3), (-58.31, -96.3),
+            (-61.51, -99.5), (-62.53, -99.5), (-59.33, -96.3), (-61.84, -96.3), (-65.04, -99.5),
+            (-66.07, -99.5), (-62.87, -96.3), (-65.37, -96.3), (-68.57, -99.5), (-69.6, -99.5),
+            (-66.4, -96.3), (-68.91, -96.3), (-72.11, -99.5), (-73.13, -99.5), (-69.93, -96.3),
+            (-72.44, -96.3), (-75.64, -99.5), (-76.67, -99.5), (-73.47, -96.3), (-75.97, -96.3),
+            (-79.17, -99.5), (-80.2, -99.5), (-77.0, -96.3), (-82.0, -96.3),
         ] on plane 0 color GROUND + GROUND_DARKER;
 
         // Where the foot comes by, at every ten degrees of the crank.
-        circle (-43.17, -91.75) radius 0.6 on plane 1 color GRID;
-        circle (-39.17, -91.76) radius 0.6 on plane 1 color GRID;
-        circle (-35.04, -91.79) radius 0.6 on plane 1 color GRID;
-        circle (-30.82, -91.82) radius 0.6 on plane 1 color GRID;
-        circle (-26.54, -91.82) radius 0.6 on plane 1 color GRID;
-        circle (-22.29, -91.74) radius 0.6 on plane 1 color GRID;
-        circle (-18.16, -91.57) radius 0.6 on plane 1 color GRID;
-        circle (-14.26, -91.29) radius 0.6 on plane 1 color GRID;
-        circle (-10.72, -90.89) radius 0.6 on plane 1 color GRID;
-        circle (-7.69, -90.39) radius 0.6 on plane 1 color GRID;
-        circle (-5.37, -89.81) radius 0.6 on plane 1 color GRID;
-        circle (-3.95, -89.19) radius 0.6 on plane 1 color GRID;
-        circle (-3.68, -88.52) radius 0.6 on plane 1 color GRID;
-        circle (-4.83, -87.78) radius 0.6 on plane 1 color GRID;
-        circle (-7.68, -86.82) radius 0.6 on plane 1 color GRID;
-        circle (-12.41, -85.36) radius 0.6 on plane 1 color GRID;
-        circle (-18.93, -82.89) radius 0.6 on plane 1 color GRID;
-        circle (-26.53, -78.9) radius 0.6 on plane 1 color GRID;
-        circle (-33.76, -73.51) radius 0.6 on plane 1 color GRID;
-        circle (-39.98, -69.51) radius 0.6 on plane 1 color GRID;
-        circle (-47.45, -71.16) radius 0.6 on plane 1 color GRID;
-        circle (-55.44, -75.65) radius 0.6 on plane 1 color GRID;
-        circle (-61.99, -79.77) radius 0.6 on plane 1 color GRID;
-        circle (-66.74, -82.96) radius 0.6 on plane 1 color GRID;
-        circle (-69.76, -85.36) radius 0.6 on plane 1 color GRID;
-        circle (-71.26, -87.17) radius 0.6 on plane 1 color GRID;
-        circle (-71.49, -88.57) radius 0.6 on plane 1 color GRID;
-        circle (-70.68, -89.64) radius 0.6 on plane 1 color GRID;
-        circle (-69.08, -90.45) radius 0.6 on plane 1 color GRID;
-        circle (-66.85, -91.04) radius 0.6 on plane 1 color GRID;
-        circle (-64.16, -91.44) radius 0.6 on plane 1 color GRID;
-        circle (-61.14, -91.68) radius 0.6 on plane 1 color GRID;
-        circle (-57.86, -91.8) radius 0.6 on plane 1 color GRID;
-        circle (-54.39, -91.83) radius 0.6 on plane 1 color GRID;
-        circle (-50.78, -91.81) radius 0.6 on plane 1 color GRID;
-        circle (-47.04, -91.77) radius 0.6 on plane 1 color GRID;
+        circle (-43.17, -91.75) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-39.17, -91.76) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-35.04, -91.79) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-30.82, -91.82) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-26.54, -91.82) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-22.29, -91.74) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-18.16, -91.57) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-14.26, -91.29) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-10.72, -90.89) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-7.69, -90.39) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-5.37, -89.81) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-3.95, -89.19) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-3.68, -88.52) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-4.83, -87.78) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-7.68, -86.82) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-12.41, -85.36) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-18.93, -82.89) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-26.53, -78.9) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-33.76, -73.51) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-39.98, -69.51) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-47.45, -71.16) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-55.44, -75.65) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-61.99, -79.77) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-66.74, -82.96) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-69.76, -85.36) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-71.26, -87.17) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-71.49, -88.57) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-70.68, -89.64) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-69.08, -90.45) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-66.85, -91.04) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-64.16, -91.44) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-61.14, -91.68) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-57.86, -91.8) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-54.39, -91.83) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-50.78, -91.81) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
+        circle (-47.04, -91.77) radius 0.6 on plane 1 color GROUND + GROUND_LIGHTER;
     }
 
     link crank {
@@ -217,7 +217,6 @@ mechanism! {
 
     link lower_plate {
         point foot = (X7, Y7);
-        circle (X7, Y7) radius SHOE on plane 4 color INK;
         polygon [
             (-19.62, -40.44), (-55.57, -33.07), (-58.11, -36.66), (-24.28, -92.98),
             (-19.82, -91.84), (-17.7, -42.89),
@@ -233,6 +232,7 @@ mechanism! {
         circle (X6, Y6) radius BAR on plane 4 color ORANGE;
         circle (X7, Y7) radius BAR on plane 4 color ORANGE;
         polygon [(-23.3, -45.2), (-49.5, -39.8), (-24.9, -80.5)] on plane 4 color ORANGE + LIGHTER;
+        circle (X7, Y7) radius SHOE on plane 4 color INK;
         circle (X5, Y5) radius PIN on plane 8 color INK;
         circle (X5, Y5) radius PIN * 0.4 on plane 8 color EYE;
         circle (X6, Y6) radius PIN on plane 8 color INK;

@@ -15,11 +15,10 @@ mechanism! {
     const TEAL = 4;
     const RED = 5;
     const PURPLE = 7;
-    const SKY = 10;
     const SLATE = 13;
     const INK = 14;
     const EYE = 15;
-    const DARKER = 16; // to be added to a link's colour
+    const DARKER = 16; // to be added to a link's color
     const LIGHTER = 32; // likewise
     const GROUND_DARKER = 29; // to be added to the ground's
 

@@ -17,7 +17,7 @@ mechanism! {
     const YELLOW = 6;
     const INK = 14;
     const EYE = 15;
-    const DARKER = 16; // to be added to a link's colour
+    const DARKER = 16; // to be added to a link's color
     const LIGHTER = 32; // likewise
     const GROUND_DARKER = 29; // to be added to the ground's
 

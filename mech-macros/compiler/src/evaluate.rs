@@ -177,10 +177,13 @@ impl<'p, T: Real> Machine<'p, T> {
                 node.block == block && node.iterated && !matches!(node.op, Op::Unknown(..))
             })
             .collect();
-        let within = |values: &[T], limit: f64| {
-            let limit = T::from_f64(limit);
-            let small =
-                |value: Value| values[value.index()] <= limit && -values[value.index()] <= limit;
+        let within = |values: &[T], part: f64| {
+            let fixed = newton.limits.size;
+            let limit = match newton.extent {
+                None => T::from_f64(part * fixed),
+                Some(extent) => T::from_f64(part) * (T::from_f64(fixed) + values[extent.index()]),
+            };
+            let small = |value: Value| values[value.index()].abs() <= limit;
             newton.gap.into_iter().all(small)
         };
         let mut rounds = 0;

@@ -1,7 +1,11 @@
 //! Puts diagnoses into words and at their places.
 
-use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model, Origin, Precision};
-use crate::structure::Diagnosis;
+use crate::model::{
+    AxisId, AxisKind, JointId, JointKind, LinkId, Model, Motor, Origin, Precision, Start,
+    StartValue,
+};
+use crate::plan;
+use crate::structure::{self, Diagnosis};
 use crate::syntax::{Message, Places};
 
 /// A diagnosis as the user reads it. Lines after the first begin with `note:` or `help:`.
@@ -9,13 +13,18 @@ use crate::syntax::{Message, Places};
 pub fn message(diagnosis: &Diagnosis, model: &Model, places: &Places) -> Message {
     let words = Words { model };
     let (origin, text) = words.of(diagnosis);
-    Message::new(places.get(origin), text)
+    Message::new(places.get(origin), spaced(&text))
 }
 
 /// A diagnosis in words, without its place: for the studio, and for tests.
 #[must_use]
 pub fn text(diagnosis: &Diagnosis, model: &Model) -> String {
-    Words { model }.of(diagnosis).1
+    spaced(&Words { model }.of(diagnosis).1)
+}
+
+/// Sets the notes off from the sentence.
+fn spaced(text: &str) -> String {
+    text.replacen('\n', "\n\n", 1)
 }
 
 struct Words<'m> {
@@ -28,10 +37,10 @@ impl Words<'_> {
             Diagnosis::Loose { link } => (
                 self.model.link(*link).origin,
                 format!(
-                    "nothing holds link {0}: no joint joins it to anything\nhelp: declare a joint, as \
-                     `joint NAME = revolute({1}.AXIS, ground.AXIS);`, or remove the link",
+                    "nothing holds link {}: no joint joins it to anything\nhelp: declare a joint, as `joint NAME = {};`, \
+                     or remove the link",
                     self.link(*link),
-                    self.model.link(*link).name
+                    self.some_joint(*link)
                 ),
             ),
             Diagnosis::Disconnected { links } => (
@@ -49,10 +58,15 @@ impl Words<'_> {
             Diagnosis::SeveralCarriers { gear, carriers } => (
                 self.model.joint(*gear).origin,
                 format!(
-                    "gear {} could be carried by each of {}: both of its wheels turn on each\nnote: saying which one is \
-                     meant (`on LINK` after the ratio) is not supported yet",
+                    "several links could carry gear {}: both of its wheels turn on {}\nhelp: leave out the joints of its \
+                     wheels with all of these but one\nnote: saying which is meant (`on LINK` after the ratio) is not \
+                     supported yet",
                     self.joint(*gear),
-                    self.links(carriers)
+                    carriers
+                        .iter()
+                        .map(|&link| self.link(link))
+                        .collect::<Vec<_>>()
+                        .join(" and on ")
                 ),
             ),
             Diagnosis::Blocked { .. }
@@ -61,9 +75,9 @@ impl Words<'_> {
             Diagnosis::Overdetermined { joints, cures } => (
                 self.model.joint(joints[0]).origin,
                 format!(
-                    "joints {} hold each other more than once: they fit together only if all lengths match exactly{}",
+                    "joints {} hold the same parts more than once: they fit together only if all lengths match exactly{}",
                     self.joints(joints),
-                    self.cures(cures)
+                    self.bolted(joints).unwrap_or_else(|| self.cures(cures))
                 ),
             ),
             Diagnosis::TooLarge => (
@@ -81,9 +95,9 @@ impl Words<'_> {
                 self.model.joint(waiting[0]).origin,
                 format!(
                     "the mechanism is not sequential: joints {} wait for each other, and no loop among them has only three \
-                     unknowns\nhelp: put the motor on another joint, so that a loop with three unknowns contains it\n\
-                     note: solving such joints together (`allow coupled;`) is not supported yet",
-                    self.joints(waiting)
+                     unknowns{}\nnote: solving such joints together (`allow coupled;`) is not supported yet",
+                    self.joints(waiting),
+                    self.motor_elsewhere()
                 ),
             ),
             Diagnosis::CannotClose { .. }
@@ -146,10 +160,10 @@ impl Words<'_> {
                     .filter(|id| *id != joint(motor))
                     .collect();
                 let text = format!(
-                    "motor {} is one too many: what moves there is already given by {}\nhelp: remove one of the motors {}",
+                    "motor {} is one too many: what moves there is already given by {}\nhelp: remove {}",
                     self.joint(joint(motor)),
                     self.motors(&others),
-                    self.joints(&all)
+                    or(&self.motor_lines(&all))
                 );
                 (self.model.motor(*motor).origin, text)
             }
@@ -211,24 +225,74 @@ impl Words<'_> {
     }
 
     fn motor_help(&self, freedom: usize, candidates: &[JointId]) -> String {
-        match candidates {
-            [] => String::new(),
-            [only] => format!("\nhelp: add `motor {};`", self.model.joint(*only).name),
-            [first, ..] if freedom == 1 => {
-                format!(
-                    "\nhelp: add `motor {};`, or a motor on any one of {}",
-                    self.model.joint(*first).name,
-                    self.joints(candidates)
-                )
-            }
-            all => {
-                let lines: Vec<String> = all
-                    .iter()
-                    .map(|joint| format!("`motor {};`", self.model.joint(*joint).name))
-                    .collect();
-                format!("\nhelp: add {}", and(&lines))
+        if freedom > 1 {
+            let lines = self.motor_lines(candidates);
+            return if lines.is_empty() {
+                String::new()
+            } else {
+                format!("\nhelp: add {}", lines.join(" and "))
+            };
+        }
+        let added = |joint: JointId| {
+            let mut model = self.model.clone();
+            let origin = model.joint(joint).origin;
+            model.motors.push(Motor { joint, origin });
+            model
+        };
+        let (at_once, elsewhere) = sorted(candidates.iter().map(|&joint| (joint, added(joint))));
+        let sits = |joint: &JointId| self.joint(*joint);
+        let line = match at_once.split_first() {
+            Some((first, [])) => format!("\nhelp: add `motor {};`", self.model.joint(*first).name),
+            Some((first, others)) => format!(
+                "\nhelp: add `motor {};`, or a motor on {} instead",
+                self.model.joint(*first).name,
+                or(&others.iter().map(sits).collect::<Vec<_>>())
+            ),
+            None => String::new(),
+        };
+        if elsewhere.is_empty() {
+            return line;
+        }
+        format!(
+            "{line}\nhelp: {} a motor on {}, with its coordinate in `start`: at 0 the mechanism does not close",
+            if line.is_empty() { "add" } else { "or add" },
+            or(&elsewhere.iter().map(sits).collect::<Vec<_>>())
+        )
+    }
+
+    /// On which other joint a motor would do.
+    fn motor_elsewhere(&self) -> String {
+        for motor in self.model.motor_ids() {
+            let from = self.model.motor(motor).joint;
+            let moved = |joint: JointId| {
+                let mut model = self.model.clone();
+                model.motors[motor.index()].joint = joint;
+                model.start.values.retain(|value| value.joint != from);
+                model
+            };
+            let free = |joint: &JointId| self.model.motor_of(*joint).is_none();
+            let (at_once, elsewhere) = sorted(
+                self.model
+                    .joint_ids()
+                    .filter(free)
+                    .map(|joint| (joint, moved(joint))),
+            );
+            let all = [at_once, elsewhere].concat();
+            if !all.is_empty() {
+                let all: Vec<String> = all.iter().map(|&joint| self.joint(joint)).collect();
+                return format!(
+                    "\nhelp: move the motor from {} to {}",
+                    self.joint(from),
+                    or(&all)
+                );
             }
         }
+        String::new()
+    }
+
+    fn motor_lines(&self, joints: &[JointId]) -> Vec<String> {
+        let line = |&joint: &JointId| format!("`motor {};`", self.model.joint(joint).name);
+        joints.iter().map(line).collect()
     }
 
     fn assembly(&self, diagnosis: &Diagnosis) -> (Origin, String) {
@@ -240,8 +304,8 @@ impl Words<'_> {
             } => (
                 self.model.joint(unknowns[1]).origin,
                 format!(
-                    "the mechanism cannot close at its start: {} and {} stay {} apart\nnote: joints {} can be turned or slid \
-                     freely, and this is as near as they bring them\nhelp: change a length, or start the motors elsewhere",
+                    "the mechanism cannot close at its start: {} and {} stay {} apart\nnote: joints {} turn or slide freely, and \
+                     this is as near as they bring them\nhelp: change a length, or start the motors elsewhere",
                     self.axis(axes.0),
                     self.axis(axes.1),
                     brief(*gap),
@@ -251,10 +315,9 @@ impl Words<'_> {
             Diagnosis::DeadStart { unknowns } => (
                 self.model.joint(unknowns[1]).origin,
                 format!(
-                    "the mechanism starts at a dead point: which way joints {} go from there is not determined\nhelp: start \
-                     the motors elsewhere, as `start {{ {} }}`",
+                    "the mechanism starts at a dead point: which way joints {} go from there is not determined{}",
                     self.joints(unknowns),
-                    self.some_start()
+                    self.other_start()
                 ),
             ),
             Diagnosis::SeveralAssemblies { links, angles } => {
@@ -266,9 +329,10 @@ impl Words<'_> {
             Diagnosis::NotAsDrawn { link } => (
                 self.model.link(*link).origin,
                 format!(
-                    "link {} cannot stay where it is drawn: the links whose axes are given in their own frames would push \
-                     it elsewhere\nhelp: move the axes to where the joints are in the drawing",
-                    self.link(*link)
+                    "link {} cannot stay where it is drawn{}\nhelp: draw it where those lengths lead, or change them to fit \
+                     the drawing",
+                    self.link(*link),
+                    self.not_drawn()
                 ),
             ),
             Diagnosis::StartNotFree { joint } => {
@@ -292,18 +356,19 @@ impl Words<'_> {
     }
 
     fn several(&self, links: &[LinkId], angles: &[Vec<f64>]) -> String {
+        let places = places_enough(links.len(), angles);
+        let (before, after) = if self.model.start == Start::default() {
+            ("`start { ", " }`")
+        } else {
+            ("`", "` to `start`")
+        };
         let clause = |angles: &Vec<f64>| {
             let parts = links.iter().zip(angles).map(|(link, angle)| {
-                format!(
-                    "{} near {} deg;",
-                    self.model.link(*link).name,
-                    brief(angle.to_degrees())
-                )
+                let angle = rounded(angle.to_degrees(), places);
+                format!("{} near {angle} deg;", self.model.link(*link).name)
             });
-            format!(
-                "\nhelp: `start {{ {} }}`",
-                parts.collect::<Vec<_>>().join(" ")
-            )
+            let parts = parts.collect::<Vec<_>>().join(" ");
+            format!("\nhelp: add {before}{parts}{after}")
         };
         let shown: String = angles.iter().take(8).map(clause).collect();
         let more = if angles.len() > 8 {
@@ -321,14 +386,112 @@ impl Words<'_> {
         )
     }
 
-    /// A start clause for the first motor.
-    fn some_start(&self) -> String {
-        self.model.motors.first().map_or_else(String::new, |motor| {
-            let name = &self.model.joint(motor.joint).name;
-            match self.model.joint(motor.joint).kind {
-                JointKind::Prismatic(..) => format!("{name} = 0.1;"),
-                _ => format!("{name} = 10 deg;"),
+    /// How else to start than at a dead point: one motor a little further or less far, if that was found to do.
+    fn other_start(&self) -> String {
+        for motor in &self.model.motors {
+            let joint = self.model.joint(motor.joint);
+            let given = self.model.start.values.iter();
+            let value = given
+                .clone()
+                .find(|value| value.joint == motor.joint)
+                .map_or(0.0, |value| value.value);
+            for share in [0.1, -0.1] {
+                let (value, text) = if let JointKind::Prismatic(..) = joint.kind {
+                    let value = value + share * if value == 0.0 { 1.0 } else { value.abs() };
+                    (value, brief(value))
+                } else {
+                    let degrees = value.to_degrees() + 100.0 * share;
+                    (degrees.to_radians(), format!("{} deg", brief(degrees)))
+                };
+                let mut model = self.model.clone();
+                model.links.iter_mut().for_each(|link| link.drawn = false);
+                model
+                    .start
+                    .values
+                    .retain(|value| value.joint != motor.joint);
+                model.start.values.push(StartValue {
+                    joint: motor.joint,
+                    value,
+                    origin: motor.origin,
+                });
+                if trial(&model) != Trial::Closes {
+                    continue;
+                }
+                return if self.is_drawn(motor.joint) {
+                    format!(
+                        "\nhelp: draw it as it is when {} is at {text}",
+                        self.joint(motor.joint)
+                    )
+                } else {
+                    format!(
+                        "\nhelp: start elsewhere, as `start {{ {} = {text}; }}`",
+                        joint.name
+                    )
+                };
             }
+        }
+        "\nhelp: start the motors elsewhere".to_owned()
+    }
+
+    fn is_drawn(&self, joint: JointId) -> bool {
+        match self.model.joint(joint).kind {
+            JointKind::Revolute(axis, _) | JointKind::Prismatic(axis, _) => {
+                self.model.axis(axis).name.is_none()
+            }
+            JointKind::Gear { .. } => false,
+        }
+    }
+
+    /// The links that are not in the drawing, as the reason why one that is cannot stay.
+    fn not_drawn(&self) -> String {
+        let links: Vec<LinkId> = self
+            .model
+            .moving_links()
+            .filter(|&link| !self.model.link(link).drawn)
+            .collect();
+        match links[..] {
+            [] => String::new(),
+            [_] => format!(
+                ": {}, which has lengths of its own, does not fit",
+                self.links(&links)
+            ),
+            _ => format!(
+                ": {}, which have lengths of their own, do not fit",
+                self.links(&links)
+            ),
+        }
+    }
+
+    /// A joint that would hold this link, in the words of the language.
+    fn some_joint(&self, link: LinkId) -> String {
+        let named = |owner: LinkId| {
+            let mut axes = self.model.axes.iter();
+            axes.find(|axis| {
+                axis.link == owner && axis.kind == AxisKind::Point && axis.name.is_some()
+            })
+            .and_then(|axis| axis.name.as_ref())
+            .map(|name| format!("{}.{name}", self.model.link(owner).name))
+        };
+        let mut others = self.model.link_ids().filter(|&other| other != link);
+        match (named(link), others.find_map(named)) {
+            (Some(point), Some(other)) => format!("revolute({other}, {point})"),
+            _ => format!("revolute(ground, {}) at (X, Y)", self.model.link(link).name),
+        }
+    }
+
+    /// If joints that hold each other are all between the same two links: that these should be one.
+    fn bolted(&self, joints: &[JointId]) -> Option<String> {
+        let pair = |joint: JointId| {
+            let (a, b) = self.model.ends(joint);
+            (a.min(b), a.max(b))
+        };
+        let (a, b) = pair(*joints.first()?);
+        joints.iter().all(|&joint| pair(joint) == (a, b)).then(|| {
+            format!(
+                "\nnote: they hold {} still on {}\nhelp: make one link of the two",
+                self.link(b),
+                self.link(a)
+            )
         })
     }
 
@@ -336,7 +499,13 @@ impl Words<'_> {
         match cures {
             [] => "\nnote: removing a single joint does not mend it".to_owned(),
             [one] => format!("\nhelp: remove `joint {}`", self.model.joint(*one).name),
-            several => format!("\nhelp: remove one of the joints {}", self.joints(several)),
+            several => {
+                let lines: Vec<String> = several
+                    .iter()
+                    .map(|&joint| format!("`joint {}`", self.model.joint(joint).name))
+                    .collect();
+                format!("\nhelp: remove {}", or(&lines))
+            }
         }
     }
 
@@ -392,10 +561,89 @@ fn and(names: &[String]) -> String {
     names.join(", ")
 }
 
+/// Alternatives: `a`, `b` or `c`.
+fn or(names: &[String]) -> String {
+    match names {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        names => names.concat(),
+    }
+}
+
+/// What becomes of a mechanism that was changed to see whether that would mend it.
+#[derive(Clone, Copy, PartialEq)]
+enum Trial {
+    /// It compiles, or would with a `near`.
+    Closes,
+    /// It would compile if it started elsewhere.
+    OpensAtStart,
+    /// It does not compile.
+    Fails,
+}
+
+fn trial(model: &Model) -> Trial {
+    let outcome = structure::analyse(model)
+        .map_err(|diagnoses| diagnoses.into_iter().next())
+        .and_then(|structure| plan::plan(model, &structure).map_err(Some));
+    match outcome {
+        Ok(_) | Err(Some(Diagnosis::SeveralAssemblies { .. })) => Trial::Closes,
+        Err(Some(Diagnosis::CannotClose { .. } | Diagnosis::DeadStart { .. })) => {
+            Trial::OpensAtStart
+        }
+        Err(_) => Trial::Fails,
+    }
+}
+
+/// The joints whose mechanism closes at once, and those whose mechanism would if it started elsewhere; those on the
+/// ground first, because that is where motors like to sit.
+fn sorted(trials: impl Iterator<Item = (JointId, Model)>) -> (Vec<JointId>, Vec<JointId>) {
+    let (mut at_once, mut elsewhere) = (Vec::new(), Vec::new());
+    for (joint, model) in trials {
+        let (a, b) = model.ends(joint);
+        let aloft = a != LinkId::GROUND && b != LinkId::GROUND;
+        match trial(&model) {
+            Trial::Closes => at_once.push((aloft, joint)),
+            Trial::OpensAtStart => elsewhere.push((aloft, joint)),
+            Trial::Fails => {}
+        }
+    }
+    let joints = |mut list: Vec<(bool, JointId)>| {
+        list.sort_unstable();
+        list.into_iter().map(|(_, joint)| joint).collect()
+    };
+    (joints(at_once), joints(elsewhere))
+}
+
+/// After how many decimal places, in degrees, the assemblies can still be told apart.
+fn places_enough(links: usize, angles: &[Vec<f64>]) -> usize {
+    let apart = |places: usize| {
+        let least = 4.0 * 0.1_f64.powi(i32::try_from(places).unwrap_or(0));
+        (0..links).all(|link| {
+            let angles: Vec<f64> = angles
+                .iter()
+                .map(|angles| angles[link].to_degrees())
+                .collect();
+            let pairs = angles
+                .iter()
+                .enumerate()
+                .flat_map(|(i, a)| angles[..i].iter().map(move |b| (a - b).abs()));
+            let mut turns = pairs.map(|turn| turn.min(360.0 - turn));
+            turns.all(|turn| turn < 1e-3 || turn > least)
+        })
+    };
+    (0..4).find(|&places| apart(places)).unwrap_or(4)
+}
+
+/// A number with so many decimal places, without zeros at its end.
+fn rounded(value: f64, places: usize) -> f64 {
+    let text = format!("{value:.places$}");
+    // Zero added: there is no point in a negative one.
+    text.parse::<f64>().map_or(value, |value| value + 0.0)
+}
+
 /// A number with as many digits as a reader wants.
 fn brief(value: f64) -> String {
-    let rounded = (value * 1e4).round() / 1e4;
-    if rounded == 0.0 && value != 0.0 {
+    let rounded = rounded(value, 4);
+    if value != 0.0 && (rounded == 0.0 || value.abs() >= 1e9) {
         format!("{value:.1e}")
     } else {
         format!("{rounded}")

@@ -34,7 +34,8 @@ fn main() -> Result<(), Blocked> {
     let tip = four_bar.coupler_right();
     let turned: f64 = four_bar.b() + four_bar.crank().rotation.angle();
     println!("{coupler} {tip} {turned} {:?} {}", four_bar.poses(), FourBar::REPORT);
-    let mut frame = Frame::new(64, 48, View::new([0.0, 0.0], [64, 48], 8.0));
+    let mut frame = Frame::<64, 48>::new();
+    frame.look_at(View::new([0.0, 0.0], 8.0));
     four_bar.draw(&mut frame);
     let copy = four_bar;
     assert_eq!(copy, FourBar::default());

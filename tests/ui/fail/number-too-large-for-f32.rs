@@ -3,20 +3,14 @@
 use mech_runtime::mechanism;
 
 mechanism! {
-    struct FourBar: f32;
+    struct Arm: f32;
 
-    ground { point o = (0.0, 0.0); point p = (3.5, 0.0); }
-    link crank { point shaft = (0.0, 0.0); point pin = (1e39, 0.0); }
-    link coupler { point left = (0.0, 0.0); point right = (3.0, 0.0); }
-    link rocker { point shaft = (0.0, 0.0); point pin = (2.5, 0.0); }
+    ground { point base = (0.0, 0.0); }
+    link arm { point shoulder = (0.0, 0.0); point hand = (1e39, 0.0); }
 
-    joint a = revolute(ground.o, crank.shaft);
-    joint b = revolute(crank.pin, coupler.left);
-    joint c = revolute(coupler.right, rocker.pin);
-    joint d = revolute(ground.p, rocker.shaft);
+    joint shoulder = revolute(ground.base, arm.shoulder);
 
-    motor a;
-    start { a = 60 deg; coupler near 30 deg; }
+    motor shoulder;
 }
 
 fn main() {}

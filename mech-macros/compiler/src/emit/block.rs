@@ -91,9 +91,17 @@ fn iteration(
         .filter(|&value| program.node(value).block == block && program.node(value).iterated)
         .filter(|&value| !scope.is_bound(value))
         .collect();
-    let measured = reached(program, &body, newton.gap.into_iter().chain([newton.det]));
-    let [gap_x, gap_y] = newton.gap;
-    let exits = [gap_x, gap_y, newton.det];
+    // What the test of the result needs. Constants and what is known beforehand need not be carried out of the iteration.
+    let test = [newton.gap[0], newton.gap[1], newton.det]
+        .into_iter()
+        .chain(newton.extent);
+    let mut exits: Vec<Value> = Vec::new();
+    for value in test {
+        if body.contains(&value) && !exits.contains(&value) {
+            exits.push(value);
+        }
+    }
+    let measured = reached(program, &body, exits.iter().copied());
     let bind = |values: &[Value], scope: &mut Scope<'_>| -> TokenStream {
         let named = values
             .iter()
@@ -114,22 +122,22 @@ fn iteration(
         .iter()
         .map(|scalar| scope.expression(scalar.next))
         .collect();
-    let [gap_x, gap_y, det] = exits.map(|value| scope.expression(value));
+    let [gap_x, gap_y, det] =
+        [newton.gap[0], newton.gap[1], newton.det].map(|value| scope.expression(value));
+    let exits: Vec<TokenStream> = exits.iter().map(|&value| scope.expression(value)).collect();
     let epsilon = program.precision.epsilon();
+    let limit = |part: f64| size(program, newton, part, scope);
     let enough = match newton.rounds {
         Rounds::Exactly(rounds) => {
             let rounds = Literal::u32_unsuffixed(rounds);
             quote!(rounds == #rounds)
         }
         Rounds::UntilClosed(most) => {
-            let (most, tight) = (
-                Literal::u32_unsuffixed(most),
-                number(program.precision, newton.tight(epsilon)),
-            );
+            let (most, tight) = (Literal::u32_unsuffixed(most), limit(newton.tight(epsilon)));
             quote!(rounds == #most || #gap_x.abs().max(#gap_y.abs()) <= #tight)
         }
     };
-    let accept = number(program.precision, newton.accept(epsilon));
+    let accept = limit(newton.accept(epsilon));
     let floor = number(program.precision, newton.floor(epsilon));
     let place = &newton.place;
     let signed = if newton.limits.positive {
@@ -140,16 +148,32 @@ fn iteration(
     quote! {
         #(let mut #variables = #firsts;)*
         let mut rounds = 0_u32;
-        let (#gap_x, #gap_y, #det) = loop {
+        let (#(#exits),*) = loop {
             #before
             if #enough {
-                break (#gap_x, #gap_y, #det);
+                break (#(#exits),*);
             }
             #after
             (#(#variables),*) = (#(#next),*);
             rounds += 1;
         };
         closed([#gap_x, #gap_y], #accept, #signed, #floor, #place)?;
+    }
+}
+
+/// A part of the present size of a loop.
+fn size(program: &Program, newton: &Newton, part: f64, scope: &Scope<'_>) -> TokenStream {
+    let fixed = newton.limits.size;
+    match newton.extent {
+        None => number(program.precision, part * fixed),
+        Some(extent) => {
+            let (part, fixed) = (
+                number(program.precision, part),
+                number(program.precision, fixed),
+            );
+            let extent = scope.expression(extent);
+            quote!(#part * (#fixed + #extent))
+        }
     }
 }
 

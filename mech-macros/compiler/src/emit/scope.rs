@@ -148,6 +148,10 @@ impl<'p> Scope<'p> {
                 let a = self.at_least(a, Binding::Sign);
                 (quote!(-#a), Binding::Sign)
             }
+            Op::Abs(a) => {
+                let a = self.at_least(a, Binding::Atom);
+                (quote!(#a.abs()), Binding::Atom)
+            }
             Op::Add(a, b) => self.infix(a, &quote!(+), b, Binding::Sum),
             Op::Sub(a, b) => self.infix(a, &quote!(-), b, Binding::Sum),
             Op::Mul(a, b) => self.infix(a, &quote!(*), b, Binding::Product),
@@ -237,6 +241,7 @@ pub(super) fn uses(program: &Program, block: BlockId) -> BTreeMap<Value, usize> 
             .gap
             .into_iter()
             .chain([newton.det])
+            .chain(newton.extent)
             .for_each(&mut count);
         newton
             .scalars

@@ -137,18 +137,25 @@ impl Draft<'_> {
     fn mesh(mut self, model: &Model, mesh: &Mesh) -> Self {
         let carrier = model.axis(mesh.input.from).link;
         let wheel = model.axis(mesh.input.to).link;
-        let known = self.angles.between(&mut Numbers, carrier, wheel);
-        let input = known.unwrap_or_else(|| {
-            let from = self.placement.pose(carrier).direction;
-            let to = self.placement.pose(wheel).direction;
-            (from[0] * to[1] - from[1] * to[0]).atan2(from[0] * to[0] + from[1] * to[1])
-        });
+        let input = match self.angles.between(&mut Numbers, carrier, wheel) {
+            Some(angle) => angle,
+            None => self.principal(carrier, wheel),
+        };
+        // From here on its turns are counted, by the program too.
+        self.angles.join(&mut Numbers, carrier, wheel, input);
         let forwards = model.ends(mesh.output.joint).1 == model.axis(mesh.output.to).link;
         let given = start_value(model, mesh.output.joint);
         let value = if forwards { given } else { -given };
         let output = value + mesh.output.frame_angle(model);
         self.meshes.push((input, output));
         self.drive(mesh.output, value)
+    }
+
+    /// The angle in (−π, π] from the frame of one link to that of another in the same cluster.
+    fn principal(&self, from: LinkId, to: LinkId) -> f64 {
+        let [a, b] = self.placement.pose(from).direction;
+        let [c, d] = self.placement.pose(to).direction;
+        (a * d - b * c).atan2(a * c + b * d)
     }
 
     fn note_angle(&mut self, connection: Connection, turn: f64) {

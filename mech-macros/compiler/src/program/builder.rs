@@ -102,6 +102,14 @@ impl Builder {
         }
     }
 
+    pub(super) fn abs(&mut self, a: Value) -> Value {
+        match (self.number(a), self.negated(a)) {
+            (Some(a), _) => self.constant(a.abs()),
+            (_, Some(inner)) => self.abs(inner),
+            _ => self.make(Op::Abs(a)),
+        }
+    }
+
     fn number(&self, value: Value) -> Option<f64> {
         match self.nodes[value.index()].op {
             Op::Constant(number) => Some(number.get()),

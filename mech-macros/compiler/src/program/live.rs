@@ -35,7 +35,11 @@ fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
                 .scalars
                 .iter()
                 .flat_map(|scalar| [scalar.first, scalar.now, scalar.next]);
-            scalars.chain(newton.gap).chain([newton.det]).collect()
+            scalars
+                .chain(newton.gap)
+                .chain([newton.det])
+                .chain(newton.extent)
+                .collect()
         }
     }
 }

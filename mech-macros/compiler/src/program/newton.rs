@@ -17,8 +17,10 @@ pub struct Newton {
     pub det: Value,
     /// Its two columns: the rates of the gap with each unknown.
     pub columns: [[Value; 2]; 2],
-    /// The vectors that the way round is made of: their lengths tell the loop's size.
+    /// The vectors that the way round is made of, and where they begin: their lengths tell the loop's size.
     pub sides: Vec<[Value; 2]>,
+    /// How far it has grown beyond that size, where something slides: the lengths that are not fixed.
+    pub extent: Option<Value>,
     /// How many rounds.
     pub rounds: Rounds,
     /// What a result must satisfy.
@@ -59,25 +61,24 @@ pub struct Limits {
 }
 
 impl Newton {
-    /// A gap, in scene units, at which no further round is worth while.
+    /// A gap, as a part of the loop's size, at which no further round is worth while.
     #[must_use]
     pub fn tight(&self, epsilon: f64) -> f64 {
-        4.0 * epsilon * self.limits.size
+        4.0 * epsilon
     }
 
-    /// The greatest gap, in scene units, that passes for closed. A fixed number of rounds is taken to be enough if the
+    /// The greatest gap, as a part of the loop's size, that passes for closed. A fixed number of rounds is taken to be enough if the
     /// first leaves no more than a thousandth of the loop's size, and each further one squares what is left.
     #[must_use]
     pub fn accept(&self, epsilon: f64) -> f64 {
         let rounding = 64.0 * epsilon;
-        let relative = match self.rounds {
+        match self.rounds {
             Rounds::UntilClosed(_) => rounding,
             Rounds::Exactly(rounds) => {
                 let squared = (1..rounds.min(8)).fold(1e-3_f64, |left, _| left * left);
                 squared.max(rounding)
             }
-        };
-        relative * self.limits.size
+        }
     }
 
     /// The least determinant, its sign that of the start: a result below it is beyond a dead point or too near one.

@@ -90,6 +90,8 @@ pub enum Op {
     Solved(BlockId, usize),
     /// −a.
     Neg(Value),
+    /// The absolute value.
+    Abs(Value),
     /// a + b.
     Add(Value, Value),
     /// a − b.
@@ -117,7 +119,9 @@ impl Op {
             | Self::Last(_)
             | Self::Unknown(..)
             | Self::Solved(..) => [None, None],
-            Self::Neg(a) | Self::Sin(a) | Self::Cos(a) | Self::Round(a) => [Some(a), None],
+            Self::Neg(a) | Self::Abs(a) | Self::Sin(a) | Self::Cos(a) | Self::Round(a) => {
+                [Some(a), None]
+            }
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)

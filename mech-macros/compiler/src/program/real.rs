@@ -21,6 +21,9 @@ pub trait Real:
     fn from_f64(value: f64) -> Self;
     /// The number itself.
     fn to_f64(self) -> f64;
+    /// The absolute value.
+    #[must_use]
+    fn abs(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
     /// The angle of the vector (`x`, `self`).
@@ -48,6 +51,10 @@ macro_rules! real {
 
             fn to_f64(self) -> f64 {
                 f64::from(self)
+            }
+
+            fn abs(self) -> Self {
+                <$float>::abs(self)
             }
 
             // The generated code calls the same library, so that both give the same bits.
@@ -80,6 +87,7 @@ impl Op {
             Self::Constant(number) => T::from_f64(number.get()),
             Self::Motor(_) | Self::Last(_) | Self::Unknown(..) | Self::Solved(..) => return None,
             Self::Neg(a) => -get(a),
+            Self::Abs(a) => get(a).abs(),
             Self::Add(a, b) => get(a) + get(b),
             Self::Sub(a, b) => get(a) - get(b),
             Self::Mul(a, b) => get(a) * get(b),

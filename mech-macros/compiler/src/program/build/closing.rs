@@ -1,7 +1,7 @@
 //! A loop's iteration: the gap, its rates, and the next round's unknowns.
 
 use super::{MOST_ROUNDS, Writer};
-use crate::model::{LinkId, Method};
+use crate::model::{Joint, JointKind, LinkId, Method};
 use crate::plan::{Algebra, ConnectionKind, Equation, Loop, Pose, Solution, Unknown};
 use crate::program::BlockKind;
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
@@ -31,8 +31,9 @@ impl Writer<'_> {
         self.builder.name_vector(equation.offset, "known");
         let firsts = self.firsts(ring, &equation, bases);
         self.builder.enter();
-        let (newton, solution) = self.iterate(block, &equation, firsts, place);
+        let (mut newton, solution) = self.iterate(block, &equation, firsts, place);
         self.builder.leave();
+        newton.sides.extend(self.spots(ring));
         if let Some(block) = self.builder.blocks.last_mut() {
             block.kind = BlockKind::Newton(newton);
         }
@@ -47,6 +48,40 @@ impl Writer<'_> {
         }
         equation.place(&mut self.builder, &mut self.placement, ring, solution);
         bases[1..].iter().for_each(|&base| self.name_cluster(base));
+    }
+
+    /// Where the axes of a ring are in their links and in the first cluster: rounding grows with these too.
+    fn spots(&mut self, ring: &Loop) -> Vec<[Value; 2]> {
+        let [first, _, third] = ring.ring;
+        let ends = ring
+            .ring
+            .iter()
+            .flat_map(|connection| [connection.from, connection.to]);
+        let mut spots: Vec<[Value; 2]> = ends
+            .map(|axis| self.builder.vector(self.model.axis(axis).at))
+            .collect();
+        spots.extend(
+            [first.from, third.to].map(|axis| self.placement.spot(&mut self.builder, axis)),
+        );
+        spots
+    }
+
+    /// How far a loop has grown where something slides: a telescope may become any times longer than it is at the start.
+    fn extent(&mut self, offset: [Value; 2], now: &[Solution<Value>; 2]) -> Option<Value> {
+        let slides = |joint: &Joint| matches!(joint.kind, JointKind::Prismatic(..));
+        if !self.model.joints.iter().any(slides) {
+            return None;
+        }
+        let ways = now.iter().filter_map(|solution| match solution {
+            Solution::Slide(way) => Some(*way),
+            Solution::Direction(_) => None,
+        });
+        let mut extent = self.builder.constant(0.0);
+        for length in ways.chain(offset) {
+            let length = self.builder.abs(length);
+            extent = self.builder.add(extent, length);
+        }
+        Some(self.builder.name(extent, "extent"))
     }
 
     /// The pose that the last position left behind.
@@ -132,6 +167,7 @@ impl Writer<'_> {
         let gap = self.builder.name_vector(gap, "gap");
         let det = self.builder.cross(columns[0], columns[1]);
         let det = self.builder.name(det, "det");
+        let extent = self.extent(equation.offset, &now);
         let (p, q) = (
             self.builder.cross(columns[1], gap),
             self.builder.cross(gap, columns[0]),
@@ -164,6 +200,7 @@ impl Writer<'_> {
             det,
             columns,
             sides,
+            extent,
             rounds,
             limits: Limits::default(),
         };

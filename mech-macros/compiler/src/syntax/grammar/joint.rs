@@ -3,7 +3,7 @@
 use super::expression::{expression, one_of, pair};
 use super::recover::to_semicolon;
 use super::statement::{BEGINNINGS, declared};
-use super::tokens::{in_parens, name, symbol, take, take_word, word};
+use super::tokens::{in_parens, name, symbol, take, take_word, unexpected, word};
 use crate::syntax::ast::{
     Carrier, Clause, End, Joint, JointBody, JointWord, Read, Size, Statement,
 };
@@ -45,7 +45,7 @@ fn body(input: ParseStream) -> Read<JointBody> {
 
 fn parts(input: ParseStream, kind: JointWord) -> Read<([End; 2], Option<Size>)> {
     let first = end(input)?;
-    symbol(input, ",")?;
+    comma(input, "the second link")?;
     let second = end(input)?;
     let size = match kind {
         JointWord::Gear | JointWord::Belt => Some(ratio(input)?),
@@ -65,8 +65,16 @@ pub(super) fn end(input: ParseStream) -> Read<End> {
     Ok(End { link, axis })
 }
 
+/// A comma, and what is missing after it if there is none.
+fn comma(input: ParseStream, next: &str) -> Read<()> {
+    match take(input, ",") {
+        Some(_) => Ok(()),
+        None => Err(unexpected(input, &format!("`,` and {next}"))),
+    }
+}
+
 fn ratio(input: ParseStream) -> Read<Size> {
-    symbol(input, ",")?;
+    comma(input, "the teeth of both wheels, as `20 : 40`")?;
     let first = expression(input)?;
     symbol(input, ":")?;
     let second = expression(input)?;
@@ -85,7 +93,7 @@ fn carrier(input: ParseStream) -> Read<Option<Carrier>> {
 }
 
 fn radius(input: ParseStream) -> Read<Size> {
-    symbol(input, ",")?;
+    comma(input, "the radius of the pinion, as `radius 0.5`")?;
     word(input, "radius")?;
     Ok(Size::Radius(expression(input)?))
 }

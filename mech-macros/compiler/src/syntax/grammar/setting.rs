@@ -67,7 +67,7 @@ fn clause(input: ParseStream) -> Read<StartClause> {
 pub(super) fn method(input: ParseStream, keyword: Span) -> Statement {
     settled(input, |input| {
         let word = any_word(input).ok_or_else(|| unexpected(input, "`newton`"))?;
-        let steps = if word == "newton" && input.peek(token::Paren) {
+        let steps = if input.peek(token::Paren) {
             Some(in_parens(input, "`(`", expression)?.0)
         } else {
             None

@@ -73,7 +73,10 @@ fn a_joint_is_between_two_links() {
         "gear(rod, «rod», 1 : 2)",
         &["joint `d` is between `rod` and itself; name two links"],
     );
-    joint("revolute(crank.pin«)»", &["expected `,`"]);
+    joint(
+        "revolute(crank.pin«)»",
+        &["expected `,` and the second link"],
+    );
     joint(
         "revolute(crank.pin, rod.eye, «bare»)",
         &["expected `)`, found `bare`"],
@@ -128,7 +131,10 @@ fn gears_join_links() {
         "gear(«crank.pin», rod, 20 : 40)",
         &["`gear` joins links; write `crank` for `crank.pin`"],
     );
-    joint("gear(crank, rod«)»", &["expected `,`"]);
+    joint(
+        "gear(crank, rod«)»",
+        &["expected `,` and the teeth of both wheels, as `20 : 40`"],
+    );
     joint("gear(crank, rod, 20«)»", &["expected `:`"]);
     joint(
         "gear(crank, rod, «0» : 40)",

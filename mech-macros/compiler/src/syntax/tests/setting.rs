@@ -119,6 +119,10 @@ fn the_method_is_newton() {
         "method newton(«2.5»);",
         &["the number of newton steps is a whole number from 1 to 64, not 2.5"],
     );
+    told(
+        "method «newtn»(2);",
+        &["unknown method `newtn`; did you mean `newton`?"],
+    );
     told("method newton(2«,» 3);", &["expected `)`, found `,`"]);
     told(
         "method «linear»;",

@@ -1,4 +1,4 @@
-//! The teeth of a gear: neither zero nor without a sense.
+//! A wheel of a gear has no teeth.
 
 use mech_runtime::mechanism;
 

@@ -1,0 +1,320 @@
+//! Random mechanisms, grown from dyads, gears and arms, so that the truth about them is known by construction: they are
+//! coherent and sequential, with as many loops as there are dyads.
+
+use crate::Dice;
+use mech_compiler::model::{
+    Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, Near, Origin,
+    Ratio, StartValue,
+};
+
+/// A mechanism and what is known about it.
+#[derive(Clone, Debug)]
+pub struct Grown {
+    /// The mechanism, as drawn: every link's frame is the scene's at the start.
+    pub model: Model,
+    /// How many loops of three unknowns it has.
+    pub loops: usize,
+    /// How many gears it has.
+    pub gears: usize,
+    /// How many joints belong to no loop.
+    pub arms: usize,
+}
+
+type Point = [f64; 2];
+
+/// The least sine of the transmission angle at the start: well away from any dead point.
+const LEAST_SINE: f64 = 0.3;
+
+/// Grows a mechanism: a motor on the ground, then as many additions as asked for.
+#[must_use]
+pub fn grow(dice: &mut Dice, additions: usize) -> Grown {
+    let mut grown = Grown {
+        model: Model::new("Grown", Origin::default()),
+        loops: 0,
+        gears: 0,
+        arms: 0,
+    };
+    grown.arm(dice, LinkId::GROUND);
+    for _ in 0..additions {
+        match dice.below(8) {
+            0 => {
+                let base = grown.any_link(dice);
+                grown.arm(dice, base);
+            }
+            1 => grown.gear(dice),
+            _ => grown.dyad(dice),
+        }
+    }
+    grown.count_arms();
+    grown
+}
+
+impl Grown {
+    fn any_link(&self, dice: &mut Dice) -> LinkId {
+        LinkId::new(dice.below(self.model.links.len()))
+    }
+
+    fn link(&mut self) -> LinkId {
+        let id = LinkId::new(self.model.links.len());
+        let mut link = Link::new(&format!("l{}", id.index()), Origin::default());
+        link.drawn = true;
+        self.model.links.push(link);
+        id
+    }
+
+    fn axis(&mut self, link: LinkId, kind: AxisKind, at: Point, direction: Point) -> AxisId {
+        self.model.axes.push(Axis {
+            link,
+            name: None,
+            origin: Origin::default(),
+            kind,
+            at,
+            direction,
+        });
+        AxisId::new(self.model.axes.len() - 1)
+    }
+
+    fn joint(&mut self, kind: JointKind) -> JointId {
+        let id = JointId::new(self.model.joints.len());
+        self.model.joints.push(Joint {
+            name: format!("j{}", id.index()),
+            origin: Origin::default(),
+            kind,
+        });
+        id
+    }
+
+    fn revolute(&mut self, a: LinkId, b: LinkId, at: Point) -> JointId {
+        let a = self.axis(a, AxisKind::Point, at, [1.0, 0.0]);
+        let b = self.axis(b, AxisKind::Point, at, [1.0, 0.0]);
+        self.joint(JointKind::Revolute(a, b))
+    }
+
+    fn prismatic(&mut self, a: LinkId, b: LinkId, at: Point, along: Point) -> JointId {
+        let a = self.axis(a, AxisKind::Line, at, along);
+        let b = self.axis(b, AxisKind::Line, at, along);
+        self.joint(JointKind::Prismatic(a, b))
+    }
+
+    /// A link on a motor.
+    fn arm(&mut self, dice: &mut Dice, base: LinkId) {
+        let link = self.link();
+        let at = point(dice);
+        let joint = if dice.once_in(4) {
+            self.prismatic(base, link, at, direction(dice))
+        } else {
+            self.revolute(base, link, at)
+        };
+        self.model.motors.push(Motor {
+            joint,
+            origin: Origin::default(),
+        });
+    }
+
+    /// A wheel driven by a link that turns on another.
+    fn gear(&mut self, dice: &mut Dice) {
+        let turning = |joint: &Joint| match joint.kind {
+            JointKind::Revolute(a, b) => Some((self.model.axis(a).link, self.model.axis(b).link)),
+            _ => None,
+        };
+        let pairs: Vec<(LinkId, LinkId)> = self.model.joints.iter().filter_map(turning).collect();
+        if pairs.is_empty() {
+            return;
+        }
+        let (mut carrier, mut wheel) = *dice.pick(&pairs);
+        if dice.once_in(2) {
+            (carrier, wheel) = (wheel, carrier);
+        }
+        let driven = self.link();
+        let at = point(dice);
+        let (a, b) = if dice.once_in(2) {
+            (carrier, driven)
+        } else {
+            (driven, carrier)
+        };
+        self.revolute(a, b, at);
+        let teeth = [12, 17, 20, 31, 40, 60];
+        let (own, other) = (*dice.pick(&teeth), *dice.pick(&teeth));
+        let ratio = if dice.once_in(3) {
+            Ratio::Teeth(own, -other)
+        } else {
+            Ratio::Teeth(own, other)
+        };
+        let (a, b) = if dice.once_in(2) {
+            (wheel, driven)
+        } else {
+            (driven, wheel)
+        };
+        self.joint(JointKind::Gear { a, b, ratio });
+        self.gears += 1;
+    }
+
+    /// Two links, joined to each other and to two that are there.
+    fn dyad(&mut self, dice: &mut Dice) {
+        let first = self.any_link(dice);
+        let second = self.any_link(dice);
+        if first == second {
+            return self.dyad(dice);
+        }
+        let kinds = *dice.pick(&["RRR", "RRR", "RRP", "RPR", "PRR", "PRP", "RPP", "PPR"]);
+        let (p, q, r) = (point(dice), point(dice), point(dice));
+        let (d, e) = (direction(dice), direction(dice));
+        if !well_placed(kinds, [p, q, r], [d, e]) {
+            return self.dyad(dice);
+        }
+        let (a, b) = (self.link(), self.link());
+        match kinds {
+            "RRP" => {
+                self.revolute(first, a, p);
+                self.revolute(a, b, q);
+                self.prismatic(second, b, r, d);
+            }
+            "RPR" => {
+                self.revolute(first, a, p);
+                self.prismatic(a, b, r, d);
+                self.revolute(b, second, q);
+            }
+            "PRR" => {
+                self.prismatic(a, first, r, d);
+                self.revolute(a, b, p);
+                self.revolute(second, b, q);
+            }
+            "PRP" => {
+                self.prismatic(first, a, p, d);
+                self.revolute(a, b, q);
+                self.prismatic(second, b, r, e);
+            }
+            "RPP" => {
+                self.revolute(first, a, p);
+                self.prismatic(b, a, q, d);
+                self.prismatic(second, b, r, e);
+            }
+            "PPR" => {
+                self.prismatic(a, first, p, d);
+                self.prismatic(a, b, q, e);
+                self.revolute(b, second, r);
+            }
+            _ => {
+                self.revolute(first, a, p);
+                self.revolute(b, a, q);
+                self.revolute(second, b, r);
+            }
+        }
+        self.loops += 1;
+    }
+
+    /// Joints whose removal disconnects the mechanism, found by the slow and obvious way.
+    fn count_arms(&mut self) {
+        let parts = |without: usize| {
+            let mut group: Vec<usize> = (0..self.model.links.len()).collect();
+            for id in self.model.joint_ids().filter(|id| id.index() != without) {
+                let (a, b) = self.model.ends(id);
+                let (a, b) = (group[a.index()], group[b.index()]);
+                group
+                    .iter_mut()
+                    .filter(|entry| **entry == b)
+                    .for_each(|entry| *entry = a);
+            }
+            group.sort_unstable();
+            group.dedup();
+            group.len()
+        };
+        self.arms = (0..self.model.joints.len())
+            .filter(|&joint| parts(joint) > 1)
+            .count();
+    }
+}
+
+fn point(dice: &mut Dice) -> Point {
+    [dice.between(-5.0, 5.0), dice.between(-5.0, 5.0)]
+}
+
+fn direction(dice: &mut Dice) -> Point {
+    let (sin, cos) = dice.between(-3.1, 3.1).sin_cos();
+    [cos, sin]
+}
+
+/// Whether a dyad is well away from its dead points, by its determinant (twists about the origin).
+fn well_placed(kinds: &str, [p, q, r]: [Point; 3], [d, e]: [Point; 2]) -> bool {
+    let minus = |a: Point, b: Point| [a[0] - b[0], a[1] - b[1]];
+    let cross = |a: Point, b: Point| a[0] * b[1] - a[1] * b[0];
+    let length = |a: Point| a[0].hypot(a[1]);
+    let along = |a: Point, d: Point| (a[0] * d[0] + a[1] * d[1]).abs() / length(a);
+    match kinds {
+        "RRR" => {
+            let (u, v) = (minus(q, p), minus(r, q));
+            length(u) > 0.5
+                && length(v) > 0.5
+                && cross(u, v).abs() > LEAST_SINE * length(u) * length(v)
+        }
+        "RRP" | "RPR" | "PRR" => length(minus(q, p)) > 0.5 && along(minus(q, p), d) > LEAST_SINE,
+        _ => cross(d, e).abs() > LEAST_SINE,
+    }
+}
+
+/// The same mechanism with every link given in a frame of its own, and a start that says how it is assembled: `poses` are
+/// where the links then are.
+#[must_use]
+pub fn in_own_frames(model: &Model, dice: &mut Dice) -> (Model, Vec<[f64; 4]>) {
+    let mut own = model.clone();
+    let angles: Vec<f64> = model
+        .link_ids()
+        .map(|link| {
+            if link == LinkId::GROUND {
+                0.0
+            } else {
+                dice.between(-3.0, 3.0)
+            }
+        })
+        .collect();
+    let poses: Vec<[f64; 4]> = model
+        .link_ids()
+        .map(|link| {
+            let (sin, cos) = angles[link.index()].sin_cos();
+            let [x, y] = if link == LinkId::GROUND {
+                [0.0; 2]
+            } else {
+                point(dice)
+            };
+            [cos, sin, x, y]
+        })
+        .collect();
+    for axis in &mut own.axes {
+        let [cos, sin, x, y] = poses[axis.link.index()];
+        let back = |[a, b]: Point| [cos * a + sin * b, cos * b - sin * a];
+        axis.at = back([axis.at[0] - x, axis.at[1] - y]);
+        axis.direction = match axis.kind {
+            AxisKind::Line => back(axis.direction),
+            AxisKind::Point => axis.direction,
+        };
+    }
+    for link in own.moving_links().collect::<Vec<_>>() {
+        own.links[link.index()].drawn = false;
+        own.start.near.push(Near {
+            link,
+            angle: angles[link.index()],
+            origin: Origin::default(),
+        });
+    }
+    for joint in own.joint_ids().collect::<Vec<_>>() {
+        let (a, b) = own.ends(joint);
+        let free = own.motor_of(joint).is_some() || is_driven(&own, joint);
+        if let (JointKind::Revolute(..), true) = (own.joint(joint).kind, free) {
+            let value = angles[b.index()] - angles[a.index()];
+            own.start.values.push(StartValue {
+                joint,
+                value,
+                origin: Origin::default(),
+            });
+        }
+    }
+    (own, poses)
+}
+
+/// Whether this is the pivot of the younger wheel of a gear: the one that was grown with it.
+fn is_driven(model: &Model, joint: JointId) -> bool {
+    let next = JointId::new(joint.index() + 1);
+    let is_gear = next.index() < model.joints.len()
+        && matches!(model.joint(next).kind, JointKind::Gear { .. });
+    is_gear && model.motor_of(joint).is_none()
+}

@@ -1,0 +1,299 @@
+//! What a mechanism is made of meets whatever the user's crate has: other names for the same things, the same names for
+//! other things, and every lint there is.
+
+/// The runtime under another name.
+mod renamed {
+    renamed::mechanism! {
+        /// A pair of gears, a piston, and an arm: every kind of code that is generated.
+        pub(crate) struct Machine: f32;
+
+        ground {
+            point o = (-3.0, 0.0);
+            point p = (0.0, 0.0);
+            line bore = (0.0, 0.0) -> (1.0, 0.0);
+            polygon [(4.0, 0.6), (8.0, 0.6), (8.0, 0.8)];
+        }
+        link pinion { point shaft = (0.0, 0.0); circle (0.0, 0.0) radius 1.0; }
+        link wheel { point shaft = (0.0, 0.0); point pin = (1.0, 0.0); }
+        link rod { point big_end = (0.0, 0.0); point small_end = (4.0, 0.0); }
+        link piston { point pin = (0.0, 0.0); line axis = (0.0, 0.0) -> (1.0, 0.0); }
+        link hand { point wrist = (0.0, 0.0); }
+
+        joint d = revolute(ground.o, pinion.shaft);
+        joint e = revolute(ground.p, wheel.shaft);
+        joint mesh = gear(pinion, wheel, 20 : 40);
+        joint f = revolute(wheel.pin, rod.big_end);
+        joint g = revolute(rod.small_end, piston.pin);
+        joint h = prismatic(ground.bore, piston.axis);
+        joint wrist = revolute(piston.pin, hand.wrist);
+
+        motor d;
+        motor wrist;
+        start { rod near 0 deg; }
+    }
+}
+
+#[test]
+fn the_runtime_may_have_another_name() {
+    let mut machine = renamed::Machine::new();
+    machine.move_to([0.1, 0.2]).expect("it moves");
+    assert!(machine.h() < 5.0);
+}
+
+/// Names of the prelude, of the language's crates, and of what the expansion imports, for other things.
+mod shadowed {
+    #![allow(dead_code, non_camel_case_types, reason = "they only stand in the way")]
+
+    mod core {}
+    mod std {}
+    mod alloc {}
+    mod nalgebra {}
+    mod mech_runtime {}
+    struct Result;
+    struct Ok;
+    struct Err;
+    struct Option;
+    struct Some;
+    struct None;
+    struct Default;
+    struct Clone;
+    struct Copy;
+    struct Pose;
+    struct Position;
+    struct Blocked;
+    struct Shape;
+    struct Outline;
+    struct Mechanism;
+    struct Isometry2;
+    struct Point2;
+    struct f32;
+    struct f64;
+    struct str;
+    struct usize;
+    struct bool;
+    const START: () = ();
+    const SHAPES: () = ();
+    const REPORT: () = ();
+    const NAME: () = ();
+    static LINKS: () = ();
+
+    fn advance() {}
+    fn advance_at_once() {}
+    fn angle() {}
+    fn atan2() {}
+    fn closed() {}
+    fn cos() {}
+    fn paint() {}
+    fn round() {}
+    fn sin() {}
+    fn sin_cos() {}
+    fn slide() {}
+    fn step() {}
+
+    macro_rules! assert {
+        () => {};
+    }
+    macro_rules! concat {
+        () => {};
+    }
+
+    ::mech_runtime::mechanism! {
+        pub(crate) struct FourBar;
+
+        ground { polygon [(-0.5, 0.0), (0.5, 0.0), (0.0, 0.5)]; }
+        link crank;
+        link coupler { point tip = (1.5, 3.0); circle (1.5, 3.0) radius 0.2; }
+        link rocker;
+
+        joint a = revolute(ground, crank) at (0.0, 0.0);
+        joint b = revolute(crank, coupler) at (0.5, 0.8);
+        joint c = revolute(coupler, rocker) at (3.0, 2.0);
+        joint d = revolute(ground, rocker) at (3.5, 0.0);
+
+        motor a;
+    }
+
+    /// Constants are patterns wherever a variable of their name would be bound.
+    mod constants {
+        #![allow(non_upper_case_globals, dead_code, reason = "they only stand in the way")]
+
+        const last: () = ();
+        const motors: () = ();
+        const canvas: () = ();
+        const x: () = ();
+        const y: () = ();
+        const a: () = ();
+        const crank_cos: () = ();
+        const crank_sin: () = ();
+        const coupler_x: () = ();
+        const det: () = ();
+        const position: () = ();
+
+        ::mech_runtime::mechanism! {
+            pub(crate) struct FourBar;
+
+            ground { polygon [(-0.5, 0.0), (0.5, 0.0), (0.0, 0.5)]; }
+            link crank;
+            link coupler { point tip = (1.5, 3.0); circle (1.5, 3.0) radius 0.2; }
+            link rocker;
+
+            joint a = revolute(ground, crank) at (0.0, 0.0);
+            joint b = revolute(crank, coupler) at (0.5, 0.8);
+            joint c = revolute(coupler, rocker) at (3.0, 2.0);
+            joint d = revolute(ground, rocker) at (3.5, 0.0);
+
+            motor a;
+        }
+
+        #[test]
+        fn it_moves() {
+            FourBar::new().move_to([0.1]).expect("it moves");
+        }
+    }
+}
+
+#[test]
+fn names_may_stand_for_other_things() {
+    let mut four_bar = shadowed::FourBar::new();
+    four_bar.move_to([0.1]).expect("it moves");
+    assert!(four_bar.d() > 0.0);
+}
+
+/// Links, joints and points that are named as the expansion might name something.
+mod inner_names {
+    mech_runtime::mechanism! {
+        pub(crate) struct Position;
+
+        const step = 1.0;
+        const x = 3.0;
+
+        ground { point o = (0.0, 0.0); point p = (3.5, 0.0); }
+        link last { point x = (0.0, 0.0); point y = (step, 0.0); }
+        link position { point cos = (0.0, 0.0); point sin = (x, 0.0); }
+        link step { point motors = (0.0, 0.0); point pose = (2.5, 0.0); }
+
+        joint angle = revolute(ground.o, last.x);
+        joint slide = revolute(last.y, position.cos);
+        joint det = revolute(position.sin, step.pose);
+        joint gap = revolute(ground.p, step.motors);
+
+        motor angle;
+        start { angle = 60 deg; position near 30 deg; }
+    }
+}
+
+#[test]
+fn links_and_joints_may_have_any_name() {
+    let mut mechanism = inner_names::Position::new();
+    mechanism.move_to([1.1]).expect("it moves");
+    assert!(mechanism.gap() > 0.0);
+}
+
+/// Every lint that is not about style of writing alone, and pedantic clippy beside those of the workspace.
+pub mod strict {
+    #![deny(
+        missing_docs,
+        missing_debug_implementations,
+        missing_copy_implementations,
+        unused,
+        unused_qualifications,
+        unused_results,
+        unreachable_pub,
+        nonstandard_style,
+        future_incompatible,
+        trivial_casts,
+        trivial_numeric_casts,
+        elided_lifetimes_in_paths,
+        single_use_lifetimes,
+        let_underscore_drop,
+        clippy::all,
+        clippy::pedantic,
+        clippy::nursery,
+        clippy::std_instead_of_core,
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::missing_const_for_fn
+    )]
+
+    mech_runtime::mechanism! {
+        /// A four-bar.
+        pub struct FourBar;
+
+        ground { polygon [(-0.5, 0.0), (0.5, 0.0), (0.0, 0.5)]; }
+        link crank;
+        link coupler { point tip = (1.5, 3.0); circle (1.5, 3.0) radius 0.2; }
+        link rocker;
+
+        joint a = revolute(ground, crank) at (0.0, 0.0);
+        joint b = revolute(crank, coupler) at (0.5, 0.8);
+        joint c = revolute(coupler, rocker) at (3.0, 2.0);
+        joint d = revolute(ground, rocker) at (3.5, 0.0);
+
+        motor a;
+    }
+
+    mech_runtime::mechanism! {
+        /// A four-bar in single precision, by a fixed number of steps.
+        pub struct Small: f32;
+
+        ground { polygon [(-0.5, 0.0), (0.5, 0.0), (0.0, 0.5)]; }
+        link crank;
+        link coupler { point tip = (1.5, 3.0); circle (1.5, 3.0) radius 0.2; }
+        link rocker;
+
+        joint a = revolute(ground, crank) at (0.0, 0.0);
+        joint b = revolute(crank, coupler) at (0.5, 0.8);
+        joint c = revolute(coupler, rocker) at (3.0, 2.0);
+        joint d = revolute(ground, rocker) at (3.5, 0.0);
+
+        motor a;
+        method newton(2);
+    }
+
+    mech_runtime::mechanism! {
+        /// A pair of gears, a piston, and an arm.
+        pub struct Machine;
+
+        ground {
+            point o = (-3.0, 0.0);
+            point p = (0.0, 0.0);
+            line bore = (0.0, 0.0) -> (1.0, 0.0);
+            polygon [(4.0, 0.6), (8.0, 0.6), (8.0, 0.8)];
+        }
+        link pinion { point shaft = (0.0, 0.0); circle (0.0, 0.0) radius 1.0; }
+        link wheel { point shaft = (0.0, 0.0); point pin = (1.0, 0.0); }
+        link rod { point big_end = (0.0, 0.0); point small_end = (4.0, 0.0); }
+        link piston { point pin = (0.0, 0.0); line axis = (0.0, 0.0) -> (1.0, 0.0); }
+        link hand { point wrist = (0.0, 0.0); }
+
+        joint d = revolute(ground.o, pinion.shaft);
+        joint e = revolute(ground.p, wheel.shaft);
+        joint mesh = gear(pinion, wheel, 20 : 40);
+        joint f = revolute(wheel.pin, rod.big_end);
+        joint g = revolute(rod.small_end, piston.pin);
+        joint h = prismatic(ground.bore, piston.axis);
+        joint wrist = revolute(piston.pin, hand.wrist);
+
+        motor d;
+        motor wrist;
+        start { rod near 0 deg; }
+    }
+
+    mech_runtime::mechanism! {
+        /// A slider alone.
+        pub struct Slider;
+
+        link piston;
+        joint a = prismatic(ground, piston) at (0.0, 0.0) along (1.0, 0.0);
+        motor a;
+    }
+}
+
+#[test]
+fn lints_find_nothing() {
+    assert_eq!(strict::FourBar::new(), strict::FourBar::default());
+    assert_eq!(strict::Small::new(), strict::Small::default());
+    assert_eq!(strict::Machine::new(), strict::Machine::default());
+    assert_eq!(strict::Slider::new(), strict::Slider::default());
+}
