@@ -3,10 +3,12 @@
 mod closure;
 mod dice;
 mod grow;
+mod source;
 
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
 pub use grow::{Grown, grow, in_own_frames};
+pub use source::mechanisms;
 
 use std::time::Instant;
 

@@ -1,48 +1,21 @@
 //! What a mechanism is made of meets whatever the user's crate has: other names for the same things, the same names for
 //! other things, and every lint there is.
 
-/// The runtime under another name.
-mod renamed {
-    renamed::mechanism! {
-        /// A pair of gears, a piston, and an arm: every kind of code that is generated.
-        pub(crate) struct Machine: f32;
-
-        ground {
-            point o = (-3.0, 0.0);
-            point p = (0.0, 0.0);
-            line bore = (0.0, 0.0) -> (1.0, 0.0);
-            polygon [(4.0, 0.6), (8.0, 0.6), (8.0, 0.8)];
-        }
-        link pinion { point shaft = (0.0, 0.0); circle (0.0, 0.0) radius 1.0; }
-        link wheel { point shaft = (0.0, 0.0); point pin = (1.0, 0.0); }
-        link rod { point big_end = (0.0, 0.0); point small_end = (4.0, 0.0); }
-        link piston { point pin = (0.0, 0.0); line axis = (0.0, 0.0) -> (1.0, 0.0); }
-        link hand { point wrist = (0.0, 0.0); }
-
-        joint d = revolute(ground.o, pinion.shaft);
-        joint e = revolute(ground.p, wheel.shaft);
-        joint mesh = gear(pinion, wheel, 20 : 40);
-        joint f = revolute(wheel.pin, rod.big_end);
-        joint g = revolute(rod.small_end, piston.pin);
-        joint h = prismatic(ground.bore, piston.axis);
-        joint wrist = revolute(piston.pin, hand.wrist);
-
-        motor d;
-        motor wrist;
-        start { rod near 0 deg; }
-    }
-}
-
 #[test]
 fn the_runtime_may_have_another_name() {
-    let mut machine = renamed::Machine::new();
+    let mut machine = mech_renamed::Machine::new();
     machine.move_to([0.1, 0.2]).expect("it moves");
     assert!(machine.h() < 5.0);
 }
 
 /// Names of the prelude, of the language's crates, and of what the expansion imports, for other things.
 mod shadowed {
-    #![allow(dead_code, non_camel_case_types, reason = "they only stand in the way")]
+    #![allow(
+        dead_code,
+        unused_macros,
+        non_camel_case_types,
+        reason = "they only stand in the way"
+    )]
 
     mod core {}
     mod std {}
@@ -112,44 +85,6 @@ mod shadowed {
 
         motor a;
     }
-
-    /// Constants are patterns wherever a variable of their name would be bound.
-    mod constants {
-        #![allow(non_upper_case_globals, dead_code, reason = "they only stand in the way")]
-
-        const last: () = ();
-        const motors: () = ();
-        const canvas: () = ();
-        const x: () = ();
-        const y: () = ();
-        const a: () = ();
-        const crank_cos: () = ();
-        const crank_sin: () = ();
-        const coupler_x: () = ();
-        const det: () = ();
-        const position: () = ();
-
-        ::mech_runtime::mechanism! {
-            pub(crate) struct FourBar;
-
-            ground { polygon [(-0.5, 0.0), (0.5, 0.0), (0.0, 0.5)]; }
-            link crank;
-            link coupler { point tip = (1.5, 3.0); circle (1.5, 3.0) radius 0.2; }
-            link rocker;
-
-            joint a = revolute(ground, crank) at (0.0, 0.0);
-            joint b = revolute(crank, coupler) at (0.5, 0.8);
-            joint c = revolute(coupler, rocker) at (3.0, 2.0);
-            joint d = revolute(ground, rocker) at (3.5, 0.0);
-
-            motor a;
-        }
-
-        #[test]
-        fn it_moves() {
-            FourBar::new().move_to([0.1]).expect("it moves");
-        }
-    }
 }
 
 #[test]
@@ -162,7 +97,7 @@ fn names_may_stand_for_other_things() {
 /// Links, joints and points that are named as the expansion might name something.
 mod inner_names {
     mech_runtime::mechanism! {
-        pub(crate) struct Position;
+        pub(crate) struct Motion;
 
         const step = 1.0;
         const x = 3.0;
@@ -184,7 +119,7 @@ mod inner_names {
 
 #[test]
 fn links_and_joints_may_have_any_name() {
-    let mut mechanism = inner_names::Position::new();
+    let mut mechanism = inner_names::Motion::new();
     mechanism.move_to([1.1]).expect("it moves");
     assert!(mechanism.gap() > 0.0);
 }
@@ -200,7 +135,6 @@ pub mod strict {
         unused_results,
         unreachable_pub,
         nonstandard_style,
-        future_incompatible,
         trivial_casts,
         trivial_numeric_casts,
         elided_lifetimes_in_paths,
@@ -214,6 +148,10 @@ pub mod strict {
         clippy::expect_used,
         clippy::panic,
         clippy::missing_const_for_fn
+    )]
+    #![allow(
+        clippy::suboptimal_flops,
+        reason = "`mul_add` is slow where there is no instruction for it, and gives other digits where there is"
     )]
 
     mech_runtime::mechanism! {

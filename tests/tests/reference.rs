@@ -1,8 +1,11 @@
 //! Positions held against numbers that nobody of this project made.
 //!
-//! The rows are those of the `PMKS_Verification` collection: three independent programs, one row a degree.
+//! Four-bars and slider-cranks: the rows are those of the `PMKS_Verification` collection: three independent programs, one row a degree.
 
+use mech_examples::gallery::andrews::AndrewsSqueezer;
+use mech_examples::gallery::jansen::JansenLeg;
 use mech_runtime::{Isometry2, Point2, mechanism};
+use std::f64::consts::{PI, TAU};
 
 mechanism! {
     /// The four-bar of the collection, as it is drawn there.
@@ -236,4 +239,184 @@ fn offset_slider_crank_of_the_hard_cases() {
         assert!((mechanism.x() - x).abs() < TOLERANCE);
         assert_point(mechanism.rod_small(), x, 0.5);
     }
+}
+
+/// Andrews' squeezer (Hairer & Wanner; test set of Mazzia and Magherini): beta, Theta, gamma, Phi, delta, Omega, epsilon.
+/// One turn in twelve rows, then two and a half turns to the state at t = 0.03 s.
+#[test]
+fn andrews_squeezer_by_continuation_from_its_start() {
+    const ROWS: [[f64; 7]; 14] = [
+        [
+            -0.061713890014276,
+            0.000000000000000,
+            0.455279819163070,
+            0.222668390165886,
+            0.487364979543843,
+            -0.222668390165886,
+            1.230547444549821,
+        ],
+        [
+            0.461884885584022,
+            -0.384913399068923,
+            0.433426505931541,
+            0.178923929152767,
+            0.492120508749196,
+            -0.178923929152766,
+            1.214195448926015,
+        ],
+        [
+            0.985483661182321,
+            -0.781193036323181,
+            0.374384056301545,
+            0.064139949470523,
+            0.503238402482178,
+            -0.064139949470523,
+            1.173349996257509,
+        ],
+        [
+            1.509082436780620,
+            -1.225739216407346,
+            0.286717705959561,
+            -0.099263953701614,
+            0.515554622309058,
+            0.099263953701613,
+            1.121845892975159,
+        ],
+        [
+            2.032681212378919,
+            -1.744807848607768,
+            0.183390555041016,
+            -0.284733047141633,
+            0.524082696396319,
+            0.284733047141633,
+            1.076524628842305,
+        ],
+        [
+            2.556279987977218,
+            -2.340542989413422,
+            0.090532053492615,
+            -0.447850470116421,
+            0.525976972505298,
+            0.447850470116421,
+            1.052748273008495,
+        ],
+        [
+            3.079878763575516,
+            -2.984378162651492,
+            0.042610435278267,
+            -0.531603238361022,
+            0.524501545581851,
+            0.531603238361022,
+            1.048137484379987,
+        ],
+        [
+            3.603477539173815,
+            -3.636069482143850,
+            0.059989436397123,
+            -0.501226352268807,
+            0.525250429066937,
+            0.501226352268807,
+            1.049134486442777,
+        ],
+        [
+            4.127076314772114,
+            -4.266425800642793,
+            0.136255391485086,
+            -0.367779188963360,
+            0.525773604760335,
+            0.367779188963360,
+            1.062211402987371,
+        ],
+        [
+            4.650675090370413,
+            -4.858207590948902,
+            0.245872456186934,
+            -0.173295625884311,
+            0.519695515485253,
+            0.173295625884311,
+            1.101807181388506,
+        ],
+        [
+            5.174273865968712,
+            -5.396691291459007,
+            0.354802366156187,
+            0.027003544048380,
+            0.506406870814837,
+            -0.027003544048380,
+            1.160881912611673,
+        ],
+        [
+            5.697872641567010,
+            -5.869657962215951,
+            0.430201978598874,
+            0.172532222831708,
+            0.492791558647229,
+            -0.172532222831708,
+            1.211839267703009,
+        ],
+        [
+            6.221471417165310,
+            -6.283185307179586,
+            0.455279819163070,
+            0.222668390165886,
+            0.487364979543843,
+            -0.222668390165886,
+            1.230547444549821,
+        ],
+        [
+            15.81077119629904,
+            -15.75637105984298,
+            0.04082224013073101,
+            -0.5347301163226948,
+            0.5244099658805304,
+            0.5347301163226948,
+            1.048080741042263,
+        ],
+    ];
+    let mut mechanism = AndrewsSqueezer::new();
+    let mut worst: f64 = 0.0;
+    for row in ROWS {
+        let from = mechanism.beta();
+        // A degree a step, as a film would.
+        let steps = ((row[0] - from).abs().to_degrees()).ceil().max(1.0);
+        let mut done = 0.0;
+        while done < steps {
+            done += 1.0;
+            mechanism
+                .move_to([from + (row[0] - from) * (done / steps)])
+                .unwrap();
+        }
+        let found = [
+            mechanism.beta(),
+            mechanism.theta(),
+            mechanism.gamma(),
+            mechanism.phi(),
+            mechanism.delta(),
+            mechanism.omega(),
+            mechanism.epsilon(),
+        ];
+        for (found, expected) in found.into_iter().zip(row) {
+            worst = worst.max(((found - expected + PI).rem_euclid(TAU) - PI).abs());
+        }
+    }
+    println!("Andrews: worst of 14 rows {worst:.1e} rad");
+    assert!(worst < TOLERANCE, "{worst:e}");
+}
+
+#[test]
+fn jansens_foot() {
+    let mut mechanism = JansenLeg::new();
+    let drawn = f64::atan2(11.52, 9.61);
+    let mut worst: f64 = 0.0;
+    for (degrees, x, y) in [
+        (0.0, -43.170055155, -91.753225905),
+        (45.0, -24.406393593, -91.789596143),
+    ] {
+        mechanism
+            .move_to([f64::to_radians(degrees) - drawn])
+            .unwrap();
+        worst = worst.max((mechanism.lower_plate_foot() - Point2::new(x, y)).norm());
+    }
+    println!("Jansen: foot at most {worst:.1e} off");
+    assert!(worst < 1e-6, "{worst:e}");
 }

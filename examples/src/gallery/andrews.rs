@@ -27,6 +27,7 @@ mechanism! {
     const LIGHTER = 32; // likewise
     const GROUND_DARKER = 29; // to be added to the ground's
 
+    // Lengths in metres, by their names there.
     const RR = 0.007;
     const D = 0.028;
     const SS = 0.035;
@@ -47,6 +48,7 @@ mechanism! {
         point c = (0.014, 0.072); // where the spring of K3 is anchored; a mechanism has no springs yet
         point o = (0.0, 0.0);
 
+        // The stands of the fixed axes: for each its body, its head, and a base with hatching.
         polygon [
             (-0.0746, -0.0183), (-0.0641, -0.0183), (-0.0669, -0.0023), (-0.0717, -0.0023),
         ] on plane 0 color GROUND;

@@ -35,6 +35,7 @@ mechanism! {
         point crank_shaft = (0.0, 0.0);
         point rocker_shaft = (GROUND_BAR, 0.0);
 
+        // The stands of the fixed axes: for each its body, its head, and a base with hatching.
         polygon [(-0.52, -1.5), (0.52, -1.5), (0.24, 0.0), (-0.24, 0.0)] on plane 0 color GROUND;
         circle (0.0, 0.0) radius 0.24 on plane 0 color GROUND;
         polygon [

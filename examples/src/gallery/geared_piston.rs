@@ -35,7 +35,7 @@ mechanism! {
         point wheel_shaft = (0.0, 0.0);
         line bore = (0.0, 0.0) -> (1.0, 0.0);
 
-        // The stands of the two shafts.
+        // The stands of the fixed axes: for each its body, its head, and a base with hatching.
         polygon [(-3.56, -2.5), (-2.44, -2.5), (-2.74, 0.0), (-3.26, 0.0)] on plane 0 color GROUND;
         circle (-3.0, 0.0) radius 0.256 on plane 0 color GROUND;
         polygon [

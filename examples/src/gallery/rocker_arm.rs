@@ -37,6 +37,7 @@ mechanism! {
         point crank_shaft = (0.0, 0.0);
         point rocker_shaft = (4.3, 0.0);
 
+        // The stands of the fixed axes: for each its body, its head, and a base with hatching.
         polygon [(-0.56, -1.6), (0.56, -1.6), (0.26, 0.0), (-0.26, 0.0)] on plane 0 color GROUND;
         circle (0.0, 0.0) radius 0.256 on plane 0 color GROUND;
         polygon [

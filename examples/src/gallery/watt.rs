@@ -27,6 +27,7 @@ mechanism! {
 
     // All coordinates are the scene's, with everything as it is at the start.
     ground {
+        // The stands of the fixed axes: for each its body, its head, and a base with hatching.
         polygon [(-0.49, -1.5), (0.49, -1.5), (0.22, 0.0), (-0.22, 0.0)] on plane 0 color GROUND;
         circle (0.0, 0.0) radius 0.224 on plane 0 color GROUND;
         polygon [

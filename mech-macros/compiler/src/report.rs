@@ -20,9 +20,14 @@ fn write(text: &mut String, model: &Model, structure: &Structure, plan: &Plan) -
     let pairs = model.joints.len() - gears;
     let motors: Vec<JointId> = model.motors.iter().map(|motor| motor.joint).collect();
     writeln!(text, "{}", model.name)?;
+    let meshes = if gears == 0 {
+        String::new()
+    } else {
+        format!(" − {gears}")
+    };
     writeln!(
         text,
-        "  mobility  {} = 3·{moving} − 2·{pairs} − {gears}",
+        "  mobility  {} = 3·{moving} − 2·{pairs}{meshes}",
         structure.mobility
     )?;
     writeln!(text, "  motors    {}", joints(model, &motors))?;

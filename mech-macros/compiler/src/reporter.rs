@@ -1,12 +1,16 @@
 //! Puts diagnoses into words and at their places.
 
+mod trial;
+mod wording;
+
 use crate::model::{
     AxisId, AxisKind, JointId, JointKind, LinkId, Model, Motor, Origin, Precision, Start,
     StartValue,
 };
-use crate::plan;
-use crate::structure::{self, Diagnosis};
+use crate::structure::Diagnosis;
 use crate::syntax::{Message, Places};
+use trial::{Trial, sorted, trial};
+use wording::{and, brief, or, places_enough, rounded};
 
 /// A diagnosis as the user reads it. Lines after the first begin with `note:` or `help:`.
 #[must_use]
@@ -554,98 +558,5 @@ impl Words<'_> {
             if ids.len() == 1 { "motor" } else { "motors" },
             self.joints(ids)
         )
-    }
-}
-
-fn and(names: &[String]) -> String {
-    names.join(", ")
-}
-
-/// Alternatives: `a`, `b` or `c`.
-fn or(names: &[String]) -> String {
-    match names {
-        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
-        names => names.concat(),
-    }
-}
-
-/// What becomes of a mechanism that was changed to see whether that would mend it.
-#[derive(Clone, Copy, PartialEq)]
-enum Trial {
-    /// It compiles, or would with a `near`.
-    Closes,
-    /// It would compile if it started elsewhere.
-    OpensAtStart,
-    /// It does not compile.
-    Fails,
-}
-
-fn trial(model: &Model) -> Trial {
-    let outcome = structure::analyse(model)
-        .map_err(|diagnoses| diagnoses.into_iter().next())
-        .and_then(|structure| plan::plan(model, &structure).map_err(Some));
-    match outcome {
-        Ok(_) | Err(Some(Diagnosis::SeveralAssemblies { .. })) => Trial::Closes,
-        Err(Some(Diagnosis::CannotClose { .. } | Diagnosis::DeadStart { .. })) => {
-            Trial::OpensAtStart
-        }
-        Err(_) => Trial::Fails,
-    }
-}
-
-/// The joints whose mechanism closes at once, and those whose mechanism would if it started elsewhere; those on the
-/// ground first, because that is where motors like to sit.
-fn sorted(trials: impl Iterator<Item = (JointId, Model)>) -> (Vec<JointId>, Vec<JointId>) {
-    let (mut at_once, mut elsewhere) = (Vec::new(), Vec::new());
-    for (joint, model) in trials {
-        let (a, b) = model.ends(joint);
-        let aloft = a != LinkId::GROUND && b != LinkId::GROUND;
-        match trial(&model) {
-            Trial::Closes => at_once.push((aloft, joint)),
-            Trial::OpensAtStart => elsewhere.push((aloft, joint)),
-            Trial::Fails => {}
-        }
-    }
-    let joints = |mut list: Vec<(bool, JointId)>| {
-        list.sort_unstable();
-        list.into_iter().map(|(_, joint)| joint).collect()
-    };
-    (joints(at_once), joints(elsewhere))
-}
-
-/// After how many decimal places, in degrees, the assemblies can still be told apart.
-fn places_enough(links: usize, angles: &[Vec<f64>]) -> usize {
-    let apart = |places: usize| {
-        let least = 4.0 * 0.1_f64.powi(i32::try_from(places).unwrap_or(0));
-        (0..links).all(|link| {
-            let angles: Vec<f64> = angles
-                .iter()
-                .map(|angles| angles[link].to_degrees())
-                .collect();
-            let pairs = angles
-                .iter()
-                .enumerate()
-                .flat_map(|(i, a)| angles[..i].iter().map(move |b| (a - b).abs()));
-            let mut turns = pairs.map(|turn| turn.min(360.0 - turn));
-            turns.all(|turn| turn < 1e-3 || turn > least)
-        })
-    };
-    (0..4).find(|&places| apart(places)).unwrap_or(4)
-}
-
-/// A number with so many decimal places, without zeros at its end.
-fn rounded(value: f64, places: usize) -> f64 {
-    let text = format!("{value:.places$}");
-    // Zero added: there is no point in a negative one.
-    text.parse::<f64>().map_or(value, |value| value + 0.0)
-}
-
-/// A number with as many digits as a reader wants.
-fn brief(value: f64) -> String {
-    let rounded = rounded(value, 4);
-    if value != 0.0 && (rounded == 0.0 || value.abs() >= 1e9) {
-        format!("{value:.1e}")
-    } else {
-        format!("{rounded}")
     }
 }

@@ -211,6 +211,9 @@ pub(super) fn function(
     let last = flow.reads_last.then(|| quote!(last: &#position,));
     let doc = format!(" {}", block.title);
     let types = gives.iter().map(|_| &scalar);
+    let many = (flow.takes.len() > 6).then(|| {
+        quote!(#[allow(clippy::too_many_arguments, reason = "a loop has as many ends as it has")])
+    });
     let fails = matches!(block.kind, BlockKind::Newton(_));
     let (result, output) = if fails {
         (
@@ -222,6 +225,7 @@ pub(super) fn function(
     };
     quote! {
         #[doc = #doc]
+        #many
         #[inline]
         fn #name(#last #(#takes: #scalar),*) -> #output {
             #statements

@@ -28,6 +28,26 @@ pub(super) fn sequence(model: &Model, structure: &Structure) -> Result<Vec<Step>
     }
 }
 
+/// On which loops a known coordinate depends directly, and how many loops lead to it one after the other.
+#[derive(Clone, Debug, Default)]
+struct Knowledge {
+    needs: Vec<usize>,
+    level: usize,
+}
+
+impl Knowledge {
+    fn of<'k>(parts: impl Iterator<Item = &'k Self>) -> Self {
+        let mut all = Self::default();
+        for part in parts {
+            all.needs.extend(&part.needs);
+            all.level = all.level.max(part.level);
+        }
+        all.needs.sort_unstable();
+        all.needs.dedup();
+        all
+    }
+}
+
 struct Search<'m> {
     model: &'m Model,
     structure: &'m Structure,
@@ -36,22 +56,21 @@ struct Search<'m> {
     steps: Vec<Step>,
     /// How many loops were found.
     loops: usize,
-    /// For each cluster, by its base, the loops that brought it about last, and its level.
-    history: Vec<(Vec<usize>, usize)>,
+    /// For each joint whose coordinate is known, how.
+    known: Vec<Option<Knowledge>>,
     gears: Vec<Gear>,
 }
 
 impl<'m> Search<'m> {
     fn new(model: &'m Model, structure: &'m Structure) -> Self {
-        let links = model.links.len();
         Self {
             model,
             structure,
             graph: KinematicGraph::new(model),
-            clusters: Clusters::new(links),
+            clusters: Clusters::new(model.links.len()),
             steps: Vec::new(),
             loops: 0,
-            history: vec![(Vec::new(), 0); links],
+            known: vec![None; model.joints.len()],
             gears: structure.gears.clone(),
         }
     }
@@ -79,33 +98,30 @@ impl<'m> Search<'m> {
         };
         let (a, b) = self.link_of(connection);
         if !self.clusters.joined(a, b) {
-            self.merge(&[a, b], None);
+            self.merge(&[a, b], &Knowledge::default());
             self.steps.push(Step::Drive(Drive { motor, connection }));
         }
     }
 
-    /// Merges the clusters of these links. What was known of any of them is now known of all.
-    fn merge(&mut self, links: &[LinkId], own: Option<usize>) {
+    /// Merges the clusters of these links. All joints between them are known by that.
+    fn merge(&mut self, links: &[LinkId], how: &Knowledge) {
         let bases: Vec<LinkId> = links.iter().map(|&link| self.clusters.base(link)).collect();
-        let mut level = bases
-            .iter()
-            .map(|base| self.history[base.index()].1)
-            .max()
-            .unwrap_or(0);
-        let mut latest: Vec<usize> = match own {
-            Some(own) => {
-                level += 1;
-                vec![own]
+        self.clusters.merge(&bases);
+        for joint in self.model.joint_ids() {
+            let (a, b) = self.model.ends(joint);
+            if self.clusters.joined(a, b) {
+                self.known[joint.index()].get_or_insert_with(|| how.clone());
             }
-            None => bases
+        }
+    }
+
+    /// What is known of the way between two links of the same cluster.
+    fn knowledge(&self, joints: &[JointId]) -> Knowledge {
+        Knowledge::of(
+            joints
                 .iter()
-                .flat_map(|base| self.history[base.index()].0.clone())
-                .collect(),
-        };
-        latest.sort_unstable();
-        latest.dedup();
-        let whole = self.clusters.merge(&bases);
-        self.history[whole.index()] = (latest, level);
+                .filter_map(|joint| self.known[joint.index()].as_ref()),
+        )
     }
 
     /// Solves every gear one of whose wheels is known on its carrier.
@@ -119,7 +135,9 @@ impl<'m> Search<'m> {
             let gear = self.gears.remove(index);
             if let Some((input, output, speed)) = self.turns(&gear) {
                 let (carrier, wheel) = self.link_of(output);
-                self.merge(&[carrier, wheel], None);
+                let (from, to) = self.link_of(input);
+                let how = self.knowledge(&self.way(from, to));
+                self.merge(&[carrier, wheel], &how);
                 self.steps.push(Step::Mesh(Mesh {
                     gear: gear.joint,
                     input,
@@ -154,43 +172,42 @@ impl<'m> Search<'m> {
     /// Finds one loop of three unknowns, the lowest in level, then the earliest declared.
     fn close(&mut self) -> bool {
         let connections = self.connections();
-        let mut best: Option<(usize, [Connection; 3])> = None;
+        let mut best: Option<(Loop, Knowledge)> = None;
         for (i, &first) in connections.iter().enumerate() {
             for &second in &connections[i + 1..] {
                 let Some(ring) = ring(first, second, &connections) else {
                     continue;
                 };
-                let level = [first.a, first.b, second.b]
-                    .iter()
-                    .map(|base| self.history[base.index()].1)
-                    .max()
-                    .unwrap_or(0);
-                if best.as_ref().is_none_or(|(known, _)| level < *known) {
-                    best = Some((level, ring));
+                let members = self.members(&ring);
+                let before = self.knowledge(&members);
+                if best
+                    .as_ref()
+                    .is_none_or(|(_, known)| before.level < known.level)
+                {
+                    let (level, needs) = (before.level + 1, before.needs.clone());
+                    best = Some((
+                        Loop {
+                            ring,
+                            members,
+                            level,
+                            needs,
+                        },
+                        before,
+                    ));
                 }
             }
         }
-        let Some((_, ring)) = best else { return false };
-        let members = self.members(&ring);
-        let links: Vec<LinkId> = ring
-            .iter()
-            .map(|&connection| self.link_of(connection).0)
-            .collect();
-        let mut needs: Vec<usize> = links
-            .iter()
-            .flat_map(|&link| self.history[self.clusters.base(link).index()].0.clone())
-            .collect();
-        needs.sort_unstable();
-        needs.dedup();
-        self.merge(&links, Some(self.loops));
-        let level = self.history[self.clusters.base(links[0]).index()].1;
+        let Some((found, _)) = best else { return false };
+        let how = Knowledge {
+            needs: vec![self.loops],
+            level: found.level,
+        };
+        self.merge(
+            &found.ring.map(|connection| self.link_of(connection).0),
+            &how,
+        );
         self.loops += 1;
-        self.steps.push(Step::Close(Loop {
-            ring,
-            members,
-            level,
-            needs,
-        }));
+        self.steps.push(Step::Close(found));
         true
     }
 
@@ -275,15 +292,21 @@ impl<'m> Search<'m> {
                 self.model.axis(connection.to).link,
                 self.model.axis(next.from).link,
             );
-            let base = self.clusters.base(from);
-            let inside = |joint| {
-                let (a, b) = self.model.ends(joint);
-                self.clusters.base(a) == base && self.clusters.base(b) == base
-            };
             members.push(connection.joint);
-            members.extend(self.graph.way(from, to, inside));
+            members.extend(self.way(from, to));
         }
         members
+    }
+
+    /// A way through known joints between two links of the same cluster: of the lowest level, then the shortest.
+    fn way(&self, from: LinkId, to: LinkId) -> Vec<JointId> {
+        let level = |joint: JointId| self.known[joint.index()].as_ref().map(|known| known.level);
+        let is_gear = |joint| matches!(self.model.joint(joint).kind, JointKind::Gear { .. });
+        let open = |joint, most| level(joint).is_some_and(|level| level <= most) && !is_gear(joint);
+        let ways = (0..=self.loops).map(|most| self.graph.way(from, to, |joint| open(joint, most)));
+        ways.into_iter()
+            .find(|way| !way.is_empty() || from == to)
+            .unwrap_or_default()
     }
 
     /// The joints between different clusters.

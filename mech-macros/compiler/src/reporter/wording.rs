@@ -1,0 +1,51 @@
+//! Lists and numbers, as a reader wants them.
+
+/// An enumeration.
+pub(super) fn and(names: &[String]) -> String {
+    names.join(", ")
+}
+
+/// Alternatives: `a`, `b` or `c`.
+pub(super) fn or(names: &[String]) -> String {
+    match names {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        names => names.concat(),
+    }
+}
+
+/// After how many decimal places, in degrees, the assemblies can still be told apart.
+pub(super) fn places_enough(links: usize, angles: &[Vec<f64>]) -> usize {
+    let apart = |places: usize| {
+        let least = 4.0 * 0.1_f64.powi(i32::try_from(places).unwrap_or(0));
+        (0..links).all(|link| {
+            let angles: Vec<f64> = angles
+                .iter()
+                .map(|angles| angles[link].to_degrees())
+                .collect();
+            let pairs = angles
+                .iter()
+                .enumerate()
+                .flat_map(|(i, a)| angles[..i].iter().map(move |b| (a - b).abs()));
+            let mut turns = pairs.map(|turn| turn.min(360.0 - turn));
+            turns.all(|turn| turn < 1e-3 || turn > least)
+        })
+    };
+    (0..4).find(|&places| apart(places)).unwrap_or(4)
+}
+
+/// A number with so many decimal places, without zeros at its end.
+pub(super) fn rounded(value: f64, places: usize) -> f64 {
+    let text = format!("{value:.places$}");
+    // Zero added: there is no point in a negative one.
+    text.parse::<f64>().map_or(value, |value| value + 0.0)
+}
+
+/// A number with as many digits as a reader wants.
+pub(super) fn brief(value: f64) -> String {
+    let rounded = rounded(value, 4);
+    if value != 0.0 && (rounded == 0.0 || value.abs() >= 1e9) {
+        format!("{value:.1e}")
+    } else {
+        format!("{rounded}")
+    }
+}

@@ -1,0 +1,239 @@
+//! The generated code beside the interpreted program, and both beside the definition of the joints.
+
+mod zoo;
+
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{JointKind, Model};
+use mech_compiler::program::Real;
+use mech_compiler::{Compiled, model::LinkId};
+use mech_examples::gallery;
+use mech_runtime::{Mechanism, Scalar};
+use mech_tests::{mechanisms, size, with_ground, worst_gap, worst_stretch};
+use std::f64::consts::{PI, TAU};
+
+const FRAMES: i32 = 360;
+
+/// What to hold a mechanism to.
+struct Case<'s> {
+    source: &'s str,
+    /// The values of the motors at a phase in 0..=1, beside those of the start.
+    motion: fn(f64) -> Vec<f64>,
+}
+
+fn read<M: Mechanism>(source: &str) -> (Model, Compiled) {
+    let found = mechanisms(source)
+        .into_iter()
+        .find(|(model, _)| model.name == M::NAME);
+    found.expect("the source declares it")
+}
+
+fn in_f64<T: Scalar>(poses: &[mech_runtime::Pose<T>]) -> Vec<[f64; 4]> {
+    poses
+        .iter()
+        .map(|pose| [pose.cos, pose.sin, pose.x, pose.y].map(Scalar::to_f64))
+        .collect()
+}
+
+/// The greatest of the model's lengths: between axes of a link, or as given.
+fn largest_length(model: &Model) -> f64 {
+    let spans = model.link_ids().flat_map(|link| {
+        let axes: Vec<_> = model.axes.iter().filter(|axis| axis.link == link).collect();
+        let pairs: Vec<f64> = axes
+            .iter()
+            .flat_map(|a| {
+                axes.iter()
+                    .map(|b| (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]))
+            })
+            .collect();
+        pairs
+    });
+    spans.fold(0.0, f64::max)
+}
+
+/// Moves both through a full motion: same bits or 4 ulp; every joint closed.
+fn check<M>(case: &Case<'_>, gap_limit: f64)
+where
+    M: Mechanism,
+    M::Scalar: Scalar + Real,
+{
+    let (model, compiled) = read::<M>(case.source);
+    let mut machine = Machine::<M::Scalar>::new(&compiled.program);
+    let mut mechanism = M::new();
+    let start: Vec<f64> = mechanism
+        .motors()
+        .as_ref()
+        .iter()
+        .map(|&motor| Scalar::to_f64(motor))
+        .collect();
+    let mut worst: f64 = 0.0;
+    for frame in 0..=FRAMES {
+        let phase = f64::from(frame) / f64::from(FRAMES);
+        let mut motors = mechanism.motors();
+        for ((motor, start), way) in motors
+            .as_mut()
+            .iter_mut()
+            .zip(&start)
+            .zip((case.motion)(phase))
+        {
+            *motor = <M::Scalar as Scalar>::from_f64(start + way);
+        }
+        mechanism
+            .move_to(motors)
+            .unwrap_or_else(|blocked| panic!("{} at {phase}: {blocked}", M::NAME));
+        machine
+            .move_to(motors.as_ref())
+            .unwrap_or_else(|stop| panic!("{} at {phase}: {stop:?}", M::NAME));
+        for (emitted, run) in mechanism.poses().iter().zip(&machine.position().poses) {
+            for (emitted, run) in [emitted.cos, emitted.sin, emitted.x, emitted.y]
+                .into_iter()
+                .zip(run)
+            {
+                let (emitted, run) = (Scalar::to_f64(emitted), Scalar::to_f64(*run));
+                let ulp = <M::Scalar as Real>::EPSILON * emitted.abs().max(f64::MIN_POSITIVE);
+                assert!(
+                    (emitted - run).abs() <= 4.0 * ulp,
+                    "{} at {phase}: {emitted} and {run}",
+                    M::NAME
+                );
+            }
+        }
+        let poses = with_ground(&in_f64(mechanism.poses()));
+        worst = worst.max(worst_gap(&model, &poses));
+        assert!(worst_stretch(&poses) < 8.0 * <M::Scalar as Real>::EPSILON);
+    }
+    let relative = worst / largest_length(&model);
+    println!(
+        "{:<16} gap at most {relative:.1e} of its largest length",
+        M::NAME
+    );
+    assert!(relative < gap_limit, "{}: {relative:e}", M::NAME);
+}
+
+macro_rules! cases {
+    ($($test:ident: $mechanism:ty, $source:literal, $motion:expr;)*) => {
+        $(
+            #[test]
+            fn $test() {
+                let case = Case { source: include_str!($source), motion: $motion };
+                check::<$mechanism>(&case, 1e-13);
+            }
+        )*
+    };
+}
+
+fn turn(phase: f64) -> Vec<f64> {
+    vec![phase * TAU]
+}
+
+fn to_and_fro(phase: f64) -> Vec<f64> {
+    vec![-1.2 * (phase * PI).sin()]
+}
+
+fn turn_both(phase: f64) -> Vec<f64> {
+    vec![phase * TAU, 0.4 * (phase * TAU).sin()]
+}
+
+fn turn_all_three(phase: f64) -> Vec<f64> {
+    vec![phase * TAU, (phase * TAU).sin(), -2.0 * (phase * TAU).sin()]
+}
+
+cases! {
+    geared_piston: gallery::geared_piston::GearedPiston, "../../examples/src/gallery/geared_piston.rs", |phase| vec![2.0 * phase * TAU];
+    crank_rocker: gallery::four_bar::CrankRocker, "../../examples/src/gallery/four_bar.rs", turn;
+    watt: gallery::watt::Watt, "../../examples/src/gallery/watt.rs", turn;
+    andrews: gallery::andrews::AndrewsSqueezer, "../../examples/src/gallery/andrews.rs", turn;
+    jansen: gallery::jansen::JansenLeg, "../../examples/src/gallery/jansen.rs", turn;
+    rocker_arm: gallery::rocker_arm::RockerArm, "../../examples/src/gallery/rocker_arm.rs", turn_all_three;
+    slanted_guide: zoo::SlantedGuide, "zoo/mod.rs", turn;
+    quick_return: zoo::QuickReturn, "zoo/mod.rs", turn;
+    trammel: zoo::Trammel, "zoo/mod.rs", to_and_fro;
+    scotch_yoke: zoo::ScotchYoke, "zoo/mod.rs", turn;
+    rider: zoo::Rider, "zoo/mod.rs", turn_both;
+    gear_on_rocker: zoo::GearOnRocker, "zoo/mod.rs", turn;
+}
+
+#[test]
+fn single_precision() {
+    let case = Case {
+        source: include_str!("zoo/mod.rs"),
+        motion: turn,
+    };
+    check::<zoo::Single>(&case, 1e-6);
+}
+
+/// The pointer's turns against the rocker's, by the ratio alone: the rocker's angle does not leave (−π, π].
+#[test]
+fn a_gear_follows_a_rocker() {
+    let mut mechanism = zoo::GearOnRocker::new();
+    for degree in 0..3600 {
+        mechanism.move_to([f64::from(degree).to_radians()]).unwrap();
+        let wheel = mechanism.d() * 60.0 / 13.0;
+        let pointer = -1.5 * wheel;
+        for (link, angle) in [(mechanism.wheel(), wheel), (mechanism.pointer(), pointer)] {
+            let off = link.rotation.angle() - angle;
+            let off = off - TAU * (off / TAU).round();
+            assert!(off.abs() < 1e-13, "{degree}: {off:e}");
+        }
+    }
+}
+
+/// A rider moved as a whole: the poses of its parts relative to their carrier do not depend on where the carrier is.
+#[test]
+fn a_loop_on_a_moving_carrier_is_the_same_loop() {
+    let (mut still, mut moved) = (zoo::Rider::new(), zoo::Rider::new());
+    for degree in 0..360 {
+        let angle = f64::from(degree).to_radians();
+        still.move_to([angle, 0.0]).unwrap();
+        moved.move_to([angle, 2.0 * angle]).unwrap();
+        let seen = moved.carrier().inverse() * moved.rocker();
+        let off = (seen.translation.vector - still.rocker().translation.vector).norm();
+        assert!(off < 1e-13, "{degree}: {off:e}");
+        assert!((seen.rotation.angle() - still.rocker().rotation.angle()).abs() < 1e-13);
+    }
+}
+
+#[test]
+fn bad_values_leave_everything_as_it_was() {
+    let mut mechanism = gallery::four_bar::CrankRocker::new();
+    mechanism.move_to([1.0]).unwrap();
+    let before = mechanism;
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let blocked = mechanism.move_to([value]).unwrap_err();
+        assert_eq!(blocked.cause, mech_runtime::Cause::NotFinite);
+        assert_eq!(mechanism, before);
+    }
+    // As large as numbers go: it moves or says why not, and never breaks.
+    for value in [f64::MAX, f64::MIN, 1e300, -1e17, f64::MIN_POSITIVE] {
+        let _ = mechanism.move_to([value]);
+        assert!(
+            mechanism
+                .poses()
+                .iter()
+                .all(|pose| pose.cos.is_finite() && pose.x.is_finite())
+        );
+    }
+    let mut trammel = zoo::Trammel::new();
+    for value in [1e9, f64::MAX, -1e300] {
+        let before = trammel;
+        assert!(trammel.move_to([value]).is_err());
+        assert_eq!(trammel, before);
+    }
+}
+
+#[test]
+fn every_joint_of_the_model_has_two_different_links() {
+    for source in [
+        include_str!("zoo/mod.rs"),
+        include_str!("../../examples/src/gallery/andrews.rs"),
+    ] {
+        for (model, _) in mechanisms(source) {
+            for joint in model.joint_ids() {
+                let (a, b) = model.ends(joint);
+                assert_ne!(a, b);
+                let gear = matches!(model.joint(joint).kind, JointKind::Gear { .. });
+                assert!(gear || a != LinkId::GROUND || b != LinkId::GROUND);
+            }
+            assert!(size(&model) > 0.0);
+        }
+    }
+}
