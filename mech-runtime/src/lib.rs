@@ -1,5 +1,12 @@
 //! **If it compiles, it moves.** Planar mechanisms, declared in Rust source, analysed at compile time, solved loop by
 //! loop in straight-line `no_std` code.
+//!
+//! Everything begins with [`mechanism!`], whose documentation describes the language. It makes a struct; what a struct can
+//! do is also in the trait [`Mechanism`], for code that takes any. [`raster`] paints it.
+//!
+//! The crate is `no_std`, needs no allocator and has no `unsafe` code. Angles are in radians, lengths in scene units, y points
+//! up.
+#![cfg_attr(doctest, doc = include_str!("../../README.md"))]
 #![no_std]
 
 // The derive-like macro of this crate is called by path from the code it generates, here in our own tests too.
@@ -25,9 +32,82 @@ pub use shape::{Outline, Shape};
 #[doc(hidden)]
 pub use mech_macros::mechanism as expand_mechanism;
 
-/// Declares a planar mechanism: a struct that moves, and a compile error if it would not.
+/// Declares a planar mechanism: a struct that moves, or a compile error that says what to change.
 ///
-/// The language is described in the crate's documentation.
+/// ```
+/// use mech_runtime::mechanism;
+///
+/// mechanism! {
+///     /// A piston driven through a pair of gears.
+///     pub struct GearedPiston: f64;               // f32 or f64; f64 if left out
+///
+///     const THROW = 1.0;                          // numbers: + - * / ( ), PI, sqrt, sin, cos, tan, `deg`
+///
+///     ground {
+///         point pinion_shaft = (-3.0, 0.0);       // an axis of rotation: origin, and a direction if wanted: -> (1, 0)
+///         point wheel_shaft = (0.0, 0.0);
+///         line bore = (0.0, 0.0) -> (1.0, 0.0);   // an axis of sliding
+///         polygon [(4.0, 0.6), (8.0, 0.6), (8.0, 0.8), (4.0, 0.8)] on plane 0 color 1;
+///     }
+///     link pinion { point shaft = (0.0, 0.0); circle (0.0, 0.0) radius 1.0 on plane 2 color 3; }
+///     link wheel  { point shaft = (0.0, 0.0); point pin = (THROW, 0.0); }
+///     link rod    { point big_end = (0.0, 0.0); point small_end = (4.0, 0.0); }
+///     link piston { point pin = (0.0, 0.0); line axis = (0.0, 0.0) -> (1.0, 0.0); }
+///
+///     joint d = revolute(ground.pinion_shaft, pinion.shaft);
+///     joint e = revolute(ground.wheel_shaft, wheel.shaft);
+///     joint mesh = gear(pinion, wheel, 20 : 40);  // teeth; `20 : -60` is internal (a ring); floats are pitch radii
+///     joint f = revolute(wheel.pin, rod.big_end);
+///     joint g = revolute(rod.small_end, piston.pin);
+///     joint h = prismatic(ground.bore, piston.axis);
+///
+///     motor d;
+///     start { d = 0 deg; rod near 0 deg; }        // where it is assembled; `near` picks one of several ways
+///     method newton;                              // until each loop closes to rounding; or `newton(3)`: three rounds
+/// }
+///
+/// let mut piston = GearedPiston::new();           // assembled at compile time; cannot fail
+/// piston.move_to([0.3])?;                         // motors in the order of their declaration
+/// let pose = piston.piston();                     // a link in the scene: an `Isometry2<f64>`
+/// let tip = piston.rod_small_end();               // a named point of a link: a `Point2<f64>`
+/// assert!((tip.x - piston.h()).abs() < 1e-12);    // a joint's coordinate
+/// assert!((pose.translation.x - tip.x).abs() < 1e-12);
+/// println!("{}", GearedPiston::REPORT);           // mobility, trunk and arms, loops in order
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
+/// # Two ways to declare
+///
+/// Links may be given in frames of their own, with named axes, as above; joints make axes coincide, and where that leaves
+/// several assemblies, `near` says which one is meant. Or a mechanism is declared as in a drawing: links without axes, and
+/// joints placed in the scene. The frame of such a link is the scene's at the start, its points and shapes are given in
+/// scene coordinates, and the coordinate of every joint so placed is 0 at the start:
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct SliderCrank;
+///     link crank;
+///     link rod;
+///     link block;
+///     joint a = revolute(ground, crank) at (0, 0);
+///     joint b = revolute(crank, rod) at (1, 0.5);
+///     joint c = revolute(rod, block) at (4, 0);
+///     joint x = prismatic(ground, block) at (4, 0) along (1, 0);
+///     motor a;
+/// }
+/// let mut slider_crank = SliderCrank::new();
+/// assert!(slider_crank.move_to([0.5]).is_ok());
+/// assert!(slider_crank.move_to([f64::NAN]).is_err()); // and it is still where it was
+/// assert_eq!(slider_crank.motors(), [0.5]);
+/// ```
+///
+/// # What is checked
+///
+/// Names, kinds of axes and numbers; that everything is connected to the ground; that the motors take exactly the freedom
+/// the joints leave (blocked, overdetermined, undetermined, too many motors); that the loops can be solved one after the
+/// other; that it can be assembled, and in one way only. Every error stands at the place it is about, and repairs are
+/// tried before they are offered. A mechanism with errors still yields the struct and its methods, so that nothing else
+/// turns red.
 #[macro_export]
 macro_rules! mechanism {
     ($($body:tt)*) => {

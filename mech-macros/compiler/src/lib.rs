@@ -2,7 +2,7 @@
 //!
 //! One stair, and data only ever walks down it:
 //! `syntax → model → structure → plan → program → emit | evaluate`. The crate has two users: the macro `mechanism!`, which
-//! calls [`expand`], and whoever analyses a [`Model`](model::Model) made in another way, by [`compile`].
+//! calls [`expand`], and whoever analyses a [`Model`] made in another way, by [`compile`].
 
 mod emit;
 pub mod evaluate;
@@ -41,13 +41,16 @@ pub struct Compiled {
 /// # Errors
 /// Everything that keeps it from moving as its motors say.
 pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
+    if !model.fits() {
+        return Err(vec![Diagnosis::TooLarge]);
+    }
     let structure = structure::analyse(model)?;
     let plan = plan::plan(model, &structure).map_err(|diagnosis| vec![diagnosis])?;
     let mut program = program::build(model, &plan);
     if let Err(stop) = evaluate::settle(&mut program) {
         return Err(vec![unsettled(&plan, &program, stop)]);
     }
-    if !(model.fits() && program.fits()) {
+    if !program.fits() {
         return Err(vec![Diagnosis::TooLarge]);
     }
     let report = report::report(model, &structure, &plan);

@@ -43,8 +43,8 @@ pub(crate) fn items(
     } else {
         quote!(advance)
     };
-    let (motor_names, link_names) = (&program.motors, &program.links);
-    let text = name.to_string();
+    let motor_names = &program.motors;
+    let implementation = implementation(program, name);
     quote! {
         #(#attributes)*
         #[doc = #doc]
@@ -56,6 +56,17 @@ pub(crate) fn items(
         }
 
         const _: () = {
+            // Under this name, because what is imported below may be called as the struct is.
+            type Itself = #name;
+
+            #[allow(
+                clippy::approx_constant,
+                clippy::excessive_precision,
+                clippy::suboptimal_flops,
+                clippy::unreadable_literal,
+                reason = "numbers were computed, and fused operations would not give the same bits on every machine"
+            )]
+            const _: () = {
             use ::core::default::Default;
             use ::core::primitive::{#scalar, str};
             use ::core::result::Result::{self, Ok};
@@ -72,7 +83,7 @@ pub(crate) fn items(
             const REPORT: &str = #report;
 
             #[allow(dead_code, reason = "nobody has to ask for every link, point and joint")]
-            impl #name {
+            impl Itself {
                 /// Mobility, trunk and arms, and the loops in the order in which they are solved.
                 #visibility const REPORT: &'static str = REPORT;
 
@@ -112,13 +123,28 @@ pub(crate) fn items(
                 #accessors
             }
 
-            impl Default for #name {
+            impl Default for Itself {
                 fn default() -> Self {
                     Self::new()
                 }
             }
 
-            impl Mechanism for #name {
+            #implementation
+
+            #step
+            };
+        };
+    }
+}
+
+/// The trait, by way of the inherent methods.
+fn implementation(program: &Program, name: &Ident) -> TokenStream {
+    let scalar = scalar(program);
+    let (motor_names, link_names) = (&program.motors, &program.links);
+    let motors = Literal::usize_unsuffixed(program.motors.len());
+    let text = name.to_string();
+    quote! {
+            impl Mechanism for Itself {
                 type Scalar = #scalar;
                 type Motors = [#scalar; #motors];
                 const NAME: &'static str = #text;
@@ -143,9 +169,6 @@ pub(crate) fn items(
                     self.poses()
                 }
             }
-
-            #step
-        };
     }
 }
 

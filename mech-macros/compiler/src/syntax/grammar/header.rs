@@ -22,7 +22,9 @@ pub(super) fn comes(input: ParseStream) -> bool {
 }
 
 /// Reads a `struct` line from its visibility on.
-pub(super) fn line(input: ParseStream, attributes: Vec<Attribute>) -> Line {
+pub(super) fn line(input: ParseStream, mut attributes: Vec<Attribute>) -> Line {
+    let twice = attributes.iter().find_map(derived_anyway);
+    attributes.retain(|attribute| derived_anyway(attribute).is_none());
     let header = beginning(input, attributes);
     let (mut header, error) = match header {
         Ok(header) => (Some((header, Precision::default())), None),
@@ -40,7 +42,10 @@ pub(super) fn line(input: ParseStream, attributes: Vec<Attribute>) -> Line {
     if error.is_some() {
         skip(input, &BEGINNINGS);
     }
-    Line { header, error }
+    Line {
+        header,
+        error: error.or(twice),
+    }
 }
 
 /// `pub struct Name`
@@ -56,6 +61,22 @@ fn beginning(input: ParseStream, attributes: Vec<Attribute>) -> Read<Header> {
         visibility,
         name,
     })
+}
+
+/// A `derive` of what every mechanism is already.
+fn derived_anyway(attribute: &Attribute) -> Option<Message> {
+    const DERIVED: [&str; 5] = ["Clone", "Copy", "Debug", "Default", "PartialEq"];
+    if !attribute.path().is_ident("derive") {
+        return None;
+    }
+    let list = attribute.meta.require_list().ok()?;
+    let twice = list
+        .tokens
+        .clone()
+        .into_iter()
+        .find(|token| DERIVED.contains(&token.to_string().as_str()))?;
+    let text = format!("every mechanism is `{twice}` already; leave it out");
+    Some(Message::new(Place::at(twice.span()), text))
 }
 
 /// `: f64;`

@@ -7,7 +7,9 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 7] = ["new", "move_to", "motors", "poses", "draw", "clone", "fmt"];
+const RESERVED: [&str; 9] = [
+    "new", "move_to", "motors", "poses", "draw", "clone", "default", "fmt", "REPORT",
+];
 
 /// What a name of the text stands for.
 #[derive(Clone, Copy)]

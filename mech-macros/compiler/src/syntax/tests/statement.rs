@@ -44,8 +44,13 @@ fn the_struct_line_says_f32_or_f64() {
 
 #[test]
 fn attributes_belong_to_the_struct_line() {
-    let parsed = told_of("#[derive(Debug)] #[allow(dead_code)] struct M;", &[]);
+    let parsed = told_of("#[derive(Hash)] #[allow(dead_code)] struct M;", &[]);
     assert_eq!(parsed.header.expect("a header").attributes.len(), 2);
+    let parsed = told_of(
+        "#[derive(«Debug»)] struct M;",
+        &["every mechanism is `Debug` already; leave it out"],
+    );
+    assert!(parsed.header.expect("a header").attributes.is_empty());
     let message =
         "only the `struct` line takes attributes and doc comments; write this as a `//` comment";
     let parsed = told(
