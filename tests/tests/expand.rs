@@ -1,0 +1,78 @@
+//! What people see who look at the generated code. Renew with `INSTA_UPDATE=always cargo test -p mech-tests --test expand`,
+//! and read it.
+
+use proc_macro2::TokenStream;
+
+fn expansion(text: &str) -> String {
+    let text: TokenStream = text.parse().expect("tokens");
+    let tokens = mech_compiler::expand(quote::quote!(::mech_runtime; #text));
+    prettyplease::unparse(&syn::parse2(tokens).expect("the expansion is Rust"))
+}
+
+/// The part in which everything is solved, without the accessors around it.
+fn solving(text: &str) -> String {
+    let all = expansion(text);
+    let start = all.find("        /// Loop 1").unwrap_or(0);
+    all.split_at(start).1.to_owned()
+}
+
+#[test]
+fn a_whole_mechanism() {
+    insta::assert_snapshot!(expansion(
+        "/// A crank on the ground.
+        pub struct Crank;
+        ground { point shaft = (0, 0); circle (0, 0) radius 2 on plane 0 color 1; }
+        link crank { point shaft = (0, 0); point pin = (1, 0); }
+        joint a = revolute(ground.shaft, crank.shaft);
+        motor a;
+        start { a = 30 deg; }"
+    ));
+}
+
+#[test]
+fn a_four_bar_with_a_fixed_number_of_rounds() {
+    insta::assert_snapshot!(solving(
+        "struct FourBar;
+        link crank; link coupler; link rocker;
+        joint a = revolute(ground, crank) at (0, 0);
+        joint b = revolute(crank, coupler) at (0.8, 0.6);
+        joint c = revolute(coupler, rocker) at (3.3, 2.9);
+        joint d = revolute(ground, rocker) at (4, 0);
+        motor a;
+        method newton(3);"
+    ));
+}
+
+#[test]
+fn the_paper_s_figure_1() {
+    insta::assert_snapshot!(solving(
+        "struct GearedPiston;
+        ground {
+            point pinion_shaft = (-3.0, 0.0);
+            point wheel_shaft = (0.0, 0.0);
+            line bore = (0.0, 0.0) -> (1.0, 0.0);
+        }
+        link pinion { point shaft = (0.0, 0.0); }
+        link wheel  { point shaft = (0.0, 0.0); point pin = (1.0, 0.0); }
+        link rod    { point big_end = (0.0, 0.0); point small_end = (4.0, 0.0); }
+        link piston { point pin = (0.0, 0.0); line axis = (0.0, 0.0) -> (1.0, 0.0); }
+        joint d = revolute(ground.pinion_shaft, pinion.shaft);
+        joint e = revolute(ground.wheel_shaft, wheel.shaft);
+        joint mesh = gear(pinion, wheel, 20 : 40);
+        joint f = revolute(wheel.pin, rod.big_end);
+        joint g = revolute(rod.small_end, piston.pin);
+        joint h = prismatic(ground.bore, piston.axis);
+        motor d;
+        start { rod near 0 deg; }"
+    ));
+}
+
+#[test]
+fn a_mechanism_with_errors() {
+    insta::assert_snapshot!(expansion(
+        "struct Lost;
+        link crank { point shaft = (0, 0); }
+        joint a = revolute(ground.shaft, crank.shaft);
+        motor a;"
+    ));
+}
