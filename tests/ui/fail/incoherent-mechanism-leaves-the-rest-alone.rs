@@ -18,6 +18,6 @@ mechanism! {
 
 fn main() {
     let mut four_bar = FourBar::new();
-    four_bar.move_to([]).unwrap();
+    four_bar.move_to([0.5]).unwrap();
     println!("{} {} {}", four_bar.coupler(), four_bar.rocker_pin(), four_bar.c());
 }

@@ -7,7 +7,8 @@ use crate::syntax::{Header, Places};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// The struct and the signatures of its methods. None of it is ever run.
+/// The struct and the signatures of its methods. None of it is ever run. How many motors it will have is not known as long
+/// as it has errors, so `move_to` takes any number.
 pub(crate) fn stub(
     krate: &TokenStream,
     header: &Header,
@@ -71,7 +72,7 @@ pub(crate) fn stub(
                 #visibility fn motors(&self) -> [#scalar; #motors] {
                     loop {}
                 }
-                #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> ::core::result::Result<(), #krate::Blocked> {
+                #visibility fn move_to<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS]) -> ::core::result::Result<(), #krate::Blocked> {
                     loop {}
                 }
                 #visibility fn poses(&self) -> &[#krate::Pose<#scalar>; #links] {
