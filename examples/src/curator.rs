@@ -1,6 +1,6 @@
 //! Who hangs the exhibits.
 
-use crate::{Easel, Error, Exhibit, Film, Picture, animation, page};
+use crate::{Easel, Error, Exhibit, Film, Graphs, Picture, animation, page};
 use indicatif::{HumanBytes, ProgressBar, ProgressStyle};
 use std::io::Write;
 use std::num::NonZero;
@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use std::{env, fmt, fs, io, thread};
 
 const HELP: &str = "\
-Paints the gallery: for each mechanism a picture (PNG) and an animation (GIF), and a page that shows them all.
+Paints the gallery: for each mechanism a picture (PNG), an animation (GIF) and its graphs
+(DOT), and a page that shows them all.
 
 Usage: gallery [NAME]...
 
@@ -92,6 +93,9 @@ impl Curator {
                 .with_extension("gif")
                 .is_file()
         });
+        for exhibit in shown.clone() {
+            self.write_graphs(exhibit)?;
+        }
         let (path, _) = self.write("index.html", page::page(shown).as_bytes())?;
         let path = path.canonicalize().unwrap_or(path);
         say(format_args!("\n{}", path.display()));
@@ -131,6 +135,16 @@ impl Curator {
             pictures.len(),
             HumanBytes(gif_size)
         ));
+        Ok(())
+    }
+
+    /// Writes the graphs of an exhibit, if it has any, as text for Graphviz.
+    fn write_graphs(&self, exhibit: &dyn Exhibit) -> Result<(), Error> {
+        if let Some(Graphs { links, loops }) = exhibit.graphs() {
+            for (file, graph) in page::graph_files(exhibit.slug()).iter().zip([links, loops]) {
+                self.write(file, graph.to_dot().as_bytes())?;
+            }
+        }
         Ok(())
     }
 

@@ -1,6 +1,6 @@
 //! A mechanism and what it is to do.
 
-use crate::{Film, Stuck};
+use crate::{Film, Graphs, Stuck};
 use mech_runtime::Mechanism;
 
 /// Frames in most films: enough for one turn of a crank to look smooth.
@@ -16,6 +16,8 @@ pub trait Exhibit {
     fn caption(&self) -> &'static str;
     /// What the macro found out about its mechanism.
     fn report(&self) -> &'static str;
+    /// The graphs of its mechanism, if a `mechanism!` declares it.
+    fn graphs(&self) -> Option<Graphs>;
     /// When it is at its most characteristic, in `0.0..1.0` of its motion.
     fn still(&self) -> f64;
     /// Moves it once through its whole motion.
@@ -37,6 +39,7 @@ pub trait Exhibit {
 ///     slug: "four-bar",
 ///     title: "Four-bar linkage",
 ///     caption: "A crank turns, a rocker rocks.",
+///     source: include_str!("exhibit.rs"),
 ///     motion: |phase| [phase * TAU],
 ///     frames: FRAMES,
 ///     still: 0.1,
@@ -50,6 +53,8 @@ pub struct Showcase<M: Mechanism<Scalar = f64>> {
     pub title: &'static str,
     /// A paragraph about it.
     pub caption: &'static str,
+    /// The source file that declares the mechanism: its graphs are read out of it.
+    pub source: &'static str,
     /// The values of its motors (radians, scene units) at a phase in `0.0..1.0`. What it does between the last phase
     /// and the first again should look like what it does between others.
     pub motion: fn(f64) -> M::Motors,
@@ -78,6 +83,10 @@ impl<M: Mechanism<Scalar = f64>> Exhibit for Showcase<M> {
 
     fn report(&self) -> &'static str {
         M::REPORT
+    }
+
+    fn graphs(&self) -> Option<Graphs> {
+        Graphs::find(self.source, M::NAME)
     }
 
     fn still(&self) -> f64 {

@@ -16,6 +16,7 @@ fn showcase() -> Showcase<FourBar> {
         slug: "four-bar",
         title: "Four bars & a <rocker>",
         caption: "A crank turns, a rocker rocks, and the coupler between them draws a curve that no compass can draw.",
+        source: "",
         motion: |phase| [phase * TAU],
         frames: FRAMES,
         still: 0.15,
@@ -76,6 +77,8 @@ fn files_and_page() {
     assert!(page.contains("closed form &lt;RRR&gt; &amp; &quot;exact&quot;"));
     assert!(page.contains(r#"src="four-bar.gif""#) && page.contains(r#"href="four-bar.png""#));
     assert!(!page.contains("http") && !page.contains("//"));
+    // Written by hand, it has no declaration to find graphs in.
+    assert!(!page.contains("<svg"));
 
     let painted = pictures(&showcase());
     let png = io::Cursor::new(fs::read(folder.join("four-bar.png")).expect("a PNG"));
@@ -98,6 +101,38 @@ fn files_and_page() {
             assert!(!far, "{painted:?} is seen as {seen:?}");
         }
     }
+}
+
+#[test]
+fn graphs_hang_below() {
+    let source = "
+        mechanism! { pub struct Other; }
+        mechanism! {
+            pub struct FourBar;
+            link crank; link coupler; link rocker;
+            joint a = revolute(ground, crank) at (0, 0);
+            joint b = revolute(crank, coupler) at (0, 1);
+            joint c = revolute(coupler, rocker) at (3, 2);
+            joint d = revolute(rocker, ground) at (3, 0);
+            motor a;
+        }";
+    let folder = folder("graphs");
+    let showcase = Showcase {
+        source,
+        frames: 2,
+        ..showcase()
+    };
+    let curator = Curator::new(vec![Box::new(showcase)], folder.clone());
+    curator.serve([]).expect("all goes well");
+
+    let page = fs::read_to_string(folder.join("index.html")).expect("a page");
+    assert_eq!(page.matches("<svg").count(), 2);
+    assert!(page.contains(">coupler</text>") && page.contains(">loop 1</text>"));
+    assert!(page.contains(r#"href="four-bar-links.dot""#));
+    let links = fs::read_to_string(folder.join("four-bar-links.dot")).expect("a graph");
+    assert!(links.contains(r#"n0 -- n1 [label="a\nrevolute\nmotor", style=bold];"#));
+    let loops = fs::read_to_string(folder.join("four-bar-loops.dot")).expect("a graph");
+    assert!(loops.contains(r#"[label="loop 1\nb c d"]"#));
 }
 
 #[test]

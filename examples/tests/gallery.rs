@@ -21,6 +21,15 @@ fn every_exhibit_goes_through_its_motion() {
 }
 
 #[test]
+fn every_exhibit_has_its_graphs() {
+    for exhibit in gallery::exhibits() {
+        let graphs = exhibit.graphs().expect("its source declares it");
+        assert!(graphs.links.edges.len() >= graphs.links.vertices.len() - 1);
+        assert!(!graphs.loops.vertices.is_empty());
+    }
+}
+
+#[test]
 fn slugs_are_unique() {
     let exhibits = gallery::exhibits();
     for (n, exhibit) in exhibits.iter().enumerate() {

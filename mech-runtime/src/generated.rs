@@ -126,16 +126,15 @@ fn by_pieces<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: u
 /// # Errors
 /// If the gap is greater than `accept` or the determinant less than `floor`, or either is not a number.
 #[inline]
-pub fn closed<T: Scalar>(
-    gap: [T; 2],
+pub fn closed<T: Scalar, const N: usize>(
+    gap: [T; N],
     accept: T,
     det: T,
     floor: T,
     place: &'static str,
 ) -> Result<(), Blocked> {
-    let [x, y] = gap;
     // So written that what is not a number does not pass.
-    let is_closed = x.abs() <= accept && y.abs() <= accept;
+    let is_closed = gap.into_iter().all(|gap| gap.abs() <= accept);
     if is_closed && det >= floor {
         Ok(())
     } else {
@@ -148,6 +147,42 @@ pub fn closed<T: Scalar>(
             },
         ))
     }
+}
+
+/// The solution of `rows · x = right` by elimination with partial pivoting, and the determinant. What is singular gives a
+/// determinant of zero or numbers that are not finite.
+#[must_use]
+pub fn solve<T: Scalar, const N: usize>(mut rows: [[T; N]; N], mut right: [T; N]) -> ([T; N], T) {
+    let mut det = T::one();
+    for pivot in 0..N {
+        let mut best = pivot;
+        for row in pivot + 1..N {
+            if rows[row][pivot].abs() > rows[best][pivot].abs() {
+                best = row;
+            }
+        }
+        if best != pivot {
+            rows.swap(best, pivot);
+            right.swap(best, pivot);
+            det = -det;
+        }
+        det *= rows[pivot][pivot];
+        for row in pivot + 1..N {
+            let factor = rows[row][pivot] / rows[pivot][pivot];
+            for column in pivot + 1..N {
+                rows[row][column] = rows[row][column] - factor * rows[pivot][column];
+            }
+            right[row] = right[row] - factor * right[pivot];
+        }
+    }
+    for row in (0..N).rev() {
+        let mut sum = right[row];
+        for column in row + 1..N {
+            sum -= rows[row][column] * right[column];
+        }
+        right[row] = sum / rows[row][row];
+    }
+    (right, det)
 }
 
 /// The sine and the cosine of an angle in radians.

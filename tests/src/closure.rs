@@ -27,7 +27,13 @@ pub fn worst_gap(model: &Model, poses: &[[f64; 4]]) -> f64 {
             let askew = along[0] * other[1] - along[1] * other[0];
             across.abs().max(askew.abs())
         }
-        JointKind::Gear { .. } => 0.0,
+        JointKind::Weld(a, b) => {
+            let ((from, along), (to, other)) = (placed(model, poses, a), placed(model, poses, b));
+            let askew = along[0] * other[1] - along[1] * other[0];
+            (to[0] - from[0]).hypot(to[1] - from[1]).max(askew.abs())
+        }
+        // What rolls is held to its ratio by tests of its own.
+        JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
     };
     model
         .joints

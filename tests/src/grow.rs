@@ -80,6 +80,7 @@ impl Grown {
             name: format!("j{}", id.index()),
             origin: Origin::default(),
             kind,
+            hidden: false,
         });
         id
     }
@@ -145,7 +146,12 @@ impl Grown {
         } else {
             (driven, wheel)
         };
-        self.joint(JointKind::Gear { a, b, ratio });
+        self.joint(JointKind::Gear {
+            a,
+            b,
+            ratio,
+            on: None,
+        });
         self.gears += 1;
     }
 

@@ -42,7 +42,7 @@ fn what_is_coherent_by_construction_is_accepted_and_understood() {
             "loops, seed {seed}"
         );
         assert_eq!(
-            compiled.structure.gears.len(),
+            compiled.structure.rollings.len(),
             grown.gears,
             "gears, seed {seed}"
         );

@@ -253,6 +253,7 @@ pub fn exhibit() -> Box<dyn Exhibit> {
                   meet in E, and that counts as three revolutes; so 3 × 7 − 2 × 10 = 1, and one \
                   motor moves it all. The anchor at the upper right is where the spring of K3 ends \
                   in the original.",
+        source: include_str!("andrews.rs"),
         motion: |phase| [phase * TAU - 0.061_713_890_014_276],
         frames: FRAMES,
         still: 0.2,

@@ -175,6 +175,7 @@ pub fn exhibit() -> Box<dyn Exhibit> {
                   swings to and fro. The coupler between them is a plate, and its red point runs \
                   along a coupler curve; the dots show it at every ten degrees of the crank. One \
                   loop of four revolutes, of which one has the motor.",
+        source: include_str!("four_bar.rs"),
         motion: |phase| [phase * TAU],
         frames: FRAMES,
         still: 0.1,

@@ -217,6 +217,7 @@ pub fn exhibit() -> Box<dyn Exhibit> {
                   out in whole numbers at compile time. A crank pin on the wheel, a connecting rod \
                   and the piston in its bore make a slider-crank: one loop of three revolutes and \
                   a prismatic, solved once the gear has told it where the wheel is.",
+        source: include_str!("geared_piston.rs"),
         motion: |phase| [phase * 2.0 * TAU],
         frames: 144,
         still: 0.08,

@@ -266,6 +266,7 @@ pub fn exhibit() -> Box<dyn Exhibit> {
                   so that the points of the leg are a chain of five dyads. The foot goes straight \
                   along the sand for half a turn and comes back through the air; the dots show it \
                   at every ten degrees of the crank.",
+        source: include_str!("jansen.rs"),
         motion: |phase| [-phase * TAU],
         frames: FRAMES,
         still: 0.0,

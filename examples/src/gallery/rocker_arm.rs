@@ -175,6 +175,7 @@ pub fn exhibit() -> Box<dyn Exhibit> {
                   revolutes, the shoulder and the wrist, with two arm motors. An arm takes no part \
                   in any loop: its joints are simply put one after the other, and nothing in the \
                   trunk depends on them. So there are three motors for a mobility of 3.",
+        source: include_str!("rocker_arm.rs"),
         motion: |phase| {
             let turn = phase * TAU;
             [

@@ -159,6 +159,7 @@ pub fn exhibit() -> Box<dyn Exhibit> {
                   together they swing the rocker through 138°, much farther than a single four-bar \
                   could at such good transmission angles. Windscreen wipers are made this way. The \
                   links are declared as they are drawn, in the coordinates of the scene.",
+        source: include_str!("watt.rs"),
         motion: |phase| [phase * TAU],
         frames: FRAMES,
         still: 0.0,

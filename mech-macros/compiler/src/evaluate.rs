@@ -1,7 +1,7 @@
 //! Runs a program now: for the studio, and to check the generated code against.
 
 use crate::program::{
-    BlockId, BlockKind, Newton, Op, Position, Program, Real, Rounds, Slot, Value,
+    BlockId, BlockKind, Newton, Op, Position, Program, Real, Rounds, Slot, Value, solve,
 };
 
 /// The smallest part of a motor step that is tried before the mechanism is said to be blocked.
@@ -184,17 +184,17 @@ impl<'p, T: Real> Machine<'p, T> {
                 Some(extent) => T::from_f64(part) * (T::from_f64(fixed) + values[extent.index()]),
             };
             let small = |value: Value| values[value.index()].abs() <= limit;
-            newton.gap.into_iter().all(small)
+            newton.gap.iter().copied().all(small)
         };
         let mut rounds = 0;
         loop {
+            let mut dense = None;
             for &value in &body {
-                if let Some(result) = self
-                    .program
-                    .node(value)
-                    .op
-                    .apply(|value| values[value.index()])
-                {
+                let op = self.program.node(value).op;
+                if let Op::Dense(_, index) = op {
+                    let (steps, det) = dense.get_or_insert_with(|| system(newton, values));
+                    values[value.index()] = steps.get(index).copied().unwrap_or(*det);
+                } else if let Some(result) = op.apply(|value| values[value.index()]) {
                     values[value.index()] = result;
                 }
             }
@@ -228,6 +228,20 @@ impl<'p, T: Real> Machine<'p, T> {
             Err(Stop::DeadPoint(block))
         }
     }
+}
+
+/// Solves the system of coupled loops: columns times steps is what is missing.
+fn system<T: Real>(newton: &Newton, values: &[T]) -> (Vec<T>, T) {
+    let get = |value: &Value| values[value.index()];
+    let row = |row: usize| {
+        newton
+            .columns
+            .iter()
+            .map(|column| get(&column[row]))
+            .collect()
+    };
+    let rows = (0..newton.gap.len()).map(row).collect();
+    solve(rows, newton.gap.iter().map(|gap| -get(gap)).collect())
 }
 
 fn read<T: Real>(last: &Position<T>, slot: Slot) -> T {

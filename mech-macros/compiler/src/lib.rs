@@ -6,6 +6,8 @@
 
 mod emit;
 pub mod evaluate;
+pub mod graphs;
+mod matched;
 pub mod model;
 pub mod plan;
 pub mod program;
@@ -15,7 +17,8 @@ pub mod structure;
 pub mod syntax;
 
 use evaluate::Stop;
-use model::Model;
+use matched::Matched;
+use model::{JointId, Model};
 use plan::Plan;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use program::Program;
@@ -44,12 +47,10 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     if !model.fits() {
         return Err(vec![Diagnosis::TooLarge]);
     }
-    let structure = structure::analyse(model)?;
-    let plan = plan::plan(model, &structure).map_err(|diagnosis| vec![diagnosis])?;
-    let mut program = program::build(model, &plan);
-    if let Err(stop) = evaluate::settle(&mut program) {
-        return Err(vec![unsettled(&plan, &program, stop)]);
-    }
+    let (structure, plan, program) = match structure::analyse(model) {
+        Ok(structure) => regular(model, structure)?,
+        Err(diagnoses) => special(model, diagnoses)?,
+    };
     if !program.fits() {
         return Err(vec![Diagnosis::TooLarge]);
     }
@@ -60,6 +61,67 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         program,
         report,
     })
+}
+
+/// A mechanism that moves whatever its lengths.
+fn regular(
+    model: &Model,
+    structure: Structure,
+) -> Result<(Structure, Plan, Program), Vec<Diagnosis>> {
+    let plan = plan::plan(model, &structure).map_err(|diagnosis| vec![diagnosis])?;
+    let mut program = program::build(model, &plan);
+    match evaluate::settle(&mut program) {
+        Ok(()) => Ok((structure, plan, program)),
+        Err(stop) => Err(vec![unsettled(&plan, &program, stop)]),
+    }
+}
+
+/// A mechanism that moves, if it does, only because its lengths match.
+fn special(
+    model: &Model,
+    diagnoses: Vec<Diagnosis>,
+) -> Result<(Structure, Plan, Program), Vec<Diagnosis>> {
+    let held = |diagnosis: &Diagnosis| {
+        matches!(
+            diagnosis,
+            Diagnosis::Blocked { .. } | Diagnosis::Overdetermined { .. }
+        )
+    };
+    let found = if diagnoses.iter().all(held) {
+        matched::matched(model)
+    } else {
+        None
+    };
+    match found {
+        None => Err(diagnoses),
+        Some(Matched {
+            mut structure,
+            plan,
+            program,
+        }) => {
+            if structure.redundant.is_empty() {
+                structure.redundant = diagnoses.iter().flat_map(held_joints).collect();
+            }
+            let joints = structure.redundant.clone();
+            if model.allow.redundant {
+                Ok((structure, plan, program))
+            } else {
+                Err(vec![Diagnosis::Overdetermined {
+                    joints,
+                    matched: true,
+                }])
+            }
+        }
+    }
+}
+
+fn held_joints(diagnosis: &Diagnosis) -> Vec<JointId> {
+    match diagnosis {
+        Diagnosis::Overdetermined { joints, .. } | Diagnosis::Blocked { joints, .. } => {
+            joints.clone()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// A loop that was assembled in closed form but does not close by its program starts where its equations are singular.

@@ -1,8 +1,8 @@
 //! The report: what the analysis found, in plain text, for the terminal, the docs and the gallery.
 
-use crate::model::{JointId, JointKind, LinkId, Method, Model, Ratio};
-use crate::plan::{ConnectionKind, Loop, Plan, Step};
-use crate::structure::{Gear, Structure};
+use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
+use crate::plan::{ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
+use crate::structure::{Rolling, Structure};
 use std::fmt::Write;
 
 /// The report of a coherent mechanism.
@@ -15,63 +15,136 @@ pub fn report(model: &Model, structure: &Structure, plan: &Plan) -> String {
 }
 
 fn write(text: &mut String, model: &Model, structure: &Structure, plan: &Plan) -> std::fmt::Result {
-    let gears = structure.gears.len();
-    let moving = model.links.len() - 1;
-    let pairs = model.joints.len() - gears;
     let motors: Vec<JointId> = model.motors.iter().map(|motor| motor.joint).collect();
     writeln!(text, "{}", model.name)?;
-    let meshes = if gears == 0 {
-        String::new()
-    } else {
-        format!(" − {gears}")
-    };
-    writeln!(
-        text,
-        "  mobility  {} = 3·{moving} − 2·{pairs}{meshes}",
-        structure.mobility
-    )?;
+    writeln!(text, "  mobility  {}", mobility(model, structure))?;
     writeln!(text, "  motors    {}", joints(model, &motors))?;
     writeln!(text, "  trunk     {}", joints(model, &structure.trunk))?;
     writeln!(text, "  arms      {}", joints(model, &structure.arms))?;
-    for gear in &structure.gears {
-        writeln!(text, "  gear      {}", gear_line(model, gear))?;
+    if !structure.redundant.is_empty() {
+        writeln!(text, "  redundant {}", joints(model, &structure.redundant))?;
     }
-    for (index, ring) in plan.loops().enumerate() {
-        writeln!(text, "  loop {:<4} {}", index + 1, loop_line(model, ring))?;
-        writeln!(text, "            {}", needs_line(model, plan, ring))?;
+    for rolling in &structure.rollings {
+        writeln!(text, "  rolling   {}", rolling_line(model, rolling))?;
     }
-    writeln!(text, "  method    {}", method(model))
+    for mesh in plan.steps.iter().filter_map(|step| {
+        if let Step::Mesh(mesh) = step {
+            Some(mesh)
+        } else {
+            None
+        }
+    }) {
+        writeln!(text, "  moved     {}", mesh_line(model, plan, mesh))?;
+    }
+    for (index, closing) in plan.loops().enumerate() {
+        writeln!(
+            text,
+            "  loop {:<4} {}",
+            index + 1,
+            loop_line(model, closing)
+        )?;
+        writeln!(text, "            {}", needs_line(model, plan, closing))?;
+    }
+    writeln!(text, "  method    {}", method(model, plan))
+}
+
+/// The count, with what each kind of joint takes.
+fn mobility(model: &Model, structure: &Structure) -> String {
+    let count =
+        |wanted: fn(&Joint) -> bool| model.joints.iter().filter(|joint| wanted(joint)).count();
+    let slots = count(|joint| joint.hidden);
+    let pairs = count(|joint| {
+        matches!(
+            joint.kind,
+            JointKind::Revolute(..) | JointKind::Prismatic(..)
+        )
+    }) - 2 * slots;
+    let welds = count(|joint| matches!(joint.kind, JointKind::Weld(..)));
+    let rolls = count(|joint| joint.kind.rolls());
+    let mut text = format!(
+        "{} = 3·{} − 2·{pairs}",
+        structure.mobility,
+        model.declared_links().count()
+    );
+    for (what, times) in [("3·", welds), ("", slots + rolls)] {
+        if times > 0 {
+            text += &format!(" − {what}{times}");
+        }
+    }
+    text
 }
 
 fn joints(model: &Model, ids: &[JointId]) -> String {
     if ids.is_empty() {
         return "none".to_owned();
     }
-    ids.iter()
+    let mut names: Vec<&str> = ids
+        .iter()
         .map(|&id| model.joint(id).name.as_str())
-        .collect::<Vec<_>>()
-        .join(" ")
+        .collect();
+    // A slot is two joints of one name.
+    names.dedup();
+    names.join(" ")
 }
 
 fn name(model: &Model, link: LinkId) -> &str {
     &model.link(link).name
 }
 
-fn gear_line(model: &Model, gear: &Gear) -> String {
-    let ratio = match gear.ratio {
-        Ratio::Teeth(a, b) => format!("{a} : {b} teeth"),
-        Ratio::Radii(a, b) => format!("radii {a} : {b}"),
+fn rolling_line(model: &Model, rolling: &Rolling) -> String {
+    let joint = model.joint(rolling.joint);
+    let size = match joint.kind {
+        JointKind::Gear {
+            ratio: Ratio::Teeth(a, b),
+            ..
+        } => format!("{a} : {b} teeth"),
+        JointKind::Belt {
+            ratio: Ratio::Teeth(a, b),
+            ..
+        } => format!("belt {a} : {b}"),
+        JointKind::Gear {
+            ratio: Ratio::Radii(a, b),
+            ..
+        } => format!("radii {a} : {b}"),
+        JointKind::Belt {
+            ratio: Ratio::Radii(a, b),
+            ..
+        } => format!("belt {a} : {b}"),
+        JointKind::Rack { radius, .. } => format!("rack, radius {radius}"),
+        _ => String::new(),
     };
-    let joint = &model.joint(gear.joint).name;
-    let (a, b) = (name(model, gear.a.0), name(model, gear.b.0));
+    let [a, b] = rolling.ends.map(|(end, _)| name(model, end.link()));
     format!(
-        "{joint}: {a} and {b}, {ratio}, on {}",
-        name(model, gear.carrier)
+        "{}: {a} and {b}, {size}, on {}",
+        joint.name,
+        name(model, rolling.carrier)
     )
 }
 
-fn loop_line(model: &Model, ring: &Loop) -> String {
-    let unknowns = ring.ring.iter().map(|connection| {
+/// What a joint that rolling moves is moved by, exactly.
+fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
+    let part = |(source, part): &(usize, Rational)| {
+        let source = match plan.sources.get(*source) {
+            Some(Source::Motor(motor)) => model.joint(model.motor(*motor).joint).name.clone(),
+            Some(Source::Angle { from, to }) => {
+                format!("angle of {} on {}", name(model, *to), name(model, *from))
+            }
+            Some(Source::Way(joint)) => model.joint(*joint).name.clone(),
+            None => String::new(),
+        };
+        format!("{part} · {source}")
+    };
+    let parts: Vec<String> = mesh.parts.iter().map(part).collect();
+    let moved = &model.joint(mesh.connection.joint).name;
+    if parts.is_empty() {
+        format!("{moved} stands still")
+    } else {
+        format!("{moved} by {}", parts.join(" + "))
+    }
+}
+
+fn loop_line(model: &Model, closing: &Loop) -> String {
+    let unknowns = closing.connections().map(|connection| {
         let kind = match connection.kind {
             ConnectionKind::Revolute => "angle",
             ConnectionKind::Prismatic => "way",
@@ -79,12 +152,21 @@ fn loop_line(model: &Model, ring: &Loop) -> String {
         format!("{} ({kind})", model.joint(connection.joint).name)
     });
     let unknowns: Vec<String> = unknowns.collect();
-    format!("level {}: unknowns {}", ring.level, unknowns.join(", "))
+    let coupled = if closing.is_coupled() {
+        format!("{} rings together, ", closing.rings.len())
+    } else {
+        String::new()
+    };
+    format!(
+        "level {}: {coupled}unknowns {}",
+        closing.level,
+        unknowns.join(", ")
+    )
 }
 
-fn needs_line(model: &Model, plan: &Plan, ring: &Loop) -> String {
-    let needs = match &ring.needs[..] {
-        [] => drivers(model, plan, ring),
+fn needs_line(model: &Model, plan: &Plan, closing: &Loop) -> String {
+    let needs = match &closing.needs[..] {
+        [] => drivers(model, plan, closing),
         [one] => format!("after loop {}", one + 1),
         several => format!(
             "after loops {}",
@@ -95,18 +177,18 @@ fn needs_line(model: &Model, plan: &Plan, ring: &Loop) -> String {
                 .join(", ")
         ),
     };
-    format!("joints {}; {needs}", joints(model, &ring.members))
+    format!("joints {}; {needs}", joints(model, &closing.members))
 }
 
 /// What leads to a loop that needs no other: the motors and gears among its members.
-fn drivers(model: &Model, plan: &Plan, ring: &Loop) -> String {
+fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
     let driven = plan.steps.iter().filter_map(|step| match step {
         Step::Drive(drive) => Some((drive.connection.joint, "motor", drive.connection.joint)),
-        Step::Mesh(mesh) => Some((mesh.output.joint, "gear", mesh.gear)),
-        Step::Close(_) => None,
+        Step::Mesh(mesh) => Some((mesh.connection.joint, "rolling", mesh.by)),
+        Step::Weld(_) | Step::Close(_) => None,
     });
     let mut words: Vec<String> = driven
-        .filter(|(joint, ..)| ring.members.contains(joint))
+        .filter(|(joint, ..)| closing.members.contains(joint))
         .map(|(_, kind, by)| format!("{kind} {}", model.joint(by).name))
         .collect();
     words.dedup();
@@ -117,14 +199,10 @@ fn drivers(model: &Model, plan: &Plan, ring: &Loop) -> String {
     }
 }
 
-fn method(model: &Model) -> String {
-    let loops = model
-        .joints
-        .iter()
-        .any(|joint| !matches!(joint.kind, JointKind::Gear { .. }));
+fn method(model: &Model, plan: &Plan) -> String {
     match model.method {
-        Method::Newton if loops => "Newton, until each loop closes to rounding".to_owned(),
-        Method::Newton => "none needed".to_owned(),
+        _ if plan.loops().next().is_none() => "none needed".to_owned(),
+        Method::Newton => "Newton, until each loop closes to rounding".to_owned(),
         Method::NewtonSteps(1) => "Newton, one round a loop".to_owned(),
         Method::NewtonSteps(rounds) => format!("Newton, {rounds} rounds a loop"),
     }

@@ -56,10 +56,21 @@ impl Words<'_> {
                     if links.len() == 1 { "is" } else { "are" }
                 ),
             ),
-            Diagnosis::NoCarrier { gear } => {
+            Diagnosis::NotCarrier { joint, link } => (
+                self.model.joint(*joint).origin,
+                format!(
+                    "link {} does not carry {}: both parts that roll must keep their place in it",
+                    self.link(*link),
+                    self.joint(*joint)
+                ),
+            ),
+            Diagnosis::NoCarrier { joint: gear } => {
                 (self.model.joint(*gear).origin, self.no_carrier(*gear))
             }
-            Diagnosis::SeveralCarriers { gear, carriers } => (
+            Diagnosis::SeveralCarriers {
+                joint: gear,
+                carriers,
+            } => (
                 self.model.joint(*gear).origin,
                 format!(
                     "several links could carry gear {}: both of its wheels turn on {}\nhelp: leave out the joints of its \
@@ -73,15 +84,15 @@ impl Words<'_> {
                         .join(" and on ")
                 ),
             ),
-            Diagnosis::Blocked { .. }
-            | Diagnosis::TooManyMotors { .. }
-            | Diagnosis::Rigid { .. } => self.held(diagnosis),
-            Diagnosis::Overdetermined { joints, cures } => (
+            Diagnosis::Blocked { .. } | Diagnosis::TooManyMotors { .. } | Diagnosis::Rigid => {
+                self.held(diagnosis)
+            }
+            Diagnosis::Overdetermined { joints, .. } => (
                 self.model.joint(joints[0]).origin,
                 format!(
                     "joints {} hold the same parts more than once: they fit together only if all lengths match exactly{}",
                     self.joints(joints),
-                    self.bolted(joints).unwrap_or_else(|| self.cures(cures))
+                    self.bolted(joints).unwrap_or_else(|| self.cures(&[]))
                 ),
             ),
             Diagnosis::TooLarge => (
@@ -95,7 +106,7 @@ impl Words<'_> {
                 ),
             ),
             Diagnosis::NoMotor { .. } | Diagnosis::Undetermined { .. } => self.free(diagnosis),
-            Diagnosis::NotSequential { waiting } => (
+            Diagnosis::NotSequential { waiting, .. } => (
                 self.model.joint(waiting[0]).origin,
                 format!(
                     "the mechanism is not sequential: joints {} wait for each other, and no loop among them has only three \
@@ -130,7 +141,6 @@ impl Words<'_> {
                 motor,
                 part,
                 joints,
-                cures,
             } => {
                 let motor = self.model.motor(*motor);
                 let links: Vec<LinkId> = part
@@ -151,7 +161,7 @@ impl Words<'_> {
                     if links.len() == 1 { "is" } else { "form" },
                     self.joints(joints),
                     if links.len() == 1 { "it" } else { "them" },
-                    self.cures(cures)
+                    self.cures(&[])
                 );
                 (motor.origin, text)
             }
@@ -171,10 +181,10 @@ impl Words<'_> {
                 );
                 (self.model.motor(*motor).origin, text)
             }
-            Diagnosis::Rigid { cures } => {
+            Diagnosis::Rigid => {
                 let text = format!(
                     "nothing can move: the joints hold all links rigidly to `ground` (mobility 0){}",
-                    self.cures(cures)
+                    self.cures(&[])
                 );
                 (self.model.origin, text)
             }
@@ -442,7 +452,7 @@ impl Words<'_> {
             JointKind::Revolute(axis, _) | JointKind::Prismatic(axis, _) => {
                 self.model.axis(axis).name.is_none()
             }
-            JointKind::Gear { .. } => false,
+            _ => false,
         }
     }
 
@@ -450,7 +460,7 @@ impl Words<'_> {
     fn not_drawn(&self) -> String {
         let links: Vec<LinkId> = self
             .model
-            .moving_links()
+            .declared_links()
             .filter(|&link| !self.model.link(link).drawn)
             .collect();
         match links[..] {

@@ -92,8 +92,11 @@ fn iteration(
         .filter(|&value| !scope.is_bound(value))
         .collect();
     // What the test of the result needs. Constants and what is known beforehand need not be carried out of the iteration.
-    let test = [newton.gap[0], newton.gap[1], newton.det]
-        .into_iter()
+    let test = newton
+        .gap
+        .iter()
+        .copied()
+        .chain([newton.det])
         .chain(newton.extent);
     let mut exits: Vec<Value> = Vec::new();
     for value in test {
@@ -101,11 +104,20 @@ fn iteration(
             exits.push(value);
         }
     }
-    let measured = reached(program, &body, exits.iter().copied());
+    let rates = newton
+        .columns
+        .iter()
+        .flatten()
+        .filter(|_| newton.dense)
+        .copied();
+    let measured = reached(program, &body, exits.iter().copied().chain(rates));
     let bind = |values: &[Value], scope: &mut Scope<'_>| -> TokenStream {
+        let dense = |value: Value| matches!(program.node(value).op, Op::Dense(..));
         let named = values
             .iter()
-            .filter(|&&value| exits.contains(&value) || scope.deserves_name(value))
+            .filter(|&&value| {
+                !dense(value) && (exits.contains(&value) || scope.deserves_name(value))
+            })
             .copied();
         let named: Vec<Value> = named.collect();
         named
@@ -115,15 +127,20 @@ fn iteration(
     };
     let (before, after): (Vec<Value>, Vec<Value>) =
         body.iter().partition(|value| measured.contains(value));
-    let before = bind(&before, scope);
+    let mut before = bind(&before, scope);
+    before.extend(newton.dense.then(|| dense(program, block, newton, scope)));
     let after = bind(&after, scope);
     let next: Vec<TokenStream> = newton
         .scalars
         .iter()
         .map(|scalar| scope.expression(scalar.next))
         .collect();
-    let [gap_x, gap_y, det] =
-        [newton.gap[0], newton.gap[1], newton.det].map(|value| scope.expression(value));
+    let gap: Vec<TokenStream> = newton
+        .gap
+        .iter()
+        .map(|&value| scope.expression(value))
+        .collect();
+    let det = scope.expression(newton.det);
     let exits: Vec<TokenStream> = exits.iter().map(|&value| scope.expression(value)).collect();
     let epsilon = program.precision.epsilon();
     let limit = |part: f64| size(program, newton, part, scope);
@@ -134,7 +151,8 @@ fn iteration(
         }
         Rounds::UntilClosed(most) => {
             let (most, tight) = (Literal::u32_unsuffixed(most), limit(newton.tight(epsilon)));
-            quote!(rounds == #most || #gap_x.abs().max(#gap_y.abs()) <= #tight)
+            let greatest = greatest(&gap);
+            quote!(rounds == #most || #greatest <= #tight)
         }
     };
     let accept = limit(newton.accept(epsilon));
@@ -157,8 +175,45 @@ fn iteration(
             (#(#variables),*) = (#(#next),*);
             rounds += 1;
         };
-        closed([#gap_x, #gap_y], #accept, #signed, #floor, #place)?;
+        closed([#(#gap),*], #accept, #signed, #floor, #place)?;
     }
+}
+
+/// The greatest of the absolute values.
+fn greatest(gap: &[TokenStream]) -> TokenStream {
+    let mut parts = gap.iter().map(|part| quote!(#part.abs()));
+    let first = parts.next().unwrap_or_default();
+    parts.fold(first, |greatest, part| quote!(#greatest.max(#part)))
+}
+
+/// The steps and the determinant of coupled loops, from their dense system.
+fn dense(program: &Program, block: BlockId, newton: &Newton, scope: &mut Scope<'_>) -> TokenStream {
+    let rows = (0..newton.gap.len()).map(|row| {
+        let rates = newton
+            .columns
+            .iter()
+            .map(|column| scope.expression(column[row]));
+        quote!([#(#rates),*])
+    });
+    let rows: Vec<TokenStream> = rows.collect();
+    let gap: Vec<TokenStream> = newton
+        .gap
+        .iter()
+        .map(|&gap| scope.expression(gap))
+        .collect();
+    let value = |index| {
+        program
+            .live_values()
+            .find(|&value| program.node(value).op == Op::Dense(block, index))
+    };
+    let bound: Vec<Ident> = (0..=newton.columns.len())
+        .map(|index| match value(index) {
+            Some(value) => scope.bind(value),
+            None => scope.fresh("_unused"),
+        })
+        .collect();
+    let (steps, det) = bound.split_at(newton.columns.len());
+    quote!(let ([#(#steps),*], #(#det)*) = solve([#(#rows),*], [#(-#gap),*]);)
 }
 
 /// A part of the present size of a loop.

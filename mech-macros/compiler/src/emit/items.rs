@@ -73,7 +73,7 @@ pub(crate) fn items(
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
             use #krate::generated::{
                 #advance, Blocked, Canvas, Isometry2, Mechanism, Outline, Point2, Pose, Position, Shape, angle,
-                atan2, closed, cos, paint, round, sin, sin_cos, slide,
+                atan2, closed, cos, paint, round, sin, sin_cos, slide, solve,
             };
 
             #shapes
@@ -213,7 +213,7 @@ fn accessors(
 ) -> TokenStream {
     let scalar = scalar(program);
     let mut tokens = TokenStream::new();
-    for id in model.moving_links() {
+    for id in model.declared_links() {
         let link = model.link(id);
         let name = user_ident(&link.name, places, link.origin);
         let pose = pose(id);
@@ -292,11 +292,14 @@ fn coordinate(
     program: &Program,
     joint: crate::model::JointId,
 ) -> Option<(&'static str, TokenStream)> {
+    if model.joint(joint).hidden {
+        return None;
+    }
     let motor = model.motor_of(joint);
     let (unit, function, a, b) = match model.joint(joint).kind {
         JointKind::Revolute(a, b) => ("radians, between −π and π", quote!(angle), a, b),
         JointKind::Prismatic(a, b) => ("scene units", quote!(slide), a, b),
-        JointKind::Gear { .. } => return None,
+        _ => return None,
     };
     if let Some(motor) = motor {
         let index = Literal::usize_unsuffixed(motor.index());

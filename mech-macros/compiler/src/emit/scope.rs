@@ -46,8 +46,8 @@ enum Binding {
 }
 
 /// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 8] = [
-    "last", "rounds", "atan2", "closed", "cos", "round", "sin", "sin_cos",
+const OUTER: [&str; 9] = [
+    "last", "rounds", "atan2", "closed", "cos", "round", "sin", "sin_cos", "solve",
 ];
 
 /// The names and uses of values in one function.
@@ -161,7 +161,9 @@ impl<'p> Scope<'p> {
             Op::Atan2(a, b) => self.call(&quote!(atan2), &[a, b]),
             Op::Round(a) => self.call(&quote!(round), &[a]),
             // These are always bound: they are parameters or variables.
-            Op::Motor(_) | Op::Unknown(..) | Op::Solved(..) => (quote!(()), Binding::Atom),
+            Op::Motor(_) | Op::Unknown(..) | Op::Solved(..) | Op::Dense(..) => {
+                (quote!(()), Binding::Atom)
+            }
         }
     }
 
@@ -239,9 +241,18 @@ pub(super) fn uses(program: &Program, block: BlockId) -> BTreeMap<Value, usize> 
         // The gap and the determinant leave the iteration; what follows a round is read once.
         newton
             .gap
-            .into_iter()
+            .iter()
+            .copied()
             .chain([newton.det])
             .chain(newton.extent)
+            .chain(
+                newton
+                    .columns
+                    .iter()
+                    .flatten()
+                    .filter(|_| newton.dense)
+                    .copied(),
+            )
             .for_each(&mut count);
         newton
             .scalars

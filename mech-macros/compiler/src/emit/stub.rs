@@ -26,11 +26,11 @@ pub(crate) fn stub(
         Precision::F64 => quote!(::core::primitive::f64),
     };
     let motors = Literal::usize_unsuffixed(motors);
-    let links = Literal::usize_unsuffixed(model.links.len() - 1);
+    let links = Literal::usize_unsuffixed(model.declared_links().count());
     let isometry = quote!(#krate::Isometry2<#scalar>);
     let point = quote!(#krate::Point2<#scalar>);
     let mut methods: Vec<(proc_macro2::Ident, &TokenStream)> = Vec::new();
-    for id in model.moving_links() {
+    for id in model.declared_links() {
         let link = model.link(id);
         methods.push((user_ident(&link.name, places, link.origin), &isometry));
     }
@@ -40,11 +40,12 @@ pub(crate) fn stub(
             &point,
         ));
     }
-    for joint in model
-        .joints
-        .iter()
-        .filter(|joint| !matches!(joint.kind, JointKind::Gear { .. }))
-    {
+    for joint in model.joints.iter().filter(|joint| {
+        matches!(
+            joint.kind,
+            JointKind::Revolute(..) | JointKind::Prismatic(..)
+        ) && !joint.hidden
+    }) {
         methods.push((user_ident(&joint.name, places, joint.origin), &scalar));
     }
     // What was declared twice is reported elsewhere: here each name may stand only once.

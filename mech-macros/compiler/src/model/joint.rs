@@ -11,6 +11,9 @@ pub struct Joint {
     pub origin: Origin,
     /// What it joins, and how.
     pub kind: JointKind,
+    /// Whether it is the pivot of a slot: then the slide that follows it has the slot's name and coordinate, and this one is
+    /// not shown.
+    pub hidden: bool,
 }
 
 /// The kinds of joint. The coordinate of a joint is that of its second part relative to its first.
@@ -20,6 +23,8 @@ pub enum JointKind {
     Revolute(AxisId, AxisId),
     /// Two line axes coincide; the coordinate is the way from the first's origin to the second's, along the line.
     Prismatic(AxisId, AxisId),
+    /// Two point axes coincide, in place and in direction: the links are one.
+    Weld(AxisId, AxisId),
     /// Two toothed wheels roll on each other.
     Gear {
         /// The first wheel.
@@ -28,7 +33,43 @@ pub enum JointKind {
         b: LinkId,
         /// The sizes of the two.
         ratio: Ratio,
+        /// The link that carries them, if it was said.
+        on: Option<LinkId>,
     },
+    /// A belt or chain runs over two wheels: they turn in the same sense.
+    Belt {
+        /// The first wheel.
+        a: LinkId,
+        /// The second wheel.
+        b: LinkId,
+        /// The sizes of the two, both positive.
+        ratio: Ratio,
+        /// The link that carries them, if it was said.
+        on: Option<LinkId>,
+    },
+    /// A pinion rolls on a toothed bar.
+    Rack {
+        /// The wheel.
+        pinion: LinkId,
+        /// The bar.
+        bar: LinkId,
+        /// The pinion's pitch radius, in scene units: the way of the bar along its line for one radian of the pinion, both
+        /// seen from their carrier. Negative if the bar is on the other side.
+        radius: f64,
+        /// The link that carries them, if it was said.
+        on: Option<LinkId>,
+    },
+}
+
+impl JointKind {
+    /// Whether it is a pair of wheels, or a wheel and a bar, that roll: it ties two coordinates and has none of its own.
+    #[must_use]
+    pub fn rolls(self) -> bool {
+        matches!(
+            self,
+            Self::Gear { .. } | Self::Belt { .. } | Self::Rack { .. }
+        )
+    }
 }
 
 /// The sizes of two meshing wheels. One of them is negative for an internal gear (a ring); none is zero.

@@ -74,6 +74,17 @@ pub struct Model {
     pub start: Start,
     /// How the loops are solved.
     pub method: Method,
+    /// What is let pass.
+    pub allow: Allowances,
+}
+
+/// What is let pass that is otherwise an error.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Allowances {
+    /// Joints that hold a part more than once, where lengths match exactly.
+    pub redundant: bool,
+    /// Loops that wait for each other: they are solved together.
+    pub coupled: bool,
 }
 
 impl Model {
@@ -90,6 +101,7 @@ impl Model {
             motors: Vec::new(),
             start: Start::default(),
             method: Method::default(),
+            allow: Allowances::default(),
         }
     }
 
@@ -151,11 +163,51 @@ impl Model {
     #[must_use]
     pub fn ends(&self, id: JointId) -> (LinkId, LinkId) {
         match self.joint(id).kind {
-            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => {
+            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
                 (self.axis(a).link, self.axis(b).link)
             }
-            JointKind::Gear { a, b, .. } => (a, b),
+            JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => (a, b),
+            JointKind::Rack { pinion, bar, .. } => (pinion, bar),
         }
+    }
+
+    /// Joins a point of one link to a line of another: the pin turns and slides in the slot. This adds a die, which must come
+    /// after all links that are declared.
+    pub fn add_slot(&mut self, name: &str, origin: Origin, point: AxisId, line: AxisId) -> JointId {
+        let die = LinkId::new(self.links.len());
+        let mut link = Link::new(name, origin);
+        link.die = Some((point, line));
+        self.links.push(link);
+        let mut axis = |kind| {
+            let (at, direction) = ([0.0, 0.0], [1.0, 0.0]);
+            self.axes.push(Axis {
+                link: die,
+                name: None,
+                origin,
+                kind,
+                at,
+                direction,
+            });
+            AxisId::new(self.axes.len() - 1)
+        };
+        let (pivot, guide) = (axis(AxisKind::Point), axis(AxisKind::Line));
+        let joint = |kind, hidden| Joint {
+            name: name.to_owned(),
+            origin,
+            kind,
+            hidden,
+        };
+        self.joints
+            .push(joint(JointKind::Revolute(point, pivot), true));
+        self.joints
+            .push(joint(JointKind::Prismatic(line, guide), false));
+        JointId::new(self.joints.len() - 1)
+    }
+
+    /// The ids of the links that were declared and can move: all but the ground and the dies of slots.
+    pub fn declared_links(&self) -> impl DoubleEndedIterator<Item = LinkId> + '_ {
+        self.moving_links()
+            .filter(|&link| self.link(link).die.is_none())
     }
 
     /// The ids of all links, the ground first.

@@ -1,11 +1,11 @@
 //! The start: every way in which the parts can be put together, and the one that is meant.
 
 use super::algebra::{Numbers, Pose};
-use super::angles::Angles;
 use super::closed_form::{Closure, close};
 use super::equation::Equation;
 use super::placement::{Coordinate, Placement};
-use super::step::{Connection, ConnectionKind, Loop, Mesh, Step};
+use super::search::search;
+use super::step::{Connection, ConnectionKind, Loop, Source, Step};
 use crate::model::{JointId, LinkId, Model, Near};
 use crate::structure::Diagnosis;
 
@@ -19,41 +19,52 @@ pub struct Assembly {
     pub poses: Vec<[f64; 4]>,
     /// The values of the motors.
     pub motors: Vec<f64>,
-    /// For each gear step, in order, the angles of the driving and of the driven wheel relative to the carrier.
-    pub meshes: Vec<(f64, f64)>,
+    /// For each mesh step, in order, the coordinate of the joint it moves.
+    pub meshes: Vec<f64>,
+    /// The sources that gears, belts and racks are solved from.
+    pub sources: Vec<f64>,
 }
 
 /// An assembly in the making.
 #[derive(Clone)]
 struct Draft<'m> {
     placement: Placement<'m, f64>,
-    angles: Angles<f64>,
-    meshes: Vec<(f64, f64)>,
+    meshes: Vec<f64>,
 }
 
 /// Assembles a mechanism.
-pub(super) fn assemble(model: &Model, steps: &[Step]) -> Result<Assembly, Diagnosis> {
+pub(super) fn assemble(
+    model: &Model,
+    steps: &[Step],
+    sources: &[Source],
+) -> Result<Assembly, Diagnosis> {
     start_is_free(model, steps)?;
     let mut drafts = vec![Draft {
         placement: Placement::new(&mut Numbers, model),
-        angles: Angles::new(&mut Numbers, model.links.len()),
         meshes: Vec::new(),
     }];
     let mut wishes: Vec<Near> = model.start.near.clone();
     for step in steps {
         drafts = match step {
+            Step::Weld(connection) => drafts
+                .into_iter()
+                .map(|draft| draft.put(*connection, 0.0))
+                .collect(),
             Step::Drive(drive) => {
                 let value = start_value(model, drive.connection.joint);
                 drafts
                     .into_iter()
-                    .map(|draft| draft.drive(drive.connection, value))
+                    .map(|draft| draft.put(drive.connection, value))
                     .collect()
             }
-            Step::Mesh(mesh) => drafts
-                .into_iter()
-                .map(|draft| draft.mesh(model, mesh))
-                .collect(),
-            Step::Close(ring) => closed(&drafts, ring)?,
+            Step::Mesh(mesh) => {
+                let value = start_along(model, mesh.connection);
+                drafts
+                    .into_iter()
+                    .map(|draft| draft.mesh(mesh.connection, value))
+                    .collect()
+            }
+            Step::Close(closing) => closed(model, &drafts, closing)?,
         };
         drafts = as_drawn(model, drafts)?;
         wishes.retain(|wish| {
@@ -70,18 +81,7 @@ pub(super) fn assemble(model: &Model, steps: &[Step]) -> Result<Assembly, Diagno
         }
     }
     match &drafts[..] {
-        [draft] => Ok(Assembly {
-            poses: model
-                .link_ids()
-                .map(|link| flat(draft.placement.pose(link)))
-                .collect(),
-            motors: model
-                .motors
-                .iter()
-                .map(|motor| start_value(model, motor.joint))
-                .collect(),
-            meshes: draft.meshes.clone(),
-        }),
+        [draft] => Ok(draft.finish(model, sources)),
         _ => Err(several(model, &drafts)),
     }
 }
@@ -104,12 +104,19 @@ fn start_value(model: &Model, joint: JointId) -> f64 {
         .map_or(0.0, |value| value.value)
 }
 
-/// Only a motor or a gear leaves a joint's start to be chosen.
+/// The start value of a connection's joint, for one who walks the connection.
+fn start_along(model: &Model, connection: Connection) -> f64 {
+    let forwards = model.ends(connection.joint).1 == model.axis(connection.to).link;
+    let value = start_value(model, connection.joint);
+    if forwards { value } else { -value }
+}
+
+/// Only a motor or a gear, belt or rack leaves a joint's start to be chosen.
 fn start_is_free(model: &Model, steps: &[Step]) -> Result<(), Diagnosis> {
     let meshed = |joint| {
         steps
             .iter()
-            .any(|step| matches!(step, Step::Mesh(mesh) if mesh.output.joint == joint))
+            .any(|step| matches!(step, Step::Mesh(mesh) if mesh.connection.joint == joint))
     };
     let free = |joint| model.motor_of(joint).is_some() || meshed(joint);
     match model.start.values.iter().find(|value| !free(value.joint)) {
@@ -119,95 +126,115 @@ fn start_is_free(model: &Model, steps: &[Step]) -> Result<(), Diagnosis> {
 }
 
 impl Draft<'_> {
-    fn drive(mut self, connection: Connection, value: f64) -> Self {
+    fn put(mut self, connection: Connection, value: f64) -> Self {
         let coordinate = match connection.kind {
             ConnectionKind::Revolute => Coordinate::Turn([value.cos(), value.sin()]),
             ConnectionKind::Prismatic => Coordinate::Slide(value),
         };
-        let turn = if connection.kind == ConnectionKind::Revolute {
-            value
-        } else {
-            0.0
-        };
-        self.note_angle(connection, turn);
         self.placement.connect(&mut Numbers, connection, coordinate);
         self
     }
 
-    fn mesh(mut self, model: &Model, mesh: &Mesh) -> Self {
-        let carrier = model.axis(mesh.input.from).link;
-        let wheel = model.axis(mesh.input.to).link;
-        let input = match self.angles.between(&mut Numbers, carrier, wheel) {
-            Some(angle) => angle,
-            None => self.principal(carrier, wheel),
-        };
-        // From here on its turns are counted, by the program too.
-        self.angles.join(&mut Numbers, carrier, wheel, input);
-        let forwards = model.ends(mesh.output.joint).1 == model.axis(mesh.output.to).link;
-        let given = start_value(model, mesh.output.joint);
-        let value = if forwards { given } else { -given };
-        let output = value + mesh.output.frame_angle(model);
-        self.meshes.push((input, output));
-        self.drive(mesh.output, value)
+    fn mesh(mut self, connection: Connection, value: f64) -> Self {
+        self.meshes.push(value);
+        self.put(connection, value)
     }
 
-    /// The angle in (−π, π] from the frame of one link to that of another in the same cluster.
-    fn principal(&self, from: LinkId, to: LinkId) -> f64 {
-        let [a, b] = self.placement.pose(from).direction;
-        let [c, d] = self.placement.pose(to).direction;
-        (a * d - b * c).atan2(a * c + b * d)
+    fn finish(&self, model: &Model, sources: &[Source]) -> Assembly {
+        Assembly {
+            poses: model
+                .link_ids()
+                .map(|link| flat(self.placement.pose(link)))
+                .collect(),
+            motors: model
+                .motors
+                .iter()
+                .map(|motor| start_value(model, motor.joint))
+                .collect(),
+            meshes: self.meshes.clone(),
+            sources: sources
+                .iter()
+                .map(|source| self.source(model, *source))
+                .collect(),
+        }
     }
 
-    fn note_angle(&mut self, connection: Connection, turn: f64) {
-        let (from, to) = (
-            self.placement.axis(connection.from),
-            self.placement.axis(connection.to),
-        );
-        let angle = turn + connection.frame_angle(self.placement.model);
-        self.angles.join(&mut Numbers, from.link, to.link, angle);
+    fn source(&self, model: &Model, source: Source) -> f64 {
+        match source {
+            Source::Motor(motor) => start_value(model, model.motor(motor).joint),
+            Source::Angle { from, to } => {
+                let [a, b] = self.placement.pose(from).direction;
+                let [c, d] = self.placement.pose(to).direction;
+                (a * d - b * c).atan2(a * c + b * d)
+            }
+            Source::Way(joint) => self.placement.way(&mut Numbers, joint).unwrap_or(0.0),
+        }
     }
 }
 
 /// Every way of closing a loop, for every draft.
-fn closed<'m>(drafts: &[Draft<'m>], ring: &Loop) -> Result<Vec<Draft<'m>>, Diagnosis> {
+fn closed<'m>(
+    model: &Model,
+    drafts: &[Draft<'m>],
+    closing: &Loop,
+) -> Result<Vec<Draft<'m>>, Diagnosis> {
     let mut gap = f64::INFINITY;
     let mut dead = false;
     let mut found = Vec::new();
     for draft in drafts {
-        let closure = match Equation::new(&mut Numbers, &draft.placement, ring) {
-            Some(equation) => (close(&equation), Some(equation)),
-            None => (Closure::Dead, None),
-        };
+        let equation = Equation::new(&mut Numbers, &draft.placement, closing);
+        let closure = close(&equation).unwrap_or_else(|| {
+            let first = closing.tree.first().map_or(LinkId::GROUND, |connection| {
+                draft.placement.base(connection.from)
+            });
+            search(&equation, &|base| wanted(model, first, base), size(model))
+        });
         match closure {
-            (Closure::Ways(ways), Some(equation)) => {
+            Closure::Ways(ways) => {
                 for way in ways {
                     let mut draft = draft.clone();
-                    equation.place(&mut Numbers, &mut draft.placement, ring, way);
-                    let slides = ring
-                        .ring
-                        .iter()
-                        .filter(|connection| connection.kind == ConnectionKind::Prismatic);
-                    slides.for_each(|&connection| draft.note_angle(connection, 0.0));
+                    equation.place(&mut Numbers, &mut draft.placement, closing, &way);
                     found.push(draft);
                 }
             }
-            (Closure::Gap(missing), _) => gap = gap.min(missing),
-            _ => dead = true,
+            Closure::Gap(missing) => gap = gap.min(missing),
+            Closure::Dead => dead = true,
         }
     }
     if !found.is_empty() {
-        Ok(found)
-    } else if dead {
-        Err(Diagnosis::DeadStart {
-            unknowns: ring.unknowns(),
-        })
-    } else {
-        Err(Diagnosis::CannotClose {
-            unknowns: ring.unknowns(),
-            gap,
-            axes: (ring.ring[1].from, ring.ring[1].to),
-        })
+        return Ok(found);
     }
+    let unknowns = closing.unknowns();
+    if dead {
+        return Err(Diagnosis::DeadStart { unknowns });
+    }
+    let ring = closing.rings.last().map_or(&[][..], |ring| ring);
+    let Some(across) = ring.get(1).or(ring.first()) else {
+        return Err(Diagnosis::DeadStart { unknowns });
+    };
+    Err(Diagnosis::CannotClose {
+        unknowns,
+        gap,
+        axes: (across.from, across.to),
+    })
+}
+
+/// The direction in which the start wants a link, seen from the first cluster's base; of a drawn link the drawn one.
+fn wanted(model: &Model, first: LinkId, link: LinkId) -> Option<[f64; 2]> {
+    let angle = |link: LinkId| {
+        let near = model.start.near.iter().find(|near| near.link == link);
+        let drawn = link == LinkId::GROUND || model.link(link).drawn;
+        near.map(|near| near.angle).or(drawn.then_some(0.0))
+    };
+    let (sin, cos) = (angle(link)? - angle(first)?).sin_cos();
+    Some([cos, sin])
+}
+
+/// The greatest distance of an axis from the origin of its link.
+fn size(model: &Model) -> f64 {
+    model.axes.iter().fold(0.0_f64, |size, axis| {
+        size.max(axis.at[0].abs()).max(axis.at[1].abs())
+    })
 }
 
 /// Keeps the drafts in which this link points nearest to where it is wanted.
@@ -240,9 +267,7 @@ fn as_drawn<'m>(model: &Model, drafts: Vec<Draft<'m>>) -> Result<Vec<Draft<'m>>,
 /// A drawn link that is not where it was drawn, relative to the drawn link before it in its cluster.
 fn strayed(model: &Model, placement: &Placement<'_, f64>) -> Option<LinkId> {
     let drawn = |link: LinkId| link == LinkId::GROUND || model.link(link).drawn;
-    let size = model.axes.iter().fold(0.0_f64, |size, axis| {
-        size.max(axis.at[0].abs()).max(axis.at[1].abs())
-    });
+    let size = size(model);
     let links: Vec<LinkId> = model.link_ids().filter(|&link| drawn(link)).collect();
     links
         .iter()
@@ -277,7 +302,7 @@ fn several(model: &Model, drafts: &[Draft<'_>]) -> Diagnosis {
         off.min(std::f64::consts::TAU - off) < 1e-5
     };
     let mut links: Vec<LinkId> = Vec::new();
-    for link in model.moving_links().filter(placed) {
+    for link in model.declared_links().filter(placed) {
         let alike = |a: &Draft<'_>, b: &Draft<'_>| links.iter().all(|&link| same(a, b, link));
         let mut pairs = drafts
             .iter()

@@ -8,8 +8,8 @@ const DEAD: f64 = 1e-6;
 /// The ways in which a loop can be closed.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Closure {
-    /// One or two, well apart.
-    Ways(Vec<[Solution<f64>; 2]>),
+    /// One or several, well apart.
+    Ways(Vec<Vec<Solution<f64>>>),
     /// It closes, but at a dead point.
     Dead,
     /// It does not close; this much is missing.
@@ -18,36 +18,30 @@ pub(super) enum Closure {
 
 type Vector = [f64; 2];
 
-/// Solves the equation of a loop of numbers.
-pub(super) fn close(equation: &Equation<f64>) -> Closure {
-    let goal = [-equation.offset[0], -equation.offset[1]];
-    match equation.unknowns {
-        [
-            Unknown::Direction { arm: a, .. },
-            Unknown::Direction { arm: b, .. },
-        ] => two_directions(goal, a, b),
-        [
-            Unknown::Direction { arm, .. },
-            Unknown::Slide {
-                along,
-                turned_by: None,
-                ..
-            },
-        ] => guided_arm(goal, arm, along),
-        [
-            Unknown::Direction { arm, .. },
-            Unknown::Slide {
-                along,
-                turned_by: Some(_),
-                ..
-            },
-        ] => sleeve(goal, arm, along),
-        [
-            Unknown::Slide { along: a, .. },
-            Unknown::Slide { along: b, .. },
-        ] => two_slides(goal, a, b),
+/// Solves a single ring of two unknowns; gives none for anything else.
+pub(super) fn close(equation: &Equation<f64>) -> Option<Closure> {
+    let ([ring], [first, second]) = (&equation.rings[..], &equation.unknowns[..]) else {
+        return None;
+    };
+    let goal = [-ring.offset[0], -ring.offset[1]];
+    let arm = |unknown: usize| ring.arms[unknown];
+    let slide = |unknown: usize| ring.slides.iter().find(|slide| slide.unknown == unknown);
+    match (first, second) {
+        (Unknown::Direction(_), Unknown::Direction(_)) => {
+            Some(two_directions(goal, arm(0)?, arm(1)?))
+        }
+        (Unknown::Direction(_), Unknown::Slide(_)) => {
+            let slide = slide(1)?;
+            Some(match slide.turned_by {
+                None => guided_arm(goal, arm(0)?, slide.along),
+                Some(_) => sleeve(goal, arm(0)?, slide.along),
+            })
+        }
+        (Unknown::Slide(_), Unknown::Slide(_)) => {
+            Some(two_slides(goal, slide(0)?.along, slide(1)?.along))
+        }
         // Directions come first.
-        [Unknown::Slide { .. }, Unknown::Direction { .. }] => Closure::Dead,
+        (Unknown::Slide(_), Unknown::Direction(_)) => None,
     }
 }
 
@@ -92,7 +86,7 @@ fn two_directions(goal: Vector, a: Vector, b: Vector) -> Closure {
             Solution::Direction(between(b, rest)),
         ]
     });
-    Closure::Ways(ways.to_vec())
+    Closure::Ways(ways.map(Vec::from).to_vec())
 }
 
 /// u·arm + t·along = goal, `along` fixed: a circle and a line.
@@ -113,7 +107,7 @@ fn guided_arm(goal: Vector, arm: Vector, along: Vector) -> Closure {
         let tip = [goal[0] - way * along[0], goal[1] - way * along[1]];
         [Solution::Direction(between(arm, tip)), Solution::Slide(way)]
     });
-    Closure::Ways(ways.to_vec())
+    Closure::Ways(ways.map(Vec::from).to_vec())
 }
 
 /// u·(arm + t·along) = goal: the line turns with the arm.
@@ -137,7 +131,7 @@ fn sleeve(goal: Vector, arm: Vector, along: Vector) -> Closure {
             Solution::Slide(way),
         ]
     });
-    Closure::Ways(ways.to_vec())
+    Closure::Ways(ways.map(Vec::from).to_vec())
 }
 
 /// s·a + t·b = goal.
@@ -148,5 +142,5 @@ fn two_slides(goal: Vector, a: Vector, b: Vector) -> Closure {
     }
     let first = (goal[0] * b[1] - goal[1] * b[0]) / det;
     let second = (a[0] * goal[1] - a[1] * goal[0]) / det;
-    Closure::Ways(vec![[Solution::Slide(first), Solution::Slide(second)]])
+    Closure::Ways(vec![vec![Solution::Slide(first), Solution::Slide(second)]])
 }

@@ -1,44 +1,55 @@
-//! The closure of a loop: the way round is zero.
+//! The closure of loops: the way round each ring is zero.
 //!
-//! Of the three unknown coordinates, those of sliding joints are kept, and of the turning ones all but one are replaced
-//! by the directions of the clusters between them. The angle row of the 3×3 system (its entries are 0 and 1) is thereby
+//! Of the unknown coordinates, those of sliding joints are kept, and those of turning ones are replaced by the directions of
+//! the clusters between them. For a loop of three unknowns the angle row of the 3×3 system (its entries are 0 and 1) is thereby
 //! already eliminated: two unknowns and two equations remain.
 
 use super::algebra::Algebra;
 use super::placement::{Coordinate, Placement};
 use super::step::{Connection, ConnectionKind, Loop};
+use crate::model::{JointId, LinkId};
 
 /// What is unknown in a loop.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Unknown<S> {
-    /// The direction of the base of the second (1) or third (2) cluster of the ring, seen from the first.
-    Direction {
-        /// Which cluster.
-        cluster: usize,
-        /// The way across everything that turns with it, in the cluster's own frame.
-        arm: [S; 2],
-    },
-    /// The coordinate of a sliding connection.
-    Slide {
-        /// Which connection of the ring.
-        connection: usize,
-        /// The direction in which the joint's own coordinate grows, for one who walks the ring: in the first cluster's
-        /// frame, or in the frame of the turning cluster.
-        along: [S; 2],
-        /// The unknown, if any, whose direction turns it.
-        turned_by: Option<usize>,
-    },
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unknown {
+    /// The direction of the base of a cluster, seen from the first.
+    Direction(LinkId),
+    /// The coordinate of a sliding joint.
+    Slide(JointId),
 }
 
-/// The way round a loop: `offset` and what the unknowns add to it must come to zero.
+/// The ways round the rings of a loop: each must come to zero.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Equation<S> {
-    /// What is known of the way round, in the frame of the first cluster.
+    /// One for each ring.
+    pub(crate) rings: Vec<Ring<S>>,
+    /// What is unknown, directions first.
+    pub(crate) unknowns: Vec<Unknown>,
+    /// How each cluster is turned relative to the first, by its base.
+    classes: Vec<(LinkId, Class<S>)>,
+}
+
+/// The way round a ring: the sum of what is known, of arms turned by unknown directions, and of unknown ways.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Ring<S> {
+    /// What is known, in the frame of the first cluster.
     pub(crate) offset: [S; 2],
-    /// The two unknowns, directions first.
-    pub(crate) unknowns: [Unknown<S>; 2],
-    /// For the second and the third cluster what its direction is: `turn` times that of an unknown, or `turn` itself.
-    classes: [Class<S>; 3],
+    /// For each unknown that is a direction, the way across everything that turns with it, in its own frame.
+    pub(crate) arms: Vec<Option<[S; 2]>>,
+    /// The slides that are walked.
+    pub(crate) slides: Vec<Slide<S>>,
+}
+
+/// A slide on the way round a ring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Slide<S> {
+    /// Which unknown its coordinate is.
+    pub(crate) unknown: usize,
+    /// The direction in which one goes when the coordinate grows: in the first cluster's frame, or in the frame of the
+    /// cluster that turns it.
+    pub(crate) along: [S; 2],
+    /// The unknown direction that turns it, if one does.
+    pub(crate) turned_by: Option<usize>,
 }
 
 /// How a cluster is turned relative to the first.
@@ -50,115 +61,6 @@ struct Class<S> {
     turn: [S; 2],
 }
 
-impl<S: Copy + PartialEq> Equation<S> {
-    /// Sets up the equation of a loop. Gives none if the ring has no two unknowns, which a ring of three joints of which
-    /// at least one turns always has.
-    pub(crate) fn new<A: Algebra<Scalar = S>>(
-        algebra: &mut A,
-        placement: &Placement<'_, S>,
-        ring: &Loop,
-    ) -> Option<Self> {
-        let [first, second, third] = ring.ring;
-        let (classes, turning) = classes(algebra, placement, [first, second, third]);
-        let spans = [
-            placement.span(algebra, third.to, first.from),
-            placement.span(algebra, first.to, second.from),
-            placement.span(algebra, second.to, third.from),
-        ];
-        let mut offset = spans[0];
-        let mut arms = vec![None; turning.len()];
-        for (span, class) in spans.into_iter().zip(classes).skip(1) {
-            let part = algebra.turned(class.turn, span);
-            match class.unknown {
-                None => offset = algebra.plus(offset, part),
-                Some(index) => {
-                    arms[index] = Some(match arms[index] {
-                        None => part,
-                        Some(arm) => algebra.plus(arm, part),
-                    });
-                }
-            }
-        }
-        let mut unknowns = Vec::new();
-        for (cluster, arm) in turning.into_iter().zip(arms) {
-            unknowns.push(Unknown::Direction { cluster, arm: arm? });
-        }
-        for (index, connection) in [first, second, third].into_iter().enumerate() {
-            if connection.kind == ConnectionKind::Prismatic {
-                let class = classes[index];
-                let heading = placement.heading(algebra, connection.from);
-                let [x, y] = algebra.turned(class.turn, heading);
-                let along = if placement.as_declared(connection) {
-                    [x, y]
-                } else {
-                    [algebra.neg(x), algebra.neg(y)]
-                };
-                unknowns.push(Unknown::Slide {
-                    connection: index,
-                    along,
-                    turned_by: class.unknown,
-                });
-            }
-        }
-        let unknowns = <[Unknown<S>; 2]>::try_from(unknowns).ok()?;
-        Some(Self {
-            offset,
-            unknowns,
-            classes,
-        })
-    }
-
-    /// Puts the solution into effect: the three clusters become one.
-    pub(crate) fn place<A: Algebra<Scalar = S>>(
-        &self,
-        algebra: &mut A,
-        placement: &mut Placement<'_, S>,
-        ring: &Loop,
-        solution: [Solution<S>; 2],
-    ) {
-        let [first, _, third] = ring.ring;
-        // Both are connected to the first cluster, whose base has the lowest number of the three and so stays.
-        self.place_one(algebra, placement, (first, 0), 1, solution);
-        self.place_one(algebra, placement, (third.reversed(), 2), 2, solution);
-    }
-
-    fn place_one<A: Algebra<Scalar = S>>(
-        &self,
-        algebra: &mut A,
-        placement: &mut Placement<'_, S>,
-        (connection, index): (Connection, usize),
-        cluster: usize,
-        solution: [Solution<S>; 2],
-    ) {
-        match connection.kind {
-            ConnectionKind::Revolute => {
-                let class = self.classes[cluster];
-                let direction = match class.unknown.map(|unknown| solution[unknown]) {
-                    Some(Solution::Direction(direction)) => algebra.turned(direction, class.turn),
-                    _ => class.turn,
-                };
-                placement.pivot(algebra, connection, direction);
-            }
-            ConnectionKind::Prismatic => {
-                let is_this = |unknown: &Unknown<S>| matches!(unknown, Unknown::Slide { connection, .. } if *connection == index);
-                let found = self
-                    .unknowns
-                    .iter()
-                    .position(is_this)
-                    .map(|unknown| solution[unknown]);
-                if let Some(Solution::Slide(way)) = found {
-                    let way = if placement.as_declared(connection) {
-                        way
-                    } else {
-                        algebra.neg(way)
-                    };
-                    placement.connect(algebra, connection, Coordinate::Slide(way));
-                }
-            }
-        }
-    }
-}
-
 /// The value of an unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Solution<S> {
@@ -168,57 +70,286 @@ pub(crate) enum Solution<S> {
     Slide(S),
 }
 
-/// How the clusters of a ring are turned relative to the first, and which of them turn by themselves.
-fn classes<A: Algebra<Scalar = S>, S: Copy>(
-    algebra: &mut A,
-    placement: &Placement<'_, S>,
-    [first, second, third]: [Connection; 3],
-) -> ([Class<S>; 3], Vec<usize>) {
-    let one = algebra.vector([1.0, 0.0]);
-    let mut known: [Option<Class<S>>; 3] = [
-        Some(Class {
-            unknown: None,
-            turn: one,
-        }),
-        None,
-        None,
-    ];
-    let mut turning = Vec::new();
-    let slides = [(0, first, 1), (1, second, 2), (2, third, 0)];
-    for start in 0..3 {
-        if known[start].is_none() {
-            known[start] = Some(Class {
-                unknown: Some(turning.len()),
-                turn: one,
-            });
-            turning.push(start);
+/// What was found on the way round every ring.
+#[derive(Clone, Debug)]
+pub(crate) struct Measure<S> {
+    /// One for each ring.
+    pub(crate) rings: Vec<Walk<S>>,
+}
+
+/// What was found on the way round a ring.
+#[derive(Clone, Debug)]
+pub(crate) struct Walk<S> {
+    /// What is missing for the ring to close.
+    pub(crate) gap: [S; 2],
+    /// The rate of the gap with each unknown: with the angle of a direction, with a way.
+    pub(crate) columns: Vec<[S; 2]>,
+    /// The vectors that the way is made of, each with the unknown direction that turns it, if one does.
+    pub(crate) sides: Vec<(Option<usize>, [S; 2])>,
+}
+
+impl<S: Copy + PartialEq> Equation<S> {
+    /// Sets up the equations of a loop.
+    pub(crate) fn new<A: Algebra<Scalar = S>>(
+        algebra: &mut A,
+        placement: &Placement<'_, S>,
+        closing: &Loop,
+    ) -> Self {
+        let (classes, mut unknowns) = classes(algebra, placement, closing);
+        for connection in closing.rings.iter().flatten() {
+            let unknown = Unknown::Slide(connection.joint);
+            if connection.kind == ConnectionKind::Prismatic && !unknowns.contains(&unknown) {
+                unknowns.push(unknown);
+            }
         }
-        // Twice, because the way from the first to the second may lead over the third.
-        for (from, connection, to) in slides.into_iter().chain(slides) {
-            if connection.kind == ConnectionKind::Prismatic {
-                for (from, connection, to) in
-                    [(from, connection, to), (to, connection.reversed(), from)]
-                {
-                    if let (Some(class), None) = (known[from], known[to]) {
-                        let turn = across_slide(algebra, placement, connection);
-                        known[to] = Some(Class {
-                            turn: algebra.turned(class.turn, turn),
-                            ..class
-                        });
+        let mut equation = Self {
+            rings: Vec::new(),
+            unknowns,
+            classes,
+        };
+        for ring in &closing.rings {
+            let ring = equation.ring(algebra, placement, ring);
+            equation.rings.push(ring);
+        }
+        equation
+    }
+
+    fn class(&self, base: LinkId) -> Option<Class<S>> {
+        self.classes
+            .iter()
+            .find(|(known, _)| *known == base)
+            .map(|(_, class)| *class)
+    }
+
+    fn ring<A: Algebra<Scalar = S>>(
+        &self,
+        algebra: &mut A,
+        placement: &Placement<'_, S>,
+        ring: &[Connection],
+    ) -> Ring<S> {
+        let mut offset = algebra.vector([0.0, 0.0]);
+        let mut arms: Vec<Option<[S; 2]>> = vec![None; self.unknowns.len()];
+        let mut slides = Vec::new();
+        for (index, connection) in ring.iter().enumerate() {
+            let before = ring[(index + ring.len() - 1) % ring.len()];
+            let Some(class) = self.class(placement.base(connection.from)) else {
+                continue;
+            };
+            let span = placement.span(algebra, before.to, connection.from);
+            let part = algebra.turned(class.turn, span);
+            match class.unknown {
+                None => offset = algebra.plus(offset, part),
+                Some(unknown) => {
+                    arms[unknown] = Some(match arms[unknown] {
+                        None => part,
+                        Some(arm) => algebra.plus(arm, part),
+                    });
+                }
+            }
+            let slide = Unknown::Slide(connection.joint);
+            if let (ConnectionKind::Prismatic, Some(unknown)) = (
+                connection.kind,
+                self.unknowns.iter().position(|unknown| *unknown == slide),
+            ) {
+                let heading = placement.heading(algebra, connection.from);
+                let [x, y] = algebra.turned(class.turn, heading);
+                let along = if placement.as_declared(*connection) {
+                    [x, y]
+                } else {
+                    [algebra.neg(x), algebra.neg(y)]
+                };
+                slides.push(Slide {
+                    unknown,
+                    along,
+                    turned_by: class.unknown,
+                });
+            }
+        }
+        Ring {
+            offset,
+            arms,
+            slides,
+        }
+    }
+
+    /// Walks every ring with these values of the unknowns.
+    pub(crate) fn measure<A: Algebra<Scalar = S>>(
+        &self,
+        algebra: &mut A,
+        now: &[Solution<S>],
+    ) -> Measure<S> {
+        let rings = self
+            .rings
+            .iter()
+            .map(|ring| self.walk(algebra, ring, now))
+            .collect();
+        Measure { rings }
+    }
+
+    fn walk<A: Algebra<Scalar = S>>(
+        &self,
+        algebra: &mut A,
+        ring: &Ring<S>,
+        now: &[Solution<S>],
+    ) -> Walk<S> {
+        let zero = algebra.vector([0.0, 0.0]);
+        let mut gap = ring.offset;
+        let mut sides = vec![(None, ring.offset)];
+        let mut columns = vec![zero; self.unknowns.len()];
+        let mut arms = ring.arms.clone();
+        for slide in &ring.slides {
+            let Solution::Slide(way) = now[slide.unknown] else {
+                continue;
+            };
+            let part = algebra.scaled(way, slide.along);
+            match (
+                slide.turned_by,
+                now.get(slide.turned_by.unwrap_or(usize::MAX)),
+            ) {
+                (Some(turning), Some(Solution::Direction(direction))) => {
+                    arms[turning] = Some(match arms[turning] {
+                        Some(arm) => algebra.plus(arm, part),
+                        None => part,
+                    });
+                    let rate = algebra.turned(*direction, slide.along);
+                    columns[slide.unknown] = algebra.plus(columns[slide.unknown], rate);
+                }
+                _ => {
+                    gap = algebra.plus(gap, part);
+                    sides.push((None, part));
+                    columns[slide.unknown] = algebra.plus(columns[slide.unknown], slide.along);
+                }
+            }
+        }
+        for (unknown, arm) in arms.into_iter().enumerate() {
+            if let (Some(arm), Solution::Direction(direction)) = (arm, now[unknown]) {
+                let side = algebra.turned(direction, arm);
+                gap = algebra.plus(gap, side);
+                sides.push((Some(unknown), side));
+                columns[unknown] = [algebra.neg(side[1]), side[0]];
+            }
+        }
+        Walk {
+            gap,
+            columns,
+            sides,
+        }
+    }
+
+    /// Puts the solution into effect: the clusters become one.
+    pub(crate) fn place<A: Algebra<Scalar = S>>(
+        &self,
+        algebra: &mut A,
+        placement: &mut Placement<'_, S>,
+        closing: &Loop,
+        solution: &[Solution<S>],
+    ) {
+        for connection in &closing.tree {
+            match connection.kind {
+                ConnectionKind::Revolute => {
+                    let Some(class) = self.class(placement.base(connection.to)) else {
+                        continue;
+                    };
+                    let direction = match class.unknown.map(|unknown| solution[unknown]) {
+                        Some(Solution::Direction(direction)) => {
+                            algebra.turned(direction, class.turn)
+                        }
+                        _ => class.turn,
+                    };
+                    placement.pivot(algebra, *connection, direction);
+                }
+                ConnectionKind::Prismatic => {
+                    let slide = Unknown::Slide(connection.joint);
+                    let found = self.unknowns.iter().position(|unknown| *unknown == slide);
+                    if let Some(Solution::Slide(way)) = found.map(|unknown| solution[unknown]) {
+                        let way = if placement.as_declared(*connection) {
+                            way
+                        } else {
+                            algebra.neg(way)
+                        };
+                        placement.connect(algebra, *connection, Coordinate::Slide(way));
                     }
                 }
             }
         }
     }
-    (
-        known.map(|class| {
-            class.unwrap_or(Class {
-                unknown: None,
-                turn: one,
-            })
-        }),
-        turning,
-    )
+}
+
+/// How the clusters of a loop are turned relative to the first, and which of them turn by themselves.
+fn classes<A: Algebra<Scalar = S>, S: Copy>(
+    algebra: &mut A,
+    placement: &Placement<'_, S>,
+    closing: &Loop,
+) -> (Vec<(LinkId, Class<S>)>, Vec<Unknown>) {
+    let one = algebra.vector([1.0, 0.0]);
+    let mut unknowns = Vec::new();
+    let Some(first) = closing
+        .tree
+        .first()
+        .map(|connection| placement.base(connection.from))
+    else {
+        return (Vec::new(), unknowns);
+    };
+    let mut classes = vec![(
+        first,
+        Class {
+            unknown: None,
+            turn: one,
+        },
+    )];
+    let slides: Vec<Connection> = closing
+        .rings
+        .iter()
+        .flatten()
+        .filter(|connection| connection.kind == ConnectionKind::Prismatic)
+        .flat_map(|&connection| [connection, connection.reversed()])
+        .collect();
+    spread(algebra, placement, &slides, &mut classes);
+    for connection in &closing.tree {
+        let base = placement.base(connection.to);
+        if classes.iter().all(|(known, _)| *known != base) {
+            classes.push((
+                base,
+                Class {
+                    unknown: Some(unknowns.len()),
+                    turn: one,
+                },
+            ));
+            unknowns.push(Unknown::Direction(base));
+            spread(algebra, placement, &slides, &mut classes);
+        }
+    }
+    (classes, unknowns)
+}
+
+/// What slides on a cluster of known class is of that class too.
+fn spread<A: Algebra<Scalar = S>, S: Copy>(
+    algebra: &mut A,
+    placement: &Placement<'_, S>,
+    slides: &[Connection],
+    classes: &mut Vec<(LinkId, Class<S>)>,
+) {
+    let known = |classes: &[(LinkId, Class<S>)], base| {
+        classes
+            .iter()
+            .find(|(known, _)| *known == base)
+            .map(|entry| entry.1)
+    };
+    let mut grown = true;
+    while std::mem::take(&mut grown) {
+        for &connection in slides {
+            let (from, to) = (
+                placement.base(connection.from),
+                placement.base(connection.to),
+            );
+            if let (Some(class), None) = (known(classes, from), known(classes, to)) {
+                let turn = across_slide(algebra, placement, connection);
+                let turn = algebra.turned(class.turn, turn);
+                classes.push((to, Class { turn, ..class }));
+                grown = true;
+            }
+        }
+    }
 }
 
 /// The direction of the base of the second cluster relative to that of the first: sliding keeps it.

@@ -1,21 +1,25 @@
 //! The plan: in which order positions become known, and where everything is at the start.
 
 mod algebra;
-mod angles;
 mod assembly;
+mod between;
 mod closed_form;
 mod cluster;
+mod coupled;
 mod equation;
+mod knowledge;
+mod ledger;
 mod placement;
+mod search;
 mod sequence;
 mod step;
 
 pub(crate) use algebra::{Algebra, Pose};
-pub(crate) use angles::Angles;
 pub use assembly::Assembly;
-pub(crate) use equation::{Equation, Solution, Unknown};
+pub(crate) use equation::{Equation, Measure, Solution, Unknown};
+pub use ledger::Rational;
 pub(crate) use placement::{Coordinate, Placement};
-pub use step::{Connection, ConnectionKind, Drive, Loop, Mesh, Step};
+pub use step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step};
 
 use crate::model::Model;
 use crate::structure::{Diagnosis, Structure};
@@ -25,6 +29,8 @@ use crate::structure::{Diagnosis, Structure};
 pub struct Plan {
     /// The steps, each of which needs only those before it.
     pub steps: Vec<Step>,
+    /// What gears, belts and racks are solved from.
+    pub sources: Vec<Source>,
     /// Where everything is at the start.
     pub start: Assembly,
 }
@@ -33,8 +39,8 @@ impl Plan {
     /// The loops, in the order in which they are solved.
     pub fn loops(&self) -> impl Iterator<Item = &Loop> {
         self.steps.iter().filter_map(|step| {
-            if let Step::Close(ring) = step {
-                Some(ring)
+            if let Step::Close(closing) = step {
+                Some(closing)
             } else {
                 None
             }
@@ -47,7 +53,11 @@ impl Plan {
 /// # Errors
 /// It is not sequential, it cannot be assembled, or it can be in several ways.
 pub fn plan(model: &Model, structure: &Structure) -> Result<Plan, Diagnosis> {
-    let steps = sequence::sequence(model, structure)?;
-    let start = assembly::assemble(model, &steps)?;
-    Ok(Plan { steps, start })
+    let sequence = sequence::sequence(model, structure)?;
+    let start = assembly::assemble(model, &sequence.steps, &sequence.sources)?;
+    Ok(Plan {
+        steps: sequence.steps,
+        sources: sequence.sources,
+        start,
+    })
 }

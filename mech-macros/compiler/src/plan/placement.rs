@@ -3,7 +3,7 @@
 use super::algebra::{Algebra, Pose};
 use super::cluster::Clusters;
 use super::step::{Connection, ConnectionKind};
-use crate::model::{Axis, AxisId, JointKind, LinkId, Model};
+use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Model};
 
 /// The coordinate of a connection.
 #[derive(Clone, Copy, Debug)]
@@ -45,6 +45,16 @@ impl<'m, S: Copy> Placement<'m, S> {
     /// Whether a sliding connection is walked in the direction in which its joint was declared.
     pub(crate) fn as_declared(&self, connection: Connection) -> bool {
         matches!(self.model.joint(connection.joint).kind, JointKind::Prismatic(from, _) if from == connection.from)
+    }
+
+    /// The coordinate of a sliding joint whose links are in one cluster.
+    pub(crate) fn way<A: Algebra<Scalar = S>>(&self, algebra: &mut A, joint: JointId) -> Option<S> {
+        let JointKind::Prismatic(from, to) = self.model.joint(joint).kind else {
+            return None;
+        };
+        let heading = self.heading(algebra, from);
+        let span = self.span(algebra, from, to);
+        Some(algebra.dot(heading, span))
     }
 
     /// The base of the cluster in which an axis is.

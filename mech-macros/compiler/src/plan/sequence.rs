@@ -1,51 +1,41 @@
-//! The order in which positions become known: motors first, then gears, then loops, merging clusters all the while.
+//! The order in which positions become known: welds and motors first, then what gears move, then loops, merging clusters all
+//! the while.
 //!
 //! Merging only ever adds knowledge, so whether everything becomes known does not depend on the order.
 
+use super::between::{Between, pivot, triangle, wedge};
 use super::cluster::Clusters;
-use super::step::{Connection, ConnectionKind, Drive, Loop, Mesh, Step};
-use crate::model::{JointId, JointKind, LinkId, Model};
-use crate::structure::{Diagnosis, Gear, KinematicGraph, Pin, Structure};
+use super::coupled;
+use super::knowledge::Knowledge;
+use super::ledger::{Ledger, Linear, Rational};
+use super::step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step};
+use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
+use crate::structure::{Diagnosis, Factor, KinematicGraph, Pin, Rolling, RollingEnd, Structure};
+use num_rational::BigRational;
+use petgraph::unionfind::UnionFind;
+
+/// The steps, and the sources of gears, belts and racks.
+pub(super) struct Sequence {
+    pub(super) steps: Vec<Step>,
+    pub(super) sources: Vec<Source>,
+}
 
 /// Finds the steps.
-pub(super) fn sequence(model: &Model, structure: &Structure) -> Result<Vec<Step>, Diagnosis> {
+pub(super) fn sequence(model: &Model, structure: &Structure) -> Result<Sequence, Diagnosis> {
     let mut search = Search::new(model, structure);
+    search.weld();
     for motor in model.motor_ids() {
         search.drive(motor);
     }
-    loop {
-        let meshed = search.mesh();
-        if !meshed && !search.close() {
-            break;
-        }
-    }
+    while search.mesh() || search.close() || search.couple() {}
     if search.clusters.is_one() {
-        Ok(search.steps)
-    } else {
-        Err(Diagnosis::NotSequential {
-            waiting: search.waiting(),
-        })
+        return Ok(Sequence {
+            steps: search.steps,
+            sources: search.sources,
+        });
     }
-}
-
-/// On which loops a known coordinate depends directly, and how many loops lead to it one after the other.
-#[derive(Clone, Debug, Default)]
-struct Knowledge {
-    needs: Vec<usize>,
-    level: usize,
-}
-
-impl Knowledge {
-    fn of<'k>(parts: impl Iterator<Item = &'k Self>) -> Self {
-        let mut all = Self::default();
-        for part in parts {
-            all.needs.extend(&part.needs);
-            all.level = all.level.max(part.level);
-        }
-        all.needs.sort_unstable();
-        all.needs.dedup();
-        all
-    }
+    let (rings, waiting) = (search.rings(), search.waiting());
+    Err(Diagnosis::NotSequential { waiting, rings })
 }
 
 struct Search<'m> {
@@ -58,12 +48,19 @@ struct Search<'m> {
     loops: usize,
     /// For each joint whose coordinate is known, how.
     known: Vec<Option<Knowledge>>,
-    gears: Vec<Gear>,
+    /// What rolls ties; empty, and not kept, if nothing rolls.
+    ledger: Ledger,
+    sources: Vec<Source>,
+    /// Links whose directions relative to each other are given by what was known before anything rolled: they slide on each
+    /// other, or their clusters were merged. A joint between them has no start of its own to be chosen.
+    aligned: UnionFind<usize>,
+    /// For each source, what it depends on.
+    behind: Vec<Knowledge>,
 }
 
 impl<'m> Search<'m> {
     fn new(model: &'m Model, structure: &'m Structure) -> Self {
-        Self {
+        let mut search = Self {
             model,
             structure,
             graph: KinematicGraph::new(model),
@@ -71,7 +68,33 @@ impl<'m> Search<'m> {
             steps: Vec::new(),
             loops: 0,
             known: vec![None; model.joints.len()],
-            gears: structure.gears.clone(),
+            ledger: Ledger::default(),
+            sources: Vec::new(),
+            aligned: UnionFind::new(model.links.len()),
+            behind: Vec::new(),
+        };
+        search.open_ledger();
+        search
+    }
+
+    fn rolls(&self) -> bool {
+        !self.structure.rollings.is_empty()
+    }
+
+    /// What slides and welds keep parallel, and what rolls on what.
+    fn open_ledger(&mut self) {
+        if !self.rolls() {
+            return;
+        }
+        for joint in self.model.joint_ids() {
+            if let JointKind::Prismatic(..) | JointKind::Weld(..) = self.model.joint(joint).kind {
+                let (a, b) = self.model.ends(joint);
+                self.ledger.relate(&Linear::turn(a, b));
+                self.aligned.union(a.index(), b.index());
+            }
+        }
+        for rolling in &self.structure.rollings {
+            self.ledger.relate(&relation(rolling));
         }
     }
 
@@ -82,13 +105,31 @@ impl<'m> Search<'m> {
         )
     }
 
-    fn drive(&mut self, motor: crate::model::MotorId) {
+    fn weld(&mut self) {
+        for joint in self.model.joint_ids() {
+            if let JointKind::Weld(from, to) = self.model.joint(joint).kind {
+                let connection = Connection {
+                    kind: ConnectionKind::Revolute,
+                    from,
+                    to,
+                    joint,
+                };
+                let (a, b) = self.link_of(connection);
+                if !self.clusters.joined(a, b) {
+                    self.merge(&[a, b], &Knowledge::default());
+                    self.steps.push(Step::Weld(connection));
+                }
+            }
+        }
+    }
+
+    fn drive(&mut self, motor: MotorId) {
         let joint = self.model.motor(motor).joint;
         let (kind, from, to) = match self.model.joint(joint).kind {
             JointKind::Revolute(a, b) => (ConnectionKind::Revolute, a, b),
             JointKind::Prismatic(a, b) => (ConnectionKind::Prismatic, a, b),
-            // `syntax` lets no motor on a gear.
-            JointKind::Gear { .. } => return,
+            // `syntax` lets no motor on anything else.
+            _ => return,
         };
         let connection = Connection {
             kind,
@@ -98,15 +139,33 @@ impl<'m> Search<'m> {
         };
         let (a, b) = self.link_of(connection);
         if !self.clusters.joined(a, b) {
+            self.source(
+                Source::Motor(motor),
+                &coordinate(connection, (a, b)),
+                Knowledge::default(),
+            );
             self.merge(&[a, b], &Knowledge::default());
             self.steps.push(Step::Drive(Drive { motor, connection }));
+        }
+    }
+
+    /// Enters a known quantity into the ledger, unless it follows from others.
+    fn source(&mut self, source: Source, quantity: &Linear, behind: Knowledge) {
+        if self.rolls() && self.ledger.value(quantity).is_none() {
+            let number = Linear::source(self.sources.len());
+            self.ledger.relate(&quantity.clone().plus(&-one(), &number));
+            self.sources.push(source);
+            self.behind.push(behind);
         }
     }
 
     /// Merges the clusters of these links. All joints between them are known by that.
     fn merge(&mut self, links: &[LinkId], how: &Knowledge) {
         let bases: Vec<LinkId> = links.iter().map(|&link| self.clusters.base(link)).collect();
-        self.clusters.merge(&bases);
+        let whole = self.clusters.merge(&bases);
+        for base in bases {
+            self.aligned.union(whole.index(), base.index());
+        }
         for joint in self.model.joint_ids() {
             let (a, b) = self.model.ends(joint);
             if self.clusters.joined(a, b) {
@@ -115,7 +174,7 @@ impl<'m> Search<'m> {
         }
     }
 
-    /// What is known of the way between two links of the same cluster.
+    /// What is known of these joints.
     fn knowledge(&self, joints: &[JointId]) -> Knowledge {
         Knowledge::of(
             joints
@@ -124,97 +183,177 @@ impl<'m> Search<'m> {
         )
     }
 
-    /// Solves every gear one of whose wheels is known on its carrier.
+    /// Finds one joint that gears, belts or racks move: that of a wheel or bar on its carrier.
     fn mesh(&mut self) -> bool {
-        let mut found = false;
-        while let Some(index) = self
-            .gears
+        let ends = self
+            .structure
+            .rollings
             .iter()
-            .position(|gear| self.turns(gear).is_some())
-        {
-            let gear = self.gears.remove(index);
-            if let Some((input, output, speed)) = self.turns(&gear) {
-                let (carrier, wheel) = self.link_of(output);
-                let (from, to) = self.link_of(input);
-                let how = self.knowledge(&self.way(from, to));
-                self.merge(&[carrier, wheel], &how);
-                self.steps.push(Step::Mesh(Mesh {
-                    gear: gear.joint,
-                    input,
-                    output,
-                    speed,
-                }));
-                found = true;
-            }
-        }
-        found
-    }
-
-    /// The pins of the known and of the unknown wheel, if there is one of each.
-    fn turns(&self, gear: &Gear) -> Option<(Connection, Connection, f64)> {
-        let known = |wheel| self.clusters.joined(gear.carrier, wheel);
-        let on = |(wheel, pin): (LinkId, usize)| {
-            let pin = &self.structure.pins[pin];
-            let connection = pivot(pin, gear.carrier, wheel)?;
-            Some(Connection {
-                joint: self.named_on(pin, gear.carrier, wheel),
-                ..connection
+            .flat_map(|rolling| rolling.ends.map(|(end, _)| (rolling, end)));
+        let found = ends.into_iter().find_map(|(rolling, end)| {
+            let connection = self.carried(rolling, end)?;
+            let (from, to) = self.link_of(connection);
+            let apart = !self.clusters.joined(from, to);
+            let free = connection.kind == ConnectionKind::Prismatic
+                || !self.aligned.equiv(from.index(), to.index());
+            let quantity = match connection.kind {
+                ConnectionKind::Revolute => Linear::turn(from, to),
+                ConnectionKind::Prismatic => self.along(connection),
+            };
+            let parts = (apart && free)
+                .then(|| self.ledger.value(&quantity))
+                .flatten()?;
+            Some(Mesh {
+                by: rolling.joint,
+                connection,
+                parts,
             })
-        };
-        let speed = gear.ratio.speed();
-        match (known(gear.a.0), known(gear.b.0)) {
-            (true, false) => Some((on(gear.a)?, on(gear.b)?, speed)),
-            (false, true) => Some((on(gear.b)?, on(gear.a)?, speed.recip())),
-            _ => None,
+        });
+        let Some(mesh) = found else { return false };
+        let how = Knowledge::of(mesh.parts.iter().map(|(source, _)| &self.behind[*source]));
+        let (from, to) = self.link_of(mesh.connection);
+        self.merge(&[from, to], &how);
+        self.steps.push(Step::Mesh(mesh));
+        true
+    }
+
+    /// The joint of a wheel or bar on its carrier.
+    fn carried(&self, rolling: &Rolling, end: RollingEnd) -> Option<Connection> {
+        match end {
+            RollingEnd::Wheel(wheel) => {
+                let shares = |pin: &&Pin| {
+                    pin.axis_of(wheel).is_some() && pin.axis_of(rolling.carrier).is_some()
+                };
+                let pin = self.structure.pins.iter().find(shares)?;
+                let joint = self.named_on(pin, rolling.carrier, wheel);
+                Some(Connection {
+                    joint,
+                    ..pivot(pin, rolling.carrier, wheel)?
+                })
+            }
+            RollingEnd::Bar { slide, .. } => match self.model.joint(slide).kind {
+                JointKind::Prismatic(from, to) => Some(Connection {
+                    kind: ConnectionKind::Prismatic,
+                    from,
+                    to,
+                    joint: slide,
+                }),
+                _ => None,
+            },
         }
     }
 
-    /// Finds one loop of three unknowns, the lowest in level, then the earliest declared.
+    /// The way along a sliding connection, for one who walks it.
+    fn along(&self, connection: Connection) -> Linear {
+        let slide = Linear::slide(connection.joint);
+        let declared = self.model.ends(connection.joint) == self.link_of(connection);
+        if declared {
+            slide
+        } else {
+            Linear::default().plus(&-one(), &slide)
+        }
+    }
+
+    /// Finds one loop of three unknowns, or of two where everything slides: the lowest in level, then the earliest declared.
     fn close(&mut self) -> bool {
         let connections = self.connections();
-        let mut best: Option<(Loop, Knowledge)> = None;
+        let mut best: Option<Loop> = None;
         for (i, &first) in connections.iter().enumerate() {
-            for &second in &connections[i + 1..] {
-                let Some(ring) = ring(first, second, &connections) else {
-                    continue;
+            let others = connections[i + 1..]
+                .iter()
+                .take_while(|second| second.a == first.a);
+            for &second in others {
+                let ring = wedge(self.model, first, second)
+                    .or_else(|| triangle(first, second, &connections));
+                let Some(ring) = ring else { continue };
+                let tree = match ring[..] {
+                    [near, _, far] => vec![near, far.reversed()],
+                    _ => vec![ring[0]],
                 };
-                let members = self.members(&ring);
-                let before = self.knowledge(&members);
-                if best
-                    .as_ref()
-                    .is_none_or(|(_, known)| before.level < known.level)
-                {
-                    let (level, needs) = (before.level + 1, before.needs.clone());
-                    best = Some((
-                        Loop {
-                            ring,
-                            members,
-                            level,
-                            needs,
-                        },
-                        before,
-                    ));
+                let found = self.described(vec![ring], tree);
+                if best.as_ref().is_none_or(|known| found.level < known.level) {
+                    best = Some(found);
                 }
             }
         }
-        let Some((found, _)) = best else { return false };
+        best.map(|found| self.accept(found)).is_some()
+    }
+
+    /// Solves what waits for each other together, if that is allowed; or what is held more than once.
+    fn couple(&mut self) -> bool {
+        let connections = self.connections();
+        let redundant = self
+            .model
+            .allow
+            .redundant
+            .then(|| coupled::held_twice(&connections))
+            .flatten();
+        let block = redundant.or_else(|| {
+            self.model
+                .allow
+                .coupled
+                .then(|| coupled::block(&connections))
+                .flatten()
+        });
+        let Some((rings, tree)) = block else {
+            return false;
+        };
+        let found = self.described(rings, tree);
+        self.accept(found);
+        true
+    }
+
+    fn described(&self, rings: Vec<Vec<Connection>>, tree: Vec<Connection>) -> Loop {
+        let members = self.members(&rings);
+        let before = self.knowledge(&members);
+        Loop {
+            rings,
+            tree,
+            members,
+            level: before.level + 1,
+            needs: before.needs,
+        }
+    }
+
+    fn accept(&mut self, found: Loop) {
         let how = Knowledge {
             needs: vec![self.loops],
             level: found.level,
         };
-        self.merge(
-            &found.ring.map(|connection| self.link_of(connection).0),
-            &how,
-        );
+        let bases: Vec<LinkId> = found
+            .tree
+            .iter()
+            .map(|&connection| self.clusters.base(self.link_of(connection).1))
+            .collect();
+        let first = found.tree.first().map_or(LinkId::GROUND, |&connection| {
+            self.clusters.base(self.link_of(connection).0)
+        });
+        for &base in &bases {
+            let angle = Source::Angle {
+                from: first,
+                to: base,
+            };
+            self.source(angle, &Linear::turn(first, base), how.clone());
+        }
+        for connection in found
+            .connections()
+            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
+        {
+            self.source(
+                Source::Way(connection.joint),
+                &Linear::slide(connection.joint),
+                how.clone(),
+            );
+        }
+        self.merge(&[&[first], &bases[..]].concat(), &how);
         self.loops += 1;
         self.steps.push(Step::Close(found));
-        true
     }
 
-    /// All pairs of clusters that one unknown connection joins, by their bases.
+    /// All connections between different clusters, ordered by the bases of these.
     fn connections(&self) -> Vec<Between> {
         let mut between: Vec<Between> = Vec::new();
-        let mut add = |connection: Connection, pin| {
+        let mut add = |connection: Connection, pin: Option<usize>| {
             let (from, to) = self.link_of(connection);
             let (a, b) = (self.clusters.base(from), self.clusters.base(to));
             let (a, b, connection) = if a < b {
@@ -222,7 +361,7 @@ impl<'m> Search<'m> {
             } else {
                 (b, a, connection.reversed())
             };
-            if a != b && between.iter().all(|known| (known.a, known.b) != (a, b)) {
+            if a != b {
                 between.push(Between {
                     a,
                     b,
@@ -260,6 +399,10 @@ impl<'m> Search<'m> {
             }
         }
         between.sort_by_key(|between| (between.a, between.b));
+        // Of several links of one cluster on one pin, one stands for all.
+        between.dedup_by(|next, first| {
+            next.pin.is_some() && (next.a, next.b, next.pin) == (first.a, first.b, first.pin)
+        });
         between
     }
 
@@ -283,17 +426,23 @@ impl<'m> Search<'m> {
         found.copied().unwrap_or(pin.joints[0])
     }
 
-    /// The joints of the cycle: the unknown ones, and ways through the clusters between them.
-    fn members(&self, ring: &[Connection; 3]) -> Vec<JointId> {
-        let mut members = Vec::new();
-        for (index, connection) in ring.iter().enumerate() {
-            let next = ring[(index + 1) % 3];
-            let (from, to) = (
-                self.model.axis(connection.to).link,
-                self.model.axis(next.from).link,
-            );
-            members.push(connection.joint);
-            members.extend(self.way(from, to));
+    /// The joints of the rings: the unknown ones, and ways through the clusters between them.
+    fn members(&self, rings: &[Vec<Connection>]) -> Vec<JointId> {
+        let mut members: Vec<JointId> = Vec::new();
+        for ring in rings {
+            for (index, connection) in ring.iter().enumerate() {
+                let next = ring[(index + 1) % ring.len()];
+                let (from, to) = (
+                    self.model.axis(connection.to).link,
+                    self.model.axis(next.from).link,
+                );
+                let way = self.way(from, to);
+                for joint in [connection.joint].into_iter().chain(way) {
+                    if !members.contains(&joint) {
+                        members.push(joint);
+                    }
+                }
+            }
         }
         members
     }
@@ -301,11 +450,12 @@ impl<'m> Search<'m> {
     /// A way through known joints between two links of the same cluster: of the lowest level, then the shortest.
     fn way(&self, from: LinkId, to: LinkId) -> Vec<JointId> {
         let level = |joint: JointId| self.known[joint.index()].as_ref().map(|known| known.level);
-        let is_gear = |joint| matches!(self.model.joint(joint).kind, JointKind::Gear { .. });
-        let open = |joint, most| level(joint).is_some_and(|level| level <= most) && !is_gear(joint);
-        let ways = (0..=self.loops).map(|most| self.graph.way(from, to, |joint| open(joint, most)));
-        ways.into_iter()
-            .find(|way| !way.is_empty() || from == to)
+        let open = |joint, most| {
+            level(joint).is_some_and(|level| level <= most) && !self.model.joint(joint).kind.rolls()
+        };
+        let mut ways =
+            (0..=self.loops).map(|most| self.graph.way(from, to, |joint| open(joint, most)));
+        ways.find(|way| !way.is_empty() || from == to)
             .unwrap_or_default()
     }
 
@@ -313,56 +463,59 @@ impl<'m> Search<'m> {
     fn waiting(&self) -> Vec<JointId> {
         let apart = |joint: &JointId| {
             let (a, b) = self.model.ends(*joint);
-            !self.clusters.joined(a, b)
+            !self.clusters.joined(a, b) && !self.model.joint(*joint).kind.rolls()
         };
         self.model.joint_ids().filter(apart).collect()
     }
-}
 
-/// The connection of two links on a pin, named by the pin's first joint.
-fn pivot(pin: &Pin, from: LinkId, to: LinkId) -> Option<Connection> {
-    let (from, to) = (pin.axis_of(from)?, pin.axis_of(to)?);
-    Some(Connection {
-        kind: ConnectionKind::Revolute,
-        from,
-        to,
-        joint: *pin.joints.first()?,
-    })
-}
-
-/// Two clusters, by their bases, the lower first, and the unknown connection that joins them.
-#[derive(Clone, Copy)]
-struct Between {
-    a: LinkId,
-    b: LinkId,
-    connection: Connection,
-    pin: Option<usize>,
-}
-
-/// The ring that two connections form with a third, if there is one. It starts at the cluster with the lowest base,
-/// which is the ground's if the ground is in the ring.
-fn ring(first: Between, second: Between, all: &[Between]) -> Option<[Connection; 3]> {
-    // The list is sorted by bases with the lower first, so the ring's lowest cluster is the first of both.
-    if first.a != second.a || first.b == second.b {
-        return None;
+    /// The rings that wait for each other, by their unknown joints.
+    fn rings(&self) -> Vec<Vec<JointId>> {
+        let block = coupled::block(&self.connections())
+            .map(|(rings, _)| rings)
+            .unwrap_or_default();
+        block
+            .iter()
+            .map(|ring| ring.iter().map(|connection| connection.joint).collect())
+            .collect()
     }
-    let (near, far) = if first.b < second.b {
-        (first, second)
-    } else {
-        (second, first)
-    };
-    let across = all
+}
+
+fn one() -> Rational {
+    BigRational::from_integer(1.into())
+}
+
+/// The coordinate of a connection that is walked as its joint is declared.
+fn coordinate(connection: Connection, (from, to): (LinkId, LinkId)) -> Linear {
+    match connection.kind {
+        ConnectionKind::Revolute => Linear::turn(from, to),
+        ConnectionKind::Prismatic => Linear::slide(connection.joint),
+    }
+}
+
+/// What rolling says: this combination is constant.
+fn relation(rolling: &Rolling) -> Linear {
+    rolling
+        .ends
         .iter()
-        .find(|known| (known.a, known.b) == (near.b, far.b))?;
-    // Three clusters on one pin are no loop, and three slides say only two things.
-    let one_pin = near.pin.is_some() && near.pin == far.pin && far.pin == across.pin;
-    let ring = [
-        near.connection,
-        across.connection,
-        far.connection.reversed(),
-    ];
-    let turns = ring
-        .iter()
-        .any(|connection| connection.kind == ConnectionKind::Revolute);
-    (turns && !one_pin).then_some(ring)
+        .fold(Linear::default(), |sum, (end, factor)| {
+            let factor = exactly(*factor);
+            match *end {
+                RollingEnd::Wheel(wheel) => {
+                    sum.plus(&factor, &Linear::turn(rolling.carrier, wheel))
+                }
+                RollingEnd::Bar {
+                    slide, forwards, ..
+                } => {
+                    let factor = if forwards { factor } else { -factor };
+                    sum.plus(&factor, &Linear::slide(slide))
+                }
+            }
+        })
+}
+
+fn exactly(factor: Factor) -> Rational {
+    match factor {
+        Factor::Whole(value) => BigRational::from_integer(value.into()),
+        Factor::Float(value) => BigRational::from_float(value).unwrap_or_else(one),
+    }
 }

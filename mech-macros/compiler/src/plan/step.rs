@@ -1,15 +1,18 @@
 //! The steps by which every position becomes known.
 
-use crate::model::{AxisId, JointId, Model, MotorId};
+use super::ledger::Rational;
+use crate::model::{AxisId, JointId, LinkId, Model, MotorId};
 
 /// One step: it merges clusters of links, so that the links inside keep known relative positions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
+    /// A weld: its coordinate is zero for ever.
+    Weld(Connection),
     /// A motor gives the coordinate of its joint.
     Drive(Drive),
-    /// A gear gives the angle of a wheel on its carrier.
+    /// Gears, belts or racks give the coordinate of a joint.
     Mesh(Mesh),
-    /// Three clusters joined in a ring by three joints of unknown coordinate.
+    /// Clusters joined in rings by joints of unknown coordinate.
     Close(Loop),
 }
 
@@ -22,26 +25,43 @@ pub struct Drive {
     pub connection: Connection,
 }
 
-/// A wheel that another one drives.
+/// A joint whose coordinate follows from others by rolling.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    /// The gear.
-    pub gear: JointId,
-    /// The pin of the driving wheel: from the carrier to the wheel.
-    pub input: Connection,
-    /// The pin of the driven wheel: from the carrier to the wheel.
-    pub output: Connection,
-    /// The driven wheel's angle for one radian of the driving wheel's.
-    pub speed: f64,
+    /// A gear, belt or rack that moves it.
+    pub by: JointId,
+    /// What is moved.
+    pub connection: Connection,
+    /// How far it has moved since the start: the sum of these parts of what the sources have moved, by their number in
+    /// [`Plan::sources`](super::Plan::sources).
+    pub parts: Vec<(usize, Rational)>,
 }
 
-/// A loop of three unknowns.
+/// A quantity that is known when gears, belts and racks are solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Source {
+    /// The coordinate of a motor.
+    Motor(MotorId),
+    /// The angle between two links that loops have solved.
+    Angle {
+        /// The link from which it is measured.
+        from: LinkId,
+        /// The link to which it is measured.
+        to: LinkId,
+    },
+    /// The coordinate of a sliding joint that loops have solved.
+    Way(JointId),
+}
+
+/// Joints whose coordinates are found together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// The three joints of unknown coordinate, walked round: from the first cluster, which is known, to the second, on to
-    /// the third, and back to the first.
-    pub ring: [Connection; 3],
-    /// All joints of the cycle: the unknown ones and, between them, a way through what is already known.
+    /// The rings that must close, each walked round: every connection begins in the cluster in which the one before it ends,
+    /// the first in that in which the last ends.
+    pub rings: Vec<Vec<Connection>>,
+    /// For each cluster but the first, which is known, the connection by which it hangs on one before it.
+    pub tree: Vec<Connection>,
+    /// All joints of the rings: the unknown ones and, between them, ways through what is already known.
     pub members: Vec<JointId>,
     /// One more than the level of the last loop it depends on; a loop that only motors and gears lead to has level 1.
     pub level: usize,
@@ -73,10 +93,44 @@ pub enum ConnectionKind {
 }
 
 impl Loop {
-    /// The joints of unknown coordinate, in the order of the ring.
+    /// The joints of unknown coordinate, in the order of the rings.
     #[must_use]
-    pub fn unknowns(&self) -> [JointId; 3] {
-        self.ring.map(|connection| connection.joint)
+    pub fn unknowns(&self) -> Vec<JointId> {
+        let mut unknowns: Vec<JointId> = Vec::new();
+        for connection in self.rings.iter().flatten() {
+            if !unknowns.contains(&connection.joint) {
+                unknowns.push(connection.joint);
+            }
+        }
+        unknowns
+    }
+
+    /// The joints of unknown coordinate, and how each moves.
+    pub fn connections(&self) -> impl Iterator<Item = Connection> {
+        let unknowns = self.unknowns().into_iter();
+        unknowns.filter_map(|joint| {
+            self.rings
+                .iter()
+                .flatten()
+                .find(|connection| connection.joint == joint)
+                .copied()
+        })
+    }
+
+    /// Whether its joints hold more than once: two clusters are joined by a turning joint and any other.
+    #[must_use]
+    pub fn is_redundant(&self) -> bool {
+        let turns = |ring: &Vec<Connection>| {
+            ring.iter()
+                .any(|connection| connection.kind == ConnectionKind::Revolute)
+        };
+        self.rings.iter().any(|ring| ring.len() == 2 && turns(ring))
+    }
+
+    /// Whether several rings have to be closed together.
+    #[must_use]
+    pub fn is_coupled(&self) -> bool {
+        self.rings.len() > 1
     }
 }
 

@@ -53,8 +53,8 @@ impl Builder {
             let node = &self.nodes[value.index()];
             node.iterated && node.block == block
         };
-        let iterated =
-            self.inside.is_some() && (matches!(op, Op::Unknown(..)) || op.operands().any(depends));
+        let iterated = self.inside.is_some()
+            && (matches!(op, Op::Unknown(..) | Op::Dense(..)) || op.operands().any(depends));
         let value = Value(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
         self.nodes.push(Node {
             op,

@@ -1,18 +1,38 @@
 //! Measures every loop at the start: tolerances are relative to what is found there.
 
+use super::dense::solve;
 use super::node::{Op, Slot, Value};
-use super::{BlockKind, Limits, Program};
+use super::{BlockKind, Limits, Newton, Program};
 
 /// Sets the limits of all loops.
 pub(super) fn calibrate(program: &mut Program) {
     let values = at_start(program);
     let length = |[x, y]: [Value; 2]| values[x.index()].hypot(values[y.index()]);
+    let norm = |column: &[Value]| {
+        column
+            .iter()
+            .map(|value| values[value.index()].powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
+    let det = |newton: &Newton| {
+        if !newton.dense {
+            return values[newton.det.index()];
+        }
+        let rate = |row: usize, column: usize| values[newton.columns[column][row].index()];
+        let rows = (0..newton.gap.len()).map(|row| {
+            (0..newton.columns.len())
+                .map(|column| rate(row, column))
+                .collect()
+        });
+        solve(rows.collect(), vec![0.0; newton.gap.len()]).1
+    };
     for block in &mut program.blocks {
         if let BlockKind::Newton(newton) = &mut block.kind {
             newton.limits = Limits {
                 size: newton.sides.iter().map(|&side| length(side)).sum(),
-                reach: length(newton.columns[0]) * length(newton.columns[1]),
-                positive: values[newton.det.index()] > 0.0,
+                reach: newton.columns.iter().map(|column| norm(column)).product(),
+                positive: det(newton) > 0.0,
             };
         }
     }
@@ -34,6 +54,7 @@ fn at_start(program: &Program) -> Vec<f64> {
             Op::Unknown(block, index) | Op::Solved(block, index) => {
                 first(block, index).map(|value| values[value.index()])
             }
+            Op::Dense(..) => Some(0.0),
             op => op.apply(|value| values[value.index()]),
         };
         values.push(value.unwrap_or_default());

@@ -35,8 +35,10 @@ fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
                 .scalars
                 .iter()
                 .flat_map(|scalar| [scalar.first, scalar.now, scalar.next]);
+            let columns = newton.columns.iter().flatten().filter(|_| newton.dense);
             scalars
-                .chain(newton.gap)
+                .chain(newton.gap.iter().copied())
+                .chain(columns.copied())
                 .chain([newton.det])
                 .chain(newton.extent)
                 .collect()

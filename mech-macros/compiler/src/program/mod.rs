@@ -4,12 +4,14 @@
 mod build;
 mod builder;
 mod calibrate;
+mod dense;
 mod live;
 mod newton;
 mod node;
 mod real;
 
 pub use build::build;
+pub(crate) use dense::solve;
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
 pub use real::Real;

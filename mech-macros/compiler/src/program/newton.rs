@@ -2,7 +2,7 @@
 
 use super::node::Value;
 
-/// Newton's iteration on a loop's two equations.
+/// Newton's iteration on a loop's equations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Newton {
     /// Which loop of the plan it closes.
@@ -12,11 +12,14 @@ pub struct Newton {
     /// The scalars that are iterated: a direction has two, a length one.
     pub scalars: Vec<Scalar>,
     /// What is missing for the loop to close.
-    pub gap: [Value; 2],
-    /// The determinant of the 2×2 core of the loop's 3×3 system.
+    pub gap: Vec<Value>,
+    /// The determinant: of the 2×2 core of a loop's 3×3 system; of the dense system of coupled loops; or, where joints are
+    /// redundant, the square of the one column.
     pub det: Value,
-    /// Its two columns: the rates of the gap with each unknown.
-    pub columns: [[Value; 2]; 2],
+    /// For each unknown, the rates of the gap with it.
+    pub columns: Vec<Vec<Value>>,
+    /// Whether the steps are written out, or found by solving the columns' system as a whole.
+    pub dense: bool,
     /// The vectors that the way round is made of, and where they begin: their lengths tell the loop's size.
     pub sides: Vec<[Value; 2]>,
     /// How far it has grown beyond that size, where something slides: the lengths that are not fixed.

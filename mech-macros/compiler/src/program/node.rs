@@ -88,6 +88,8 @@ pub enum Op {
     Unknown(BlockId, usize),
     /// An unknown of a loop after it was solved.
     Solved(BlockId, usize),
+    /// What a loop's dense system gives in a round: the steps of its unknowns, and after these its determinant.
+    Dense(BlockId, usize),
     /// −a.
     Neg(Value),
     /// The absolute value.
@@ -118,7 +120,8 @@ impl Op {
             | Self::Motor(_)
             | Self::Last(_)
             | Self::Unknown(..)
-            | Self::Solved(..) => [None, None],
+            | Self::Solved(..)
+            | Self::Dense(..) => [None, None],
             Self::Neg(a) | Self::Abs(a) | Self::Sin(a) | Self::Cos(a) | Self::Round(a) => {
                 [Some(a), None]
             }

@@ -85,7 +85,13 @@ impl Op {
     pub fn apply<T: Real>(self, get: impl Fn(Value) -> T) -> Option<T> {
         Some(match self {
             Self::Constant(number) => T::from_f64(number.get()),
-            Self::Motor(_) | Self::Last(_) | Self::Unknown(..) | Self::Solved(..) => return None,
+            Self::Motor(_)
+            | Self::Last(_)
+            | Self::Unknown(..)
+            | Self::Solved(..)
+            | Self::Dense(..) => {
+                return None;
+            }
             Self::Neg(a) => -get(a),
             Self::Abs(a) => get(a).abs(),
             Self::Add(a, b) => get(a) + get(b),

@@ -1,20 +1,22 @@
 //! What the joints say about rates, at random geometry of the declared kinds.
 //!
-//! Links that can only slide on each other keep their direction: they form an angle class and share one angular rate.
+//! Links that can only slide on each other, or are welded, keep their direction: they form an angle class and share one
+//! angular rate.
 //! The unknowns are one angular rate for each class but the ground's, and the two rates of the origin of each moving
-//! link. A revolute joint then says two things about them, a prismatic joint and a gear one each.
+//! link. A revolute joint or a weld then says two things about them, a prismatic joint and
+//! whatever rolls one each.
 
 use super::elimination::Sparse;
 use super::field::{Dice, Element};
-use super::gear::Gear;
 use super::pin::Pin;
+use super::rolling::{Factor, Rolling, RollingEnd};
 use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
 use petgraph::unionfind::UnionFind;
 
 /// The unknowns, and the random geometry.
 pub(crate) struct Constraints<'m> {
     model: &'m Model,
-    gears: &'m [Gear],
+    rollings: &'m [Rolling],
     /// For each link the columns of its angular rate and of its origin's rates; none for what is fixed.
     columns: Vec<Columns>,
     count: usize,
@@ -30,11 +32,16 @@ struct Columns {
 }
 
 impl<'m> Constraints<'m> {
-    pub(crate) fn new(model: &'m Model, pins: &[Pin], gears: &'m [Gear], dice: &mut Dice) -> Self {
+    pub(crate) fn new(
+        model: &'m Model,
+        pins: &[Pin],
+        rollings: &'m [Rolling],
+        dice: &mut Dice,
+    ) -> Self {
         let (columns, count) = columns(model);
         Self {
             model,
-            gears,
+            rollings,
             columns,
             count,
             spots: spots(model, pins, dice),
@@ -52,22 +59,20 @@ impl<'m> Constraints<'m> {
         let (p, q) = self.spots[id.index()];
         match self.model.joint(id).kind {
             // The rate of the point (p, q) of a link is (x − turn · q, y + turn · p).
-            JointKind::Revolute(..) => {
+            JointKind::Revolute(..) | JointKind::Weld(..) => {
                 let horizontal = self.difference(a, b, [-q, Element::ONE, Element::ZERO]);
                 let vertical = self.difference(a, b, [p, Element::ZERO, Element::ONE]);
                 vec![horizontal, vertical]
             }
             JointKind::Prismatic(..) => vec![self.difference(a, b, [Element::ZERO, -q, p])],
-            JointKind::Gear { .. } => self
-                .gears
-                .iter()
-                .filter(|gear| gear.joint == id)
-                .map(|gear| self.of_gear(gear))
-                .collect(),
+            JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => {
+                let here = self.rollings.iter().filter(|rolling| rolling.joint == id);
+                here.map(|rolling| self.of_rolling(rolling)).collect()
+            }
         }
     }
 
-    /// The row whose value is the rate of this joint's coordinate; none for a gear, which has no coordinate.
+    /// The row whose value is the rate of this joint's coordinate; none for what has no coordinate.
     pub(crate) fn rate(&self, id: JointId) -> Option<Sparse> {
         let (a, b) = self.model.ends(id);
         match self.model.joint(id).kind {
@@ -78,7 +83,7 @@ impl<'m> Constraints<'m> {
                 let (p, q) = self.spots[id.index()];
                 Some(self.difference(a, b, [Element::ZERO, p, q]))
             }
-            JointKind::Gear { .. } => None,
+            _ => None,
         }
     }
 
@@ -106,23 +111,45 @@ impl<'m> Constraints<'m> {
             .collect()
     }
 
-    /// Rolling, seen from the carrier: a · rate of a + b · rate of b = 0.
-    fn of_gear(&self, gear: &Gear) -> Sparse {
-        let (a, b) = match gear.ratio {
-            Ratio::Teeth(a, b) => (Element::from(a), Element::from(b)),
-            Ratio::Radii(a, b) => (Element::from(a), Element::from(b)),
-        };
-        let turn = |factor| [factor, Element::ZERO, Element::ZERO];
-        let mut row = self.difference(gear.carrier, gear.a.0, turn(a));
-        row.extend(self.difference(gear.carrier, gear.b.0, turn(b)));
+    /// Rolling: the coordinates of both parts, seen from the carrier, times their factors, sum to a constant.
+    fn of_rolling(&self, rolling: &Rolling) -> Sparse {
+        let mut row = Sparse::new();
+        for (end, factor) in rolling.ends {
+            let factor = Element::from(factor);
+            match end {
+                RollingEnd::Wheel(wheel) => {
+                    let turn = [factor, Element::ZERO, Element::ZERO];
+                    row.extend(self.difference(rolling.carrier, wheel, turn));
+                }
+                RollingEnd::Bar {
+                    slide, forwards, ..
+                } => {
+                    let factor = if forwards { factor } else { -factor };
+                    let rate = self.rate(slide).unwrap_or_default();
+                    row.extend(
+                        rate.into_iter()
+                            .map(|(column, value)| (column, factor * value)),
+                    );
+                }
+            }
+        }
         row
+    }
+}
+
+impl From<Factor> for Element {
+    fn from(factor: Factor) -> Self {
+        match factor {
+            Factor::Whole(value) => Self::from(value),
+            Factor::Float(value) => Self::from(value),
+        }
     }
 }
 
 fn columns(model: &Model) -> (Vec<Columns>, usize) {
     let mut classes = UnionFind::<usize>::new(model.links.len());
     for id in model.joint_ids() {
-        if let JointKind::Prismatic(..) = model.joint(id).kind {
+        if let JointKind::Prismatic(..) | JointKind::Weld(..) = model.joint(id).kind {
             let (a, b) = model.ends(id);
             classes.union(a.index(), b.index());
         }

@@ -16,16 +16,23 @@ pub enum Diagnosis {
         /// The piece that floats.
         links: Vec<LinkId>,
     },
-    /// No link turns on which both wheels of this gear turn.
+    /// There is no link in which both parts that roll here keep their place.
     NoCarrier {
-        /// The gear.
-        gear: JointId,
+        /// The gear, belt or rack.
+        joint: JointId,
     },
-    /// Several links could carry this gear, and each would mean another motion.
+    /// The link that was named as carrier does not carry both parts that roll here.
+    NotCarrier {
+        /// The gear, belt or rack.
+        joint: JointId,
+        /// The link that was named.
+        link: LinkId,
+    },
+    /// Several links could be the carrier here, and each would mean another motion.
     SeveralCarriers {
-        /// The gear.
-        gear: JointId,
-        /// The links on which both wheels turn.
+        /// The gear, belt or rack.
+        joint: JointId,
+        /// The links in which both parts keep their place.
         carriers: Vec<LinkId>,
     },
     /// This motor's joint cannot move.
@@ -36,8 +43,6 @@ pub enum Diagnosis {
         part: Vec<LinkId>,
         /// The joints that hold the part rigid.
         joints: Vec<JointId>,
-        /// Single joints whose removal makes the mechanism coherent: each was tried.
-        cures: Vec<JointId>,
     },
     /// The motors before it already determine this motor's joint.
     TooManyMotors {
@@ -50,8 +55,8 @@ pub enum Diagnosis {
     Overdetermined {
         /// The joints that hold each other's part.
         joints: Vec<JointId>,
-        /// Single joints whose removal makes the mechanism coherent: each was tried.
-        cures: Vec<JointId>,
+        /// Whether it can be assembled and moves all the same, because its lengths match exactly.
+        matched: bool,
     },
     /// There is no motor at all.
     NoMotor {
@@ -70,19 +75,18 @@ pub enum Diagnosis {
         candidates: Vec<JointId>,
     },
     /// Nothing can move: there is no freedom for any motor.
-    Rigid {
-        /// Single joints whose removal would let it move with the motors it has.
-        cures: Vec<JointId>,
-    },
+    Rigid,
     /// No further loop of three unknowns exists, though joints remain to be solved: they wait for each other.
     NotSequential {
         /// The joints that wait.
         waiting: Vec<JointId>,
+        /// The rings that they form, each by its unknown joints.
+        rings: Vec<Vec<JointId>>,
     },
     /// A loop does not close at the start.
     CannotClose {
         /// The joints of the loop whose coordinates are unknown.
-        unknowns: [JointId; 3],
+        unknowns: Vec<JointId>,
         /// How far apart the nearest approach leaves the axes, in scene units.
         gap: f64,
         /// The axes that cannot be made to coincide.
@@ -91,7 +95,7 @@ pub enum Diagnosis {
     /// A loop starts at a dead point, where the way it goes on is not determined.
     DeadStart {
         /// The joints of the loop whose coordinates are unknown.
-        unknowns: [JointId; 3],
+        unknowns: Vec<JointId>,
     },
     /// Several assemblies satisfy the start.
     SeveralAssemblies {

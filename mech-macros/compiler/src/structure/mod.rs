@@ -1,21 +1,20 @@
 //! Structure: what is connected, what moves, what is blocked or left undetermined, what is trunk and what is arm.
 
 mod constraints;
-mod cure;
 mod diagnosis;
 mod elimination;
 mod field;
-mod gear;
 mod graph;
 mod pin;
+mod rolling;
 mod verdict;
 
 pub use diagnosis::Diagnosis;
-pub use gear::Gear;
 pub(crate) use graph::KinematicGraph;
 pub use pin::Pin;
+pub use rolling::{Factor, Rolling, RollingEnd};
 
-use crate::model::{JointId, JointKind, Model};
+use crate::model::{Joint, JointId, JointKind, Model};
 
 /// What was found out about a coherent mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,32 +25,30 @@ pub struct Structure {
     pub trunk: Vec<JointId>,
     /// The joints that belong to none: those of the open chains.
     pub arms: Vec<JointId>,
+    /// The joints that hold a part more than once, where that is allowed.
+    pub redundant: Vec<JointId>,
     /// The axes of rotation, with all links on each.
     pub pins: Vec<Pin>,
-    /// The gears, with their carriers.
-    pub gears: Vec<Gear>,
+    /// The gears, belts and racks, with their carriers.
+    pub rollings: Vec<Rolling>,
 }
 
 /// Analyses a mechanism.
 ///
 /// # Errors
-/// Everything that keeps it from moving as its motors say, each with the repairs that were tried and found to help.
+/// Everything that keeps it from moving as its motors say.
 pub fn analyse(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
-    let mut diagnoses = match examine(model) {
-        Ok(structure) => return Ok(structure),
-        Err(diagnoses) => diagnoses,
-    };
-    cure::offer(model, &mut diagnoses);
-    Err(diagnoses)
+    let structure = layout(model)?;
+    verdict::verdict(model, &structure.pins, &structure.rollings)?;
+    Ok(structure)
 }
 
-/// Analyses a mechanism without looking for repairs.
-fn examine(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
+/// Finds out what is connected to what, without asking whether it moves.
+pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
     let graph = KinematicGraph::new(model);
     connected(&graph, model)?;
     let pins = pin::pins(model);
-    let gears = gear::gears(model, &pins)?;
-    verdict::verdict(model, &pins, &gears)?;
+    let rollings = rolling::rollings(model, &pins)?;
     let arms = graph.arms();
     let trunk = model
         .joint_ids()
@@ -61,8 +58,9 @@ fn examine(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
         mobility: mobility(model),
         trunk,
         arms,
+        redundant: Vec::new(),
         pins,
-        gears,
+        rollings,
     })
 }
 
@@ -87,17 +85,12 @@ fn connected(graph: &KinematicGraph, model: &Model) -> Result<(), Vec<Diagnosis>
 /// Mobility by counting: each moving link has three freedoms, each joint takes some away.
 #[must_use]
 pub fn mobility(model: &Model) -> i64 {
-    let taken: usize = model
-        .joints
-        .iter()
-        .map(|joint| {
-            if let JointKind::Gear { .. } = joint.kind {
-                1
-            } else {
-                2
-            }
-        })
-        .sum();
+    let taken = |joint: &Joint| match joint.kind {
+        JointKind::Weld(..) => 3,
+        JointKind::Revolute(..) | JointKind::Prismatic(..) => 2,
+        JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 1,
+    };
+    let taken: usize = model.joints.iter().map(taken).sum();
     let given = 3 * (model.links.len() - 1);
     i64::try_from(given).unwrap_or(i64::MAX) - i64::try_from(taken).unwrap_or(i64::MAX)
 }

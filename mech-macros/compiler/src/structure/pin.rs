@@ -1,6 +1,6 @@
 //! Pins: several links on one axis of rotation (a multiple joint) are joined pairwise, whichever pairs were declared.
 
-use crate::model::{AxisId, JointId, JointKind, LinkId, Model};
+use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 use petgraph::unionfind::UnionFind;
 
 /// An axis of rotation with all links that turn about it.
@@ -30,6 +30,16 @@ pub(super) fn pins(model: &Model) -> Vec<Pin> {
     for joint in &model.joints {
         if let JointKind::Revolute(a, b) = joint.kind {
             classes.union(a.index(), b.index());
+        }
+    }
+    // Two points of a link on one spot are one axis: a sun and an arm on the same shaft.
+    for (index, axis) in model.axes.iter().enumerate() {
+        let same = |other: &Axis| {
+            let point = axis.kind == AxisKind::Point && other.kind == AxisKind::Point;
+            point && other.link == axis.link && other.at == axis.at
+        };
+        if let Some(first) = model.axes[..index].iter().position(same) {
+            classes.union(first, index);
         }
     }
     let mut pins: Vec<(usize, Pin)> = Vec::new();

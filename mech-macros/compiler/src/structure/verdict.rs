@@ -4,8 +4,8 @@ use super::constraints::Constraints;
 use super::diagnosis::Diagnosis;
 use super::elimination::{Added, Elimination};
 use super::field::{Dice, Element};
-use super::gear::Gear;
 use super::pin::Pin;
+use super::rolling::Rolling;
 use crate::model::{JointId, LinkId, Model, MotorId};
 
 /// An arbitrary number: the random geometry is the same in every build.
@@ -27,9 +27,9 @@ struct Rank<'m> {
 }
 
 impl<'m> Rank<'m> {
-    fn new(model: &'m Model, pins: &[Pin], gears: &'m [Gear]) -> Self {
+    fn new(model: &'m Model, pins: &[Pin], rollings: &'m [Rolling]) -> Self {
         let mut dice = Dice::new(SEED);
-        let constraints = Constraints::new(model, pins, gears, &mut dice);
+        let constraints = Constraints::new(model, pins, rollings, &mut dice);
         let mut joints = Elimination::new(constraints.unknowns());
         let mut joint_of_row = Vec::new();
         let mut dependent = vec![false; model.joints.len()];
@@ -109,15 +109,19 @@ impl<'m> Rank<'m> {
 }
 
 /// Checks that the joints leave exactly the freedom that the motors take. Repairs are not looked for.
-pub(super) fn verdict(model: &Model, pins: &[Pin], gears: &[Gear]) -> Result<(), Vec<Diagnosis>> {
-    let mut rank = Rank::new(model, pins, gears);
+pub(super) fn verdict(
+    model: &Model,
+    pins: &[Pin],
+    rollings: &[Rolling],
+) -> Result<(), Vec<Diagnosis>> {
+    let mut rank = Rank::new(model, pins, rollings);
     let mut diagnoses = blocked_motors(model, &mut rank);
     if rank.joints.freedom() == 0 && model.motors.is_empty() {
-        diagnoses.push(Diagnosis::Rigid { cures: Vec::new() });
+        diagnoses.push(Diagnosis::Rigid);
     } else if diagnoses.is_empty() && !rank.dependent.is_empty() {
         diagnoses.push(Diagnosis::Overdetermined {
             joints: rank.dependent.clone(),
-            cures: Vec::new(),
+            matched: false,
         });
     }
     let freedom = rank.driven.freedom();
@@ -159,7 +163,6 @@ fn blocked_motors(model: &Model, rank: &mut Rank<'_>) -> Vec<Diagnosis> {
             motor,
             part,
             joints,
-            cures: Vec::new(),
         });
     }
     diagnoses

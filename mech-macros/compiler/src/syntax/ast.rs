@@ -6,6 +6,7 @@
 use super::{Header, Message, Place};
 use crate::model::Precision;
 use proc_macro2::{Ident, Span};
+use std::fmt;
 
 /// A part of the text, or what is wrong with it.
 pub(super) type Read<T> = Result<T, Message>;
@@ -140,8 +141,8 @@ pub(super) struct JointBody {
     pub kind: JointWord,
     /// What it joins.
     pub ends: [End; 2],
-    /// The sizes of its wheels, where it has any.
-    pub size: Option<Size>,
+    /// What rolls in it, where something does.
+    pub rolling: Option<Rolling>,
     /// Where it is in the drawing.
     pub at: Option<Clause>,
     /// Its direction in the drawing.
@@ -187,23 +188,29 @@ impl End {
     }
 }
 
-/// The sizes of wheels.
-pub(super) enum Size {
-    /// `20 : 40 on arm`
-    Ratio {
-        parts: [Expr; 2],
-        carrier: Option<Carrier>,
-    },
-    /// `radius 0.5`
-    Radius(Expr),
+impl fmt::Display for End {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        write!(formatter, "{}", self.link)?;
+        self.axis
+            .iter()
+            .try_for_each(|axis| write!(formatter, ".{axis}"))
+    }
 }
 
-/// `on arm`
-pub(super) struct Carrier {
-    /// The word `on`.
-    pub keyword: Span,
-    /// The link that carries both wheels.
-    pub link: Ident,
+/// What rolls in a gear, belt or rack: `20 : 40 on arm`.
+pub(super) struct Rolling {
+    /// Its sizes.
+    pub size: Size,
+    /// The link after `on`, which carries both parts.
+    pub carrier: Option<Ident>,
+}
+
+/// The sizes of what rolls.
+pub(super) enum Size {
+    /// `20 : 40`
+    Ratio([Expr; 2]),
+    /// `radius 0.5`
+    Radius(Expr),
 }
 
 /// `motor joint in low ..= high by step;`

@@ -17,8 +17,8 @@ use proc_macro2::{Ident, TokenStream};
 pub struct Parsed {
     /// The `struct` line, if it could be read.
     pub header: Option<Header>,
-    /// The mechanism; where there are errors, as much of it as could be understood. Also then, no two of its links,
-    /// joints and points would be the same method, and all names are fit for one.
+    /// The mechanism; where there are errors, as much of it as could be understood. Also then, no two of its
+    /// declared links, shown joints and points would be the same method, and all names are fit for one.
     pub model: Model,
     /// How many motors the text has, those included that an error keeps out of the model.
     pub motors: usize,

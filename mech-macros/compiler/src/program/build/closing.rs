@@ -2,72 +2,75 @@
 
 use super::{MOST_ROUNDS, Writer};
 use crate::model::{Joint, JointKind, LinkId, Method};
-use crate::plan::{Algebra, ConnectionKind, Equation, Loop, Pose, Solution, Unknown};
+use crate::plan::{Algebra, ConnectionKind, Equation, Loop, Measure, Pose, Solution, Unknown};
 use crate::program::BlockKind;
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
 
+/// An unknown: what it is called, and where the iteration starts.
+type First = (String, Solution<Value>);
+
 impl Writer<'_> {
-    pub(super) fn close(&mut self, ring: &Loop) {
+    pub(super) fn close(&mut self, closing: &Loop) {
         self.loops += 1;
-        let bases = ring
-            .ring
-            .map(|connection| self.placement.base(connection.from));
-        let joints = ring
-            .ring
-            .map(|connection| self.model.joint(connection.joint).name.clone());
-        let links: Vec<&str> = bases[1..].iter().map(|&base| self.name_of(base)).collect();
-        let place = joints
+        let bases: Vec<LinkId> = closing
+            .tree
             .iter()
-            .map(|joint| format!("`{joint}`"))
-            .collect::<Vec<_>>()
-            .join(", ");
+            .map(|connection| self.placement.base(connection.to))
+            .collect();
+        let joints: Vec<String> = closing
+            .unknowns()
+            .iter()
+            .map(|&joint| format!("`{}`", self.model.joint(joint).name))
+            .collect();
+        let place = joints.join(", ");
+        let links: Vec<&str> = bases.iter().map(|&base| self.name_of(base)).collect();
         let name = format!("close_{}", links.join("_"));
         let title = format!("Loop {}, closed by {place}.", self.loops);
         let block = self.builder.block(name, title);
-        let Some(equation) = Equation::new(&mut self.builder, &self.placement, ring) else {
-            return;
-        };
-        self.builder.name_vector(equation.offset, "known");
-        let firsts = self.firsts(ring, &equation, bases);
+        let equation = Equation::new(&mut self.builder, &self.placement, closing);
+        for ring in &equation.rings {
+            self.builder.name_vector(ring.offset, "known");
+        }
+        let first = closing.tree.first().map_or(LinkId::GROUND, |connection| {
+            self.placement.base(connection.from)
+        });
+        let firsts: Vec<First> = equation
+            .unknowns
+            .iter()
+            .map(|unknown| self.first(*unknown, first))
+            .collect();
         self.builder.enter();
         let (mut newton, solution) = self.iterate(block, &equation, firsts, place);
         self.builder.leave();
-        newton.sides.extend(self.spots(ring));
+        newton.sides.extend(self.spots(closing));
         if let Some(block) = self.builder.blocks.last_mut() {
             block.kind = BlockKind::Newton(newton);
         }
-        for connection in ring
-            .ring
-            .iter()
-            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
-        {
-            let (from, to) = (self.link_of(connection.from), self.link_of(connection.to));
-            let fixed = self.builder.constant(connection.frame_angle(self.model));
-            self.angles.join(&mut self.builder, from, to, fixed);
-        }
-        equation.place(&mut self.builder, &mut self.placement, ring, solution);
-        bases[1..].iter().for_each(|&base| self.name_cluster(base));
+        equation.place(&mut self.builder, &mut self.placement, closing, &solution);
+        bases.iter().for_each(|&base| self.name_cluster(base));
     }
 
-    /// Where the axes of a ring are in their links and in the first cluster: rounding grows with these too.
-    fn spots(&mut self, ring: &Loop) -> Vec<[Value; 2]> {
-        let [first, _, third] = ring.ring;
-        let ends = ring
-            .ring
-            .iter()
-            .flat_map(|connection| [connection.from, connection.to]);
-        let mut spots: Vec<[Value; 2]> = ends
-            .map(|axis| self.builder.vector(self.model.axis(axis).at))
-            .collect();
-        spots.extend(
-            [first.from, third.to].map(|axis| self.placement.spot(&mut self.builder, axis)),
-        );
+    /// Where the axes of the rings are in their links and in the first cluster: rounding grows with these too.
+    fn spots(&mut self, closing: &Loop) -> Vec<[Value; 2]> {
+        let mut spots = Vec::new();
+        for ring in &closing.rings {
+            for axis in ring
+                .iter()
+                .flat_map(|connection| [connection.from, connection.to])
+            {
+                spots.push(self.builder.vector(self.model.axis(axis).at));
+            }
+            let ends = ring.first().map(|connection| connection.from).into_iter();
+            for axis in ends.chain(ring.last().map(|connection| connection.to)) {
+                spots.push(self.placement.spot(&mut self.builder, axis));
+            }
+        }
         spots
     }
 
     /// How far a loop has grown where something slides: a telescope may become any times longer than it is at the start.
-    fn extent(&mut self, offset: [Value; 2], now: &[Solution<Value>; 2]) -> Option<Value> {
+    fn extent(&mut self, equation: &Equation<Value>, now: &[Solution<Value>]) -> Option<Value> {
         let slides = |joint: &Joint| matches!(joint.kind, JointKind::Prismatic(..));
         if !self.model.joints.iter().any(slides) {
             return None;
@@ -77,15 +80,23 @@ impl Writer<'_> {
             Solution::Direction(_) => None,
         });
         let mut extent = self.builder.constant(0.0);
-        for length in ways.chain(offset) {
+        for length in ways.chain(equation.rings.iter().flat_map(|ring| ring.offset)) {
             let length = self.builder.abs(length);
             extent = self.builder.add(extent, length);
         }
         Some(self.builder.name(extent, "extent"))
     }
 
-    /// The pose that the last position left behind.
+    /// The pose that the last position left behind. A die was where the pin and the guide of its slot were.
     fn last_pose(&mut self, link: LinkId) -> Pose<Value> {
+        if let Some((pin, guide)) = self.model.link(link).die {
+            let (pin, guide) = (self.model.axis(pin), self.model.axis(guide));
+            let origin = self.last_pose(pin.link).carry(&mut self.builder, pin.at);
+            let direction = self
+                .last_pose(guide.link)
+                .turn(&mut self.builder, guide.direction);
+            return Pose { direction, origin };
+        }
         match link.index().checked_sub(1) {
             None => Pose::identity(&mut self.builder),
             Some(index) => {
@@ -99,17 +110,11 @@ impl Writer<'_> {
         }
     }
 
-    /// For each unknown its name and where the iteration starts: at the last position.
-    fn firsts(
-        &mut self,
-        ring: &Loop,
-        equation: &Equation<Value>,
-        bases: [LinkId; 3],
-    ) -> [(String, Solution<Value>); 2] {
-        equation.unknowns.map(|unknown| match unknown {
-            Unknown::Direction { cluster, .. } => {
-                let link = bases[cluster];
-                let frame = self.last_pose(bases[0]).direction;
+    /// The name of an unknown and where the iteration starts: at the last position.
+    fn first(&mut self, unknown: Unknown, base: LinkId) -> First {
+        match unknown {
+            Unknown::Direction(link) => {
+                let frame = self.last_pose(base).direction;
                 let back = self.builder.conjugate(frame);
                 let direction = self.last_pose(link).direction;
                 let direction = self.builder.turned(back, direction);
@@ -117,29 +122,23 @@ impl Writer<'_> {
                 let direction = self.normalised(direction, &name);
                 (name, Solution::Direction(direction))
             }
-            Unknown::Slide { connection, .. } => {
-                let walked = ring.ring[connection];
-                let connection = if self.placement.as_declared(walked) {
-                    walked
-                } else {
-                    walked.reversed()
+            Unknown::Slide(joint) => {
+                let name = self.model.joint(joint).name.clone();
+                let way = match self.model.joint(joint).kind {
+                    JointKind::Prismatic(from, to) => {
+                        let (from, to) = (self.model.axis(from), self.model.axis(to));
+                        let (start, end) = (self.last_pose(from.link), self.last_pose(to.link));
+                        let heading = start.turn(&mut self.builder, from.direction);
+                        let start = start.carry(&mut self.builder, from.at);
+                        let end = end.carry(&mut self.builder, to.at);
+                        let way = self.builder.minus(end, start);
+                        self.builder.dot(heading, way)
+                    }
+                    _ => self.builder.constant(0.0),
                 };
-                let (from, to) = (
-                    self.model.axis(connection.from).clone(),
-                    self.model.axis(connection.to).clone(),
-                );
-                let (start, end) = (self.last_pose(from.link), self.last_pose(to.link));
-                let heading = start.turn(&mut self.builder, from.direction);
-                let start = start.carry(&mut self.builder, from.at);
-                let end = end.carry(&mut self.builder, to.at);
-                let way = self.builder.minus(end, start);
-                let way = self.builder.dot(heading, way);
-                (
-                    self.model.joint(connection.joint).name.clone(),
-                    Solution::Slide(way),
-                )
+                (name, Solution::Slide(way))
             }
-        })
+        }
     }
 
     /// One step towards length one, so that rounding never adds up.
@@ -157,27 +156,35 @@ impl Writer<'_> {
         &mut self,
         block: BlockId,
         equation: &Equation<Value>,
-        firsts: [(String, Solution<Value>); 2],
+        firsts: Vec<First>,
         place: String,
-    ) -> (Newton, [Solution<Value>; 2]) {
+    ) -> (Newton, Vec<Solution<Value>>) {
         let mut scalars = Vec::new();
-        let names = firsts.each_ref().map(|(name, _)| name.clone());
-        let now = firsts.map(|(name, first)| self.unknown(block, &name, first, &mut scalars));
-        let (gap, columns, sides) = self.gap(equation, &now, &names);
-        let gap = self.builder.name_vector(gap, "gap");
-        let det = self.builder.cross(columns[0], columns[1]);
+        let names: Vec<String> = firsts.iter().map(|(name, _)| name.clone()).collect();
+        let now: Vec<Solution<Value>> = firsts
+            .into_iter()
+            .map(|(name, first)| self.unknown(block, &name, first, &mut scalars))
+            .collect();
+        let measure = equation.measure(&mut self.builder, &now);
+        self.name_measure(&measure, &names);
+        let gap: Vec<Value> = measure.rings.iter().flat_map(|walk| walk.gap).collect();
+        let rates = |unknown: usize| {
+            measure
+                .rings
+                .iter()
+                .flat_map(move |walk| walk.columns[unknown])
+                .collect()
+        };
+        let columns: Vec<Vec<Value>> = (0..now.len()).map(rates).collect();
+        let extent = self.extent(equation, &now);
+        let dense = now.len() > 2;
+        let (steps, det) = self.steps(block, &columns, &gap);
         let det = self.builder.name(det, "det");
-        let extent = self.extent(equation.offset, &now);
-        let (p, q) = (
-            self.builder.cross(columns[1], gap),
-            self.builder.cross(gap, columns[0]),
-        );
-        let steps = [self.builder.div(p, det), self.builder.div(q, det)];
         let mut next = Vec::new();
         for ((now, step), name) in now.iter().zip(steps).zip(&names) {
             match *now {
                 Solution::Direction(direction) => {
-                    next.extend(self.turned_by(direction, step, name));
+                    next.extend(self.turned_by(direction, step, name))
                 }
                 Solution::Slide(way) => next.push(self.builder.add(way, step)),
             }
@@ -192,19 +199,76 @@ impl Writer<'_> {
             Method::Newton => Rounds::UntilClosed(MOST_ROUNDS),
             Method::NewtonSteps(rounds) => Rounds::Exactly(rounds),
         };
+        let sides = measure
+            .rings
+            .iter()
+            .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
+            .collect();
+        let number = self.loops - 1;
+        let limits = Limits::default();
         let newton = Newton {
-            number: self.loops - 1,
+            number,
             place,
             scalars,
             gap,
             det,
             columns,
+            dense,
             sides,
             extent,
             rounds,
-            limits: Limits::default(),
+            limits,
         };
         (newton, solution)
+    }
+
+    fn name_measure(&mut self, measure: &Measure<Value>, names: &[String]) {
+        for walk in &measure.rings {
+            self.builder.name_vector(walk.gap, "gap");
+            for &(unknown, side) in &walk.sides {
+                if let Some(name) = unknown.and_then(|unknown| names.get(unknown)) {
+                    self.builder.name_vector(side, &format!("{name}_side"));
+                }
+            }
+        }
+    }
+
+    /// The steps of the unknowns that close the gap to first order, and the determinant.
+    fn steps(
+        &mut self,
+        block: BlockId,
+        columns: &[Vec<Value>],
+        gap: &[Value],
+    ) -> (Vec<Value>, Value) {
+        match (columns, gap) {
+            ([a, b], &[x, y]) => {
+                let (a, b, gap) = ([a[0], a[1]], [b[0], b[1]], [x, y]);
+                let det = self.builder.cross(a, b);
+                let (p, q) = (self.builder.cross(b, gap), self.builder.cross(gap, a));
+                (
+                    vec![self.builder.div(p, det), self.builder.div(q, det)],
+                    det,
+                )
+            }
+            // More equations than unknowns, where joints are redundant: as good as possible.
+            ([a], &[x, y]) => {
+                let a = [a[0], a[1]];
+                let square = self.builder.dot(a, a);
+                let along = self.builder.dot(a, [x, y]);
+                let along = self.builder.neg(along);
+                (vec![self.builder.div(along, square)], square)
+            }
+            _ => {
+                let dense = |builder: &mut crate::program::builder::Builder, index| {
+                    builder.make(Op::Dense(block, index))
+                };
+                let steps = (0..columns.len()).map(|index| {
+                    let step = dense(&mut self.builder, index);
+                    self.builder.name(step, "step")
+                });
+                (steps.collect(), dense(&mut self.builder, columns.len()))
+            }
+        }
     }
 
     fn unknown(
@@ -234,60 +298,6 @@ impl Writer<'_> {
         }
     }
 
-    /// The gap, its rate with each unknown, and the vectors it is made of.
-    fn gap(
-        &mut self,
-        equation: &Equation<Value>,
-        now: &[Solution<Value>; 2],
-        names: &[String; 2],
-    ) -> ([Value; 2], [[Value; 2]; 2], Vec<[Value; 2]>) {
-        let builder = &mut self.builder;
-        let mut gap = equation.offset;
-        let mut sides = vec![equation.offset];
-        let mut arms: [Option<[Value; 2]>; 2] = equation.unknowns.map(|unknown| match unknown {
-            Unknown::Direction { arm, .. } => Some(arm),
-            Unknown::Slide { .. } => None,
-        });
-        let mut slides = [None; 2];
-        for (index, unknown) in equation.unknowns.iter().enumerate() {
-            if let (
-                &Unknown::Slide {
-                    along, turned_by, ..
-                },
-                Solution::Slide(way),
-            ) = (unknown, now[index])
-            {
-                let part = builder.scaled(way, along);
-                if let Some(arm) = turned_by.and_then(|turning| arms[turning].as_mut()) {
-                    *arm = builder.plus(*arm, part);
-                } else {
-                    gap = builder.plus(gap, part);
-                    sides.push(part);
-                }
-                slides[index] = Some((along, turned_by));
-            }
-        }
-        let mut columns = [equation.offset; 2];
-        for index in 0..2 {
-            if let (Some(arm), Solution::Direction(direction)) = (arms[index], now[index]) {
-                let side = builder.turned(direction, arm);
-                let side = builder.name_vector(side, &format!("{}_side", names[index]));
-                gap = builder.plus(gap, side);
-                sides.push(side);
-                columns[index] = [builder.neg(side[1]), side[0]];
-            }
-        }
-        for (index, slide) in slides.into_iter().enumerate() {
-            if let Some((along, turned_by)) = slide {
-                columns[index] = match turned_by.map(|turning| now[turning]) {
-                    Some(Solution::Direction(direction)) => builder.turned(direction, along),
-                    _ => along,
-                };
-            }
-        }
-        (gap, columns, sides)
-    }
-
     /// A direction turned by a small angle, by the rational map that keeps its length (Cayley's).
     fn turned_by(&mut self, direction: [Value; 2], angle: Value, name: &str) -> [Value; 2] {
         let builder = &mut self.builder;
@@ -309,9 +319,9 @@ impl Writer<'_> {
     fn solved(
         &mut self,
         block: BlockId,
-        now: &[Solution<Value>; 2],
+        now: &[Solution<Value>],
         scalars: &[Scalar],
-    ) -> [Solution<Value>; 2] {
+    ) -> Vec<Solution<Value>> {
         let mut index = 0;
         let mut next = || {
             let value = self.builder.make(Op::Solved(block, index));
@@ -319,9 +329,10 @@ impl Writer<'_> {
             index += 1;
             value
         };
-        now.map(|unknown| match unknown {
+        let solved = now.iter().map(|unknown| match unknown {
             Solution::Direction(_) => Solution::Direction([next(), next()]),
             Solution::Slide(_) => Solution::Slide(next()),
-        })
+        });
+        solved.collect()
     }
 }

@@ -9,9 +9,10 @@ use super::node::{Op, Slot, Value};
 use super::{Position, Program};
 use crate::model::{AxisId, LinkId, Model};
 use crate::plan::{
-    Algebra, Angles, Connection, ConnectionKind, Coordinate, Drive, Mesh, Placement, Plan, Pose,
+    Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Placement, Plan, Pose, Source,
     Step,
 };
+use num_traits::ToPrimitive;
 
 /// More rounds than this never help: Newton's iteration doubles its digits in each.
 const MOST_ROUNDS: u32 = 24;
@@ -22,19 +23,19 @@ pub fn build(model: &Model, plan: &Plan) -> Program {
     let mut builder = Builder::default();
     builder.block("start".to_owned(), String::new());
     let placement = Placement::new(&mut builder, model);
-    let angles = Angles::new(&mut builder, model.links.len());
     let mut writer = Writer {
         model,
         plan,
         builder,
         placement,
-        angles,
         kept: Vec::new(),
+        sources: vec![None; plan.sources.len()],
         meshes: 0,
         loops: 0,
     };
     for step in &plan.steps {
         match step {
+            Step::Weld(connection) => writer.weld(*connection),
             Step::Drive(drive) => writer.drive(drive),
             Step::Mesh(mesh) => writer.mesh(mesh),
             Step::Close(ring) => writer.close(ring),
@@ -48,9 +49,10 @@ struct Writer<'m> {
     plan: &'m Plan,
     builder: Builder,
     placement: Placement<'m, Value>,
-    angles: Angles<Value>,
     /// The new values of the angles that are kept unwrapped, and what they are at the start.
     kept: Vec<(Value, f64)>,
+    /// The sources of gears, belts and racks that were needed so far.
+    sources: Vec<Option<Value>>,
     meshes: usize,
     loops: usize,
 }
@@ -64,56 +66,46 @@ impl Writer<'_> {
         &self.model.link(link).name
     }
 
+    fn weld(&mut self, connection: Connection) {
+        let zero = self.builder.vector([1.0, 0.0]);
+        self.connect(connection, Coordinate::Turn(zero));
+    }
+
     fn drive(&mut self, drive: &Drive) {
         let name = self.model.joint(drive.connection.joint).name.clone();
         self.builder
             .block(format!("drive_{name}"), format!("Motor `{name}`."));
         let motor = self.builder.make(Op::Motor(drive.motor.index()));
         self.builder.name(motor, &name);
-        match drive.connection.kind {
+        self.put(drive.connection, motor, &name);
+    }
+
+    /// Gives a connection its coordinate.
+    fn put(&mut self, connection: Connection, value: Value, name: &str) {
+        let coordinate = match connection.kind {
             ConnectionKind::Revolute => {
-                let turn = self.unit(motor, &name);
-                self.connect(drive.connection, Coordinate::Turn(turn), Some(motor));
+                let (sin, cos) = (
+                    self.builder.make(Op::Sin(value)),
+                    self.builder.make(Op::Cos(value)),
+                );
+                Coordinate::Turn(self.builder.name_direction([cos, sin], name))
             }
-            ConnectionKind::Prismatic => {
-                self.connect(drive.connection, Coordinate::Slide(motor), None);
-            }
-        }
-    }
-
-    /// The cosine and sine of an angle.
-    fn unit(&mut self, angle: Value, name: &str) -> [Value; 2] {
-        let (sin, cos) = (
-            self.builder.make(Op::Sin(angle)),
-            self.builder.make(Op::Cos(angle)),
-        );
-        self.builder.name_direction([cos, sin], name)
-    }
-
-    fn connect(
-        &mut self,
-        connection: Connection,
-        coordinate: Coordinate<Value>,
-        turn: Option<Value>,
-    ) {
-        let fixed = self.builder.constant(connection.frame_angle(self.model));
-        let angle = match turn {
-            Some(turn) => self.builder.add(fixed, turn),
-            None => fixed,
+            ConnectionKind::Prismatic => Coordinate::Slide(value),
         };
-        let (from, to) = (self.link_of(connection.from), self.link_of(connection.to));
-        self.angles.join(&mut self.builder, from, to, angle);
+        self.connect(connection, coordinate);
+    }
+
+    fn connect(&mut self, connection: Connection, coordinate: Coordinate<Value>) {
         self.placement
             .connect(&mut self.builder, connection, coordinate);
-        self.name_cluster(to);
+        self.name_cluster(self.link_of(connection.to));
     }
 
     fn mesh(&mut self, mesh: &Mesh) {
-        let name = self.model.joint(mesh.gear).name.clone();
+        let name = self.model.joint(mesh.by).name.clone();
         self.builder
-            .block(format!("mesh_{name}"), format!("Gear `{name}`."));
-        let (carrier, wheel) = (self.link_of(mesh.input.from), self.link_of(mesh.input.to));
-        let (input_start, output_start) = self
+            .block(format!("mesh_{name}"), format!("Moved by `{name}`."));
+        let start = self
             .plan
             .start
             .meshes
@@ -121,26 +113,58 @@ impl Writer<'_> {
             .copied()
             .unwrap_or_default();
         self.meshes += 1;
-        let input = match self.angles.between(&mut self.builder, carrier, wheel) {
-            Some(angle) => angle,
-            None => self.unwrapped(carrier, wheel, input_start),
+        let mut offset = start;
+        let mut moved = self.builder.constant(0.0);
+        for (number, part) in &mesh.parts {
+            let part = part.to_f64().unwrap_or(0.0);
+            offset -= part
+                * self
+                    .plan
+                    .start
+                    .sources
+                    .get(*number)
+                    .copied()
+                    .unwrap_or_default();
+            let source = self.source(*number);
+            let part = self.builder.constant(part);
+            let share = self.builder.mul(part, source);
+            moved = self.builder.add(moved, share);
+        }
+        let offset = self.builder.constant(offset);
+        let value = self.builder.add(offset, moved);
+        let moved = self.model.joint(mesh.connection.joint).name.clone();
+        self.builder.name(value, &moved);
+        self.put(mesh.connection, value, &moved);
+    }
+
+    /// What a gear, belt or rack is solved from.
+    fn source(&mut self, number: usize) -> Value {
+        if let Some(known) = self.sources[number] {
+            return known;
+        }
+        let value = match self.plan.sources[number] {
+            Source::Motor(motor) => {
+                let name = self.model.joint(self.model.motor(motor).joint).name.clone();
+                let value = self.builder.make(Op::Motor(motor.index()));
+                self.builder.name(value, name)
+            }
+            Source::Angle { from, to } => {
+                let start = self
+                    .plan
+                    .start
+                    .sources
+                    .get(number)
+                    .copied()
+                    .unwrap_or_default();
+                self.unwrapped(from, to, start)
+            }
+            Source::Way(joint) => {
+                let way = self.placement.way(&mut self.builder, joint);
+                way.unwrap_or_else(|| self.builder.constant(0.0))
+            }
         };
-        let speed = self.builder.constant(mesh.speed);
-        let turned = self.builder.mul(speed, input);
-        let offset = self
-            .builder
-            .constant(output_start - mesh.speed * input_start);
-        let output = self.builder.add(offset, turned);
-        let driven = self.link_of(mesh.output.to);
-        let driven_name = self.name_of(driven).to_owned();
-        self.builder.name(output, format!("{driven_name}_angle"));
-        let unit = self.unit(output, &driven_name);
-        self.angles.join(&mut self.builder, carrier, driven, output);
-        let carried = self.placement.pose(carrier).direction;
-        let direction = self.builder.turned(carried, unit);
-        self.placement
-            .turn_link(&mut self.builder, mesh.output, direction);
-        self.name_cluster(driven);
+        self.sources[number] = Some(value);
+        value
     }
 
     /// The angle between two links that loops have solved, followed over any number of turns.
@@ -161,7 +185,6 @@ impl Writer<'_> {
         let name = format!("{}_angle", self.name_of(to));
         self.builder.name(angle, name);
         self.kept.push((angle, start));
-        self.angles.join(&mut self.builder, from, to, angle);
         angle
     }
 
@@ -186,7 +209,8 @@ impl Writer<'_> {
             kept,
             ..
         } = self;
-        let poses = model.moving_links().map(|link| {
+        let shown: Vec<LinkId> = model.declared_links().collect();
+        let poses = shown.iter().map(|&link| {
             let Pose {
                 direction: [cos, sin],
                 origin: [x, y],
@@ -195,7 +219,10 @@ impl Writer<'_> {
         });
         let start = Position {
             motors: plan.start.motors.clone(),
-            poses: plan.start.poses[1..].to_vec(),
+            poses: shown
+                .iter()
+                .map(|link| plan.start.poses[link.index()])
+                .collect(),
             angles: kept.iter().map(|&(_, start)| start).collect(),
         };
         let mut program = Program {
@@ -208,9 +235,9 @@ impl Writer<'_> {
                 .iter()
                 .map(|motor| model.joint(motor.joint).name.clone())
                 .collect(),
-            links: model
-                .moving_links()
-                .map(|link| model.link(link).name.clone())
+            links: shown
+                .iter()
+                .map(|&link| model.link(link).name.clone())
                 .collect(),
             poses: poses.collect(),
             angles: kept.into_iter().map(|(angle, _)| angle).collect(),

@@ -5,8 +5,9 @@ use super::recover::to_semicolon;
 use super::statement::{BEGINNINGS, declared};
 use super::tokens::{in_parens, name, symbol, take, take_word, unexpected, word};
 use crate::syntax::ast::{
-    Carrier, Clause, End, Joint, JointBody, JointWord, Read, Size, Statement,
+    Clause, End, Joint, JointBody, JointWord, Read, Rolling, Size, Statement,
 };
+use proc_macro2::Ident;
 use syn::parse::ParseStream;
 
 const WORDS: [(&str, JointWord); 7] = [
@@ -30,20 +31,20 @@ pub(super) fn joint(input: ParseStream) -> Statement {
 fn body(input: ParseStream) -> Read<JointBody> {
     symbol(input, "=")?;
     let (word, kind) = one_of(input, "a kind of joint", &WORDS)?;
-    let ((ends, size), _) = in_parens(input, "`(`", |input| parts(input, kind))?;
+    let ((ends, rolling), _) = in_parens(input, "`(`", |input| parts(input, kind))?;
     let at = clause(input, "at")?;
     let along = clause(input, "along")?;
     Ok(JointBody {
         word,
         kind,
         ends,
-        size,
+        rolling,
         at,
         along,
     })
 }
 
-fn parts(input: ParseStream, kind: JointWord) -> Read<([End; 2], Option<Size>)> {
+fn parts(input: ParseStream, kind: JointWord) -> Read<([End; 2], Option<Rolling>)> {
     let first = end(input)?;
     comma(input, "the second link")?;
     let second = end(input)?;
@@ -52,8 +53,15 @@ fn parts(input: ParseStream, kind: JointWord) -> Read<([End; 2], Option<Size>)> 
         JointWord::Rack => Some(radius(input)?),
         JointWord::Revolute | JointWord::Prismatic | JointWord::Slot | JointWord::Weld => None,
     };
+    let rolling = match size {
+        Some(size) => Some(Rolling {
+            size,
+            carrier: carrier(input)?,
+        }),
+        None => None,
+    };
     take(input, ",");
-    Ok(([first, second], size))
+    Ok(([first, second], rolling))
 }
 
 /// Reads `link` or `link.axis`.
@@ -78,18 +86,13 @@ fn ratio(input: ParseStream) -> Read<Size> {
     let first = expression(input)?;
     symbol(input, ":")?;
     let second = expression(input)?;
-    Ok(Size::Ratio {
-        parts: [first, second],
-        carrier: carrier(input)?,
-    })
+    Ok(Size::Ratio([first, second]))
 }
 
-fn carrier(input: ParseStream) -> Read<Option<Carrier>> {
-    let Some(keyword) = take_word(input, "on") else {
-        return Ok(None);
-    };
-    let link = name(input, "the name of a link")?;
-    Ok(Some(Carrier { keyword, link }))
+fn carrier(input: ParseStream) -> Read<Option<Ident>> {
+    take_word(input, "on")
+        .map(|_| name(input, "the name of a link"))
+        .transpose()
 }
 
 fn radius(input: ParseStream) -> Read<Size> {

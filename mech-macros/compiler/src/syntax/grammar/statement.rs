@@ -18,8 +18,8 @@ pub(super) const BEGINNINGS: [&str; 14] = [
 ];
 
 /// Those of them that stand for something today.
-const SUPPORTED: [&str; 7] = [
-    "const", "ground", "link", "joint", "motor", "start", "method",
+const SUPPORTED: [&str; 8] = [
+    "const", "ground", "link", "joint", "motor", "start", "method", "allow",
 ];
 
 /// Reads everything.

@@ -1,10 +1,13 @@
-//! Joints, between axes or placed in the drawing.
+//! Joints: their names, and those between axes.
 
 use super::Lowering;
 use super::name::{Named, word_for};
-use crate::model::{self, AxisId, AxisKind, JointId, JointKind, LinkId, Origin, Ratio};
+use crate::model::{self, AxisId, AxisKind, JointId, JointKind, LinkId, Origin};
 use crate::syntax::Place;
-use crate::syntax::ast::{Clause, End, Expr, ExprKind, Joint, JointBody, JointWord, Size};
+use crate::syntax::ast::{End, Joint, JointBody, JointWord};
+
+const POINT: Option<AxisKind> = Some(AxisKind::Point);
+const LINE: Option<AxisKind> = Some(AxisKind::Line);
 
 impl Lowering {
     /// Enters the name of a joint; the rest comes when all links are known.
@@ -25,84 +28,85 @@ impl Lowering {
         let Ok(body) = &joint.body else {
             return;
         };
-        let named = !self.nameless.contains(&self.report.statement());
-        let origin = self.note(&joint.name);
-        let kind = match body.kind {
-            JointWord::Revolute => self.pair_joint(joint, body, AxisKind::Point, origin),
-            JointWord::Prismatic => self.pair_joint(joint, body, AxisKind::Line, origin),
-            JointWord::Gear => self.gear(joint, body),
-            JointWord::Slot | JointWord::Rack | JointWord::Belt | JointWord::Weld => {
-                self.not_yet(body)
-            }
-        };
-        if let (Some(kind), true) = (kind, named) {
-            let id = JointId::new(self.model.joints.len());
-            self.model.joints.push(model::Joint {
-                name: joint.name.to_string(),
-                origin,
-                kind,
-            });
+        if let Some(id) = self.enter_joint(joint, body) {
             self.names.joint_is(&joint.name, id);
         }
     }
 
-    fn not_yet(&mut self, body: &JointBody) -> Option<JointKind> {
-        let text = format!("`{}` joints are not supported yet", body.word);
-        self.report.tell(Place::at(body.word.span()), text);
-        for end in &body.ends {
-            self.check_end(end);
-        }
-        match &body.size {
-            Some(Size::Ratio { parts, .. }) => {
-                self.ratio(parts);
+    fn enter_joint(&mut self, joint: &Joint, body: &JointBody) -> Option<JointId> {
+        let named = !self.nameless.contains(&self.report.statement());
+        let origin = self.note(&joint.name);
+        let name = joint.name.to_string();
+        let kind = match body.kind {
+            JointWord::Revolute => {
+                let [a, b] = self.axes(joint, body, [AxisKind::Point; 2], origin)?;
+                JointKind::Revolute(a, b)
             }
-            Some(Size::Radius(radius)) => {
-                self.positive(radius, "a radius");
+            JointWord::Prismatic => {
+                let [a, b] = self.axes(joint, body, [AxisKind::Line; 2], origin)?;
+                JointKind::Prismatic(a, b)
             }
-            None => {}
-        }
-        self.check_carrier(body);
-        if let Some(at) = &body.at {
-            self.pair(&at.value);
-        }
-        if let Some(along) = &body.along {
-            self.direction(&along.value);
-        }
-        None
+            JointWord::Weld => {
+                let [a, b] = self.weld_axes(joint, body, origin)?;
+                JointKind::Weld(a, b)
+            }
+            JointWord::Slot => {
+                let kinds = [AxisKind::Point, AxisKind::Line];
+                let [point, line] = self.axes(joint, body, kinds, origin)?;
+                return named.then(|| self.model.add_slot(&name, origin, point, line));
+            }
+            JointWord::Gear | JointWord::Belt | JointWord::Rack => self.rolling(joint, body)?,
+        };
+        named.then(|| {
+            let id = JointId::new(self.model.joints.len());
+            self.model.joints.push(model::Joint {
+                name,
+                origin,
+                kind,
+                hidden: false,
+            });
+            id
+        })
     }
 
-    /// A joint of two axes of one kind: given ones, or ones made where the drawing has them.
-    fn pair_joint(
+    /// Two axes of these kinds: given ones, or ones made where the drawing has them.
+    pub(super) fn axes(
         &mut self,
         joint: &Joint,
         body: &JointBody,
-        kind: AxisKind,
+        kinds: [AxisKind; 2],
         origin: Origin,
-    ) -> Option<JointKind> {
-        let [a, b] = match &body.at {
-            Some(at) => self.drawn_axes(joint, body, at, kind, origin)?,
-            None => self.given_axes(joint, body, kind)?,
-        };
-        Some(match kind {
-            AxisKind::Point => JointKind::Revolute(a, b),
-            AxisKind::Line => JointKind::Prismatic(a, b),
-        })
+    ) -> Option<[AxisId; 2]> {
+        match &body.at {
+            Some(at) => self.drawn_axes(joint, body, at, kinds, origin),
+            None => self.given_axes(joint, body, kinds),
+        }
     }
 
     fn given_axes(
         &mut self,
         joint: &Joint,
         body: &JointBody,
-        kind: AxisKind,
+        kinds: [AxisKind; 2],
     ) -> Option<[AxisId; 2]> {
+        let found = body.ends.each_ref().map(|end| self.kind_of(end));
+        let axes = if body.kind == JointWord::Slot && found == [LINE, POINT] {
+            self.swapped(body);
+            [None; 2]
+        } else {
+            let [first, second] = &body.ends;
+            [
+                self.given_axis(body, first, kinds[0], found),
+                self.given_axis(body, second, kinds[1], found),
+            ]
+        };
         if let Some(along) = &body.along {
-            let text = "`along` without `at`; write `at (x, y) along (dx, dy)` after two links";
+            let text = match body.kind {
+                JointWord::Weld => "a `weld` has no direction; leave `along` out",
+                _ => "`along` without `at`; write `at (x, y) along (dx, dy)` after two links",
+            };
             self.report.tell(Place::at(along.keyword), text);
         }
-        let axes = body
-            .ends
-            .each_ref()
-            .map(|end| self.given_axis(body, end, kind));
         let [a, b] = [axes[0]?, axes[1]?];
         self.check_apart(
             joint,
@@ -112,30 +116,47 @@ impl Lowering {
         Some([a, b])
     }
 
-    fn given_axis(&mut self, body: &JointBody, end: &End, kind: AxisKind) -> Option<AxisId> {
+    /// Whether an end is a point or a line, without a word if it is neither.
+    fn kind_of(&self, end: &End) -> Option<AxisKind> {
+        let Named::Link(link) = self.names.look_up(&end.link)? else {
+            return None;
+        };
+        let axis = self.axis_of(link, &end.axis.as_ref()?.to_string())?;
+        Some(self.model.axis(axis).kind)
+    }
+
+    /// Complains about a slot whose line comes before its point.
+    fn swapped(&mut self, body: &JointBody) {
+        let [line, point] = &body.ends;
+        let text =
+            format!("a `slot` takes the point first, then the line; write `slot({point}, {line})`");
+        self.report.tell(line.place().to(point.place()), text);
+    }
+
+    /// The axis of an end, which must be of this kind; both ends are of those that were found.
+    fn given_axis(
+        &mut self,
+        body: &JointBody,
+        end: &End,
+        kind: AxisKind,
+        found: [Option<AxisKind>; 2],
+    ) -> Option<AxisId> {
         let link = self.find_link(&end.link)?;
         let Some(name) = &end.axis else {
             self.want_axis(body, end, link, kind);
             return None;
         };
         let axis = self.find_axis(link, name, Some(kind))?;
-        let found = self.model.axis(axis).kind;
-        if found == kind {
+        let is = self.model.axis(axis).kind;
+        if is == kind {
             return Some(axis);
         }
-        let (end, found, wanted) = (
-            format!("{}.{name}", end.link),
-            word_for(found),
-            word_for(kind),
-        );
-        let other = if kind == AxisKind::Point {
-            "prismatic"
-        } else {
-            "revolute"
-        };
+        let (is, wanted) = (word_for(is), word_for(kind));
         let text = format!(
-            "`{end}` is a {found}, but `{}` joins {wanted}s; name a {wanted}, or write `{other}`",
-            body.word
+            "`{end}` is a {is}, but `{}` joins {}; name a {wanted}{}",
+            body.word,
+            joined(body.kind),
+            other_joint(body, found)
         );
         self.report.tell(Place::at(name.span()), text);
         None
@@ -144,102 +165,31 @@ impl Lowering {
     /// Complains about a link where one of its axes should be.
     fn want_axis(&mut self, body: &JointBody, end: &End, link: LinkId, kind: AxisKind) {
         let (word, wanted, name) = (&body.word, word_for(kind), &end.link);
-        let place = match kind {
-            AxisKind::Point => "at (x, y)",
-            AxisKind::Line => "at (x, y) along (dx, dy)",
+        let [first, second] = body.ends.each_ref().map(|end| &end.link);
+        let drawn = "place a joint of two links with";
+        let other = match body.kind {
+            JointWord::Weld => format!("join the whole links with `weld({first}, {second})`"),
+            JointWord::Revolute => format!("{drawn} `at (x, y)`"),
+            _ => format!("{drawn} `at (x, y) along (dx, dy)`"),
         };
         let example = match self.axes_of(link, Some(kind)).first() {
             Some(axis) => format!("such as `{name}.{axis}`"),
             None => format!("declared in `{name}`"),
         };
         let text = format!(
-            "`{word}` joins {wanted}s, but `{name}` is a link; name one of its {wanted}s, {example}, \
-             or place a joint of two links with `{place}`"
+            "`{word}` joins {}, but `{name}` is a link; name one of its {wanted}s, {example}, or {other}",
+            joined(body.kind)
         );
         self.report.tell(Place::at(name.span()), text);
     }
 
-    fn drawn_axes(
+    /// A joint must be between two different links.
+    pub(super) fn check_apart(
         &mut self,
         joint: &Joint,
         body: &JointBody,
-        at: &Clause,
-        kind: AxisKind,
-        origin: Origin,
-    ) -> Option<[AxisId; 2]> {
-        let links = body.ends.each_ref().map(|end| self.drawn_link(end));
-        let at = self.pair(&at.value);
-        let direction = self.drawn_direction(body, kind);
-        let links = [links[0]?, links[1]?];
-        self.check_apart(joint, body, links)?;
-        let (at, direction) = (at?, direction?);
-        Some(links.map(|link| self.drawn_axis(link, kind, at, direction, origin)))
-    }
-
-    fn drawn_link(&mut self, end: &End) -> Option<LinkId> {
-        let link = self.find_link(&end.link)?;
-        let Some(axis) = &end.axis else {
-            return Some(link);
-        };
-        let name = &end.link;
-        let text = format!(
-            "`at` places a joint between links; write `{name}` for `{name}.{axis}`, or leave `at` out"
-        );
-        self.report.tell(end.place(), text);
-        None
-    }
-
-    fn drawn_direction(&mut self, body: &JointBody, kind: AxisKind) -> Option<[f64; 2]> {
-        match (&body.along, kind) {
-            (Some(along), AxisKind::Line) => self.direction(&along.value),
-            (None, AxisKind::Point) => Some([1.0, 0.0]),
-            (Some(along), AxisKind::Point) => {
-                let text = "a `revolute` has no direction; leave `along` out, or write `prismatic`";
-                self.report.tell(Place::at(along.keyword), text);
-                None
-            }
-            (None, AxisKind::Line) => {
-                let text =
-                    "a `prismatic` needs a direction; write `along (dx, dy)` after `at (x, y)`";
-                self.report.tell(Place::at(body.word.span()), text);
-                None
-            }
-        }
-    }
-
-    /// The axis that the drawing puts here on a link. Joints drawn on one spot share it.
-    fn drawn_axis(
-        &mut self,
-        link: LinkId,
-        kind: AxisKind,
-        at: [f64; 2],
-        direction: [f64; 2],
-        origin: Origin,
-    ) -> AxisId {
-        if let Some(drawn) = self.model.links.get_mut(link.index()) {
-            drawn.drawn |= link != LinkId::GROUND;
-        }
-        let same = |axis: &model::Axis| {
-            let drawn = axis.name.is_none() && axis.link == link;
-            drawn && axis.kind == kind && axis.at == at && axis.direction == direction
-        };
-        if let Some(index) = self.model.axes.iter().position(same) {
-            return AxisId::new(index);
-        }
-        let id = AxisId::new(self.model.axes.len());
-        self.model.axes.push(model::Axis {
-            link,
-            name: None,
-            origin,
-            kind,
-            at,
-            direction,
-        });
-        id
-    }
-
-    /// A joint must be between two different links.
-    fn check_apart(&mut self, joint: &Joint, body: &JointBody, [a, b]: [LinkId; 2]) -> Option<()> {
+        [a, b]: [LinkId; 2],
+    ) -> Option<()> {
         if a != b {
             return Some(());
         }
@@ -251,101 +201,26 @@ impl Lowering {
         self.report.tell(second.place(), text);
         None
     }
+}
 
-    fn gear(&mut self, joint: &Joint, body: &JointBody) -> Option<JointKind> {
-        for clause in [&body.at, &body.along].into_iter().flatten() {
-            let text = "a `gear` has no place of its own; its wheels turn where their other joints hold them";
-            self.report.tell(Place::at(clause.keyword), text);
-        }
-        let links = body.ends.each_ref().map(|end| self.wheel(end));
-        let ratio = match &body.size {
-            Some(Size::Ratio { parts, .. }) => self.ratio(parts),
-            _ => None,
-        };
-        if let Some(Size::Ratio {
-            carrier: Some(carrier),
-            ..
-        }) = &body.size
-        {
-            self.report.tell(
-                Place::at(carrier.keyword),
-                "naming the carrier of a gear with `on` is not supported yet",
-            );
-            self.check_carrier(body);
-        }
-        let [a, b] = [links[0]?, links[1]?];
-        self.check_apart(joint, body, [a, b])?;
-        Some(JointKind::Gear {
-            a,
-            b,
-            ratio: ratio?,
-        })
-    }
-
-    fn check_carrier(&mut self, body: &JointBody) {
-        if let Some(Size::Ratio {
-            carrier: Some(carrier),
-            ..
-        }) = &body.size
-        {
-            self.find_link(&carrier.link);
-        }
-    }
-
-    fn wheel(&mut self, end: &End) -> Option<LinkId> {
-        let link = self.find_link(&end.link)?;
-        let Some(axis) = &end.axis else {
-            return Some(link);
-        };
-        let name = &end.link;
-        let text = format!("`gear` joins links; write `{name}` for `{name}.{axis}`");
-        self.report.tell(end.place(), text);
-        None
-    }
-
-    fn ratio(&mut self, parts: &[Expr; 2]) -> Option<Ratio> {
-        let sizes = parts.each_ref().map(|part| self.size(part));
-        let sizes = [sizes[0]?, sizes[1]?];
-        if sizes.iter().all(|size| *size < 0.0) {
-            let [first, second] = parts;
-            let text = "only one wheel of a gear can be a ring; make one of the two positive";
-            self.report.tell(first.place.to(second.place), text);
-            return None;
-        }
-        let [a, b] = parts.each_ref().map(teeth);
-        Some(match (a, b) {
-            (Some(a), Some(b)) => Ratio::Teeth(a, b),
-            _ => Ratio::Radii(sizes[0], sizes[1]),
-        })
-    }
-
-    fn size(&mut self, part: &Expr) -> Option<f64> {
-        let size = self.value(part)?;
-        if size == 0.0 {
-            self.report.tell(
-                part.place,
-                "a wheel cannot be of size zero; give its teeth or its pitch radius",
-            );
-            return None;
-        }
-        if let ExprKind::Integer(digits) = &part.kind
-            && digits.parse::<i64>().is_err()
-        {
-            self.report.tell(
-                part.place,
-                "no wheel has that many teeth; a pitch radius has a decimal point",
-            );
-            return None;
-        }
-        Some(size)
+/// What a joint of axes takes.
+fn joined(kind: JointWord) -> &'static str {
+    match kind {
+        JointWord::Prismatic => "lines",
+        JointWord::Slot => "a point to a line",
+        _ => "points",
     }
 }
 
-/// A number of teeth: an integer as such, with a sign or none. Any other number is a radius.
-fn teeth(part: &Expr) -> Option<i64> {
-    match &part.kind {
-        ExprKind::Integer(digits) => digits.parse().ok(),
-        ExprKind::Negative(inner) => teeth(inner).and_then(i64::checked_neg),
-        _ => None,
+/// The end of a message about axes of the wrong kind: the joint that takes those that were found, if there is one.
+fn other_joint(body: &JointBody, found: [Option<AxisKind>; 2]) -> String {
+    let [first, second] = &body.ends;
+    match (body.kind, found) {
+        (JointWord::Weld, _) => String::new(),
+        (_, [POINT, LINE]) => format!(", or write `slot({first}, {second})`"),
+        (_, [LINE, POINT]) => format!(", or write `slot({second}, {first})`"),
+        (_, [POINT, POINT]) | (JointWord::Prismatic, _) => ", or write `revolute`".to_owned(),
+        (_, [LINE, LINE]) | (JointWord::Revolute, _) => ", or write `prismatic`".to_owned(),
+        _ => String::new(),
     }
 }

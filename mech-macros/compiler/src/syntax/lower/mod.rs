@@ -1,13 +1,16 @@
 //! From the tree of the text to the model: names get their meaning, numbers their value.
 
 mod constant;
+mod drawn;
 mod joint;
 mod link;
 mod name;
 mod report;
+mod rolling;
 mod setting;
 mod start;
 mod value;
+mod weld;
 
 use self::constant::Constants;
 use self::name::{Named, Names};

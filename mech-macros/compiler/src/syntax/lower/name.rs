@@ -189,8 +189,9 @@ impl Lowering {
         let name = &self.model.link(link).name;
         let joints = self.model.joint_ids().filter(|&joint| {
             let (a, b) = self.model.ends(joint);
-            let gear = matches!(self.model.joint(joint).kind, JointKind::Gear { .. });
-            !gear && (a == link || b == link)
+            let kind = self.model.joint(joint).kind;
+            let moves = matches!(kind, JointKind::Revolute(..) | JointKind::Prismatic(..));
+            moves && (a == link || b == link)
         });
         let joints: Vec<_> = joints
             .map(|joint| self.model.joint(joint).name.as_str())

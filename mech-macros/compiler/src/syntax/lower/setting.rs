@@ -2,7 +2,8 @@
 
 use super::Lowering;
 use super::name::Named;
-use crate::model::{JointId, JointKind, Method};
+use super::rolling;
+use crate::model::{JointKind, Method};
 use crate::syntax::ast::{self, End, Expr, Motor, Read};
 use crate::syntax::{Place, spelling};
 use proc_macro2::{Ident, Span};
@@ -22,10 +23,16 @@ impl Lowering {
         };
         let name = &motor.joint;
         let place = Place::at(name.span());
-        if let JointKind::Gear { .. } = self.model.joint(joint).kind {
+        let kind = self.model.joint(joint).kind;
+        if let Some(word) = rolling::word_for(kind) {
             let text = format!(
-                "`{name}` is a gear, which carries no motor; {}",
+                "`{name}` is a {word}, which carries no motor; {}",
                 self.motor_remedy(joint)
+            );
+            self.report.tell(place, text);
+        } else if let JointKind::Weld(..) = kind {
+            let text = format!(
+                "`{name}` is a weld, which does not move; make it a `revolute`, or put the motor on another joint"
             );
             self.report.tell(place, text);
         } else if self.model.motor_of(joint).is_some() {
@@ -51,28 +58,6 @@ impl Lowering {
             self.report
                 .tell(Place::at(*keyword), "motor steps are not supported yet");
             self.value(step);
-        }
-    }
-
-    /// Where the motor of a gear should be: on the revolute of one of its wheels.
-    fn motor_remedy(&self, gear: JointId) -> String {
-        let (a, b) = self.model.ends(gear);
-        let revolute = [a, b].into_iter().find_map(|wheel| {
-            let joint = self.model.joint_ids().find(|&joint| {
-                let (first, second) = self.model.ends(joint);
-                let revolute = matches!(self.model.joint(joint).kind, JointKind::Revolute(..));
-                revolute && (first == wheel || second == wheel)
-            })?;
-            Some((self.model.joint(joint), self.model.link(wheel)))
-        });
-        match revolute {
-            Some((joint, wheel)) => {
-                format!(
-                    "put it on `{}`, the revolute of `{}`",
-                    joint.name, wheel.name
-                )
-            }
-            None => "put it on the revolute of one of its wheels".to_owned(),
         }
     }
 
@@ -144,14 +129,19 @@ impl Lowering {
 
     pub(super) fn lower_allow(&mut self, word: &Ident) {
         let text = word.to_string();
-        let message = if PERMISSIONS.contains(&text.as_str()) {
-            format!("`allow {text}` is not supported yet")
-        } else {
-            format!(
-                "unknown permission `{text}`{}",
-                spelling::remedy(&text, &PERMISSIONS)
-            )
+        let allow = &mut self.model.allow;
+        let allowed = match text.as_str() {
+            "redundant" => &mut allow.redundant,
+            "coupled" => &mut allow.coupled,
+            _ => {
+                let remedy = spelling::remedy(&text, &PERMISSIONS);
+                let text = format!("unknown permission `{text}`{remedy}");
+                return self.report.tell(Place::at(word.span()), text);
+            }
         };
-        self.report.tell(Place::at(word.span()), message);
+        if std::mem::replace(allowed, true) {
+            let text = format!("`{text}` is allowed already; remove one of the two");
+            self.report.tell(Place::at(word.span()), text);
+        }
     }
 }

@@ -2,9 +2,11 @@
 
 use super::Lowering;
 use super::name::Named;
+use super::rolling;
 use crate::model::{JointId, JointKind, LinkId, Near, StartValue};
 use crate::syntax::Place;
 use crate::syntax::ast::{Start, StartClause};
+use proc_macro2::Ident;
 
 impl Lowering {
     pub(super) fn lower_start(&mut self, start: &Start) {
@@ -100,10 +102,7 @@ impl Lowering {
     ) -> Option<(Place, String)> {
         let name = &clause.name;
         let place = Place::at(name.span());
-        if matches!(self.model.joint(joint).kind, JointKind::Gear { .. }) {
-            let text = format!(
-                "`{name}` is a gear, which has no coordinate; give that of the joint of one of its wheels"
-            );
+        if let Some(text) = self.no_coordinate(name, joint) {
             return Some((place, text));
         }
         if self
@@ -127,13 +126,29 @@ impl Lowering {
         })
     }
 
+    /// What to say about a joint that has no coordinate.
+    fn no_coordinate(&self, name: &Ident, joint: JointId) -> Option<String> {
+        let kind = self.model.joint(joint).kind;
+        let (word, remedy) = match (rolling::word_for(kind), kind) {
+            (Some(word), JointKind::Rack { .. }) => {
+                (word, "give that of the joint of its pinion or its bar")
+            }
+            (Some(word), _) => (word, "give that of the joint of one of its wheels"),
+            (None, JointKind::Weld(..)) => ("weld", "leave this out"),
+            (None, _) => return None,
+        };
+        Some(format!(
+            "`{name}` is a {word}, which has no coordinate; {remedy}"
+        ))
+    }
+
     /// Whether a joint was placed by `at`.
     fn is_drawn(&self, joint: JointId) -> bool {
         match self.model.joint(joint).kind {
             JointKind::Revolute(axis, _) | JointKind::Prismatic(axis, _) => {
                 self.model.axis(axis).name.is_none()
             }
-            JointKind::Gear { .. } => false,
+            _ => false,
         }
     }
 }

@@ -7,8 +7,11 @@ mod model;
 mod name;
 mod recovery;
 mod robust;
+mod rolling;
 mod setting;
+mod slot;
 mod statement;
+mod weld;
 
 use super::{Parsed, parse};
 use proc_macro2::TokenStream;

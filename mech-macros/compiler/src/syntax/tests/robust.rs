@@ -23,8 +23,9 @@ link crank { circle (0, 0) radius 1; } link rod; link slider;
 joint a = revolute(ground, crank) at (0, 0);
 joint b = slot(crank, rod) at (0.5, 0.8) along (1, 2);
 joint c = belt(rod, slider, 1.0 : 3.0 on crank);
+joint f = weld(rod, slider); joint g = weld(crank, ground) at (1, 0);
 joint d = prismatic(ground, slider) at (3, 0) along (cos(30 deg), -sin(30deg));
-joint e = rack(crank, slider, radius sqrt(2) / 2);
+joint e = rack(crank, slider, radius sqrt(2) / 2 on ground);
 motor a in 0 ..= 2 * PI by 1 deg;
 accuracy 1e-9; effects { velocity; } show crank, rod.p; allow coupled; param x = 1; certify;
 ";
@@ -73,14 +74,18 @@ fn nothing_makes_it_panic() {
                 );
             }
             names_are_distinct(&parsed.model);
+            dies_are_last(&parsed.model);
         }
     }
 }
 
 /// Whatever was wrong, all names of the model would make different methods.
 fn names_are_distinct(model: &crate::model::Model) {
-    let links = model.links.iter().skip(1).map(|link| link.name.clone());
-    let joints = model.joints.iter().map(|joint| joint.name.clone());
+    let links = model
+        .declared_links()
+        .map(|link| model.link(link).name.clone());
+    let joints = model.joints.iter().filter(|joint| !joint.hidden);
+    let joints = joints.map(|joint| joint.name.clone());
     let points = model
         .axes
         .iter()
@@ -97,4 +102,9 @@ fn names_are_distinct(model: &crate::model::Model) {
     methods.sort();
     methods.dedup();
     assert_eq!(methods.len(), count);
+}
+
+/// Whatever was wrong, links that nobody declared come after those that somebody did.
+fn dies_are_last(model: &crate::model::Model) {
+    assert!(model.links.is_sorted_by_key(|link| link.die.is_some()));
 }

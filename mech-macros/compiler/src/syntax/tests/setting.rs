@@ -28,6 +28,16 @@ fn a_motor_drives_a_joint_that_can_be_driven() {
         "motor shaft; motor «shaft»;",
         &["joint `shaft` has a motor already; remove one of the two"],
     );
+    with_crank(
+        "joint run = belt(crank, wheel, 1 : 2); motor «run»;",
+        &["`run` is a belt, which carries no motor; put it on `shaft`, the revolute of `crank`"],
+    );
+    with_crank(
+        "joint fix = weld(crank, wheel); motor «fix»;",
+        &[
+            "`fix` is a weld, which does not move; make it a `revolute`, or put the motor on another joint",
+        ],
+    );
     with_crank("motor «;»", &["expected the name of a joint, found `;`"]);
 }
 
@@ -68,6 +78,20 @@ fn the_start_names_joints_and_links() {
     with_crank(
         "start { «mesh» = 0; }",
         &["`mesh` is a gear, which has no coordinate; give that of the joint of one of its wheels"],
+    );
+    with_crank(
+        "joint run = belt(crank, wheel, 1 : 2); start { «run» = 0; }",
+        &["`run` is a belt, which has no coordinate; give that of the joint of one of its wheels"],
+    );
+    with_crank(
+        "joint bar = rack(crank, wheel, radius 1); start { «bar» = 0; }",
+        &[
+            "`bar` is a rack, which has no coordinate; give that of the joint of its pinion or its bar",
+        ],
+    );
+    with_crank(
+        "joint fix = weld(crank, wheel); start { «fix» = 0; }",
+        &["`fix` is a weld, which has no coordinate; leave this out"],
     );
     with_crank(
         "start { shaft «0»; }",
@@ -153,23 +177,35 @@ fn some_settings_are_to_come() {
             "effect `acceleration` is not supported yet",
         ],
     );
-    told(
-        "allow «redundant»;",
-        &["`allow redundant` is not supported yet"],
-    );
-    told(
-        "allow «coupled»;",
-        &["`allow coupled` is not supported yet"],
-    );
-    told(
-        "allow «couple»;",
-        &["unknown permission `couple`; did you mean `coupled`?"],
-    );
     told("«certify»;", &["`certify` is not supported yet"]);
     told("«cost»;", &["`cost` is not supported yet"]);
     told(
         "«param» r = 1 in 0 ..= 2;",
         &["`param` is not supported yet"],
+    );
+}
+
+#[test]
+fn some_things_are_let_pass() {
+    use crate::model::Allowances;
+    let allow = |text| {
+        let Allowances { redundant, coupled } = told(text, &[]).model.allow;
+        [redundant, coupled]
+    };
+    assert_eq!(allow(""), [false, false]);
+    assert_eq!(allow("allow redundant;"), [true, false]);
+    assert_eq!(allow("allow coupled; allow redundant;"), [true, true]);
+    told(
+        "allow coupled; allow redundant; allow «coupled»;",
+        &["`coupled` is allowed already; remove one of the two"],
+    );
+    told(
+        "allow «couple»;",
+        &["unknown permission `couple`; did you mean `coupled`?"],
+    );
+    told(
+        "allow«;»",
+        &["expected `redundant` or `coupled`, found `;`"],
     );
 }
 

@@ -1,0 +1,136 @@
+//! The graphs of small mechanisms, letter by letter.
+
+use super::{EdgeKind, Graph, VertexKind, kinematic, loops, shared};
+use crate::model::Model;
+use crate::syntax::parse;
+use crate::{Compiled, compile};
+
+const PISTON: &str = "
+    struct GearedPiston;
+    ground {
+        point pinion_shaft = (-3, 0);
+        point wheel_shaft = (0, 0);
+        line bore = (0, 0) -> (1, 0);
+    }
+    link pinion { point shaft = (0, 0); }
+    link wheel { point shaft = (0, 0); point pin = (1, 0); }
+    link rod { point big_end = (0, 0); point small_end = (4, 0); }
+    link piston { point pin = (0, 0); line axis = (0, 0) -> (1, 0); }
+    joint d = revolute(ground.pinion_shaft, pinion.shaft);
+    joint e = revolute(ground.wheel_shaft, wheel.shaft);
+    joint mesh = gear(pinion, wheel, 20 : 40);
+    joint f = revolute(wheel.pin, rod.big_end);
+    joint g = revolute(rod.small_end, piston.pin);
+    joint h = prismatic(ground.bore, piston.axis);
+    motor d;
+    start { rod near 0 deg; }";
+
+/// Two four-bars in a row, and an arm with its own motor.
+const SIX_BAR: &str = "
+    struct SixBar;
+    link crank; link coupler; link lever; link rod; link rocker; link hand;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, coupler) at (0, 1);
+    joint c = revolute(coupler, lever) at (3, 2);
+    joint d = revolute(lever, ground) at (3, 0);
+    joint e = revolute(lever, rod) at (4, 2);
+    joint f = revolute(rod, rocker) at (7, 3);
+    joint g = revolute(rocker, ground) at (7, 0);
+    joint wrist = revolute(rocker, hand) at (8, 3);
+    motor a;
+    motor wrist;";
+
+fn compiled(text: &str) -> (Model, Compiled) {
+    let parsed = parse(text.parse().expect("tokens"));
+    assert!(parsed.errors.is_empty());
+    let compiled = compile(&parsed.model).expect("it moves");
+    (parsed.model, compiled)
+}
+
+fn edge_names(graph: &Graph) -> Vec<(usize, usize, &str)> {
+    let edges = graph.edges.iter();
+    edges
+        .map(|edge| (edge.from, edge.to, edge.name.as_str()))
+        .collect()
+}
+
+#[test]
+fn links_of_figure_1() {
+    let (model, compiled) = compiled(PISTON);
+    let expected = r#"graph "GearedPiston: links and joints" {
+  node [shape=box, style=rounded];
+  n0 [label="ground", style=filled];
+  n1 [label="pinion"];
+  n2 [label="wheel"];
+  n3 [label="rod"];
+  n4 [label="piston"];
+  n0 -- n1 [label="d\nrevolute\nmotor", style=bold];
+  n0 -- n2 [label="e\nrevolute"];
+  n1 -- n2 [label="mesh\ngear"];
+  n2 -- n3 [label="f\nrevolute"];
+  n3 -- n4 [label="g\nrevolute"];
+  n0 -- n4 [label="h\nprismatic"];
+}
+"#;
+    assert_eq!(kinematic(&model, &compiled.structure).to_dot(), expected);
+}
+
+#[test]
+fn loops_of_figure_1() {
+    let (model, compiled) = compiled(PISTON);
+    let expected = r#"digraph "GearedPiston: loops" {
+  node [shape=box, style=rounded];
+  n0 [label="motor d", shape=plaintext];
+  n1 [label="loop 1\nf g h"];
+  n0 -> n1 [label="mesh"];
+  { rank=same; n1; }
+}
+"#;
+    assert_eq!(loops(&model, &compiled.plan).to_dot(), expected);
+    assert!(shared(&model, &compiled.plan).edges.is_empty());
+}
+
+#[test]
+fn loops_in_a_row() {
+    let (model, compiled) = compiled(SIX_BAR);
+    let graph = loops(&model, &compiled.plan);
+    // The motor of the arm leads to no loop.
+    let kinds: Vec<_> = graph.vertices.iter().map(|vertex| vertex.kind).collect();
+    assert_eq!(
+        kinds,
+        [VertexKind::Motor, VertexKind::Loop, VertexKind::Loop]
+    );
+    let levels: Vec<_> = graph.vertices.iter().map(|vertex| vertex.level).collect();
+    assert_eq!(levels, [0, 1, 2]);
+    assert_eq!(edge_names(&graph), [(0, 1, ""), (1, 2, "")]);
+
+    let graph = shared(&model, &compiled.plan);
+    assert_eq!(edge_names(&graph), [(0, 1, "d")]);
+}
+
+#[test]
+fn arms_and_distances() {
+    let (model, compiled) = compiled(SIX_BAR);
+    let graph = kinematic(&model, &compiled.structure);
+    let levels: Vec<_> = graph.vertices.iter().map(|vertex| vertex.level).collect();
+    assert_eq!(levels, [0, 1, 2, 1, 2, 1, 2]);
+    let wrist = graph.edges.last().expect("an edge");
+    assert_eq!((wrist.kind, wrist.motor), (EdgeKind::Arm, true));
+    assert!(
+        graph
+            .to_dot()
+            .contains(r#"n5 -- n6 [label="wrist\nrevolute\nmotor", style="dashed,bold"];"#)
+    );
+}
+
+#[test]
+fn odd_names_are_escaped() {
+    let (mut model, compiled) = compiled(PISTON);
+    model.name = "a \"piston\"\\".to_owned();
+    model.links[1].name = "two\nlines\u{7}\r".to_owned();
+    model.joints[0].name = "\\N \"d\"; é".to_owned();
+    let text = kinematic(&model, &compiled.structure).to_dot();
+    assert!(text.starts_with(r#"graph "a \"piston\"\\: links and joints" {"#));
+    assert!(text.contains(r#"  n1 [label="two\nlines  "];"#));
+    assert!(text.contains(r#"[label="\\N \"d\"; é\nrevolute\nmotor", style=bold]"#));
+}

@@ -1,0 +1,145 @@
+//! Loops that wait for each other, and joints that hold a part more than once.
+
+use super::between::Between;
+use super::step::{Connection, ConnectionKind};
+use crate::model::LinkId;
+
+/// Rings to be closed together, and the connections by which the clusters hang on the first.
+pub(super) type Block = (Vec<Vec<Connection>>, Vec<Connection>);
+
+/// What is left when everything is taken away that can be solved after it, loop by loop: rings that have to be closed
+/// together.
+pub(super) fn block(connections: &[Between]) -> Option<Block> {
+    let mut left = independent(connections);
+    peel(&mut left);
+    let first = left.iter().map(|between| between.a).min()?;
+    let (tree, chords) = spanning(&left, first);
+    let rings = chords.iter().map(|chord| ring(&tree, *chord)).collect();
+    Some((
+        rings,
+        tree.into_iter().map(|branch| branch.connection).collect(),
+    ))
+}
+
+/// Two clusters that two connections hold: one turning joint and any other. That is once more than it takes.
+pub(super) fn held_twice(connections: &[Between]) -> Option<Block> {
+    let pair = connections
+        .windows(2)
+        .find(|pair| (pair[0].a, pair[0].b) == (pair[1].a, pair[1].b))?;
+    let ring = vec![pair[0].connection, pair[1].connection.reversed()];
+    let tree = if pair[0].connection.kind == ConnectionKind::Revolute {
+        ring[0]
+    } else {
+        pair[1].connection
+    };
+    Some((vec![ring], vec![tree]))
+}
+
+/// On a pin of several clusters all pairs are joined; all but one connection a cluster follow from the others.
+fn independent(connections: &[Between]) -> Vec<Between> {
+    let mut kept: Vec<Between> = Vec::new();
+    let mut on_pin: Vec<(usize, Vec<LinkId>)> = Vec::new();
+    for &between in connections {
+        let Some(pin) = between.pin else {
+            kept.push(between);
+            continue;
+        };
+        let index = on_pin
+            .iter()
+            .position(|(known, _)| *known == pin)
+            .unwrap_or_else(|| {
+                on_pin.push((pin, vec![between.a]));
+                on_pin.len() - 1
+            });
+        let joined = &mut on_pin[index].1;
+        match (joined.contains(&between.a), joined.contains(&between.b)) {
+            (true, false) => joined.push(between.b),
+            (false, true) => joined.push(between.a),
+            _ => continue,
+        }
+        kept.push(between);
+    }
+    kept
+}
+
+/// Takes away, from the outside, pairs of clusters that hang on the rest by one connection each: they can be solved later.
+fn peel(left: &mut Vec<Between>) {
+    loop {
+        let at = |base: LinkId| {
+            left.iter()
+                .filter(move |between| between.a == base || between.b == base)
+        };
+        let loose = left.iter().find(|between| {
+            between.a != LinkId::GROUND && at(between.a).count() == 2 && at(between.b).count() == 2
+        });
+        let single = left
+            .iter()
+            .map(|between| between.b)
+            .find(|&base| at(base).count() <= 1);
+        let gone: Vec<LinkId> = match (loose, single) {
+            (Some(between), _) => vec![between.a, between.b],
+            (None, Some(base)) => vec![base],
+            (None, None) => return,
+        };
+        left.retain(|between| !gone.contains(&between.a) && !gone.contains(&between.b));
+    }
+}
+
+/// A connection by which a cluster hangs on one before it.
+#[derive(Clone, Copy)]
+struct Branch {
+    from: LinkId,
+    to: LinkId,
+    connection: Connection,
+}
+
+/// A tree over all clusters, from the first, in breadth; and the connections that are not in it.
+fn spanning(left: &[Between], first: LinkId) -> (Vec<Branch>, Vec<Between>) {
+    let mut tree: Vec<Branch> = Vec::new();
+    let mut chords = left.to_vec();
+    let mut queue = std::collections::VecDeque::from([first]);
+    let mut reached = vec![first];
+    while let Some(base) = queue.pop_front() {
+        for &between in left {
+            let touches = between.a == base || between.b == base;
+            let to = between.beyond(base);
+            if touches && !reached.contains(&to) {
+                reached.push(to);
+                queue.push_back(to);
+                tree.push(Branch {
+                    from: base,
+                    to,
+                    connection: between.from(base),
+                });
+                chords.retain(|chord| *chord != between);
+            }
+        }
+    }
+    (tree, chords)
+}
+
+/// The ring that a connection closes: down the tree to its one end, across, and back up from its other.
+fn ring(tree: &[Branch], chord: Between) -> Vec<Connection> {
+    let (mut down, mut up) = (path(tree, chord.a), path(tree, chord.b));
+    while let (Some(a), Some(b)) = (down.first(), up.first()) {
+        if a != b {
+            break;
+        }
+        down.remove(0);
+        up.remove(0);
+    }
+    down.push(chord.connection);
+    down.extend(up.into_iter().rev().map(Connection::reversed));
+    down
+}
+
+/// The way from the root of the tree to a cluster.
+fn path(tree: &[Branch], to: LinkId) -> Vec<Connection> {
+    let mut path = Vec::new();
+    let mut at = to;
+    while let Some(branch) = tree.iter().find(|branch| branch.to == at) {
+        path.insert(0, branch.connection);
+        at = branch.from;
+    }
+    path
+}

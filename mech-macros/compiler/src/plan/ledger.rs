@@ -1,0 +1,152 @@
+//! What is known of angles and slides because of gears, belts, racks, slides and welds: linear relations with constant
+//! rational coefficients, solved exactly.
+
+use crate::model::{JointId, LinkId};
+use num_rational::BigRational;
+use num_traits::{One, Zero};
+use std::collections::BTreeMap;
+
+/// An exact rational number.
+pub type Rational = BigRational;
+
+/// How far something has moved since the start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Variable {
+    /// A link, by angle. The ground never turns.
+    Turn(LinkId),
+    /// A sliding joint, by its coordinate.
+    Slide(JointId),
+    /// Something that is known: a source, by its number.
+    Source(usize),
+}
+
+/// A linear combination; no coefficient is zero.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Linear(BTreeMap<Variable, Rational>);
+
+impl Linear {
+    fn term(variable: Variable) -> Self {
+        Self(BTreeMap::from([(variable, Rational::one())]))
+    }
+
+    /// The turn of a link relative to another.
+    pub(crate) fn turn(from: LinkId, to: LinkId) -> Self {
+        let of = |link| {
+            if link == LinkId::GROUND {
+                Self::default()
+            } else {
+                Self::term(Variable::Turn(link))
+            }
+        };
+        of(to).plus(&-Rational::one(), &of(from))
+    }
+
+    /// The way of a sliding joint.
+    pub(crate) fn slide(joint: JointId) -> Self {
+        Self::term(Variable::Slide(joint))
+    }
+
+    /// A source.
+    pub(crate) fn source(number: usize) -> Self {
+        Self::term(Variable::Source(number))
+    }
+
+    /// `self + factor · other`.
+    #[must_use]
+    pub(crate) fn plus(mut self, factor: &Rational, other: &Self) -> Self {
+        for (variable, coefficient) in &other.0 {
+            let sum = self.0.entry(*variable).or_insert_with(Rational::zero);
+            *sum += factor * coefficient;
+            if sum.is_zero() {
+                self.0.remove(variable);
+            }
+        }
+        self
+    }
+
+    fn scaled(self, factor: &Rational) -> Self {
+        Self::default().plus(factor, &self)
+    }
+}
+
+/// The relations so far, each solved for one variable.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Ledger(BTreeMap<Variable, Linear>);
+
+impl Ledger {
+    /// Notes that a combination is constant.
+    pub(crate) fn relate(&mut self, combination: &Linear) {
+        let mut rest = self.reduced(combination);
+        let pivot = rest
+            .0
+            .keys()
+            .rev()
+            .find(|variable| !matches!(variable, Variable::Source(_)))
+            .copied();
+        // What is left without one follows from what is known: a relation too many.
+        let Some(pivot) = pivot else { return };
+        let Some(coefficient) = rest.0.remove(&pivot) else {
+            return;
+        };
+        let value = rest.scaled(&-coefficient.recip());
+        for known in self.0.values_mut() {
+            if let Some(coefficient) = known.0.remove(&pivot) {
+                *known = std::mem::take(known).plus(&coefficient, &value);
+            }
+        }
+        self.0.insert(pivot, value);
+    }
+
+    /// A combination as one of sources alone, if it is known.
+    pub(crate) fn value(&self, combination: &Linear) -> Option<Vec<(usize, Rational)>> {
+        let reduced = self.reduced(combination).0.into_iter();
+        reduced
+            .map(|(variable, coefficient)| match variable {
+                Variable::Source(number) => Some((number, coefficient)),
+                Variable::Turn(_) | Variable::Slide(_) => None,
+            })
+            .collect()
+    }
+
+    fn reduced(&self, combination: &Linear) -> Linear {
+        combination
+            .0
+            .iter()
+            .fold(
+                Linear::default(),
+                |sum, (variable, coefficient)| match self.0.get(variable) {
+                    Some(value) => sum.plus(coefficient, value),
+                    None => sum.plus(coefficient, &Linear::term(*variable)),
+                },
+            )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn whole(value: i64) -> Rational {
+        Rational::from_integer(value.into())
+    }
+
+    /// Sun of 5, planet of 1, ring of 7 on the ground, arm: the arm turns 5/12 of the sun, exactly.
+    #[test]
+    fn planetary() {
+        let [ground, sun, arm, planet] = [0, 1, 2, 3].map(LinkId::new);
+        let mut ledger = Ledger::default();
+        let sun_planet = Linear::turn(arm, sun)
+            .scaled(&whole(5))
+            .plus(&whole(1), &Linear::turn(arm, planet));
+        let planet_ring = Linear::turn(arm, planet).plus(&whole(-7), &Linear::turn(arm, ground));
+        ledger.relate(&sun_planet);
+        ledger.relate(&planet_ring);
+        assert_eq!(ledger.value(&Linear::turn(ground, arm)), None);
+        ledger.relate(&Linear::turn(ground, sun).plus(&whole(-1), &Linear::source(0)));
+        let five_twelfths = Rational::new(5.into(), 12.into());
+        assert_eq!(
+            ledger.value(&Linear::turn(ground, arm)),
+            Some(vec![(0, five_twelfths)])
+        );
+    }
+}

@@ -1,0 +1,149 @@
+//! The solutions of coupled loops, by numbers: Newton's iteration from many starts, at compile time.
+
+use super::algebra::Numbers;
+use super::closed_form::Closure;
+use super::equation::{Equation, Solution, Unknown};
+use crate::model::LinkId;
+use nalgebra::{DMatrix, DVector};
+
+/// Starts for each unknown: enough to find, in practice, all of the up to six assemblies of a triad.
+const STARTS: usize = 60;
+/// Newton's iteration converges in fewer rounds than this or not at all.
+const ROUNDS: usize = 60;
+/// Assemblies closer than this are one.
+const APART: f64 = 1e-5;
+
+/// Where to look first: the direction in which a cluster is wanted.
+pub(super) type Guess<'g> = &'g dyn Fn(LinkId) -> Option<[f64; 2]>;
+
+/// Solves any equation: from the guess, and where the guess leaves something open from many starts.
+pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> Closure {
+    let given = |unknown: &Unknown| match unknown {
+        Unknown::Direction(base) => guess(*base),
+        Unknown::Slide(_) => None,
+    };
+    let open = equation
+        .unknowns
+        .iter()
+        .filter(|unknown| given(unknown).is_none())
+        .count();
+    let starts = if open == 0 {
+        1
+    } else {
+        STARTS * equation.unknowns.len()
+    };
+    let mut sequence = Halton(0);
+    let mut ways: Vec<Vec<Solution<f64>>> = Vec::new();
+    let (mut least, mut dead) = (f64::INFINITY, false);
+    for start in 0..starts {
+        let mut now: Vec<Solution<f64>> = Vec::new();
+        for (axis, unknown) in equation.unknowns.iter().enumerate() {
+            let at = if start == 0 { 0.0 } else { sequence.at(axis) };
+            now.push(match (unknown, given(unknown)) {
+                (Unknown::Direction(_), Some(direction)) => Solution::Direction(direction),
+                (Unknown::Direction(_), None) => {
+                    let (sin, cos) = (std::f64::consts::TAU * at).sin_cos();
+                    Solution::Direction([cos, sin])
+                }
+                (Unknown::Slide(_), _) => {
+                    Solution::Slide(4.0 * size * (at - if start == 0 { 0.0 } else { 0.5 }))
+                }
+            });
+        }
+        sequence.0 += 1;
+        match newton(equation, now, size) {
+            Found::Way(way) if ways.iter().all(|known| far(known, &way, size)) => ways.push(way),
+            Found::Way(_) => {}
+            Found::Singular => dead = true,
+            Found::Nothing(gap) => least = least.min(gap),
+        }
+    }
+    match (ways.is_empty(), dead) {
+        (false, _) => Closure::Ways(ways),
+        (true, true) => Closure::Dead,
+        (true, false) => Closure::Gap(least),
+    }
+}
+
+/// Points that fill a box evenly (Halton's sequence), the same in every build.
+struct Halton(u32);
+
+impl Halton {
+    fn at(&self, axis: usize) -> f64 {
+        const PRIMES: [u32; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+        let base = PRIMES[axis % PRIMES.len()];
+        let (mut index, mut part, mut sum) = (self.0 + 1, 1.0, 0.0);
+        while index > 0 {
+            part /= f64::from(base);
+            sum += part * f64::from(index % base);
+            index /= base;
+        }
+        sum
+    }
+}
+
+enum Found {
+    Way(Vec<Solution<f64>>),
+    /// It closes where its equations are singular.
+    Singular,
+    /// It does not close; this much was missing at last.
+    Nothing(f64),
+}
+
+fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> Found {
+    let unknowns = equation.unknowns.len();
+    let mut missing = f64::INFINITY;
+    for _ in 0..ROUNDS {
+        let measure = equation.measure(&mut Numbers, &now);
+        let gap = DVector::from_iterator(
+            2 * measure.rings.len(),
+            measure.rings.iter().flat_map(|walk| walk.gap),
+        );
+        let matrix = DMatrix::from_fn(gap.len(), unknowns, |row, column| {
+            measure.rings[row / 2].columns[column][row % 2]
+        });
+        missing = gap.amax();
+        let singular = matrix.clone().svd(false, false);
+        let (most, least) = (
+            singular.singular_values.max(),
+            singular.singular_values.min(),
+        );
+        if missing <= 1e-13 * size {
+            return if least <= 1e-7 * most {
+                Found::Singular
+            } else {
+                Found::Way(now)
+            };
+        }
+        // Square or, where joints are redundant, as good as possible.
+        let Ok(step) = matrix.svd(true, true).solve(&-gap, 1e-12 * most) else {
+            return Found::Nothing(missing);
+        };
+        if step.iter().any(|value| !value.is_finite()) {
+            return Found::Nothing(missing);
+        }
+        for (unknown, step) in now.iter_mut().zip(step.iter()) {
+            match unknown {
+                Solution::Direction([cos, sin]) => {
+                    let (s, c) = step.clamp(-1.0, 1.0).sin_cos();
+                    (*cos, *sin) = (*cos * c - *sin * s, *sin * c + *cos * s);
+                    let length = cos.hypot(*sin);
+                    (*cos, *sin) = (*cos / length, *sin / length);
+                }
+                Solution::Slide(way) => *way += step.clamp(-size, size),
+            }
+        }
+    }
+    Found::Nothing(missing)
+}
+
+/// Whether two solutions differ.
+fn far(a: &[Solution<f64>], b: &[Solution<f64>], size: f64) -> bool {
+    a.iter().zip(b).any(|pair| match pair {
+        (Solution::Direction(a), Solution::Direction(b)) => {
+            (a[0] - b[0]).hypot(a[1] - b[1]) > APART
+        }
+        (Solution::Slide(a), Solution::Slide(b)) => (a - b).abs() > APART * size,
+        _ => true,
+    })
+}

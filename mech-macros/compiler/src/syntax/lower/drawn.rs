@@ -1,0 +1,110 @@
+//! Joints placed in the drawing, and the unnamed axes that they make.
+
+use super::Lowering;
+use crate::model::{self, AxisId, AxisKind, LinkId, Origin};
+use crate::syntax::Place;
+use crate::syntax::ast::{Clause, End, Joint, JointBody, JointWord};
+
+/// The direction of whoever has none of its own: that of the frame.
+const FORWARD: [f64; 2] = [1.0, 0.0];
+
+impl Lowering {
+    /// The axes of these kinds that the drawing puts here on the two links of a joint.
+    pub(super) fn drawn_axes(
+        &mut self,
+        joint: &Joint,
+        body: &JointBody,
+        at: &Clause,
+        kinds: [AxisKind; 2],
+        origin: Origin,
+    ) -> Option<[AxisId; 2]> {
+        let links = body.ends.each_ref().map(|end| self.drawn_link(end));
+        let at = self.pair(&at.value);
+        let direction = self.drawn_direction(body, kinds);
+        let links = [links[0]?, links[1]?];
+        self.check_apart(joint, body, links)?;
+        let (at, direction) = (at?, direction?);
+        let [a, b] = links;
+        Some([(a, kinds[0]), (b, kinds[1])].map(|(link, kind)| {
+            if let Some(drawn) = self.model.links.get_mut(link.index()) {
+                drawn.drawn |= link != LinkId::GROUND;
+            }
+            let direction = match kind {
+                AxisKind::Point => FORWARD,
+                AxisKind::Line => direction,
+            };
+            self.unnamed_axis(link, kind, at, direction, origin)
+        }))
+    }
+
+    fn drawn_link(&mut self, end: &End) -> Option<LinkId> {
+        let link = self.find_link(&end.link)?;
+        let Some(axis) = &end.axis else {
+            return Some(link);
+        };
+        let name = &end.link;
+        let text = format!(
+            "`at` places a joint between links; write `{name}` for `{name}.{axis}`, or leave `at` out"
+        );
+        self.report.tell(end.place(), text);
+        None
+    }
+
+    /// The direction of the line, if there is one.
+    fn drawn_direction(&mut self, body: &JointBody, kinds: [AxisKind; 2]) -> Option<[f64; 2]> {
+        let word = &body.word;
+        match (&body.along, kinds.contains(&AxisKind::Line)) {
+            (Some(along), true) => self.direction(&along.value),
+            (None, false) => Some(FORWARD),
+            (Some(along), false) => {
+                let other = match body.kind {
+                    JointWord::Revolute => ", or write `prismatic`",
+                    _ => "",
+                };
+                let text = format!("a `{word}` has no direction; leave `along` out{other}");
+                self.report.tell(Place::at(along.keyword), text);
+                None
+            }
+            (None, true) => {
+                let text = format!(
+                    "a `{word}` needs a direction; write `along (dx, dy)` after `at (x, y)`"
+                );
+                self.report.tell(Place::at(word.span()), text);
+                None
+            }
+        }
+    }
+
+    /// The axis at the origin of a link's frame.
+    pub(super) fn frame_axis(&mut self, link: LinkId, origin: Origin) -> AxisId {
+        self.unnamed_axis(link, AxisKind::Point, [0.0, 0.0], FORWARD, origin)
+    }
+
+    /// An axis that no text names. Joints on one spot share it.
+    fn unnamed_axis(
+        &mut self,
+        link: LinkId,
+        kind: AxisKind,
+        at: [f64; 2],
+        direction: [f64; 2],
+        origin: Origin,
+    ) -> AxisId {
+        let same = |axis: &model::Axis| {
+            let unnamed = axis.name.is_none() && axis.link == link;
+            unnamed && axis.kind == kind && axis.at == at && axis.direction == direction
+        };
+        if let Some(index) = self.model.axes.iter().position(same) {
+            return AxisId::new(index);
+        }
+        let id = AxisId::new(self.model.axes.len());
+        self.model.axes.push(model::Axis {
+            link,
+            name: None,
+            origin,
+            kind,
+            at,
+            direction,
+        });
+        id
+    }
+}

@@ -1,0 +1,223 @@
+//! Gears, belts and racks: what rolls on something else.
+
+use super::Lowering;
+use crate::model::{JointId, JointKind, LinkId, Ratio};
+use crate::syntax::Place;
+use crate::syntax::ast::{End, Expr, ExprKind, Joint, JointBody, JointWord, Size};
+use proc_macro2::Ident;
+
+/// What a joint that rolls is called; nothing for other joints.
+pub(super) fn word_for(kind: JointKind) -> Option<&'static str> {
+    match kind {
+        JointKind::Gear { .. } => Some("gear"),
+        JointKind::Belt { .. } => Some("belt"),
+        JointKind::Rack { .. } => Some("rack"),
+        JointKind::Revolute(..) | JointKind::Prismatic(..) | JointKind::Weld(..) => None,
+    }
+}
+
+impl Lowering {
+    /// A gear, belt or rack.
+    pub(super) fn rolling(&mut self, joint: &Joint, body: &JointBody) -> Option<JointKind> {
+        let rolling = body.rolling.as_ref()?;
+        let links = body.ends.each_ref().map(|end| self.rolling_link(body, end));
+        let size = self.rolling_size(body.kind, &rolling.size);
+        let on = rolling
+            .carrier
+            .as_ref()
+            .and_then(|carrier| self.carrier(body.kind, carrier, links));
+        self.check_unplaced(body);
+        let [a, b] = [links[0]?, links[1]?];
+        self.check_apart(joint, body, [a, b])?;
+        Some(match size? {
+            Rolled::Rack(radius) => JointKind::Rack {
+                pinion: a,
+                bar: b,
+                radius,
+                on,
+            },
+            Rolled::Belt(ratio) => JointKind::Belt { a, b, ratio, on },
+            Rolled::Gear(ratio) => JointKind::Gear { a, b, ratio, on },
+        })
+    }
+
+    fn rolling_link(&mut self, body: &JointBody, end: &End) -> Option<LinkId> {
+        let link = self.find_link(&end.link)?;
+        let Some(axis) = &end.axis else {
+            return Some(link);
+        };
+        let (word, name) = (&body.word, &end.link);
+        let text = format!("`{word}` joins links; write `{name}` for `{name}.{axis}`");
+        self.report.tell(end.place(), text);
+        None
+    }
+
+    /// A joint that rolls stands nowhere itself.
+    fn check_unplaced(&mut self, body: &JointBody) {
+        let what = match body.kind {
+            JointWord::Rack => "pinion turns and its bar slides",
+            _ => "wheels turn",
+        };
+        for clause in [&body.at, &body.along].into_iter().flatten() {
+            let text = format!(
+                "a `{}` has no place of its own; its {what} where their other joints hold them",
+                body.word
+            );
+            self.report.tell(Place::at(clause.keyword), text);
+        }
+    }
+
+    /// The link that carries both parts: neither of them.
+    fn carrier(
+        &mut self,
+        kind: JointWord,
+        name: &Ident,
+        parts: [Option<LinkId>; 2],
+    ) -> Option<LinkId> {
+        let carrier = self.find_link(name)?;
+        if !parts.contains(&Some(carrier)) {
+            return Some(carrier);
+        }
+        let carried = match kind {
+            JointWord::Rack => "the pinion and the bar",
+            _ => "both wheels",
+        };
+        let text = format!(
+            "`{name}` cannot carry itself; name the link that carries {carried}, or leave `on {name}` out"
+        );
+        self.report.tell(Place::at(name.span()), text);
+        None
+    }
+
+    fn rolling_size(&mut self, kind: JointWord, size: &Size) -> Option<Rolled> {
+        match (kind, size) {
+            (_, Size::Radius(radius)) => self.pinion_radius(radius).map(Rolled::Rack),
+            (JointWord::Belt, Size::Ratio(parts)) => self.belt_ratio(parts).map(Rolled::Belt),
+            (_, Size::Ratio(parts)) => self.gear_ratio(parts).map(Rolled::Gear),
+        }
+    }
+
+    fn pinion_radius(&mut self, part: &Expr) -> Option<f64> {
+        let radius = self.value(part)?;
+        if radius == 0.0 {
+            let text = "a pinion cannot be of size zero; give its pitch radius, negative if the bar is on its other side";
+            self.report.tell(part.place, text);
+            return None;
+        }
+        Some(radius)
+    }
+
+    fn belt_ratio(&mut self, parts: &[Expr; 2]) -> Option<Ratio> {
+        let sizes = parts.each_ref().map(|part| {
+            let size = self.value(part)?;
+            if size <= 0.0 {
+                let text = "a belt turns both wheels in the same sense; make both sizes positive";
+                self.report.tell(part.place, text);
+                return None;
+            }
+            self.wheel_size(part, size)
+        });
+        Some(ratio(parts, [sizes[0]?, sizes[1]?]))
+    }
+
+    fn gear_ratio(&mut self, parts: &[Expr; 2]) -> Option<Ratio> {
+        let sizes = parts.each_ref().map(|part| {
+            let size = self.value(part)?;
+            if size == 0.0 {
+                let text = "a wheel cannot be of size zero; give its teeth or its pitch radius";
+                self.report.tell(part.place, text);
+                return None;
+            }
+            self.wheel_size(part, size)
+        });
+        let sizes = [sizes[0]?, sizes[1]?];
+        if sizes.iter().all(|size| *size < 0.0) {
+            let [first, second] = parts;
+            let text = "only one wheel of a gear can be a ring; make one of the two positive";
+            self.report.tell(first.place.to(second.place), text);
+            return None;
+        }
+        Some(ratio(parts, sizes))
+    }
+
+    /// The size of a wheel, unless it has more teeth than can be counted.
+    fn wheel_size(&mut self, part: &Expr, size: f64) -> Option<f64> {
+        if let Some(text) = digits(part)
+            && text.parse::<i64>().is_err()
+        {
+            self.report.tell(
+                part.place,
+                "no wheel has that many teeth; a pitch radius has a decimal point",
+            );
+            return None;
+        }
+        Some(size)
+    }
+
+    /// Where the motor of a joint that rolls should be: on the joint by which one of its parts moves.
+    pub(super) fn motor_remedy(&self, rolling: JointId) -> String {
+        let (a, b) = self.model.ends(rolling);
+        let rack = matches!(self.model.joint(rolling).kind, JointKind::Rack { .. });
+        let found = [(a, false), (b, rack)].into_iter().find_map(|(link, bar)| {
+            let drives = |&joint: &JointId| self.drives(joint, link, bar);
+            Some((self.model.joint_ids().find(drives)?, link, bar))
+        });
+        let Some((joint, link, bar)) = found else {
+            let place = if rack {
+                "the revolute of its pinion or the prismatic of its bar"
+            } else {
+                "the revolute of one of its wheels"
+            };
+            return format!("put it on {place}");
+        };
+        let (joint, link) = (self.model.joint(joint), self.model.link(link));
+        let word = if bar { "prismatic" } else { "revolute" };
+        format!("put it on `{}`, the {word} of `{}`", joint.name, link.name)
+    }
+
+    /// Whether a joint turns this link, or slides it if it is a bar.
+    fn drives(&self, joint: JointId, link: LinkId, bar: bool) -> bool {
+        let (a, b) = self.model.ends(joint);
+        let on_die = [a, b].iter().any(|&end| self.model.link(end).die.is_some());
+        let fits = match self.model.joint(joint).kind {
+            JointKind::Revolute(..) => !bar,
+            JointKind::Prismatic(..) => bar,
+            _ => false,
+        };
+        fits && !on_die && (a == link || b == link)
+    }
+}
+
+/// How large what rolls is, in each kind of joint.
+enum Rolled {
+    Gear(Ratio),
+    Belt(Ratio),
+    /// The radius of the pinion.
+    Rack(f64),
+}
+
+/// Numbers of teeth if both are such, else radii.
+fn ratio(parts: &[Expr; 2], sizes: [f64; 2]) -> Ratio {
+    match parts.each_ref().map(teeth) {
+        [Some(a), Some(b)] => Ratio::Teeth(a, b),
+        _ => Ratio::Radii(sizes[0], sizes[1]),
+    }
+}
+
+/// The digits of an integer, with a sign or none.
+fn digits(part: &Expr) -> Option<&str> {
+    match &part.kind {
+        ExprKind::Integer(text) => Some(text),
+        ExprKind::Negative(inner) => digits(inner),
+        _ => None,
+    }
+}
+
+/// A number of teeth: an integer as such, with a sign or none. Any other number is a radius.
+fn teeth(part: &Expr) -> Option<i64> {
+    match &part.kind {
+        ExprKind::Integer(digits) => digits.parse().ok(),
+        ExprKind::Negative(inner) => teeth(inner).and_then(i64::checked_neg),
+        _ => None,
+    }
+}
