@@ -51,11 +51,17 @@ pub fn worst_stretch(poses: &[[f64; 4]]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// All poses, the ground's first.
+/// All poses: the ground's, those of the declared links, and those of dies, which are where their pin is and point where
+/// their slot does.
 #[must_use]
-pub fn with_ground(moving: &[[f64; 4]]) -> Vec<[f64; 4]> {
+pub fn with_ground(model: &Model, declared: &[[f64; 4]]) -> Vec<[f64; 4]> {
     let mut poses = vec![[1.0, 0.0, 0.0, 0.0]];
-    poses.extend_from_slice(moving);
+    poses.extend_from_slice(declared);
+    for (pin, guide) in model.links.iter().filter_map(|link| link.die) {
+        let ([x, y], _) = placed(model, &poses, pin);
+        let (_, [cos, sin]) = placed(model, &poses, guide);
+        poses.push([cos, sin, x, y]);
+    }
     poses
 }
 

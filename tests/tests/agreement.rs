@@ -97,7 +97,7 @@ where
                 );
             }
         }
-        let poses = with_ground(&in_f64(mechanism.poses()));
+        let poses = with_ground(&model, &in_f64(mechanism.poses()));
         worst = worst.max(worst_gap(&model, &poses));
         assert!(worst_stretch(&poses) < 8.0 * <M::Scalar as Real>::EPSILON);
     }
@@ -129,6 +129,14 @@ fn to_and_fro(phase: f64) -> Vec<f64> {
     vec![-1.2 * (phase * PI).sin()]
 }
 
+fn to(phase: f64) -> Vec<f64> {
+    vec![0.3 * (phase * PI).sin()]
+}
+
+fn swing(phase: f64) -> Vec<f64> {
+    vec![0.3 * (phase * TAU).sin()]
+}
+
 fn turn_both(phase: f64) -> Vec<f64> {
     vec![phase * TAU, 0.4 * (phase * TAU).sin()]
 }
@@ -150,6 +158,20 @@ cases! {
     scotch_yoke: zoo::ScotchYoke, "zoo/mod.rs", turn;
     rider: zoo::Rider, "zoo/mod.rs", turn_both;
     gear_on_rocker: zoo::GearOnRocker, "zoo/mod.rs", turn;
+    planetary: zoo::rolling::Planetary, "zoo/rolling.rs", turn;
+    differential: zoo::rolling::Differential, "zoo/rolling.rs", turn_both;
+    clock: zoo::rolling::Clock, "zoo/rolling.rs", turn;
+    two_racks: zoo::rolling::TwoRacks, "zoo/rolling.rs", to_and_fro;
+    rolling_wheel: zoo::rolling::Rolling, "zoo/rolling.rs", to_and_fro;
+    geared_five_bar: zoo::rolling::GearedFiveBar, "zoo/rolling.rs", swing;
+    slotted_arm: zoo::special::SlottedArm, "zoo/special.rs", turn;
+    welded: zoo::special::Welded, "zoo/special.rs", turn;
+    wedge: zoo::special::Wedge, "zoo/special.rs", to_and_fro;
+    three_cranks: zoo::special::ThreeCranks, "zoo/special.rs", swing;
+    four_gears: zoo::special::FourGears, "zoo/special.rs", turn;
+    three_planets: zoo::special::ThreePlanets, "zoo/special.rs", turn;
+    stephenson_from_its_far_side: zoo::special::StephensonFar, "zoo/special.rs", to;
+    double_butterfly: zoo::special::DoubleButterfly, "zoo/special.rs", swing;
 }
 
 #[test]

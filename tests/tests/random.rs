@@ -82,7 +82,7 @@ fn in_own_frames_it_is_assembled_the_same_way() {
         let (model, poses) = in_own_frames(&grown.model, &mut dice);
         let compiled =
             compile(&model).unwrap_or_else(|wrong| panic!("seed {seed}: {}", told(&wrong, &model)));
-        let start = with_ground(&compiled.program.start.poses);
+        let start = with_ground(&model, &compiled.program.start.poses);
         for (link, (is, should)) in start.iter().zip(&poses).enumerate() {
             let off = is
                 .iter()
@@ -124,7 +124,7 @@ fn it_moves_and_closes_or_stays_where_it_was() {
                 );
                 continue;
             }
-            let poses = with_ground(&machine.position().poses);
+            let poses = with_ground(&grown.model, &machine.position().poses);
             let reach = poses
                 .iter()
                 .map(|pose| pose[2].hypot(pose[3]))

@@ -1,5 +1,8 @@
 //! One mechanism for each kind of loop, and some that use what the gallery does not.
 
+pub mod rolling;
+pub mod special;
+
 use mech_runtime::mechanism;
 
 mechanism! {

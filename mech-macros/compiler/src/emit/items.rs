@@ -307,7 +307,12 @@ fn coordinate(
         return Some(("radians or scene units, as given to its motor", value));
     }
     let axis = |id: AxisId| {
-        let axis = model.axis(id);
+        // A die is not kept: its pin is where it is.
+        let pin = model
+            .link(model.axis(id).link)
+            .die
+            .map_or(id, |(pin, _)| pin);
+        let axis = model.axis(pin);
         let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
             .map(|value| number(program.precision, value));
         let pose = pose(axis.link);

@@ -217,30 +217,30 @@ impl<'m> Search<'m> {
         true
     }
 
-    /// The joint of a wheel or bar on its carrier.
+    /// The joint of a wheel or bar on its carrier; where they are only coaxial, the declared joint that joins their clusters
+    /// there.
     fn carried(&self, rolling: &Rolling, end: RollingEnd) -> Option<Connection> {
-        match end {
+        let joint = match end {
+            RollingEnd::Bar { slide, .. } => slide,
             RollingEnd::Wheel(wheel) => {
                 let shares = |pin: &&Pin| {
                     pin.axis_of(wheel).is_some() && pin.axis_of(rolling.carrier).is_some()
                 };
                 let pin = self.structure.pins.iter().find(shares)?;
-                let joint = self.named_on(pin, rolling.carrier, wheel);
-                Some(Connection {
-                    joint,
-                    ..pivot(pin, rolling.carrier, wheel)?
-                })
+                self.named_on(pin, rolling.carrier, wheel)
             }
-            RollingEnd::Bar { slide, .. } => match self.model.joint(slide).kind {
-                JointKind::Prismatic(from, to) => Some(Connection {
-                    kind: ConnectionKind::Prismatic,
-                    from,
-                    to,
-                    joint: slide,
-                }),
-                _ => None,
-            },
-        }
+        };
+        let (kind, from, to) = match self.model.joint(joint).kind {
+            JointKind::Revolute(from, to) => (ConnectionKind::Revolute, from, to),
+            JointKind::Prismatic(from, to) => (ConnectionKind::Prismatic, from, to),
+            _ => return None,
+        };
+        Some(Connection {
+            kind,
+            from,
+            to,
+            joint,
+        })
     }
 
     /// The way along a sliding connection, for one who walks it.
