@@ -1,10 +1,12 @@
 //! What tests and benches of the whole house share.
 
+mod chain;
 mod closure;
 mod dice;
 mod grow;
 mod source;
 
+pub use chain::chain;
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
 pub use grow::{Grown, grow, in_own_frames};

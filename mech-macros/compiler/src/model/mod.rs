@@ -3,11 +3,13 @@
 //! A model knows no spans. Whatever a message may have to point at carries an [`Origin`], which `syntax` (or the studio)
 //! maps back to where it was declared.
 
+mod edit;
 mod id;
 mod joint;
 mod link;
 mod start;
 
+pub use edit::Edit;
 pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
 pub use joint::{Joint, JointKind, Motor, Ratio};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};

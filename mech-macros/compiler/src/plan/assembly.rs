@@ -268,22 +268,15 @@ fn as_drawn<'m>(model: &Model, drafts: Vec<Draft<'m>>) -> Result<Vec<Draft<'m>>,
 fn strayed(model: &Model, placement: &Placement<'_, f64>) -> Option<LinkId> {
     let drawn = |link: LinkId| link == LinkId::GROUND || model.link(link).drawn;
     let size = size(model);
-    let links: Vec<LinkId> = model.link_ids().filter(|&link| drawn(link)).collect();
-    links
-        .iter()
-        .copied()
-        .enumerate()
-        .skip(1)
-        .find_map(|(index, link)| {
-            let first = links[..index]
-                .iter()
-                .copied()
-                .find(|&other| placement.clusters.joined(other, link))?;
-            let (here, there) = (flat(placement.pose(link)), flat(placement.pose(first)));
-            let scale = [1.0, 1.0, size, size];
-            let off = (0..4).any(|i| (here[i] - there[i]).abs() > 1e-7 * scale[i]);
-            off.then_some(link)
-        })
+    // The first drawn link of each cluster stands for it.
+    let mut first: Vec<Option<LinkId>> = vec![None; model.links.len()];
+    model.link_ids().filter(|&link| drawn(link)).find(|&link| {
+        let cluster = placement.clusters.base(link);
+        let known = *first[cluster.index()].get_or_insert(link);
+        let (here, there) = (flat(placement.pose(link)), flat(placement.pose(known)));
+        let scale = [1.0, 1.0, size, size];
+        (0..4).any(|i| (here[i] - there[i]).abs() > 1e-7 * scale[i])
+    })
 }
 
 /// Which links tell the assemblies apart, and by which angles.

@@ -1,8 +1,10 @@
 //! Connections between clusters, and the rings they form.
 
+use super::coupled::Block;
 use super::step::{Connection, ConnectionKind};
 use crate::model::{LinkId, Model};
 use crate::structure::Pin;
+use std::collections::BTreeMap;
 
 /// Two clusters, by their bases, the lower first, and an unknown connection that joins them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,39 +47,47 @@ pub(super) fn pivot(pin: &Pin, from: LinkId, to: LinkId) -> Option<Connection> {
     })
 }
 
-/// The ring that three connections form, if they do: the first two begin in the ring's lowest cluster.
-pub(super) fn triangle(
-    first: Between,
-    second: Between,
-    all: &[Between],
-) -> Option<Vec<Connection>> {
-    if first.a != second.a || first.b == second.b {
-        return None;
+/// All rings of three connections, and of two that slide, each with the connections by which its clusters hang on the lowest.
+/// Ordered by the bases of their clusters.
+pub(super) fn rings(model: &Model, all: &[Between]) -> Vec<Block> {
+    let mut found: Vec<([LinkId; 3], Block)> = Vec::new();
+    for pair in all.windows(2) {
+        if let Some(ring) = wedge(model, pair[0], pair[1]) {
+            let tree = vec![ring[0]];
+            found.push(([pair[0].a, pair[0].b, pair[0].b], (vec![ring], tree)));
+        }
     }
-    let (near, far) = if first.b < second.b {
-        (first, second)
-    } else {
-        (second, first)
-    };
-    let start = all.partition_point(|known| (known.a, known.b) < (near.b, far.b));
-    let across = all
-        .get(start)
-        .filter(|known| (known.a, known.b) == (near.b, far.b))?;
+    // By the pair of clusters that is not the lowest: these have few neighbours, the ground may have many.
+    let mut below: BTreeMap<LinkId, Vec<Between>> = BTreeMap::new();
+    for between in all {
+        below.entry(between.b).or_default().push(*between);
+    }
+    for across in all {
+        for near in below.get(&across.a).into_iter().flatten() {
+            let start = all.partition_point(|known| (known.a, known.b) < (near.a, across.b));
+            let far = all.get(start).filter(|known| (known.a, known.b) == (near.a, across.b));
+            if let Some(ring) = far.and_then(|far| triangle(*near, *across, *far)) {
+                let tree = vec![ring[0], ring[2].reversed()];
+                found.push(([near.a, near.b, across.b], (vec![ring], tree)));
+            }
+        }
+    }
+    found.sort_by_key(|(bases, _)| *bases);
+    found.dedup_by_key(|(bases, _)| *bases);
+    found.into_iter().map(|(_, block)| block).collect()
+}
+
+/// The ring of three connections between three clusters: from the lowest to the next, across, and back.
+fn triangle(near: Between, across: Between, far: Between) -> Option<Vec<Connection>> {
     // Three clusters on one pin are no loop, and three slides say only two things.
     let one_pin = near.pin.is_some() && near.pin == far.pin && far.pin == across.pin;
     let turns = !(near.slides() && across.slides() && far.slides());
-    (turns && !one_pin).then(|| {
-        vec![
-            near.connection,
-            across.connection,
-            far.connection.reversed(),
-        ]
-    })
+    (turns && !one_pin).then(|| vec![near.connection, across.connection, far.connection.reversed()])
 }
 
 /// The ring that two connections between the same two clusters form, if it determines their places: two slides that are not
 /// parallel.
-pub(super) fn wedge(model: &Model, first: Between, second: Between) -> Option<Vec<Connection>> {
+fn wedge(model: &Model, first: Between, second: Between) -> Option<Vec<Connection>> {
     let same = (first.a, first.b) == (second.a, second.b) && first.slides() && second.slides();
     let [p, q] = [first, second].map(|between| {
         (

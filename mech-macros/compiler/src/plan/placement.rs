@@ -114,18 +114,6 @@ impl<'m, S: Copy> Placement<'m, S> {
         self.hang(algebra, connection, meeting, direction);
     }
 
-    /// Brings two clusters together over a revolute connection, with the direction of the second link, relative to the base
-    /// of the first one's cluster, known.
-    pub(crate) fn turn_link<A: Algebra<Scalar = S>>(
-        &mut self,
-        algebra: &mut A,
-        connection: Connection,
-        direction: [S; 2],
-    ) {
-        let meeting = self.spot(algebra, connection.from);
-        self.hang(algebra, connection, meeting, direction);
-    }
-
     /// Puts the second link of a connection so that it points in this direction and its axis lies at `meeting`.
     fn hang<A: Algebra<Scalar = S>>(
         &mut self,

@@ -3,9 +3,9 @@
 //!
 //! Merging only ever adds knowledge, so whether everything becomes known does not depend on the order.
 
-use super::between::{Between, pivot, triangle, wedge};
+use super::between::{Between, pivot, rings};
 use super::cluster::Clusters;
-use super::coupled;
+use super::coupled::{self, Block};
 use super::knowledge::Knowledge;
 use super::ledger::{Ledger, Linear, Rational};
 use super::step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step};
@@ -254,56 +254,56 @@ impl<'m> Search<'m> {
         }
     }
 
-    /// Finds one loop of three unknowns, or of two where everything slides: the lowest in level, then the earliest declared.
+    /// Finds loops of three unknowns, or of two where everything slides: of the lowest level, in the order of declaration.
     fn close(&mut self) -> bool {
-        let connections = self.connections();
-        let mut best: Option<Loop> = None;
-        for (i, &first) in connections.iter().enumerate() {
-            let others = connections[i + 1..]
+        let rings = rings(self.model, &self.connections());
+        let mut found: Vec<Loop> = rings.into_iter().map(|ring| self.described(ring)).collect();
+        let Some(lowest) = found.iter().map(|closing| closing.level).min() else {
+            return false;
+        };
+        found.retain(|closing| closing.level == lowest);
+        for closing in found {
+            // One that was just accepted may have taken its clusters.
+            let starts = closing
+                .tree
                 .iter()
-                .take_while(|second| second.a == first.a);
-            for &second in others {
-                let ring = wedge(self.model, first, second)
-                    .or_else(|| triangle(first, second, &connections));
-                let Some(ring) = ring else { continue };
-                let tree = match ring[..] {
-                    [near, _, far] => vec![near, far.reversed()],
-                    _ => vec![ring[0]],
-                };
-                let found = self.described(vec![ring], tree);
-                if best.as_ref().is_none_or(|known| found.level < known.level) {
-                    best = Some(found);
-                }
+                .map(|&connection| self.link_of(connection).0);
+            let ends: Vec<LinkId> = closing
+                .tree
+                .iter()
+                .map(|&connection| self.link_of(connection).1)
+                .collect();
+            let apart = starts
+                .zip(&ends)
+                .all(|(from, to)| !self.clusters.joined(from, *to));
+            let distinct = ends
+                .windows(2)
+                .all(|pair| !self.clusters.joined(pair[0], pair[1]));
+            if apart && distinct {
+                self.accept(closing);
             }
         }
-        best.map(|found| self.accept(found)).is_some()
+        true
     }
 
     /// Solves what waits for each other together, if that is allowed; or what is held more than once.
     fn couple(&mut self) -> bool {
         let connections = self.connections();
-        let redundant = self
-            .model
-            .allow
+        let allow = self.model.allow;
+        let square = |block: &Block| coupled::is_square(self.model, &self.clusters, block);
+        let redundant = allow
             .redundant
             .then(|| coupled::held_twice(&connections))
             .flatten();
-        let block = redundant.or_else(|| {
-            self.model
-                .allow
-                .coupled
-                .then(|| coupled::block(&connections))
-                .flatten()
-        });
-        let Some((rings, tree)) = block else {
-            return false;
-        };
-        let found = self.described(rings, tree);
+        let coupled = || coupled::block(&connections).filter(square);
+        let block = redundant.or_else(|| allow.coupled.then(coupled).flatten());
+        let Some(block) = block else { return false };
+        let found = self.described(block);
         self.accept(found);
         true
     }
 
-    fn described(&self, rings: Vec<Vec<Connection>>, tree: Vec<Connection>) -> Loop {
+    fn described(&self, (rings, tree): Block) -> Loop {
         let members = self.members(&rings);
         let before = self.knowledge(&members);
         Loop {
@@ -449,14 +449,10 @@ impl<'m> Search<'m> {
 
     /// A way through known joints between two links of the same cluster: of the lowest level, then the shortest.
     fn way(&self, from: LinkId, to: LinkId) -> Vec<JointId> {
-        let level = |joint: JointId| self.known[joint.index()].as_ref().map(|known| known.level);
-        let open = |joint, most| {
-            level(joint).is_some_and(|level| level <= most) && !self.model.joint(joint).kind.rolls()
-        };
-        let mut ways =
-            (0..=self.loops).map(|most| self.graph.way(from, to, |joint| open(joint, most)));
-        ways.find(|way| !way.is_empty() || from == to)
-            .unwrap_or_default()
+        self.graph.way(from, to, |joint| {
+            let known = self.known[joint.index()].as_ref()?;
+            (!self.model.joint(joint).kind.rolls()).then_some(known.level)
+        })
     }
 
     /// The joints between different clusters.

@@ -10,7 +10,7 @@ use super::elimination::Sparse;
 use super::field::{Dice, Element};
 use super::pin::Pin;
 use super::rolling::{Factor, Rolling, RollingEnd};
-use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
+use crate::model::{JointId, JointKind, LinkId, Model};
 use petgraph::unionfind::UnionFind;
 
 /// The unknowns, and the random geometry.

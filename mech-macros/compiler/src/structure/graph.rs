@@ -4,6 +4,8 @@ use crate::model::{JointId, LinkId, Model};
 use petgraph::algo::{bridges::bridges, connected_components};
 use petgraph::graph::{NodeIndex, UnGraph};
 use petgraph::visit::{Dfs, EdgeRef};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
 /// The kinematic graph of a mechanism.
 #[derive(Clone, Debug)]
@@ -59,30 +61,34 @@ impl KinematicGraph {
         arms
     }
 
-    /// The joints on a shortest way between two links over joints that `open` lets pass.
+    /// The joints on a way between two links over joints that have a level: the way's highest level is as low as it can be, and
+    /// of such ways it is a shortest.
     pub(crate) fn way(
         &self,
         from: LinkId,
         to: LinkId,
-        open: impl Fn(JointId) -> bool,
+        level: impl Fn(JointId) -> Option<usize>,
     ) -> Vec<JointId> {
         let mut came_by: Vec<Option<(LinkId, JointId)>> = vec![None; self.0.node_count()];
-        let mut queue = std::collections::VecDeque::from([from]);
-        while let Some(link) = queue.pop_front() {
+        let mut done = vec![false; self.0.node_count()];
+        let mut queue = BinaryHeap::from([Reverse(((0, 0), from, None))]);
+        while let Some(Reverse(((highest, length), link, by))) = queue.pop() {
+            if std::mem::replace(&mut done[link.index()], true) {
+                continue;
+            }
+            came_by[link.index()] = by;
             if link == to {
                 break;
             }
-            let mut edges: Vec<_> = self.0.edges(NodeIndex::new(link.index())).collect();
-            edges.sort_by_key(|edge| *edge.weight());
-            for edge in edges {
+            for edge in self.0.edges(NodeIndex::new(link.index())) {
                 let next = self.0[if edge.source().index() == link.index() {
                     edge.target()
                 } else {
                     edge.source()
                 }];
-                if next != from && came_by[next.index()].is_none() && open(*edge.weight()) {
-                    came_by[next.index()] = Some((link, *edge.weight()));
-                    queue.push_back(next);
+                if let (false, Some(level)) = (done[next.index()], level(*edge.weight())) {
+                    let cost = (highest.max(level), length + 1);
+                    queue.push(Reverse((cost, next, Some((link, *edge.weight())))));
                 }
             }
         }

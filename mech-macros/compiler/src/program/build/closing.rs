@@ -2,7 +2,7 @@
 
 use super::{MOST_ROUNDS, Writer};
 use crate::model::{Joint, JointKind, LinkId, Method};
-use crate::plan::{Algebra, ConnectionKind, Equation, Loop, Measure, Pose, Solution, Unknown};
+use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
 use crate::program::BlockKind;
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};

@@ -1,0 +1,312 @@
+//! Changes to a mechanism, as a user would make them in the text: everything else follows, and is numbered anew.
+
+use super::{
+    Axis, AxisId, AxisKind, Joint, JointId, JointKind, LinkId, Model, Motor, MotorId, Start,
+};
+
+/// Changes to a mechanism. All ids are those of the mechanism that is changed, until [`Edit::finish`].
+#[derive(Clone, Debug)]
+pub struct Edit {
+    model: Model,
+    keeps_link: Vec<bool>,
+    keeps_joint: Vec<bool>,
+    keeps_motor: Vec<bool>,
+}
+
+impl Edit {
+    /// No change yet.
+    #[must_use]
+    pub fn new(model: &Model) -> Self {
+        Self {
+            model: model.clone(),
+            keeps_link: vec![true; model.links.len()],
+            keeps_joint: vec![true; model.joints.len()],
+            keeps_motor: vec![true; model.motors.len()],
+        }
+    }
+
+    /// Takes a joint away, with the motor on it. Of a slot both joints go, and the die.
+    pub fn remove_joint(&mut self, id: JointId) {
+        self.keeps_joint[id.index()] = false;
+        if let Some(die) = die_of(&self.model, id) {
+            self.keeps_link[die.index()] = false;
+        }
+    }
+
+    /// Takes a link away, with everything that is fixed to it or joins it. The ground stays.
+    pub fn remove_link(&mut self, id: LinkId) {
+        if id != LinkId::GROUND {
+            self.keeps_link[id.index()] = false;
+        }
+    }
+
+    /// Takes a motor away, with its start.
+    pub fn remove_motor(&mut self, id: MotorId) {
+        self.keeps_motor[id.index()] = false;
+        self.forget_start(self.model.motor(id).joint);
+    }
+
+    /// Puts a motor on a joint, after all others.
+    pub fn add_motor(&mut self, joint: JointId) {
+        let origin = self.model.joint(joint).origin;
+        self.model.motors.push(Motor { joint, origin });
+        self.keeps_motor.push(true);
+    }
+
+    /// Moves a motor to another joint; its start is forgotten.
+    pub fn move_motor(&mut self, id: MotorId, joint: JointId) {
+        self.forget_start(self.model.motor(id).joint);
+        self.model.motors[id.index()].joint = joint;
+    }
+
+    /// Makes a revolute joint a pin in a slot: the line is fixed to the second link, through its point, in this direction.
+    pub fn make_slot(&mut self, id: JointId, along: [f64; 2]) {
+        let JointKind::Revolute(point, other) = self.model.joint(id).kind else {
+            return;
+        };
+        let Joint { name, origin, .. } = self.model.joint(id).clone();
+        let line = AxisId::new(self.model.axes.len());
+        self.model.axes.push(Axis {
+            name: None,
+            origin,
+            kind: AxisKind::Line,
+            direction: along,
+            ..self.model.axis(other).clone()
+        });
+        self.keeps_joint[id.index()] = false;
+        self.model.add_slot(&name, origin, point, line);
+        self.keeps_link.push(true);
+        self.keeps_joint.extend([true, true]);
+    }
+
+    /// Lets two welded links turn on each other.
+    pub fn unweld(&mut self, id: JointId) {
+        if let JointKind::Weld(a, b) = self.model.joint(id).kind {
+            self.model.joints[id.index()].kind = JointKind::Revolute(a, b);
+        }
+    }
+
+    /// Names the link that carries what rolls, or leaves it unnamed.
+    pub fn carry(&mut self, id: JointId, carrier: Option<LinkId>) {
+        if let Some(on) = carrier_of(&mut self.model.joints[id.index()].kind) {
+            *on = carrier;
+        }
+    }
+
+    /// Whatever has no ids.
+    pub fn settings(&mut self) -> &mut Model {
+        &mut self.model
+    }
+
+    fn forget_start(&mut self, joint: JointId) {
+        self.model.start.values.retain(|value| value.joint != joint);
+    }
+
+    /// The changed mechanism.
+    #[must_use]
+    pub fn finish(mut self) -> Model {
+        self.follow();
+        let axes = self.axes_in_use();
+        let (links, joints) = (numbers(&self.keeps_link), numbers(&self.keeps_joint));
+        let axis_numbers = numbers(&axes);
+        let link = |id: LinkId| links[id.index()].map(LinkId::new);
+        let joint = |id: JointId| joints[id.index()].map(JointId::new);
+        let axis = |id: AxisId| axis_numbers[id.index()].map(AxisId::new);
+        let mut model = self.model;
+        for (id, one) in model.links.iter_mut().enumerate() {
+            let placed = model.axes.iter().zip(&axes);
+            one.drawn &= placed
+                .into_iter()
+                .any(|(axis, used)| *used && axis.name.is_none() && axis.link.index() == id);
+            one.die = one.die.and_then(|(a, b)| Some((axis(a)?, axis(b)?)));
+        }
+        keep(&mut model.links, &self.keeps_link);
+        keep(&mut model.axes, &axes);
+        keep(&mut model.joints, &self.keeps_joint);
+        keep(&mut model.motors, &self.keeps_motor);
+        for one in &mut model.axes {
+            one.link = link(one.link).unwrap_or(one.link);
+        }
+        for one in &mut model.joints {
+            renumber(&mut one.kind, &link, &axis);
+        }
+        for one in &mut model.motors {
+            one.joint = joint(one.joint).unwrap_or(one.joint);
+        }
+        let Start { values, near } = &mut model.start;
+        values.retain_mut(|value| {
+            joint(value.joint).is_some_and(|id| {
+                value.joint = id;
+                true
+            })
+        });
+        near.retain_mut(|near| {
+            link(near.link).is_some_and(|id| {
+                near.link = id;
+                true
+            })
+        });
+        model
+    }
+
+    /// Takes away what cannot be without what was taken away.
+    fn follow(&mut self) {
+        let model = &self.model;
+        for (id, one) in model.links.iter().enumerate() {
+            if let Some((point, line)) = one.die {
+                let held = [point, line]
+                    .iter()
+                    .all(|&axis| self.keeps_link[model.axis(axis).link.index()]);
+                self.keeps_link[id] &= held;
+            }
+        }
+        for id in model.joint_ids() {
+            let (a, b) = model.ends(id);
+            self.keeps_joint[id.index()] &=
+                self.keeps_link[a.index()] && self.keeps_link[b.index()];
+        }
+        for id in model.motor_ids() {
+            self.keeps_motor[id.index()] &= self.keeps_joint[model.motor(id).joint.index()];
+        }
+    }
+
+    /// The axes that are still there: an axis without a name is only there for its joints.
+    fn axes_in_use(&self) -> Vec<bool> {
+        let mut used: Vec<bool> = self
+            .model
+            .axes
+            .iter()
+            .map(|axis| axis.name.is_some())
+            .collect();
+        let kept = self
+            .model
+            .joints
+            .iter()
+            .zip(&self.keeps_joint)
+            .filter(|(_, kept)| **kept);
+        for (joint, _) in kept {
+            if let JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) =
+                joint.kind
+            {
+                used[a.index()] = true;
+                used[b.index()] = true;
+            }
+        }
+        for (used, axis) in used.iter_mut().zip(&self.model.axes) {
+            *used &= self.keeps_link[axis.link.index()];
+        }
+        used
+    }
+}
+
+impl Model {
+    /// This mechanism without a joint.
+    #[must_use]
+    pub fn without_joint(&self, id: JointId) -> Self {
+        self.edited(|edit| edit.remove_joint(id))
+    }
+
+    /// This mechanism without a link and all that is fixed to it or joins it.
+    #[must_use]
+    pub fn without_link(&self, id: LinkId) -> Self {
+        self.edited(|edit| edit.remove_link(id))
+    }
+
+    /// This mechanism without a motor.
+    #[must_use]
+    pub fn without_motor(&self, id: MotorId) -> Self {
+        self.edited(|edit| edit.remove_motor(id))
+    }
+
+    /// This mechanism with one more motor.
+    #[must_use]
+    pub fn with_motor(&self, joint: JointId) -> Self {
+        self.edited(|edit| edit.add_motor(joint))
+    }
+
+    /// This mechanism with a motor on another joint.
+    #[must_use]
+    pub fn with_motor_moved(&self, id: MotorId, joint: JointId) -> Self {
+        self.edited(|edit| edit.move_motor(id, joint))
+    }
+
+    /// This mechanism with a slot in place of a revolute joint.
+    #[must_use]
+    pub fn with_slot_for(&self, id: JointId, along: [f64; 2]) -> Self {
+        self.edited(|edit| edit.make_slot(id, along))
+    }
+
+    /// This mechanism with a revolute joint in place of a weld.
+    #[must_use]
+    pub fn without_weld(&self, id: JointId) -> Self {
+        self.edited(|edit| edit.unweld(id))
+    }
+
+    fn edited(&self, change: impl FnOnce(&mut Edit)) -> Self {
+        let mut edit = Edit::new(self);
+        change(&mut edit);
+        edit.finish()
+    }
+}
+
+/// The die of the slot to which a joint belongs, if it does.
+fn die_of(model: &Model, id: JointId) -> Option<LinkId> {
+    let (a, b) = model.ends(id);
+    [a, b]
+        .into_iter()
+        .find(|&link| model.link(link).die.is_some())
+}
+
+fn carrier_of(kind: &mut JointKind) -> Option<&mut Option<LinkId>> {
+    match kind {
+        JointKind::Gear { on, .. } | JointKind::Belt { on, .. } | JointKind::Rack { on, .. } => {
+            Some(on)
+        }
+        JointKind::Revolute(..) | JointKind::Prismatic(..) | JointKind::Weld(..) => None,
+    }
+}
+
+fn renumber(
+    kind: &mut JointKind,
+    link: impl Fn(LinkId) -> Option<LinkId>,
+    axis: impl Fn(AxisId) -> Option<AxisId>,
+) {
+    // What is left has all its parts; only a named carrier may be gone.
+    if let Some(on) = carrier_of(kind) {
+        *on = on.and_then(&link);
+    }
+    match kind {
+        JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
+            *a = axis(*a).unwrap_or(*a);
+            *b = axis(*b).unwrap_or(*b);
+        }
+        JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => {
+            *a = link(*a).unwrap_or(*a);
+            *b = link(*b).unwrap_or(*b);
+        }
+        JointKind::Rack { pinion, bar, .. } => {
+            *pinion = link(*pinion).unwrap_or(*pinion);
+            *bar = link(*bar).unwrap_or(*bar);
+        }
+    }
+}
+
+/// For everything that is kept its new number.
+fn numbers(kept: &[bool]) -> Vec<Option<usize>> {
+    let mut next = 0;
+    let number = |kept: &bool| {
+        kept.then(|| {
+            next += 1;
+            next - 1
+        })
+    };
+    kept.iter().map(number).collect()
+}
+
+fn keep<T>(list: &mut Vec<T>, kept: &[bool]) {
+    let mut kept = kept.iter();
+    list.retain(|_| kept.next().copied().unwrap_or(true));
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,197 @@
+//! What could be changed.
+
+use super::{Repair, drivable};
+use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
+use crate::structure::Diagnosis;
+
+/// All single changes that might cure this, the likely ones first.
+pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Vec<Repair> {
+    match of {
+        Diagnosis::Blocked {
+            motor,
+            part,
+            joints,
+        } => {
+            let mut repairs = relocated(model, all, &[*motor]);
+            repairs.push(Repair::RemoveMotor(*motor));
+            repairs.extend(on_part(model, part, joints));
+            repairs
+        }
+        Diagnosis::TooManyMotors { among, .. } => {
+            let mut repairs = relocated(model, all, among);
+            repairs.extend(among.iter().map(|&motor| Repair::RemoveMotor(motor)));
+            let (links, joints): (Vec<_>, Vec<_>) =
+                (model.link_ids().collect(), model.joint_ids().collect());
+            repairs.extend(on_part(model, &links, &joints));
+            repairs
+        }
+        Diagnosis::Overdetermined { joints, matched } => {
+            let mut repairs = Vec::new();
+            if *matched {
+                repairs.push(Repair::AllowRedundant);
+            }
+            let links = ends(model, joints);
+            repairs.extend(on_part(model, &links, joints));
+            repairs
+        }
+        Diagnosis::Rigid => {
+            let (links, joints): (Vec<_>, Vec<_>) =
+                (model.link_ids().collect(), model.joint_ids().collect());
+            on_part(model, &links, &joints)
+        }
+        Diagnosis::NoMotor { freedom: 1, candidates } | Diagnosis::Undetermined { freedom: 1, candidates, .. } => {
+            let mut repairs = relocated_to(model, all, candidates);
+            let motors = ground_first(model, candidates.iter().copied());
+            repairs.extend(motors.map(|joint| Repair::AddMotors(vec![joint])));
+            repairs
+        }
+        Diagnosis::NoMotor { candidates, .. } => vec![Repair::AddMotors(candidates.clone())],
+        Diagnosis::Undetermined {
+            freedom,
+            free,
+            candidates,
+        } => {
+            let free: Vec<JointId> = ground_first(model, free.iter().copied()).collect();
+            let mut repairs = vec![Repair::AddMotors(candidates.clone())];
+            repairs.extend(several(&free, *freedom).map(Repair::AddMotors));
+            repairs
+        }
+        Diagnosis::NotSequential { .. } => {
+            let mut repairs = vec![Repair::AllowCoupled];
+            for motor in model.motor_ids() {
+                let joints = ground_first(model, model.joint_ids());
+                repairs.extend(joints.map(|to| Repair::MoveMotor { motor, to }));
+            }
+            repairs
+        }
+        Diagnosis::NotCarrier { joint, .. } => {
+            let named = model.link_ids().map(Some);
+            [None]
+                .into_iter()
+                .chain(named)
+                .map(|on| Repair::Carry { joint: *joint, on })
+                .collect()
+        }
+        Diagnosis::DeadStart { .. } => model
+            .motor_ids()
+            .flat_map(|motor| elsewhere(model, motor))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Every change to one link or joint of a part, of each kind in turn.
+fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
+    let declared = |link: &LinkId| *link != LinkId::GROUND && model.link(*link).die.is_none();
+    let shown = |joint: &JointId| !model.joint(*joint).hidden;
+    let links = links.iter().copied().filter(declared);
+    let joints: Vec<JointId> = joints.iter().copied().filter(shown).collect();
+    let turns = |joint: &JointId| {
+        let kind = model.joint(*joint).kind;
+        matches!(kind, JointKind::Revolute(..)) && model.motor_of(*joint).is_none()
+    };
+    let welded = |joint: &JointId| matches!(model.joint(*joint).kind, JointKind::Weld(..));
+    let slots = joints.iter().copied().filter(turns).flat_map(|joint| {
+        [[1.0, 0.0], [0.0, 1.0]].map(|along| Repair::MakeSlot { joint, along })
+    });
+    let kinds: [Vec<Repair>; 4] = [
+        links.map(Repair::RemoveLink).collect(),
+        joints.iter().copied().map(Repair::RemoveJoint).collect(),
+        joints.iter().copied().filter(welded).map(Repair::Unweld).collect(),
+        slots.collect(),
+    ];
+    let longest = kinds.iter().map(Vec::len).max().unwrap_or(0);
+    (0..longest)
+        .flat_map(|index| kinds.iter().filter_map(move |kind| kind.get(index).cloned()))
+        .collect()
+}
+
+/// The motors that could drive what is left free instead.
+fn relocated(model: &Model, all: &[Diagnosis], motors: &[MotorId]) -> Vec<Repair> {
+    let free = all.iter().find_map(|diagnosis| match diagnosis {
+        Diagnosis::Undetermined {
+            freedom: 1,
+            candidates,
+            ..
+        } => Some(candidates),
+        _ => None,
+    });
+    let to = |motor| {
+        let joints = free.into_iter().flatten().copied();
+        ground_first(model, joints).map(move |to| Repair::MoveMotor { motor, to })
+    };
+    motors.iter().copied().flat_map(to).collect()
+}
+
+/// The motors that do nothing where they are and could drive one of these joints.
+fn relocated_to(model: &Model, all: &[Diagnosis], joints: &[JointId]) -> Vec<Repair> {
+    let idle = all.iter().flat_map(|diagnosis| match diagnosis {
+        Diagnosis::Blocked { motor, .. } => vec![*motor],
+        Diagnosis::TooManyMotors { among, .. } => among.clone(),
+        _ => Vec::new(),
+    });
+    let to = |motor| {
+        let joints = joints.iter().copied();
+        ground_first(model, joints).map(move |to| Repair::MoveMotor { motor, to })
+    };
+    idle.flat_map(to).collect()
+}
+
+/// The joints that could take a motor, those on the ground first, because that is where motors like to sit.
+fn ground_first(
+    model: &Model,
+    joints: impl Iterator<Item = JointId>,
+) -> impl Iterator<Item = JointId> + use<> {
+    let aloft = |joint: &JointId| {
+        let (a, b) = model.ends(*joint);
+        (a != LinkId::GROUND && b != LinkId::GROUND, *joint)
+    };
+    let mut joints: Vec<JointId> = joints.filter(|&joint| drivable(model, joint)).collect();
+    joints.sort_by_key(aloft);
+    joints.into_iter()
+}
+
+/// The links that these joints join.
+fn ends(model: &Model, joints: &[JointId]) -> Vec<LinkId> {
+    let mut links: Vec<LinkId> = joints
+        .iter()
+        .flat_map(|&joint| <[LinkId; 2]>::from(model.ends(joint)))
+        .collect();
+    links.sort();
+    links.dedup();
+    links
+}
+
+/// Some of the ways to choose so many of these joints.
+fn several(joints: &[JointId], count: usize) -> impl Iterator<Item = Vec<JointId>> {
+    const MOST: usize = 60;
+    let mut chosen: Vec<usize> = (0..count).collect();
+    let total = joints.len();
+    let mut ways = Vec::new();
+    while count <= total && ways.len() < MOST {
+        ways.push(chosen.iter().map(|&index| joints[index]).collect());
+        let Some(at) = (0..count).rfind(|&at| chosen[at] < total - count + at) else {
+            break;
+        };
+        let next = chosen[at] + 1;
+        for (step, index) in chosen[at..].iter_mut().enumerate() {
+            *index = next + step;
+        }
+    }
+    ways.into_iter()
+}
+
+/// A motor a little further or less far.
+fn elsewhere(model: &Model, motor: MotorId) -> [Repair; 2] {
+    let joint = model.motor(motor).joint;
+    let given = model.start.values.iter().find(|value| value.joint == joint);
+    let value = given.map_or(0.0, |value| value.value);
+    [0.1, -0.1].map(|share| {
+        let value = if let JointKind::Prismatic(..) = model.joint(joint).kind {
+            value + share * if value == 0.0 { 1.0 } else { value.abs() }
+        } else {
+            (value.to_degrees() + 100.0 * share).to_radians()
+        };
+        Repair::StartAt { motor, value }
+    })
+}
