@@ -11,6 +11,7 @@ mod matched;
 pub mod model;
 pub mod plan;
 pub mod program;
+pub mod repair;
 pub mod report;
 pub mod reporter;
 pub mod structure;
@@ -174,11 +175,8 @@ pub fn expand(input: TokenStream) -> TokenStream {
             &compiled.report,
         ),
         Err(diagnoses) => {
-            let messages: Vec<Message> = diagnoses
-                .iter()
-                .map(|diagnosis| reporter::message(diagnosis, &model, &places))
-                .collect();
-            fail(&messages)
+            let offers = repair::offers(&model, &diagnoses);
+            fail(&reporter::messages(&diagnoses, &offers, &model, &places))
         }
     }
 }

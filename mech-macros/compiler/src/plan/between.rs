@@ -65,7 +65,9 @@ pub(super) fn rings(model: &Model, all: &[Between]) -> Vec<Block> {
     for across in all {
         for near in below.get(&across.a).into_iter().flatten() {
             let start = all.partition_point(|known| (known.a, known.b) < (near.a, across.b));
-            let far = all.get(start).filter(|known| (known.a, known.b) == (near.a, across.b));
+            let far = all
+                .get(start)
+                .filter(|known| (known.a, known.b) == (near.a, across.b));
             if let Some(ring) = far.and_then(|far| triangle(*near, *across, *far)) {
                 let tree = vec![ring[0], ring[2].reversed()];
                 found.push(([near.a, near.b, across.b], (vec![ring], tree)));
@@ -82,7 +84,13 @@ fn triangle(near: Between, across: Between, far: Between) -> Option<Vec<Connecti
     // Three clusters on one pin are no loop, and three slides say only two things.
     let one_pin = near.pin.is_some() && near.pin == far.pin && far.pin == across.pin;
     let turns = !(near.slides() && across.slides() && far.slides());
-    (turns && !one_pin).then(|| vec![near.connection, across.connection, far.connection.reversed()])
+    (turns && !one_pin).then(|| {
+        vec![
+            near.connection,
+            across.connection,
+            far.connection.reversed(),
+        ]
+    })
 }
 
 /// The ring that two connections between the same two clusters form, if it determines their places: two slides that are not

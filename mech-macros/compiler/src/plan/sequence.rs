@@ -183,38 +183,56 @@ impl<'m> Search<'m> {
         )
     }
 
-    /// Finds one joint that gears, belts or racks move: that of a wheel or bar on its carrier.
+    /// Finds one joint that gears, belts or racks move: that of a wheel or bar on its carrier. First where the other part is
+    /// known on the carrier; only then where several that roll determine each other, as in planetary gears: so that the outcome
+    /// does not depend on the order of declaration.
     fn mesh(&mut self) -> bool {
-        let ends = self
-            .structure
-            .rollings
-            .iter()
-            .flat_map(|rolling| rolling.ends.map(|(end, _)| (rolling, end)));
-        let found = ends.into_iter().find_map(|(rolling, end)| {
-            let connection = self.carried(rolling, end)?;
-            let (from, to) = self.link_of(connection);
-            let apart = !self.clusters.joined(from, to);
-            let free = connection.kind == ConnectionKind::Prismatic
-                || !self.aligned.equiv(from.index(), to.index());
-            let quantity = match connection.kind {
-                ConnectionKind::Revolute => Linear::turn(from, to),
-                ConnectionKind::Prismatic => self.along(connection),
-            };
-            let parts = (apart && free)
-                .then(|| self.ledger.value(&quantity))
-                .flatten()?;
-            Some(Mesh {
-                by: rolling.joint,
-                connection,
-                parts,
-            })
-        });
+        if !self.rolls() {
+            return false;
+        }
+        let ends = || {
+            self.structure
+                .rollings
+                .iter()
+                .flat_map(|rolling| [(rolling, 0), (rolling, 1)])
+        };
+        let direct = |(rolling, end): &(&Rolling, usize)| {
+            let other = rolling.ends[1 - *end].0.link();
+            self.clusters.joined(rolling.carrier, other)
+        };
+        // Where several joints could be said to be moved, the name decides, which no reordering changes.
+        let name = |mesh: &Mesh| self.model.joint(mesh.connection.joint).name.clone();
+        let moved = |(rolling, end)| self.moved(rolling, end);
+        let found = ends().filter(direct).filter_map(moved).min_by_key(name);
+        let found = found.or_else(|| ends().filter_map(moved).min_by_key(name));
         let Some(mesh) = found else { return false };
         let how = Knowledge::of(mesh.parts.iter().map(|(source, _)| &self.behind[*source]));
         let (from, to) = self.link_of(mesh.connection);
         self.merge(&[from, to], &how);
         self.steps.push(Step::Mesh(mesh));
         true
+    }
+
+    /// How a wheel or bar is moved on its carrier, if that is known by now and was not before.
+    fn moved(&self, rolling: &Rolling, end: usize) -> Option<Mesh> {
+        let connection = self.carried(rolling, rolling.ends[end].0)?;
+        let (from, to) = self.link_of(connection);
+        let (free, quantity) = match connection.kind {
+            ConnectionKind::Revolute => (
+                !self.aligned.equiv(from.index(), to.index()),
+                Linear::turn(from, to),
+            ),
+            ConnectionKind::Prismatic => (true, self.along(connection)),
+        };
+        if !free || self.clusters.joined(from, to) {
+            return None;
+        }
+        let parts = self.ledger.value(&quantity)?;
+        Some(Mesh {
+            by: rolling.joint,
+            connection,
+            parts,
+        })
     }
 
     /// The joint of a wheel or bar on its carrier; where they are only coaxial, the declared joint that joins their clusters

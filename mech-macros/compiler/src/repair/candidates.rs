@@ -39,19 +39,30 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
                 (model.link_ids().collect(), model.joint_ids().collect());
             on_part(model, &links, &joints)
         }
-        Diagnosis::NoMotor { freedom: 1, candidates } | Diagnosis::Undetermined { freedom: 1, candidates, .. } => {
+        Diagnosis::NoMotor {
+            freedom: 1,
+            candidates,
+        }
+        | Diagnosis::Undetermined {
+            freedom: 1,
+            candidates,
+            ..
+        } => {
             let mut repairs = relocated_to(model, all, candidates);
             let motors = ground_first(model, candidates.iter().copied());
             repairs.extend(motors.map(|joint| Repair::AddMotors(vec![joint])));
             repairs
         }
-        Diagnosis::NoMotor { candidates, .. } => vec![Repair::AddMotors(candidates.clone())],
-        Diagnosis::Undetermined {
+        Diagnosis::NoMotor {
             freedom,
-            free,
             candidates,
+        }
+        | Diagnosis::Undetermined {
+            freedom,
+            candidates,
+            ..
         } => {
-            let free: Vec<JointId> = ground_first(model, free.iter().copied()).collect();
+            let free: Vec<JointId> = ground_first(model, model.joint_ids()).collect();
             let mut repairs = vec![Repair::AddMotors(candidates.clone())];
             repairs.extend(several(&free, *freedom).map(Repair::AddMotors));
             repairs
@@ -91,18 +102,28 @@ fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
         matches!(kind, JointKind::Revolute(..)) && model.motor_of(*joint).is_none()
     };
     let welded = |joint: &JointId| matches!(model.joint(*joint).kind, JointKind::Weld(..));
-    let slots = joints.iter().copied().filter(turns).flat_map(|joint| {
-        [[1.0, 0.0], [0.0, 1.0]].map(|along| Repair::MakeSlot { joint, along })
-    });
+    let slots =
+        joints.iter().copied().filter(turns).flat_map(|joint| {
+            [[1.0, 0.0], [0.0, 1.0]].map(|along| Repair::MakeSlot { joint, along })
+        });
     let kinds: [Vec<Repair>; 4] = [
         links.map(Repair::RemoveLink).collect(),
         joints.iter().copied().map(Repair::RemoveJoint).collect(),
-        joints.iter().copied().filter(welded).map(Repair::Unweld).collect(),
+        joints
+            .iter()
+            .copied()
+            .filter(welded)
+            .map(Repair::Unweld)
+            .collect(),
         slots.collect(),
     ];
     let longest = kinds.iter().map(Vec::len).max().unwrap_or(0);
     (0..longest)
-        .flat_map(|index| kinds.iter().filter_map(move |kind| kind.get(index).cloned()))
+        .flat_map(|index| {
+            kinds
+                .iter()
+                .filter_map(move |kind| kind.get(index).cloned())
+        })
         .collect()
 }
 
@@ -141,7 +162,7 @@ fn relocated_to(model: &Model, all: &[Diagnosis], joints: &[JointId]) -> Vec<Rep
 fn ground_first(
     model: &Model,
     joints: impl Iterator<Item = JointId>,
-) -> impl Iterator<Item = JointId> + use<> {
+) -> std::vec::IntoIter<JointId> {
     let aloft = |joint: &JointId| {
         let (a, b) = model.ends(*joint);
         (a != LinkId::GROUND && b != LinkId::GROUND, *joint)

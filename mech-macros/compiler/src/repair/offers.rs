@@ -91,14 +91,18 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     });
     if one_is_enough && !(offers.single.is_empty() && offers.elsewhere.is_empty()) {
         offers.coupled.clear();
-        offers.elsewhere.truncate(usize::from(offers.single.is_empty()));
+        offers
+            .elsewhere
+            .truncate(usize::from(offers.single.is_empty()));
     }
     // The same in another direction.
     let single = &offers.single;
     offers
         .elsewhere
         .retain(|repair| !single.iter().any(|known| same_place(known, repair)));
-    offers.elsewhere.dedup_by(|next, first| same_place(first, next));
+    offers
+        .elsewhere
+        .dedup_by(|next, first| same_place(first, next));
     if offers.is_enough() {
         offers.partial.clear();
     } else if offers.partial.is_empty() && is_held(diagnosis) {
@@ -221,8 +225,19 @@ fn freedom(diagnoses: &[Diagnosis]) -> Option<usize> {
 fn motors_for(model: &Model, repair: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
     const FEW: usize = 3;
     let (freedom, candidates) = match found {
-        [Diagnosis::NoMotor { freedom, candidates }]
-        | [Diagnosis::Undetermined { freedom, candidates, .. }] => (*freedom, candidates),
+        [
+            Diagnosis::NoMotor {
+                freedom,
+                candidates,
+            },
+        ]
+        | [
+            Diagnosis::Undetermined {
+                freedom,
+                candidates,
+                ..
+            },
+        ] => (*freedom, candidates),
         _ => return Vec::new(),
     };
     let Some(changed) = repair.apply(model) else {

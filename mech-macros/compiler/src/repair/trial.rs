@@ -62,8 +62,7 @@ impl<'m> Trials<'m> {
             self.exhausted = true;
             return Trial::Untried;
         }
-        let trial = apply_all(repairs, self.model)
-            .map_or(Trial::Untried, |model| self.run(&model));
+        let trial = apply_all(repairs, self.model).map_or(Trial::Untried, |model| self.run(&model));
         self.known.push((repairs.to_vec(), trial.clone()));
         trial
     }
@@ -88,9 +87,7 @@ fn outcome(compiled: Result<(), Vec<Diagnosis>>) -> Trial {
     };
     match diagnoses[..] {
         [Diagnosis::SeveralAssemblies { .. }] => Trial::Closes,
-        [Diagnosis::CannotClose { .. } | Diagnosis::DeadStart { .. }] => {
-            Trial::OpensAtStart
-        }
+        [Diagnosis::CannotClose { .. } | Diagnosis::DeadStart { .. }] => Trial::OpensAtStart,
         [Diagnosis::NotSequential { .. }] => Trial::Coupled,
         _ => Trial::Fails(diagnoses),
     }

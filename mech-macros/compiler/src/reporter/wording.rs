@@ -5,9 +5,15 @@ pub(super) fn and(names: &[String]) -> String {
     names.join(", ")
 }
 
-/// Alternatives: `a`, `b` or `c`.
-pub(super) fn or(names: &[String]) -> String {
+/// Alternatives: `a`, `b` or `c`. Of many, the last are only counted.
+pub(super) fn one_of(names: &[String]) -> String {
+    const MOST: usize = 10;
+    const SHOWN: usize = 7;
     match names {
+        many if many.len() > MOST => {
+            let shown = many[..SHOWN].join(", ");
+            format!("{shown} or one of {} others", many.len() - SHOWN)
+        }
         [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
         names => names.concat(),
     }

@@ -245,7 +245,10 @@ fn a_link_takes_what_joins_it_along() {
             let name = link_name(&model, id);
             assert!(after.links.iter().all(|link| link.name != name));
         }
-        assert_eq!(model.without_link(LinkId::GROUND), Edit::new(&model).finish());
+        assert_eq!(
+            model.without_link(LinkId::GROUND),
+            Edit::new(&model).finish()
+        );
     }
 }
 
@@ -264,9 +267,8 @@ fn a_revolute_becomes_a_slot_in_its_second_link() {
             assert_eq!(after.axis(pin).at, model.axis(point).at);
             assert_eq!(after.axis(line).at, model.axis(other).at);
             assert_eq!(after.axis(line).direction, [0.0, 1.0]);
-            let owner = |model: &Model, axis: AxisId| {
-                link_name(model, model.axis(axis).link).to_owned()
-            };
+            let owner =
+                |model: &Model, axis: AxisId| link_name(model, model.axis(axis).link).to_owned();
             assert_eq!(owner(&after, pin), owner(&model, point));
             assert_eq!(owner(&after, line), owner(&model, other));
             assert_eq!(after.joints.len(), model.joints.len() + 1);

@@ -1,0 +1,64 @@
+//! What carries gears, belts and racks.
+
+use super::Words;
+use super::wording::one_of;
+use crate::model::{JointId, JointKind, LinkId};
+use crate::repair::Offers;
+
+impl Words<'_> {
+    pub(super) fn no_carrier(&self, id: JointId) -> String {
+        let (a, b) = self.model.ends(id);
+        let (first, second) = (self.link(a), self.link(b));
+        let (holds, help) = match self.model.joint(id).kind {
+            JointKind::Rack { .. } => (
+                format!("{first} turns on no link on which {second} slides"),
+                "let the pinion turn on the link on which the bar slides, or on its shaft",
+            ),
+            _ => (
+                format!("there is no link on which both {first} and {second} turn"),
+                "let both wheels turn on the ground or on one common link",
+            ),
+        };
+        format!(
+            "nothing carries {} {}: {holds}\nhelp: {help}",
+            self.rolling(id),
+            self.joint(id)
+        )
+    }
+
+    pub(super) fn not_carrier(&self, id: JointId, named: LinkId, offers: &Offers) -> String {
+        let (a, b) = self.model.ends(id);
+        let (first, second, named) = (self.link(a), self.link(b), self.link(named));
+        let should = match self.model.joint(id).kind {
+            JointKind::Rack { .. } => {
+                format!("{first} does not turn on it, or {second} does not slide on it")
+            }
+            _ => format!("{first} and {second} do not both turn on it"),
+        };
+        format!(
+            "{named} does not carry {} {}: {should}{}",
+            self.rolling(id),
+            self.joint(id),
+            self.help(offers)
+        )
+    }
+
+    pub(super) fn several_carriers(&self, id: JointId, carriers: &[LinkId]) -> String {
+        let links: Vec<String> = carriers.iter().map(|&link| self.link(link)).collect();
+        let clauses: Vec<String> = carriers
+            .iter()
+            .map(|&link| format!("`on {}`", self.model.link(link).name))
+            .collect();
+        let (moves, after) = match self.model.joint(id).kind {
+            JointKind::Rack { .. } => ("its pinion turns and its bar slides on", "radius"),
+            _ => ("both of its wheels turn on", "ratio"),
+        };
+        format!(
+            "several links could carry {} {}: {moves} {}\nhelp: say which is meant: write {} after the {after}",
+            self.rolling(id),
+            self.joint(id),
+            links.join(" and on "),
+            one_of(&clauses)
+        )
+    }
+}

@@ -1,0 +1,142 @@
+//! There is less freedom than there are motors.
+
+use super::Words;
+use crate::model::{JointId, LinkId, MotorId};
+use crate::repair::{Offers, Repair};
+
+impl Words<'_> {
+    pub(super) fn blocked(
+        &self,
+        motor: MotorId,
+        part: &[LinkId],
+        joints: &[JointId],
+        offers: &Offers,
+    ) -> String {
+        let motor = self.joint(self.model.motor(motor).joint);
+        let links = self.moving(part);
+        let (form, them) = if links.len() == 1 {
+            ("is", "it")
+        } else {
+            ("form", "them")
+        };
+        let rigid = if part.contains(&LinkId::GROUND) {
+            "`ground`"
+        } else {
+            "each other"
+        };
+        format!(
+            "motor {motor} is blocked: {} {form} a part that cannot move (mobility 0)\nnote: {} {them} rigidly to {rigid}{}",
+            self.links(&links),
+            self.the_joints(joints, ["holds", "hold"]),
+            self.help_or_pairs(offers)
+        )
+    }
+
+    pub(super) fn too_many(&self, motor: MotorId, among: &[MotorId], offers: &Offers) -> String {
+        let joint = |id: MotorId| self.model.motor(id).joint;
+        let others: Vec<JointId> = among
+            .iter()
+            .filter(|&&id| id != motor)
+            .map(|&id| joint(id))
+            .collect();
+        format!(
+            "motor {} is one too many: what moves there is already given by {}{}",
+            self.joint(joint(motor)),
+            self.motors(&others),
+            self.help_or_pairs(offers)
+        )
+    }
+
+    pub(super) fn overdetermined(
+        &self,
+        joints: &[JointId],
+        matched: bool,
+        offers: &Offers,
+    ) -> String {
+        let one = self.joint_names(joints).len() == 1;
+        if matched {
+            return format!(
+                "{} too many: the mechanism moves all the same, but only because its lengths match exactly{}",
+                self.the_joints(joints, ["is one", "are"]),
+                self.help_or_pairs(offers)
+            );
+        }
+        let bolted = self.bolted(joints).unwrap_or_default();
+        let help = if bolted.is_empty() {
+            self.help_or_pairs(offers)
+        } else {
+            self.help(offers).replacen("help: ", "help: or ", 1)
+        };
+        let hold = self.the_joints(joints, ["holds", "hold"]);
+        let it = if one { "it fits" } else { "they fit" };
+        format!(
+            "{hold} the same parts more than once: {it} together only if all lengths match exactly{bolted}{help}"
+        )
+    }
+
+    pub(super) fn rigid(&self, offers: &Offers) -> String {
+        format!(
+            "nothing can move: the joints hold all links rigidly to `ground` (mobility 0){}",
+            self.help_or_pairs(offers)
+        )
+    }
+
+    /// If joints that hold each other are all between the same two links: that these should be one.
+    fn bolted(&self, joints: &[JointId]) -> Option<String> {
+        let pair = |joint: JointId| {
+            let (a, b) = self.model.ends(joint);
+            (a.min(b), a.max(b))
+        };
+        let (a, b) = pair(*joints.first()?);
+        let declared = [a, b]
+            .iter()
+            .all(|&link| self.model.link(link).die.is_none());
+        let same = joints.len() > 1 && joints.iter().all(|&joint| pair(joint) == (a, b));
+        (declared && same).then(|| {
+            format!(
+                "\nnote: they hold {} still on {}\nhelp: make one link of the two, or `weld` them",
+                self.link(b),
+                self.link(a)
+            )
+        })
+    }
+
+    /// There is more freedom than there are motors.
+    pub(super) fn undetermined(&self, freedom: usize, free: &[JointId], offers: &Offers) -> String {
+        let missing = if freedom == 1 {
+            "one motor is".to_owned()
+        } else {
+            format!("{freedom} motors are")
+        };
+        format!(
+            "{} free when all motors are held: {missing} missing{}",
+            self.the_joints(free, ["stays", "stay"]),
+            self.motor_help(offers)
+        )
+    }
+
+    pub(super) fn no_motor(&self, freedom: usize, offers: &Offers) -> String {
+        let needs = if freedom == 1 {
+            "one motor".to_owned()
+        } else {
+            format!("{freedom} motors")
+        };
+        format!(
+            "there is no motor: the mechanism needs {needs}{}",
+            self.motor_help(offers)
+        )
+    }
+
+    /// Where motors would do; if some would only under a condition, that the others would without.
+    fn motor_help(&self, offers: &Offers) -> String {
+        let help = self.help(offers);
+        let adds = |repair: &Repair| matches!(repair, Repair::AddMotors(_));
+        if offers.coupled.is_empty() || !offers.single.iter().any(adds) {
+            return help;
+        }
+        match help[1..].find('\n') {
+            Some(end) => format!("{}: solved loop by loop{}", &help[..=end], &help[end + 1..]),
+            None => help,
+        }
+    }
+}
