@@ -18,6 +18,8 @@ pub struct Grown {
     pub gears: usize,
     /// How many joints belong to no loop.
     pub arms: usize,
+    /// Slots that are still to be added.
+    slots: Vec<(AxisId, AxisId)>,
 }
 
 type Point = [f64; 2];
@@ -33,17 +35,26 @@ pub fn grow(dice: &mut Dice, additions: usize) -> Grown {
         loops: 0,
         gears: 0,
         arms: 0,
+        slots: Vec::new(),
     };
     grown.arm(dice, LinkId::GROUND);
     for _ in 0..additions {
-        match dice.below(8) {
+        match dice.below(12) {
             0 => {
                 let base = grown.any_link(dice);
                 grown.arm(dice, base);
             }
             1 => grown.gear(dice),
+            2 => grown.belt(dice),
+            3 => grown.weld(dice),
+            4 => grown.slotted(dice),
             _ => grown.dyad(dice),
         }
+    }
+    // Dies come after all links that are declared.
+    for (point, line) in std::mem::take(&mut grown.slots) {
+        let name = format!("j{}", grown.model.joints.len());
+        grown.model.add_slot(&name, Origin::default(), point, line);
     }
     grown.count_arms();
     grown
@@ -112,8 +123,62 @@ impl Grown {
         });
     }
 
-    /// A wheel driven by a link that turns on another.
+    /// A link that is one with another.
+    fn weld(&mut self, dice: &mut Dice) {
+        let base = self.any_link(dice);
+        let link = self.link();
+        let at = point(dice);
+        let a = self.axis(base, AxisKind::Point, at, [1.0, 0.0]);
+        let b = self.axis(link, AxisKind::Point, at, [1.0, 0.0]);
+        self.joint(JointKind::Weld(a, b));
+    }
+
+    /// A link that turns on one link and whose pin slides in a slot of another.
+    fn slotted(&mut self, dice: &mut Dice) {
+        let (first, second) = (self.any_link(dice), self.any_link(dice));
+        let (p, q, d) = (point(dice), point(dice), direction(dice));
+        if first == second || !well_placed("RPR", [p, q, q], [d, d]) {
+            return self.slotted(dice);
+        }
+        let link = self.link();
+        self.revolute(first, link, p);
+        let pin = self.axis(link, AxisKind::Point, q, [1.0, 0.0]);
+        let line = self.axis(second, AxisKind::Line, q, d);
+        self.slots.push((pin, line));
+        self.loops += 1;
+    }
+
+    /// A wheel that a belt drives.
+    fn belt(&mut self, dice: &mut Dice) {
+        self.rolling(dice, |dice, a, b| JointKind::Belt {
+            a,
+            b,
+            ratio: Ratio::Radii(dice.between(0.3, 2.0), 1.0),
+            on: None,
+        });
+    }
+
+    /// A wheel that a gear drives.
     fn gear(&mut self, dice: &mut Dice) {
+        self.rolling(dice, |dice, a, b| {
+            let teeth = [12, 17, 20, 31, 40, 60];
+            let (own, other) = (*dice.pick(&teeth), *dice.pick(&teeth));
+            let ratio = if dice.once_in(3) {
+                Ratio::Teeth(own, -other)
+            } else {
+                Ratio::Teeth(own, other)
+            };
+            JointKind::Gear {
+                a,
+                b,
+                ratio,
+                on: None,
+            }
+        });
+    }
+
+    /// A wheel driven by a link that turns on another.
+    fn rolling(&mut self, dice: &mut Dice, kind: impl Fn(&mut Dice, LinkId, LinkId) -> JointKind) {
         let turning = |joint: &Joint| match joint.kind {
             JointKind::Revolute(a, b) => Some((self.model.axis(a).link, self.model.axis(b).link)),
             _ => None,
@@ -134,24 +199,13 @@ impl Grown {
             (driven, carrier)
         };
         self.revolute(a, b, at);
-        let teeth = [12, 17, 20, 31, 40, 60];
-        let (own, other) = (*dice.pick(&teeth), *dice.pick(&teeth));
-        let ratio = if dice.once_in(3) {
-            Ratio::Teeth(own, -other)
-        } else {
-            Ratio::Teeth(own, other)
-        };
         let (a, b) = if dice.once_in(2) {
             (wheel, driven)
         } else {
             (driven, wheel)
         };
-        self.joint(JointKind::Gear {
-            a,
-            b,
-            ratio,
-            on: None,
-        });
+        let kind = kind(dice, a, b);
+        self.joint(kind);
         self.gears += 1;
     }
 
@@ -285,16 +339,27 @@ pub fn in_own_frames(model: &Model, dice: &mut Dice) -> (Model, Vec<[f64; 4]>) {
             [cos, sin, x, y]
         })
         .collect();
-    for axis in &mut own.axes {
+    let welded = |id: usize| {
+        let on = |joint: &Joint| matches!(joint.kind, JointKind::Weld(a, b) if a.index() == id || b.index() == id);
+        model.joints.iter().any(on)
+    };
+    let declared = |axis: &Axis| model.link(axis.link).die.is_none();
+    for (id, axis) in own
+        .axes
+        .iter_mut()
+        .enumerate()
+        .filter(|(_, axis)| declared(axis))
+    {
         let [cos, sin, x, y] = poses[axis.link.index()];
         let back = |[a, b]: Point| [cos * a + sin * b, cos * b - sin * a];
         axis.at = back([axis.at[0] - x, axis.at[1] - y]);
         axis.direction = match axis.kind {
             AxisKind::Line => back(axis.direction),
+            AxisKind::Point if welded(id) => back(axis.direction),
             AxisKind::Point => axis.direction,
         };
     }
-    for link in own.moving_links().collect::<Vec<_>>() {
+    for link in own.declared_links().collect::<Vec<_>>() {
         own.links[link.index()].drawn = false;
         own.start.near.push(Near {
             link,
@@ -320,7 +385,6 @@ pub fn in_own_frames(model: &Model, dice: &mut Dice) -> (Model, Vec<[f64; 4]>) {
 /// Whether this is the pivot of the younger wheel of a gear: the one that was grown with it.
 fn is_driven(model: &Model, joint: JointId) -> bool {
     let next = JointId::new(joint.index() + 1);
-    let is_gear = next.index() < model.joints.len()
-        && matches!(model.joint(next).kind, JointKind::Gear { .. });
+    let is_gear = next.index() < model.joints.len() && model.joint(next).kind.rolls();
     is_gear && model.motor_of(joint).is_none()
 }

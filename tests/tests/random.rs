@@ -1,6 +1,7 @@
 //! Random mechanisms whose truth is known by construction.
 
 use mech_compiler::evaluate::Machine;
+use mech_compiler::structure::Diagnosis;
 use mech_compiler::{compile, reporter};
 use mech_tests::{Dice, Grown, grow, in_own_frames, size, with_ground, worst_gap, worst_stretch};
 
@@ -77,13 +78,23 @@ fn it_starts_as_it_was_drawn() {
 
 #[test]
 fn in_own_frames_it_is_assembled_the_same_way() {
+    let mut others = 0;
     for seed in 0..cases() {
         let (mut dice, grown) = grown(seed);
         let (model, poses) = in_own_frames(&grown.model, &mut dice);
-        let compiled =
-            compile(&model).unwrap_or_else(|wrong| panic!("seed {seed}: {}", told(&wrong, &model)));
+        let compiled = match compile(&model) {
+            Ok(compiled) => compiled,
+            // Of several joints that one wheel could be said to move, only one is free to start anywhere: not always the one
+            // that was grown with it.
+            Err(wrong) if matches!(wrong[..], [Diagnosis::StartNotFree { .. }]) => {
+                others += 1;
+                continue;
+            }
+            Err(wrong) => panic!("seed {seed}: {}", told(&wrong, &model)),
+        };
         let start = with_ground(&model, &compiled.program.start.poses);
-        for (link, (is, should)) in start.iter().zip(&poses).enumerate() {
+        let declared = 1 + model.declared_links().count();
+        for (link, (is, should)) in start.iter().zip(&poses).enumerate().take(declared) {
             let off = is
                 .iter()
                 .zip(should)
@@ -95,6 +106,7 @@ fn in_own_frames_it_is_assembled_the_same_way() {
             );
         }
     }
+    assert!(1_000 * others <= cases(), "{others} of {}", cases());
 }
 
 #[test]

@@ -177,21 +177,24 @@ fn pairs(
     let Some(before) = excess(&[], all) else {
         return;
     };
-    // Only what takes away something of what is too much can be half of a cure.
-    let mut halves: Vec<(usize, &Repair, &[Diagnosis])> = tried
+    let mut by_freedom: Vec<(usize, &Repair, &[Diagnosis])> = tried
         .iter()
-        .filter(|(repair, found)| {
-            let after = excess(std::slice::from_ref(repair), found);
-            after.is_some_and(|after| after < before)
-        })
         .filter_map(|(repair, found)| Some((freedom(found)?, repair, &found[..])))
         .collect();
-    halves.sort_by_key(|(freedom, ..)| *freedom);
-    for (_, repair, found) in &halves {
+    by_freedom.sort_by_key(|(freedom, ..)| *freedom);
+    for (_, repair, found) in &by_freedom {
         for motors in motors_for(model, repair, found) {
             attempt(trials, offers, [(*repair).clone(), motors]);
         }
     }
+    // Only what takes away something of what is too much can be half of a cure by two changes to links and joints.
+    let halves: Vec<_> = by_freedom
+        .into_iter()
+        .filter(|(_, repair, found)| {
+            let after = excess(std::slice::from_ref(repair), found);
+            after.is_some_and(|after| after < before)
+        })
+        .collect();
     for (index, (_, second, _)) in halves.iter().enumerate() {
         for (_, first, _) in &halves[..index] {
             attempt(trials, offers, [(*first).clone(), (*second).clone()]);

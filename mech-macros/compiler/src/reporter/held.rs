@@ -54,19 +54,18 @@ impl Words<'_> {
         offers: &Offers,
     ) -> String {
         let one = self.joint_names(joints).len() == 1;
-        if matched {
-            return format!(
-                "{} too many: the mechanism moves all the same, but only because its lengths match exactly{}",
-                self.the_joints(joints, ["is one", "are"]),
-                self.help_or_pairs(offers)
-            );
-        }
         let bolted = self.bolted(joints).unwrap_or_default();
         let help = if bolted.is_empty() {
             self.help_or_pairs(offers)
         } else {
             self.help(offers).replacen("help: ", "help: or ", 1)
         };
+        if matched {
+            return format!(
+                "{} too many: the mechanism moves all the same, but only because its lengths match exactly{bolted}{help}",
+                self.the_joints(joints, ["is one", "are"]),
+            );
+        }
         let hold = self.the_joints(joints, ["holds", "hold"]);
         let it = if one { "it fits" } else { "they fit" };
         format!(
@@ -94,7 +93,7 @@ impl Words<'_> {
         let same = joints.len() > 1 && joints.iter().all(|&joint| pair(joint) == (a, b));
         (declared && same).then(|| {
             format!(
-                "\nnote: they hold {} still on {}\nhelp: make one link of the two, or `weld` them",
+                "\nnote: they hold {} still on {}\nhelp: make one link of the two, or join them by one `weld`",
                 self.link(b),
                 self.link(a)
             )
@@ -135,7 +134,11 @@ impl Words<'_> {
             return help;
         }
         match help[1..].find('\n') {
-            Some(end) => format!("{}: solved loop by loop{}", &help[..=end], &help[end + 1..]),
+            Some(end) => format!(
+                "{}: then all is solved loop by loop{}",
+                &help[..=end],
+                &help[end + 1..]
+            ),
             None => help,
         }
     }

@@ -95,15 +95,11 @@ impl Words<'_> {
         };
         for repair in repairs {
             match repair {
-                Repair::AllowRedundant => push(
-                    "add ",
-                    &["`allow redundant;`".to_owned()],
-                    ": it moves, but only because its lengths match exactly",
-                ),
+                Repair::AllowRedundant => push("add ", &["`allow redundant;`".to_owned()], ""),
                 Repair::AllowCoupled => push(
                     "add ",
                     &["`allow coupled;`".to_owned()],
-                    ": these loops are then solved together",
+                    " to solve these loops together",
                 ),
                 _ => {}
             }
@@ -124,10 +120,6 @@ impl Words<'_> {
         }
         let removed = self.those(repairs, |repair| match repair {
             Repair::RemoveMotor(motor) => Some(self.motor_line(*motor)),
-            _ => None,
-        });
-        push("remove ", &removed, "");
-        let removed = self.those(repairs, |repair| match repair {
             Repair::RemoveLink(link) => Some(format!("`link {}`", self.model.link(*link).name)),
             Repair::RemoveJoint(joint) => {
                 Some(format!("`joint {}`", self.model.joint(*joint).name))
