@@ -209,6 +209,12 @@ pub fn atan2<T: Scalar>(y: T, x: T) -> T {
     y.libm_atan2(x)
 }
 
+/// The square root.
+#[inline]
+pub fn sqrt<T: Scalar>(value: T) -> T {
+    nalgebra::ComplexField::sqrt(value)
+}
+
 /// The nearest whole number, halves away from zero.
 #[inline]
 pub fn round<T: Scalar>(value: T) -> T {

@@ -73,7 +73,7 @@ pub(crate) fn items(
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
             use #krate::generated::{
                 #advance, Blocked, Canvas, Isometry2, Mechanism, Outline, Point2, Pose, Position, Shape, angle,
-                atan2, closed, cos, paint, round, sin, sin_cos, slide, solve,
+                atan2, closed, cos, paint, round, sin, sin_cos, slide, solve, sqrt,
             };
 
             #shapes

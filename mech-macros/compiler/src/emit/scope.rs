@@ -46,8 +46,8 @@ enum Binding {
 }
 
 /// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 9] = [
-    "last", "rounds", "atan2", "closed", "cos", "round", "sin", "sin_cos", "solve",
+const OUTER: [&str; 10] = [
+    "last", "rounds", "atan2", "closed", "cos", "round", "sin", "sin_cos", "solve", "sqrt",
 ];
 
 /// The names and uses of values in one function.
@@ -158,6 +158,7 @@ impl<'p> Scope<'p> {
             Op::Div(a, b) => self.infix(a, &quote!(/), b, Binding::Product),
             Op::Sin(a) => self.call(&quote!(sin), &[a]),
             Op::Cos(a) => self.call(&quote!(cos), &[a]),
+            Op::Sqrt(a) => self.call(&quote!(sqrt), &[a]),
             Op::Atan2(a, b) => self.call(&quote!(atan2), &[a, b]),
             Op::Round(a) => self.call(&quote!(round), &[a]),
             // These are always bound: they are parameters or variables.

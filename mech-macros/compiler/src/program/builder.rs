@@ -102,6 +102,13 @@ impl Builder {
         }
     }
 
+    pub(super) fn sqrt(&mut self, a: Value) -> Value {
+        match self.number(a) {
+            Some(a) if a >= 0.0 => self.constant(a.sqrt()),
+            _ => self.make(Op::Sqrt(a)),
+        }
+    }
+
     pub(super) fn abs(&mut self, a: Value) -> Value {
         match (self.number(a), self.negated(a)) {
             (Some(a), _) => self.constant(a.abs()),

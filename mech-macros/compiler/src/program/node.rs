@@ -94,6 +94,8 @@ pub enum Op {
     Neg(Value),
     /// The absolute value.
     Abs(Value),
+    /// The square root.
+    Sqrt(Value),
     /// a + b.
     Add(Value, Value),
     /// a − b.
@@ -122,9 +124,12 @@ impl Op {
             | Self::Unknown(..)
             | Self::Solved(..)
             | Self::Dense(..) => [None, None],
-            Self::Neg(a) | Self::Abs(a) | Self::Sin(a) | Self::Cos(a) | Self::Round(a) => {
-                [Some(a), None]
-            }
+            Self::Neg(a)
+            | Self::Abs(a)
+            | Self::Sqrt(a)
+            | Self::Sin(a)
+            | Self::Cos(a)
+            | Self::Round(a) => [Some(a), None],
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)

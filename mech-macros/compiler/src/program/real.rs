@@ -24,6 +24,9 @@ pub trait Real:
     /// The absolute value.
     #[must_use]
     fn abs(self) -> Self;
+    /// The square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
     /// The angle of the vector (`x`, `self`).
@@ -55,6 +58,10 @@ macro_rules! real {
 
             fn abs(self) -> Self {
                 <$float>::abs(self)
+            }
+
+            fn sqrt(self) -> Self {
+                <$float>::sqrt(self)
             }
 
             // The generated code calls the same library, so that both give the same bits.
@@ -94,6 +101,7 @@ impl Op {
             }
             Self::Neg(a) => -get(a),
             Self::Abs(a) => get(a).abs(),
+            Self::Sqrt(a) => get(a).sqrt(),
             Self::Add(a, b) => get(a) + get(b),
             Self::Sub(a, b) => get(a) - get(b),
             Self::Mul(a, b) => get(a) * get(b),

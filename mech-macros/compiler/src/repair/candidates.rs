@@ -91,7 +91,8 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
     }
 }
 
-/// Every change to one link or joint of a part, of each kind in turn.
+/// Every change to one link or joint of a part, of each kind in turn. What was declared last is tried first: it may be what
+/// broke the mechanism.
 fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
     let declared = |link: &LinkId| *link != LinkId::GROUND && model.link(*link).die.is_none();
     let shown = |joint: &JointId| !model.joint(*joint).hidden;
@@ -122,7 +123,7 @@ fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
         .flat_map(|index| {
             kinds
                 .iter()
-                .filter_map(move |kind| kind.get(index).cloned())
+                .filter_map(move |kind| kind.iter().rev().nth(index).cloned())
         })
         .collect()
 }

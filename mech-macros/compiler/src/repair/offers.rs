@@ -95,6 +95,13 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
             .elsewhere
             .truncate(usize::from(offers.single.is_empty()));
     }
+    for list in [
+        &mut offers.single,
+        &mut offers.elsewhere,
+        &mut offers.partial,
+    ] {
+        list.sort_by_key(declared);
+    }
     // The same in another direction.
     let single = &offers.single;
     offers
@@ -123,6 +130,17 @@ impl Offers {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         !self.is_enough() && self.partial.is_empty() && self.pairs.is_empty()
+    }
+}
+
+/// In which order changes are told: those of links and joints as declared, others as they were tried.
+fn declared(repair: &Repair) -> (usize, usize) {
+    match repair {
+        Repair::RemoveLink(link) => (1, link.index()),
+        Repair::RemoveJoint(joint) => (2, joint.index()),
+        Repair::MakeSlot { joint, .. } => (3, joint.index()),
+        Repair::Unweld(joint) => (4, joint.index()),
+        _ => (0, 0),
     }
 }
 
@@ -203,9 +221,10 @@ fn pairs(
 }
 
 fn attempt(trials: &mut Trials<'_>, offers: &mut Offers, pair: [Repair; 2]) {
-    let is_known = |known: &[Repair; 2]| {
-        let same = |a: &Repair, b: &Repair| a == b || same_place(a, b);
-        same(&known[0], &pair[0]) && same(&known[1], &pair[1])
+    let same = |a: &Repair, b: &Repair| a == b || same_place(a, b);
+    let is_known = |[a, b]: &[Repair; 2]| {
+        let [first, second] = &pair;
+        (same(a, first) && same(b, second)) || (same(a, second) && same(b, first))
     };
     let done = offers.pairs.len() >= PAIRS || offers.pairs.iter().any(is_known);
     if !done && trials.of(&pair) == Trial::Closes {

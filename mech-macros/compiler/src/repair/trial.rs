@@ -27,27 +27,31 @@ pub(super) struct Trials<'m> {
     left: usize,
     /// The work of analysing a mechanism of this size.
     light: usize,
-    /// The work of compiling one.
+    /// The work of compiling it, once it is analysed.
     heavy: usize,
     known: Vec<(Vec<Repair>, Trial)>,
     /// Whether something was left untried.
     pub(super) exhausted: bool,
 }
 
-/// All the work that may be done for the messages about one mechanism.
-const WORK: usize = 60_000;
-/// No more changes than this are tried for one mechanism, however small it is.
-const MOST: usize = 300;
+/// All the work that may be done for the messages about one mechanism. A unit is what it takes to analyse a link or a joint:
+/// about half a microsecond.
+const WORK: usize = 1_000_000;
+/// Every trial is counted at least so much: more than some hundred are not for a mechanism of a few links.
+const LEAST: usize = 1_000;
+/// The work of compiling a link or a joint.
+const COMPILING: usize = 20;
+/// The work of assembling loops that are solved together.
+const COUPLED: usize = 80_000;
 
 impl<'m> Trials<'m> {
     pub(super) fn new(model: &'m Model) -> Self {
         let size = model.joints.len() + model.links.len();
-        let light = (size / 2).max(WORK / MOST);
         Self {
             model,
             left: WORK,
-            light,
-            heavy: light + 4 * size,
+            light: size.max(LEAST),
+            heavy: size * COMPILING,
             known: Vec::new(),
             exhausted: false,
         }
@@ -58,7 +62,7 @@ impl<'m> Trials<'m> {
         if let Some((_, trial)) = self.known.iter().find(|(known, _)| known == repairs) {
             return trial.clone();
         }
-        if self.left < self.heavy {
+        if self.left == 0 {
             self.exhausted = true;
             return Trial::Untried;
         }
@@ -67,17 +71,20 @@ impl<'m> Trials<'m> {
         trial
     }
 
+    fn spend(&mut self, work: usize) {
+        self.left = self.left.saturating_sub(work);
+    }
+
     fn run(&mut self, model: &Model) -> Trial {
-        self.left -= self.light;
+        self.spend(self.light);
         // What is not allowed to be redundant must pass the analysis: that is soon known.
         if !model.allow.redundant
             && let Err(diagnoses) = structure::analyse(model)
         {
             return Trial::Fails(diagnoses);
         }
-        // Loops that are solved together take long to be assembled.
-        let times = if model.allow.coupled { 8 } else { 1 };
-        self.left = self.left.saturating_sub(times * (self.heavy - self.light));
+        let coupled = if model.allow.coupled { COUPLED } else { 0 };
+        self.spend(self.heavy + coupled);
         outcome(crate::compile(model).map(|_| ()))
     }
 }

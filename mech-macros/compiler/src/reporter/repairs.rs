@@ -60,17 +60,27 @@ impl Words<'_> {
                 }
             };
         }
-        let together = |pair: &[Repair; 2]| self.phrases(pair).join(" and ");
-        let first: String = offers
+        let lines: String = offers
             .pairs
             .iter()
             .take(SHOWN)
-            .map(|pair| format!("\nhelp: {}", together(pair)))
-            .collect::<String>()
-            .replacen("help: ", "help: together: ", 1)
-            .replace("\nhelp: ", "\nhelp: or ")
-            .replacen("help: or together", "help: together", 1);
-        format!("\nnote: no single change mends it{first}")
+            .enumerate()
+            .map(|(index, pair)| {
+                let word = if index == 0 { "together:" } else { "or" };
+                format!("\nhelp: {word} {}", self.together(pair))
+            })
+            .collect();
+        format!("\nnote: no single change mends it{lines}")
+    }
+
+    /// Two changes, the second after the first.
+    fn together(&self, [first, second]: &[Repair; 2]) -> String {
+        let phrase = |repair: &Repair| self.phrases(std::slice::from_ref(repair)).concat();
+        let (first, second) = (phrase(first), phrase(second));
+        match second.strip_prefix("remove ") {
+            Some(other) if first.starts_with("remove ") => format!("{first} and {other}"),
+            _ => format!("{first} and {second}"),
+        }
     }
 
     fn with_other_start(&self, repairs: &[Repair]) -> &'static str {

@@ -1,7 +1,13 @@
 //! Lists and numbers, as a reader wants them.
 
-/// An enumeration.
+/// An enumeration. Of very many, the last are only counted.
 pub(super) fn and(names: &[String]) -> String {
+    const MOST: usize = 40;
+    const SHOWN: usize = 30;
+    if names.len() > MOST {
+        let others = names.len() - SHOWN;
+        return format!("{} and {others} others", names[..SHOWN].join(", "));
+    }
     names.join(", ")
 }
 

@@ -8,7 +8,19 @@ use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
 
 /// An unknown: what it is called, and where the iteration starts.
-type First = (String, Solution<Value>);
+pub(super) type First = (String, Solution<Value>);
+
+/// The equations of a round.
+pub(super) struct System {
+    /// What is missing.
+    pub(super) gap: Vec<Value>,
+    /// For each unknown, the rates of the gap with it.
+    pub(super) columns: Vec<Vec<Value>>,
+    /// The vectors that the way round is made of.
+    pub(super) sides: Vec<[Value; 2]>,
+    /// How far it has grown, where something slides.
+    pub(super) extent: Option<Value>,
+}
 
 impl Writer<'_> {
     pub(super) fn close(&mut self, closing: &Loop) {
@@ -40,10 +52,19 @@ impl Writer<'_> {
             .iter()
             .map(|unknown| self.first(*unknown, first))
             .collect();
+        let triad = self.triad(closing);
         self.builder.enter();
-        let (mut newton, solution) = self.iterate(block, &equation, firsts, place);
-        self.builder.leave();
+        let (mut newton, solution) = match &triad {
+            Some(triad) => self.contract(block, triad, first),
+            None => self.iterate(block, &equation, firsts),
+        };
+        newton.place = place;
         newton.sides.extend(self.spots(closing));
+        self.builder.leave();
+        let solution = match &triad {
+            Some(triad) => self.expand(triad, &equation, &solution),
+            None => solution,
+        };
         if let Some(block) = self.builder.blocks.last_mut() {
             block.kind = BlockKind::Newton(newton);
         }
@@ -88,7 +109,7 @@ impl Writer<'_> {
     }
 
     /// The pose that the last position left behind. A die was where the pin and the guide of its slot were.
-    fn last_pose(&mut self, link: LinkId) -> Pose<Value> {
+    pub(super) fn last_pose(&mut self, link: LinkId) -> Pose<Value> {
         if let Some((pin, guide)) = self.model.link(link).die {
             let (pin, guide) = (self.model.axis(pin), self.model.axis(guide));
             let origin = self.last_pose(pin.link).carry(&mut self.builder, pin.at);
@@ -142,7 +163,7 @@ impl Writer<'_> {
     }
 
     /// One step towards length one, so that rounding never adds up.
-    fn normalised(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
+    pub(super) fn normalised(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
         let square = self.builder.dot(v, v);
         let (half, three) = (self.builder.constant(0.5), self.builder.constant(1.5));
         let half = self.builder.mul(half, square);
@@ -157,31 +178,61 @@ impl Writer<'_> {
         block: BlockId,
         equation: &Equation<Value>,
         firsts: Vec<First>,
-        place: String,
     ) -> (Newton, Vec<Solution<Value>>) {
-        let mut scalars = Vec::new();
         let names: Vec<String> = firsts.iter().map(|(name, _)| name.clone()).collect();
-        let now: Vec<Solution<Value>> = firsts
-            .into_iter()
-            .map(|(name, first)| self.unknown(block, &name, first, &mut scalars))
-            .collect();
+        let (scalars, now) = self.unknowns(block, firsts);
         let measure = equation.measure(&mut self.builder, &now);
         self.name_measure(&measure, &names);
-        let gap: Vec<Value> = measure.rings.iter().flat_map(|walk| walk.gap).collect();
+        let walks = || measure.rings.iter();
         let rates = |unknown: usize| {
-            measure
-                .rings
-                .iter()
+            walks()
                 .flat_map(move |walk| walk.columns[unknown])
                 .collect()
         };
-        let columns: Vec<Vec<Value>> = (0..now.len()).map(rates).collect();
-        let extent = self.extent(equation, &now);
-        let dense = now.len() > 2;
+        let system = System {
+            gap: walks().flat_map(|walk| walk.gap).collect(),
+            columns: (0..now.len()).map(rates).collect(),
+            sides: walks()
+                .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
+                .collect(),
+            extent: self.extent(equation, &now),
+        };
+        self.advance(block, &names, scalars, &now, system)
+    }
+
+    /// The scalars of an iteration, and its unknowns in a round.
+    pub(super) fn unknowns(
+        &mut self,
+        block: BlockId,
+        firsts: Vec<First>,
+    ) -> (Vec<Scalar>, Vec<Solution<Value>>) {
+        let mut scalars = Vec::new();
+        let now = firsts
+            .into_iter()
+            .map(|(name, first)| self.unknown(block, &name, first, &mut scalars))
+            .collect();
+        (scalars, now)
+    }
+
+    /// From a round to the next.
+    pub(super) fn advance(
+        &mut self,
+        block: BlockId,
+        names: &[String],
+        scalars: Vec<Scalar>,
+        now: &[Solution<Value>],
+        system: System,
+    ) -> (Newton, Vec<Solution<Value>>) {
+        let System {
+            gap,
+            columns,
+            sides,
+            extent,
+        } = system;
         let (steps, det) = self.steps(block, &columns, &gap);
         let det = self.builder.name(det, "det");
         let mut next = Vec::new();
-        for ((now, step), name) in now.iter().zip(steps).zip(&names) {
+        for ((now, step), name) in now.iter().zip(steps).zip(names) {
             match *now {
                 Solution::Direction(direction) => {
                     next.extend(self.turned_by(direction, step, name))
@@ -194,30 +245,23 @@ impl Writer<'_> {
             .zip(next)
             .map(|(scalar, next)| Scalar { next, ..scalar })
             .collect();
-        let solution = self.solved(block, &now, &scalars);
+        let solution = self.solved(block, now, &scalars);
         let rounds = match self.model.method {
             Method::Newton => Rounds::UntilClosed(MOST_ROUNDS),
             Method::NewtonSteps(rounds) => Rounds::Exactly(rounds),
         };
-        let sides = measure
-            .rings
-            .iter()
-            .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
-            .collect();
-        let number = self.loops - 1;
-        let limits = Limits::default();
         let newton = Newton {
-            number,
-            place,
+            number: self.loops - 1,
+            place: String::new(),
+            dense: columns.len() > 3,
             scalars,
             gap,
             det,
             columns,
-            dense,
             sides,
             extent,
             rounds,
-            limits,
+            limits: Limits::default(),
         };
         (newton, solution)
     }
@@ -250,6 +294,7 @@ impl Writer<'_> {
                     det,
                 )
             }
+            ([a, b, c], [_, _, _]) => self.cramer([a, b, c], gap),
             // More equations than unknowns, where joints are redundant: as good as possible.
             ([a], &[x, y]) => {
                 let a = [a[0], a[1]];
@@ -269,6 +314,32 @@ impl Writer<'_> {
                 (steps.collect(), dense(&mut self.builder, columns.len()))
             }
         }
+    }
+
+    /// Three steps and the determinant, by Cramer's rule.
+    fn cramer(&mut self, [a, b, c]: [&Vec<Value>; 3], gap: &[Value]) -> (Vec<Value>, Value) {
+        let [a, b, c, gap] = [a, b, c, gap].map(|column| [column[0], column[1], column[2]]);
+        let det = self.triple(a, b, c);
+        let parts = [
+            self.triple(gap, b, c),
+            self.triple(a, gap, c),
+            self.triple(a, b, gap),
+        ];
+        let steps = parts.map(|part| {
+            let part = self.builder.neg(part);
+            self.builder.div(part, det)
+        });
+        (steps.to_vec(), det)
+    }
+
+    /// The determinant of three columns.
+    fn triple(&mut self, a: [Value; 3], b: [Value; 3], c: [Value; 3]) -> Value {
+        let builder = &mut self.builder;
+        let minors =
+            [(1, 2), (2, 0), (0, 1)].map(|(i, j)| builder.cross([b[i], b[j]], [c[i], c[j]]));
+        let [x, y, z] = [0, 1, 2].map(|row| builder.mul(a[row], minors[row]));
+        let sum = builder.add(x, y);
+        builder.add(sum, z)
     }
 
     fn unknown(

@@ -1,0 +1,179 @@
+//! Three links on three binary legs: contracted to three equations in the pose of the middle link.
+//!
+//! Each leg says how far its pin on the middle link is from its pin on what is known; its own direction follows.
+
+use super::Writer;
+use super::closing::System;
+use crate::model::{AxisId, LinkId};
+use crate::plan::{Algebra, Connection, ConnectionKind, Equation, Loop, Solution, Unknown};
+use crate::program::newton::Newton;
+use crate::program::node::{BlockId, Value};
+
+/// A middle link and its legs, by the bases of their clusters.
+pub(super) struct Triad {
+    middle: LinkId,
+    legs: [Leg; 3],
+}
+
+/// A binary leg.
+#[derive(Clone, Copy)]
+struct Leg {
+    base: LinkId,
+    /// From what is known to the leg.
+    foot: Connection,
+    /// From the leg to the middle link.
+    head: Connection,
+}
+
+impl Writer<'_> {
+    /// The triad that a loop is, if it is one.
+    pub(super) fn triad(&self, closing: &Loop) -> Option<Triad> {
+        let base = |axis: AxisId| self.placement.base(axis);
+        let first = base(closing.tree.first()?.from);
+        let mut connections: Vec<Connection> = Vec::new();
+        for connection in closing.rings.iter().flatten() {
+            let ends = |other: &Connection| [base(other.from), base(other.to)];
+            let same = |other: &Connection| {
+                ends(other) == ends(connection) || ends(&other.reversed()) == ends(connection)
+            };
+            if !connections.iter().any(same) {
+                connections.push(*connection);
+            }
+        }
+        let turns = connections
+            .iter()
+            .all(|connection| connection.kind == ConnectionKind::Revolute);
+        if !turns || connections.len() != 6 || closing.tree.len() != 4 {
+            return None;
+        }
+        let from = |start: LinkId, end: LinkId| {
+            let both = connections
+                .iter()
+                .flat_map(|connection| [*connection, connection.reversed()]);
+            both.into_iter()
+                .find(|connection| base(connection.from) == start && base(connection.to) == end)
+        };
+        let others = || closing.tree.iter().map(|connection| base(connection.to));
+        let middle = others().find(|&middle| from(first, middle).is_none())?;
+        let leg = |leg: LinkId| {
+            Some(Leg {
+                base: leg,
+                foot: from(first, leg)?,
+                head: from(leg, middle)?,
+            })
+        };
+        let legs: Vec<Leg> = others()
+            .filter(|&other| other != middle)
+            .map(leg)
+            .collect::<Option<_>>()?;
+        Some(Triad {
+            middle,
+            legs: legs.try_into().ok()?,
+        })
+    }
+
+    /// The iteration on the pose of the middle link: a direction and the place of its origin.
+    pub(super) fn contract(
+        &mut self,
+        block: BlockId,
+        triad: &Triad,
+        first: LinkId,
+    ) -> (Newton, Vec<Solution<Value>>) {
+        let name = self.name_of(triad.middle).to_owned();
+        let names = [name.clone(), format!("{name}_x"), format!("{name}_y")];
+        let frame = self.last_pose(first).inverse(&mut self.builder);
+        let last = self.last_pose(triad.middle);
+        let last = frame.then(&mut self.builder, last);
+        let direction = self.normalised(last.direction, &name);
+        let [x, y] = last.origin;
+        let firsts = [
+            Solution::Direction(direction),
+            Solution::Slide(x),
+            Solution::Slide(y),
+        ];
+        let (scalars, now) = self.unknowns(block, names.iter().cloned().zip(firsts).collect());
+        let mut system = System {
+            gap: Vec::new(),
+            columns: vec![Vec::new(); 3],
+            sides: Vec::new(),
+            extent: None,
+        };
+        for leg in triad.legs {
+            self.leg_equation(leg, &now, &mut system);
+        }
+        self.advance(block, &names, scalars, &now, system)
+    }
+
+    /// The leg's length is what it is: (|d|² − L²) / 2L = 0, with d from its foot to its head.
+    fn leg_equation(&mut self, leg: Leg, now: &[Solution<Value>], system: &mut System) {
+        let name = self.name_of(leg.base).to_owned();
+        let (reach, arm) = self.reach(leg, now);
+        let reach = self.builder.name_vector(reach, &format!("{name}_reach"));
+        let span = self
+            .placement
+            .span(&mut self.builder, leg.foot.to, leg.head.from);
+        let builder = &mut self.builder;
+        let (square, wanted) = (builder.dot(reach, reach), builder.dot(span, span));
+        let difference = builder.sub(square, wanted);
+        // Divided by twice the length so that the gap is a length; the length itself would take a root.
+        let (half, one) = (builder.constant(0.5), builder.constant(1.0));
+        let length = builder.sqrt(wanted);
+        let inverse = builder.div(one, length);
+        let scale = builder.mul(half, inverse);
+        let gap = builder.mul(scale, difference);
+        system.gap.push(builder.name(gap, format!("{name}_gap")));
+        let along = builder.scaled(inverse, reach);
+        let turn = builder.cross(arm, along);
+        for (column, rate) in system.columns.iter_mut().zip([turn, along[0], along[1]]) {
+            column.push(rate);
+        }
+        system.sides.extend([reach, arm]);
+    }
+
+    /// The way from a leg's foot to its head, and the arm of the middle link to the head.
+    fn reach(&mut self, leg: Leg, now: &[Solution<Value>]) -> ([Value; 2], [Value; 2]) {
+        let foot = self.placement.spot(&mut self.builder, leg.foot.from);
+        let head = self.placement.spot(&mut self.builder, leg.head.to);
+        let (arm, origin) = match *now {
+            [
+                Solution::Direction(direction),
+                Solution::Slide(x),
+                Solution::Slide(y),
+            ] => (self.builder.turned(direction, head), [x, y]),
+            _ => (head, foot),
+        };
+        let head = self.builder.plus(origin, arm);
+        (self.builder.minus(head, foot), arm)
+    }
+
+    /// The directions of all clusters, from the pose of the middle link.
+    pub(super) fn expand(
+        &mut self,
+        triad: &Triad,
+        equation: &Equation<Value>,
+        solution: &[Solution<Value>],
+    ) -> Vec<Solution<Value>> {
+        let directions = equation.unknowns.iter().map(|unknown| {
+            let Unknown::Direction(base) = *unknown else {
+                return solution[0];
+            };
+            let Some(leg) = triad.legs.into_iter().find(|leg| leg.base == base) else {
+                return solution[0];
+            };
+            let (reach, _) = self.reach(leg, solution);
+            let span = self
+                .placement
+                .span(&mut self.builder, leg.foot.to, leg.head.from);
+            let square = self.builder.dot(span, span);
+            let one = self.builder.constant(1.0);
+            let inverse = self.builder.div(one, square);
+            let back = self.builder.conjugate(span);
+            let turned = self.builder.turned(reach, back);
+            let direction = self.builder.scaled(inverse, turned);
+            let name = self.name_of(base).to_owned();
+            let direction = self.normalised(direction, &name);
+            Solution::Direction(self.builder.name_direction(direction, &name))
+        });
+        directions.collect()
+    }
+}

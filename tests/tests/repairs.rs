@@ -1,0 +1,261 @@
+//! Mechanisms that were broken by one known change: they are rejected for the right reason, and whatever is offered to mend
+//! them does.
+
+use mech_compiler::compile;
+use mech_compiler::model::{
+    Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, MotorId, Origin,
+};
+use mech_compiler::repair::{Offers, Repair, apply_all, offers};
+use mech_compiler::reporter;
+use mech_compiler::structure::Diagnosis;
+use mech_tests::{Dice, grow};
+
+/// How many mechanisms a test tries.
+fn cases() -> u64 {
+    std::env::var("MECH_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(500)
+}
+
+fn coherent(seed: u64) -> (Dice, Model) {
+    let mut dice = Dice::new(seed);
+    let additions = 1 + dice.below(6);
+    let model = grow(&mut dice, additions).model;
+    (dice, model)
+}
+
+fn rejected(model: &Model, what: &str) -> Vec<Diagnosis> {
+    match compile(model) {
+        Ok(_) => panic!("{what}: accepted"),
+        Err(diagnoses) => {
+            assert!(!diagnoses.is_empty(), "{what}: no reason");
+            diagnoses
+        }
+    }
+}
+
+/// What happens to a mechanism with these changes, in one word.
+enum Outcome {
+    Accepted,
+    OpenAtStart,
+    Other(Vec<Diagnosis>),
+}
+
+fn outcome(repairs: &[Repair], model: &Model, what: &str) -> Outcome {
+    let Some(mended) = apply_all(repairs, model) else {
+        panic!("{what}: {repairs:?} cannot be made")
+    };
+    let Err(wrong) = compile(&mended) else {
+        return Outcome::Accepted;
+    };
+    match wrong[..] {
+        [Diagnosis::SeveralAssemblies { .. }] => Outcome::Accepted,
+        [Diagnosis::CannotClose { .. } | Diagnosis::DeadStart { .. }] => Outcome::OpenAtStart,
+        _ => Outcome::Other(wrong),
+    }
+}
+
+/// Every repair that is offered does what it is offered for.
+fn assert_mended(model: &Model, diagnoses: &[Diagnosis], what: &str) -> Vec<Offers> {
+    let found = offers(model, diagnoses);
+    assert_eq!(found.len(), diagnoses.len(), "{what}: an offer each");
+    for offers in &found {
+        for repair in &offers.single {
+            let mended = outcome(std::slice::from_ref(repair), model, what);
+            assert!(matches!(mended, Outcome::Accepted), "{what}: {repair:?}");
+        }
+        for pair in &offers.pairs {
+            let mended = outcome(pair, model, what);
+            assert!(matches!(mended, Outcome::Accepted), "{what}: {pair:?}");
+        }
+        for repair in &offers.elsewhere {
+            let mended = outcome(std::slice::from_ref(repair), model, what);
+            assert!(matches!(mended, Outcome::OpenAtStart), "{what}: {repair:?}");
+        }
+        for repair in &offers.coupled {
+            let repairs = [repair.clone(), Repair::AllowCoupled];
+            let mended = outcome(&repairs, model, what);
+            assert!(!matches!(mended, Outcome::Other(_)), "{what}: {repair:?}");
+        }
+        for repair in &offers.partial {
+            match outcome(std::slice::from_ref(repair), model, what) {
+                Outcome::Other(rest) => assert!(rest.len() < diagnoses.len(), "{what}: {repair:?}"),
+                _ => panic!("{what}: {repair:?} is enough"),
+            }
+        }
+    }
+    for diagnosis in diagnoses {
+        let text = reporter::text(diagnosis, model);
+        let lines = text.lines().count();
+        assert!(lines <= 10, "{what}: {text}");
+    }
+    found
+}
+
+fn is_held(diagnosis: &Diagnosis) -> bool {
+    matches!(
+        diagnosis,
+        Diagnosis::Blocked { .. }
+            | Diagnosis::TooManyMotors { .. }
+            | Diagnosis::Overdetermined { .. }
+    )
+}
+
+/// Ties two links together by another, where they are.
+fn brace(model: &mut Model, dice: &mut Dice, [a, b]: [LinkId; 2]) -> LinkId {
+    let link = LinkId::new(model.links.len());
+    let mut brace = Link::new("brace", Origin::default());
+    brace.drawn = true;
+    model.links.push(brace);
+    for (end, name) in [(a, "foot"), (b, "head")] {
+        let at = [dice.between(-5.0, 5.0), dice.between(-5.0, 5.0)];
+        let [from, to] = [end, link].map(|link| {
+            model.axes.push(Axis {
+                link,
+                name: None,
+                origin: Origin::default(),
+                kind: AxisKind::Point,
+                at,
+                direction: [1.0, 0.0],
+            });
+            AxisId::new(model.axes.len() - 1)
+        });
+        model.joints.push(Joint {
+            name: name.to_owned(),
+            origin: Origin::default(),
+            kind: JointKind::Revolute(from, to),
+            hidden: false,
+        });
+    }
+    link
+}
+
+#[test]
+fn a_brace_too_many_is_found_and_can_be_removed() {
+    for seed in 0..cases() {
+        let (mut dice, mut model) = coherent(seed);
+        let links = model.links.len();
+        let first = dice.below(links);
+        let second = (first + 1 + dice.below(links - 1)) % links;
+        let link = brace(&mut model, &mut dice, [first, second].map(LinkId::new));
+        let what = format!("seed {seed}");
+        let wrong = rejected(&model, &what);
+        assert!(wrong.iter().all(is_held), "{what}: {wrong:?}");
+        let found = assert_mended(&model, &wrong, &what);
+        let removed = Repair::RemoveLink(link);
+        let told = found.iter().any(|offers| offers.single.contains(&removed));
+        assert!(told, "{what}: remove the brace: {wrong:?} {found:?}");
+    }
+}
+
+#[test]
+fn a_missing_motor_is_found_and_can_be_put_back() {
+    for seed in 0..cases() {
+        let (mut dice, whole) = coherent(seed);
+        let motor = MotorId::new(dice.below(whole.motors.len()));
+        let joint = whole.motor(motor).joint;
+        let model = whole.without_motor(motor);
+        let what = format!("seed {seed}");
+        let wrong = rejected(&model, &what);
+        match &wrong[..] {
+            [Diagnosis::NoMotor { freedom: 1, .. }] => {
+                assert!(model.motors.is_empty(), "{what}");
+            }
+            [Diagnosis::Undetermined { freedom: 1, .. }] => {
+                assert!(!model.motors.is_empty(), "{what}");
+            }
+            _ => panic!("{what}: {wrong:?}"),
+        }
+        let found = assert_mended(&model, &wrong, &what);
+        let added = Repair::AddMotors(vec![joint]);
+        assert!(found[0].single.contains(&added), "{what}: {found:?}");
+    }
+}
+
+#[test]
+fn a_motor_too_many_is_found_and_can_be_removed() {
+    for seed in 0..cases() {
+        let (mut dice, whole) = coherent(seed);
+        let free: Vec<JointId> = whole
+            .joint_ids()
+            .filter(|&id| !whole.joint(id).kind.rolls() && whole.motor_of(id).is_none())
+            .collect();
+        if free.is_empty() {
+            continue;
+        }
+        let mut model = whole.clone();
+        let motor = MotorId::new(model.motors.len());
+        model.motors.push(Motor {
+            joint: *dice.pick(&free),
+            origin: Origin::default(),
+        });
+        let what = format!("seed {seed}");
+        let wrong = rejected(&model, &what);
+        let right = |diagnosis: &Diagnosis| {
+            matches!(
+                diagnosis,
+                Diagnosis::TooManyMotors { .. } | Diagnosis::Blocked { .. }
+            )
+        };
+        assert!(
+            wrong.len() == 1 && wrong.iter().all(right),
+            "{what}: {wrong:?}"
+        );
+        let found = assert_mended(&model, &wrong, &what);
+        let removed = Repair::RemoveMotor(motor);
+        assert!(found[0].single.contains(&removed), "{what}: {found:?}");
+    }
+}
+
+#[test]
+fn a_missing_joint_is_found() {
+    for seed in 0..cases() {
+        let (mut dice, whole) = coherent(seed);
+        let joint = JointId::new(dice.below(whole.joints.len()));
+        let model = whole.without_joint(joint);
+        let what = format!("seed {seed}, without {}", whole.joint(joint).name);
+        let wrong = rejected(&model, &what);
+        let right = |diagnosis: &Diagnosis| {
+            matches!(
+                diagnosis,
+                Diagnosis::NoMotor { .. }
+                    | Diagnosis::Undetermined { .. }
+                    | Diagnosis::Loose { .. }
+                    | Diagnosis::Disconnected { .. }
+                    | Diagnosis::NoCarrier { .. }
+            )
+        };
+        assert!(wrong.iter().all(right), "{what}: {wrong:?}");
+        let found = assert_mended(&model, &wrong, &what);
+        for (diagnosis, offers) in wrong.iter().zip(&found) {
+            if let Diagnosis::Undetermined { .. } | Diagnosis::NoMotor { .. } = diagnosis {
+                assert!(!offers.is_empty(), "{what}: {wrong:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn two_braces_too_many_are_found_and_can_be_removed() {
+    for seed in 0..cases() / 10 {
+        let (mut dice, mut model) = coherent(seed);
+        let links = model.links.len();
+        for _ in 0..2 {
+            let first = dice.below(links);
+            let second = (first + 1 + dice.below(links - 1)) % links;
+            brace(&mut model, &mut dice, [first, second].map(LinkId::new));
+        }
+        for (index, joint) in model.joints.iter_mut().rev().take(2).enumerate() {
+            joint.name = format!("b{index}");
+        }
+        let what = format!("seed {seed}");
+        let wrong = rejected(&model, &what);
+        assert!(wrong.iter().all(is_held), "{what}: {wrong:?}");
+        let found = assert_mended(&model, &wrong, &what);
+        assert!(
+            found.iter().any(|offers| !offers.is_empty()),
+            "{what}: {wrong:?} {found:?}"
+        );
+    }
+}
