@@ -101,6 +101,25 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// assert_eq!(slider_crank.motors(), [0.5]);
 /// ```
 ///
+/// # Joints
+///
+/// | joint | what it does |
+/// |---|---|
+/// | `revolute(a.point, b.point)` | two points coincide; the coordinate is the angle from the first's direction to the second's |
+/// | `prismatic(a.line, b.line)` | two lines coincide; the coordinate is the way from the first's origin to the second's |
+/// | `slot(a.point, b.line)` | a pin in a slot: it turns and slides; the coordinate is its way along the line |
+/// | `weld(a, b)`, `weld(a.point, b.point)` | the two links are one: their frames coincide, or the points with their directions |
+/// | `gear(a, b, 20 : 40)` | two wheels roll on each other: teeth, or pitch radii; `20 : -60` is internal |
+/// | `belt(a, b, 1.0 : 3.0)` | the same with a belt: in the same sense |
+/// | `rack(pinion, bar, radius 0.5)` | a wheel rolls on a bar: the bar's coordinate grows by the radius for each radian; a negative radius is a bar on the other side |
+///
+/// The first four may be placed in the drawing: `slot(a, b) at (x, y) along (dx, dy)`, `weld(a, b) at (x, y)`. What rolls is
+/// carried by the link in which both parts keep their place, directly or through a coaxial joint; where several links would do,
+/// `on LINK` after the ratio or radius says which.
+///
+/// `allow redundant;` lets a mechanism pass that moves only because its lengths match exactly; `allow coupled;` solves loops
+/// together that wait for each other.
+///
 /// # What is checked
 ///
 /// Names, kinds of axes and numbers; that everything is connected to the ground; that the motors take exactly the freedom

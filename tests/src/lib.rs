@@ -6,11 +6,11 @@ mod dice;
 mod grow;
 mod source;
 
-pub use chain::chain;
+pub use chain::{chain, chain_text};
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
 pub use grow::{Grown, grow, in_own_frames};
-pub use source::mechanisms;
+pub use source::{bodies, mechanisms};
 
 use std::time::Instant;
 
@@ -49,7 +49,8 @@ fn time(call: &mut impl FnMut(), calls: u32) -> f64 {
     start.elapsed().as_secs_f64() * 1e9 / f64::from(calls)
 }
 
-fn median(values: impl Iterator<Item = f64>) -> f64 {
+/// The value in the middle.
+pub fn median(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)

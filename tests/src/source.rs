@@ -3,6 +3,7 @@
 use mech_compiler::model::Model;
 use mech_compiler::syntax::parse;
 use mech_compiler::{Compiled, compile, reporter};
+use proc_macro2::TokenStream;
 use syn::visit::Visit;
 
 /// Every `mechanism!` of a source file, in order.
@@ -11,7 +12,16 @@ use syn::visit::Visit;
 /// If the file is not Rust or a mechanism in it has errors: the caller has just compiled it.
 #[must_use]
 pub fn mechanisms(source: &str) -> Vec<(Model, Compiled)> {
-    struct Found(Vec<proc_macro2::TokenStream>);
+    bodies(source).into_iter().map(read).collect()
+}
+
+/// The text of every `mechanism!` of a source file, in order.
+///
+/// # Panics
+/// If the file is not Rust: the caller has just compiled it.
+#[must_use]
+pub fn bodies(source: &str) -> Vec<TokenStream> {
+    struct Found(Vec<TokenStream>);
     impl<'ast> Visit<'ast> for Found {
         fn visit_macro(&mut self, called: &'ast syn::Macro) {
             if called.path.is_ident("mechanism") {
@@ -22,10 +32,10 @@ pub fn mechanisms(source: &str) -> Vec<(Model, Compiled)> {
     let file = syn::parse_file(source).expect("the file is Rust");
     let mut found = Found(Vec::new());
     found.visit_file(&file);
-    found.0.into_iter().map(read).collect()
+    found.0
 }
 
-fn read(text: proc_macro2::TokenStream) -> (Model, Compiled) {
+fn read(text: TokenStream) -> (Model, Compiled) {
     let parsed = parse(text);
     let errors: Vec<&str> = parsed
         .errors

@@ -102,6 +102,8 @@ fn special(
         }) => {
             if structure.redundant.is_empty() {
                 structure.redundant = diagnoses.iter().flat_map(held_joints).collect();
+                structure.redundant.sort_unstable();
+                structure.redundant.dedup();
             }
             let joints = structure.redundant.clone();
             if model.allow.redundant {

@@ -2,14 +2,15 @@
 //! crank too many. Tested by moving.
 
 use crate::evaluate::{self, Machine};
-use crate::model::{Allowances, JointId, Model, MotorId};
+use crate::model::{Allowances, AxisId, Joint, JointId, JointKind, Model, MotorId};
 use crate::plan::{self, Loop, Plan};
 use crate::program::{self, Program};
 use crate::structure::{self, Structure};
 
 /// How far each motor is moved, in radians, or as a part of the mechanism's size: far enough for a link that only touches its
-/// circle to leave it, by any order of contact that occurs.
-const NUDGE: f64 = 0.02;
+/// circle to leave it, by any order of contact that occurs. The first must be possible in one direction at least; where the
+/// others are, the joints must close there too.
+const NUDGES: [f64; 3] = [0.02, 0.11, 0.37];
 
 /// A mechanism that moves because its lengths match.
 pub(crate) struct Matched {
@@ -32,9 +33,13 @@ pub(crate) fn matched(model: &Model) -> Option<Matched> {
     let mut program = program::build(&lenient, &plan);
     evaluate::settle(&mut program).ok()?;
     let moves = |motor: MotorId| {
-        [NUDGE, -NUDGE]
-            .into_iter()
-            .any(|way| nudged(&lenient, &program, motor, way))
+        let ways =
+            [1.0, -1.0].map(|sign| NUDGES.map(|way| nudged(&lenient, &program, motor, sign * way)));
+        let closes = ways
+            .iter()
+            .flatten()
+            .all(|outcome| *outcome != Outcome::Open);
+        closes && ways.iter().any(|way| way[0] == Outcome::Moved)
     };
     if model.motors.is_empty() || !model.motor_ids().all(moves) {
         return None;
@@ -47,19 +52,75 @@ pub(crate) fn matched(model: &Model) -> Option<Matched> {
     })
 }
 
-fn nudged(model: &Model, program: &Program, motor: MotorId, way: f64) -> bool {
+/// What became of a nudge.
+#[derive(Clone, Copy, PartialEq)]
+enum Outcome {
+    /// It went there.
+    Moved,
+    /// It could not go there.
+    Stopped,
+    /// It went there, but some joint that no loop needs does not close.
+    Open,
+}
+
+fn nudged(model: &Model, program: &Program, motor: MotorId, way: f64) -> Outcome {
     let mut machine = Machine::<f64>::new(program);
     let mut motors = machine.position().motors.clone();
     let slides = matches!(
         model.joint(model.motor(motor).joint).kind,
-        crate::model::JointKind::Prismatic(..)
+        JointKind::Prismatic(..)
     );
     let size = model
         .axes
         .iter()
         .fold(0.0_f64, |size, axis| size.max(axis.at[0].hypot(axis.at[1])));
     motors[motor.index()] += if slides { way * size } else { way };
-    machine.move_to(&motors).is_ok()
+    if machine.move_to(&motors).is_err() {
+        return Outcome::Stopped;
+    }
+    let reach = machine
+        .position()
+        .poses
+        .iter()
+        .fold(size, |reach, pose| reach.max(pose[2].hypot(pose[3])));
+    let open = gap(model, &machine.position().poses) > 1e-9 * reach;
+    if open { Outcome::Open } else { Outcome::Moved }
+}
+
+/// The greatest distance, and sine of an angle, by which axes that a joint makes coincide do not.
+fn gap(model: &Model, declared: &[[f64; 4]]) -> f64 {
+    let mut poses = vec![[1.0, 0.0, 0.0, 0.0]];
+    poses.extend_from_slice(declared);
+    let placed = |poses: &[[f64; 4]], id: AxisId| {
+        let axis = model.axis(id);
+        let [cos, sin, x, y] = poses
+            .get(axis.link.index())
+            .copied()
+            .unwrap_or([1.0, 0.0, 0.0, 0.0]);
+        let turned = |[a, b]: [f64; 2]| [cos * a - sin * b, sin * a + cos * b];
+        let [u, v] = turned(axis.at);
+        ([x + u, y + v], turned(axis.direction))
+    };
+    // A die is where its pin is, and points where its slot does.
+    for (pin, guide) in model.links.iter().filter_map(|link| link.die) {
+        let ([x, y], [cos, sin]) = (placed(&poses, pin).0, placed(&poses, guide).1);
+        poses.push([cos, sin, x, y]);
+    }
+    let cross = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]).abs();
+    let apart = |joint: &Joint| match joint.kind {
+        JointKind::Revolute(a, b) | JointKind::Weld(a, b) | JointKind::Prismatic(a, b) => {
+            let ((from, along), (to, other)) = (placed(&poses, a), placed(&poses, b));
+            let way = [to[0] - from[0], to[1] - from[1]];
+            match joint.kind {
+                JointKind::Revolute(..) => way[0].hypot(way[1]),
+                JointKind::Weld(..) => way[0].hypot(way[1]).max(cross(along, other)),
+                _ => cross(along, way).max(cross(along, other)),
+            }
+        }
+        // What rolls is solved exactly, all of it.
+        JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
+    };
+    model.joints.iter().map(apart).fold(0.0, f64::max)
 }
 
 /// The joints that were not needed to find where everything is.

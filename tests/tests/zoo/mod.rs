@@ -1,7 +1,7 @@
 //! One mechanism for each kind of loop, and some that use what the gallery does not.
 
-pub mod rolling;
-pub mod special;
+pub(crate) mod rolling;
+pub(crate) mod special;
 
 use mech_runtime::mechanism;
 

@@ -122,7 +122,20 @@ impl Model {
         };
         let in_axis = |axis: &Axis| axis.at.iter().all(|&n| self.precision.holds(n));
         let in_start = |value: &StartValue| self.precision.holds(value.value);
-        shapes.into_iter().all(in_shape)
+        let in_joint = |joint: &Joint| match joint.kind {
+            JointKind::Rack { radius, .. } => self.precision.holds(radius),
+            JointKind::Gear {
+                ratio: Ratio::Radii(a, b),
+                ..
+            }
+            | JointKind::Belt {
+                ratio: Ratio::Radii(a, b),
+                ..
+            } => self.precision.holds(a) && self.precision.holds(b),
+            _ => true,
+        };
+        self.joints.iter().all(in_joint)
+            && shapes.into_iter().all(in_shape)
             && self.axes.iter().all(in_axis)
             && self.start.values.iter().all(in_start)
     }
@@ -207,6 +220,7 @@ impl Model {
     }
 
     /// The ids of the links that were declared and can move: all but the ground and the dies of slots.
+    #[must_use]
     pub fn declared_links(&self) -> impl DoubleEndedIterator<Item = LinkId> + '_ {
         self.moving_links()
             .filter(|&link| self.link(link).die.is_none())

@@ -1,0 +1,178 @@
+//! Anything a hand can declare: never a panic, and whatever is accepted closes.
+
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{
+    Allowances, Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor,
+    Origin, Ratio,
+};
+use mech_compiler::{compile, reporter};
+use mech_tests::{Dice, with_ground, worst_gap};
+
+/// Coordinates on a coarse grid, so that axes coincide, lie in line and run parallel.
+fn spot(dice: &mut Dice) -> [f64; 2] {
+    let n = |dice: &mut Dice| f64::from(u32::try_from(dice.below(4)).unwrap_or(0));
+    [n(dice), n(dice)]
+}
+
+fn axis(
+    model: &mut Model,
+    link: LinkId,
+    kind: AxisKind,
+    at: [f64; 2],
+    direction: [f64; 2],
+) -> AxisId {
+    model.axes.push(Axis {
+        link,
+        name: None,
+        origin: Origin::default(),
+        kind,
+        at,
+        direction,
+    });
+    AxisId::new(model.axes.len() - 1)
+}
+
+fn anything(dice: &mut Dice) -> Model {
+    let mut model = Model::new("Anything", Origin::default());
+    let drawn = !dice.once_in(4);
+    let links = 1 + dice.below(6);
+    for number in 0..links {
+        let mut link = Link::new(&format!("l{number}"), Origin::default());
+        link.drawn = drawn;
+        model.links.push(link);
+    }
+    let joints = links + dice.below(links + 2);
+    let mut slots = Vec::new();
+    for number in 0..joints {
+        let (a, b) = (
+            LinkId::new(dice.below(links + 1)),
+            LinkId::new(1 + dice.below(links)),
+        );
+        if a == b {
+            continue;
+        }
+        let (p, q) = (spot(dice), spot(dice));
+        let q = if drawn { p } else { q };
+        let d = *dice.pick(&[[1.0, 0.0], [0.0, 1.0], [0.6, 0.8]]);
+        let kind = match dice.below(12) {
+            0..=5 => {
+                let (a, b) = (
+                    axis(&mut model, a, AxisKind::Point, p, [1.0, 0.0]),
+                    axis(&mut model, b, AxisKind::Point, q, [1.0, 0.0]),
+                );
+                JointKind::Revolute(a, b)
+            }
+            6 | 7 => JointKind::Prismatic(
+                axis(&mut model, a, AxisKind::Line, p, d),
+                axis(&mut model, b, AxisKind::Line, q, d),
+            ),
+            8 => {
+                let (a, b) = (
+                    axis(&mut model, a, AxisKind::Point, p, [1.0, 0.0]),
+                    axis(&mut model, b, AxisKind::Point, q, [1.0, 0.0]),
+                );
+                JointKind::Weld(a, b)
+            }
+            9 => JointKind::Gear {
+                a,
+                b,
+                ratio: Ratio::Teeth(20, *dice.pick(&[20, -40, 17])),
+                on: None,
+            },
+            10 => JointKind::Rack {
+                pinion: a,
+                bar: b,
+                radius: 0.5,
+                on: None,
+            },
+            _ => {
+                slots.push((
+                    axis(&mut model, a, AxisKind::Point, p, [1.0, 0.0]),
+                    axis(&mut model, b, AxisKind::Line, q, d),
+                ));
+                continue;
+            }
+        };
+        model.joints.push(Joint {
+            name: format!("j{number}"),
+            origin: Origin::default(),
+            kind,
+            hidden: false,
+        });
+    }
+    for (index, (point, line)) in slots.into_iter().enumerate() {
+        model.add_slot(&format!("s{index}"), Origin::default(), point, line);
+    }
+    for joint in model.joint_ids().collect::<Vec<_>>() {
+        let drives = matches!(
+            model.joint(joint).kind,
+            JointKind::Revolute(..) | JointKind::Prismatic(..)
+        );
+        if drives && !model.joint(joint).hidden && dice.once_in(3) && model.motors.len() < 3 {
+            model.motors.push(Motor {
+                joint: JointId::new(joint.index()),
+                origin: Origin::default(),
+            });
+        }
+    }
+    model.allow = Allowances {
+        redundant: dice.once_in(2),
+        coupled: dice.once_in(2),
+    };
+    model
+}
+
+#[test]
+fn anything_at_all() {
+    let cases = std::env::var("MECH_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(5_000);
+    let (mut accepted, mut moved) = (0, 0);
+    for seed in 0..cases {
+        let mut dice = Dice::new(seed);
+        let model = anything(&mut dice);
+        let compiled = match compile(&model) {
+            Ok(compiled) => compiled,
+            Err(diagnoses) => {
+                assert!(!diagnoses.is_empty(), "seed {seed}");
+                for diagnosis in &diagnoses {
+                    assert!(!reporter::text(diagnosis, &model).is_empty(), "seed {seed}");
+                }
+                continue;
+            }
+        };
+        accepted += 1;
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        for _ in 0..10 {
+            let motors: Vec<f64> = machine
+                .position()
+                .motors
+                .iter()
+                .map(|motor| motor + dice.between(-0.5, 0.5))
+                .collect();
+            let before = machine.position().clone();
+            if machine.move_to(&motors).is_err() {
+                assert_eq!(machine.position(), &before, "seed {seed}");
+                continue;
+            }
+            moved += 1;
+            let poses = with_ground(&model, &machine.position().poses);
+            assert!(
+                poses.iter().flatten().all(|number| number.is_finite()),
+                "seed {seed}"
+            );
+            let reach = poses
+                .iter()
+                .map(|pose| pose[2].hypot(pose[3]))
+                .fold(10.0, f64::max);
+            let gap = worst_gap(&model, &poses);
+            assert!(gap < 1e-11 * reach, "seed {seed}: gap {gap:e}");
+        }
+    }
+    println!("{accepted} of {cases} accepted, {moved} moves");
+    assert!(
+        accepted > cases / 100 && moved > accepted,
+        "{accepted} of {cases}, {moved} moves"
+    );
+}
