@@ -129,6 +129,10 @@ fn to_and_fro(phase: f64) -> Vec<f64> {
     vec![-1.2 * (phase * PI).sin()]
 }
 
+fn nudge(phase: f64) -> Vec<f64> {
+    vec![0.05 * (phase * TAU).sin()]
+}
+
 fn to(phase: f64) -> Vec<f64> {
     vec![0.3 * (phase * PI).sin()]
 }
@@ -164,6 +168,7 @@ cases! {
     two_racks: zoo::rolling::TwoRacks, "zoo/rolling.rs", to_and_fro;
     rolling_wheel: zoo::rolling::Rolling, "zoo/rolling.rs", to_and_fro;
     geared_five_bar: zoo::rolling::GearedFiveBar, "zoo/rolling.rs", swing;
+    tied_five_bar: zoo::rolling::TiedFiveBar, "zoo/rolling.rs", nudge;
     slotted_arm: zoo::special::SlottedArm, "zoo/special.rs", turn;
     welded: zoo::special::Welded, "zoo/special.rs", turn;
     wedge: zoo::special::Wedge, "zoo/special.rs", to_and_fro;

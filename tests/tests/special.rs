@@ -191,3 +191,36 @@ fn stephenson_iii_from_its_far_side() {
     println!("Stephenson III from its far side: {worst:.1e} over {followed} positions");
     assert!(followed > 100 && worst < 1e-12, "{worst:e} over {followed}");
 }
+
+/// The geared five-bar driven at a crank is a dyad; driven between its rods it is a ring of four unknown angles, two of them
+/// tied. Both must tell the same positions, and the gear must keep its ratio.
+#[test]
+fn a_five_bar_whose_unknown_cranks_are_geared() {
+    let (mut open, mut tied) = (rolling::GearedFiveBar::new(), rolling::TiedFiveBar::new());
+    let (mut worst, mut followed) = (0.0_f64, 0);
+    open.move_to([1e-3]).unwrap();
+    let forwards = open.c().signum();
+    for step in 1..=300 {
+        let last = open.c();
+        open.move_to([2e-3 * f64::from(step)]).unwrap();
+        if (open.c() - last) * forwards < 1e-5 {
+            break;
+        }
+        tied.move_to([open.c()]).unwrap();
+        followed += 1;
+        for (open, tied) in [
+            (open.left(), tied.left()),
+            (open.right(), tied.right()),
+            (open.arm(), tied.arm()),
+        ] {
+            worst = worst.max((open.rotation.angle() - tied.rotation.angle()).abs());
+            worst = worst.max((open.translation.vector - tied.translation.vector).norm());
+        }
+        assert!(
+            (tied.e() - 1.5 * tied.a()).abs() < 1e-13,
+            "the gear keeps its ratio"
+        );
+    }
+    println!("geared five-bar: {worst:.1e} over {followed} positions");
+    assert!(followed > 50 && worst < 1e-12, "{worst:e} over {followed}");
+}

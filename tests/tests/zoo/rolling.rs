@@ -96,3 +96,19 @@ mechanism! {
     joint mesh = gear(left, right, 30 : -20);
     motor a;
 }
+
+mechanism! {
+    /// The geared five-bar, driven between its two rods: the cranks are unknown, and tied to each other.
+    pub struct TiedFiveBar;
+    link left;
+    link right;
+    link rod;
+    link arm { point pen = (2.2, 4); }
+    joint a = revolute(ground, left) at (0, 0);
+    joint b = revolute(left, rod) at (0, 1);
+    joint c = revolute(rod, arm) at (2, 3);
+    joint d = revolute(arm, right) at (4, 1.2);
+    joint e = revolute(ground, right) at (4, 0);
+    joint mesh = gear(left, right, 30 : -20);
+    motor c;
+}

@@ -1,13 +1,26 @@
 //! Loops that wait for each other, and joints that hold a part more than once.
 
 use super::between::Between;
-use super::cluster::Clusters;
 use super::step::{Connection, ConnectionKind};
-use crate::model::{JointId, LinkId, Model};
-use petgraph::unionfind::UnionFind;
+use crate::model::LinkId;
 
 /// Rings to be closed together, and the connections by which the clusters hang on the first.
 pub(super) type Block = (Vec<Vec<Connection>>, Vec<Connection>);
+
+/// Rings that together contain every connection that is in a ring: one for each connection beyond a tree.
+pub(super) fn cycles(connections: &[Between]) -> Vec<Vec<Connection>> {
+    let all = independent(connections);
+    let Some(first) = all.iter().map(|between| between.a).min() else {
+        return Vec::new();
+    };
+    let (tree, chords) = spanning(&all, first);
+    let reached = |base: LinkId| base == first || tree.iter().any(|branch| branch.to == base);
+    chords
+        .iter()
+        .filter(|chord| reached(chord.a))
+        .map(|chord| ring(&tree, *chord))
+        .collect()
+}
 
 /// What is left when everything is taken away that can be solved after it, loop by loop: rings that have to be closed
 /// together.
@@ -21,32 +34,6 @@ pub(super) fn block(connections: &[Between]) -> Option<Block> {
         rings,
         tree.into_iter().map(|branch| branch.connection).collect(),
     ))
-}
-
-/// Whether a block has as many unknowns as equations: a direction for each set of clusters that slide on each other, and a way
-/// for each slide. Gears that tie directions in it would take some away.
-pub(super) fn is_square(model: &Model, clusters: &Clusters, (rings, tree): &Block) -> bool {
-    let base = |axis| clusters.base(model.axis(axis).link);
-    let ends = |connection: &Connection| [base(connection.from), base(connection.to)];
-    let mut bases: Vec<LinkId> = tree.iter().flat_map(ends).collect();
-    bases.sort_unstable();
-    bases.dedup();
-    let place = |link: LinkId| bases.binary_search(&link).unwrap_or(0);
-    let mut classes = UnionFind::<usize>::new(bases.len());
-    let mut slides: Vec<JointId> = Vec::new();
-    for connection in rings.iter().flatten() {
-        if connection.kind == ConnectionKind::Prismatic {
-            let [from, to] = ends(connection);
-            classes.union(place(from), place(to));
-            slides.push(connection.joint);
-        }
-    }
-    slides.sort_unstable();
-    slides.dedup();
-    let mut kinds: Vec<usize> = (0..bases.len()).map(|place| classes.find(place)).collect();
-    kinds.sort_unstable();
-    kinds.dedup();
-    kinds.len() - 1 + slides.len() == 2 * rings.len()
 }
 
 /// Two clusters that two connections hold: one turning joint and any other. That is once more than it takes.

@@ -108,6 +108,26 @@ impl Ledger {
             .collect()
     }
 
+    /// For each of these combinations that the ones before it and the sources determine, how.
+    pub(crate) fn ties(&self, combinations: &[Linear]) -> Vec<Option<Parts>> {
+        // Each combination gets a name of its own, a source beyond all others, and is solved for as the ledger itself is.
+        let mut ledger = self.clone();
+        combinations
+            .iter()
+            .enumerate()
+            .map(|(index, combination)| {
+                let found = ledger
+                    .value(combination)
+                    .map(|parts| split(parts, combinations.len()));
+                if found.is_none() {
+                    let own = Linear::source(usize::MAX - index);
+                    ledger.relate(&combination.clone().plus(&-Rational::one(), &own));
+                }
+                found
+            })
+            .collect()
+    }
+
     fn reduced(&self, combination: &Linear) -> Linear {
         combination
             .0
@@ -120,6 +140,21 @@ impl Ledger {
                 },
             )
     }
+}
+
+/// Parts of earlier combinations, by their place, and of sources, by their number.
+pub(crate) type Parts = (Vec<(usize, Rational)>, Vec<(usize, Rational)>);
+
+fn split(parts: Vec<(usize, Rational)>, combinations: usize) -> Parts {
+    let (own, sources): (Vec<_>, Vec<_>) = parts
+        .into_iter()
+        .partition(|(number, _)| usize::MAX - number < combinations);
+    (
+        own.into_iter()
+            .map(|(number, part)| (usize::MAX - number, part))
+            .collect(),
+        sources,
+    )
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ pub use assembly::Assembly;
 pub(crate) use equation::{Equation, Measure, Solution, Unknown};
 pub use ledger::Rational;
 pub(crate) use placement::{Coordinate, Placement};
-pub use step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step};
+pub use step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
 
 use crate::model::Model;
 use crate::structure::{Diagnosis, Structure};

@@ -27,7 +27,9 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
         .iter()
         .filter(|unknown| given(unknown).is_none())
         .count();
-    let starts = if open == 0 {
+    // Rolling ties turns, not places: where it takes unknowns away, the start is free, and what is nearest to the guess is meant.
+    let free = equation.unknowns.len() > 2 * equation.rings.len();
+    let starts = if open == 0 || free {
         1
     } else {
         STARTS * equation.unknowns.len()

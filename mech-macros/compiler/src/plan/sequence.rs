@@ -8,7 +8,7 @@ use super::cluster::Clusters;
 use super::coupled::{self, Block};
 use super::knowledge::Knowledge;
 use super::ledger::{Ledger, Linear, Rational};
-use super::step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step};
+use super::step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::structure::{Diagnosis, Factor, KinematicGraph, Pin, Rolling, RollingEnd, Structure};
 use num_rational::BigRational;
@@ -27,7 +27,7 @@ pub(super) fn sequence(model: &Model, structure: &Structure) -> Result<Sequence,
     for motor in model.motor_ids() {
         search.drive(motor);
     }
-    while search.mesh() || search.close() || search.couple() {}
+    while search.mesh() || search.close() || search.tie() || search.couple() {}
     if search.clusters.is_one() {
         return Ok(Sequence {
             steps: search.steps,
@@ -304,29 +304,126 @@ impl<'m> Search<'m> {
         true
     }
 
+    /// Finds a ring whose unknown directions rolling ties, so that two unknowns remain.
+    fn tie(&mut self) -> bool {
+        if !self.rolls() {
+            return false;
+        }
+        let rings = coupled::cycles(&self.connections());
+        let base = |axis| self.clusters.base(self.model.axis(axis).link);
+        let alone = |ring: Vec<Connection>| {
+            let first = ring
+                .iter()
+                .enumerate()
+                .min_by_key(|(_, connection)| base(connection.from))?
+                .0;
+            let ring = [&ring[first..], &ring[..first]].concat();
+            let tree = ring[..ring.len() - 1].to_vec();
+            let found = self.described((vec![ring], tree));
+            (self.is_square(&found) && !found.ties.is_empty()).then_some(found)
+        };
+        let found = rings.into_iter().find_map(alone);
+        found.map(|found| self.accept(found)).is_some()
+    }
+
     /// Solves what waits for each other together, if that is allowed; or what is held more than once.
     fn couple(&mut self) -> bool {
         let connections = self.connections();
         let allow = self.model.allow;
-        let square = |block: &Block| coupled::is_square(self.model, &self.clusters, block);
         let redundant = allow
             .redundant
             .then(|| coupled::held_twice(&connections))
             .flatten();
-        let coupled = || coupled::block(&connections).filter(square);
-        let block = redundant.or_else(|| allow.coupled.then(coupled).flatten());
-        let Some(block) = block else { return false };
-        let found = self.described(block);
+        let found = match redundant {
+            Some(block) => self.described(block),
+            None if allow.coupled => {
+                match coupled::block(&connections).map(|block| self.described(block)) {
+                    Some(found) if self.is_square(&found) => found,
+                    _ => return false,
+                }
+            }
+            None => return false,
+        };
         self.accept(found);
         true
+    }
+
+    /// Whether a loop has as many unknowns as equations: the directions that nothing ties, and the ways of slides.
+    fn is_square(&self, closing: &Loop) -> bool {
+        let slides = closing
+            .connections()
+            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
+            .count();
+        self.turning(&closing.rings, &closing.tree).len() + slides
+            == 2 * closing.rings.len() + closing.ties.len()
+    }
+
+    /// The clusters of a loop that turn by themselves, seen from the first: one for each set of clusters that slide on each
+    /// other.
+    fn turning(&self, rings: &[Vec<Connection>], tree: &[Connection]) -> Vec<LinkId> {
+        let base = |axis| self.clusters.base(self.model.axis(axis).link);
+        let mut classes = UnionFind::<usize>::new(self.model.links.len());
+        for connection in rings
+            .iter()
+            .flatten()
+            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
+        {
+            classes.union(base(connection.from).index(), base(connection.to).index());
+        }
+        let mut turning: Vec<LinkId> = Vec::new();
+        let Some(first) = tree.first().map(|connection| base(connection.from)) else {
+            return turning;
+        };
+        for cluster in tree.iter().map(|connection| base(connection.to)) {
+            let same = |other: LinkId| classes.equiv(other.index(), cluster.index());
+            if !same(first) && !turning.iter().any(|&other| same(other)) {
+                turning.push(cluster);
+            }
+        }
+        turning
+    }
+
+    /// The directions of a loop that rolling ties.
+    fn ties(&self, rings: &[Vec<Connection>], tree: &[Connection]) -> Vec<Tie> {
+        let Some(first) = tree
+            .first()
+            .map(|connection| self.clusters.base(self.link_of(*connection).0))
+        else {
+            return Vec::new();
+        };
+        let turning = self.turning(rings, tree);
+        let turns: Vec<Linear> = turning
+            .iter()
+            .map(|&base| Linear::turn(first, base))
+            .collect();
+        let ties = self.ledger.ties(&turns).into_iter().zip(&turning);
+        ties.filter_map(|(parts, &base)| {
+            let (own, sources) = parts?;
+            let parts = own
+                .into_iter()
+                .map(|(place, part)| (turning[place], part))
+                .collect();
+            Some(Tie {
+                base,
+                parts,
+                sources,
+            })
+        })
+        .collect()
     }
 
     fn described(&self, (rings, tree): Block) -> Loop {
         let members = self.members(&rings);
         let before = self.knowledge(&members);
+        let ties = if self.rolls() && rings.iter().any(|ring| ring.len() > 3) {
+            self.ties(&rings, &tree)
+        } else {
+            Vec::new()
+        };
         Loop {
             rings,
             tree,
+            ties,
             members,
             level: before.level + 1,
             needs: before.needs,

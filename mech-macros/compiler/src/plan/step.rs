@@ -61,12 +61,25 @@ pub struct Loop {
     pub rings: Vec<Vec<Connection>>,
     /// For each cluster but the first, which is known, the connection by which it hangs on one before it.
     pub tree: Vec<Connection>,
+    /// The directions that rolling ties to others of this loop, or to what is known.
+    pub ties: Vec<Tie>,
     /// All joints of the rings: the unknown ones and, between them, ways through what is already known.
     pub members: Vec<JointId>,
     /// One more than the level of the last loop it depends on; a loop that only motors and gears lead to has level 1.
     pub level: usize,
     /// The loops, by their number in the sequence, whose results it needs directly.
     pub needs: Vec<usize>,
+}
+
+/// A direction that rolling ties: how far its cluster turns, seen from the first cluster of the loop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tie {
+    /// The base of the cluster.
+    pub base: LinkId,
+    /// Parts of the turns of other clusters of the loop, by their bases.
+    pub parts: Vec<(LinkId, Rational)>,
+    /// Parts of what sources have moved, by their number in [`Plan::sources`](super::Plan::sources).
+    pub sources: Vec<(usize, Rational)>,
 }
 
 /// Two axes that coincide, one on a link of each of two clusters.

@@ -14,7 +14,10 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
         } => {
             let mut repairs = relocated(model, all, &[*motor]);
             repairs.push(Repair::RemoveMotor(*motor));
-            repairs.extend(on_part(model, part, joints));
+            let mut links = ends(model, joints);
+            links.extend(part);
+            let joints = with_slides(model, joints, &mut links);
+            repairs.extend(on_part(model, &links, &joints));
             repairs
         }
         Diagnosis::TooManyMotors { among, .. } => {
@@ -30,8 +33,9 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             if *matched {
                 repairs.push(Repair::AllowRedundant);
             }
-            let links = ends(model, joints);
-            repairs.extend(on_part(model, &links, joints));
+            let mut links = ends(model, joints);
+            let joints = with_slides(model, joints, &mut links);
+            repairs.extend(on_part(model, &links, &joints));
             repairs
         }
         Diagnosis::Rigid => {
@@ -182,6 +186,38 @@ fn ends(model: &Model, joints: &[JointId]) -> Vec<LinkId> {
     links.sort();
     links.dedup();
     links
+}
+
+/// These joints, and the slides and welds by which these links keep their direction to others; those links are added.
+fn with_slides(model: &Model, joints: &[JointId], links: &mut Vec<LinkId>) -> Vec<JointId> {
+    let mut joints = joints.to_vec();
+    let slides: Vec<JointId> = model
+        .joint_ids()
+        .filter(|&joint| {
+            let kind = model.joint(joint).kind;
+            matches!(kind, JointKind::Prismatic(..) | JointKind::Weld(..))
+        })
+        .collect();
+    loop {
+        let before = (joints.len(), links.len());
+        for &slide in &slides {
+            let (a, b) = model.ends(slide);
+            let touches = [a, b]
+                .iter()
+                .any(|link| *link != LinkId::GROUND && links.contains(link));
+            if touches {
+                joints.push(slide);
+                links.extend([a, b]);
+            }
+        }
+        joints.sort();
+        joints.dedup();
+        links.sort();
+        links.dedup();
+        if before == (joints.len(), links.len()) {
+            return joints;
+        }
+    }
 }
 
 /// Some of the ways to choose so many of these joints.

@@ -39,9 +39,9 @@ pub enum Diagnosis {
     Blocked {
         /// The motor.
         motor: MotorId,
-        /// The links that form the rigid part it is in.
+        /// The links that form the rigid part it is in, as far as it takes them to hold it.
         part: Vec<LinkId>,
-        /// The joints that hold the part rigid.
+        /// The joints that hold the part rigid: together just enough. Some may be of links that move.
         joints: Vec<JointId>,
     },
     /// The motors before it already determine this motor's joint.

@@ -4,12 +4,23 @@ use super::constraints::Constraints;
 use super::diagnosis::Diagnosis;
 use super::elimination::{Added, Elimination};
 use super::field::{Dice, Element};
+use super::graph::KinematicGraph;
 use super::pin::Pin;
 use super::rolling::Rolling;
-use crate::model::{JointId, LinkId, Model, MotorId};
+use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 
 /// An arbitrary number: the random geometry is the same in every build.
 const SEED: u64 = 0x6a09_e667_f3bc_c908;
+
+/// A motor whose joint's rate follows from others.
+#[derive(Clone)]
+struct Idle {
+    motor: MotorId,
+    /// The motors it depends on, itself included.
+    among: Vec<MotorId>,
+    /// The joints it depends on.
+    joints: Vec<JointId>,
+}
 
 /// The rows of all joints and motors, eliminated.
 struct Rank<'m> {
@@ -22,8 +33,8 @@ struct Rank<'m> {
     driven: Elimination,
     /// Joints whose rows follow from those of others.
     dependent: Vec<JointId>,
-    /// For each motor that adds nothing: itself and the motors it depends on.
-    idle: Vec<(MotorId, Vec<MotorId>)>,
+    /// The motors that add nothing.
+    idle: Vec<Idle>,
 }
 
 impl<'m> Rank<'m> {
@@ -52,7 +63,16 @@ impl<'m> Rank<'m> {
                     .iter()
                     .filter_map(|row| row.checked_sub(joint_of_row.len()))
                     .map(MotorId::new);
-                idle.push((id, among.collect()));
+                let mut joints: Vec<JointId> = rows
+                    .iter()
+                    .filter_map(|&row| joint_of_row.get(row).copied())
+                    .collect();
+                joints.dedup();
+                idle.push(Idle {
+                    motor: id,
+                    among: among.collect(),
+                    joints,
+                });
             }
         }
         let dependent = model
@@ -148,22 +168,44 @@ pub(super) fn verdict(
 
 fn blocked_motors(model: &Model, rank: &mut Rank<'_>) -> Vec<Diagnosis> {
     let mut diagnoses = Vec::new();
-    for (motor, among) in rank.idle.clone() {
+    for Idle {
+        motor,
+        among,
+        joints,
+    } in rank.idle.clone()
+    {
         if among.len() > 1 {
             diagnoses.push(Diagnosis::TooManyMotors { motor, among });
             continue;
         }
-        let part = rank.rigid_part(model.ends(model.motor(motor).joint).0);
-        let inside = |id: &JointId| {
-            let (a, b) = model.ends(*id);
-            part.contains(&a) && part.contains(&b)
+        let ends = model.ends(model.motor(motor).joint);
+        let holding = if joints.is_empty() {
+            aligning(model, ends)
+        } else {
+            joints
         };
-        let joints = model.joint_ids().filter(inside).collect();
+        let touched = |link: &LinkId| {
+            let joins = |&joint: &JointId| {
+                let (a, b) = model.ends(joint);
+                *link == a || *link == b
+            };
+            *link == ends.0 || *link == ends.1 || holding.iter().any(joins)
+        };
+        let part = rank.rigid_part(ends.0).into_iter().filter(touched);
         diagnoses.push(Diagnosis::Blocked {
             motor,
-            part,
-            joints,
+            part: part.collect(),
+            joints: holding,
         });
     }
     diagnoses
+}
+
+/// The slides and welds by which two links keep their direction to each other.
+fn aligning(model: &Model, (a, b): (LinkId, LinkId)) -> Vec<JointId> {
+    let keeps = |joint| {
+        let kind = model.joint(joint).kind;
+        matches!(kind, JointKind::Prismatic(..) | JointKind::Weld(..)).then_some(0)
+    };
+    KinematicGraph::new(model).way(a, b, keeps)
 }

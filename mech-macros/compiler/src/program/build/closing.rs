@@ -53,17 +53,20 @@ impl Writer<'_> {
             .map(|unknown| self.first(*unknown, first))
             .collect();
         let triad = self.triad(closing);
+        let tied = (!closing.ties.is_empty()).then(|| self.tied(closing, &equation, first));
         self.builder.enter();
-        let (mut newton, solution) = match &triad {
-            Some(triad) => self.contract(block, triad, first),
-            None => self.iterate(block, &equation, firsts),
+        let (mut newton, solution) = match (&tied, &triad) {
+            (Some(tied), _) => self.iterate_tied(block, tied, &equation, first),
+            (None, Some(triad)) => self.contract(block, triad, first),
+            (None, None) => self.iterate(block, &equation, firsts),
         };
         newton.place = place;
         newton.sides.extend(self.spots(closing));
         self.builder.leave();
-        let solution = match &triad {
-            Some(triad) => self.expand(triad, &equation, &solution),
-            None => solution,
+        let solution = match (&tied, &triad) {
+            (Some(tied), _) => self.all_directions(tied, &equation, &solution),
+            (None, Some(triad)) => self.expand(triad, &equation, &solution),
+            (None, None) => solution,
         };
         if let Some(block) = self.builder.blocks.last_mut() {
             block.kind = BlockKind::Newton(newton);
@@ -91,7 +94,11 @@ impl Writer<'_> {
     }
 
     /// How far a loop has grown where something slides: a telescope may become any times longer than it is at the start.
-    fn extent(&mut self, equation: &Equation<Value>, now: &[Solution<Value>]) -> Option<Value> {
+    pub(super) fn extent(
+        &mut self,
+        equation: &Equation<Value>,
+        now: &[Solution<Value>],
+    ) -> Option<Value> {
         let slides = |joint: &Joint| matches!(joint.kind, JointKind::Prismatic(..));
         if !self.model.joints.iter().any(slides) {
             return None;
@@ -132,7 +139,7 @@ impl Writer<'_> {
     }
 
     /// The name of an unknown and where the iteration starts: at the last position.
-    fn first(&mut self, unknown: Unknown, base: LinkId) -> First {
+    pub(super) fn first(&mut self, unknown: Unknown, base: LinkId) -> First {
         match unknown {
             Unknown::Direction(link) => {
                 let frame = self.last_pose(base).direction;

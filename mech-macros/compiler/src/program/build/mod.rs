@@ -1,6 +1,7 @@
 //! From the plan to the program.
 
 mod closing;
+mod tied;
 mod triad;
 
 use super::builder::Builder;
