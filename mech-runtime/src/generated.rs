@@ -169,10 +169,11 @@ pub fn solve<T: Scalar, const N: usize>(mut rows: [[T; N]; N], mut right: [T; N]
         det *= rows[pivot][pivot];
         for row in pivot + 1..N {
             let factor = rows[row][pivot] / rows[pivot][pivot];
-            for column in pivot + 1..N {
-                rows[row][column] = rows[row][column] - factor * rows[pivot][column];
+            let above = rows[pivot];
+            for (entry, over) in rows[row].iter_mut().zip(above).skip(pivot + 1) {
+                *entry -= factor * over;
             }
-            right[row] = right[row] - factor * right[pivot];
+            right[row] -= factor * right[pivot];
         }
     }
     for row in (0..N).rev() {

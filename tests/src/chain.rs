@@ -10,7 +10,7 @@ use mech_compiler::model::{
 #[must_use]
 pub fn chain(loops: usize) -> Model {
     let mut model = Model::new("Chain", Origin::default());
-    let crank = link(&mut model, "crank".to_owned());
+    let crank = link(&mut model, "crank");
     let mut along = 0.0;
     revolute(&mut model, LinkId::GROUND, crank, [along, 0.0]);
     model.motors.push(Motor {
@@ -19,8 +19,8 @@ pub fn chain(loops: usize) -> Model {
     });
     let (mut input, mut pin) = (crank, [along + 0.3, 1.0]);
     for number in 0..loops {
-        let coupler = link(&mut model, format!("coupler_{number}"));
-        let rocker = link(&mut model, format!("rocker_{number}"));
+        let coupler = link(&mut model, &format!("coupler_{number}"));
+        let rocker = link(&mut model, &format!("rocker_{number}"));
         along += 3.0;
         let top = [along + 0.3, 1.6];
         revolute(&mut model, input, coupler, pin);
@@ -65,8 +65,8 @@ fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
     writeln!(text, "{line}").expect("a string takes any text");
 }
 
-fn link(model: &mut Model, name: String) -> LinkId {
-    let mut link = Link::new(&name, Origin::default());
+fn link(model: &mut Model, name: &str) -> LinkId {
+    let mut link = Link::new(name, Origin::default());
     link.drawn = true;
     model.links.push(link);
     LinkId::new(model.links.len() - 1)

@@ -157,8 +157,12 @@ fn loop_line(model: &Model, closing: &Loop) -> String {
     } else {
         String::new()
     };
+    let tied = match closing.ties.len() {
+        0 => String::new(),
+        ties => format!(", {ties} tied by rolling"),
+    };
     format!(
-        "level {}: {coupled}unknowns {}",
+        "level {}: {coupled}unknowns {}{tied}",
         closing.level,
         unknowns.join(", ")
     )

@@ -20,8 +20,6 @@ mechanism! {
     accuracy 1e-9;
     effects { velocity; acceleration; }
     show rocker, coupler.right;
-    allow redundant;
-    allow coupled;
     certify;
     cost;
     param length = 1.0 in 0.5 ..= 2.0;

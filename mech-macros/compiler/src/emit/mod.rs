@@ -3,6 +3,7 @@
 mod block;
 mod flow;
 mod items;
+mod iteration;
 mod scope;
 mod shapes;
 mod step;

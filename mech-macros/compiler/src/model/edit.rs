@@ -128,7 +128,7 @@ impl Edit {
             one.link = link(one.link).unwrap_or(one.link);
         }
         for one in &mut model.joints {
-            renumber(&mut one.kind, &link, &axis);
+            renumber(&mut one.kind, link, axis);
         }
         for one in &mut model.motors {
             one.joint = joint(one.joint).unwrap_or(one.joint);

@@ -202,23 +202,20 @@ impl<S: Copy + PartialEq> Equation<S> {
                 continue;
             };
             let part = algebra.scaled(way, slide.along);
-            match (
-                slide.turned_by,
-                now.get(slide.turned_by.unwrap_or(usize::MAX)),
-            ) {
-                (Some(turning), Some(Solution::Direction(direction))) => {
-                    arms[turning] = Some(match arms[turning] {
-                        Some(arm) => algebra.plus(arm, part),
-                        None => part,
-                    });
-                    let rate = algebra.turned(*direction, slide.along);
-                    columns[slide.unknown] = algebra.plus(columns[slide.unknown], rate);
-                }
-                _ => {
-                    gap = algebra.plus(gap, part);
-                    sides.push((None, part));
-                    columns[slide.unknown] = algebra.plus(columns[slide.unknown], slide.along);
-                }
+            let turning = slide
+                .turned_by
+                .and_then(|turning| Some((turning, now.get(turning)?)));
+            if let Some((turning, Solution::Direction(direction))) = turning {
+                arms[turning] = Some(match arms[turning] {
+                    Some(arm) => algebra.plus(arm, part),
+                    None => part,
+                });
+                let rate = algebra.turned(*direction, slide.along);
+                columns[slide.unknown] = algebra.plus(columns[slide.unknown], rate);
+            } else {
+                gap = algebra.plus(gap, part);
+                sides.push((None, part));
+                columns[slide.unknown] = algebra.plus(columns[slide.unknown], slide.along);
             }
         }
         for (unknown, arm) in arms.into_iter().enumerate() {

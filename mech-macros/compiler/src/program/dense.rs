@@ -22,8 +22,9 @@ pub(crate) fn solve<T: Real>(mut rows: Vec<Vec<T>>, mut right: Vec<T>) -> (Vec<T
         det = det * rows[pivot][pivot];
         for row in pivot + 1..count {
             let factor = rows[row][pivot] / rows[pivot][pivot];
-            for column in pivot + 1..count {
-                rows[row][column] = rows[row][column] - factor * rows[pivot][column];
+            let (above, below) = rows.split_at_mut(row);
+            for (entry, over) in below[0].iter_mut().zip(&above[pivot]).skip(pivot + 1) {
+                *entry = *entry - factor * *over;
             }
             right[row] = right[row] - factor * right[pivot];
         }

@@ -2,7 +2,7 @@
 
 use super::{Repair, drivable};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
-use crate::structure::Diagnosis;
+use crate::structure::{self, Diagnosis};
 
 /// All single changes that might cure this, the likely ones first.
 pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Vec<Repair> {
@@ -33,8 +33,12 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             if *matched {
                 repairs.push(Repair::AllowRedundant);
             }
-            let mut links = ends(model, joints);
-            let joints = with_slides(model, joints, &mut links);
+            let mut joints = joints.clone();
+            if *matched {
+                joints.extend(held(model));
+            }
+            let mut links = ends(model, &joints);
+            let joints = with_slides(model, &joints, &mut links);
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
@@ -186,6 +190,18 @@ fn ends(model: &Model, joints: &[JointId]) -> Vec<LinkId> {
     links.sort();
     links.dedup();
     links
+}
+
+/// The joints that hold each other whatever the lengths.
+fn held(model: &Model) -> Vec<JointId> {
+    let diagnoses = structure::analyse(model).err().unwrap_or_default();
+    diagnoses
+        .into_iter()
+        .flat_map(|diagnosis| match diagnosis {
+            Diagnosis::Blocked { joints, .. } | Diagnosis::Overdetermined { joints, .. } => joints,
+            _ => Vec::new(),
+        })
+        .collect()
 }
 
 /// These joints, and the slides and welds by which these links keep their direction to others; those links are added.

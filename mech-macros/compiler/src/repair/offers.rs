@@ -1,10 +1,10 @@
 //! Which changes cure what is wrong.
 
+use super::Repair;
 use super::candidates::candidates;
 use super::trial::{Trial, Trials};
-use super::{Repair, apply_all};
-use crate::model::{JointId, Model};
-use crate::structure::{self, Diagnosis};
+use crate::model::{JointId, LinkId, Model};
+use crate::structure::Diagnosis;
 
 /// What would mend a mechanism, as far as it was searched for. Everything in it was applied, and compiled.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Offers {
     pub elsewhere: Vec<Repair>,
     /// Motors that would settle everything, but with loops that wait for each other: they need `allow coupled;`.
     pub coupled: Vec<Repair>,
-    /// Where nothing is enough because more is wrong than this: changes that cure this and make nothing else worse.
+    /// Where more is wrong than this: changes that cure this, and make nothing else worse, without being enough.
     pub partial: Vec<Repair>,
     /// Where no single change is enough: changes that are, together.
     pub pairs: Vec<[Repair; 2]>,
@@ -60,7 +60,7 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
             | Diagnosis::NoMotor { freedom: 2.., .. }
     );
     let mut offers = Offers::default();
-    let mut reducing = Vec::new();
+    let mut failed = Vec::new();
     for repair in candidates(trials.model, all, diagnosis) {
         if one_is_enough && !offers.single.is_empty() {
             break;
@@ -80,7 +80,7 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
                 if all.len() > 1 && is_better(&found, all, index) {
                     offers.partial.push(repair.clone());
                 }
-                reducing.push((repair, found));
+                failed.push((repair, found));
             }
             Trial::Untried => {}
         }
@@ -110,10 +110,8 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     offers
         .elsewhere
         .dedup_by(|next, first| same_place(first, next));
-    if offers.is_enough() {
-        offers.partial.clear();
-    } else if offers.partial.is_empty() && is_held(diagnosis) {
-        pairs(trials, all, &reducing, &mut offers);
+    if offers.is_empty() && is_held(diagnosis) {
+        pairs(trials, &failed, &mut offers);
     }
     if trials.exhausted {
         offers.search = Search::Bounded;
@@ -177,45 +175,21 @@ fn is_better(found: &[Diagnosis], all: &[Diagnosis], index: usize) -> bool {
     })
 }
 
-/// Searches for two changes that are enough together.
-fn pairs(
-    trials: &mut Trials<'_>,
-    all: &[Diagnosis],
-    tried: &[(Repair, Vec<Diagnosis>)],
-    offers: &mut Offers,
-) {
+/// Searches for two changes that are enough together: after the first, whatever would mend what is then wrong.
+fn pairs(trials: &mut Trials<'_>, tried: &[(Repair, Vec<Diagnosis>)], offers: &mut Offers) {
     offers.search = Search::Pairs;
     let model = trials.model;
-    let excess = |repairs: &[Repair], found: &[Diagnosis]| {
-        let changed = apply_all(repairs, model)?;
-        let free = i64::try_from(freedom(found)?).ok()?;
-        let motors = i64::try_from(changed.motors.len()).ok()?;
-        Some(free + motors - structure::mobility(&changed))
-    };
-    let Some(before) = excess(&[], all) else {
-        return;
-    };
-    let mut by_freedom: Vec<(usize, &Repair, &[Diagnosis])> = tried
+    let mut halves: Vec<(usize, &Repair, &[Diagnosis])> = tried
         .iter()
         .filter_map(|(repair, found)| Some((freedom(found)?, repair, &found[..])))
         .collect();
-    by_freedom.sort_by_key(|(freedom, ..)| *freedom);
-    for (_, repair, found) in &by_freedom {
-        for motors in motors_for(model, repair, found) {
-            attempt(trials, offers, [(*repair).clone(), motors]);
-        }
-    }
-    // Only what takes away something of what is too much can be half of a cure by two changes to links and joints.
-    let halves: Vec<_> = by_freedom
-        .into_iter()
-        .filter(|(_, repair, found)| {
-            let after = excess(std::slice::from_ref(repair), found);
-            after.is_some_and(|after| after < before)
-        })
-        .collect();
-    for (index, (_, second, _)) in halves.iter().enumerate() {
-        for (_, first, _) in &halves[..index] {
-            attempt(trials, offers, [(*first).clone(), (*second).clone()]);
+    halves.sort_by_key(|(freedom, _, found)| (*freedom, found.len()));
+    for (_, first, found) in halves {
+        for second in seconds(model, first, found) {
+            if offers.pairs.len() >= PAIRS {
+                return;
+            }
+            attempt(trials, offers, [first.clone(), second]);
         }
     }
 }
@@ -226,8 +200,7 @@ fn attempt(trials: &mut Trials<'_>, offers: &mut Offers, pair: [Repair; 2]) {
         let [first, second] = &pair;
         (same(a, first) && same(b, second)) || (same(a, second) && same(b, first))
     };
-    let done = offers.pairs.len() >= PAIRS || offers.pairs.iter().any(is_known);
-    if !done && trials.of(&pair) == Trial::Closes {
+    if !offers.pairs.iter().any(is_known) && trials.of(&pair) == Trial::Closes {
         offers.pairs.push(pair);
     }
 }
@@ -243,40 +216,53 @@ fn freedom(diagnoses: &[Diagnosis]) -> Option<usize> {
     diagnoses.iter().map(missing).sum()
 }
 
-/// Motors that a change makes room for: each of a few alone, or several together.
-fn motors_for(model: &Model, repair: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
-    const FEW: usize = 3;
-    let (freedom, candidates) = match found {
-        [
-            Diagnosis::NoMotor {
-                freedom,
-                candidates,
-            },
-        ]
-        | [
-            Diagnosis::Undetermined {
-                freedom,
-                candidates,
-                ..
-            },
-        ] => (*freedom, candidates),
-        _ => return Vec::new(),
-    };
-    let Some(changed) = repair.apply(model) else {
+/// What might mend the rest of what is wrong after a first change.
+fn seconds(model: &Model, first: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
+    /// Of the joints on which a motor would do, so many are enough.
+    const MOTORS: usize = 3;
+    let (Some(changed), Some(rest)) = (first.apply(model), found.first()) else {
         return Vec::new();
     };
-    let original = |joint: &JointId| {
-        let name = &changed.joint(*joint).name;
-        let same = |id: &JointId| model.joint(*id).name == *name && !model.joint(*id).hidden;
-        model.joint_ids().find(same)
-    };
-    let joints: Vec<JointId> = candidates.iter().filter_map(original).collect();
-    if freedom > 1 {
-        return vec![Repair::AddMotors(joints)];
-    }
-    joints
+    let seconds: Vec<Repair> = candidates(&changed, found, rest)
         .into_iter()
-        .take(FEW)
-        .map(|joint| Repair::AddMotors(vec![joint]))
-        .collect()
+        .filter_map(|second| translated(&second, &changed, model))
+        .collect();
+    let adds = |repair: &Repair| matches!(repair, Repair::AddMotors(_));
+    let most = if seconds.iter().any(adds) {
+        MOTORS
+    } else {
+        usize::MAX
+    };
+    seconds.into_iter().take(most).collect()
+}
+
+/// A change to a changed mechanism, as one to the original: what has the same name is the same.
+fn translated(repair: &Repair, changed: &Model, original: &Model) -> Option<Repair> {
+    let joint = |id: JointId| {
+        let name = &changed.joint(id).name;
+        let same = |id: &JointId| original.joint(*id).name == *name && !original.joint(*id).hidden;
+        original.joint_ids().find(same)
+    };
+    let link = |id: LinkId| {
+        let name = &changed.link(id).name;
+        let same =
+            |id: &LinkId| original.link(*id).name == *name && original.link(*id).die.is_none();
+        original.link_ids().find(same)
+    };
+    Some(match repair {
+        Repair::RemoveJoint(id) => Repair::RemoveJoint(joint(*id)?),
+        Repair::RemoveLink(id) => Repair::RemoveLink(link(*id)?),
+        Repair::MakeSlot { joint: id, along } => Repair::MakeSlot {
+            joint: joint(*id)?,
+            along: *along,
+        },
+        Repair::Unweld(id) => Repair::Unweld(joint(*id)?),
+        Repair::RemoveMotor(id) => {
+            Repair::RemoveMotor(original.motor_of(joint(changed.motor(*id).joint)?)?)
+        }
+        Repair::AddMotors(ids) => {
+            Repair::AddMotors(ids.iter().map(|&id| joint(id)).collect::<Option<_>>()?)
+        }
+        _ => return None,
+    })
 }

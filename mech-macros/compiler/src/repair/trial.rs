@@ -42,7 +42,7 @@ const LEAST: usize = 1_000;
 /// The work of compiling a link or a joint.
 const COMPILING: usize = 20;
 /// The work of assembling loops that are solved together.
-const COUPLED: usize = 80_000;
+const COUPLED: usize = 200_000;
 
 impl<'m> Trials<'m> {
     pub(super) fn new(model: &'m Model) -> Self {

@@ -133,12 +133,12 @@ impl Words<'_> {
         if offers.coupled.is_empty() || !offers.single.iter().any(adds) {
             return help;
         }
-        match help[1..].find('\n') {
-            Some(end) => format!(
-                "{}: then all is solved loop by loop{}",
-                &help[..=end],
-                &help[end + 1..]
-            ),
+        // The first line is that of the motors that need nothing else.
+        match help.match_indices('\n').nth(1) {
+            Some((end, _)) => {
+                let (first, rest) = help.split_at(end);
+                format!("{first}: then all is solved loop by loop{rest}")
+            }
             None => help,
         }
     }

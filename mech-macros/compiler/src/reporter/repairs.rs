@@ -5,41 +5,34 @@ use super::wording::{brief, one_of};
 use crate::model::{JointId, JointKind, MotorId};
 use crate::repair::{Offers, Repair, Search};
 
-/// A help line is not made longer than this by putting several phrases on it.
+/// A line is not made longer than this by putting several phrases on it.
 const WIDTH: usize = 100;
 
 impl Words<'_> {
-    /// The lines that say what would mend it: none if nothing was searched for.
+    /// The lines that say what would mend it, each after a line break: none if nothing was found.
     pub(super) fn help(&self, offers: &Offers) -> String {
-        let mut text = lines("help: ", &self.phrases(&offers.single));
+        let mut lines = in_lines(&self.phrases(&offers.single));
         if !offers.elsewhere.is_empty() {
-            let or = if text.is_empty() {
-                "help: "
-            } else {
-                "help: or "
-            };
             let phrases = self.phrases(&offers.elsewhere).join(", or ");
             let how = self.with_other_start(&offers.elsewhere);
-            text += &format!("\n{or}{phrases}, {how}");
+            lines.push(format!("{phrases}, {how}"));
         }
         if !offers.coupled.is_empty() {
-            let or = if text.is_empty() {
-                "help: "
-            } else {
-                "help: or "
-            };
             let phrases = self.phrases(&offers.coupled).join(", or ");
-            text += &format!(
-                "\n{or}{phrases}, with `allow coupled;`: it settles everything, but the loops then wait for each other"
-            );
+            lines.push(format!(
+                "{phrases}, with `allow coupled;`: it settles everything, but the loops then wait for each other"
+            ));
         }
-        if !offers.partial.is_empty() {
-            text += &lines(
-                "help: against this error alone, ",
-                &self.phrases(&offers.partial),
-            );
-        }
-        text
+        let alone = in_lines(&self.phrases(&offers.partial));
+        let alone = alone
+            .first()
+            .map(|line| format!("\nhelp: for this alone, {line}"));
+        lines
+            .iter()
+            .enumerate()
+            .map(|(index, line)| ["\nhelp: ", if index == 0 { "" } else { "or " }, line].concat())
+            .chain(alone)
+            .collect()
     }
 
     /// The same, and what is to be said where no single change does.
@@ -50,27 +43,20 @@ impl Words<'_> {
             return help;
         }
         if offers.pairs.is_empty() {
-            return match offers.search {
-                Search::Singles => String::new(),
-                Search::Pairs => {
-                    "\nnote: no single change mends it, nor do two together".to_owned()
-                }
-                Search::Bounded => {
-                    "\nnote: of the many changes that were tried, none mends it".to_owned()
-                }
+            let note = match offers.search {
+                Search::Singles => "",
+                Search::Pairs => "\nnote: no single change mends it, nor were two found that do",
+                Search::Bounded => "\nnote: of the many changes that were tried, none mends it",
             };
+            return note.to_owned();
         }
-        let lines: String = offers
-            .pairs
-            .iter()
-            .take(SHOWN)
-            .enumerate()
-            .map(|(index, pair)| {
-                let word = if index == 0 { "together:" } else { "or" };
-                format!("\nhelp: {word} {}", self.together(pair))
-            })
-            .collect();
-        format!("\nnote: no single change mends it{lines}")
+        let lines = offers.pairs.iter().take(SHOWN).enumerate();
+        let lines = lines.map(|(index, pair)| {
+            let word = if index == 0 { "together: " } else { "or " };
+            ["\nhelp: ", word, &self.together(pair)].concat()
+        });
+        let note = "\nnote: no single change mends it".to_owned();
+        [note].into_iter().chain(lines).collect()
     }
 
     /// Two changes, the second after the first.
@@ -89,98 +75,63 @@ impl Words<'_> {
         if repairs.iter().all(moves) {
             "with its coordinate in `start`: at 0 the mechanism does not close"
         } else if self.model.start.values.is_empty() {
-            "and start it elsewhere: at 0 the mechanism then does not close"
+            "and start it elsewhere: at 0 it does not close then"
         } else {
-            "and start it elsewhere: as it starts now it then does not close"
+            "and start it elsewhere: as it starts now it does not close then"
         }
     }
 
     /// All these changes, those of a kind together.
     fn phrases(&self, repairs: &[Repair]) -> Vec<String> {
-        let mut phrases = Vec::new();
-        let mut push = |before: &str, names: &[String], after: &str| {
-            if !names.is_empty() {
-                phrases.push(format!("{before}{}{after}", one_of(names)));
+        let settings = repairs.iter().filter_map(|repair| match repair {
+            Repair::AllowRedundant => Some("add `allow redundant;`".to_owned()),
+            Repair::AllowCoupled => {
+                Some("add `allow coupled;` to solve these loops together".to_owned())
             }
-        };
-        for repair in repairs {
-            match repair {
-                Repair::AllowRedundant => push("add ", &["`allow redundant;`".to_owned()], ""),
-                Repair::AllowCoupled => push(
-                    "add ",
-                    &["`allow coupled;`".to_owned()],
-                    " to solve these loops together",
-                ),
-                _ => {}
-            }
-        }
-        let moved = |repair: &Repair| match repair {
-            Repair::MoveMotor { motor, .. } => Some(*motor),
+            Repair::StartAt { motor, value } => Some(self.start_at(*motor, *value)),
             _ => None,
-        };
-        let mut motors: Vec<MotorId> = repairs.iter().filter_map(moved).collect();
-        motors.dedup();
-        for motor in motors {
-            let to = self.those(repairs, |repair| match repair {
-                Repair::MoveMotor { motor: other, to } if *other == motor => Some(self.joint(*to)),
-                _ => None,
-            });
-            let from = self.joint(self.model.motor(motor).joint);
-            push(&format!("move the motor from {from} to "), &to, "");
-        }
-        let removed = self.those(repairs, |repair| match repair {
+        });
+        let gone = named(repairs, |repair| match repair {
             Repair::RemoveMotor(motor) => Some(self.motor_line(*motor)),
             Repair::RemoveLink(link) => Some(format!("`link {}`", self.model.link(*link).name)),
-            Repair::RemoveJoint(joint) => {
-                Some(format!("`joint {}`", self.model.joint(*joint).name))
-            }
+            Repair::RemoveJoint(joint) => Some(self.joint_line(*joint)),
             _ => None,
         });
-        push("remove ", &removed, "");
-        let slots = self.those(repairs, |repair| match repair {
-            Repair::MakeSlot { joint, .. } => {
-                Some(format!("`joint {}`", self.model.joint(*joint).name))
-            }
+        let slots = named(repairs, |repair| match repair {
+            Repair::MakeSlot { joint, .. } => Some(self.joint_line(*joint)),
             _ => None,
         });
-        push("replace ", &slots, " by `slot(...)`");
-        let welds = self.those(repairs, |repair| match repair {
-            Repair::Unweld(joint) => Some(format!("`joint {}`", self.model.joint(*joint).name)),
+        let welds = named(repairs, |repair| match repair {
+            Repair::Unweld(joint) => Some(self.joint_line(*joint)),
             _ => None,
         });
-        push("replace ", &welds, " by `revolute(...)`");
-        for phrase in self.added_motors(repairs) {
-            push("", &[phrase], "");
-        }
-        for repair in repairs {
-            match repair {
-                Repair::StartAt { motor, value } => push("", &[self.start_at(*motor, *value)], ""),
-                Repair::Carry { joint, on: None } => {
-                    push(
-                        "leave out `on LINK`: what carries ",
-                        &[self.joint(*joint)],
-                        " is found",
-                    );
-                }
-                _ => {}
-            }
-        }
-        let carriers = self.those(repairs, |repair| match repair {
+        let unnamed = named(repairs, |repair| match repair {
+            Repair::Carry { joint, on: None } => Some(self.carrier_clause(*joint)),
+            _ => None,
+        });
+        let carriers = named(repairs, |repair| match repair {
             Repair::Carry { on: Some(link), .. } => {
                 Some(format!("`on {}`", self.model.link(*link).name))
             }
             _ => None,
         });
-        push("write ", &carriers, "");
-        phrases
+        let lists = [
+            ("remove ", gone, ""),
+            ("replace ", slots, " by `slot(...)`"),
+            ("replace ", welds, " by `revolute(...)`"),
+            ("leave ", unnamed, " out"),
+            ("write ", carriers, ""),
+        ];
+        let lists = lists.into_iter().filter(|(_, names, _)| !names.is_empty());
+        settings
+            .chain(self.moved_motors(repairs))
+            .chain(lists.map(|(before, names, after)| [before, &one_of(&names), after].concat()))
+            .chain(self.added_motors(repairs))
+            .collect()
     }
 
-    #[expect(
-        clippy::unused_self,
-        reason = "reads as a question about the repairs of this mechanism"
-    )]
-    fn those(&self, repairs: &[Repair], name: impl Fn(&Repair) -> Option<String>) -> Vec<String> {
-        repairs.iter().filter_map(name).collect()
+    fn joint_line(&self, joint: JointId) -> String {
+        format!("`joint {}`", self.model.joint(joint).name)
     }
 
     /// A motor, with the start that goes with it.
@@ -193,6 +144,35 @@ impl Words<'_> {
         } else {
             format!("`motor {name};`")
         }
+    }
+
+    /// The clause by which the carrier of what rolls is named.
+    fn carrier_clause(&self, joint: JointId) -> String {
+        match self.model.joint(joint).kind {
+            JointKind::Gear { on: Some(on), .. }
+            | JointKind::Belt { on: Some(on), .. }
+            | JointKind::Rack { on: Some(on), .. } => format!("`on {}`", self.model.link(on).name),
+            _ => "`on LINK`".to_owned(),
+        }
+    }
+
+    /// For each motor that could be moved, where to.
+    fn moved_motors(&self, repairs: &[Repair]) -> Vec<String> {
+        let moved = |repair: &Repair| match repair {
+            Repair::MoveMotor { motor, .. } => Some(*motor),
+            _ => None,
+        };
+        let mut motors: Vec<MotorId> = repairs.iter().filter_map(moved).collect();
+        motors.dedup();
+        let phrase = |motor| {
+            let to = named(repairs, |repair| match repair {
+                Repair::MoveMotor { motor: other, to } if *other == motor => Some(self.joint(*to)),
+                _ => None,
+            });
+            let from = self.joint(self.model.motor(motor).joint);
+            format!("move the motor from {from} to {}", one_of(&to))
+        };
+        motors.into_iter().map(phrase).collect()
     }
 
     /// Motors on one joint each, or on several at once.
@@ -239,19 +219,21 @@ impl Words<'_> {
     }
 }
 
+fn named(repairs: &[Repair], name: impl Fn(&Repair) -> Option<String>) -> Vec<String> {
+    repairs.iter().filter_map(name).collect()
+}
+
 /// Phrases on as few lines as they fit on.
-fn lines(before: &str, phrases: &[String]) -> String {
-    let mut text = String::new();
-    let mut width = 0;
+fn in_lines(phrases: &[String]) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
     for phrase in phrases {
-        if width > 0 && width + phrase.len() <= WIDTH {
-            text += &format!(", or {phrase}");
-            width += phrase.len() + 5;
-        } else {
-            let or = if text.is_empty() { before } else { "help: or " };
-            text += &format!("\n{or}{phrase}");
-            width = phrase.len();
+        match lines.last_mut() {
+            Some(line) if line.len() + phrase.len() <= WIDTH => {
+                line.push_str(", or ");
+                line.push_str(phrase);
+            }
+            _ => lines.push(phrase.clone()),
         }
     }
-    text
+    lines
 }

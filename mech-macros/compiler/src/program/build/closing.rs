@@ -72,7 +72,9 @@ impl Writer<'_> {
             block.kind = BlockKind::Newton(newton);
         }
         equation.place(&mut self.builder, &mut self.placement, closing, &solution);
-        bases.iter().for_each(|&base| self.name_cluster(base));
+        for &base in &bases {
+            self.name_cluster(base);
+        }
     }
 
     /// Where the axes of the rings are in their links and in the first cluster: rounding grows with these too.
@@ -242,7 +244,7 @@ impl Writer<'_> {
         for ((now, step), name) in now.iter().zip(steps).zip(names) {
             match *now {
                 Solution::Direction(direction) => {
-                    next.extend(self.turned_by(direction, step, name))
+                    next.extend(self.turned_by(direction, step, name));
                 }
                 Solution::Slide(way) => next.push(self.builder.add(way, step)),
             }

@@ -45,7 +45,7 @@ impl Writer<'_> {
                 }
                 Unknown::Direction(_) => {}
                 Unknown::Slide(joint) => {
-                    unknowns.push((self.model.joint(joint).name.clone(), index))
+                    unknowns.push((self.model.joint(joint).name.clone(), index));
                 }
             }
         }
