@@ -173,6 +173,7 @@ cases! {
     welded: zoo::special::Welded, "zoo/special.rs", turn;
     wedge: zoo::special::Wedge, "zoo/special.rs", to_and_fro;
     three_cranks: zoo::special::ThreeCranks, "zoo/special.rs", swing;
+    two_guides: zoo::special::TwoGuides, "zoo/special.rs", turn;
     four_gears: zoo::special::FourGears, "zoo/special.rs", turn;
     three_planets: zoo::special::ThreePlanets, "zoo/special.rs", turn;
     stephenson_from_its_far_side: zoo::special::StephensonFar, "zoo/special.rs", to;

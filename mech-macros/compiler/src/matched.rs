@@ -3,7 +3,7 @@
 
 use crate::evaluate::{self, Machine};
 use crate::model::{Allowances, AxisId, Joint, JointId, JointKind, Model, MotorId};
-use crate::plan::{self, Loop, Plan};
+use crate::plan::{self, Plan, Step};
 use crate::program::{self, Program};
 use crate::structure::{self, Structure};
 
@@ -44,7 +44,7 @@ pub(crate) fn matched(model: &Model) -> Option<Matched> {
     if model.motors.is_empty() || !model.motor_ids().all(moves) {
         return None;
     }
-    structure.redundant = too_many(&plan);
+    structure.redundant = too_many(&lenient, &plan);
     Some(Matched {
         structure,
         plan,
@@ -124,9 +124,18 @@ fn gap(model: &Model, declared: &[[f64; 4]]) -> f64 {
 }
 
 /// The joints that were not needed to find where everything is.
-fn too_many(plan: &Plan) -> Vec<JointId> {
-    plan.loops()
-        .filter(|closing| closing.is_redundant())
-        .flat_map(Loop::unknowns)
-        .collect()
+fn too_many(model: &Model, plan: &Plan) -> Vec<JointId> {
+    let needed: Vec<JointId> = plan
+        .steps
+        .iter()
+        .flat_map(|step| match step {
+            Step::Weld(connection) => vec![connection.joint],
+            Step::Drive(drive) => vec![drive.connection.joint],
+            Step::Mesh(mesh) => vec![mesh.connection.joint],
+            Step::Close(closing) if closing.is_redundant() => Vec::new(),
+            Step::Close(closing) => closing.unknowns(),
+        })
+        .collect();
+    let idle = |joint: &JointId| !needed.contains(joint) && !model.joint(*joint).kind.rolls();
+    model.joint_ids().filter(idle).collect()
 }

@@ -140,3 +140,18 @@ mechanism! {
     motor a;
     allow coupled;
 }
+
+mechanism! {
+    /// A block on two parallel guides, as they are built: one would do.
+    pub struct TwoGuides;
+    link crank;
+    link rod;
+    link block;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, rod) at (1, 0.5);
+    joint c = revolute(rod, block) at (4, 0);
+    joint low = prismatic(ground, block) at (4, -1) along (1, 0);
+    joint high = prismatic(ground, block) at (4, 1) along (1, 0);
+    motor a;
+    allow redundant;
+}

@@ -38,9 +38,11 @@ pub(super) fn block(connections: &[Between]) -> Option<Block> {
 
 /// Two clusters that two connections hold: one turning joint and any other. That is once more than it takes.
 pub(super) fn held_twice(connections: &[Between]) -> Option<Block> {
-    let pair = connections
-        .windows(2)
-        .find(|pair| (pair[0].a, pair[0].b) == (pair[1].a, pair[1].b))?;
+    let turns = |between: &Between| between.connection.kind == ConnectionKind::Revolute;
+    let twice = |pair: &&[Between]| {
+        (pair[0].a, pair[0].b) == (pair[1].a, pair[1].b) && pair.iter().any(turns)
+    };
+    let pair = connections.windows(2).find(twice)?;
     let ring = vec![pair[0].connection, pair[1].connection.reversed()];
     let tree = if pair[0].connection.kind == ConnectionKind::Revolute {
         ring[0]
