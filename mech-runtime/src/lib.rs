@@ -126,7 +126,7 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// the joints leave (blocked, overdetermined, undetermined, too many motors); that the loops can be solved one after the
 /// other; that it can be assembled, and in one way only. Every error stands at the place it is about, and repairs are
 /// tried before they are offered. A mechanism with errors still yields the struct and its methods, so that nothing else
-/// turns red.
+/// turns red. The catalogue of what can be found wrong is `docs/diagnoses.md` in the repository.
 #[macro_export]
 macro_rules! mechanism {
     ($($body:tt)*) => {

@@ -118,7 +118,8 @@ fn write(path: &Path, text: &str) {
 fn manifest(name: &str, ours: &Path) -> String {
     let runtime = ours.join("mech-runtime");
     format!(
-        "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\nmech-runtime = {{ path = {runtime:?} }}\n"
+        "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\nmech-runtime = {{ path = '{}' }}\n",
+        runtime.display()
     )
 }
 

@@ -2,10 +2,11 @@
 //! crank too many. Tested by moving.
 
 use crate::evaluate::{self, Machine};
-use crate::model::{Allowances, AxisId, Joint, JointId, JointKind, Model, MotorId};
+use crate::model::{Allowances, AxisId, Joint, JointId, JointKind, LinkId, Model, MotorId};
 use crate::plan::{self, Plan, Step};
 use crate::program::{self, Program};
-use crate::structure::{self, Structure};
+use crate::structure::{self, Factor, Rolling, RollingEnd, Structure};
+use std::f64::consts::TAU;
 
 /// How far each motor is moved, in radians, or as a part of the mechanism's size: far enough for a link that only touches its
 /// circle to leave it, by any order of contact that occurs. The first must be possible in one direction at least; where the
@@ -32,9 +33,10 @@ pub(crate) fn matched(model: &Model) -> Option<Matched> {
     let plan = plan::plan(&lenient, &structure).ok()?;
     let mut program = program::build(&lenient, &plan);
     evaluate::settle(&mut program).ok()?;
+    let rollings = structure.rollings.clone();
     let moves = |motor: MotorId| {
-        let ways =
-            [1.0, -1.0].map(|sign| NUDGES.map(|way| nudged(&lenient, &program, motor, sign * way)));
+        let ways = [1.0, -1.0]
+            .map(|sign| NUDGES.map(|way| nudged(&lenient, &rollings, &program, motor, sign * way)));
         let closes = ways
             .iter()
             .flatten()
@@ -63,7 +65,13 @@ enum Outcome {
     Open,
 }
 
-fn nudged(model: &Model, program: &Program, motor: MotorId, way: f64) -> Outcome {
+fn nudged(
+    model: &Model,
+    rollings: &[Rolling],
+    program: &Program,
+    motor: MotorId,
+    way: f64,
+) -> Outcome {
     let mut machine = Machine::<f64>::new(program);
     let mut motors = machine.position().motors.clone();
     let slides = matches!(
@@ -83,7 +91,14 @@ fn nudged(model: &Model, program: &Program, motor: MotorId, way: f64) -> Outcome
         .poses
         .iter()
         .fold(size, |reach, pose| reach.max(pose[2].hypot(pose[3])));
-    let open = gap(model, &machine.position().poses) > 1e-9 * reach;
+    let poses = &machine.position().poses;
+    let slips = || {
+        rollings
+            .iter()
+            .any(|rolling| slip(model, rolling, &program.start.poses, poses).abs() > 1e-9)
+    };
+    // Turns are only known up to whole ones: the least nudge tells.
+    let open = gap(model, poses) > 1e-9 * reach || (way.abs() <= NUDGES[0] && slips());
     if open { Outcome::Open } else { Outcome::Moved }
 }
 
@@ -117,10 +132,70 @@ fn gap(model: &Model, declared: &[[f64; 4]]) -> f64 {
                 _ => cross(along, way).max(cross(along, other)),
             }
         }
-        // What rolls is solved exactly, all of it.
+        // What rolls is looked at apart.
         JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
     };
     model.joints.iter().map(apart).fold(0.0, f64::max)
+}
+
+/// How much the two parts that roll on each other have slipped since the start, as a part of their size.
+fn slip(model: &Model, rolling: &Rolling, start: &[[f64; 4]], now: &[[f64; 4]]) -> f64 {
+    let pose = |poses: &[[f64; 4]], link: LinkId| {
+        let index = link.index().checked_sub(1);
+        index
+            .and_then(|index| poses.get(index).copied())
+            .unwrap_or([1.0, 0.0, 0.0, 0.0])
+    };
+    let turn = |poses: &[[f64; 4]], link: LinkId| {
+        let ([a, b, ..], [c, d, ..]) = (pose(poses, rolling.carrier), pose(poses, link));
+        (a * d - b * c).atan2(a * c + b * d)
+    };
+    let way = |poses: &[[f64; 4]], slide: JointId| match model.joint(slide).kind {
+        JointKind::Prismatic(from, to) => {
+            let place = |id: AxisId| {
+                let axis = model.axis(id);
+                let [cos, sin, x, y] = pose(poses, axis.link);
+                [
+                    x + cos * axis.at[0] - sin * axis.at[1],
+                    y + sin * axis.at[0] + cos * axis.at[1],
+                ]
+            };
+            let [cos, sin, ..] = pose(poses, model.axis(from).link);
+            let [u, v] = model.axis(from).direction;
+            let ([a, b], [c, d]) = (place(from), place(to));
+            (c - a) * (cos * u - sin * v) + (d - b) * (sin * u + cos * v)
+        }
+        _ => 0.0,
+    };
+    let size = |factor: Factor| match factor {
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "a wheel of 2^53 teeth does not exist"
+        )]
+        Factor::Whole(value) => value as f64,
+        Factor::Float(value) => value,
+    };
+    let moved = rolling.ends.map(|(end, factor)| {
+        let moved = match end {
+            RollingEnd::Wheel(wheel) => {
+                let off = turn(now, wheel) - turn(start, wheel);
+                off - TAU * (off / TAU).round()
+            }
+            RollingEnd::Bar {
+                slide, forwards, ..
+            } => {
+                let off = way(now, slide) - way(start, slide);
+                if forwards { off } else { -off }
+            }
+        };
+        size(factor) * moved
+    });
+    let largest = rolling
+        .ends
+        .iter()
+        .map(|(_, factor)| size(*factor).abs())
+        .fold(0.0, f64::max);
+    (moved[0] + moved[1]) / largest
 }
 
 /// The joints that were not needed to find where everything is.

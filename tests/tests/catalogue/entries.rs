@@ -127,7 +127,7 @@ motor x;",
 struct Arm;
 ground { point base = (0, 0); }
 link arm { point shoulder = (0, 0); point left = (1, 0); point right = (2, 0); }
-link plate { point left = (0, 0); point right = (1, 0); }
+link plate { point left = (0, 0); point right = (1.1, 0); }
 joint a = revolute(ground.base, arm.shoulder);
 joint bolt = revolute(arm.left, plate.left);
 joint screw = revolute(arm.right, plate.right);

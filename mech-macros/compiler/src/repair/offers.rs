@@ -168,11 +168,14 @@ fn is_better(found: &[Diagnosis], all: &[Diagnosis], index: usize) -> bool {
         .filter(|(other, _)| *other != index)
         .map(|(_, diagnosis)| std::mem::discriminant(diagnosis))
         .collect();
-    found.iter().all(|diagnosis| {
-        let kind = std::mem::discriminant(diagnosis);
-        let known = rest.iter().position(|other| *other == kind);
-        known.map(|at| rest.swap_remove(at)).is_some()
-    })
+    let missing = |diagnoses: &[Diagnosis]| freedom(diagnoses).unwrap_or(0);
+    let no_freer = missing(found) <= missing(all);
+    no_freer
+        && found.iter().all(|diagnosis| {
+            let kind = std::mem::discriminant(diagnosis);
+            let known = rest.iter().position(|other| *other == kind);
+            known.map(|at| rest.swap_remove(at)).is_some()
+        })
 }
 
 /// Searches for two changes that are enough together: after the first, whatever would mend what is then wrong.

@@ -54,6 +54,12 @@ impl Words<'_> {
         offers: &Offers,
     ) -> String {
         let one = self.joint_names(joints).len() == 1;
+        let rolls = |&joint: &JointId| self.model.joint(joint).kind.rolls();
+        let sizes = if joints.iter().all(rolls) {
+            "ratios"
+        } else {
+            "lengths"
+        };
         let bolted = self.bolted(joints).unwrap_or_default();
         let help = if bolted.is_empty() {
             self.help_or_pairs(offers)
@@ -62,14 +68,14 @@ impl Words<'_> {
         };
         if matched {
             return format!(
-                "{} too many: the mechanism moves all the same, but only because its lengths match exactly{bolted}{help}",
+                "{} too many: the mechanism moves all the same, but only because its {sizes} match exactly{bolted}{help}",
                 self.the_joints(joints, ["is one", "are"]),
             );
         }
         let hold = self.the_joints(joints, ["holds", "hold"]);
         let it = if one { "it fits" } else { "they fit" };
         format!(
-            "{hold} the same parts more than once: {it} together only if all lengths match exactly{bolted}{help}"
+            "{hold} the same parts more than once: {it} together only if all {sizes} match exactly{bolted}{help}"
         )
     }
 

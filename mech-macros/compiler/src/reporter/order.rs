@@ -36,8 +36,8 @@ impl Words<'_> {
             let round = [after, before, &after[..1]].concat().join(" → ");
             let help = if index == 0 { &help[..] } else { "" };
             let text = format!(
-                "the mechanism is not sequential: {} cannot be solved alone\nnote: of more than three unknowns each, these \
-                 loops wait for each other: {round}{help}",
+                "the mechanism is not sequential: {} cannot be solved alone\nnote: these loops have more than three \
+                 unknowns each, and wait for each other: {round}{help}",
                 named.get(index).map_or("this loop", String::as_str)
             );
             (at, text)
