@@ -5,8 +5,10 @@ use mech_compiler::model::{
     Allowances, Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor,
     Origin, Ratio,
 };
-use mech_compiler::{compile, reporter};
+use mech_compiler::structure::{Factor, RollingEnd};
+use mech_compiler::{Compiled, compile, reporter};
 use mech_tests::{Dice, with_ground, worst_gap};
+use std::f64::consts::TAU;
 
 /// Coordinates on a coarse grid, so that axes coincide, lie in line and run parallel.
 fn spot(dice: &mut Dice) -> [f64; 2] {
@@ -122,6 +124,46 @@ fn anything(dice: &mut Dice) -> Model {
     model
 }
 
+/// After a small motion two wheels have turned by their ratio, seen from their carrier.
+fn no_slip(compiled: &Compiled, seed: u64) {
+    let mut machine = Machine::<f64>::new(&compiled.program);
+    let turn = |poses: &[[f64; 4]], from: LinkId, to: LinkId| {
+        let pose = |link: LinkId| {
+            let index = link.index().checked_sub(1);
+            index.map_or([1.0, 0.0, 0.0, 0.0], |index| poses[index])
+        };
+        let ([a, b, ..], [c, d, ..]) = (pose(from), pose(to));
+        (a * d - b * c).atan2(a * c + b * d)
+    };
+    let start = machine.position().poses.clone();
+    let motors: Vec<f64> = machine
+        .position()
+        .motors
+        .iter()
+        .map(|motor| motor + 1e-3)
+        .collect();
+    if machine.move_to(&motors).is_err() {
+        return;
+    }
+    for rolling in &compiled.structure.rollings {
+        let [
+            (RollingEnd::Wheel(a), Factor::Whole(m)),
+            (RollingEnd::Wheel(b), Factor::Whole(n)),
+        ] = rolling.ends
+        else {
+            continue;
+        };
+        let moved = |wheel| {
+            let off = turn(&machine.position().poses, rolling.carrier, wheel)
+                - turn(&start, rolling.carrier, wheel);
+            off - TAU * (off / TAU).round()
+        };
+        let [m, n] = [m, n].map(|teeth| f64::from(i32::try_from(teeth).unwrap_or(0)));
+        let slip = m * moved(a) + n * moved(b);
+        assert!(slip.abs() < 1e-10, "seed {seed}: a gear slips by {slip:e}");
+    }
+}
+
 #[test]
 fn anything_at_all() {
     let cases = std::env::var("MECH_CASES")
@@ -143,6 +185,7 @@ fn anything_at_all() {
             }
         };
         accepted += 1;
+        no_slip(&compiled, seed);
         let mut machine = Machine::<f64>::new(&compiled.program);
         for _ in 0..10 {
             let motors: Vec<f64> = machine
