@@ -8,6 +8,7 @@ use mech_compiler::model::{
 use mech_compiler::repair::{Offers, Repair, apply_all, offers};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
+use mech_compiler::syntax::Places;
 use mech_tests::{Dice, grow};
 
 /// How many mechanisms a test tries.
@@ -85,10 +86,9 @@ fn assert_mended(model: &Model, diagnoses: &[Diagnosis], what: &str) -> Vec<Offe
             }
         }
     }
-    for diagnosis in diagnoses {
-        let text = reporter::text(diagnosis, model);
-        let lines = text.lines().count();
-        assert!(lines <= 10, "{what}: {text}");
+    for message in reporter::messages(diagnoses, &found, model, &Places::default()) {
+        let lines = message.text.lines().count();
+        assert!(lines <= 8, "{what}: {}", message.text);
     }
     found
 }

@@ -1,0 +1,223 @@
+//! What gears, belts and racks add to the search: joints they move, and directions they tie.
+
+use super::Search;
+use crate::model::{JointKind, LinkId};
+use crate::plan::coupled;
+use crate::plan::knowledge::Knowledge;
+use crate::plan::ledger::{Linear, Rational};
+use crate::plan::step::{Connection, ConnectionKind, Mesh, Source, Step, Tie};
+use crate::structure::{Factor, Pin, Rolling, RollingEnd};
+use num_rational::BigRational;
+
+impl Search<'_> {
+    pub(super) fn rolls(&self) -> bool {
+        !self.structure.rollings.is_empty()
+    }
+
+    /// What slides and welds keep parallel, and what rolls on what.
+    pub(super) fn open_ledger(&mut self) {
+        if !self.rolls() {
+            return;
+        }
+        for joint in self.model.joint_ids() {
+            if let JointKind::Prismatic(..) | JointKind::Weld(..) = self.model.joint(joint).kind {
+                let (a, b) = self.model.ends(joint);
+                self.ledger.relate(&Linear::turn(a, b));
+                self.aligned.union(a.index(), b.index());
+            }
+        }
+        for rolling in &self.structure.rollings {
+            self.ledger.relate(&relation(rolling));
+        }
+    }
+
+    /// Enters a known quantity into the ledger, unless it follows from others.
+    pub(super) fn source(&mut self, source: Source, quantity: &Linear, behind: Knowledge) {
+        if self.rolls() && self.ledger.value(quantity).is_none() {
+            let number = Linear::source(self.sources.len());
+            self.ledger.relate(&quantity.clone().plus(&-one(), &number));
+            self.sources.push(source);
+            self.behind.push(behind);
+        }
+    }
+
+    /// Finds one joint that gears, belts or racks move: that of a wheel or bar on its carrier. First where the other part is
+    /// known on the carrier; only then where several that roll determine each other, as in planetary gears: so that the outcome
+    /// does not depend on the order of declaration.
+    pub(super) fn mesh(&mut self) -> bool {
+        if !self.rolls() {
+            return false;
+        }
+        let ends = || {
+            self.structure
+                .rollings
+                .iter()
+                .flat_map(|rolling| [(rolling, 0), (rolling, 1)])
+        };
+        let direct = |(rolling, end): &(&Rolling, usize)| {
+            let other = rolling.ends[1 - *end].0.link();
+            self.clusters.joined(rolling.carrier, other)
+        };
+        // Where several joints could be said to be moved, the name decides, which no reordering changes.
+        let name = |mesh: &Mesh| self.model.joint(mesh.connection.joint).name.clone();
+        let moved = |(rolling, end)| self.moved(rolling, end);
+        let found = ends().filter(direct).filter_map(moved).min_by_key(name);
+        let found = found.or_else(|| ends().filter_map(moved).min_by_key(name));
+        let Some(mesh) = found else { return false };
+        let how = Knowledge::of(mesh.parts.iter().map(|(source, _)| &self.behind[*source]));
+        let (from, to) = self.link_of(mesh.connection);
+        self.merge(&[from, to], &how);
+        self.steps.push(Step::Mesh(mesh));
+        true
+    }
+
+    /// How a wheel or bar is moved on its carrier, if that is known by now and was not before.
+    pub(super) fn moved(&self, rolling: &Rolling, end: usize) -> Option<Mesh> {
+        let connection = self.carried(rolling, rolling.ends[end].0)?;
+        let (from, to) = self.link_of(connection);
+        let (free, quantity) = match connection.kind {
+            ConnectionKind::Revolute => (
+                !self.aligned.equiv(from.index(), to.index()),
+                Linear::turn(from, to),
+            ),
+            ConnectionKind::Prismatic => (true, self.along(connection)),
+        };
+        if !free || self.clusters.joined(from, to) {
+            return None;
+        }
+        let parts = self.ledger.value(&quantity)?;
+        Some(Mesh {
+            by: rolling.joint,
+            connection,
+            parts,
+        })
+    }
+
+    /// The joint of a wheel or bar on its carrier; where they are only coaxial, the declared joint that joins their clusters
+    /// there.
+    pub(super) fn carried(&self, rolling: &Rolling, end: RollingEnd) -> Option<Connection> {
+        let joint = match end {
+            RollingEnd::Bar { slide, .. } => slide,
+            RollingEnd::Wheel(wheel) => {
+                let shares = |pin: &&Pin| {
+                    pin.axis_of(wheel).is_some() && pin.axis_of(rolling.carrier).is_some()
+                };
+                let pin = self.structure.pins.iter().find(shares)?;
+                self.named_on(pin, rolling.carrier, wheel)
+            }
+        };
+        let (kind, from, to) = match self.model.joint(joint).kind {
+            JointKind::Revolute(from, to) => (ConnectionKind::Revolute, from, to),
+            JointKind::Prismatic(from, to) => (ConnectionKind::Prismatic, from, to),
+            _ => return None,
+        };
+        Some(Connection {
+            kind,
+            from,
+            to,
+            joint,
+        })
+    }
+
+    /// The way along a sliding connection, for one who walks it.
+    pub(super) fn along(&self, connection: Connection) -> Linear {
+        let slide = Linear::slide(connection.joint);
+        let declared = self.model.ends(connection.joint) == self.link_of(connection);
+        if declared {
+            slide
+        } else {
+            Linear::default().plus(&-one(), &slide)
+        }
+    }
+
+    /// Finds a ring whose unknown directions rolling ties, so that two unknowns remain.
+    pub(super) fn tie(&mut self) -> bool {
+        if !self.rolls() {
+            return false;
+        }
+        let rings = coupled::cycles(&self.connections());
+        let base = |axis| self.clusters.base(self.model.axis(axis).link);
+        let alone = |ring: Vec<Connection>| {
+            let first = ring
+                .iter()
+                .enumerate()
+                .min_by_key(|(_, connection)| base(connection.from))?
+                .0;
+            let ring = [&ring[first..], &ring[..first]].concat();
+            let tree = ring[..ring.len() - 1].to_vec();
+            let found = self.described((vec![ring], tree));
+            (self.is_square(&found) && !found.ties.is_empty()).then_some(found)
+        };
+        let found = rings.into_iter().find_map(alone);
+        found.map(|found| self.accept(found)).is_some()
+    }
+
+    /// The directions of a loop that rolling ties.
+    pub(super) fn ties(&self, rings: &[Vec<Connection>], tree: &[Connection]) -> Vec<Tie> {
+        let Some(first) = tree
+            .first()
+            .map(|connection| self.clusters.base(self.link_of(*connection).0))
+        else {
+            return Vec::new();
+        };
+        let turning = self.turning(rings, tree);
+        let turns: Vec<Linear> = turning
+            .iter()
+            .map(|&base| Linear::turn(first, base))
+            .collect();
+        let ties = self.ledger.ties(&turns).into_iter().zip(&turning);
+        ties.filter_map(|(parts, &base)| {
+            let (own, sources) = parts?;
+            let parts = own
+                .into_iter()
+                .map(|(place, part)| (turning[place], part))
+                .collect();
+            Some(Tie {
+                base,
+                parts,
+                sources,
+            })
+        })
+        .collect()
+    }
+}
+
+fn one() -> Rational {
+    BigRational::from_integer(1.into())
+}
+
+/// The coordinate of a connection that is walked as its joint is declared.
+pub(super) fn coordinate(connection: Connection, (from, to): (LinkId, LinkId)) -> Linear {
+    match connection.kind {
+        ConnectionKind::Revolute => Linear::turn(from, to),
+        ConnectionKind::Prismatic => Linear::slide(connection.joint),
+    }
+}
+
+/// What rolling says: this combination is constant.
+fn relation(rolling: &Rolling) -> Linear {
+    rolling
+        .ends
+        .iter()
+        .fold(Linear::default(), |sum, (end, factor)| {
+            let factor = exactly(*factor);
+            match *end {
+                RollingEnd::Wheel(wheel) => {
+                    sum.plus(&factor, &Linear::turn(rolling.carrier, wheel))
+                }
+                RollingEnd::Bar {
+                    slide, forwards, ..
+                } => {
+                    let factor = if forwards { factor } else { -factor };
+                    sum.plus(&factor, &Linear::slide(slide))
+                }
+            }
+        })
+}
+
+fn exactly(factor: Factor) -> Rational {
+    match factor {
+        Factor::Whole(value) => BigRational::from_integer(value.into()),
+        Factor::Float(value) => BigRational::from_float(value).unwrap_or_else(one),
+    }
+}
