@@ -10,6 +10,8 @@ const FINEST: f64 = 1.0 / 4096.0;
 /// Why a mechanism did not go where it was told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
+    /// There are not as many values as motors.
+    MotorCount,
     /// The value for this motor is not a finite number.
     NotFinite(usize),
     /// The loop of this block does not close.
@@ -56,6 +58,9 @@ impl<'p, T: Real> Machine<'p, T> {
     /// # Errors
     /// The reason why it cannot go there; it then stays where it was.
     pub fn move_to(&mut self, motors: &[T]) -> Result<(), Stop> {
+        if motors.len() != self.position.motors.len() {
+            return Err(Stop::MotorCount);
+        }
         if let Some(motor) = motors.iter().position(|value| !value.is_finite()) {
             return Err(Stop::NotFinite(motor));
         }

@@ -19,7 +19,7 @@ pub mod syntax;
 
 use evaluate::Stop;
 use matched::Matched;
-use model::{JointId, Model};
+use model::{JointId, JointKind, Model};
 use plan::Plan;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use program::Program;
@@ -88,6 +88,9 @@ fn special(
             Diagnosis::Blocked { .. } | Diagnosis::Overdetermined { .. }
         )
     };
+    if let [Diagnosis::Rigid] = diagnoses[..] {
+        return Err(unless_matched(model, diagnoses));
+    }
     let found = if diagnoses.iter().all(held) {
         matched::matched(model)
     } else {
@@ -118,6 +121,26 @@ fn special(
     }
 }
 
+/// What counting finds rigid may only lack a motor, if its lengths match.
+fn unless_matched(model: &Model, diagnoses: Vec<Diagnosis>) -> Vec<Diagnosis> {
+    let turns = |joint: &JointId| {
+        let joint = model.joint(*joint);
+        matches!(
+            joint.kind,
+            JointKind::Revolute(..) | JointKind::Prismatic(..)
+        ) && !joint.hidden
+    };
+    let moves = |joint: &JointId| matched::matched(&model.with_motor(*joint)).is_some();
+    let candidates: Vec<JointId> = model.joint_ids().filter(turns).filter(moves).collect();
+    match candidates[..] {
+        [] => diagnoses,
+        _ => vec![Diagnosis::NoMotor {
+            freedom: 1,
+            candidates,
+        }],
+    }
+}
+
 fn held_joints(diagnosis: &Diagnosis) -> Vec<JointId> {
     match diagnosis {
         Diagnosis::Overdetermined { joints, .. } | Diagnosis::Blocked { joints, .. } => {
@@ -133,7 +156,7 @@ fn unsettled(plan: &Plan, program: &Program, stop: Stop) -> Diagnosis {
         Stop::Open(block) | Stop::DeadPoint(block) => {
             program.newton(block).map(|newton| newton.number)
         }
-        Stop::NotFinite(_) | Stop::Overflow => None,
+        Stop::MotorCount | Stop::NotFinite(_) | Stop::Overflow => None,
     };
     match number.and_then(|number| plan.loops().nth(number)) {
         Some(ring) => Diagnosis::DeadStart {

@@ -86,8 +86,22 @@ impl Words<'_> {
                 self.overdetermined(joints, *matched, offers),
             ),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
-            Diagnosis::NoMotor { freedom, .. } => {
-                (self.model.origin, self.no_motor(*freedom, offers))
+            Diagnosis::NoMotor {
+                freedom,
+                candidates,
+            } => {
+                let mut text = self.no_motor(*freedom, offers);
+                let nothing = offers.single.is_empty()
+                    && offers.elsewhere.is_empty()
+                    && offers.coupled.is_empty();
+                if nothing && !candidates.is_empty() && offers.pairs.is_empty() {
+                    // Counting finds no freedom: it moves because its lengths match.
+                    let names: Vec<String> =
+                        candidates.iter().map(|&joint| self.joint(joint)).collect();
+                    let joints = wording::one_of(&names);
+                    text += &format!("\nhelp: add a motor on {joints}, and `allow redundant;`");
+                }
+                (self.model.origin, text)
             }
             Diagnosis::Undetermined { freedom, free, .. } => (
                 self.at_joint(free.first()),
