@@ -13,6 +13,9 @@ use std::f64::consts::TAU;
 /// others are, the joints must close there too.
 const NUDGES: [f64; 3] = [0.02, 0.11, 0.37];
 
+/// The pose of the ground: cosine, sine, x and y.
+const GROUND: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
+
 /// A mechanism that moves because its lengths match.
 pub(crate) struct Matched {
     pub(crate) structure: Structure,
@@ -91,82 +94,89 @@ fn nudged(
         .poses
         .iter()
         .fold(size, |reach, pose| reach.max(pose[2].hypot(pose[3])));
-    let poses = &machine.position().poses;
+    let start = Scene::new(model, &program.start.poses);
+    let now = Scene::new(model, &machine.position().poses);
     let slips = || {
         rollings
             .iter()
-            .any(|rolling| slip(model, rolling, &program.start.poses, poses).abs() > 1e-9)
+            .any(|rolling| slip(rolling, &start, &now).abs() > 1e-9)
     };
     // Turns are only known up to whole ones: the least nudge tells.
-    let open = gap(model, poses) > 1e-9 * reach || (way.abs() <= NUDGES[0] && slips());
+    let open = now.gap() > 1e-9 * reach || (way.abs() <= NUDGES[0] && slips());
     if open { Outcome::Open } else { Outcome::Moved }
 }
 
-/// The greatest distance, and sine of an angle, by which axes that a joint makes coincide do not.
-fn gap(model: &Model, declared: &[[f64; 4]]) -> f64 {
-    let mut poses = vec![[1.0, 0.0, 0.0, 0.0]];
-    poses.extend_from_slice(declared);
-    let placed = |poses: &[[f64; 4]], id: AxisId| {
-        let axis = model.axis(id);
-        let [cos, sin, x, y] = poses
-            .get(axis.link.index())
-            .copied()
-            .unwrap_or([1.0, 0.0, 0.0, 0.0]);
+/// Where all links are, dies included.
+struct Scene<'m> {
+    model: &'m Model,
+    poses: Vec<[f64; 4]>,
+}
+
+impl<'m> Scene<'m> {
+    fn new(model: &'m Model, declared: &[[f64; 4]]) -> Self {
+        let mut scene = Self {
+            model,
+            poses: vec![GROUND],
+        };
+        scene.poses.extend_from_slice(declared);
+        // A die is where its pin is, and points where its slot does.
+        for (pin, guide) in model.links.iter().filter_map(|link| link.die) {
+            let ([x, y], [cos, sin]) = (scene.axis(pin).0, scene.axis(guide).1);
+            scene.poses.push([cos, sin, x, y]);
+        }
+        scene
+    }
+
+    fn pose(&self, link: LinkId) -> [f64; 4] {
+        self.poses.get(link.index()).copied().unwrap_or(GROUND)
+    }
+
+    /// The place and the direction of an axis.
+    fn axis(&self, id: AxisId) -> ([f64; 2], [f64; 2]) {
+        let axis = self.model.axis(id);
+        let [cos, sin, x, y] = self.pose(axis.link);
         let turned = |[a, b]: [f64; 2]| [cos * a - sin * b, sin * a + cos * b];
         let [u, v] = turned(axis.at);
         ([x + u, y + v], turned(axis.direction))
-    };
-    // A die is where its pin is, and points where its slot does.
-    for (pin, guide) in model.links.iter().filter_map(|link| link.die) {
-        let ([x, y], [cos, sin]) = (placed(&poses, pin).0, placed(&poses, guide).1);
-        poses.push([cos, sin, x, y]);
     }
-    let cross = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]).abs();
-    let apart = |joint: &Joint| match joint.kind {
-        JointKind::Revolute(a, b) | JointKind::Weld(a, b) | JointKind::Prismatic(a, b) => {
-            let ((from, along), (to, other)) = (placed(&poses, a), placed(&poses, b));
-            let way = [to[0] - from[0], to[1] - from[1]];
-            match joint.kind {
-                JointKind::Revolute(..) => way[0].hypot(way[1]),
-                JointKind::Weld(..) => way[0].hypot(way[1]).max(cross(along, other)),
-                _ => cross(along, way).max(cross(along, other)),
+
+    /// The angle from one link to another, up to whole turns.
+    fn turn(&self, from: LinkId, to: LinkId) -> f64 {
+        let ([a, b, ..], [c, d, ..]) = (self.pose(from), self.pose(to));
+        (a * d - b * c).atan2(a * c + b * d)
+    }
+
+    /// The coordinate of a sliding joint.
+    fn way(&self, slide: JointId) -> f64 {
+        let JointKind::Prismatic(from, to) = self.model.joint(slide).kind else {
+            return 0.0;
+        };
+        let (([a, b], [cos, sin]), ([c, d], _)) = (self.axis(from), self.axis(to));
+        (c - a) * cos + (d - b) * sin
+    }
+
+    /// The greatest distance, and sine of an angle, by which axes that a joint makes coincide do not.
+    fn gap(&self) -> f64 {
+        let cross = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]).abs();
+        let apart = |joint: &Joint| match joint.kind {
+            JointKind::Revolute(a, b) | JointKind::Weld(a, b) | JointKind::Prismatic(a, b) => {
+                let ((from, along), (to, other)) = (self.axis(a), self.axis(b));
+                let way = [to[0] - from[0], to[1] - from[1]];
+                match joint.kind {
+                    JointKind::Revolute(..) => way[0].hypot(way[1]),
+                    JointKind::Weld(..) => way[0].hypot(way[1]).max(cross(along, other)),
+                    _ => cross(along, way).max(cross(along, other)),
+                }
             }
-        }
-        // What rolls is looked at apart.
-        JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
-    };
-    model.joints.iter().map(apart).fold(0.0, f64::max)
+            // What rolls is looked at apart.
+            JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
+        };
+        self.model.joints.iter().map(apart).fold(0.0, f64::max)
+    }
 }
 
-/// How much the two parts that roll on each other have slipped since the start, as a part of their size.
-fn slip(model: &Model, rolling: &Rolling, start: &[[f64; 4]], now: &[[f64; 4]]) -> f64 {
-    let pose = |poses: &[[f64; 4]], link: LinkId| {
-        let index = link.index().checked_sub(1);
-        index
-            .and_then(|index| poses.get(index).copied())
-            .unwrap_or([1.0, 0.0, 0.0, 0.0])
-    };
-    let turn = |poses: &[[f64; 4]], link: LinkId| {
-        let ([a, b, ..], [c, d, ..]) = (pose(poses, rolling.carrier), pose(poses, link));
-        (a * d - b * c).atan2(a * c + b * d)
-    };
-    let way = |poses: &[[f64; 4]], slide: JointId| match model.joint(slide).kind {
-        JointKind::Prismatic(from, to) => {
-            let place = |id: AxisId| {
-                let axis = model.axis(id);
-                let [cos, sin, x, y] = pose(poses, axis.link);
-                [
-                    x + cos * axis.at[0] - sin * axis.at[1],
-                    y + sin * axis.at[0] + cos * axis.at[1],
-                ]
-            };
-            let [cos, sin, ..] = pose(poses, model.axis(from).link);
-            let [u, v] = model.axis(from).direction;
-            let ([a, b], [c, d]) = (place(from), place(to));
-            (c - a) * (cos * u - sin * v) + (d - b) * (sin * u + cos * v)
-        }
-        _ => 0.0,
-    };
+/// How much the two parts that roll on each other have slipped from one scene to another, as a part of their size.
+fn slip(rolling: &Rolling, start: &Scene<'_>, now: &Scene<'_>) -> f64 {
     let size = |factor: Factor| match factor {
         #[expect(
             clippy::cast_precision_loss,
@@ -178,13 +188,14 @@ fn slip(model: &Model, rolling: &Rolling, start: &[[f64; 4]], now: &[[f64; 4]]) 
     let moved = rolling.ends.map(|(end, factor)| {
         let moved = match end {
             RollingEnd::Wheel(wheel) => {
-                let off = turn(now, wheel) - turn(start, wheel);
+                let carrier = rolling.carrier;
+                let off = now.turn(carrier, wheel) - start.turn(carrier, wheel);
                 off - TAU * (off / TAU).round()
             }
             RollingEnd::Bar {
                 slide, forwards, ..
             } => {
-                let off = way(now, slide) - way(start, slide);
+                let off = now.way(slide) - start.way(slide);
                 if forwards { off } else { -off }
             }
         };

@@ -81,21 +81,6 @@ pub enum Ratio {
     Radii(f64, f64),
 }
 
-impl Ratio {
-    /// How fast the second wheel turns for one turn of the first, both seen from their carrier: −a / b.
-    #[must_use]
-    #[expect(
-        clippy::cast_precision_loss,
-        reason = "a wheel of 2^53 teeth does not exist"
-    )]
-    pub fn speed(self) -> f64 {
-        match self {
-            Self::Teeth(a, b) => -(a as f64) / b as f64,
-            Self::Radii(a, b) => -a / b,
-        }
-    }
-}
-
 /// A motor: the coordinate of its joint is given from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motor {

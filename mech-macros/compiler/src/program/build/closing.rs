@@ -47,18 +47,13 @@ impl Writer<'_> {
         let first = closing.tree.first().map_or(LinkId::GROUND, |connection| {
             self.placement.base(connection.from)
         });
-        let firsts: Vec<First> = equation
-            .unknowns
-            .iter()
-            .map(|unknown| self.first(*unknown, first))
-            .collect();
         let triad = self.triad(closing);
         let tied = (!closing.ties.is_empty()).then(|| self.tied(closing, &equation, first));
         self.builder.enter();
         let (mut newton, solution) = match (&tied, &triad) {
             (Some(tied), _) => self.iterate_tied(block, tied, &equation, first),
             (None, Some(triad)) => self.contract(block, triad, first),
-            (None, None) => self.iterate(block, &equation, firsts),
+            (None, None) => self.iterate(block, &equation, first),
         };
         newton.place = place;
         newton.sides.extend(self.spots(closing));
@@ -186,8 +181,13 @@ impl Writer<'_> {
         &mut self,
         block: BlockId,
         equation: &Equation<Value>,
-        firsts: Vec<First>,
+        base: LinkId,
     ) -> (Newton, Vec<Solution<Value>>) {
+        let firsts: Vec<First> = equation
+            .unknowns
+            .iter()
+            .map(|unknown| self.first(*unknown, base))
+            .collect();
         let names: Vec<String> = firsts.iter().map(|(name, _)| name.clone()).collect();
         let (scalars, now) = self.unknowns(block, firsts);
         let measure = equation.measure(&mut self.builder, &now);
