@@ -13,10 +13,9 @@ pub fn chain(loops: usize) -> Model {
     let crank = link(&mut model, "crank");
     let mut along = 0.0;
     revolute(&mut model, LinkId::GROUND, crank, [along, 0.0]);
-    model.motors.push(Motor {
-        joint: JointId::new(0),
-        origin: Origin::default(),
-    });
+    model
+        .motors
+        .push(Motor::new(JointId::new(0), Origin::default()));
     let (mut input, mut pin) = (crank, [along + 0.3, 1.0]);
     for number in 0..loops {
         let coupler = link(&mut model, &format!("coupler_{number}"));

@@ -117,10 +117,7 @@ impl Grown {
         } else {
             self.revolute(base, link, at)
         };
-        self.model.motors.push(Motor {
-            joint,
-            origin: Origin::default(),
-        });
+        self.model.motors.push(Motor::new(joint, Origin::default()));
     }
 
     /// A link that is one with another.

@@ -111,10 +111,9 @@ fn anything(dice: &mut Dice) -> Model {
             JointKind::Revolute(..) | JointKind::Prismatic(..)
         );
         if drives && !model.joint(joint).hidden && dice.once_in(3) && model.motors.len() < 3 {
-            model.motors.push(Motor {
-                joint: JointId::new(joint.index()),
-                origin: Origin::default(),
-            });
+            model
+                .motors
+                .push(Motor::new(JointId::new(joint.index()), Origin::default()));
         }
     }
     model.allow = Allowances {

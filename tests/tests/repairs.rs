@@ -232,10 +232,9 @@ fn a_motor_too_many_is_found_and_can_be_removed() {
         }
         let mut model = whole.clone();
         let motor = MotorId::new(model.motors.len());
-        model.motors.push(Motor {
-            joint: *dice.pick(&free),
-            origin: Origin::default(),
-        });
+        model
+            .motors
+            .push(Motor::new(*dice.pick(&free), Origin::default()));
         let what = format!("seed {seed}");
         let wrong = rejected(&model, &what);
         let right = |diagnosis: &Diagnosis| {

@@ -204,9 +204,11 @@ fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
 }
 
 fn method(model: &Model, plan: &Plan) -> String {
-    match model.method {
+    match model.method.unwrap_or(Method::Newton) {
         _ if plan.loops().next().is_none() => "none needed".to_owned(),
         Method::Newton => "Newton, until each loop closes to rounding".to_owned(),
+        Method::Exact => "exact".to_owned(),
+        Method::Linear => "linear".to_owned(),
         Method::NewtonSteps(1) => "Newton, one round a loop".to_owned(),
         Method::NewtonSteps(rounds) => format!("Newton, {rounds} rounds a loop"),
     }

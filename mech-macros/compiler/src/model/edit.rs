@@ -49,7 +49,7 @@ impl Edit {
     /// Puts a motor on a joint, after all others.
     pub fn add_motor(&mut self, joint: JointId) {
         let origin = self.model.joint(joint).origin;
-        self.model.motors.push(Motor { joint, origin });
+        self.model.motors.push(Motor::new(joint, origin));
         self.keeps_motor.push(true);
     }
 

@@ -88,4 +88,32 @@ pub struct Motor {
     pub joint: JointId,
     /// Where it was declared.
     pub origin: Origin,
+    /// The values between which it has to move without blocking, if any were declared.
+    pub range: Option<Range>,
+    /// The greatest difference between one value and the next, in radians or scene units, if one was declared: positive.
+    pub step: Option<f64>,
+}
+
+/// The values that a motor may take, both ends among them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// The least, in radians or scene units.
+    pub low: f64,
+    /// The greatest: not less than the least.
+    pub high: f64,
+    /// Where it was declared.
+    pub origin: Origin,
+}
+
+impl Motor {
+    /// A motor without a declared range or step.
+    #[must_use]
+    pub fn new(joint: JointId, origin: Origin) -> Self {
+        Self {
+            joint,
+            origin,
+            range: None,
+            step: None,
+        }
+    }
 }

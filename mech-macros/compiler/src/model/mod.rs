@@ -11,7 +11,7 @@ mod start;
 
 pub use edit::Edit;
 pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
-pub use joint::{Joint, JointKind, Motor, Ratio};
+pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
 pub use start::{Near, Start, StartValue};
 
@@ -48,11 +48,37 @@ impl Precision {
 /// How the loops are solved at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Method {
-    /// Newton steps until the loop closes to rounding; the motor step is subdivided when that fails.
+    /// Each dyad in closed form; what has none (coupled and tied loops) by Newton's iteration until it closes to rounding.
     #[default]
+    Exact,
+    /// One linear step of the loop's system from the last position: the paper's frame-to-frame step.
+    Linear,
+    /// Newton steps until the loop closes to rounding; the motor step is subdivided when that fails.
     Newton,
     /// Exactly this many Newton steps (at least one), then the closure is checked.
     NewtonSteps(u32),
+}
+
+/// The machine whose cost model weighs operations when a method is chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Target {
+    /// A desktop machine.
+    #[default]
+    X86_64,
+    /// An ARM Cortex-M4 with a single-precision unit; double precision is done in software.
+    CortexM4f,
+}
+
+/// How a mechanism passes its change points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum AtChangePoints {
+    /// It goes on the way it came: velocities are continuous.
+    #[default]
+    GoOn,
+    /// It keeps its branch: the sense in which each dyad is folded.
+    KeepBranch,
+    /// It is blocked there.
+    Stop,
 }
 
 /// A planar mechanism: the ground, the moving links, and what joins them.
@@ -74,8 +100,14 @@ pub struct Model {
     pub motors: Vec<Motor>,
     /// How the mechanism is assembled.
     pub start: Start,
-    /// How the loops are solved.
-    pub method: Method,
+    /// How the loops are solved, if that was said; else `accuracy` decides, and without that the method is exact.
+    pub method: Option<Method>,
+    /// The greatest error of any position that is allowed, in scene units, if one was declared.
+    pub accuracy: Option<f64>,
+    /// Whose operations are counted when a method is chosen.
+    pub target: Target,
+    /// How change points are passed.
+    pub change_points: AtChangePoints,
     /// What is let pass.
     pub allow: Allowances,
 }
@@ -102,7 +134,10 @@ impl Model {
             joints: Vec::new(),
             motors: Vec::new(),
             start: Start::default(),
-            method: Method::default(),
+            method: None,
+            accuracy: None,
+            target: Target::default(),
+            change_points: AtChangePoints::default(),
             allow: Allowances::default(),
         }
     }

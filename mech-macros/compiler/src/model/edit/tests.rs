@@ -80,7 +80,7 @@ fn jumble(dice: &mut Dice) -> Model {
     for _ in 0..3 {
         let joint = JointId::new(dice.below(model.joints.len()));
         let origin = Origin::default();
-        model.motors.push(Motor { joint, origin });
+        model.motors.push(Motor::new(joint, origin));
         model.start.values.push(StartValue {
             joint,
             value: 1.0,

@@ -255,8 +255,8 @@ impl Writer<'_> {
             .map(|(scalar, next)| Scalar { next, ..scalar })
             .collect();
         let solution = self.solved(block, now, &scalars);
-        let rounds = match self.model.method {
-            Method::Newton => Rounds::UntilClosed(MOST_ROUNDS),
+        let rounds = match self.model.method.unwrap_or(Method::Newton) {
+            Method::Exact | Method::Linear | Method::Newton => Rounds::UntilClosed(MOST_ROUNDS),
             Method::NewtonSteps(rounds) => Rounds::Exactly(rounds),
         };
         let newton = Newton {

@@ -42,7 +42,7 @@ impl Lowering {
             let origin = self.places.note(place);
             self.model
                 .motors
-                .push(crate::model::Motor { joint, origin });
+                .push(crate::model::Motor::new(joint, origin));
         }
     }
 
@@ -88,7 +88,7 @@ impl Lowering {
                     .map(Method::NewtonSteps)
             }
         };
-        self.model.method = method.unwrap_or(self.model.method);
+        self.model.method = method.or(self.model.method);
     }
 
     pub(super) fn lower_accuracy(&mut self, keyword: Span, value: &Expr) {

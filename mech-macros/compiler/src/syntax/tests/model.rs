@@ -102,7 +102,7 @@ fn the_geared_piston_is_understood() {
         (model.start.near[0].link, model.start.near[0].angle),
         (LinkId::new(3), 0.0)
     );
-    assert_eq!(model.method, Method::NewtonSteps(2));
+    assert_eq!(model.method, Some(Method::NewtonSteps(2)));
 }
 
 #[test]
@@ -254,5 +254,5 @@ fn statements_may_come_in_any_order() {
         (parsed.model.joints.len(), parsed.model.motors.len()),
         (1, 1)
     );
-    assert_eq!(parsed.model.method, Method::Newton);
+    assert_eq!(parsed.model.method, Some(Method::Newton));
 }

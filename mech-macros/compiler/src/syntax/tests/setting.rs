@@ -130,10 +130,13 @@ fn a_drawn_joint_starts_at_zero() {
 #[test]
 fn the_method_is_newton() {
     use crate::model::Method;
-    assert_eq!(told("method newton;", &[]).model.method, Method::Newton);
+    assert_eq!(
+        told("method newton;", &[]).model.method,
+        Some(Method::Newton)
+    );
     assert_eq!(
         told("method newton(64);", &[]).model.method,
-        Method::NewtonSteps(64)
+        Some(Method::NewtonSteps(64))
     );
     told(
         "method newton(«0»);",
