@@ -6,17 +6,17 @@ use crate::{Cause, Scalar};
 
 /// Everything that is carried from one move to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Position<T, const MOTORS: usize, const LINKS: usize, const ANGLES: usize> {
+pub struct Position<T, const MOTORS: usize, const LINKS: usize, const KEPT: usize> {
     /// The values of the motors.
     pub motors: [T; MOTORS],
     /// The poses of the moving links.
     pub poses: [Pose<T>; LINKS],
-    /// Angles that gears need, unwrapped.
-    pub angles: [T; ANGLES],
+    /// What is carried besides: angles that gears need, unwrapped; the sides of dyads that pass change points.
+    pub kept: [T; KEPT],
 }
 
-impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: usize>
-    Position<T, MOTORS, LINKS, ANGLES>
+impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const KEPT: usize>
+    Position<T, MOTORS, LINKS, KEPT>
 {
     /// The loops check themselves; what hangs on motors and gears alone may still overflow.
     fn checked(self) -> Result<Self, Blocked> {
@@ -48,15 +48,15 @@ fn all_finite<T: Scalar, const MOTORS: usize>(
 /// # Errors
 /// As `step`, or if a motor's value is not finite.
 #[inline]
-pub fn advance_at_once<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: usize>(
-    start: &Position<T, MOTORS, LINKS, ANGLES>,
+pub fn advance_at_once<T: Scalar, const MOTORS: usize, const LINKS: usize, const KEPT: usize>(
+    start: &Position<T, MOTORS, LINKS, KEPT>,
     motors: [T; MOTORS],
     names: [&'static str; MOTORS],
     step: impl Fn(
-        &Position<T, MOTORS, LINKS, ANGLES>,
+        &Position<T, MOTORS, LINKS, KEPT>,
         [T; MOTORS],
-    ) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked>,
-) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked> {
+    ) -> Result<Position<T, MOTORS, LINKS, KEPT>, Blocked>,
+) -> Result<Position<T, MOTORS, LINKS, KEPT>, Blocked> {
     all_finite(motors, names)?;
     step(start, motors)?.checked()
 }
@@ -66,15 +66,15 @@ pub fn advance_at_once<T: Scalar, const MOTORS: usize, const LINKS: usize, const
 /// # Errors
 /// As `step`, or if a motor's value is not finite.
 #[inline]
-pub fn advance<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: usize>(
-    start: &Position<T, MOTORS, LINKS, ANGLES>,
+pub fn advance<T: Scalar, const MOTORS: usize, const LINKS: usize, const KEPT: usize>(
+    start: &Position<T, MOTORS, LINKS, KEPT>,
     motors: [T; MOTORS],
     names: [&'static str; MOTORS],
     step: impl Fn(
-        &Position<T, MOTORS, LINKS, ANGLES>,
+        &Position<T, MOTORS, LINKS, KEPT>,
         [T; MOTORS],
-    ) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked>,
-) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked> {
+    ) -> Result<Position<T, MOTORS, LINKS, KEPT>, Blocked>,
+) -> Result<Position<T, MOTORS, LINKS, KEPT>, Blocked> {
     all_finite(motors, names)?;
     match step(start, motors).and_then(Position::checked) {
         Ok(position) => Ok(position),
@@ -83,15 +83,15 @@ pub fn advance<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES:
 }
 
 #[cold]
-fn by_pieces<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: usize>(
-    start: &Position<T, MOTORS, LINKS, ANGLES>,
+fn by_pieces<T: Scalar, const MOTORS: usize, const LINKS: usize, const KEPT: usize>(
+    start: &Position<T, MOTORS, LINKS, KEPT>,
     motors: [T; MOTORS],
     mut blocked: Blocked,
     step: impl Fn(
-        &Position<T, MOTORS, LINKS, ANGLES>,
+        &Position<T, MOTORS, LINKS, KEPT>,
         [T; MOTORS],
-    ) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked>,
-) -> Result<Position<T, MOTORS, LINKS, ANGLES>, Blocked> {
+    ) -> Result<Position<T, MOTORS, LINKS, KEPT>, Blocked>,
+) -> Result<Position<T, MOTORS, LINKS, KEPT>, Blocked> {
     /// The smallest part of a motor step that is tried.
     const FINEST: f64 = 1.0 / 4096.0;
     let mut position = *start;
@@ -119,6 +119,28 @@ fn by_pieces<T: Scalar, const MOTORS: usize, const LINKS: usize, const ANGLES: u
         }
     }
     Err(blocked)
+}
+
+/// Tests the margins of loops in closed form: none may be negative.
+///
+/// # Errors
+/// The first loop whose margin is negative or not a number.
+#[inline]
+pub fn closes<T: Scalar, const LOOPS: usize>(
+    margins: [T; LOOPS],
+    places: [&'static str; LOOPS],
+) -> Result<(), Blocked> {
+    // So written that what is not a number does not pass.
+    match margins
+        .into_iter()
+        .position(|margin| !(margin >= T::zero()))
+    {
+        None => Ok(()),
+        Some(first) => Err(Blocked::new(
+            places.get(first).copied().unwrap_or_default(),
+            Cause::Open,
+        )),
+    }
 }
 
 /// Tests the result of a loop: its gap, and its determinant with the sign it has at the start.

@@ -1,7 +1,7 @@
 //! Runs a program now: for the studio, and to check the generated code against.
 
 use crate::program::{
-    BlockId, BlockKind, Newton, Op, Position, Program, Real, Rounds, Slot, Value, solve,
+    BlockId, BlockKind, Closed, Newton, Op, Position, Program, Real, Rounds, Slot, Value, solve,
 };
 
 /// The smallest part of a motor step that is tried before the mechanism is said to be blocked.
@@ -42,7 +42,7 @@ impl<'p, T: Real> Machine<'p, T> {
                 .iter()
                 .map(|pose| pose.map(T::from_f64))
                 .collect(),
-            angles: start.angles.iter().map(number).collect(),
+            kept: start.kept.iter().map(number).collect(),
         };
         Self { program, position }
     }
@@ -120,6 +120,13 @@ impl<'p, T: Real> Machine<'p, T> {
         let mut values = vec![T::from_f64(0.0); self.program.nodes.len()];
         let live: Vec<Value> = self.program.live_values().collect();
         let mut solved = vec![false; self.program.blocks.len()];
+        let closes = |(block, closed): (BlockId, &Closed), values: &[T]| {
+            if values[closed.margin.index()] >= T::from_f64(0.0) {
+                Ok(())
+            } else {
+                Err(Stop::Open(block))
+            }
+        };
         for &value in &live {
             let node = self.program.node(value);
             if node.iterated {
@@ -129,6 +136,9 @@ impl<'p, T: Real> Machine<'p, T> {
                 && !std::mem::replace(&mut solved[block.index()], true)
                 && let BlockKind::Newton(newton) = &self.program.blocks[block.index()].kind
             {
+                for before in self.program.margins().take_while(|(id, _)| *id < block) {
+                    closes(before, &values)?;
+                }
                 self.iterate(block, newton, &live, &mut values)?;
             }
             values[value.index()] = match node.op {
@@ -139,6 +149,9 @@ impl<'p, T: Real> Machine<'p, T> {
                     .apply(|value| values[value.index()])
                     .unwrap_or(values[value.index()]),
             };
+        }
+        for margin in self.program.margins() {
+            closes(margin, &values)?;
         }
         let get = |value: &Value| values[value.index()];
         let poses: Vec<[T; 4]> = self
@@ -153,7 +166,7 @@ impl<'p, T: Real> Machine<'p, T> {
         Ok(Position {
             motors: motors.to_vec(),
             poses,
-            angles: self.program.angles.iter().map(get).collect(),
+            kept: self.program.kept.iter().map(get).collect(),
         })
     }
 
@@ -251,7 +264,7 @@ fn system<T: Real>(newton: &Newton, values: &[T]) -> (Vec<T>, T) {
 
 fn read<T: Real>(last: &Position<T>, slot: Slot) -> T {
     match slot {
-        Slot::Angle(index) => last.angles[index],
+        Slot::Kept(index) => last.kept[index],
         Slot::Pose(link, part) => last.poses[link][part.index()],
     }
 }

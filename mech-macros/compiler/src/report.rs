@@ -204,7 +204,7 @@ fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
 }
 
 fn method(model: &Model, plan: &Plan) -> String {
-    match model.method.unwrap_or(Method::Newton) {
+    match model.method.unwrap_or_default() {
         _ if plan.loops().next().is_none() => "none needed".to_owned(),
         Method::Newton => "Newton, until each loop closes to rounding".to_owned(),
         Method::Exact => "exact".to_owned(),

@@ -62,7 +62,8 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
                 .for_each(|scalar| read(scalar.first, block));
         }
     }
-    for value in program.poses.iter().flatten().chain(&program.angles) {
+    let margins = program.margins().map(|(_, closed)| &closed.margin);
+    for value in program.poses.iter().flatten().chain(&program.kept).chain(margins) {
         let node = program.node(*value);
         if !matches!(node.op, Op::Constant(_) | Op::Last(_) | Op::Motor(_)) {
             gives[node.block.index()].insert(*value);

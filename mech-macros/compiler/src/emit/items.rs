@@ -29,7 +29,7 @@ pub(crate) fn items(
     let sizes = [
         program.motors.len(),
         program.poses.len(),
-        program.angles.len(),
+        program.kept.len(),
     ]
     .map(Literal::usize_unsuffixed);
     let [motors, links, _] = &sizes;
@@ -73,7 +73,7 @@ pub(crate) fn items(
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
             use #krate::generated::{
                 #advance, Blocked, Canvas, Isometry2, Mechanism, Outline, Point2, Pose, Position, Shape, angle,
-                atan2, closed, cos, paint, round, sin, sin_cos, slide, solve, sqrt,
+                atan2, closed, closes, cos, paint, round, sin, sin_cos, slide, solve, sqrt,
             };
 
             #shapes
@@ -189,12 +189,12 @@ fn fixed_rounds(program: &Program) -> bool {
 fn start(program: &Program) -> TokenStream {
     let n = |value: &f64| number(program.precision, *value);
     let motors = program.start.motors.iter().map(n);
-    let angles = program.start.angles.iter().map(n);
+    let kept = program.start.kept.iter().map(n);
     let poses = program.start.poses.iter().map(|pose| {
         let [cos, sin, x, y] = pose.each_ref().map(n);
         quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
     });
-    quote!(Position { motors: [#(#motors),*], poses: [#(#poses),*], angles: [#(#angles),*] })
+    quote!(Position { motors: [#(#motors),*], poses: [#(#poses),*], kept: [#(#kept),*] })
 }
 
 /// An identifier that stands where the user wrote it.

@@ -46,8 +46,8 @@ enum Binding {
 }
 
 /// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 10] = [
-    "last", "rounds", "atan2", "closed", "cos", "round", "sin", "sin_cos", "solve", "sqrt",
+const OUTER: [&str; 12] = [
+    "last", "rounds", "atan2", "closed", "closes", "position", "cos", "round", "sin", "sin_cos", "solve", "sqrt",
 ];
 
 /// The names and uses of values in one function.
@@ -161,6 +161,8 @@ impl<'p> Scope<'p> {
             Op::Sqrt(a) => self.call(&quote!(sqrt), &[a]),
             Op::Atan2(a, b) => self.call(&quote!(atan2), &[a, b]),
             Op::Round(a) => self.call(&quote!(round), &[a]),
+            Op::Max(a, b) => self.method(a, &quote!(max), b),
+            Op::CopySign(a, b) => self.method(a, &quote!(copysign), b),
             // These are always bound: they are parameters or variables.
             Op::Motor(_) | Op::Unknown(..) | Op::Solved(..) | Op::Dense(..) => {
                 (quote!(()), Binding::Atom)
@@ -190,6 +192,14 @@ impl<'p> Scope<'p> {
         (quote!(#function(#(#arguments),*)), Binding::Atom)
     }
 
+    fn method(&self, of: Value, name: &TokenStream, argument: Value) -> (TokenStream, Binding) {
+        let (of, argument) = (
+            self.at_least(of, Binding::Atom),
+            self.expression(argument),
+        );
+        (quote!(#of.#name(#argument)), Binding::Atom)
+    }
+
     fn at_least(&self, value: Value, wanted: Binding) -> TokenStream {
         let (tokens, binding) = self.bound(value);
         if binding < wanted {
@@ -202,9 +212,9 @@ impl<'p> Scope<'p> {
     /// A number of the last position, by the name of the link it belongs to.
     fn last(&self, slot: Slot) -> TokenStream {
         match slot {
-            Slot::Angle(index) => {
+            Slot::Kept(index) => {
                 let index = Literal::usize_unsuffixed(index);
-                quote!(last.angles[#index])
+                quote!(last.kept[#index])
             }
             Slot::Pose(link, part) => {
                 let link = last_pose(self.program, link);

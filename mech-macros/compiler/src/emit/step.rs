@@ -27,7 +27,8 @@ pub(super) fn step(program: &Program) -> TokenStream {
         if flow.gives.is_empty() {
             continue;
         }
-        let straight = matches!(program.blocks[block.index()].kind, BlockKind::Straight);
+        let kind = &program.blocks[block.index()].kind;
+        let straight = matches!(kind, BlockKind::Straight);
         if straight && in_place {
             body.extend(statements(program, block, flow, &mut scope));
             continue;
@@ -41,16 +42,22 @@ pub(super) fn step(program: &Program) -> TokenStream {
             .map(|&value| scope.expression(value))
             .collect();
         let gives: Vec<Ident> = flow.gives.iter().map(|&value| scope.bind(value)).collect();
-        let fails = (!straight).then(|| quote!(?));
+        let fails = matches!(kind, BlockKind::Newton(_)).then(|| quote!(?));
         body.extend(quote!(let (#(#gives),*) = #name(#last #(#takes),*)#fails;));
+        if let (false, Some(closed)) = (program.is_closed(), program.closed(block))
+            && program.margins().any(|(other, _)| other == block)
+        {
+            let (margin, place) = (scope.expression(closed.margin), &closed.place);
+            body.extend(quote!(closes([#margin], [#place])?;));
+        }
     }
     let pose = |values: &[Value; 4]| {
         let [cos, sin, x, y] = values.map(|value| scope.expression(value));
         quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
     };
     let poses: Vec<TokenStream> = program.poses.iter().map(pose).collect();
-    let angles: Vec<TokenStream> = program
-        .angles
+    let kept: Vec<TokenStream> = program
+        .kept
         .iter()
         .map(|&value| scope.expression(value))
         .collect();
@@ -60,6 +67,33 @@ pub(super) fn step(program: &Program) -> TokenStream {
     let last = if uses_last { quote!(last) } else { quote!(_) };
     let scalar = scalar(program);
     let count = Literal::usize_unsuffixed(program.motors.len());
+    let (margins, places): (Vec<TokenStream>, Vec<&String>) = program
+        .margins()
+        .map(|(_, closed)| (scope.expression(closed.margin), &closed.place))
+        .unzip();
+    let result = quote!(Position { motors, poses: [#(#poses),*], kept: [#(#kept),*] });
+    if program.is_closed() && !margins.is_empty() {
+        let loops = Literal::usize_unsuffixed(margins.len());
+        return quote! {
+            #functions
+
+            /// The position at these motor values, and for each loop a margin: it closes if that is not negative.
+            #[inline]
+            fn position(#last: &#position, motors: [#scalar; #count]) -> (#position, [#scalar; #loops]) {
+                let [#(#motors),*] = motors;
+                #body
+                (#result, [#(#margins),*])
+            }
+
+            /// The position at these motor values, if every loop closes there.
+            #[inline]
+            fn step(last: &#position, motors: [#scalar; #count]) -> Result<#position, Blocked> {
+                let (position, margins) = position(last, motors);
+                closes(margins, [#(#places),*])?;
+                Ok(position)
+            }
+        };
+    }
     quote! {
         #functions
 
@@ -67,7 +101,7 @@ pub(super) fn step(program: &Program) -> TokenStream {
         fn step(#last: &#position, motors: [#scalar; #count]) -> Result<#position, Blocked> {
             let [#(#motors),*] = motors;
             #body
-            Ok(Position { motors, poses: [#(#poses),*], angles: [#(#angles),*] })
+            Ok(#result)
         }
     }
 }
@@ -78,7 +112,7 @@ pub(super) fn position(program: &Program) -> TokenStream {
     let sizes = [
         program.motors.len(),
         program.poses.len(),
-        program.angles.len(),
+        program.kept.len(),
     ]
     .map(Literal::usize_unsuffixed);
     quote!(Position<#scalar, #(#sizes),*>)
@@ -119,7 +153,8 @@ fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
         .poses
         .iter()
         .flatten()
-        .chain(&program.angles)
+        .chain(&program.kept)
+        .chain(program.margins().map(|(_, closed)| &closed.margin))
         .for_each(|value| *all.entry(*value).or_insert(0) += 1);
     all
 }

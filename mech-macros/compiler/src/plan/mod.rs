@@ -16,7 +16,7 @@ mod step;
 
 pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::Assembly;
-pub(crate) use equation::{Equation, Measure, Solution, Unknown};
+pub(crate) use equation::{Equation, Measure, Slide, Solution, Unknown};
 pub use ledger::Rational;
 pub(crate) use placement::{Coordinate, Placement};
 pub use step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};

@@ -1,7 +1,7 @@
 //! Writes a program: folds constants and finds common subexpressions while it goes.
 
-use super::node::{BlockId, Node, Number, Op, Value};
-use super::{Block, BlockKind};
+use super::node::{BlockId, Node, Number, Op, Slot, Value};
+use super::{Block, BlockKind, Position};
 use crate::plan::Algebra;
 use std::collections::HashMap;
 
@@ -14,9 +14,53 @@ pub(super) struct Builder {
     known: HashMap<Op, Value>,
     /// What is known only inside the present iteration.
     inside: Option<Vec<Op>>,
+    /// What every value is at the start.
+    at_start: Vec<f64>,
+    /// Where the mechanism is at the start.
+    start: Position<f64>,
 }
 
 impl Builder {
+    /// Begins a program for a mechanism that is at `start`.
+    pub(super) fn new(start: Position<f64>) -> Self {
+        Self {
+            start,
+            ..Self::default()
+        }
+    }
+
+    /// What a value is at the start.
+    pub(super) fn at_start(&self, value: Value) -> f64 {
+        self.at_start[value.index()]
+    }
+
+    /// An unknown is at the start what its iteration begins with.
+    pub(super) fn begins_with(&mut self, unknown: Value, first: Value) {
+        self.at_start[unknown.index()] = self.at_start[first.index()];
+    }
+
+    /// A new number that is carried from position to position, and what it is at the start.
+    pub(super) fn keep(&mut self, start: f64) -> Value {
+        self.start.kept.push(start);
+        self.make(Op::Last(Slot::Kept(self.start.kept.len() - 1)))
+    }
+
+    /// The position at the start, with what is carried.
+    pub(super) fn start(&self) -> &Position<f64> {
+        &self.start
+    }
+
+    fn measured(&self, op: Op) -> f64 {
+        let start = &self.start;
+        let known = match op {
+            Op::Motor(motor) => start.motors.get(motor).copied(),
+            Op::Last(Slot::Pose(link, part)) => start.poses.get(link).map(|pose| pose[part.index()]),
+            Op::Last(Slot::Kept(index)) => start.kept.get(index).copied(),
+            op => op.apply(|value| self.at_start[value.index()]),
+        };
+        known.unwrap_or_default()
+    }
+
     /// Begins a new block.
     pub(super) fn block(&mut self, name: String, title: String) -> BlockId {
         self.blocks.push(Block {
@@ -56,6 +100,7 @@ impl Builder {
         let iterated = self.inside.is_some()
             && (matches!(op, Op::Unknown(..) | Op::Dense(..)) || op.operands().any(depends));
         let value = Value(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        self.at_start.push(self.measured(op));
         self.nodes.push(Node {
             op,
             block,
@@ -117,7 +162,21 @@ impl Builder {
         }
     }
 
-    fn number(&self, value: Value) -> Option<f64> {
+    pub(super) fn max(&mut self, a: Value, b: Value) -> Value {
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => self.constant(a.max(b)),
+            _ => self.make(Op::Max(a, b)),
+        }
+    }
+
+    pub(super) fn copysign(&mut self, size: Value, sign: Value) -> Value {
+        match (self.number(size), self.number(sign)) {
+            (Some(size), Some(sign)) => self.constant(size.copysign(sign)),
+            _ => self.make(Op::CopySign(size, sign)),
+        }
+    }
+
+    pub(super) fn number(&self, value: Value) -> Option<f64> {
         match self.nodes[value.index()].op {
             Op::Constant(number) => Some(number.get()),
             _ => None,

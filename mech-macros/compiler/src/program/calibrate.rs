@@ -65,6 +65,6 @@ fn at_start(program: &Program) -> Vec<f64> {
 fn last(program: &Program, slot: Slot) -> Option<f64> {
     match slot {
         Slot::Pose(link, part) => Some(program.start.poses.get(link)?[part.index()]),
-        Slot::Angle(index) => program.start.angles.get(index).copied(),
+        Slot::Kept(index) => program.start.kept.get(index).copied(),
     }
 }

@@ -6,12 +6,20 @@ use super::{Block, BlockKind, Program};
 /// For each node whether it is needed.
 pub(super) fn live(program: &Program) -> Vec<bool> {
     let mut live = vec![false; program.nodes.len()];
+    let margins = program
+        .blocks
+        .iter()
+        .filter_map(|block| match &block.kind {
+            BlockKind::Closed(closed) => Some(closed.margin),
+            BlockKind::Straight | BlockKind::Newton(_) => None,
+        });
     let mut waiting: Vec<Value> = program
         .poses
         .iter()
         .flatten()
-        .chain(&program.angles)
+        .chain(&program.kept)
         .copied()
+        .chain(margins)
         .collect();
     while let Some(value) = waiting.pop() {
         if std::mem::replace(&mut live[value.index()], true) {
@@ -29,7 +37,7 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
 /// What an iteration needs.
 fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
     match &blocks[block.index()].kind {
-        BlockKind::Straight => Vec::new(),
+        BlockKind::Straight | BlockKind::Closed(_) => Vec::new(),
         BlockKind::Newton(newton) => {
             let scalars = newton
                 .scalars

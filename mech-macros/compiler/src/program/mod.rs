@@ -4,13 +4,17 @@
 mod build;
 mod builder;
 mod calibrate;
+mod choice;
+mod closed;
 mod dense;
 mod live;
 mod newton;
 mod node;
 mod real;
 
-pub use build::build;
+pub use build::{build, build_as};
+pub use choice::{Choice, Solver};
+pub use closed::Closed;
 pub(crate) use dense::solve;
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
@@ -35,8 +39,8 @@ pub struct Program {
     pub links: Vec<String>,
     /// For each moving link the cosine, sine, x and y of its new pose.
     pub poses: Vec<[Value; 4]>,
-    /// The new values of the angles that are kept unwrapped.
-    pub angles: Vec<Value>,
+    /// The new values of what is carried from position to position.
+    pub kept: Vec<Value>,
     /// Which values anything depends on.
     pub live: Vec<bool>,
     /// The position in which the mechanism is assembled.
@@ -59,26 +63,28 @@ pub struct Block {
 pub enum BlockKind {
     /// One operation after another.
     Straight,
-    /// The same, with an iteration in it.
+    /// The same, closing a loop: with a margin to be tested.
+    Closed(Closed),
+    /// With an iteration in it.
     Newton(Newton),
 }
 
 /// A position of a mechanism: everything that is carried from one move to the next.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Position<T> {
     /// The values of the motors.
     pub motors: Vec<T>,
     /// For each moving link the cosine, sine, x and y of its pose.
     pub poses: Vec<[T; 4]>,
-    /// The unwrapped angles.
-    pub angles: Vec<T>,
+    /// What is carried from position to position besides: unwrapped angles, sides of dyads.
+    pub kept: Vec<T>,
 }
 
 impl Program {
     /// Whether its constants and its start are within the range of the scalar type.
     #[must_use]
     pub fn fits(&self) -> bool {
-        let start = self.start.poses.iter().flatten().chain(&self.start.angles);
+        let start = self.start.poses.iter().flatten().chain(&self.start.kept);
         let constants = self.nodes.iter().filter_map(|node| match node.op {
             Op::Constant(number) => Some(number.get()),
             _ => None,
@@ -109,8 +115,38 @@ impl Program {
     pub fn newton(&self, block: BlockId) -> Option<&Newton> {
         match &self.blocks[block.index()].kind {
             BlockKind::Newton(newton) => Some(newton),
-            BlockKind::Straight => None,
+            BlockKind::Straight | BlockKind::Closed(_) => None,
         }
+    }
+
+    /// The closed form of a block, if it is one.
+    #[must_use]
+    pub fn closed(&self, block: BlockId) -> Option<&Closed> {
+        match &self.blocks[block.index()].kind {
+            BlockKind::Closed(closed) => Some(closed),
+            BlockKind::Straight | BlockKind::Newton(_) => None,
+        }
+    }
+
+    /// Whether every loop is solved in closed form: no iteration, and no start that it would need.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        !self
+            .blocks
+            .iter()
+            .any(|block| matches!(block.kind, BlockKind::Newton(_)))
+    }
+
+    /// The closed forms that may fail to close: those whose margin is no constant, with their margins.
+    pub fn margins(&self) -> impl Iterator<Item = (BlockId, &Closed)> {
+        self.all_closed()
+            .filter(|(_, closed)| !matches!(self.node(closed.margin).op, Op::Constant(_)))
+    }
+
+    /// All closed forms, in the order in which they are found.
+    pub fn all_closed(&self) -> impl Iterator<Item = (BlockId, &Closed)> {
+        self.block_ids()
+            .filter_map(|block| Some((block, self.closed(block)?)))
     }
 
     /// The ids of all blocks, in the order in which they run.

@@ -44,7 +44,7 @@ pub struct Scalar {
 }
 
 /// How many rounds an iteration makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rounds {
     /// Until the gap is closed to rounding, but not more than this.
     UntilClosed(u32),

@@ -47,8 +47,9 @@ impl Number {
 pub enum Slot {
     /// A number of the pose of a moving link, by its position among the moving links.
     Pose(usize, Part),
-    /// An angle that is kept unwrapped, because a gear needs it.
-    Angle(usize),
+    /// A number that is carried from position to position: an angle that a gear needs unwrapped, or on which side a dyad
+    /// lies that passes change points.
+    Kept(usize),
 }
 
 /// A number of a pose.
@@ -108,6 +109,10 @@ pub enum Op {
     Sin(Value),
     /// The cosine of an angle in radians.
     Cos(Value),
+    /// The greater of two numbers.
+    Max(Value, Value),
+    /// The size of a with the sign of b.
+    CopySign(Value, Value),
     /// The angle in (−π, π] of the vector (b, a).
     Atan2(Value, Value),
     /// The nearest whole number.
@@ -134,6 +139,8 @@ impl Op {
             | Self::Sub(a, b)
             | Self::Mul(a, b)
             | Self::Div(a, b)
+            | Self::Max(a, b)
+            | Self::CopySign(a, b)
             | Self::Atan2(a, b) => [Some(a), Some(b)],
         };
         pair.into_iter().flatten()

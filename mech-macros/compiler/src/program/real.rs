@@ -29,6 +29,12 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
+    /// The greater of two numbers; that which is a number, if only one is.
+    #[must_use]
+    fn max(self, other: Self) -> Self;
+    /// Its size with the sign of another.
+    #[must_use]
+    fn copysign(self, sign: Self) -> Self;
     /// The angle of the vector (`x`, `self`).
     #[must_use]
     fn atan2(self, x: Self) -> Self;
@@ -62,6 +68,14 @@ macro_rules! real {
 
             fn sqrt(self) -> Self {
                 <$float>::sqrt(self)
+            }
+
+            fn max(self, other: Self) -> Self {
+                <$float>::max(self, other)
+            }
+
+            fn copysign(self, sign: Self) -> Self {
+                <$float>::copysign(self, sign)
             }
 
             // The generated code calls the same library, so that both give the same bits.
@@ -108,6 +122,8 @@ impl Op {
             Self::Div(a, b) => get(a) / get(b),
             Self::Sin(a) => get(a).sin_cos().0,
             Self::Cos(a) => get(a).sin_cos().1,
+            Self::Max(a, b) => get(a).max(get(b)),
+            Self::CopySign(a, b) => get(a).copysign(get(b)),
             Self::Atan2(a, b) => get(a).atan2(get(b)),
             Self::Round(a) => get(a).round(),
         })

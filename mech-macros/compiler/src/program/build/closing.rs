@@ -1,9 +1,10 @@
 //! A loop's iteration: the gap, its rates, and the next round's unknowns.
 
-use super::{MOST_ROUNDS, Writer};
-use crate::model::{Joint, JointKind, LinkId, Method};
+use super::Writer;
+use crate::model::{Joint, JointKind, LinkId};
+use crate::program::choice::{Choice, MOST_ROUNDS, Solver};
 use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
-use crate::program::BlockKind;
+use crate::program::{BlockKind, Closed};
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
 
@@ -47,6 +48,16 @@ impl Writer<'_> {
         let first = closing.tree.first().map_or(LinkId::GROUND, |connection| {
             self.placement.base(connection.from)
         });
+        let choice = self.choice();
+        if (choice.solver == Solver::ClosedForm || choice.crosses)
+            && let Some(solution) = self.in_closed_form(closing, &equation, (first, &place), choice)
+        {
+            equation.place(&mut self.builder, &mut self.placement, closing, &solution);
+            for &base in &bases {
+                self.name_cluster(base);
+            }
+            return;
+        }
         let triad = self.triad(closing);
         let tied = (!closing.ties.is_empty()).then(|| self.tied(closing, &equation, first));
         self.builder.enter();
@@ -70,6 +81,53 @@ impl Writer<'_> {
         for &base in &bases {
             self.name_cluster(base);
         }
+    }
+
+    /// What was decided for the present loop.
+    fn choice(&self) -> Choice {
+        let otherwise = Choice::by(self.model.method.unwrap_or_default());
+        self.choices
+            .get(self.loops - 1)
+            .copied()
+            .unwrap_or(otherwise)
+    }
+
+    /// Closes a loop in closed form, if it has one.
+    fn in_closed_form(
+        &mut self,
+        closing: &Loop,
+        equation: &Equation<Value>,
+        (first, place): (LinkId, &str),
+        choice: Choice,
+    ) -> Option<Vec<Solution<Value>>> {
+        let firsts: Vec<First> = equation
+            .unknowns
+            .iter()
+            .map(|unknown| self.first(*unknown, first))
+            .collect();
+        let solutions: Vec<Solution<Value>> = firsts.iter().map(|(_, first)| *first).collect();
+        let (closed, solution) = self.dyad(closing, equation, &solutions, choice)?;
+        if let Some(index) = closed.kept {
+            self.kept[index] = closed.sine;
+        }
+        for ((name, _), solution) in firsts.iter().zip(&solution) {
+            match *solution {
+                Solution::Direction(direction) => {
+                    self.builder.name_direction(direction, name);
+                }
+                Solution::Slide(way) => {
+                    self.builder.name(way, name);
+                }
+            }
+        }
+        let closed = Closed {
+            place: place.to_owned(),
+            ..closed
+        };
+        if let Some(block) = self.builder.blocks.last_mut() {
+            block.kind = BlockKind::Closed(closed);
+        }
+        Some(solution)
     }
 
     /// Where the axes of the rings are in their links and in the first cluster: rounding grows with these too.
@@ -255,9 +313,10 @@ impl Writer<'_> {
             .map(|(scalar, next)| Scalar { next, ..scalar })
             .collect();
         let solution = self.solved(block, now, &scalars);
-        let rounds = match self.model.method.unwrap_or(Method::Newton) {
-            Method::Exact | Method::Linear | Method::Newton => Rounds::UntilClosed(MOST_ROUNDS),
-            Method::NewtonSteps(rounds) => Rounds::Exactly(rounds),
+        let rounds = match self.choice().solver {
+            Solver::ClosedForm => Rounds::UntilClosed(MOST_ROUNDS),
+            Solver::Linear => Rounds::Exactly(1),
+            Solver::Newton(rounds) => rounds,
         };
         let newton = Newton {
             number: self.loops - 1,
@@ -360,6 +419,7 @@ impl Writer<'_> {
     ) -> Solution<Value> {
         let mut scalar = |name: String, first: Value| {
             let now = self.builder.make(Op::Unknown(block, scalars.len()));
+            self.builder.begins_with(now, first);
             self.builder.name(now, &name);
             scalars.push(Scalar {
                 name,
@@ -405,6 +465,7 @@ impl Writer<'_> {
         let mut index = 0;
         let mut next = || {
             let value = self.builder.make(Op::Solved(block, index));
+            self.builder.begins_with(value, scalars[index].first);
             self.builder.name(value, scalars[index].name.clone());
             index += 1;
             value

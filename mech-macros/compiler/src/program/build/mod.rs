@@ -1,14 +1,15 @@
 //! From the plan to the program.
 
 mod closing;
+mod dyad;
 mod tied;
 mod triad;
 
 use super::builder::Builder;
 use super::calibrate::calibrate;
 use super::live::live;
-use super::node::{Op, Slot, Value};
-use super::{Position, Program};
+use super::node::{Op, Value};
+use super::{Choice, Position, Program};
 use crate::model::{AxisId, LinkId, Model};
 use crate::plan::{
     Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Placement, Plan, Pose, Source,
@@ -16,18 +17,28 @@ use crate::plan::{
 };
 use num_traits::ToPrimitive;
 
-/// More rounds than this never help: Newton's iteration doubles its digits in each.
-const MOST_ROUNDS: u32 = 24;
-
-/// Writes the program of a planned mechanism.
+/// Writes the program of a planned mechanism, with every loop solved by the method that the model says.
 #[must_use]
 pub fn build(model: &Model, plan: &Plan) -> Program {
-    let mut builder = Builder::default();
+    build_as(model, plan, &[])
+}
+
+/// Writes the program of a planned mechanism, with something decided for each loop; what is missing is solved by the method
+/// that the model says.
+#[must_use]
+pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
+    let shown = model.declared_links();
+    let mut builder = Builder::new(Position {
+        motors: plan.start.motors.clone(),
+        poses: shown.map(|link| plan.start.poses[link.index()]).collect(),
+        kept: Vec::new(),
+    });
     builder.block("start".to_owned(), String::new());
     let placement = Placement::new(&mut builder, model);
     let mut writer = Writer {
         model,
         plan,
+        choices,
         builder,
         placement,
         kept: Vec::new(),
@@ -49,10 +60,11 @@ pub fn build(model: &Model, plan: &Plan) -> Program {
 struct Writer<'m> {
     model: &'m Model,
     plan: &'m Plan,
+    choices: &'m [Choice],
     builder: Builder,
     placement: Placement<'m, Value>,
-    /// The new values of the angles that are kept unwrapped, and what they are at the start.
-    kept: Vec<(Value, f64)>,
+    /// The new values of what is carried from position to position.
+    kept: Vec<Value>,
     /// The sources of gears, belts and racks that were needed so far.
     sources: Vec<Option<Value>>,
     meshes: usize,
@@ -177,7 +189,7 @@ impl Writer<'_> {
         );
         let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
         let principal = self.builder.make(Op::Atan2(sin, cos));
-        let last = self.builder.make(Op::Last(Slot::Angle(self.kept.len())));
+        let last = self.builder.keep(start);
         let behind = self.builder.sub(last, principal);
         let turn = self.builder.constant(std::f64::consts::TAU);
         let turns = self.builder.div(behind, turn);
@@ -186,7 +198,7 @@ impl Writer<'_> {
         let angle = self.builder.add(principal, whole);
         let name = format!("{}_angle", self.name_of(to));
         self.builder.name(angle, name);
-        self.kept.push((angle, start));
+        self.kept.push(angle);
         angle
     }
 
@@ -205,7 +217,6 @@ impl Writer<'_> {
     fn finish(self) -> Program {
         let Self {
             model,
-            plan,
             builder,
             placement,
             kept,
@@ -219,14 +230,7 @@ impl Writer<'_> {
             } = placement.pose(link);
             [cos, sin, x, y]
         });
-        let start = Position {
-            motors: plan.start.motors.clone(),
-            poses: shown
-                .iter()
-                .map(|link| plan.start.poses[link.index()])
-                .collect(),
-            angles: kept.iter().map(|&(_, start)| start).collect(),
-        };
+        let start = builder.start().clone();
         let mut program = Program {
             name: model.name.clone(),
             precision: model.precision,
@@ -242,7 +246,7 @@ impl Writer<'_> {
                 .map(|&link| model.link(link).name.clone())
                 .collect(),
             poses: poses.collect(),
-            angles: kept.into_iter().map(|(angle, _)| angle).collect(),
+            kept,
             live: Vec::new(),
             start,
         };

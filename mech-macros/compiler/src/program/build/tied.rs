@@ -5,7 +5,7 @@ use super::closing::System;
 use crate::model::LinkId;
 use crate::plan::{Algebra, Equation, Loop, Solution, Unknown};
 use crate::program::newton::Newton;
-use crate::program::node::{BlockId, Op, Slot, Value};
+use crate::program::node::{BlockId, Op, Value};
 use num_traits::ToPrimitive;
 
 /// How far a cluster has turned since the start: parts of the unknown angles, and what is known.
@@ -106,12 +106,10 @@ impl Writer<'_> {
         base: LinkId,
     ) -> (Newton, Vec<Solution<Value>>) {
         let mut firsts = Vec::new();
-        let mut slot = self.kept.len();
         for (name, index) in &tied.unknowns {
             firsts.push(match equation.unknowns[*index] {
                 Unknown::Direction(_) => {
-                    let last = self.builder.make(Op::Last(Slot::Angle(slot)));
-                    slot += 1;
+                    let last = self.builder.keep(0.0);
                     (name.clone(), Solution::Slide(last))
                 }
                 unknown @ Unknown::Slide(_) => self.first(unknown, base),
@@ -157,7 +155,7 @@ impl Writer<'_> {
             if let (Unknown::Direction(_), Solution::Slide(angle)) =
                 (equation.unknowns[*index], *solved)
             {
-                self.kept.push((angle, 0.0));
+                self.kept.push(angle);
             }
         }
         (newton, solution)

@@ -1,0 +1,349 @@
+//! Loops of two unknowns in closed form: circles and lines cut each other.
+//!
+//! The way round the ring is zero: what its unknowns contribute is the goal, `−offset`. Each form tells the two solutions
+//! apart by the sign of a root, which is the sign of the loop's determinant. Discriminants are kept in factors: expanded they
+//! lose half of all digits where lengths differ much.
+
+use super::Writer;
+use crate::plan::{Algebra, Equation, Loop, Slide, Solution, Unknown};
+use crate::program::choice::Choice;
+use crate::program::closed::Closed;
+use crate::program::node::Value;
+
+/// A gap, in units of rounding of the loop's size, that passes for closed.
+const TOLERANCE: f64 = 64.0;
+
+/// Directions are brought back to length one where lengths differ by more than this: the short link's would suffer.
+const FAR_APART: f64 = 32.0;
+
+type Vector = [Value; 2];
+
+/// What a closed form finds.
+struct Found {
+    solution: Vec<Solution<Value>>,
+    slack: Value,
+    floor: Value,
+    sine: Value,
+    kept: Option<usize>,
+}
+
+/// The side on which a dyad lies.
+#[derive(Clone, Copy)]
+enum Side {
+    /// Always this one.
+    Fixed(bool),
+    /// That on which it was: the sign of a number that is carried.
+    Carried(Value, usize),
+}
+
+impl Writer<'_> {
+    /// The closed form of a loop, if it has one: a single ring of two unknowns that rolling does not tie.
+    pub(super) fn dyad(
+        &mut self,
+        closing: &Loop,
+        equation: &Equation<Value>,
+        firsts: &[Solution<Value>],
+        choice: Choice,
+    ) -> Option<(Closed, Vec<Solution<Value>>)> {
+        let ([ring], [first, second]) = (&equation.rings[..], &equation.unknowns[..]) else {
+            return None;
+        };
+        if !closing.ties.is_empty() {
+            return None;
+        }
+        let goal = ring
+            .offset
+            .map(|part| self.builder.neg(part));
+        let slide = |unknown: usize| ring.slides.iter().find(|slide| slide.unknown == unknown);
+        let found = match (first, second) {
+            (Unknown::Direction(_), Unknown::Direction(_)) => {
+                self.two_circles(goal, [ring.arms[0]?, ring.arms[1]?], firsts, choice)
+            }
+            (Unknown::Direction(_), Unknown::Slide(_)) => match *slide(1)? {
+                Slide { along, turned_by: None, .. } => {
+                    self.circle_and_line(goal, ring.arms[0]?, along, firsts, choice)
+                }
+                Slide { along, .. } => {
+                    let arm = ring.arms[0].unwrap_or(self.builder.vector([0.0, 0.0]));
+                    self.line_that_turns(goal, arm, along, firsts, choice)
+                }
+            },
+            (Unknown::Slide(_), Unknown::Slide(_)) => {
+                self.two_lines(goal, slide(0)?.along, slide(1)?.along)
+            }
+            // Directions come first.
+            (Unknown::Slide(_), Unknown::Direction(_)) => return None,
+        };
+        let margin = self.builder.add(found.slack, found.floor);
+        let closed = Closed {
+            number: self.loops - 1,
+            place: String::new(),
+            slack: found.slack,
+            floor: found.floor,
+            margin: self.builder.name(margin, "margin"),
+            sine: found.sine,
+            kept: found.kept,
+        };
+        Some((closed, found.solution))
+    }
+
+    /// u·a + v·b = goal.
+    fn two_circles(
+        &mut self,
+        goal: Vector,
+        [a, b]: [Vector; 2],
+        firsts: &[Solution<Value>],
+        choice: Choice,
+    ) -> Found {
+        let side = match firsts[0] {
+            Solution::Direction(direction) => {
+                let tip = self.builder.turned(direction, a);
+                let turn = self.builder.cross(goal, tip);
+                self.side(choice, turn)
+            }
+            Solution::Slide(_) => Side::Fixed(true),
+        };
+        let (a_square, b_square) = (self.builder.dot(a, a), self.builder.dot(b, b));
+        let (a_length, b_length) = (self.builder.sqrt(a_square), self.builder.sqrt(b_square));
+        let builder = &mut self.builder;
+        let square = builder.dot(goal, goal);
+        let square = builder.name(square, "distance_square");
+        let (sum, difference) = (builder.add(a_length, b_length), builder.sub(a_length, b_length));
+        let (outer, inner) = (builder.mul(sum, sum), builder.mul(difference, difference));
+        let (inside, outside) = (builder.sub(outer, square), builder.sub(square, inner));
+        let slack = builder.mul(inside, outside);
+        let slack = builder.name(slack, "discriminant");
+        // A gap of `g` at the outer dead point makes the discriminant −g · 2s · 4ab, with s = a + b; inside it is less.
+        let product = builder.mul(a_length, b_length);
+        let floor = builder.mul(outer, product);
+        let tolerance = builder.constant(8.0 * TOLERANCE * self.model.precision.epsilon());
+        let floor = builder.mul(tolerance, floor);
+        let root = self.root(slack);
+        let (root, kept) = self.on_side(root, side);
+        let builder = &mut self.builder;
+        let half = builder.constant(0.5);
+        let half_inverse = builder.div(half, square);
+        let half_inverse = builder.name(half_inverse, "half_inverse");
+        let excess = builder.mul(sum, difference);
+        let lean = builder.mul(excess, half_inverse);
+        let along = builder.add(half, lean);
+        let across = builder.mul(root, half_inverse);
+        let tip = builder.turned(goal, [along, across]);
+        let rest = builder.minus(goal, tip);
+        let unit = |builder: &mut crate::program::builder::Builder, tip: Vector, arm: Vector, square: Value| {
+            let one = builder.constant(1.0);
+            let inverse = builder.div(one, square);
+            let back = builder.conjugate(arm);
+            let back = builder.scaled(inverse, back);
+            builder.turned(tip, back)
+        };
+        let first = unit(builder, tip, a, a_square);
+        let second = unit(builder, rest, b, b_square);
+        let two = builder.constant(2.0);
+        let scale = builder.mul(two, product);
+        let sine = builder.div(root, scale);
+        let apart = self.far_apart(a_length, b_length, square);
+        let directions = [first, second].map(|direction| {
+            if apart {
+                self.normalised(direction, "closed")
+            } else {
+                direction
+            }
+        });
+        Found {
+            solution: directions.map(Solution::Direction).to_vec(),
+            slack,
+            floor,
+            sine,
+            kept,
+        }
+    }
+
+    /// Whether the lengths of a triangle differ so much that its short side's direction suffers.
+    fn far_apart(&self, a: Value, b: Value, square: Value) -> bool {
+        let [a, b, square] = [a, b, square].map(|value| self.builder.at_start(value));
+        let greatest = a.max(b).max(square.sqrt());
+        greatest > FAR_APART * a.min(b)
+    }
+
+    /// u·arm + t·along = goal, with `along` of length one and known.
+    fn circle_and_line(
+        &mut self,
+        goal: Vector,
+        arm: Vector,
+        along: Vector,
+        firsts: &[Solution<Value>],
+        choice: Choice,
+    ) -> Found {
+        let builder = &mut self.builder;
+        let foot = builder.dot(goal, along);
+        let foot = builder.name(foot, "foot");
+        let height = builder.cross(along, goal);
+        let height = builder.name(height, "height");
+        let side = match firsts[1] {
+            Solution::Slide(way) => {
+                let beyond = builder.sub(way, foot);
+                self.side(choice, beyond)
+            }
+            Solution::Direction(_) => Side::Fixed(true),
+        };
+        let builder = &mut self.builder;
+        let square = builder.dot(arm, arm);
+        let radius = builder.sqrt(square);
+        let (below, above) = (builder.sub(radius, height), builder.add(radius, height));
+        let slack = builder.mul(below, above);
+        let slack = builder.name(slack, "discriminant");
+        let size = self.size_at_start(&[goal, arm]);
+        let floor = self.rounding(2.0 * size, radius);
+        let root = self.root(slack);
+        let (root, kept) = self.on_side(root, side);
+        let builder = &mut self.builder;
+        let way = builder.add(foot, root);
+        // What is left for the arm: across the line the height, along it back from where the line was left.
+        let across = [builder.neg(along[1]), along[0]];
+        let (up, back) = (builder.scaled(height, across), builder.scaled(root, along));
+        let tip = builder.minus(up, back);
+        let one = builder.constant(1.0);
+        let inverse = builder.div(one, square);
+        let conjugate = builder.conjugate(arm);
+        let conjugate = builder.scaled(inverse, conjugate);
+        let direction = builder.turned(tip, conjugate);
+        let sine = builder.div(root, radius);
+        let direction = if size > FAR_APART * self.builder.at_start(radius) {
+            self.normalised(direction, "closed")
+        } else {
+            direction
+        };
+        Found {
+            solution: vec![Solution::Direction(direction), Solution::Slide(way)],
+            slack,
+            floor,
+            sine,
+            kept,
+        }
+    }
+
+    /// u·(arm + t·along) = goal: the line turns with the arm.
+    fn line_that_turns(
+        &mut self,
+        goal: Vector,
+        arm: Vector,
+        along: Vector,
+        firsts: &[Solution<Value>],
+        choice: Choice,
+    ) -> Found {
+        let builder = &mut self.builder;
+        let foot = builder.dot(arm, along);
+        let height = builder.cross(along, arm);
+        let side = match firsts[1] {
+            Solution::Slide(way) => {
+                let beyond = builder.add(way, foot);
+                self.side(choice, beyond)
+            }
+            Solution::Direction(_) => Side::Fixed(true),
+        };
+        let builder = &mut self.builder;
+        let square = builder.dot(goal, goal);
+        let square = builder.name(square, "distance_square");
+        let height_square = builder.mul(height, height);
+        let slack = builder.sub(square, height_square);
+        let slack = builder.name(slack, "discriminant");
+        let size = self.size_at_start(&[goal, arm]);
+        let height_size = self.builder.abs(height);
+        let floor = self.rounding(2.0 * size, height_size);
+        let root = self.root(slack);
+        let (root, kept) = self.on_side(root, side);
+        let builder = &mut self.builder;
+        let way = builder.sub(root, foot);
+        let across = [builder.neg(along[1]), along[0]];
+        let (up, out) = (builder.scaled(height, across), builder.scaled(root, along));
+        let tip = builder.plus(up, out);
+        let one = builder.constant(1.0);
+        let inverse = builder.div(one, square);
+        let inverse = builder.name(inverse, "inverse");
+        let back = builder.conjugate(tip);
+        let turned = builder.turned(goal, back);
+        let direction = builder.scaled(inverse, turned);
+        let scale = builder.constant(1.0 / size);
+        let sine = builder.mul(scale, root);
+        Found {
+            solution: vec![Solution::Direction(direction), Solution::Slide(way)],
+            slack,
+            floor,
+            sine,
+            kept,
+        }
+    }
+
+    /// s·a + t·b = goal.
+    fn two_lines(&mut self, goal: Vector, a: Vector, b: Vector) -> Found {
+        let builder = &mut self.builder;
+        let det = builder.cross(a, b);
+        let positive = builder.at_start(det) > 0.0;
+        let sine = if positive { det } else { builder.neg(det) };
+        let one = builder.constant(1.0);
+        let inverse = builder.div(one, det);
+        let (p, q) = (builder.cross(goal, b), builder.cross(a, goal));
+        let ways = [builder.mul(p, inverse), builder.mul(q, inverse)];
+        let least = -TOLERANCE * self.model.precision.epsilon();
+        let floor = self.builder.constant(least);
+        Found {
+            solution: ways.map(Solution::Slide).to_vec(),
+            slack: sine,
+            floor,
+            sine: det,
+            kept: None,
+        }
+    }
+
+    /// On which side a dyad lies, from a number that is positive on one and negative on the other.
+    fn side(&mut self, choice: Choice, tells: Value) -> Side {
+        let positive = choice
+            .side
+            .unwrap_or_else(|| self.builder.at_start(tells) > 0.0);
+        if choice.crosses {
+            let carried = self.builder.keep(if positive { 1.0 } else { -1.0 });
+            let index = self.builder.start().kept.len() - 1;
+            // The new value is filled in when it is known.
+            self.kept.push(carried);
+            Side::Carried(carried, index)
+        } else {
+            Side::Fixed(positive)
+        }
+    }
+
+    /// The root of a discriminant; what rounding made negative is zero.
+    fn root(&mut self, slack: Value) -> Value {
+        let zero = self.builder.constant(0.0);
+        let slack = self.builder.max(slack, zero);
+        let root = self.builder.sqrt(slack);
+        self.builder.name(root, "root")
+    }
+
+    fn on_side(&mut self, root: Value, side: Side) -> (Value, Option<usize>) {
+        match side {
+            Side::Fixed(true) => (root, None),
+            Side::Fixed(false) => (self.builder.neg(root), None),
+            Side::Carried(carried, index) => {
+                let signed = self.builder.copysign(root, carried);
+                (self.builder.name(signed, "signed_root"), Some(index))
+            }
+        }
+    }
+
+    /// The lengths at the start of what a loop is made of.
+    fn size_at_start(&self, sides: &[Vector]) -> f64 {
+        let length = |side: &Vector| {
+            let [x, y] = side.map(|part| self.builder.at_start(part));
+            x.hypot(y)
+        };
+        sides.iter().map(length).sum()
+    }
+
+    /// The tolerance of a difference of squares: so much rounding, times a length.
+    fn rounding(&mut self, size: f64, length: Value) -> Value {
+        let tolerance = TOLERANCE * self.model.precision.epsilon() * size;
+        let tolerance = self.builder.constant(tolerance);
+        self.builder.mul(tolerance, length)
+    }
+}

@@ -1,0 +1,48 @@
+//! How each loop is solved.
+
+use super::newton::Rounds;
+use crate::model::Method;
+
+/// More rounds than this never help: Newton's iteration doubles its digits in each.
+pub(super) const MOST_ROUNDS: u32 = 24;
+
+/// How a loop is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Solver {
+    /// In closed form, if it is a dyad; else by Newton's iteration until it closes.
+    ClosedForm,
+    /// By one linear step from the last position.
+    Linear,
+    /// By Newton's iteration.
+    Newton(Rounds),
+}
+
+/// What is decided about a loop before its program is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// How it is solved.
+    pub solver: Solver,
+    /// Whether it passes change points: then on which side its dyad lies is carried from position to position, and it is solved
+    /// in closed form.
+    pub crosses: bool,
+    /// On which side its dyad lies at the start, where the start itself does not tell.
+    pub side: Option<bool>,
+}
+
+impl Choice {
+    /// All loops by this method.
+    #[must_use]
+    pub fn by(method: Method) -> Self {
+        let solver = match method {
+            Method::Exact => Solver::ClosedForm,
+            Method::Linear => Solver::Linear,
+            Method::Newton => Solver::Newton(Rounds::UntilClosed(MOST_ROUNDS)),
+            Method::NewtonSteps(rounds) => Solver::Newton(Rounds::Exactly(rounds)),
+        };
+        Self {
+            solver,
+            crosses: false,
+            side: None,
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! A dyad's closed form.
+
+use super::node::Value;
+
+/// A loop that is solved in closed form: its block is straight-line, with a margin to be tested.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Closed {
+    /// Which loop of the plan it closes.
+    pub number: usize,
+    /// The joints of the loop whose coordinates are unknown, for messages.
+    pub place: String,
+    /// What must not be negative for the loop to close: the discriminant of its dyad.
+    pub slack: Value,
+    /// How far rounding may push the discriminant below zero where the loop does close.
+    pub floor: Value,
+    /// The slack and the floor together: not negative if the loop closes. A constant if it always does.
+    pub margin: Value,
+    /// The sine of the transmission angle, as a part of its greatest, with the sign of the side on which the dyad lies.
+    pub sine: Value,
+    /// Where that sine is carried, if the loop passes change points.
+    pub kept: Option<usize>,
+}
