@@ -108,7 +108,7 @@ impl<M: Mechanism<Scalar = f64>> Exhibit for Showcase<M> {
                     .copied()
                     .zip(motors.as_ref().iter().copied())
                     .collect(),
-                blocked,
+                blocked: blocked.map(|motors| motors.as_ref().to_vec()),
             })?;
             if step % STEPS == 0 {
                 film.take(&mechanism);

@@ -78,7 +78,7 @@ pub struct Stuck {
     /// What its motors were to be.
     pub motors: Vec<(&'static str, f64)>,
     /// What it had to say.
-    pub blocked: Blocked,
+    pub blocked: Blocked<Vec<f64>>,
 }
 
 impl fmt::Display for Stuck {

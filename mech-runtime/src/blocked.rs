@@ -5,11 +5,14 @@ use core::fmt;
 /// A mechanism could not be moved as told; it is where it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Blocked {
+pub struct Blocked<M> {
     /// The motor or the loop at which it stopped: the name of the motor's joint, or the loop's joints of unknown coordinate.
     pub place: &'static str,
     /// What stopped it.
     pub cause: Cause,
+    /// The values of the motors up to which it could have gone on the straight way to those it was told, in radians or scene
+    /// units. [`move_toward`](crate::Mechanism::move_toward) goes there.
+    pub reached: M,
 }
 
 /// What stopped a mechanism.
@@ -18,36 +21,65 @@ pub struct Blocked {
 pub enum Cause {
     /// The value given to this motor is not a finite number.
     NotFinite,
-    /// This loop does not close at the motor values given: they are out of reach, or too far from the last ones for the
-    /// number of Newton steps chosen.
+    /// This loop does not close beyond the motor values reached: there is a dead point, or, where a fixed number of Newton
+    /// steps was chosen, the step is too long for it.
     Open,
-    /// This loop would have to pass a dead point or a change point to get there.
+    /// This loop, solved by iteration, would have to pass a dead point or a change point to get there.
     DeadPoint,
+    /// This loop is at a change point, and it was declared to stop there.
+    ChangePoint,
+    /// The way is too long to be followed past all its change points and dead points in one move.
+    TooFar,
     /// A coordinate would be beyond the range of the scalar type.
     Overflow,
 }
 
-impl Blocked {
+/// How far a mechanism came that was moved as far as it goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use]
+pub enum Reached<M> {
+    /// It is where it was told to go.
+    Target,
+    /// It is at its limit, at the motor values [`Blocked::reached`].
+    Limit(Blocked<M>),
+}
+
+impl<M> Blocked<M> {
+    /// The same with the motors' values in another form.
+    #[must_use]
+    pub fn map<N>(self, form: impl FnOnce(M) -> N) -> Blocked<N> {
+        Blocked::new(self.place, self.cause, form(self.reached))
+    }
+
     #[doc(hidden)]
     #[must_use]
-    pub const fn new(place: &'static str, cause: Cause) -> Self {
-        Self { place, cause }
+    pub const fn new(place: &'static str, cause: Cause, reached: M) -> Self {
+        Self {
+            place,
+            cause,
+            reached,
+        }
     }
 }
 
-impl fmt::Display for Blocked {
+impl<M: fmt::Debug> fmt::Display for Blocked<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = self.place;
+        let (place, reached) = (self.place, &self.reached);
         match self.cause {
             Cause::NotFinite => write!(f, "the value for motor `{place}` is not a finite number"),
-            Cause::Open => write!(f, "the loop {place} does not close there"),
+            Cause::Open => write!(f, "the loop {place} does not close beyond {reached:?}"),
             Cause::DeadPoint => write!(
                 f,
-                "the loop {place} would have to pass a dead point to get there"
+                "the loop {place} would have to pass a dead point at {reached:?}"
             ),
+            Cause::ChangePoint => write!(
+                f,
+                "the loop {place} is at a change point at {reached:?} and stops there as declared"
+            ),
+            Cause::TooFar => write!(f, "the way is too long to be followed in one move"),
             Cause::Overflow => write!(f, "a coordinate would be beyond the range of the numbers"),
         }
     }
 }
 
-impl core::error::Error for Blocked {}
+impl<M: fmt::Debug> core::error::Error for Blocked<M> {}

@@ -21,7 +21,8 @@ pub mod raster;
 mod scalar;
 mod shape;
 
-pub use blocked::{Blocked, Cause};
+pub use blocked::{Blocked, Cause, Reached};
+pub use mech_core::{Phase, Real};
 pub use mechanism::Mechanism;
 pub use nalgebra::{Isometry2, Point2};
 pub use pose::Pose;
@@ -73,7 +74,7 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// assert!((tip.x - piston.h()).abs() < 1e-12);    // a joint's coordinate
 /// assert!((pose.translation.x - tip.x).abs() < 1e-12);
 /// println!("{}", GearedPiston::REPORT);           // mobility, trunk and arms, loops in order
-/// # Ok::<(), mech_runtime::Blocked>(())
+/// # Ok::<(), mech_runtime::Blocked<[f64; 1]>>(())
 /// ```
 ///
 /// # Two ways to declare

@@ -1,13 +1,14 @@
 //! What every mechanism can do, for code that takes any.
 
-use crate::{Blocked, Canvas, Pose, Scalar, Shape};
+use crate::{Blocked, Canvas, Pose, Reached, Scalar, Shape};
+use core::fmt::Debug;
 
 /// A mechanism made by [`mechanism!`](crate::mechanism). Each of these is also an inherent item of its struct.
 pub trait Mechanism: Clone {
     /// `f32` or `f64`.
     type Scalar: Scalar;
     /// One value for each motor, in the order of their declaration: `[Self::Scalar; n]`.
-    type Motors: Copy + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
+    type Motors: Copy + Debug + PartialEq + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
 
     /// The name of the struct.
     const NAME: &'static str;
@@ -30,8 +31,19 @@ pub trait Mechanism: Clone {
     /// Gives the motors these values, in radians or scene units, and moves everything accordingly.
     ///
     /// # Errors
-    /// [`Blocked`] if a value is not finite or a loop cannot be closed there; the mechanism then stays where it was.
-    fn move_to(&mut self, motors: Self::Motors) -> Result<(), Blocked>;
+    /// [`Blocked`] if a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it
+    /// was.
+    fn move_to(&mut self, motors: Self::Motors) -> Result<(), Blocked<Self::Motors>>;
+
+    /// Moves towards these values of the motors, in radians or scene units, on the straight way from the present ones, as far as
+    /// it can.
+    ///
+    /// # Errors
+    /// [`Blocked`] if a value is not finite; the mechanism then stays where it was.
+    fn move_toward(
+        &mut self,
+        motors: Self::Motors,
+    ) -> Result<Reached<Self::Motors>, Blocked<Self::Motors>>;
 
     /// The poses of the moving links in the scene, in the order of [`LINKS`](Self::LINKS).
     fn poses(&self) -> &[Pose<Self::Scalar>];

@@ -49,7 +49,10 @@ impl<T: Scalar> Shape<T> {
                     high = if i == 0 {
                         [x, y]
                     } else {
-                        [high[0].max(x), high[1].max(y)]
+                        [
+                            nalgebra::RealField::max(high[0], x),
+                            nalgebra::RealField::max(high[1], y),
+                        ]
                     };
                 }
                 (low, high)

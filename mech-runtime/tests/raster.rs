@@ -177,7 +177,7 @@ fn the_two_scalars_paint_the_same() {
     let f64_frame = picture::<64, 48>(polygon(&corners));
     let mut f32_frame = Frame::<64, 48>::new();
     f32_frame.look_at(f64_frame.view());
-    let corners = corners.map(|corner| corner.map(<f32 as Scalar>::from_f64));
+    let corners = corners.map(|corner| corner.map(<f32 as mech_runtime::Real>::from_f64));
     f32_frame.fill(polygon(&corners), Pose::identity(), 1);
     assert_eq!(f64_frame, f32_frame);
 }
@@ -476,10 +476,10 @@ proptest! {
             frame.fill(polygon(&corners), pose, 1);
             frame.fill(circle(center, radius), pose, 2);
         }
-        let narrow = |corner: &[f64; 2]| corner.map(<f32 as Scalar>::from_f64);
+        let narrow = |corner: &[f64; 2]| corner.map(<f32 as mech_runtime::Real>::from_f64);
         let corners: Vec<_> = corners.iter().map(narrow).collect();
         frame.fill(polygon(&corners), Pose::identity(), 3);
-        frame.fill(Outline::Circle { center: narrow(&center), radius: <f32 as Scalar>::from_f64(radius) }, Pose::identity(), 4);
+        frame.fill(Outline::Circle { center: narrow(&center), radius: <f32 as mech_runtime::Real>::from_f64(radius) }, Pose::identity(), 4);
     }
 
     #[test]

@@ -4,10 +4,9 @@ mod zoo;
 
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Model};
-use mech_compiler::program::Real;
 use mech_compiler::{Compiled, model::LinkId};
 use mech_examples::gallery;
-use mech_runtime::{Mechanism, Scalar};
+use mech_runtime::{Mechanism, Real};
 use mech_tests::{mechanisms, size, with_ground, worst_gap, worst_stretch};
 use std::f64::consts::{PI, TAU};
 
@@ -27,10 +26,10 @@ fn read<M: Mechanism>(source: &str) -> (Model, Compiled) {
     found.expect("the source declares it")
 }
 
-fn in_f64<T: Scalar>(poses: &[mech_runtime::Pose<T>]) -> Vec<[f64; 4]> {
+fn in_f64<T: Real>(poses: &[mech_runtime::Pose<T>]) -> Vec<[f64; 4]> {
     poses
         .iter()
-        .map(|pose| [pose.cos, pose.sin, pose.x, pose.y].map(Scalar::to_f64))
+        .map(|pose| [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64))
         .collect()
 }
 
@@ -54,7 +53,7 @@ fn largest_length(model: &Model) -> f64 {
 fn check<M>(case: &Case<'_>, gap_limit: f64)
 where
     M: Mechanism,
-    M::Scalar: Scalar + Real,
+    M::Scalar: Real,
 {
     let (model, compiled) = read::<M>(case.source);
     let mut machine = Machine::<M::Scalar>::new(&compiled.program);
@@ -63,7 +62,7 @@ where
         .motors()
         .as_ref()
         .iter()
-        .map(|&motor| Scalar::to_f64(motor))
+        .map(|&motor| Real::to_f64(motor))
         .collect();
     let mut worst: f64 = 0.0;
     for frame in 0..=FRAMES {
@@ -75,7 +74,7 @@ where
             .zip(&start)
             .zip((case.motion)(phase))
         {
-            *motor = <M::Scalar as Scalar>::from_f64(start + way);
+            *motor = <M::Scalar as Real>::from_f64(start + way);
         }
         mechanism
             .move_to(motors)
@@ -88,7 +87,7 @@ where
                 .into_iter()
                 .zip(run)
             {
-                let (emitted, run) = (Scalar::to_f64(emitted), Scalar::to_f64(*run));
+                let (emitted, run) = (Real::to_f64(emitted), Real::to_f64(*run));
                 let ulp = <M::Scalar as Real>::EPSILON * emitted.abs().max(f64::MIN_POSITIVE);
                 assert!(
                     (emitted - run).abs() <= 4.0 * ulp,

@@ -1,6 +1,6 @@
 //! A four-bar linkage written by hand, in closed form: what the gallery is tested with.
 
-use mech_runtime::{Blocked, Cause, Mechanism, Outline, Palette, Pose, Shape};
+use mech_runtime::{Blocked, Cause, Mechanism, Outline, Palette, Pose, Reached, Shape};
 
 const CRANK: f64 = 1.0;
 const COUPLER: f64 = 3.0;
@@ -112,10 +112,14 @@ impl Mechanism for FourBar {
         self.motors
     }
 
-    fn move_to(&mut self, motors: [f64; 1]) -> Result<(), Blocked> {
+    fn move_toward(&mut self, motors: [f64; 1]) -> Result<Reached<[f64; 1]>, Blocked<[f64; 1]>> {
+        self.move_to(motors).map(|()| Reached::Target)
+    }
+
+    fn move_to(&mut self, motors: [f64; 1]) -> Result<(), Blocked<[f64; 1]>> {
         let [angle] = motors;
         if !angle.is_finite() {
-            return Err(Blocked::new("a", Cause::NotFinite));
+            return Err(Blocked::new("a", Cause::NotFinite, self.motors));
         }
         let (sin, cos) = angle.sin_cos();
         let [x, y] = [CRANK * cos, CRANK * sin];
@@ -125,7 +129,7 @@ impl Mechanism for FourBar {
         let aside = COUPLER * COUPLER / square - along * along;
         // One turn only, so that it can be blocked in a test.
         if aside < 0.0 || angle.abs() > 7.0 {
-            return Err(Blocked::new("a, b, c, d", Cause::Open));
+            return Err(Blocked::new("a, b, c, d", Cause::Open, self.motors));
         }
         let aside = aside.sqrt();
         let pin = [

@@ -156,7 +156,7 @@ fn unsettled(plan: &Plan, program: &Program, stop: Stop) -> Diagnosis {
         Stop::Open(block) | Stop::DeadPoint(block) => {
             program.newton(block).map(|newton| newton.number)
         }
-        Stop::MotorCount | Stop::NotFinite(_) | Stop::Overflow => None,
+        _ => None,
     };
     match number.and_then(|number| plan.loops().nth(number)) {
         Some(ring) => Diagnosis::DeadStart {

@@ -21,7 +21,7 @@ pub(super) fn fill<T: Scalar, const W: usize>(
         if square < T::zero() {
             continue; // a pole that rounding has carried over
         }
-        let half = square.sqrt();
+        let half = nalgebra::ComplexField::sqrt(square);
         let span = grid::first_from(x - half, W)..grid::first_from(x + half, W);
         if let Some(pixels) = row.get_mut(span) {
             pixels.fill(color);

@@ -5,7 +5,7 @@ use nalgebra::{convert, convert_unchecked};
 
 /// The first of the pixels `0..count` whose centre is at `position` or beyond; `count` if there is none.
 pub(super) fn first_from<T: Scalar>(position: T, count: usize) -> usize {
-    let index = position - <T as Scalar>::from_f64(0.5);
+    let index = position - <T as mech_core::Real>::from_f64(0.5);
     if index >= exact(count) {
         count
     } else if index > T::zero() {
@@ -25,7 +25,7 @@ pub(super) fn first_from<T: Scalar>(position: T, count: usize) -> usize {
 
 /// The centre of a pixel.
 pub(super) fn center<T: Scalar>(index: usize) -> T {
-    exact::<T>(index) + <T as Scalar>::from_f64(0.5)
+    exact::<T>(index) + <T as mech_core::Real>::from_f64(0.5)
 }
 
 /// By way of `f32`, so that a machine that has no `f64` needs none.

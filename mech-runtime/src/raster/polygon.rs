@@ -154,5 +154,5 @@ fn crossing<T: Scalar>(upper: [T; 2], lower: [T; 2], y: T) -> T {
     } else {
         (lower[0], upper[0])
     };
-    x.max(left).min(right)
+    nalgebra::RealField::max(x, left).min(right)
 }

@@ -71,8 +71,8 @@ impl View {
         #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
         let middle = [width, height].map(|pixels| nalgebra::convert::<f32, T>(pixels as f32 / 2.0));
         Projection {
-            center: self.center.map(<T as Scalar>::from_f64),
-            scale: <T as Scalar>::from_f64(self.scale),
+            center: self.center.map(<T as mech_core::Real>::from_f64),
+            scale: <T as mech_core::Real>::from_f64(self.scale),
             middle,
         }
     }

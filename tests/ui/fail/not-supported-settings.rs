@@ -15,15 +15,12 @@ mechanism! {
     joint c = revolute(coupler.right, rocker.pin);
     joint d = revolute(ground.p, rocker.shaft);
 
-    motor a in 0 deg ..= 360 deg by 1 deg;
+    motor a;
     start { a = 60 deg; coupler near 30 deg; }
-    accuracy 1e-9;
     effects { velocity; acceleration; }
     show rocker, coupler.right;
     certify;
-    cost;
     param length = 1.0 in 0.5 ..= 2.0;
-    method exact;
 }
 
 fn main() {}

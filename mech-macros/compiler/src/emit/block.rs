@@ -89,7 +89,7 @@ pub(super) fn function(
     let (result, output) = if fails {
         (
             quote!(Ok((#(#gives),*))),
-            quote!(Result<(#(#types),*), Blocked>),
+            quote!(Result<(#(#types),*), Stop>),
         )
     } else {
         (quote!((#(#gives),*)), quote!((#(#types),*)))

@@ -32,7 +32,7 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
         }
         op => {
             let from = program.node(value).block;
-            if matches!(op, Op::Motor(_)) || from != by {
+            if matches!(op, Op::Motor(_) | Op::Turns(_) | Op::Turned(..)) || from != by {
                 takes[by.index()].insert(value);
             }
             if from != by {
@@ -63,9 +63,18 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
         }
     }
     let margins = program.margins().map(|(_, closed)| &closed.margin);
-    for value in program.poses.iter().flatten().chain(&program.kept).chain(margins) {
+    for value in program
+        .poses
+        .iter()
+        .flatten()
+        .chain(&program.kept)
+        .chain(margins)
+    {
         let node = program.node(*value);
-        if !matches!(node.op, Op::Constant(_) | Op::Last(_) | Op::Motor(_)) {
+        if !matches!(
+            node.op,
+            Op::Constant(_) | Op::Last(_) | Op::Motor(_) | Op::Turns(_) | Op::Turned(..)
+        ) {
             gives[node.block.index()].insert(*value);
         }
     }

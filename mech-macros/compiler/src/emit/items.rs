@@ -5,7 +5,7 @@ use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
 use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
-use crate::program::{BlockKind, Newton, Program, Rounds};
+use crate::program::{self, Program};
 use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -38,12 +38,8 @@ pub(crate) fn items(
     let step = step(program);
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
-    let advance = if fixed_rounds(program) {
-        quote!(advance_at_once as advance)
-    } else {
-        quote!(advance)
-    };
-    let motor_names = &program.motors;
+    let course = course(program);
+    let turn_to = turn_to(model, program, visibility);
     let implementation = implementation(program, name);
     quote! {
         #(#attributes)*
@@ -69,16 +65,20 @@ pub(crate) fn items(
             const _: () = {
             use ::core::default::Default;
             use ::core::primitive::{#scalar, str};
-            use ::core::result::Result::{self, Ok};
+            use ::core::option::Option::{None, Some};
+            use ::core::result::Result::{self, Err, Ok};
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
             use #krate::generated::{
-                #advance, Blocked, Canvas, Isometry2, Mechanism, Outline, Point2, Pose, Position, Shape, angle,
-                atan2, closed, closes, cos, paint, round, sin, sin_cos, slide, solve, sqrt,
+                AtZero, Blocked, Canvas, Course, Isometry2, Mechanism, Motors, Outline, Phase, Point2, Pose, Position,
+                Reached, Real, Shape, Stop, Watched, advance, angle, approach, atan2, closed, closes, cos, paint, round,
+                sin, sin_cos, slide, solve, sqrt, turned,
             };
 
             #shapes
 
             const START: #position = #start;
+
+            #course
 
             const REPORT: &str = #report;
 
@@ -95,19 +95,33 @@ pub(crate) fn items(
 
                 /// The present values of the motors, in the order of their declaration, in radians or scene units.
                 #[must_use]
-                #visibility const fn motors(&self) -> [#scalar; #motors] {
-                    self.position.motors
+                #visibility fn motors(&self) -> [#scalar; #motors] {
+                    self.position.motors.total()
                 }
 
                 /// Gives the motors these values, in the order of their declaration, in radians or scene units, and moves
                 /// everything accordingly.
                 ///
                 /// # Errors
-                /// If a value is not finite or a loop cannot be closed there; the mechanism then stays where it was.
-                #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked> {
-                    self.position = advance(&self.position, motors, [#(#motor_names),*], step)?;
+                /// If a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it was.
+                #[inline]
+                #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
+                    self.position = advance(&self.position, Motors::new(motors), &COURSE, step)?;
                     Ok(())
                 }
+
+                /// Moves towards these values of the motors, in radians or scene units, on the straight way from the present
+                /// ones, as far as it can.
+                ///
+                /// # Errors
+                /// If a value is not finite; the mechanism then stays where it was.
+                #visibility fn move_toward(&mut self, motors: [#scalar; #motors])
+                    -> Result<Reached<[#scalar; #motors]>, Blocked<[#scalar; #motors]>>
+                {
+                    approach(&mut self.position, Motors::new(motors), &COURSE, step)
+                }
+
+                #turn_to
 
                 /// The poses of the moving links in the scene, in the order of their declaration.
                 #[must_use]
@@ -161,8 +175,14 @@ fn implementation(program: &Program, name: &Ident) -> TokenStream {
                     self.motors()
                 }
 
-                fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked> {
+                fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
                     self.move_to(motors)
+                }
+
+                fn move_toward(&mut self, motors: [#scalar; #motors])
+                    -> Result<Reached<[#scalar; #motors]>, Blocked<[#scalar; #motors]>>
+                {
+                    self.move_toward(motors)
                 }
 
                 fn poses(&self) -> &[Pose<#scalar>] {
@@ -172,17 +192,90 @@ fn implementation(program: &Program, name: &Ident) -> TokenStream {
     }
 }
 
-fn fixed_rounds(program: &Program) -> bool {
-    let fixed = |kind: &BlockKind| {
-        matches!(
-            kind,
-            BlockKind::Newton(Newton {
-                rounds: Rounds::Exactly(_),
-                ..
-            })
-        )
+/// What is known about every move.
+fn course(program: &Program) -> TokenStream {
+    let scalar = scalar(program);
+    let n = |value: &f64| number(program.precision, *value);
+    let names = &program.motors;
+    let watched = program.watches.iter().map(|watch| {
+        let kept = Literal::usize_unsuffixed(watch.kept);
+        let rates = watch.rates.iter().map(n);
+        let at_zero = match watch.at_zero {
+            program::AtZero::Stay => quote!(AtZero::Stay),
+            program::AtZero::GoOver => quote!(AtZero::GoOver),
+            program::AtZero::Stop => quote!(AtZero::Stop),
+        };
+        let place = program
+            .closed(watch.block)
+            .map_or("", |closed| &closed.place);
+        quote!(Watched { kept: #kept, rates: [#(#rates),*], at_zero: #at_zero, place: #place })
+    });
+    let senses = match program.senses {
+        None => quote!(None),
+        Some(first) => {
+            let first = Literal::usize_unsuffixed(first);
+            quote!(Some(#first))
+        }
     };
-    program.blocks.iter().any(|block| fixed(&block.kind))
+    let (subdivides, overflows) = (program.subdivides(), program.overflows);
+    let [motors, loops] = [names.len(), program.watches.len()].map(Literal::usize_unsuffixed);
+    quote! {
+        const COURSE: Course<#scalar, #motors, #loops> = Course {
+            names: [#(#names),*],
+            watched: [#(#watched),*],
+            senses: #senses,
+            subdivides: #subdivides,
+            overflows: #overflows,
+        };
+    }
+}
+
+/// The method that takes phases, if a motor turns.
+fn turn_to(model: &Model, program: &Program, visibility: &syn::Visibility) -> TokenStream {
+    let turns = |motor: &crate::model::Motor| {
+        matches!(model.joint(motor.joint).kind, JointKind::Revolute(..))
+    };
+    if !model.motors.iter().any(turns) {
+        return TokenStream::new();
+    }
+    let scalar = scalar(program);
+    let count = Literal::usize_unsuffixed(program.motors.len());
+    let mut parameters = TokenStream::new();
+    let mut values = Vec::new();
+    let mut phases = TokenStream::new();
+    for (index, (motor, name)) in model.motors.iter().zip(&program.motors).enumerate() {
+        let variable = super::scope::ident(name);
+        if turns(motor) {
+            let index = Literal::usize_unsuffixed(index);
+            parameters.extend(quote!(#variable: Phase,));
+            phases.extend(quote! {
+                if let Err(stop) = motors.turn(#index, #variable, #name) {
+                    return Err(self.position.refuse(stop));
+                }
+            });
+            values.push(quote!(0.0));
+        } else {
+            parameters.extend(quote!(#variable: #scalar,));
+            values.push(quote!(#variable));
+        }
+    }
+    let many = (program.motors.len() > 6).then(|| {
+        quote!(#[allow(clippy::too_many_arguments, reason = "a mechanism has as many motors as it has")])
+    });
+    quote! {
+        /// The same with phases for the motors that turn: exact after any number of turns.
+        ///
+        /// # Errors
+        /// If a value is not finite, a phase is beyond 2³¹ turns, or a loop cannot be closed on the way there; the mechanism
+        /// then stays where it was.
+        #many
+        #visibility fn turn_to(&mut self, #parameters) -> Result<(), Blocked<[#scalar; #count]>> {
+            let mut motors = Motors::new([#(#values),*]);
+            #phases
+            self.position = advance(&self.position, motors, &COURSE, step)?;
+            Ok(())
+        }
+    }
 }
 
 /// The assembled position.
@@ -194,7 +287,7 @@ fn start(program: &Program) -> TokenStream {
         let [cos, sin, x, y] = pose.each_ref().map(n);
         quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
     });
-    quote!(Position { motors: [#(#motors),*], poses: [#(#poses),*], kept: [#(#kept),*] })
+    quote!(Position { motors: Motors::new([#(#motors),*]), poses: [#(#poses),*], kept: [#(#kept),*] })
 }
 
 /// An identifier that stands where the user wrote it.
@@ -303,7 +396,7 @@ fn coordinate(
     };
     if let Some(motor) = motor {
         let index = Literal::usize_unsuffixed(motor.index());
-        let value = quote!(self.position.motors[#index]);
+        let value = quote!(self.motors()[#index]);
         return Some(("radians or scene units, as given to its motor", value));
     }
     let axis = |id: AxisId| {

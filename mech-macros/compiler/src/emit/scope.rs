@@ -46,8 +46,9 @@ enum Binding {
 }
 
 /// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 12] = [
-    "last", "rounds", "atan2", "closed", "closes", "position", "cos", "round", "sin", "sin_cos", "solve", "sqrt",
+const OUTER: [&str; 14] = [
+    "motors", "turned", "last", "rounds", "atan2", "closed", "closes", "position", "cos", "round",
+    "sin", "sin_cos", "solve", "sqrt",
 ];
 
 /// The names and uses of values in one function.
@@ -161,12 +162,19 @@ impl<'p> Scope<'p> {
             Op::Sqrt(a) => self.call(&quote!(sqrt), &[a]),
             Op::Atan2(a, b) => self.call(&quote!(atan2), &[a, b]),
             Op::Round(a) => self.call(&quote!(round), &[a]),
+            Op::Choose(test, a, b) => {
+                let [test, a, b] = [test, a, b].map(|value| self.expression(value));
+                (quote!(if #test >= 0.0 { #a } else { #b }), Binding::Sum)
+            }
             Op::Max(a, b) => self.method(a, &quote!(max), b),
             Op::CopySign(a, b) => self.method(a, &quote!(copysign), b),
             // These are always bound: they are parameters or variables.
-            Op::Motor(_) | Op::Unknown(..) | Op::Solved(..) | Op::Dense(..) => {
-                (quote!(()), Binding::Atom)
-            }
+            Op::Motor(_)
+            | Op::Turns(_)
+            | Op::Turned(..)
+            | Op::Unknown(..)
+            | Op::Solved(..)
+            | Op::Dense(..) => (quote!(()), Binding::Atom),
         }
     }
 
@@ -193,10 +201,7 @@ impl<'p> Scope<'p> {
     }
 
     fn method(&self, of: Value, name: &TokenStream, argument: Value) -> (TokenStream, Binding) {
-        let (of, argument) = (
-            self.at_least(of, Binding::Atom),
-            self.expression(argument),
-        );
+        let (of, argument) = (self.at_least(of, Binding::Atom), self.expression(argument));
         (quote!(#of.#name(#argument)), Binding::Atom)
     }
 

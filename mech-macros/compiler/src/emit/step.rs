@@ -79,15 +79,15 @@ pub(super) fn step(program: &Program) -> TokenStream {
 
             /// The position at these motor values, and for each loop a margin: it closes if that is not negative.
             #[inline]
-            fn position(#last: &#position, motors: [#scalar; #count]) -> (#position, [#scalar; #loops]) {
-                let [#(#motors),*] = motors;
+            fn position(#last: &#position, motors: Motors<#scalar, #count>) -> (#position, [#scalar; #loops]) {
+                #motors
                 #body
                 (#result, [#(#margins),*])
             }
 
             /// The position at these motor values, if every loop closes there.
             #[inline]
-            fn step(last: &#position, motors: [#scalar; #count]) -> Result<#position, Blocked> {
+            fn step(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
                 let (position, margins) = position(last, motors);
                 closes(margins, [#(#places),*])?;
                 Ok(position)
@@ -98,8 +98,8 @@ pub(super) fn step(program: &Program) -> TokenStream {
         #functions
 
         /// The position at these motor values, close to the last one.
-        fn step(#last: &#position, motors: [#scalar; #count]) -> Result<#position, Blocked> {
-            let [#(#motors),*] = motors;
+        fn step(#last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
+            #motors
             #body
             Ok(#result)
         }
@@ -118,18 +118,39 @@ pub(super) fn position(program: &Program) -> TokenStream {
     quote!(Position<#scalar, #(#sizes),*>)
 }
 
-/// A variable for each motor; one that nothing needs begins with an underscore.
-fn motors(program: &Program, scope: &mut Scope<'_>) -> Vec<Ident> {
-    let value = |motor| {
+/// What a mechanism's motors are given, as variables: for each a value, and where something needs them its whole turns.
+fn motors(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
+    let value = |wanted: Op| {
         program
             .live_values()
-            .find(|&value| program.node(value).op == Op::Motor(motor))
+            .find(|&value| program.node(value).op == wanted)
     };
-    let variable = |(motor, name): (usize, &String)| match value(motor) {
+    let variable = |(motor, name): (usize, &String)| match value(Op::Motor(motor)) {
         Some(value) => scope.bind(value),
         None => scope.fresh(&format!("_{name}")),
     };
-    program.motors.iter().enumerate().map(variable).collect()
+    let variables: Vec<Ident> = program.motors.iter().enumerate().map(variable).collect();
+    let mut tokens = quote!(let [#(#variables),*] = motors.values;);
+    for value in program.live_values() {
+        let made = match program.node(value).op {
+            Op::Turns(motor) => {
+                let (motor, scalar) = (Literal::usize_unsuffixed(motor), scalar(program));
+                quote!(<#scalar as Real>::from_i32(motors.turns[#motor]))
+            }
+            Op::Turned(motor, numerator, denominator) => {
+                let (motor, scalar) = (Literal::usize_unsuffixed(motor), scalar(program));
+                let (numerator, denominator) = (
+                    Literal::i64_unsuffixed(numerator),
+                    Literal::i64_unsuffixed(denominator),
+                );
+                quote!(turned::<#scalar>(motors.turns[#motor], #numerator, #denominator))
+            }
+            _ => continue,
+        };
+        let name = scope.bind(value);
+        tokens.extend(quote!(let #name = #made;));
+    }
+    tokens
 }
 
 fn straight_values(program: &Program) -> usize {

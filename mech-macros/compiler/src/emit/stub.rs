@@ -73,7 +73,12 @@ pub(crate) fn stub(
                 #visibility fn motors(&self) -> [#scalar; #motors] {
                     loop {}
                 }
-                #visibility fn move_to<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS]) -> ::core::result::Result<(), #krate::Blocked> {
+                #visibility fn move_to<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS]) -> ::core::result::Result<(), #krate::Blocked<[#scalar; MOTORS]>> {
+                    loop {}
+                }
+                #visibility fn move_toward<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS])
+                    -> ::core::result::Result<#krate::Reached<[#scalar; MOTORS]>, #krate::Blocked<[#scalar; MOTORS]>>
+                {
                     loop {}
                 }
                 #visibility fn poses(&self) -> &[#krate::Pose<#scalar>; #links] {
@@ -107,7 +112,12 @@ pub(crate) fn stub(
                 fn motors(&self) -> [#scalar; #motors] {
                     loop {}
                 }
-                fn move_to(&mut self, motors: [#scalar; #motors]) -> ::core::result::Result<(), #krate::Blocked> {
+                fn move_to(&mut self, motors: [#scalar; #motors]) -> ::core::result::Result<(), #krate::Blocked<[#scalar; #motors]>> {
+                    loop {}
+                }
+                fn move_toward(&mut self, motors: [#scalar; #motors])
+                    -> ::core::result::Result<#krate::Reached<[#scalar; #motors]>, #krate::Blocked<[#scalar; #motors]>>
+                {
                     loop {}
                 }
                 fn poses(&self) -> &[#krate::Pose<#scalar>] {

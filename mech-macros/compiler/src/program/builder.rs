@@ -54,7 +54,9 @@ impl Builder {
         let start = &self.start;
         let known = match op {
             Op::Motor(motor) => start.motors.get(motor).copied(),
-            Op::Last(Slot::Pose(link, part)) => start.poses.get(link).map(|pose| pose[part.index()]),
+            Op::Last(Slot::Pose(link, part)) => {
+                start.poses.get(link).map(|pose| pose[part.index()])
+            }
             Op::Last(Slot::Kept(index)) => start.kept.get(index).copied(),
             op => op.apply(|value| self.at_start[value.index()]),
         };

@@ -2,6 +2,7 @@
 
 use super::newton::Rounds;
 use crate::model::Method;
+use mech_core::journey::AtZero;
 
 /// More rounds than this never help: Newton's iteration doubles its digits in each.
 pub(super) const MOST_ROUNDS: u32 = 24;
@@ -17,19 +18,34 @@ pub enum Solver {
     Newton(Rounds),
 }
 
+/// That a loop has to be watched.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Watching {
+    /// By how much the square of its sine changes with each motor, at most.
+    pub rates: Vec<f64>,
+    /// What happens at its change points.
+    pub at_zero: AtZero,
+}
+
 /// What is decided about a loop before its program is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// How it is solved.
     pub solver: Solver,
-    /// Whether it passes change points: then on which side its dyad lies is carried from position to position, and it is solved
-    /// in closed form.
-    pub crosses: bool,
+    /// Whether it is watched, because it has dead points or change points. If it goes over to its other side there, on which
+    /// side its dyad lies is carried from position to position, and it is solved in closed form.
+    pub watching: Option<Watching>,
     /// On which side its dyad lies at the start, where the start itself does not tell.
     pub side: Option<bool>,
 }
 
 impl Choice {
+    /// Whether its dyad goes over to its other side at change points.
+    #[must_use]
+    pub fn goes_over(&self) -> bool {
+        matches!(&self.watching, Some(watching) if watching.at_zero == AtZero::GoOver)
+    }
+
     /// All loops by this method.
     #[must_use]
     pub fn by(method: Method) -> Self {
@@ -41,7 +57,7 @@ impl Choice {
         };
         Self {
             solver,
-            crosses: false,
+            watching: None,
             side: None,
         }
     }

@@ -17,6 +17,6 @@ pub struct Closed {
     pub margin: Value,
     /// The sine of the transmission angle, as a part of its greatest, with the sign of the side on which the dyad lies.
     pub sine: Value,
-    /// Where that sine is carried, if the loop passes change points.
-    pub kept: Option<usize>,
+    /// The square of a sine below which rounding hides its sign.
+    pub tiny_square: Value,
 }

@@ -1,6 +1,6 @@
 //! A dense linear system, by elimination with partial pivoting, exactly as the generated code's runtime does it.
 
-use super::real::Real;
+use mech_core::Real;
 
 /// The solution of `rows · x = right`, and the determinant. What is singular gives a determinant of zero or numbers that are
 /// not finite.

@@ -6,13 +6,10 @@ use super::{Block, BlockKind, Program};
 /// For each node whether it is needed.
 pub(super) fn live(program: &Program) -> Vec<bool> {
     let mut live = vec![false; program.nodes.len()];
-    let margins = program
-        .blocks
-        .iter()
-        .filter_map(|block| match &block.kind {
-            BlockKind::Closed(closed) => Some(closed.margin),
-            BlockKind::Straight | BlockKind::Newton(_) => None,
-        });
+    let margins = program.blocks.iter().filter_map(|block| match &block.kind {
+        BlockKind::Closed(closed) => Some(closed.margin),
+        BlockKind::Straight | BlockKind::Newton(_) => None,
+    });
     let mut waiting: Vec<Value> = program
         .poses
         .iter()

@@ -11,14 +11,17 @@ mod live;
 mod newton;
 mod node;
 mod real;
+mod watch;
 
 pub use build::{build, build_as};
-pub use choice::{Choice, Solver};
+pub use choice::{Choice, Solver, Watching};
 pub use closed::Closed;
 pub(crate) use dense::solve;
+pub use mech_core::Real;
+pub use mech_core::journey::AtZero;
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
-pub use real::Real;
+pub use watch::Watch;
 
 use crate::model::Precision;
 
@@ -41,6 +44,12 @@ pub struct Program {
     pub poses: Vec<[Value; 4]>,
     /// The new values of what is carried from position to position.
     pub kept: Vec<Value>,
+    /// The loops in closed form that have dead points or change points.
+    pub watches: Vec<Watch>,
+    /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor.
+    pub senses: Option<usize>,
+    /// Whether something may move beyond the range of the numbers.
+    pub overflows: bool,
     /// Which values anything depends on.
     pub live: Vec<bool>,
     /// The position in which the mechanism is assembled.
@@ -74,6 +83,8 @@ pub enum BlockKind {
 pub struct Position<T> {
     /// The values of the motors.
     pub motors: Vec<T>,
+    /// Whole turns of the motors besides.
+    pub turns: Vec<i32>,
     /// For each moving link the cosine, sine, x and y of its pose.
     pub poses: Vec<[T; 4]>,
     /// What is carried from position to position besides: unwrapped angles, sides of dyads.
@@ -126,6 +137,19 @@ impl Program {
             BlockKind::Closed(closed) => Some(closed),
             BlockKind::Straight | BlockKind::Newton(_) => None,
         }
+    }
+
+    /// Whether a step that fails is subdivided: where loops are iterated until they close. A fixed number of rounds is a promise
+    /// about time, which subdivision would break.
+    #[must_use]
+    pub fn subdivides(&self) -> bool {
+        let rounds = |wanted: fn(Rounds) -> bool| {
+            self.blocks.iter().any(
+                |block| matches!(&block.kind, BlockKind::Newton(newton) if wanted(newton.rounds)),
+            )
+        };
+        rounds(|rounds| matches!(rounds, Rounds::UntilClosed(_)))
+            && !rounds(|rounds| matches!(rounds, Rounds::Exactly(_)))
     }
 
     /// Whether every loop is solved in closed form: no iteration, and no start that it would need.

@@ -81,8 +81,12 @@ impl Part {
 pub enum Op {
     /// A constant.
     Constant(Number),
-    /// The value given to a motor, by its number.
+    /// The value given to a motor, by its number, less whole turns.
     Motor(usize),
+    /// How many whole turns were given to a motor besides.
+    Turns(usize),
+    /// The angle in radians, less whole turns, that a part (numerator and denominator) of a motor's whole turns comes to.
+    Turned(usize, i64, i64),
     /// What the last position left behind.
     Last(Slot),
     /// An unknown of a loop while it is being solved.
@@ -113,6 +117,8 @@ pub enum Op {
     Max(Value, Value),
     /// The size of a with the sign of b.
     CopySign(Value, Value),
+    /// The second value if the first is not negative, else the third.
+    Choose(Value, Value, Value),
     /// The angle in (−π, π] of the vector (b, a).
     Atan2(Value, Value),
     /// The nearest whole number.
@@ -122,28 +128,31 @@ pub enum Op {
 impl Op {
     /// The values it is made from.
     pub fn operands(self) -> impl Iterator<Item = Value> {
-        let pair = match self {
+        let triple = match self {
             Self::Constant(_)
             | Self::Motor(_)
+            | Self::Turns(_)
+            | Self::Turned(..)
             | Self::Last(_)
             | Self::Unknown(..)
             | Self::Solved(..)
-            | Self::Dense(..) => [None, None],
+            | Self::Dense(..) => [None, None, None],
             Self::Neg(a)
             | Self::Abs(a)
             | Self::Sqrt(a)
             | Self::Sin(a)
             | Self::Cos(a)
-            | Self::Round(a) => [Some(a), None],
+            | Self::Round(a) => [Some(a), None, None],
+            Self::Choose(test, a, b) => [Some(test), Some(a), Some(b)],
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
             | Self::Div(a, b)
             | Self::Max(a, b)
             | Self::CopySign(a, b)
-            | Self::Atan2(a, b) => [Some(a), Some(b)],
+            | Self::Atan2(a, b) => [Some(a), Some(b), None],
         };
-        pair.into_iter().flatten()
+        triple.into_iter().flatten()
     }
 }
 

@@ -4,7 +4,7 @@
 //! the statement (above all its name) is still known, and messages stay in the order of the text.
 
 use super::{Header, Message, Place};
-use crate::model::Precision;
+use crate::model::{AtChangePoints, Precision};
 use proc_macro2::{Ident, Span};
 use std::fmt;
 
@@ -32,7 +32,7 @@ pub(super) enum Statement {
     Link(Link),
     /// `joint name = ...;`
     Joint(Box<Joint>),
-    /// `motor name;`
+    /// `motor name in low ..= high by step;`
     Motor(Motor),
     /// `start { ... }`
     Start(Start),
@@ -40,6 +40,10 @@ pub(super) enum Statement {
     Method(Method),
     /// `accuracy 1e-9;`
     Accuracy { keyword: Span, value: Expr },
+    /// `cost x86_64;`
+    Cost { keyword: Span, word: Ident },
+    /// `at change points stop;`
+    ChangePoints { keyword: Span, what: AtChangePoints },
     /// `effects { ... }`
     Effects {
         keyword: Span,
@@ -217,10 +221,10 @@ pub(super) enum Size {
 pub(super) struct Motor {
     /// The joint it drives.
     pub joint: Ident,
-    /// The word `in`, and the range after it.
-    pub range: Option<(Span, [Expr; 2])>,
-    /// The word `by`, and the step after it.
-    pub step: Option<(Span, Expr)>,
+    /// The range after `in`.
+    pub range: Option<[Expr; 2]>,
+    /// The step after `by`.
+    pub step: Option<Expr>,
 }
 
 /// `start { ... }`
@@ -247,8 +251,8 @@ pub(super) struct Method {
     pub keyword: Span,
     /// The method.
     pub word: Ident,
-    /// The number of steps.
-    pub steps: Option<Expr>,
+    /// The brackets after it, and the number of steps in them.
+    pub steps: Option<(Option<Expr>, Place)>,
 }
 
 /// `(x, y)`

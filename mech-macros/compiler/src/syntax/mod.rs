@@ -7,6 +7,7 @@ mod place;
 mod spelling;
 #[cfg(test)]
 mod tests;
+mod written;
 
 pub use place::{Message, Place, Places};
 

@@ -2,11 +2,12 @@
 
 use super::Writer;
 use crate::model::{Joint, JointKind, LinkId};
-use crate::program::choice::{Choice, MOST_ROUNDS, Solver};
 use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
-use crate::program::{BlockKind, Closed};
+use crate::program::choice::{Choice, MOST_ROUNDS, Solver};
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
+use crate::program::{BlockKind, Closed, Watch};
+use mech_core::journey::AtZero;
 
 /// An unknown: what it is called, and where the iteration starts.
 pub(super) type First = (String, Solution<Value>);
@@ -49,8 +50,8 @@ impl Writer<'_> {
             self.placement.base(connection.from)
         });
         let choice = self.choice();
-        if (choice.solver == Solver::ClosedForm || choice.crosses)
-            && let Some(solution) = self.in_closed_form(closing, &equation, (first, &place), choice)
+        if (choice.solver == Solver::ClosedForm || choice.goes_over())
+            && let Some(solution) = self.in_closed_form(block, closing, &equation, (first, &place))
         {
             equation.place(&mut self.builder, &mut self.placement, closing, &solution);
             for &base in &bases {
@@ -88,17 +89,38 @@ impl Writer<'_> {
         let otherwise = Choice::by(self.model.method.unwrap_or_default());
         self.choices
             .get(self.loops - 1)
-            .copied()
+            .cloned()
             .unwrap_or(otherwise)
+    }
+
+    /// Carries what has to be known about a loop that is watched. The side of its dyad, if it is carried, is so already.
+    fn keep_watch(&mut self, block: BlockId, closed: &Closed, choice: &Choice) {
+        let Some(watching) = &choice.watching else {
+            return;
+        };
+        let [sine, tiny] =
+            [closed.sine, closed.tiny_square].map(|value| self.builder.at_start(value));
+        if watching.at_zero != AtZero::GoOver {
+            self.builder.keep(sine);
+        }
+        self.builder.keep(tiny);
+        let sine = self.builder.name(closed.sine, "sine");
+        self.kept.extend([sine, closed.tiny_square]);
+        self.watches.push(Watch {
+            block,
+            kept: self.kept.len() - 2,
+            rates: watching.rates.clone(),
+            at_zero: watching.at_zero,
+        });
     }
 
     /// Closes a loop in closed form, if it has one.
     fn in_closed_form(
         &mut self,
+        block: BlockId,
         closing: &Loop,
         equation: &Equation<Value>,
         (first, place): (LinkId, &str),
-        choice: Choice,
     ) -> Option<Vec<Solution<Value>>> {
         let firsts: Vec<First> = equation
             .unknowns
@@ -106,10 +128,9 @@ impl Writer<'_> {
             .map(|unknown| self.first(*unknown, first))
             .collect();
         let solutions: Vec<Solution<Value>> = firsts.iter().map(|(_, first)| *first).collect();
-        let (closed, solution) = self.dyad(closing, equation, &solutions, choice)?;
-        if let Some(index) = closed.kept {
-            self.kept[index] = closed.sine;
-        }
+        let choice = self.choice();
+        let (closed, solution) = self.dyad(closing, equation, &solutions, &choice)?;
+        self.keep_watch(block, &closed, &choice);
         for ((name, _), solution) in firsts.iter().zip(&solution) {
             match *solution {
                 Solution::Direction(direction) => {

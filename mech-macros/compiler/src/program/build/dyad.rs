@@ -8,7 +8,7 @@ use super::Writer;
 use crate::plan::{Algebra, Equation, Loop, Slide, Solution, Unknown};
 use crate::program::choice::Choice;
 use crate::program::closed::Closed;
-use crate::program::node::Value;
+use crate::program::node::{Op, Value};
 
 /// A gap, in units of rounding of the loop's size, that passes for closed.
 const TOLERANCE: f64 = 64.0;
@@ -24,7 +24,7 @@ struct Found {
     slack: Value,
     floor: Value,
     sine: Value,
-    kept: Option<usize>,
+    tiny_square: Value,
 }
 
 /// The side on which a dyad lies.
@@ -33,7 +33,7 @@ enum Side {
     /// Always this one.
     Fixed(bool),
     /// That on which it was: the sign of a number that is carried.
-    Carried(Value, usize),
+    Carried(Value),
 }
 
 impl Writer<'_> {
@@ -43,7 +43,7 @@ impl Writer<'_> {
         closing: &Loop,
         equation: &Equation<Value>,
         firsts: &[Solution<Value>],
-        choice: Choice,
+        choice: &Choice,
     ) -> Option<(Closed, Vec<Solution<Value>>)> {
         let ([ring], [first, second]) = (&equation.rings[..], &equation.unknowns[..]) else {
             return None;
@@ -51,18 +51,18 @@ impl Writer<'_> {
         if !closing.ties.is_empty() {
             return None;
         }
-        let goal = ring
-            .offset
-            .map(|part| self.builder.neg(part));
+        let goal = ring.offset.map(|part| self.builder.neg(part));
         let slide = |unknown: usize| ring.slides.iter().find(|slide| slide.unknown == unknown);
         let found = match (first, second) {
             (Unknown::Direction(_), Unknown::Direction(_)) => {
                 self.two_circles(goal, [ring.arms[0]?, ring.arms[1]?], firsts, choice)
             }
             (Unknown::Direction(_), Unknown::Slide(_)) => match *slide(1)? {
-                Slide { along, turned_by: None, .. } => {
-                    self.circle_and_line(goal, ring.arms[0]?, along, firsts, choice)
-                }
+                Slide {
+                    along,
+                    turned_by: None,
+                    ..
+                } => self.circle_and_line(goal, ring.arms[0]?, along, firsts, choice),
                 Slide { along, .. } => {
                     let arm = ring.arms[0].unwrap_or(self.builder.vector([0.0, 0.0]));
                     self.line_that_turns(goal, arm, along, firsts, choice)
@@ -82,7 +82,7 @@ impl Writer<'_> {
             floor: found.floor,
             margin: self.builder.name(margin, "margin"),
             sine: found.sine,
-            kept: found.kept,
+            tiny_square: found.tiny_square,
         };
         Some((closed, found.solution))
     }
@@ -93,7 +93,7 @@ impl Writer<'_> {
         goal: Vector,
         [a, b]: [Vector; 2],
         firsts: &[Solution<Value>],
-        choice: Choice,
+        choice: &Choice,
     ) -> Found {
         let side = match firsts[0] {
             Solution::Direction(direction) => {
@@ -108,7 +108,10 @@ impl Writer<'_> {
         let builder = &mut self.builder;
         let square = builder.dot(goal, goal);
         let square = builder.name(square, "distance_square");
-        let (sum, difference) = (builder.add(a_length, b_length), builder.sub(a_length, b_length));
+        let (sum, difference) = (
+            builder.add(a_length, b_length),
+            builder.sub(a_length, b_length),
+        );
         let (outer, inner) = (builder.mul(sum, sum), builder.mul(difference, difference));
         let (inside, outside) = (builder.sub(outer, square), builder.sub(square, inner));
         let slack = builder.mul(inside, outside);
@@ -119,7 +122,7 @@ impl Writer<'_> {
         let tolerance = builder.constant(8.0 * TOLERANCE * self.model.precision.epsilon());
         let floor = builder.mul(tolerance, floor);
         let root = self.root(slack);
-        let (root, kept) = self.on_side(root, side);
+        let root = self.on_side(root, side);
         let builder = &mut self.builder;
         let half = builder.constant(0.5);
         let half_inverse = builder.div(half, square);
@@ -130,7 +133,10 @@ impl Writer<'_> {
         let across = builder.mul(root, half_inverse);
         let tip = builder.turned(goal, [along, across]);
         let rest = builder.minus(goal, tip);
-        let unit = |builder: &mut crate::program::builder::Builder, tip: Vector, arm: Vector, square: Value| {
+        let unit = |builder: &mut crate::program::builder::Builder,
+                    tip: Vector,
+                    arm: Vector,
+                    square: Value| {
             let one = builder.constant(1.0);
             let inverse = builder.div(one, square);
             let back = builder.conjugate(arm);
@@ -143,19 +149,29 @@ impl Writer<'_> {
         let scale = builder.mul(two, product);
         let sine = builder.div(root, scale);
         let apart = self.far_apart(a_length, b_length, square);
-        let directions = [first, second].map(|direction| {
+        let mut directions = [first, second].map(|direction| {
             if apart {
                 self.normalised(direction, "closed")
             } else {
                 direction
             }
         });
+        let [long, short, wide] =
+            [a_length, b_length, product].map(|value| self.builder.at_start(value));
+        let size = long + short;
+        if choice.goes_over() && (long - short).abs() <= 1e-9 * size {
+            for (direction, last) in directions.iter_mut().zip(firsts) {
+                *direction = self.unless_pins_meet(square, size, *direction, *last);
+            }
+        }
+        let shift = self.builder.div(square, product);
+        let tiny_square = self.tiny_square(shift, size * size / wide);
         Found {
             solution: directions.map(Solution::Direction).to_vec(),
             slack,
             floor,
             sine,
-            kept,
+            tiny_square,
         }
     }
 
@@ -173,7 +189,7 @@ impl Writer<'_> {
         arm: Vector,
         along: Vector,
         firsts: &[Solution<Value>],
-        choice: Choice,
+        choice: &Choice,
     ) -> Found {
         let builder = &mut self.builder;
         let foot = builder.dot(goal, along);
@@ -196,7 +212,7 @@ impl Writer<'_> {
         let size = self.size_at_start(&[goal, arm]);
         let floor = self.rounding(2.0 * size, radius);
         let root = self.root(slack);
-        let (root, kept) = self.on_side(root, side);
+        let root = self.on_side(root, side);
         let builder = &mut self.builder;
         let way = builder.add(foot, root);
         // What is left for the arm: across the line the height, along it back from where the line was left.
@@ -209,6 +225,9 @@ impl Writer<'_> {
         let conjugate = builder.scaled(inverse, conjugate);
         let direction = builder.turned(tip, conjugate);
         let sine = builder.div(root, radius);
+        let long = builder.constant(size);
+        let shift = builder.div(long, radius);
+        let tiny_square = self.tiny_square(shift, size / self.builder.at_start(radius));
         let direction = if size > FAR_APART * self.builder.at_start(radius) {
             self.normalised(direction, "closed")
         } else {
@@ -219,7 +238,7 @@ impl Writer<'_> {
             slack,
             floor,
             sine,
-            kept,
+            tiny_square,
         }
     }
 
@@ -230,7 +249,7 @@ impl Writer<'_> {
         arm: Vector,
         along: Vector,
         firsts: &[Solution<Value>],
-        choice: Choice,
+        choice: &Choice,
     ) -> Found {
         let builder = &mut self.builder;
         let foot = builder.dot(arm, along);
@@ -252,7 +271,7 @@ impl Writer<'_> {
         let height_size = self.builder.abs(height);
         let floor = self.rounding(2.0 * size, height_size);
         let root = self.root(slack);
-        let (root, kept) = self.on_side(root, side);
+        let root = self.on_side(root, side);
         let builder = &mut self.builder;
         let way = builder.sub(root, foot);
         let across = [builder.neg(along[1]), along[0]];
@@ -266,12 +285,21 @@ impl Writer<'_> {
         let direction = builder.scaled(inverse, turned);
         let scale = builder.constant(1.0 / size);
         let sine = builder.mul(scale, root);
+        let part = builder.mul(scale, height);
+        let shift = builder.mul(part, part);
+        let tiny_square = self.tiny_square(shift, 1.0);
+        let direction = if choice.goes_over() && self.builder.at_start(height).abs() <= 1e-9 * size
+        {
+            self.unless_pins_meet(square, size, direction, firsts[0])
+        } else {
+            direction
+        };
         Found {
             solution: vec![Solution::Direction(direction), Solution::Slide(way)],
             slack,
             floor,
             sine,
-            kept,
+            tiny_square,
         }
     }
 
@@ -292,21 +320,18 @@ impl Writer<'_> {
             slack: sine,
             floor,
             sine: det,
-            kept: None,
+            tiny_square: floor,
         }
     }
 
     /// On which side a dyad lies, from a number that is positive on one and negative on the other.
-    fn side(&mut self, choice: Choice, tells: Value) -> Side {
+    fn side(&mut self, choice: &Choice, tells: Value) -> Side {
         let positive = choice
             .side
             .unwrap_or_else(|| self.builder.at_start(tells) > 0.0);
-        if choice.crosses {
-            let carried = self.builder.keep(if positive { 1.0 } else { -1.0 });
-            let index = self.builder.start().kept.len() - 1;
-            // The new value is filled in when it is known.
-            self.kept.push(carried);
-            Side::Carried(carried, index)
+        if choice.goes_over() {
+            let sine = if positive { 1.0 } else { -1.0 };
+            Side::Carried(self.builder.keep(sine))
         } else {
             Side::Fixed(positive)
         }
@@ -320,15 +345,46 @@ impl Writer<'_> {
         self.builder.name(root, "root")
     }
 
-    fn on_side(&mut self, root: Value, side: Side) -> (Value, Option<usize>) {
+    fn on_side(&mut self, root: Value, side: Side) -> Value {
         match side {
-            Side::Fixed(true) => (root, None),
-            Side::Fixed(false) => (self.builder.neg(root), None),
-            Side::Carried(carried, index) => {
+            Side::Fixed(true) => root,
+            Side::Fixed(false) => self.builder.neg(root),
+            Side::Carried(carried) => {
                 let signed = self.builder.copysign(root, carried);
-                (self.builder.name(signed, "signed_root"), Some(index))
+                self.builder.name(signed, "signed_root")
             }
         }
+    }
+
+    /// The square of a sine below which rounding hides its sign: where rounding shifts the square of the sine by this part of
+    /// epsilon, and not less than what rounding of lengths does to the sine itself.
+    fn tiny_square(&mut self, shift: Value, sine: f64) -> Value {
+        let epsilon = self.model.precision.epsilon();
+        let least = self.builder.constant((TOLERANCE * epsilon * sine).powi(2));
+        let shift_by = self.builder.constant(16.0 * epsilon);
+        let shift = self.builder.mul(shift_by, shift);
+        self.builder.add(shift, least)
+    }
+
+    /// Where pins meet that a dyad of equal lengths joins, any direction closes it: that which it had is kept.
+    fn unless_pins_meet(
+        &mut self,
+        square: Value,
+        size: f64,
+        direction: Vector,
+        last: Solution<Value>,
+    ) -> Vector {
+        let Solution::Direction(last) = last else {
+            return direction;
+        };
+        let least = (TOLERANCE * self.model.precision.epsilon() * size).powi(2);
+        let least = self.builder.constant(least);
+        let apart = self.builder.sub(square, least);
+        let apart = self.builder.name(apart, "apart");
+        [0, 1].map(|part| {
+            self.builder
+                .make(Op::Choose(apart, direction[part], last[part]))
+        })
     }
 
     /// The lengths at the start of what a loop is made of.

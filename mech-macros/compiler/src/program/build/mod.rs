@@ -9,12 +9,13 @@ use super::builder::Builder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::{Op, Value};
-use super::{Choice, Position, Program};
-use crate::model::{AxisId, LinkId, Model};
+use super::{Choice, Position, Program, Watch};
+use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
-    Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Placement, Plan, Pose, Source,
-    Step,
+    Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Placement, Plan, Pose, Rational,
+    Source, Step,
 };
+use mech_core::journey::AtZero;
 use num_traits::ToPrimitive;
 
 /// Writes the program of a planned mechanism, with every loop solved by the method that the model says.
@@ -30,6 +31,7 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
     let shown = model.declared_links();
     let mut builder = Builder::new(Position {
         motors: plan.start.motors.clone(),
+        turns: vec![0; plan.start.motors.len()],
         poses: shown.map(|link| plan.start.poses[link.index()]).collect(),
         kept: Vec::new(),
     });
@@ -42,6 +44,8 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
         builder,
         placement,
         kept: Vec::new(),
+        watches: Vec::new(),
+        senses: None,
         sources: vec![None; plan.sources.len()],
         meshes: 0,
         loops: 0,
@@ -54,7 +58,19 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
             Step::Close(ring) => writer.close(ring),
         }
     }
+    writer.keep_senses();
     writer.finish()
+}
+
+/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it.
+fn overflows(model: &Model) -> bool {
+    let slides = |joint: &Joint| {
+        matches!(
+            joint.kind,
+            JointKind::Prismatic(..) | JointKind::Rack { .. }
+        )
+    };
+    model.joints.iter().any(slides)
 }
 
 struct Writer<'m> {
@@ -65,6 +81,8 @@ struct Writer<'m> {
     placement: Placement<'m, Value>,
     /// The new values of what is carried from position to position.
     kept: Vec<Value>,
+    watches: Vec<Watch>,
+    senses: Option<usize>,
     /// The sources of gears, belts and racks that were needed so far.
     sources: Vec<Option<Value>>,
     meshes: usize,
@@ -129,8 +147,8 @@ impl Writer<'_> {
         self.meshes += 1;
         let mut offset = start;
         let mut moved = self.builder.constant(0.0);
-        for (number, part) in &mesh.parts {
-            let part = part.to_f64().unwrap_or(0.0);
+        for (number, exact) in &mesh.parts {
+            let part = exact.to_f64().unwrap_or(0.0);
             offset -= part
                 * self
                     .plan
@@ -139,9 +157,8 @@ impl Writer<'_> {
                     .get(*number)
                     .copied()
                     .unwrap_or_default();
-            let source = self.source(*number);
-            let part = self.builder.constant(part);
-            let share = self.builder.mul(part, source);
+            let turns = mesh.connection.kind == ConnectionKind::Revolute;
+            let share = self.share(*number, exact, turns);
             moved = self.builder.add(moved, share);
         }
         let offset = self.builder.constant(offset);
@@ -149,6 +166,37 @@ impl Writer<'_> {
         let moved = self.model.joint(mesh.connection.joint).name.clone();
         self.builder.name(value, &moved);
         self.put(mesh.connection, value, &moved);
+    }
+
+    /// A part of what a source gives. Of a motor's whole turns, an angle needs only what they come to less whole turns.
+    fn share(&mut self, number: usize, part: &Rational, is_angle: bool) -> Value {
+        let source = self.source(number);
+        let factor = self.builder.constant(part.to_f64().unwrap_or(0.0));
+        let share = self.builder.mul(factor, source);
+        let Source::Motor(motor) = self.plan.sources[number] else {
+            return share;
+        };
+        let joint = self.model.joint(self.model.motor(motor).joint);
+        if !matches!(joint.kind, JointKind::Revolute(..)) {
+            return share;
+        }
+        let name = format!("{}_turns", joint.name);
+        let turns = match (is_angle, part.numer().to_i64(), part.denom().to_i64()) {
+            (true, Some(_), Some(1)) => return share,
+            (true, Some(numerator), Some(denominator)) => {
+                let turned = Op::Turned(motor.index(), numerator, denominator);
+                let turned = self.builder.make(turned);
+                self.builder.name(turned, name)
+            }
+            _ => {
+                let turns = self.builder.make(Op::Turns(motor.index()));
+                let turns = self.builder.name(turns, name);
+                let turn = self.builder.constant(std::f64::consts::TAU);
+                let turns = self.builder.mul(turn, turns);
+                self.builder.mul(factor, turns)
+            }
+        };
+        self.builder.add(share, turns)
     }
 
     /// What a gear, belt or rack is solved from.
@@ -214,12 +262,30 @@ impl Writer<'_> {
         }
     }
 
+    /// Where a loop passes change points, the sense in which it came there tells on which side it leaves.
+    fn keep_senses(&mut self) {
+        if self
+            .watches
+            .iter()
+            .all(|watch| watch.at_zero == AtZero::Stay)
+        {
+            return;
+        }
+        self.senses = Some(self.kept.len());
+        for _ in &self.model.motors {
+            let sense = self.builder.keep(1.0);
+            self.kept.push(sense);
+        }
+    }
+
     fn finish(self) -> Program {
         let Self {
             model,
             builder,
             placement,
             kept,
+            watches,
+            senses,
             ..
         } = self;
         let shown: Vec<LinkId> = model.declared_links().collect();
@@ -236,6 +302,9 @@ impl Writer<'_> {
             precision: model.precision,
             nodes: builder.nodes,
             blocks: builder.blocks,
+            watches,
+            senses,
+            overflows: overflows(model),
             motors: model
                 .motors
                 .iter()

@@ -78,11 +78,11 @@ impl Writer<'_> {
                             .get(*number)
                             .copied()
                             .unwrap_or_default();
-                        let (source, start) = (self.source(*number), self.builder.constant(start));
-                        let moved = self.builder.sub(source, start);
-                        let part = self.builder.constant(part.to_f64().unwrap_or(0.0));
-                        let share = self.builder.mul(part, moved);
-                        known = self.builder.add(known, share);
+                        let share = self.share(*number, part, true);
+                        let start = start * part.to_f64().unwrap_or(0.0);
+                        let start = self.builder.constant(start);
+                        let moved = self.builder.sub(share, start);
+                        known = self.builder.add(known, moved);
                     }
                 }
             }

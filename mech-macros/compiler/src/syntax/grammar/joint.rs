@@ -1,7 +1,7 @@
 //! `joint name = kind(first, second, size) at (x, y) along (dx, dy);`
 
 use super::expression::{expression, one_of, pair};
-use super::recover::to_semicolon;
+use super::recover::{at_beginning, to_semicolon};
 use super::statement::{BEGINNINGS, declared};
 use super::tokens::{in_parens, name, symbol, take, take_word, unexpected, word};
 use crate::syntax::ast::{
@@ -102,6 +102,10 @@ fn radius(input: ParseStream) -> Read<Size> {
 }
 
 fn clause(input: ParseStream, keyword: &str) -> Read<Option<Clause>> {
+    // A joint without its `;` may stand before `at change points`.
+    if at_beginning(input, &BEGINNINGS) {
+        return Ok(None);
+    }
     let Some(keyword) = take_word(input, keyword) else {
         return Ok(None);
     };

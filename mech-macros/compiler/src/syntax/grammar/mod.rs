@@ -4,6 +4,7 @@ mod expression;
 mod header;
 mod item;
 mod joint;
+mod method;
 mod recover;
 mod setting;
 mod statement;

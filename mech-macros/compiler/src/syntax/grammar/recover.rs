@@ -48,11 +48,17 @@ fn ends_with_braces(tree: Option<TokenTree>) -> bool {
     )
 }
 
-/// Whether one of the words comes next, followed by a name or a bracket.
+/// Whether one of the words comes next, followed by what may follow it: a name, a number or a bracket. The word `at`
+/// also stands within joints, before a bracket: it begins a statement only with `change` after it.
 pub(super) fn at_beginning(input: ParseStream, beginnings: &[&str]) -> bool {
     let Some((word, rest)) = input.cursor().ident() else {
         return false;
     };
-    beginnings.iter().any(|beginning| word == *beginning)
-        && (rest.ident().is_some() || rest.any_group().is_some())
+    let name = rest.ident().map(|(name, _)| name);
+    let follows = if word == "at" {
+        name.is_some_and(|name| name == "change")
+    } else {
+        name.is_some() || rest.literal().is_some() || rest.any_group().is_some()
+    };
+    follows && beginnings.iter().any(|beginning| word == *beginning)
 }

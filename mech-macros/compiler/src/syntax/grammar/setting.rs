@@ -1,17 +1,21 @@
-//! Motors, the start, and how to compute: everything that refers to links and joints declared elsewhere.
+//! Motors, the start and what is wanted: everything that refers to links and joints declared elsewhere.
 
 use super::expression::expression;
 use super::joint::end;
 use super::recover::{or_skip, to_semicolon};
 use super::statement::{BEGINNINGS, declared};
-use super::tokens::{any_word, in_braces, in_parens, name, symbol, take, take_word, unexpected};
-use crate::syntax::ast::{Broken, Expr, Method, Motor, Read, Start, StartClause, Statement};
+use super::tokens::{any_word, in_braces, name, symbol, take, take_word, unexpected};
+use crate::syntax::ast::{Broken, Expr, Motor, Read, Start, StartClause, Statement};
+use crate::syntax::{Message, Place};
 use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
 use syn::token;
 
 /// Reads the rest of a statement that declares no name.
-fn settled(input: ParseStream, read: impl FnOnce(ParseStream) -> Read<Statement>) -> Statement {
+pub(super) fn settled(
+    input: ParseStream,
+    read: impl FnOnce(ParseStream) -> Read<Statement>,
+) -> Statement {
     to_semicolon(input, &BEGINNINGS, read)
         .unwrap_or_else(|error| Statement::Broken(Broken { error, name: None }))
 }
@@ -20,12 +24,11 @@ fn settled(input: ParseStream, read: impl FnOnce(ParseStream) -> Read<Statement>
 pub(super) fn motor(input: ParseStream) -> Statement {
     declared(input, "the name of a joint", |input, joint| {
         settled(input, |input| {
-            let range = take_word(input, "in")
-                .map(|span| Ok((span, range(input)?)))
-                .transpose()?;
+            let range = take_word(input, "in").map(|_| range(input)).transpose()?;
             let step = take_word(input, "by")
-                .map(|span| Ok((span, expression(input)?)))
+                .map(|_| expression(input))
                 .transpose()?;
+            after_step(input)?;
             Ok(Statement::Motor(Motor { joint, range, step }))
         })
     })
@@ -35,6 +38,16 @@ fn range(input: ParseStream) -> Read<[Expr; 2]> {
     let low = expression(input)?;
     symbol(input, "..=")?;
     Ok([low, expression(input)?])
+}
+
+fn after_step(input: ParseStream) -> Read<()> {
+    match take_word(input, "in") {
+        Some(word) => Err(Message::new(
+            Place::at(word),
+            "`in` stands before `by`; swap the two",
+        )),
+        None => Ok(()),
+    }
 }
 
 /// Reads `{ joint = value; link near angle; }`.
@@ -58,33 +71,6 @@ fn clause(input: ParseStream) -> Read<StartClause> {
         Ok(StartClause {
             name,
             near,
-            value: expression(input)?,
-        })
-    })
-}
-
-/// Reads `newton(2);`.
-pub(super) fn method(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
-        let word = any_word(input).ok_or_else(|| unexpected(input, "`newton`"))?;
-        let steps = if input.peek(token::Paren) {
-            Some(in_parens(input, "`(`", expression)?.0)
-        } else {
-            None
-        };
-        Ok(Statement::Method(Method {
-            keyword,
-            word,
-            steps,
-        }))
-    })
-}
-
-/// Reads `1e-9;`.
-pub(super) fn accuracy(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
-        Ok(Statement::Accuracy {
-            keyword,
             value: expression(input)?,
         })
     })

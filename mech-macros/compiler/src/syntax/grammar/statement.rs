@@ -4,7 +4,7 @@ use super::expression::expression;
 use super::header::{self, Line};
 use super::recover::{at_beginning, or_skip, skip, to_semicolon};
 use super::tokens::{any_word, comes_word, name, symbol, take, take_tree, told, unexpected};
-use super::{item, joint, setting};
+use super::{item, joint, method, setting};
 use crate::syntax::ast::{Broken, Constant, Ground, Item, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
@@ -12,14 +12,15 @@ use syn::parse::ParseStream;
 use syn::{Attribute, token};
 
 /// The words that a statement may begin with.
-pub(super) const BEGINNINGS: [&str; 14] = [
-    "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "effects", "show",
-    "allow", "param", "certify", "cost",
+pub(super) const BEGINNINGS: [&str; 15] = [
+    "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost", "at",
+    "allow", "effects", "show", "param", "certify",
 ];
 
 /// Those of them that stand for something today.
-const SUPPORTED: [&str; 8] = [
-    "const", "ground", "link", "joint", "motor", "start", "method", "allow",
+const SUPPORTED: [&str; 11] = [
+    "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost", "at",
+    "allow",
 ];
 
 /// Reads everything.
@@ -121,12 +122,14 @@ fn statement(input: ParseStream) -> Statement {
         "joint" => joint::joint(input),
         "motor" => setting::motor(input),
         "start" => setting::start(input, keyword.span()),
-        "method" => setting::method(input, keyword.span()),
-        "accuracy" => setting::accuracy(input, keyword.span()),
+        "method" => method::method(input, keyword.span()),
+        "accuracy" => method::accuracy(input, keyword.span()),
+        "cost" => method::cost(input, keyword.span()),
+        "at" => method::change_points(input, keyword.span()),
         "effects" => setting::effects(input, keyword.span()),
         "show" => setting::show(input, keyword.span()),
         "allow" => setting::allow(input),
-        "param" | "certify" | "cost" => left_behind(input, not_yet(&keyword)),
+        "param" | "certify" => left_behind(input, not_yet(&keyword)),
         _ => left_behind(input, unknown(&keyword)),
     }
 }

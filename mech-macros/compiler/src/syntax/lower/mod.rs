@@ -4,6 +4,8 @@ mod constant;
 mod drawn;
 mod joint;
 mod link;
+mod method;
+mod motor;
 mod name;
 mod report;
 mod rolling;
@@ -13,6 +15,7 @@ mod value;
 mod weld;
 
 use self::constant::Constants;
+use self::motor::Ranged;
 use self::name::{Named, Names};
 use self::report::Report;
 use super::ast::{Statement, Text};
@@ -26,6 +29,8 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.pass(&text.statements, Lowering::declare);
     lowering.pass(&text.statements, Lowering::join);
     lowering.pass(&text.statements, Lowering::set);
+    lowering.pass(&text.statements, Lowering::begin);
+    lowering.check_unlisted();
     Parsed {
         motors: text.motors,
         header: text.header.map(|(header, _)| header),
@@ -46,6 +51,8 @@ struct Lowering {
     nameless: Vec<usize>,
     /// The statements that there may be only one of, as far as they have come.
     singles: Vec<&'static str>,
+    /// The ranges of the motors that have one.
+    ranges: Vec<Ranged>,
 }
 
 impl Lowering {
@@ -74,6 +81,7 @@ impl Lowering {
             names,
             nameless: Vec::new(),
             singles: Vec::new(),
+            ranges: Vec::new(),
         }
     }
 
@@ -124,13 +132,21 @@ impl Lowering {
     fn set(&mut self, statement: &Statement) {
         match statement {
             Statement::Motor(motor) => self.lower_motor(motor),
-            Statement::Start(start) => self.lower_start(start),
             Statement::Method(method) => self.lower_method(method),
             Statement::Accuracy { keyword, value } => self.lower_accuracy(*keyword, value),
+            Statement::Cost { keyword, word } => self.lower_cost(*keyword, word),
+            Statement::ChangePoints { keyword, what } => self.lower_change_points(*keyword, *what),
             Statement::Effects { keyword, effects } => self.lower_effects(*keyword, effects),
             Statement::Show { keyword, what } => self.lower_show(*keyword, what),
             Statement::Allow(word) => self.lower_allow(word),
             _ => {}
+        }
+    }
+
+    /// Fourth: where it starts, which must be within the ranges of the motors.
+    fn begin(&mut self, statement: &Statement) {
+        if let Statement::Start(start) = statement {
+            self.lower_start(start);
         }
     }
 

@@ -7,8 +7,26 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 9] = [
-    "new", "move_to", "motors", "poses", "draw", "clone", "default", "fmt", "REPORT",
+const RESERVED: [&str; 19] = [
+    "new",
+    "move_to",
+    "move_toward",
+    "move_within",
+    "turn_to",
+    "range",
+    "solve_many",
+    "move_many",
+    "COST",
+    "LOOP_COSTS",
+    "METHODS",
+    "PREDICTED_ERROR",
+    "motors",
+    "poses",
+    "draw",
+    "clone",
+    "default",
+    "fmt",
+    "REPORT",
 ];
 
 /// What a name of the text stands for.

@@ -38,6 +38,11 @@ impl Report {
         self.messages.push((self.position, message));
     }
 
+    /// Whether nothing is wrong so far.
+    pub(super) fn is_empty(&self) -> bool {
+        self.messages.is_empty()
+    }
+
     /// All messages in the order of the text.
     pub(super) fn finish(mut self) -> Vec<Message> {
         self.messages.sort_by_key(|(position, _)| *position);

@@ -85,6 +85,7 @@ impl Lowering {
             self.report.tell(place, text);
             return;
         }
+        self.check_in_range(&clause.name, joint, (value, &clause.value));
         let origin = self.places.note(place(clause));
         self.model.start.values.push(StartValue {
             joint,
@@ -143,7 +144,7 @@ impl Lowering {
     }
 
     /// Whether a joint was placed by `at`.
-    fn is_drawn(&self, joint: JointId) -> bool {
+    pub(super) fn is_drawn(&self, joint: JointId) -> bool {
         match self.model.joint(joint).kind {
             JointKind::Revolute(axis, _) | JointKind::Prismatic(axis, _) => {
                 self.model.axis(axis).name.is_none()

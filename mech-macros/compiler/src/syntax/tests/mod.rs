@@ -3,7 +3,9 @@
 mod expression;
 mod joint;
 mod link;
+mod method;
 mod model;
+mod motor;
 mod name;
 mod recovery;
 mod robust;
@@ -12,6 +14,7 @@ mod setting;
 mod slot;
 mod statement;
 mod weld;
+mod written;
 
 use super::{Parsed, parse};
 use proc_macro2::TokenStream;

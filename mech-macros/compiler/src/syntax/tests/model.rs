@@ -110,7 +110,7 @@ fn everything_knows_where_it_was_declared() {
     let parsed = good(
         "struct M;\nlink a { point p = (0, 0); circle (0, 0) radius 1; }\nlink b;\n\
         joint d = revolute(ground, b) at (1, 2);\nground { point q = (0, 0); }\n\
-        joint e = revolute(ground.q, a.p);\nmotor d;\nstart { e = 1 + 2; a near 0; }",
+        joint e = revolute(ground.q, a.p);\nmotor d in -1 ..= 2 * 3 by 1;\nstart { e = 1 + 2; a near 0; }",
     );
     let model = &parsed.model;
     let spot = |origin| {
@@ -131,6 +131,8 @@ fn everything_knows_where_it_was_declared() {
         .expect("a drawn axis");
     assert_eq!(spot(drawn.origin), (4, 6, 7));
     assert_eq!(spot(model.motors[0].origin), (7, 6, 7));
+    let range = model.motors[0].range.expect("a range");
+    assert_eq!(spot(range.origin), (7, 11, 23));
     assert_eq!(spot(model.start.values[0].origin), (8, 8, 17));
     assert_eq!(spot(model.start.near[0].origin), (8, 19, 27));
 }
@@ -254,5 +256,5 @@ fn statements_may_come_in_any_order() {
         (parsed.model.joints.len(), parsed.model.motors.len()),
         (1, 1)
     );
-    assert_eq!(parsed.model.method, Some(Method::Newton));
+    assert_eq!(parsed.model.method, None);
 }

@@ -20,7 +20,7 @@ fn every_bad_statement_is_told_in_the_order_of_the_text() {
             "expected a number, found `;`",
             "unknown item `circl`; did you mean `circle`?",
             "unknown statement `foo`; a statement begins with one of `const`, `ground`, `link`, `joint`, `motor`, \
-             `start`, `method`, `allow`",
+             `start`, `method`, `accuracy`, `cost`, `at`, `allow`",
             "`rod` has no point `eey`; did you mean `eye`?",
             "expected a kind of joint, found `hinge`; there are `revolute`, `prismatic`, `gear`, `slot`, `rack`, \
              `belt`, `weld`",
@@ -28,7 +28,7 @@ fn every_bad_statement_is_told_in_the_order_of_the_text() {
             "unknown joint `c`; there are `a`, `b`",
             "unknown constant `sqrt`; there are `A`, `PI`",
             "expected a number, found `;`",
-            "unknown method `fast`; there are `newton`, `linear`, `exact`",
+            "unknown method `fast`; there are `exact`, `newton`, `linear`",
         ],
     );
     assert_eq!(parsed.model.links.len(), 4);
@@ -48,6 +48,42 @@ fn a_missing_semicolon_costs_one_statement() {
     );
     assert_eq!(parsed.model.links.len(), 3);
     assert_eq!(parsed.model.axes.len(), 2);
+}
+
+#[test]
+fn a_setting_after_a_missing_semicolon_is_read() {
+    use crate::model::{AtChangePoints, Target};
+    let parsed = told(
+        "joint d = revolute(ground, a) at (0, 0)\n«at» change points stop; link a\n«accuracy» 1e-9;\n\
+         const A = 1\n«cost» cortex_m4f; link b;",
+        &[
+            "expected `;`, found `at`",
+            "expected `{` or `;`, found `accuracy`",
+            "expected `;`, found `cost`",
+        ],
+    );
+    let model = &parsed.model;
+    assert_eq!((model.links.len(), model.accuracy), (3, Some(1e-9)));
+    assert_eq!(model.change_points, AtChangePoints::Stop);
+    assert_eq!(model.target, Target::CortexM4f);
+    told(
+        "link a;\njoint d = revolute(ground, a)\n«at» change points stop;",
+        &["expected `;`, found `at`"],
+    );
+}
+
+#[test]
+fn a_drawn_joint_with_an_error_is_one_statement() {
+    let parsed = told(
+        "link a; joint d = «revolut»(ground, a) at (1, 2); joint e = «prismat»(ground, a) at (1, 2) along (1, 0);\n\
+         joint g = revolute(ground «a») at (1, 2); link b;",
+        &[
+            "expected a kind of joint, found `revolut`; did you mean `revolute`?",
+            "expected a kind of joint, found `prismat`; did you mean `prismatic`?",
+            "expected `,` and the second link, found `a`",
+        ],
+    );
+    assert_eq!(parsed.model.links.len(), 3);
 }
 
 #[test]

@@ -1,56 +1,14 @@
-//! Motors, the start, and how to compute.
+//! The start, and what is wanted and let pass.
 
 use super::told;
+use crate::syntax::Parsed;
 
 const CRANK: &str = "ground { point o = (0, 0); line l = (0, 0) -> (1, 0); } link crank { point p = (0, 0); } link wheel;\n\
     joint shaft = revolute(ground.o, crank.p); joint mesh = gear(crank, wheel, 1 : 2);\n\
     joint drawn = revolute(ground, wheel) at (3, 0);\n";
 
-fn with_crank(marked: &str, messages: &[&str]) {
-    told(&format!("{CRANK}{marked}"), messages);
-}
-
-#[test]
-fn a_motor_drives_a_joint_that_can_be_driven() {
-    with_crank(
-        "motor «shft»;",
-        &["unknown joint `shft`; did you mean `shaft`?"],
-    );
-    with_crank(
-        "motor «crank»;",
-        &["`crank` is a link; name one of its joints: `shaft`"],
-    );
-    with_crank(
-        "motor «mesh»;",
-        &["`mesh` is a gear, which carries no motor; put it on `shaft`, the revolute of `crank`"],
-    );
-    with_crank(
-        "motor shaft; motor «shaft»;",
-        &["joint `shaft` has a motor already; remove one of the two"],
-    );
-    with_crank(
-        "joint run = belt(crank, wheel, 1 : 2); motor «run»;",
-        &["`run` is a belt, which carries no motor; put it on `shaft`, the revolute of `crank`"],
-    );
-    with_crank(
-        "joint fix = weld(crank, wheel); motor «fix»;",
-        &[
-            "`fix` is a weld, which does not move; make it a `revolute`, or put the motor on another joint",
-        ],
-    );
-    with_crank("motor «;»", &["expected the name of a joint, found `;`"]);
-}
-
-#[test]
-fn motor_ranges_are_to_come() {
-    with_crank(
-        "motor shaft «in» 0 deg ..= 360 deg «by» 1 deg;",
-        &[
-            "motor ranges are not supported yet",
-            "motor steps are not supported yet",
-        ],
-    );
-    with_crank("motor shaft in 0 «.». 1;", &["expected `..=`, found `.`"]);
+pub(super) fn with_crank(marked: &str, messages: &[&str]) -> Parsed {
+    told(&format!("{CRANK}{marked}"), messages)
 }
 
 #[test]
@@ -128,51 +86,7 @@ fn a_drawn_joint_starts_at_zero() {
 }
 
 #[test]
-fn the_method_is_newton() {
-    use crate::model::Method;
-    assert_eq!(
-        told("method newton;", &[]).model.method,
-        Some(Method::Newton)
-    );
-    assert_eq!(
-        told("method newton(64);", &[]).model.method,
-        Some(Method::NewtonSteps(64))
-    );
-    told(
-        "method newton(«0»);",
-        &["the number of newton steps is a whole number from 1 to 64, not 0"],
-    );
-    told(
-        "method newton(«2.5»);",
-        &["the number of newton steps is a whole number from 1 to 64, not 2.5"],
-    );
-    told(
-        "method «newtn»(2);",
-        &["unknown method `newtn`; did you mean `newton`?"],
-    );
-    told("method newton(2«,» 3);", &["expected `)`, found `,`"]);
-    told(
-        "method «linear»;",
-        &["method `linear` is not supported yet"],
-    );
-    told("method «exact»;", &["method `exact` is not supported yet"]);
-    told(
-        "method «newtn»;",
-        &["unknown method `newtn`; did you mean `newton`?"],
-    );
-    told(
-        "method newton; «method» newton(2);",
-        &["a mechanism has one `method`; remove one of the two"],
-    );
-    told("method «;»", &["expected `newton`, found `;`"]);
-}
-
-#[test]
 fn some_settings_are_to_come() {
-    told(
-        "«accuracy» 1e-9;",
-        &["`accuracy` is not supported yet; use `method newton(2)`"],
-    );
     told(
         "effects { «velocity»; «acceleration»; }",
         &[
@@ -181,7 +95,6 @@ fn some_settings_are_to_come() {
         ],
     );
     told("«certify»;", &["`certify` is not supported yet"]);
-    told("«cost»;", &["`cost` is not supported yet"]);
     told(
         "«param» r = 1 in 0 ..= 2;",
         &["`param` is not supported yet"],

@@ -71,7 +71,7 @@ fn unknown_statements_have_a_remedy() {
         "«spring» s;",
         &[
             "unknown statement `spring`; a statement begins with one of `const`, `ground`, `link`, `joint`, `motor`, \
-           `start`, `method`, `allow`",
+           `start`, `method`, `accuracy`, `cost`, `at`, `allow`",
         ],
     );
     told("link a { }«;»", &["expected a statement, found `;`"]);

@@ -1,0 +1,163 @@
+//! Proofs by intervals: whether motors may move through their ranges without ever being blocked.
+//!
+//! The program is run on boxes of motor values. A loop closes on a box if its slack is nowhere below zero; a box on which that
+//! cannot be told is cut in two. The proof holds for the arithmetic of the program: rounding at run time is smaller than the
+//! half of a loop's floor that is left to it.
+
+mod interval;
+mod line;
+mod search;
+mod tape;
+
+#[cfg(test)]
+mod tests;
+
+pub use interval::Interval;
+
+use crate::program::{BlockId, BlockKind, Program};
+use search::Search;
+use tape::Tape;
+
+/// More loops than this that carry their side are not tried with every side of each.
+const MOST_SIDES: usize = 4;
+
+/// What could be proved of a mechanism whose motors have ranges.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// Every loop closes wherever the motors are within their ranges.
+    Proved {
+        /// The loops that may come to within rounding of a dead point or change point on the way; all others stay clear of it.
+        touching: Vec<BlockId>,
+    },
+    /// There is a place that certainly cannot be reached.
+    Blocked(Blocked),
+    /// Neither was proved within the budget, or at all.
+    Undecided {
+        /// The loop.
+        block: BlockId,
+        /// For each motor the values at which it could not be told.
+        place: Vec<Interval>,
+    },
+    /// Some loops are solved by iteration: for these there is no proof.
+    NoClosedForm {
+        /// The first of these.
+        block: BlockId,
+    },
+}
+
+impl Verdict {
+    /// Whether it was proved that every loop always closes, and none comes near a dead point or change point.
+    #[must_use]
+    pub fn is_strict(&self) -> bool {
+        matches!(self, Self::Proved { touching } if touching.is_empty())
+    }
+}
+
+/// Where a mechanism is blocked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Blocked {
+    /// The loop that does not close.
+    pub block: BlockId,
+    /// For each motor its value at a place where it does not.
+    pub at: Vec<f64>,
+    /// The motor that is moved to there, by its number, while all others have the values of that place.
+    pub motor: usize,
+    /// How far this motor moves, coming from its start value: to the dead point.
+    pub limit: f64,
+    /// The values of this motor, within its range, from this dead point to where the loop closes again, if it does: as far as
+    /// that could be told.
+    pub interval: Interval,
+}
+
+/// What a proof took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// On how many boxes the program was run.
+    pub boxes: usize,
+    /// How many values and slopes were found in all.
+    pub evaluations: usize,
+}
+
+/// Proves that a mechanism moves wherever its motors are within these ranges, one for each, or that it does not. A motor
+/// without a range stays where it is at the start.
+#[must_use]
+pub fn certify(program: &Program, ranges: &[Interval]) -> Verdict {
+    certify_counted(program, ranges).0
+}
+
+/// The same, and what it took.
+#[must_use]
+pub fn certify_counted(program: &Program, ranges: &[Interval]) -> (Verdict, Effort) {
+    let mut effort = Effort::default();
+    let ranges: Vec<Interval> = program
+        .start
+        .motors
+        .iter()
+        .enumerate()
+        .map(|(motor, &start)| ranges.get(motor).copied().unwrap_or(Interval::point(start)))
+        .collect();
+    let verdict = on_start_sides(program, &ranges, &mut effort);
+    let iterated = program
+        .block_ids()
+        .find(|block| matches!(program.blocks[block.index()].kind, BlockKind::Newton(_)));
+    let verdict = match (verdict, iterated) {
+        (Verdict::Proved { touching }, None) => on_all_sides(program, &ranges, touching, &mut effort),
+        // What blocks a loop before an iteration is certain all the same.
+        (verdict @ Verdict::Blocked(_), _) | (verdict, None) => verdict,
+        (_, Some(block)) => Verdict::NoClosedForm { block },
+    };
+    (verdict, effort)
+}
+
+fn on_start_sides(program: &Program, ranges: &[Interval], effort: &mut Effort) -> Verdict {
+    Search::new(Tape::new(program, &[]), program, ranges).verdict(effort)
+}
+
+/// A loop that carries its side may change it where its slack touches zero: then everything must close on either side.
+fn on_all_sides(
+    program: &Program,
+    ranges: &[Interval],
+    mut touching: Vec<BlockId>,
+    effort: &mut Effort,
+) -> Verdict {
+    let carries = |block: BlockId| {
+        program
+            .closed(block)
+            .is_some_and(|closed| closed.kept.is_some())
+    };
+    // More loops may turn out to change sides when others have.
+    let mut tried: Vec<Vec<BlockId>> = vec![Vec::new()];
+    loop {
+        let crossing: Vec<BlockId> = touching.iter().copied().filter(|&block| carries(block)).collect();
+        let place = || ranges.to_vec();
+        if let Some(&block) = crossing.get(MOST_SIDES) {
+            return Verdict::Undecided { block, place: place() };
+        }
+        let Some(turned) = subsets(&crossing).find(|turned| !tried.contains(turned)) else {
+            return Verdict::Proved { touching };
+        };
+        match Search::new(Tape::new(program, &turned), program, ranges).verdict(effort) {
+            Verdict::Proved { touching: more } => {
+                touching.extend(more);
+                touching.sort_unstable();
+                touching.dedup();
+            }
+            // Whether it ever comes there on these sides is not known.
+            Verdict::Blocked(Blocked { block, at, .. }) => {
+                let place = at.into_iter().map(Interval::point).collect();
+                return Verdict::Undecided { block, place };
+            }
+            verdict => return verdict,
+        }
+        tried.push(turned);
+    }
+}
+
+/// All ways to take some of a few.
+fn subsets(of: &[BlockId]) -> impl Iterator<Item = Vec<BlockId>> {
+    (0..1_usize << of.len().min(MOST_SIDES)).map(move |set| {
+        let taken = |index: &usize| set >> index & 1 == 1;
+        let indices = (0..of.len()).filter(taken);
+        indices.map(|index| of[index]).collect()
+    })
+}

@@ -1,0 +1,241 @@
+//! Looks through the ranges of all motors, box by box.
+
+use super::line::Line;
+use super::tape::{Outcome, Tape};
+use super::{Blocked, Effort, Interval, Verdict};
+use crate::program::{BlockId, Program};
+
+/// How many values and slopes may be found in one search: some hundredths of a second.
+const BUDGET: usize = 1_000_000;
+
+/// The part of it that may be spent on telling what only just closes from what stays clear of that.
+const FOR_CLEARANCE: usize = BUDGET / 4;
+
+/// Boxes narrower than this part of the range are not cut to tell whether a slack touches zero or only comes near.
+const NEAR: f64 = 1e-8;
+
+/// Boxes narrower than this part of the range are not cut at all.
+const NARROW: f64 = 1e-14;
+
+/// What is seen on a box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sight {
+    /// All loops close; whether all of them stay clear of rounding.
+    Closes { clear: bool },
+    /// This test fails everywhere.
+    Blocked(usize),
+    /// This test fails in the middle.
+    BlockedInside(usize),
+    /// This test can fail or pass.
+    Open(usize),
+}
+
+/// A search through the ranges of the motors.
+pub(super) struct Search<'p> {
+    pub(super) tape: Tape<'p>,
+    ranges: Vec<Interval>,
+    start: Vec<f64>,
+    boxes: usize,
+    touching: Vec<BlockId>,
+    for_clearance: usize,
+}
+
+impl<'p> Search<'p> {
+    /// A search through ranges, one for each motor.
+    pub(super) fn new(tape: Tape<'p>, program: &'p Program, ranges: &[Interval]) -> Self {
+        let starts = program.start.motors.iter().zip(ranges);
+        Self {
+            tape,
+            ranges: ranges.to_vec(),
+            start: starts
+                .map(|(start, range)| start.max(range.low()).min(range.high()))
+                .collect(),
+            boxes: 0,
+            touching: Vec::new(),
+            for_clearance: FOR_CLEARANCE,
+        }
+    }
+
+    /// What is found.
+    pub(super) fn verdict(mut self, effort: &mut Effort) -> Verdict {
+        let verdict = match (self.ranges.iter().find(|range| !range.is_bounded()), self.tape.block(0)) {
+            (_, None) => Verdict::Proved { touching: Vec::new() },
+            (Some(_), Some(block)) => {
+                let place = self.ranges.clone();
+                Verdict::Undecided { block, place }
+            }
+            (None, Some(_)) if self.ranges.len() == 1 => self.one_motor(),
+            (None, Some(_)) => self.boxes(),
+        };
+        effort.boxes += self.boxes;
+        effort.evaluations += self.tape.evaluations();
+        verdict
+    }
+
+    /// Both ways from the start.
+    fn one_motor(&mut self) -> Verdict {
+        let (start, range) = (self.start[0], self.ranges[0]);
+        let line = Line::new(0, self.start.clone(), range.width());
+        let up = line.verdict(self, start, range.high());
+        if let Verdict::Blocked(_) = up {
+            return up;
+        }
+        let down = line.verdict(self, start, range.low());
+        match (up, down) {
+            (Verdict::Proved { .. }, Verdict::Proved { .. }) => self.proved(),
+            (_, down @ Verdict::Blocked(_)) | (Verdict::Proved { .. }, down) => down,
+            (up, _) => up,
+        }
+    }
+
+    fn boxes(&mut self) -> Verdict {
+        let mut waiting = vec![self.ranges.clone()];
+        while let Some(place) = waiting.pop() {
+            let test = match self.look(&place) {
+                Sight::Closes { clear } => {
+                    if !clear {
+                        if self.looks_closer(self.part(&place))
+                            && let Some(halves) = self.halves(&place)
+                        {
+                            waiting.extend(halves);
+                        } else {
+                            self.touches();
+                        }
+                    }
+                    continue;
+                }
+                Sight::Blocked(test) | Sight::BlockedInside(test) => return self.blocked(test),
+                Sight::Open(test) => test,
+            };
+            match self.halves(&place) {
+                Some(halves) if !self.is_spent() && self.part(&place) > NARROW => {
+                    waiting.extend(halves);
+                }
+                _ => return self.undecided(test, place),
+            }
+        }
+        self.proved()
+    }
+
+    /// Which loop blocks in the middle of the last box, and how far one motor can be moved towards it.
+    fn blocked(&mut self, test: usize) -> Verdict {
+        let at = self.tape.centre().to_vec();
+        for motor in 0..at.len() {
+            let line = Line::new(motor, at.clone(), self.ranges[motor].width());
+            let (from, to) = (self.start[motor], at[motor]);
+            if let Sight::Closes { .. } = line.look(self, from, from)
+                && let Verdict::Blocked(blocked) = line.verdict(self, from, to)
+            {
+                return Verdict::Blocked(Blocked { at, ..blocked });
+            }
+        }
+        match self.tape.block(test) {
+            Some(block) => Verdict::Blocked(Blocked {
+                block,
+                motor: 0,
+                limit: self.start.first().copied().unwrap_or_default(),
+                interval: Interval::point(at.first().copied().unwrap_or_default()),
+                at,
+            }),
+            None => self.proved(),
+        }
+    }
+
+    pub(super) fn proved(&mut self) -> Verdict {
+        self.touching.sort_unstable();
+        self.touching.dedup();
+        let touching = self.touching.clone();
+        Verdict::Proved { touching }
+    }
+
+    pub(super) fn undecided(&mut self, test: usize, place: Vec<Interval>) -> Verdict {
+        match self.tape.block(test) {
+            Some(block) => Verdict::Undecided { block, place },
+            None => self.proved(),
+        }
+    }
+
+    /// Runs the program on a box.
+    pub(super) fn look(&mut self, place: &[Interval]) -> Sight {
+        self.boxes += 1;
+        self.tape.run(place);
+        let tests = || 0..self.tape.tests();
+        let on_box = |test: &usize| self.tape.on_box(*test);
+        let first = |outcome| tests().find(|test| on_box(test) == outcome);
+        if let Some(test) = first(Outcome::Fails) {
+            Sight::Blocked(test)
+        } else if let Some(test) = tests().find(|&test| self.tape.at_centre(test) == Outcome::Fails) {
+            Sight::BlockedInside(test)
+        } else if let Some(test) = first(Outcome::Open) {
+            Sight::Open(test)
+        } else {
+            let clear = first(Outcome::Passes).is_none();
+            Sight::Closes { clear }
+        }
+    }
+
+    /// On the last box some loops only just close: whether a narrower one should tell if they stay clear.
+    pub(super) fn looks_closer(&mut self, part: f64) -> bool {
+        let cost = self.tape.cost();
+        let affords = part > NEAR && self.for_clearance >= cost && !self.is_spent();
+        if affords {
+            self.for_clearance -= cost;
+        }
+        affords
+    }
+
+    /// On the last box some loops only just close.
+    pub(super) fn touches(&mut self) {
+        for test in 0..self.tape.tests() {
+            if self.tape.on_box(test) == Outcome::Passes {
+                self.touching.extend(self.tape.block(test));
+            }
+        }
+        if self.touching.len() > 64 {
+            self.touching.sort_unstable();
+            self.touching.dedup();
+        }
+    }
+
+    pub(super) fn is_spent(&self) -> bool {
+        self.tape.evaluations() >= BUDGET
+    }
+
+    /// The greatest part of a motor's range that a box takes.
+    fn part(&self, place: &[Interval]) -> f64 {
+        self.parts(place).fold(0.0, |most, (_, part)| most.max(part))
+    }
+
+    fn parts(&self, place: &[Interval]) -> impl Iterator<Item = (usize, f64)> {
+        let part = |(range, place): (&Interval, &Interval)| {
+            if range.width() > 0.0 {
+                place.width() / range.width()
+            } else {
+                0.0
+            }
+        };
+        let parts: Vec<f64> = self.ranges.iter().zip(place).map(part).collect();
+        parts.into_iter().enumerate()
+    }
+
+    /// A box cut across its longest side, if that can be cut.
+    fn halves(&self, place: &[Interval]) -> Option<[Vec<Interval>; 2]> {
+        let longest = |best: (usize, f64), next: (usize, f64)| if next.1 > best.1 { next } else { best };
+        let (motor, _) = self.parts(place).reduce(longest)?;
+        let middle = place[motor].middle();
+        if !(place[motor].low() < middle && middle < place[motor].high()) {
+            return None;
+        }
+        let half = |end: f64| {
+            let mut half = place.to_vec();
+            half[motor] = Interval::new(middle, end);
+            half
+        };
+        Some([half(place[motor].high()), half(place[motor].low())])
+    }
+}
+
+/// Whether a box is too narrow to be cut, by the part of the range that it takes.
+pub(super) fn is_narrow(part: f64) -> bool {
+    part <= NARROW
+}

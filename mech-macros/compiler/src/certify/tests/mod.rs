@@ -1,0 +1,4 @@
+//! Intervals against points, and mechanisms whose ranges are known.
+
+mod interval;
+mod mechanisms;

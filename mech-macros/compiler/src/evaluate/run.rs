@@ -1,0 +1,199 @@
+//! One step of a program: all its operations, one after the other.
+
+use super::Stop;
+use crate::program::{
+    BlockId, BlockKind, Closed, Newton, Op, Position, Program, Rounds, Slot, Value, solve,
+};
+use mech_core::Real;
+
+/// A program that is ready to be run, in any precision, whatever it was written for.
+#[derive(Clone, Debug)]
+pub(super) struct Runner<'p> {
+    pub(super) program: &'p Program,
+    live: Vec<Value>,
+}
+
+impl<'p> Runner<'p> {
+    pub(super) fn new(program: &'p Program) -> Self {
+        Self {
+            program,
+            live: program.live_values().collect(),
+        }
+    }
+
+    /// Runs the program once.
+    pub(super) fn step<T: Real>(
+        &self,
+        last: &Position<T>,
+        (motors, turns): (&[T], &[i32]),
+    ) -> Result<Position<T>, Stop> {
+        let mut values = vec![T::from_f64(0.0); self.program.nodes.len()];
+        let mut solved = vec![false; self.program.blocks.len()];
+        let closes = |(block, closed): (BlockId, &Closed), values: &[T]| {
+            if values[closed.margin.index()] >= T::from_f64(0.0) {
+                Ok(())
+            } else {
+                Err(Stop::Open(block))
+            }
+        };
+        for &value in &self.live {
+            let node = self.program.node(value);
+            if node.iterated {
+                continue;
+            }
+            if let Op::Solved(block, _) = node.op
+                && !std::mem::replace(&mut solved[block.index()], true)
+                && let BlockKind::Newton(newton) = &self.program.blocks[block.index()].kind
+            {
+                for before in self.program.margins().take_while(|(id, _)| *id < block) {
+                    closes(before, &values)?;
+                }
+                self.iterate(block, newton, &mut values)?;
+            }
+            values[value.index()] = match node.op {
+                Op::Motor(motor) => motors[motor],
+                Op::Turns(motor) => T::from_i32(turns[motor]),
+                Op::Turned(motor, numerator, denominator) => {
+                    turned(turns[motor], numerator, denominator)
+                }
+                Op::Last(slot) => read(last, slot),
+                Op::Solved(block, index) => self.scalar(block, index, &values),
+                op => op
+                    .apply(|value| values[value.index()])
+                    .unwrap_or(values[value.index()]),
+            };
+        }
+        for margin in self.program.margins() {
+            closes(margin, &values)?;
+        }
+        let get = |value: &Value| values[value.index()];
+        let poses: Vec<[T; 4]> = self
+            .program
+            .poses
+            .iter()
+            .map(|pose| pose.map(|value| get(&value)))
+            .collect();
+        if poses.iter().flatten().any(|number| !number.is_finite()) {
+            return Err(Stop::Overflow);
+        }
+        Ok(Position {
+            motors: motors.to_vec(),
+            turns: turns.to_vec(),
+            poses,
+            kept: self.program.kept.iter().map(get).collect(),
+        })
+    }
+
+    /// The present value of an unknown: it stands in the place of the node that reads it inside the iteration.
+    fn scalar<T: Real>(&self, block: BlockId, index: usize, values: &[T]) -> T {
+        self.program.newton(block).map_or(values[0], |newton| {
+            values[newton.scalars[index].now.index()]
+        })
+    }
+
+    fn iterate<T: Real>(
+        &self,
+        block: BlockId,
+        newton: &Newton,
+        values: &mut [T],
+    ) -> Result<(), Stop> {
+        for scalar in &newton.scalars {
+            values[scalar.now.index()] = values[scalar.first.index()];
+        }
+        let body: Vec<Value> = self
+            .live
+            .iter()
+            .copied()
+            .filter(|&value| {
+                let node = self.program.node(value);
+                node.block == block && node.iterated && !matches!(node.op, Op::Unknown(..))
+            })
+            .collect();
+        let within = |values: &[T], part: f64| {
+            let fixed = newton.limits.size;
+            let limit = match newton.extent {
+                None => T::from_f64(part * fixed),
+                Some(extent) => T::from_f64(part) * (T::from_f64(fixed) + values[extent.index()]),
+            };
+            let small = |value: Value| values[value.index()].abs() <= limit;
+            newton.gap.iter().copied().all(small)
+        };
+        let mut rounds = 0;
+        loop {
+            let mut dense = None;
+            for &value in &body {
+                let op = self.program.node(value).op;
+                if let Op::Dense(_, index) = op {
+                    let (steps, det) = dense.get_or_insert_with(|| system(newton, values));
+                    values[value.index()] = steps.get(index).copied().unwrap_or(*det);
+                } else if let Some(result) = op.apply(|value| values[value.index()]) {
+                    values[value.index()] = result;
+                }
+            }
+            let done = match newton.rounds {
+                Rounds::Exactly(exact) => rounds == exact,
+                Rounds::UntilClosed(most) => {
+                    rounds == most || within(values, newton.tight(T::EPSILON))
+                }
+            };
+            if done {
+                break;
+            }
+            let next: Vec<T> = newton
+                .scalars
+                .iter()
+                .map(|scalar| values[scalar.next.index()])
+                .collect();
+            for (scalar, next) in newton.scalars.iter().zip(next) {
+                values[scalar.now.index()] = next;
+            }
+            rounds += 1;
+        }
+        if !within(values, newton.accept(T::EPSILON)) {
+            return Err(Stop::Open(block));
+        }
+        let det = values[newton.det.index()];
+        let det = if newton.limits.positive { det } else { -det };
+        if det >= T::from_f64(newton.floor(T::EPSILON)) {
+            Ok(())
+        } else {
+            Err(Stop::DeadPoint(block))
+        }
+    }
+}
+
+/// Solves the system of coupled loops: columns times steps is what is missing.
+fn system<T: Real>(newton: &Newton, values: &[T]) -> (Vec<T>, T) {
+    let get = |value: &Value| values[value.index()];
+    let row = |row: usize| {
+        newton
+            .columns
+            .iter()
+            .map(|column| get(&column[row]))
+            .collect()
+    };
+    let rows = (0..newton.gap.len()).map(row).collect();
+    solve(rows, newton.gap.iter().map(|gap| -get(gap)).collect())
+}
+
+fn read<T: Real>(last: &Position<T>, slot: Slot) -> T {
+    match slot {
+        Slot::Kept(index) => last.kept[index],
+        Slot::Pose(link, part) => last.poses[link][part.index()],
+    }
+}
+
+/// What a part of so many whole turns comes to, less whole turns, exactly as the generated code's runtime does it.
+fn turned<T: Real>(turns: i32, numerator: i64, denominator: i64) -> T {
+    let (turns, numerator, denominator) = (
+        i128::from(turns),
+        i128::from(numerator),
+        i128::from(denominator),
+    );
+    let rest = (turns * numerator)
+        .checked_rem_euclid(denominator)
+        .unwrap_or(0);
+    #[expect(clippy::cast_precision_loss, reason = "a fraction of a turn, rounded")]
+    let part = rest as f64 / denominator as f64;
+    T::TURN * T::from_f64(part)
+}

@@ -1,0 +1,17 @@
+//! Loops in closed form that are watched while the mechanism moves.
+
+use super::node::BlockId;
+use mech_core::journey::AtZero;
+
+/// A loop in closed form that has dead points or change points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Watch {
+    /// Its block.
+    pub block: BlockId,
+    /// Where the sine of its transmission angle is kept; after it, the square of a sine below which rounding hides its sign.
+    pub kept: usize,
+    /// By how much the square of that sine changes with each motor, at most.
+    pub rates: Vec<f64>,
+    /// What happens at a change point.
+    pub at_zero: AtZero,
+}

@@ -1,0 +1,88 @@
+//! How the loops are solved.
+
+use super::expression::expression;
+use super::setting::settled;
+use super::tokens::{any_word, comes_word, in_parens, unexpected, word};
+use crate::model::AtChangePoints;
+use crate::syntax::Message;
+use crate::syntax::ast::{Expr, Method, Read, Statement};
+use proc_macro2::Span;
+use syn::parse::ParseStream;
+use syn::token;
+
+/// Reads `newton(2);`.
+pub(super) fn method(input: ParseStream, keyword: Span) -> Statement {
+    settled(input, |input| {
+        let word =
+            any_word(input).ok_or_else(|| unexpected(input, "`exact`, `newton` or `linear`"))?;
+        let steps = if input.peek(token::Paren) {
+            Some(in_parens(input, "`(`", steps)?)
+        } else {
+            None
+        };
+        Ok(Statement::Method(Method {
+            keyword,
+            word,
+            steps,
+        }))
+    })
+}
+
+fn steps(input: ParseStream) -> Read<Option<Expr>> {
+    if input.is_empty() {
+        return Ok(None);
+    }
+    expression(input).map(Some)
+}
+
+/// Reads `1e-9;`.
+pub(super) fn accuracy(input: ParseStream, keyword: Span) -> Statement {
+    settled(input, |input| {
+        Ok(Statement::Accuracy {
+            keyword,
+            value: expression(input)?,
+        })
+    })
+}
+
+/// Reads `x86_64;`.
+pub(super) fn cost(input: ParseStream, keyword: Span) -> Statement {
+    settled(input, |input| {
+        let word = any_word(input)
+            .ok_or_else(|| unexpected(input, "the name of a machine, `x86_64` or `cortex_m4f`"))?;
+        Ok(Statement::Cost { keyword, word })
+    })
+}
+
+/// Reads `change points stop;`.
+pub(super) fn change_points(input: ParseStream, keyword: Span) -> Statement {
+    settled(input, |input| {
+        let what = at_change_points(input).map_err(|error| with_choices(&error))?;
+        Ok(Statement::ChangePoints { keyword, what })
+    })
+}
+
+fn at_change_points(input: ParseStream) -> Read<AtChangePoints> {
+    word(input, "change")?;
+    word(input, "points")?;
+    let (what, words) = if comes_word(input, "stop") {
+        (AtChangePoints::Stop, ["stop"].as_slice())
+    } else if comes_word(input, "keep") {
+        (AtChangePoints::KeepBranch, ["keep", "branch"].as_slice())
+    } else if comes_word(input, "go") {
+        (AtChangePoints::GoOn, ["go", "on"].as_slice())
+    } else {
+        return Err(unexpected(input, "`go`, `keep` or `stop`"));
+    };
+    words
+        .iter()
+        .try_for_each(|text| word(input, text).map(drop))?;
+    Ok(what)
+}
+
+/// A message about the first wrong word, with what may be written in all.
+fn with_choices(message: &Message) -> Message {
+    let choices =
+        "write `at change points go on`, `at change points keep branch` or `at change points stop`";
+    Message::new(message.place, format!("{}; {choices}", message.text))
+}

@@ -1,0 +1,162 @@
+//! Motors, their ranges and steps.
+
+use super::Lowering;
+use super::rolling;
+use crate::model::{self, JointId, JointKind, Range};
+use crate::syntax::Place;
+use crate::syntax::ast::{Expr, Motor};
+use proc_macro2::Ident;
+
+/// By how many times its own size a number that was computed may miss one that was computed in another way.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// A range as it was written, for messages about the start.
+pub(super) struct Ranged {
+    joint: JointId,
+    range: Range,
+    written: String,
+    /// The number of the motor's statement.
+    statement: usize,
+}
+
+impl Lowering {
+    pub(super) fn lower_motor(&mut self, motor: &Motor) {
+        let joint = self.driven(&motor.joint);
+        let range = self.range(motor);
+        let step = self.step(motor);
+        let Some(joint) = joint else {
+            return;
+        };
+        if let (Some(range), Some([low, high])) = (range, &motor.range) {
+            self.ranges.push(Ranged {
+                joint,
+                range,
+                written: format!("{low} ..= {high}"),
+                statement: self.report.statement(),
+            });
+        }
+        let origin = self.note(&motor.joint);
+        self.model.motors.push(model::Motor {
+            joint,
+            origin,
+            range,
+            step,
+        });
+    }
+
+    /// The joint of this name, if a motor can drive it.
+    fn driven(&mut self, name: &Ident) -> Option<JointId> {
+        let joint = self.find_joint(name)?;
+        let kind = self.model.joint(joint).kind;
+        let text = if let Some(word) = rolling::word_for(kind) {
+            format!(
+                "`{name}` is a {word}, which carries no motor; {}",
+                self.motor_remedy(joint)
+            )
+        } else if let JointKind::Weld(..) = kind {
+            format!(
+                "`{name}` is a weld, which does not move; make it a `revolute`, or put the motor on another joint"
+            )
+        } else if self.model.motor_of(joint).is_some() {
+            format!("joint `{name}` has a motor already; remove one of the two")
+        } else {
+            return Some(joint);
+        };
+        self.report.tell(Place::at(name.span()), text);
+        None
+    }
+
+    fn range(&mut self, motor: &Motor) -> Option<Range> {
+        let [from, to] = motor.range.as_ref()?;
+        let (low, high) = (self.value(from), self.value(to));
+        let (low, high) = (low?, high?);
+        let name = &motor.joint;
+        let place = from.place.to(to.place);
+        if low < high {
+            let origin = self.places.note(place);
+            return Some(Range { low, high, origin });
+        }
+        let text = if low > high {
+            format!("the range of motor `{name}` ends before it begins; write `{to} ..= {from}`")
+        } else {
+            format!(
+                "motor `{name}` cannot move in a range of one value; give the range another end, or leave it out"
+            )
+        };
+        self.report.tell(place, text);
+        None
+    }
+
+    fn step(&mut self, motor: &Motor) -> Option<f64> {
+        let step = motor.step.as_ref()?;
+        let value = self.value(step)?;
+        if value > 0.0 {
+            return Some(value);
+        }
+        let text = format!(
+            "the step of motor `{}` must be greater than zero, not `{step}`",
+            motor.joint
+        );
+        self.report.tell(step.place, text);
+        None
+    }
+
+    /// Complains about a value at which a joint starts, if its motor does not go there.
+    pub(super) fn check_in_range(&mut self, name: &Ident, joint: JointId, start: (f64, &Expr)) {
+        let (value, expr) = start;
+        let ranged = self.ranges.iter().find(|ranged| ranged.joint == joint);
+        let Some(ranged) = ranged.filter(|ranged| !within(value, ranged.range)) else {
+            return;
+        };
+        let written = &ranged.written;
+        let text = if self.is_drawn(joint) {
+            self.outside_as_drawn(ranged)
+        } else {
+            format!(
+                "motor `{name}` starts at `{expr}`, outside its range; choose a start within `{written}`, or widen the range"
+            )
+        };
+        self.report.tell(expr.place, text);
+    }
+
+    /// Complains about motors that start at zero because nothing else was said, and do not go there.
+    pub(super) fn check_unlisted(&mut self) {
+        // A start may also be missing because of an error in it.
+        if !self.report.is_empty() {
+            return;
+        }
+        for ranged in &self.ranges {
+            let mut listed = self.model.start.values.iter();
+            if listed.any(|start| start.joint == ranged.joint) || within(0.0, ranged.range) {
+                continue;
+            }
+            let Ranged { joint, written, .. } = ranged;
+            let name = &self.model.joint(*joint).name;
+            let text = if self.is_drawn(*joint) {
+                self.outside_as_drawn(ranged)
+            } else {
+                format!(
+                    "motor `{name}` starts at 0, outside its range, because `start` does not say otherwise; \
+                     write `{name} = ...;` in `start` with a value within `{written}`, or widen the range"
+                )
+            };
+            self.report.enter(ranged.statement);
+            self.report.tell(self.places.get(ranged.range.origin), text);
+        }
+    }
+
+    fn outside_as_drawn(&self, ranged: &Ranged) -> String {
+        let name = &self.model.joint(ranged.joint).name;
+        format!(
+            "motor `{name}` starts at 0, where it is drawn, outside its range; widen `{}` so that it holds 0",
+            ranged.written
+        )
+    }
+}
+
+/// Whether a value is in a range, ends included: `90 deg` is also where `PI / 2` is.
+fn within(value: f64, range: Range) -> bool {
+    let Range { low, high, .. } = range;
+    let slack = ROUNDING * low.abs().max(high.abs());
+    value >= low - slack && value <= high + slack
+}

@@ -1,0 +1,429 @@
+//! A move from where a mechanism is to where its motors are told to go, past the change points and dead points between.
+//!
+//! Where a loop in closed form is near none of them, one step is enough, however long it is. Else the way is gone in pieces.
+//! What is watched is the sine of each such loop's transmission angle: its square is smooth in the motors and zero at a
+//! dead point, beyond which the loop does not close, and at a change point, beyond which it goes on. There velocity is
+//! continuous if the dyad goes over to its other side.
+
+use crate::Real;
+
+/// A loop that is watched. All numbers are for the way from the start to the target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Watch<T> {
+    /// By how much the square of the sine may change on the whole way, at most.
+    pub change: T,
+    /// What happens where the sine is zero and the loop closes on both sides.
+    pub at_zero: AtZero,
+}
+
+/// What a loop does at a change point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtZero {
+    /// It has none: it touches a dead point at most.
+    Stay,
+    /// It goes over to its other side.
+    GoOver,
+    /// It is blocked.
+    Stop,
+}
+
+/// A mechanism on its way from a start to a target.
+pub trait Journey<T: Real> {
+    /// Everything that is carried from one move to the next.
+    type Position: Clone;
+    /// Why it cannot be somewhere.
+    type Stop;
+
+    /// The position when this part of the way is done, from a position on the way.
+    ///
+    /// # Errors
+    /// Why it cannot be there.
+    fn at(&self, last: &Self::Position, part: T) -> Result<Self::Position, Self::Stop>;
+    /// How many loops are watched.
+    fn watches(&self) -> usize;
+    /// A loop that is watched.
+    fn watch(&self, index: usize) -> Watch<T>;
+    /// The sine of a watched loop, its sign the side on which its dyad lies.
+    fn sine(&self, position: &Self::Position, index: usize) -> T;
+    /// The square of a sine of this loop below which rounding hides its sign.
+    fn tiny_square(&self, position: &Self::Position, index: usize) -> T;
+    /// Puts the dyad of a watched loop on its other side.
+    fn turn_over(&self, position: &mut Self::Position, index: usize);
+    /// Whether the motors that a watched loop follows go on in the sense in which they came.
+    fn goes_on(&self, position: &Self::Position, index: usize) -> bool;
+    /// Notes the sense in which the motors go.
+    fn note_sense(&self, position: &mut Self::Position);
+    /// Why it does not go so far at once.
+    fn too_far(&self) -> Self::Stop;
+    /// Why it stops at a change point that it may not pass.
+    fn stopped_at(&self, index: usize) -> Self::Stop;
+    /// Whether a step that fails may work in smaller ones: where loops are solved by iteration.
+    fn subdivides(&self) -> bool;
+}
+
+/// Where a journey ended before its target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Halt<P, S, T> {
+    /// The position it reached.
+    pub position: P,
+    /// The part of the way that was done.
+    pub part: T,
+    /// Why it went no farther.
+    pub stop: S,
+}
+
+/// The smallest part of a piece that is tried where loops are solved by iteration.
+const FINEST: f64 = 1.0 / 4096.0;
+/// In one piece the square of a sine changes by no more than this.
+const PIECE: f64 = 0.25;
+/// More pieces than this are not gone: they are a mistake, or would take longer than anybody waits.
+const MOST_PIECES: f64 = 1_048_576.0;
+/// Each halving gives a digit of a binary fraction: no float has more.
+const HALVINGS: u32 = 64;
+
+/// Whether no watched loop can come to zero between two positions that are this part of the way apart.
+#[inline]
+pub fn is_clear<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    part: T,
+) -> bool {
+    (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
+}
+
+fn is_far<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    part: T,
+    index: usize,
+) -> bool {
+    let (a, b) = (journey.sine(from, index), journey.sine(to, index));
+    a * a + b * b > journey.watch(index).change * part
+}
+
+/// Goes to the target, past whatever is on the way.
+///
+/// # Errors
+/// How far it came and why it went no farther.
+pub fn go<T: Real, J: Journey<T>>(
+    journey: &J,
+    start: &J::Position,
+) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
+    let change =
+        (0..journey.watches()).fold(T::ZERO, |most, index| most.max(journey.watch(index).change));
+    let pieces = (change / T::from_f64(PIECE)).max(T::ONE);
+    if pieces > T::from_f64(MOST_PIECES) || !pieces.is_finite() {
+        return Err(Halt {
+            position: start.clone(),
+            part: T::ZERO,
+            stop: journey.too_far(),
+        });
+    }
+    let stride = T::ONE / pieces;
+    let mut position = start.clone();
+    let mut done = T::ZERO;
+    while done < T::ONE {
+        let target = done + stride;
+        // The last piece may be a little longer rather than leave a splinter.
+        let target = if target + stride * T::HALF > T::ONE {
+            T::ONE
+        } else {
+            target
+        };
+        position = piece(journey, position, done, target)?;
+        done = target;
+    }
+    Ok(position)
+}
+
+/// Where a piece ends: at its target, or before it for a reason.
+struct Reach<P, S, T> {
+    to: P,
+    end: T,
+    stop: Option<S>,
+}
+
+/// Goes a piece that is short enough for one change point of a loop at most.
+fn piece<T: Real, J: Journey<T>>(
+    journey: &J,
+    mut from: J::Position,
+    mut done: T,
+    target: T,
+) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
+    let mut aim = target;
+    // Each round passes a change point, or finds a dead point before its aim.
+    for _ in 0..=8 * journey.watches() {
+        let mut reach = reach(journey, &from, done, aim);
+        match leave(journey, &mut from, &reach.to) {
+            Leaving::Stopped(index) => {
+                return Err(Halt {
+                    position: from,
+                    part: done,
+                    stop: journey.stopped_at(index),
+                });
+            }
+            Leaving::Other => reach = self::reach(journey, &from, done, aim),
+            Leaving::Same => {}
+        }
+        match first_event(journey, &from, done, &reach) {
+            Event::None => {
+                note_sense(journey, &from, &mut reach.to);
+                return match reach.stop {
+                    None => Ok(reach.to),
+                    Some(stop) => Err(Halt {
+                        position: reach.to,
+                        part: reach.end,
+                        stop,
+                    }),
+                };
+            }
+            Event::Blocked(part) => aim = part,
+            Event::Zero(part, index) => {
+                if let Ok(mut at_zero) = journey.at(&from, part) {
+                    journey.note_sense(&mut at_zero);
+                    from = at_zero;
+                    done = part;
+                }
+                if journey.watch(index).at_zero == AtZero::Stop {
+                    return Err(Halt {
+                        position: from,
+                        part: done,
+                        stop: journey.stopped_at(index),
+                    });
+                }
+            }
+        }
+    }
+    journey.at(&from, target).map_err(|stop| Halt {
+        position: from,
+        part: done,
+        stop,
+    })
+}
+
+fn is_zero<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
+    let sine = journey.sine(position, index);
+    sine * sine <= journey.tiny_square(position, index)
+}
+
+/// On which side a change point is left.
+enum Leaving {
+    /// On the side it was arrived on, or there was none.
+    Same,
+    /// On the other side.
+    Other,
+    /// It may not be left in this sense.
+    Stopped(usize),
+}
+
+/// Where a loop stands at its change point, the sense in which it goes decides on which side it leaves.
+fn leave<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position, to: &J::Position) -> Leaving {
+    let mut leaving = Leaving::Same;
+    for index in 0..journey.watches() {
+        let leaves = is_zero(journey, from, index) && !is_zero(journey, to, index);
+        if leaves && journey.goes_on(from, index) {
+            match journey.watch(index).at_zero {
+                AtZero::Stay => {}
+                AtZero::Stop => return Leaving::Stopped(index),
+                AtZero::GoOver => {
+                    journey.turn_over(from, index);
+                    leaving = Leaving::Other;
+                }
+            }
+        }
+    }
+    leaving
+}
+
+/// The sense in which the motors go is that in which a change point was reached, as long as it is not left.
+fn note_sense<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, to: &mut J::Position) {
+    let rests = (0..journey.watches())
+        .any(|index| is_zero(journey, from, index) && is_zero(journey, to, index));
+    if !rests {
+        journey.note_sense(to);
+    }
+}
+
+/// Goes as far as it can in one step; by iteration, in as many as it takes.
+fn reach<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    aim: T,
+) -> Reach<J::Position, J::Stop, T> {
+    let mut stop = match journey.at(from, aim) {
+        Ok(to) => {
+            return Reach {
+                to,
+                end: aim,
+                stop: None,
+            };
+        }
+        Err(stop) => stop,
+    };
+    let (mut to, mut end, mut blocked) = (from.clone(), done, aim);
+    if journey.subdivides() {
+        let least = (aim - done) * T::from_f64(FINEST);
+        let mut stride = (aim - done) * T::HALF;
+        while stride >= least {
+            let next = if end + stride < aim {
+                end + stride
+            } else {
+                aim
+            };
+            match journey.at(&to, next) {
+                Ok(position) => {
+                    (to, end) = (position, next);
+                    if end >= aim {
+                        return Reach {
+                            to,
+                            end,
+                            stop: None,
+                        };
+                    }
+                    stride = stride + stride;
+                }
+                Err(reason) => {
+                    (stop, blocked) = (reason, next);
+                    stride = stride * T::HALF;
+                }
+            }
+        }
+    }
+    for _ in 0..HALVINGS {
+        let middle = end + (blocked - end) * T::HALF;
+        if !(middle > end && middle < blocked) {
+            break;
+        }
+        match journey.at(&to, middle) {
+            Ok(position) => (to, end) = (position, middle),
+            Err(reason) => (stop, blocked) = (reason, middle),
+        }
+    }
+    Reach {
+        to,
+        end,
+        stop: Some(stop),
+    }
+}
+
+/// What happens to a watched loop on the way.
+enum Event<T> {
+    None,
+    /// A loop passes its change point.
+    Zero(T, usize),
+    /// Something does not close there.
+    Blocked(T),
+}
+
+fn first_event<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    reach: &Reach<J::Position, J::Stop, T>,
+) -> Event<T> {
+    let mut first = Event::None;
+    for index in 0..journey.watches() {
+        if is_far(journey, from, &reach.to, reach.end - done, index) {
+            continue;
+        }
+        let event = least_sine(journey, from, done, reach, index);
+        let sooner = match (&event, &first) {
+            (Event::None, _) => false,
+            (_, Event::None) => true,
+            (Event::Zero(a, _) | Event::Blocked(a), Event::Zero(b, _) | Event::Blocked(b)) => a < b,
+        };
+        if sooner {
+            first = event;
+        }
+    }
+    first
+}
+
+/// Looks for the place where the square of a sine is least, by parabolas through three points: it is smooth, its root is not.
+fn least_sine<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    reach: &Reach<J::Position, J::Stop, T>,
+    index: usize,
+) -> Event<T> {
+    let watch = journey.watch(index);
+    let square = |position: &J::Position| {
+        let sine = journey.sine(position, index);
+        sine * sine
+    };
+    let (mut a, mut b) = ((done, square(from)), (reach.end, square(&reach.to)));
+    // At an end it is not passed: it was left before, or is arrived at.
+    if is_zero(journey, from, index) || is_zero(journey, &reach.to, index) {
+        return Event::None;
+    }
+    // If the root goes straight through zero, it does so here.
+    let (left, right) = (a.1.sqrt(), b.1.sqrt());
+    let mut at = a.0 + (b.0 - a.0) * (left / (left + right));
+    let mut least: Option<(T, T)> = None;
+    for _ in 0..HALVINGS {
+        if !(at > a.0 && at < b.0) {
+            return Event::None;
+        }
+        let (value, zero) = match journey.at(from, at) {
+            Ok(position) => (square(&position), is_zero(journey, &position, index)),
+            Err(_) => return Event::Blocked(at),
+        };
+        if zero {
+            return match watch.at_zero {
+                AtZero::Stay => Event::None,
+                AtZero::GoOver | AtZero::Stop => Event::Zero(at, index),
+            };
+        }
+        let found = (at, value);
+        least = match least {
+            // Falling towards an end: the least is there.
+            None if value >= a.1 || value >= b.1 => return Event::None,
+            None => Some(found),
+            Some(known) if value < known.1 => {
+                if at < known.0 {
+                    b = known;
+                } else {
+                    a = known;
+                }
+                Some(found)
+            }
+            Some(known) => {
+                if at < known.0 {
+                    a = found;
+                } else {
+                    b = found;
+                }
+                Some(known)
+            }
+        };
+        let Some(middle) = least else {
+            return Event::None;
+        };
+        at = vertex(a, middle, b);
+    }
+    Event::None
+}
+
+/// Where the parabola through three points is least; beside the middle one where that is the place itself.
+fn vertex<T: Real>(a: (T, T), m: (T, T), b: (T, T)) -> T {
+    let (left, right) = (m.0 - a.0, b.0 - m.0);
+    let (falls, rises) = ((a.1 - m.1) / left, (b.1 - m.1) / right);
+    // The slopes at the middles of the two sides, and where between them zero lies.
+    let shift = (falls * right - rises * left) / (falls + rises) * T::HALF;
+    let at = m.0 + shift;
+    let nearest = (b.0 - a.0) * T::from_f64(1e-4);
+    // A step shorter than this tells nothing new on its side: the other side is looked at.
+    if shift.abs() < nearest {
+        let side = if left > right {
+            T::ZERO - nearest
+        } else {
+            nearest
+        };
+        return m.0 + side;
+    }
+    at
+}

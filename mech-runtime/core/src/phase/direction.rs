@@ -1,0 +1,191 @@
+//! Phases as floats: their radians, and the sines and cosines of them.
+//!
+//! A turn in radians is split into a head of so few bits that its products with half of the phase's bits are exact, and a
+//! tail. What is a power of two is in the constants.
+
+use super::Phase;
+use crate::kernel::{between_diagonals_f32, between_diagonals_f64, turned_f32, turned_f64};
+
+/// The first 21 bits of 2 pi.
+const HEAD_F64: f64 = f64::from_bits(0x4019_21FB_0000_0000);
+/// The others, rounded.
+const TAIL_F64: f64 = f64::from_bits(0x3EB5_110B_4611_A626);
+/// The first 8 bits of 2 pi, which are good for 12.
+const HEAD_F32: f32 = f32::from_bits(0x40C9_0000);
+/// The others, rounded.
+const TAIL_F32: f32 = f32::from_bits(0x3AFD_AA22);
+
+/// 2^`exponent`, for a float that is neither infinite nor subnormal.
+const fn power_f64(exponent: i32) -> f64 {
+    f64::from_bits((1023 + exponent as i64).cast_unsigned() << 52)
+}
+
+/// 2^`exponent`, for a float that is neither infinite nor subnormal.
+const fn power_f32(exponent: i32) -> f32 {
+    f32::from_bits((127 + exponent).cast_unsigned() << 23)
+}
+
+impl Phase {
+    /// The whole angle in radians, within one ulp.
+    ///
+    /// ```
+    /// use core::f64::consts::{FRAC_PI_2, TAU};
+    /// use mech_core::Phase;
+    ///
+    /// assert_eq!(Phase::of_turn(-1, 4).unwrap().radians(), -FRAC_PI_2);
+    /// assert_eq!(Phase::new(1 << 40, 0).radians(), TAU * (1u64 << 40) as f64);
+    /// ```
+    #[must_use]
+    pub fn radians(self) -> f64 {
+        let units = self.units();
+        let size = units.unsigned_abs();
+        let shift = size.leading_zeros();
+        // Zero has 128 of them. What is cut off is less than 2^-63 of the whole.
+        let top = (size.checked_shl(shift).unwrap_or(0) >> 64) as u64;
+        let radians = radians_f64(top, -shift.cast_signed());
+        if units < 0 { -radians } else { radians }
+    }
+
+    /// The nearest whole number of turns, and what is left in radians, within one ulp and in [-pi, pi], of which the ends
+    /// are rounded like everything else. Half a turn is rounded up.
+    ///
+    /// ```
+    /// use core::f64::consts::{FRAC_PI_2, PI};
+    /// use mech_core::Phase;
+    ///
+    /// assert_eq!(Phase::of_turn(11, 4).unwrap().split_f64(), (3, -FRAC_PI_2));
+    /// assert_eq!(Phase::of_turn(5, 2).unwrap().split_f64(), (3, -PI));
+    /// ```
+    #[must_use]
+    pub fn split_f64(self) -> (i64, f64) {
+        let (turns, rest) = self.split();
+        let size = rest.unsigned_abs();
+        let shift = size.leading_zeros();
+        let top = size.checked_shl(shift).unwrap_or(0);
+        let radians = radians_f64(top, -64 - shift.cast_signed());
+        (turns, if rest < 0 { -radians } else { radians })
+    }
+
+    /// As [`split_f64`](Self::split_f64), the rest in `f32` and in arithmetic of that alone.
+    #[must_use]
+    pub fn split_f32(self) -> (i64, f32) {
+        let (turns, rest) = self.split();
+        let size = rest.unsigned_abs();
+        let shift = size.leading_zeros();
+        let top = (size.checked_shl(shift).unwrap_or(0) >> 32) as u32;
+        let radians = radians_f32(top, -32 - shift.cast_signed());
+        (turns, if rest < 0 { -radians } else { radians })
+    }
+
+    /// The sine and the cosine, each within one ulp, however many the turns. At whole quarters of a turn they are exact.
+    ///
+    /// ```
+    /// use mech_core::Phase;
+    ///
+    /// let quarter = Phase::of_turn(1, 4).unwrap();
+    /// assert_eq!((quarter * 4_000_000_000_001).sin_cos_f64(), (1.0, 0.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn sin_cos_f64(self) -> (f64, f64) {
+        let (quadrant, rest) = self.quadrant();
+        let [high, low] = halves(rest);
+        let (high, low) = (f64::from(high), f64::from(low));
+
+        // The first two are exact, so is what their sum loses.
+        let main = high * (HEAD_F64 * power_f64(-32));
+        let minor = low * (HEAD_F64 * power_f64(-64));
+        let sum = main + minor;
+        let lost = (main - sum) + minor;
+        let tail = high * (TAIL_F64 * power_f64(-32)) + low * (TAIL_F64 * power_f64(-64));
+        let correction = lost + tail;
+        let angle = sum + correction;
+        let below = (sum - angle) + correction;
+
+        let (sine, cosine) = turned_f64(between_diagonals_f64(angle, below), quadrant);
+        // No negative zeros.
+        (sine + 0.0, cosine + 0.0)
+    }
+
+    /// The sine and the cosine, each within 1e-7, however many the turns, in `f32` arithmetic alone. At whole quarters of a
+    /// turn they are exact.
+    ///
+    /// ```
+    /// use mech_core::Phase;
+    ///
+    /// let (sine, cosine) = Phase::of_turn(1_000_001, 6).unwrap().sin_cos_f32();
+    /// assert!((sine - -0.866_025_4).abs() < 1e-7 && (cosine - 0.5).abs() < 1e-7);
+    /// ```
+    #[inline]
+    #[must_use]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_precision_loss,
+        reason = "the halves fit; the last bits are far below what is rounded in the sum"
+    )]
+    pub fn sin_cos_f32(self) -> (f32, f32) {
+        let (quadrant, rest) = self.quadrant();
+        let [upper, last] = halves(rest);
+        let high = f32::from((upper.wrapping_add(1 << 15) >> 16) as i16);
+        let low = f32::from(upper as i16);
+        let last = last as f32 * (core::f32::consts::TAU * power_f32(-64));
+
+        // The first two are exact, so is what their sum loses.
+        let main = high * (HEAD_F32 * power_f32(-16));
+        let minor = low * (HEAD_F32 * power_f32(-32));
+        let sum = main + minor;
+        let lost = (main - sum) + minor;
+        let tail = high * (TAIL_F32 * power_f32(-16)) + (low * (TAIL_F32 * power_f32(-32)) + last);
+        let correction = lost + tail;
+        let angle = sum + correction;
+        let below = (sum - angle) + correction;
+
+        let (sine, cosine) = turned_f32(between_diagonals_f32(angle, below), quadrant as u32);
+        // No negative zeros.
+        (sine + 0.0, cosine + 0.0)
+    }
+
+    /// The nearest turn, and the units from there.
+    #[inline]
+    const fn split(self) -> (i64, i64) {
+        let up = (self.fraction >> 63).cast_signed();
+        (self.turns.wrapping_add(up), self.fraction.cast_signed())
+    }
+
+    /// The nearest quarter of a turn, and the units from there: at most an eighth.
+    #[inline]
+    const fn quadrant(self) -> (u64, u64) {
+        let quadrant = self.fraction.wrapping_add(1 << 61) >> 62;
+        (quadrant, self.fraction.wrapping_sub(quadrant << 62))
+    }
+}
+
+/// A number of at most 2^61, of which the lower half too has a sign: so nothing cancels when they are put together.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "these are the halves")]
+const fn halves(rest: u64) -> [i32; 2] {
+    [
+        (rest.wrapping_add(1 << 31) >> 32) as i32,
+        rest.cast_signed() as i32,
+    ]
+}
+
+/// `top * 2^exponent` turns in radians, within one ulp; the first bit of `top` is set, or none.
+#[expect(clippy::cast_possible_truncation, reason = "these are the halves")]
+fn radians_f64(top: u64, exponent: i32) -> f64 {
+    let (high, low) = (f64::from((top >> 32) as u32), f64::from(top as u32));
+    // Exact, and more than a million times the rest.
+    let main = high * HEAD_F64;
+    let rest = high * TAIL_F64 + low * (core::f64::consts::TAU * power_f64(-32));
+    (main + rest) * power_f64(exponent + 32)
+}
+
+/// `top * 2^exponent` turns in radians, within one ulp; the first bit of `top` is set, or none.
+#[expect(clippy::cast_possible_truncation, reason = "these are the halves")]
+fn radians_f32(top: u32, exponent: i32) -> f32 {
+    let (high, low) = (f32::from((top >> 16) as u16), f32::from(top as u16));
+    // Exact, and more than a thousand times the rest.
+    let main = high * HEAD_F32;
+    let rest = high * TAIL_F32 + low * (core::f32::consts::TAU * power_f32(-16));
+    (main + rest) * power_f32(exponent + 16)
+}

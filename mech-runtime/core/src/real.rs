@@ -1,0 +1,150 @@
+//! The two kinds of float a mechanism is computed in.
+
+use crate::{Phase, trig};
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A float in which a mechanism can be computed: `f32` or `f64`.
+pub trait Real:
+    Copy
+    + Debug
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The distance from one to the next greater number.
+    const EPSILON: f64;
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// One half.
+    const HALF: Self;
+    /// A whole turn, in radians.
+    const TURN: Self;
+    /// The nearest number of this type.
+    fn from_f64(value: f64) -> Self;
+    /// The nearest number of this type.
+    fn from_i32(value: i32) -> Self;
+    /// A phase as the nearest whole number of turns, and the rest in radians.
+    fn of_phase(phase: Phase) -> (i64, Self);
+    /// The number itself.
+    fn to_f64(self) -> f64;
+    /// The absolute value.
+    #[must_use]
+    fn abs(self) -> Self;
+    /// The square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+    /// The greater of two numbers; that which is a number, if only one is.
+    #[must_use]
+    fn max(self, other: Self) -> Self;
+    /// Its size with the sign of another.
+    #[must_use]
+    fn copysign(self, sign: Self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// The angle of the vector (`x`, `self`), in radians.
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+    /// The nearest whole number, halves away from zero.
+    #[must_use]
+    fn round(self) -> Self;
+    /// Whether it is neither infinite nor not a number.
+    fn is_finite(self) -> bool;
+}
+
+macro_rules! real {
+    ($float:ident, $sin_cos:ident, $sqrt:ident, $atan2:ident, $round:ident, $split:ident) => {
+        impl Real for $float {
+            const EPSILON: f64 = $float::EPSILON as f64;
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const HALF: Self = 0.5;
+            const TURN: Self = core::$float::consts::TAU;
+
+            #[inline]
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "rounding is what is asked for"
+            )]
+            fn from_f64(value: f64) -> Self {
+                value as Self
+            }
+
+            #[inline]
+            #[allow(
+                clippy::cast_precision_loss,
+                clippy::cast_lossless,
+                reason = "rounding is what is asked for, and exact where it can be"
+            )]
+            fn from_i32(value: i32) -> Self {
+                value as Self
+            }
+
+            #[inline]
+            fn of_phase(phase: Phase) -> (i64, Self) {
+                phase.$split()
+            }
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+
+            // Both are rounded correctly, so both give the same bits; that of `std` can be vectorised.
+            #[cfg(feature = "std")]
+            #[inline]
+            fn sqrt(self) -> Self {
+                $float::sqrt(self)
+            }
+
+            #[cfg(not(feature = "std"))]
+            #[inline]
+            fn sqrt(self) -> Self {
+                libm::$sqrt(self)
+            }
+
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                $float::max(self, other)
+            }
+
+            #[inline]
+            fn copysign(self, sign: Self) -> Self {
+                $float::copysign(self, sign)
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                trig::$sin_cos(self)
+            }
+
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                libm::$atan2(self, x)
+            }
+
+            #[inline]
+            fn round(self) -> Self {
+                libm::$round(self)
+            }
+
+            #[inline]
+            fn is_finite(self) -> bool {
+                $float::is_finite(self)
+            }
+        }
+    };
+}
+
+real!(f32, sin_cos_f32, sqrtf, atan2f, roundf, split_f32);
+real!(f64, sin_cos_f64, sqrt, atan2, round, split_f64);

@@ -1,0 +1,123 @@
+//! Sine and cosine of an angle in radians.
+//!
+//! Up to a limit of many thousand turns ([`LIMIT_F64`], [`LIMIT_F32`]) they are computed without a branch, a table or a
+//! fused operation, so that a loop over them vectorises on any processor; beyond it they are libm's. The `within` functions
+//! leave the test of the limit to the caller, who can do it once for a whole array:
+//!
+//! ```
+//! use mech_core::trig::{LIMIT_F64, sin_cos_within_f64};
+//!
+//! let angles = [0.0, 0.5, 1.0, 1.5];
+//! assert!(angles.iter().all(|angle: &f64| angle.abs() <= LIMIT_F64));
+//! let (mut sines, mut cosines) = ([0.0; 4], [0.0; 4]);
+//! for i in 0..4 {
+//!     (sines[i], cosines[i]) = sin_cos_within_f64(angles[i]);
+//! }
+//! assert_eq!(sines[1], 0.479425538604203);
+//! ```
+
+use crate::kernel::{between_diagonals_f32, between_diagonals_f64, turned_f32, turned_f64};
+
+/// The greatest angle that [`sin_cos_within_f64`] takes: 2^18 right angles, 65536 turns.
+pub const LIMIT_F64: f64 = 262_144.0 * core::f64::consts::FRAC_PI_2;
+
+/// The greatest angle that [`sin_cos_within_f32`] takes: 2^13 right angles, 2048 turns.
+pub const LIMIT_F32: f32 = 8192.0 * core::f32::consts::FRAC_PI_2;
+
+/// The sine and the cosine of an angle in radians, each within one ulp. What is infinite or not a number gives two that are
+/// not numbers.
+///
+/// ```
+/// use mech_core::trig::sin_cos_f64;
+///
+/// assert_eq!(sin_cos_f64(0.0), (0.0, 1.0));
+/// assert!(sin_cos_f64(f64::INFINITY).0.is_nan());
+/// ```
+#[inline]
+#[must_use]
+pub fn sin_cos_f64(x: f64) -> (f64, f64) {
+    if x.abs() <= LIMIT_F64 {
+        sin_cos_within_f64(x)
+    } else {
+        sin_cos_beyond_f64(x)
+    }
+}
+
+/// The sine and the cosine of an angle in radians, each within 1e-7, in `f32` arithmetic alone up to the limit. What is
+/// infinite or not a number gives two that are not numbers.
+///
+/// ```
+/// use mech_core::trig::sin_cos_f32;
+///
+/// let (sine, cosine) = sin_cos_f32(1.0);
+/// assert!((sine - 0.841_471).abs() < 1e-7 && (cosine - 0.540_302_3).abs() < 1e-7);
+/// ```
+#[inline]
+#[must_use]
+pub fn sin_cos_f32(x: f32) -> (f32, f32) {
+    if x.abs() <= LIMIT_F32 {
+        sin_cos_within_f32(x)
+    } else {
+        sin_cos_beyond_f32(x)
+    }
+}
+
+/// As [`sin_cos_f64`], bit for bit, for |x| <= [`LIMIT_F64`]; beyond that it gives any numbers, but does not panic.
+#[inline]
+#[must_use]
+pub fn sin_cos_within_f64(x: f64) -> (f64, f64) {
+    // A float between 2^52 and 2^53 has no bits after the point, so adding this rounds to nearest and leaves the whole
+    // number in the last bits of the sum, negative ones in two's complement.
+    const MAGIC: f64 = 6_755_399_441_055_744.0;
+    // A right angle in three parts. The first two have 35 bits, so that their products with 18 bits are exact.
+    const HEAD: f64 = f64::from_bits(0x3FF9_21FB_5444_0000);
+    const MIDDLE: f64 = f64::from_bits(0x3D86_8C23_4C4C_0000);
+    const TAIL: f64 = f64::from_bits(0x3B29_8A2E_0370_7345);
+
+    let sum = x * core::f64::consts::FRAC_2_PI + MAGIC;
+    let count = sum - MAGIC;
+
+    // Exact: both are multiples of the smaller one's last place, and the difference is less than one.
+    let first = x - count * HEAD;
+    let middle = count * MIDDLE;
+    let second = first - middle;
+    // Exact too, even if `first` is the smaller one: it is a multiple of the last place of `middle`.
+    let lost = (first - second) - middle;
+    // Nearest first a subtraction: so that -0 stays what it is.
+    let rest = count * TAIL - lost;
+    let high = second - rest;
+    let low = (second - high) - rest;
+    turned_f64(between_diagonals_f64(high, low), sum.to_bits())
+}
+
+/// As [`sin_cos_f32`], bit for bit, for |x| <= [`LIMIT_F32`]; beyond that it gives any numbers, but does not panic.
+#[inline]
+#[must_use]
+pub fn sin_cos_within_f32(x: f32) -> (f32, f32) {
+    // As above, between 2^23 and 2^24.
+    const MAGIC: f32 = 12_582_912.0;
+    // A right angle in three parts. The first two have 8 and 11 bits, so that their products with 13 bits are exact.
+    const HEAD: f32 = f32::from_bits(0x3FC9_0000);
+    const MIDDLE: f32 = f32::from_bits(0x39FD_A000);
+    const TAIL: f32 = f32::from_bits(0x33A2_2169);
+
+    let sum = x * core::f32::consts::FRAC_2_PI + MAGIC;
+    let count = sum - MAGIC;
+
+    // Both differences are exact, because the parts end well above the last place of what is left.
+    let second = (x - count * HEAD) - count * MIDDLE;
+    let rest = count * TAIL;
+    let high = second - rest;
+    let low = (second - high) - rest;
+    turned_f32(between_diagonals_f32(high, low), sum.to_bits())
+}
+
+#[cold]
+fn sin_cos_beyond_f64(x: f64) -> (f64, f64) {
+    libm::sincos(x)
+}
+
+#[cold]
+fn sin_cos_beyond_f32(x: f32) -> (f32, f32) {
+    libm::sincosf(x)
+}

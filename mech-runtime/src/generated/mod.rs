@@ -1,0 +1,48 @@
+//! What generated code calls. Not for use by hand: it changes without notice.
+
+mod coordinates;
+mod course;
+mod loops;
+mod position;
+
+pub use crate::{
+    Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
+};
+pub use coordinates::{angle, atan2, cos, round, sin, sin_cos, slide, sqrt, turned};
+pub use course::{Course, Watched, advance, approach};
+pub use loops::{closed, closes, solve};
+pub use mech_core::Real;
+pub use mech_core::journey::AtZero;
+pub use position::{Motors, Position};
+
+use crate::{Cause, Scalar};
+
+/// Why it cannot be somewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stop {
+    /// The motor or the loop at which it stopped.
+    pub place: &'static str,
+    /// What stopped it.
+    pub cause: Cause,
+}
+
+impl Stop {
+    /// A cause at a place.
+    #[must_use]
+    pub const fn new(place: &'static str, cause: Cause) -> Self {
+        Self { place, cause }
+    }
+}
+
+/// Paints shapes that are already in painting order.
+pub fn paint<T: Scalar>(shapes: &[Shape<T>], poses: &[Pose<T>], canvas: &mut impl Canvas<T>) {
+    for shape in shapes {
+        let pose = match shape.link.checked_sub(1) {
+            None => Some(Pose::identity()),
+            Some(index) => poses.get(index).copied(),
+        };
+        if let Some(pose) = pose {
+            canvas.fill(shape.outline, pose, shape.color);
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! What is carried from one move to the next.
+
+use super::Stop;
+use crate::{Blocked, Cause, Phase, Pose, Real, Scalar};
+
+/// The values of the motors: each so many whole turns and a rest, in radians or scene units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motors<T, const MOTORS: usize> {
+    /// The values, less the whole turns.
+    pub values: [T; MOTORS],
+    /// Whole turns: zero for what was given in radians, and for what slides.
+    pub turns: [i32; MOTORS],
+}
+
+impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
+    /// Values in radians or scene units.
+    #[must_use]
+    #[inline]
+    pub const fn new(values: [T; MOTORS]) -> Self {
+        Self {
+            values,
+            turns: [0; MOTORS],
+        }
+    }
+
+    /// The values in radians or scene units, whole turns among them.
+    #[must_use]
+    pub fn total(&self) -> [T; MOTORS] {
+        let mut total = self.values;
+        for (value, turns) in total.iter_mut().zip(self.turns) {
+            if turns != 0 {
+                *value += T::TURN * <T as Real>::from_i32(turns);
+            }
+        }
+        total
+    }
+
+    /// Gives a motor a phase.
+    ///
+    /// # Errors
+    /// If it is beyond 2³¹ turns.
+    pub fn turn(&mut self, motor: usize, phase: Phase, name: &'static str) -> Result<(), Stop> {
+        let (turns, rest) = <T as Real>::of_phase(phase);
+        match (
+            i32::try_from(turns),
+            self.values.get_mut(motor),
+            self.turns.get_mut(motor),
+        ) {
+            (Ok(turns), Some(value), Some(whole)) => {
+                (*value, *whole) = (rest, turns);
+                Ok(())
+            }
+            _ => Err(Stop::new(name, Cause::Overflow)),
+        }
+    }
+
+    /// How far it is from here to there.
+    #[inline]
+    pub(super) fn way_to(&self, target: &Self) -> [T; MOTORS] {
+        let mut way = target.values;
+        for (index, way) in way.iter_mut().enumerate() {
+            *way -= self.values[index];
+            let turns = target.turns[index].wrapping_sub(self.turns[index]);
+            if turns != 0 {
+                *way += T::TURN * <T as Real>::from_i32(turns);
+            }
+        }
+        way
+    }
+
+    /// The first motor whose value is not a finite number.
+    #[inline]
+    pub(super) fn not_finite(&self, names: &[&'static str; MOTORS]) -> Option<Stop> {
+        let first = self
+            .values
+            .iter()
+            .position(|value| !Real::is_finite(*value))?;
+        Some(Stop::new(names[first], Cause::NotFinite))
+    }
+}
+
+/// Everything that is carried from one move to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Position<T, const MOTORS: usize, const LINKS: usize, const KEPT: usize> {
+    /// The values of the motors.
+    pub motors: Motors<T, MOTORS>,
+    /// The poses of the moving links.
+    pub poses: [Pose<T>; LINKS],
+    /// What is carried besides: angles that gears need, unwrapped; the sides of dyads that pass change points.
+    pub kept: [T; KEPT],
+}
+
+impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const KEPT: usize>
+    Position<T, MOTORS, LINKS, KEPT>
+{
+    /// The loops check themselves; what hangs on motors and gears alone may still overflow.
+    #[inline]
+    pub(super) fn checked(self) -> Result<Self, Stop> {
+        let finite = |pose: &Pose<T>| Real::is_finite(pose.cos + pose.sin + pose.x + pose.y);
+        if self.poses.iter().all(finite) {
+            Ok(self)
+        } else {
+            Err(Stop::new("", Cause::Overflow))
+        }
+    }
+
+    /// The message that it is stopped while it stays here.
+    #[cold]
+    pub fn refuse(&self, stop: Stop) -> Blocked<[T; MOTORS]> {
+        Blocked::new(stop.place, stop.cause, self.motors.total())
+    }
+}
