@@ -15,6 +15,7 @@ pub mod repair;
 pub mod report;
 pub mod reporter;
 pub mod structure;
+mod survey;
 pub mod syntax;
 
 use evaluate::Stop;
@@ -22,7 +23,7 @@ use matched::Matched;
 use model::{JointId, JointKind, Model};
 use plan::Plan;
 use proc_macro2::{Span, TokenStream, TokenTree};
-use program::Program;
+use program::{Choice, Program};
 use quote::quote;
 use structure::{Diagnosis, Structure};
 use syntax::{Message, Parsed, Place};
@@ -70,10 +71,21 @@ fn regular(
     structure: Structure,
 ) -> Result<(Structure, Plan, Program), Vec<Diagnosis>> {
     let plan = plan::plan(model, &structure).map_err(|diagnosis| vec![diagnosis])?;
-    let mut program = program::build(model, &plan);
+    match written(model, &plan) {
+        Ok(program) => Ok((structure, plan, program)),
+        Err(diagnosis) => Err(vec![diagnosis]),
+    }
+}
+
+/// The program of a planned mechanism, at its start.
+fn written(model: &Model, plan: &Plan) -> Result<Program, Diagnosis> {
+    let method = model.method.unwrap_or_default();
+    let choices = plan.loops().map(|_| Choice::by(method)).collect();
+    let choices = survey::survey(model, plan, choices);
+    let mut program = program::build_as(model, plan, &choices);
     match evaluate::settle(&mut program) {
-        Ok(()) => Ok((structure, plan, program)),
-        Err(stop) => Err(vec![unsettled(&plan, &program, stop)]),
+        Ok(()) => Ok(program),
+        Err(stop) => Err(unsettled(plan, &program, stop)),
     }
 }
 
@@ -101,7 +113,7 @@ fn special(
         Some(Matched {
             mut structure,
             plan,
-            program,
+            ..
         }) => {
             if structure.redundant.is_empty() {
                 structure.redundant = diagnoses.iter().flat_map(held_joints).collect();
@@ -110,6 +122,7 @@ fn special(
             }
             let joints = structure.redundant.clone();
             if model.allow.redundant {
+                let program = written(model, &plan).map_err(|diagnosis| vec![diagnosis])?;
                 Ok((structure, plan, program))
             } else {
                 Err(vec![Diagnosis::Overdetermined {

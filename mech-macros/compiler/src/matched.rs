@@ -20,7 +20,6 @@ const GROUND: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 pub(crate) struct Matched {
     pub(crate) structure: Structure,
     pub(crate) plan: Plan,
-    pub(crate) program: Program,
 }
 
 /// Tries to assemble and to move a mechanism whose joints hold each other more than once.
@@ -50,11 +49,7 @@ pub(crate) fn matched(model: &Model) -> Option<Matched> {
         return None;
     }
     structure.redundant = too_many(&lenient, &plan);
-    Some(Matched {
-        structure,
-        plan,
-        program,
-    })
+    Some(Matched { structure, plan })
 }
 
 /// What became of a nudge.

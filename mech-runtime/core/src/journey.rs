@@ -169,6 +169,7 @@ fn piece<T: Real, J: Journey<T>>(
         }
         match first_event(journey, &from, done, &reach) {
             Event::None => {
+                settle(journey, &from, done, &mut reach);
                 note_sense(journey, &from, &mut reach.to);
                 return match reach.stop {
                     None => Ok(reach.to),
@@ -235,6 +236,30 @@ fn leave<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position, to: &J::Po
         }
     }
     leaving
+}
+
+/// Where a change point is arrived at in which pins meet, the directions of the links between them are those of the position
+/// before: let it be very near.
+fn settle<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    reach: &mut Reach<J::Position, J::Stop, T>,
+) {
+    let arrives = |index| {
+        journey.watch(index).at_zero == AtZero::GoOver
+            && is_zero(journey, &reach.to, index)
+            && !is_zero(journey, from, index)
+    };
+    if (0..journey.watches()).any(arrives) {
+        let before =
+            reach.end - (reach.end - done) * T::from_f64(T::EPSILON).sqrt() * T::from_f64(64.0);
+        if let Ok(near) = journey.at(from, before)
+            && let Ok(to) = journey.at(&near, reach.end)
+        {
+            reach.to = to;
+        }
+    }
 }
 
 /// The sense in which the motors go is that in which a change point was reached, as long as it is not left.

@@ -4,6 +4,7 @@
 //! cannot be told is cut in two. The proof holds for the arithmetic of the program: rounding at run time is smaller than the
 //! half of a loop's floor that is left to it.
 
+mod form;
 mod interval;
 mod line;
 mod search;

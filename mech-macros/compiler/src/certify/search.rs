@@ -4,6 +4,7 @@ use super::line::Line;
 use super::tape::{Outcome, Tape};
 use super::{Blocked, Effort, Interval, Verdict};
 use crate::program::{BlockId, Program};
+use std::collections::VecDeque;
 
 /// How many values and slopes may be found in one search: some hundredths of a second.
 const BUDGET: usize = 1_000_000;
@@ -89,8 +90,9 @@ impl<'p> Search<'p> {
     }
 
     fn boxes(&mut self) -> Verdict {
-        let mut waiting = vec![self.ranges.clone()];
-        while let Some(place) = waiting.pop() {
+        // Wide boxes first: where the border of what is blocked crosses the ranges, its far side is soon found.
+        let mut waiting = VecDeque::from([self.ranges.clone()]);
+        while let Some(place) = waiting.pop_front() {
             let test = match self.look(&place) {
                 Sight::Closes { clear } => {
                     if !clear {
@@ -231,7 +233,7 @@ impl<'p> Search<'p> {
             half[motor] = Interval::new(middle, end);
             half
         };
-        Some([half(place[motor].high()), half(place[motor].low())])
+        Some([half(place[motor].low()), half(place[motor].high())])
     }
 }
 

@@ -1,10 +1,7 @@
-//! A program run on a box: every value as an interval, and how much it changes from the middle of the box.
-//!
-//! Beside its natural interval each value has its interval at the middle and, for each motor, an interval of slopes s such
-//! that f(x) − f(middle) is the sum of s · (x − middle). What both ways of bounding it leave is kept: the slopes see how
-//! values depend on one another, which is what makes chains of loops provable.
+//! A program run on a box: every value as an interval and as an affine form. What both ways of bounding it leave is kept.
 
 use super::Interval;
+use super::form::{Forms, Linear, Operand, greater, root, wave};
 use crate::program::{BlockId, Op, Program, Slot, Value};
 
 /// What must hold for a loop to close, by the values that tell.
@@ -38,10 +35,11 @@ pub(super) struct Tape<'p> {
     moving: Vec<Value>,
     tests: Vec<(BlockId, Test)>,
     values: Vec<Interval>,
+    /// The same in the middle of the box.
     middles: Vec<Interval>,
-    /// For each value as many as there are motors.
-    slopes: Vec<Interval>,
-    offsets: Vec<Interval>,
+    /// Which step makes a value, if it depends on motors.
+    steps: Vec<Option<usize>>,
+    forms: Forms,
     centre: Vec<f64>,
     evaluations: usize,
 }
@@ -59,8 +57,8 @@ impl<'p> Tape<'p> {
             tests: tests(program),
             values: vec![Interval::ENTIRE; count],
             middles: vec![Interval::ENTIRE; count],
-            slopes: vec![Interval::ZERO; count * motors],
-            offsets: vec![Interval::ZERO; motors],
+            steps: vec![None; count],
+            forms: Forms::new(motors, 0),
             centre: vec![0.0; motors],
             evaluations: 0,
         };
@@ -72,6 +70,7 @@ impl<'p> Tape<'p> {
             }
         }
         tape.sort();
+        tape.forms = Forms::new(motors, tape.moving.len());
         tape
     }
 
@@ -111,6 +110,7 @@ impl<'p> Tape<'p> {
             let moving = matches!(op, Op::Motor(_)) || op.operands().any(|operand| moves[operand.index()]);
             moves[value.index()] = moving;
             if moving {
+                self.steps[value.index()] = Some(self.moving.len());
                 self.moving.push(value);
             } else if let Some(known) = natural(op, |operand| self.values[operand.index()]) {
                 self.values[value.index()] = known;
@@ -129,14 +129,15 @@ impl<'p> Tape<'p> {
         self.tests.get(test).map(|(block, _)| *block)
     }
 
-    /// How many values and slopes were found so far.
+    /// How many numbers were found so far.
     pub(super) fn evaluations(&self) -> usize {
         self.evaluations
     }
 
-    /// How many values and slopes are found in one run.
+    /// How many numbers are found in one run, a part of a form for a sixteenth of an interval.
     pub(super) fn cost(&self) -> usize {
-        self.moving.len() * (1 + self.motors)
+        let steps = self.moving.len();
+        steps * (4 + (self.motors + steps / 2) / 16)
     }
 
     /// The middle of the box on which it was run last.
@@ -147,41 +148,137 @@ impl<'p> Tape<'p> {
     /// Runs it on a box: for each motor an interval.
     pub(super) fn run(&mut self, range: &[Interval]) {
         self.evaluations += self.cost();
-        for motor in 0..self.motors {
-            let range = range.get(motor).copied().unwrap_or(Interval::ENTIRE);
-            self.centre[motor] = range.middle();
-            self.offsets[motor] = range - Interval::point(self.centre[motor]);
+        for (centre, range) in self.centre.iter_mut().zip(range) {
+            *centre = range.middle();
         }
         for step in 0..self.moving.len() {
             let value = self.moving[step];
-            let index = value.index();
-            let op = self.program.nodes[index].op;
-            if let Op::Motor(motor) = op {
-                self.values[index] = range.get(motor).copied().unwrap_or(Interval::ENTIRE);
-                self.middles[index] = Interval::point(self.centre[motor]);
-                self.slopes[index * self.motors + motor] = Interval::ONE;
-                continue;
+            let op = self.program.node(value).op;
+            let (by_value, by_middle) = match op {
+                Op::Motor(motor) => {
+                    let range = range.get(motor).copied().unwrap_or(Interval::ENTIRE);
+                    self.forms.motor(step, motor, range);
+                    (range, Interval::point(self.centre[motor]))
+                }
+                _ => (self.by_value(step, op), self.by_middle(op)),
+            };
+            self.values[value.index()] = by_value;
+            self.middles[value.index()] = by_middle;
+        }
+    }
+
+    fn by_middle(&self, op: Op) -> Interval {
+        natural(op, |operand| self.middles[operand.index()]).unwrap_or(Interval::ENTIRE)
+    }
+
+    /// All values of an operation, as far as its natural interval and its form both tell.
+    fn by_value(&mut self, step: usize, op: Op) -> Interval {
+        let range = natural(op, |operand| self.values[operand.index()]).unwrap_or(Interval::ENTIRE);
+        let known = match self.linear(op) {
+            Some((operands, linear)) => self.forms.combine(step, operands, linear),
+            None => false,
+        };
+        if known {
+            let by_form = self.forms.range(step);
+            // A form that says so much less than the interval is worse than none.
+            if by_form.width() <= 2.0 * range.width() {
+                return range.meet(by_form);
             }
-            let value = |operand: Value| self.values[operand.index()];
-            let middle = |operand: Value| self.middles[operand.index()];
-            let by_value = natural(op, value).unwrap_or(Interval::ENTIRE);
-            let by_middle = natural(op, middle).unwrap_or(Interval::ENTIRE);
-            let shares = shares(op, value, middle, by_middle);
-            let mut by_slope = by_middle;
-            for motor in 0..self.motors {
-                let mut slope = Interval::ZERO;
-                for (operand, share) in shares.into_iter().flatten() {
-                    let part = self.slopes[operand.index() * self.motors + motor];
-                    if part != Interval::ZERO {
-                        slope = slope + share * part;
+        }
+        self.forms.fresh(step, range);
+        range
+    }
+
+    /// An operation as a linear one, where it is nearly one.
+    fn linear(&self, op: Op) -> Option<([Operand; 2], Linear)> {
+        let operand = |value: Value| Operand {
+            range: self.values[value.index()],
+            step: self.steps[value.index()],
+        };
+        let simple = |factors: [f64; 2]| Linear { factors, rest: Interval::ZERO };
+        let one = |a: Value, linear: Linear| ([operand(a), operand(a)], linear);
+        let two = |a: Value, b: Value, linear: Linear| ([operand(a), operand(b)], linear);
+        Some(match op {
+            Op::Neg(a) => one(a, simple([-1.0, 0.0])),
+            Op::Add(a, b) => two(a, b, simple([1.0, 1.0])),
+            Op::Sub(a, b) => two(a, b, simple([1.0, -1.0])),
+            Op::Abs(a) => one(a, simple([sign(operand(a).range)?, 0.0])),
+            Op::CopySign(a, b) => {
+                let sign = sign(operand(a).range)? * strict_sign(operand(b).range)?;
+                one(a, simple([sign, 0.0]))
+            }
+            Op::Sqrt(a) => one(a, root(operand(a).range)?),
+            Op::Mul(a, b) if a == b => one(a, self.squared(operand(a))),
+            Op::Mul(a, b) => two(a, b, self.multiplied(operand(a), operand(b))),
+            Op::Div(a, b) => two(a, b, self.divided(operand(a), operand(b))?),
+            Op::Sin(a) | Op::Cos(a) => {
+                let angle = operand(a);
+                let middle = self.forms.middle(angle);
+                let (sin, cos) = (Interval::point(middle).sin(), Interval::point(middle).cos());
+                let about = match op {
+                    Op::Sin(_) => [sin, cos, angle.range.sin()],
+                    _ => [cos, -sin, angle.range.cos()],
+                };
+                one(a, wave(angle.range, middle, about))
+            }
+            Op::Max(a, b) => {
+                let (first, second) = (operand(a), operand(b));
+                if first.range.low() >= second.range.high() {
+                    one(a, simple([1.0, 0.0]))
+                } else if second.range.low() >= first.range.high() {
+                    one(b, simple([1.0, 0.0]))
+                } else {
+                    match (first.step, second.step) {
+                        (Some(_), None) => one(a, greater(first.range, second.range)?),
+                        (None, Some(_)) => one(b, greater(second.range, first.range)?),
+                        _ => return None,
                     }
                 }
-                self.slopes[index * self.motors + motor] = slope;
-                by_slope = by_slope + slope * self.offsets[motor];
             }
-            self.values[index] = by_value.meet(by_slope);
-            self.middles[index] = by_middle;
+            Op::Atan2(..)
+            | Op::Round(_)
+            | Op::Constant(_)
+            | Op::Motor(_)
+            | Op::Last(_)
+            | Op::Unknown(..)
+            | Op::Solved(..)
+            | Op::Dense(..) => return None,
+        })
+    }
+
+    fn squared(&self, a: Operand) -> Linear {
+        let middle = Interval::point(self.forms.middle(a));
+        Linear {
+            factors: [2.0 * middle.low(), 0.0],
+            rest: (a.range - middle).square() - middle.square(),
         }
+    }
+
+    fn multiplied(&self, a: Operand, b: Operand) -> Linear {
+        let (first, second) = (self.forms.middle(a), self.forms.middle(b));
+        let (p, q) = (Interval::point(first), Interval::point(second));
+        Linear {
+            factors: [second, first],
+            rest: (a.range - p) * (b.range - q) - p * q,
+        }
+    }
+
+    /// With any q, a / b is q + (a − q · b) / b, where a − q · b is small.
+    fn divided(&self, a: Operand, b: Operand) -> Option<Linear> {
+        let quotient = self.forms.middle(a) / self.forms.middle(b);
+        let inverses = Interval::ONE / b.range;
+        if !(quotient.is_finite() && inverses.is_bounded()) {
+            return None;
+        }
+        let inverse = inverses.middle();
+        let factors = [inverse, -(inverse * quotient)];
+        let [q, m] = [quotient, inverse].map(Interval::point);
+        let small = self.forms.difference(a, b, quotient);
+        let rounding = (m * -q - Interval::point(factors[1])) * b.range;
+        Some(Linear {
+            factors,
+            rest: q + (inverses - m) * small + rounding,
+        })
     }
 
     /// What is known about a test on the box on which it was run last.
@@ -282,76 +379,18 @@ fn natural(op: Op, get: impl Fn(Value) -> Interval) -> Option<Interval> {
     })
 }
 
-/// How much each operand's change contributes to that of the result: op(x) − op(middle) is the sum of share · (operand(x) −
-/// operand(middle)), wherever in the box x is.
-fn shares(
-    op: Op,
-    value: impl Fn(Value) -> Interval,
-    middle: impl Fn(Value) -> Interval,
-    result: Interval,
-) -> [Option<(Value, Interval)>; 2] {
-    let one = Interval::ONE;
-    let unknown = |a| Some((a, Interval::ENTIRE));
-    match op {
-        Op::Constant(_)
-        | Op::Motor(_)
-        | Op::Last(_)
-        | Op::Unknown(..)
-        | Op::Solved(..)
-        | Op::Dense(..) => [None, None],
-        Op::Neg(a) => [Some((a, -one)), None],
-        Op::Abs(a) => [Some((a, sign(value(a)))), None],
-        // √x − √m = (x − m) / (√x + √m): finite though x may be zero, if m is not.
-        Op::Sqrt(a) => [Some((a, one / (value(a).sqrt() + result))), None],
-        Op::Add(a, b) => [Some((a, one)), Some((b, one))],
-        Op::Sub(a, b) => [Some((a, one)), Some((b, -one))],
-        Op::Mul(a, b) if a == b => [Some((a, value(a) + middle(a))), None],
-        Op::Mul(a, b) => [Some((a, value(b))), Some((b, middle(a)))],
-        Op::Div(a, b) => {
-            let inverse = one / value(b);
-            [Some((a, inverse)), Some((b, -(result * inverse)))]
-        }
-        Op::Sin(a) => [Some((a, value(a).cos())), None],
-        Op::Cos(a) => [Some((a, -value(a).sin())), None],
-        Op::Max(a, b) => {
-            let (first, second) = (value(a), value(b));
-            if first.low() >= second.high() {
-                [Some((a, one)), None]
-            } else if second.low() >= first.high() {
-                [Some((b, one)), None]
-            } else {
-                let part = Interval::ZERO.hull(one);
-                [Some((a, part)), Some((b, part))]
-            }
-        }
-        Op::CopySign(a, b) => {
-            let (size, side) = (value(a), value(b));
-            if side.contains(0.0) {
-                [unknown(a), unknown(b)]
-            } else {
-                [Some((a, sign(size) * sign(side))), None]
-            }
-        }
-        Op::Atan2(a, b) => {
-            let (y, x) = (value(a), value(b));
-            if x.low() <= 0.0 && y.contains(0.0) {
-                [unknown(a), unknown(b)]
-            } else {
-                let inverse = one / (x.square() + y.square());
-                [Some((a, x * inverse)), Some((b, -(y * inverse)))]
-            }
-        }
-        Op::Round(a) => [unknown(a), None],
+/// The sign of all of an interval's numbers but zero.
+fn sign(of: Interval) -> Option<f64> {
+    if of.low() >= 0.0 {
+        Some(1.0)
+    } else if of.high() <= 0.0 {
+        Some(-1.0)
+    } else {
+        None
     }
 }
 
-/// The rate of the absolute value.
-fn sign(of: Interval) -> Interval {
-    if of.low() >= 0.0 {
-        Interval::ONE
-    } else if of.high() <= 0.0 {
-        -Interval::ONE
-    } else {
-        Interval::ONE.hull(-Interval::ONE)
-    }
+/// The sign of all of an interval's numbers, if zero is not among them.
+fn strict_sign(of: Interval) -> Option<f64> {
+    if of.contains(0.0) { None } else { sign(of) }
 }

@@ -2,6 +2,9 @@
 
 use super::node::Value;
 
+/// The greatest gap, as a part of the loop's size, that a linear step may leave.
+const LINEAR_GAP: f64 = 1e-2;
+
 /// Newton's iteration on a loop's equations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Newton {
@@ -26,6 +29,8 @@ pub struct Newton {
     pub extent: Option<Value>,
     /// How many rounds.
     pub rounds: Rounds,
+    /// Whether directions are turned to first order only, as in a step of the linear system.
+    pub linear: bool,
     /// What a result must satisfy.
     pub limits: Limits,
 }
@@ -77,6 +82,7 @@ impl Newton {
         let rounding = 64.0 * epsilon;
         match self.rounds {
             Rounds::UntilClosed(_) => rounding,
+            Rounds::Exactly(_) if self.linear => LINEAR_GAP,
             Rounds::Exactly(rounds) => {
                 let squared = (1..rounds.min(8)).fold(1e-3_f64, |left, _| left * left);
                 squared.max(rounding)

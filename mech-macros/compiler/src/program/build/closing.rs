@@ -319,9 +319,13 @@ impl Writer<'_> {
         } = system;
         let (steps, det) = self.steps(block, &columns, &gap);
         let det = self.builder.name(det, "det");
+        let linear = self.choice().solver == Solver::Linear;
         let mut next = Vec::new();
         for ((now, step), name) in now.iter().zip(steps).zip(names) {
             match *now {
+                Solution::Direction(direction) if linear => {
+                    next.extend(self.turned_a_little(direction, step, name));
+                }
                 Solution::Direction(direction) => {
                     next.extend(self.turned_by(direction, step, name));
                 }
@@ -350,6 +354,7 @@ impl Writer<'_> {
             sides,
             extent,
             rounds,
+            linear,
             limits: Limits::default(),
         };
         (newton, solution)
@@ -378,8 +383,11 @@ impl Writer<'_> {
                 let (a, b, gap) = ([a[0], a[1]], [b[0], b[1]], [x, y]);
                 let det = self.builder.cross(a, b);
                 let (p, q) = (self.builder.cross(b, gap), self.builder.cross(gap, a));
+                let one = self.builder.constant(1.0);
+                let inverse = self.builder.div(one, det);
+                let inverse = self.builder.name(inverse, "inverse");
                 (
-                    vec![self.builder.div(p, det), self.builder.div(q, det)],
+                    vec![self.builder.mul(p, inverse), self.builder.mul(q, inverse)],
                     det,
                 )
             }
@@ -457,6 +465,25 @@ impl Writer<'_> {
             ]),
             Solution::Slide(way) => Solution::Slide(scalar(name.to_owned(), way)),
         }
+    }
+
+    /// A direction turned by a small angle, to third order: without a division.
+    fn turned_a_little(&mut self, direction: [Value; 2], angle: Value, name: &str) -> [Value; 2] {
+        let builder = &mut self.builder;
+        let (half, one) = (builder.constant(0.5), builder.constant(1.0));
+        let square = builder.mul(angle, angle);
+        let half = builder.mul(half, square);
+        // (1 − a²/2, a) is too long by a⁴/8, which would stretch the link.
+        let eighth = builder.mul(half, half);
+        let too_long = {
+            let half = builder.constant(0.5);
+            builder.mul(half, eighth)
+        };
+        let scale = builder.sub(one, too_long);
+        let cos = builder.sub(one, half);
+        let turn = builder.scaled(scale, [cos, angle]);
+        let turn = builder.name_direction(turn, &format!("{name}_turn"));
+        builder.turned(direction, turn)
     }
 
     /// A direction turned by a small angle, by the rational map that keeps its length (Cayley's).

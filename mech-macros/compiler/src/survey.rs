@@ -1,0 +1,345 @@
+//! Where the dyads of a mechanism come to their dead points and change points, found by moving it: only loops that have any
+//! are watched when it moves, and only those that pass change points carry on which side they lie.
+//!
+//! Each motor is moved alone through its range, or through whole turns; the square of the sine of every transmission angle is
+//! sampled on the way, and where it comes near zero its least value is looked for.
+
+use crate::evaluate::{Machine, Stop};
+use crate::model::{AtChangePoints, JointKind, Model, MotorId};
+use crate::plan::{Plan, Step};
+use crate::program::{AtZero, Choice, Position, Program, Solver, Watching, build_as};
+use num_traits::ToPrimitive;
+use std::f64::consts::TAU;
+
+/// How many operations a survey may cost.
+const BUDGET: usize = 1_200_000;
+/// Samples in a turn.
+const SAMPLES: [usize; 2] = [24, 360];
+/// Most turns of a motor that are looked at: behind gears it takes several until everything has turned.
+const MOST_TURNS: i64 = 8;
+/// Between samples a rate may be greater than any that was sampled.
+const SAFETY: f64 = 1.5;
+/// Squares of sines above this are far from zero.
+const NEAR: f64 = 0.1;
+
+/// What was found about a loop in closed form.
+#[derive(Clone, Debug)]
+struct Found {
+    /// By how much the square of its sine changes with each motor.
+    rates: Vec<f64>,
+    /// Whether it fails to close somewhere.
+    ends: bool,
+    /// Whether it comes to zero and closes on both sides.
+    crosses: bool,
+}
+
+/// Decides for every loop how it is watched; how it is solved is decided already.
+pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Choice> {
+    let none = Found {
+        rates: vec![0.0; model.motors.len()],
+        ends: false,
+        crosses: false,
+    };
+    let mut found = vec![none; choices.len()];
+    // A loop that goes over at a change point moves on otherwise, and so do those that need it: they are looked at again.
+    for _ in 0..4 {
+        let program = build_as(model, plan, &watched(model, &choices, &found));
+        if program.watches.is_empty() {
+            return choices;
+        }
+        let crossings = |found: &[Found]| found.iter().filter(|found| found.crosses).count();
+        let before = crossings(&found);
+        let mut walk = Walk {
+            model,
+            plan,
+            program: &program,
+            found: &mut found,
+        };
+        for motor in model.motor_ids() {
+            walk.motor(motor);
+        }
+        if model.motors.len() > 1 {
+            walk.all_together();
+        }
+        if crossings(&found) == before {
+            break;
+        }
+    }
+    decided(model, choices, &found)
+}
+
+/// Every loop watched, but only those known to pass change points for more than their sine.
+fn watched(model: &Model, choices: &[Choice], found: &[Found]) -> Vec<Choice> {
+    let watched = choices.iter().zip(found).map(|(choice, found)| Choice {
+        watching: Some(if found.crosses {
+            Watching {
+                rates: found.rates.iter().map(|rate| SAFETY * rate).collect(),
+                at_zero: AtZero::GoOver,
+            }
+        } else {
+            Watching {
+                rates: vec![0.0; model.motors.len()],
+                at_zero: AtZero::Stay,
+            }
+        }),
+        solver: Solver::ClosedForm,
+        side: choice.side,
+    });
+    watched.collect()
+}
+
+/// What follows for each loop.
+fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> {
+    let decide = |(choice, found): (Choice, &Found)| {
+        let at_zero = match (found.crosses, model.change_points) {
+            (true, AtChangePoints::GoOn) => Some(AtZero::GoOver),
+            (true, AtChangePoints::Stop) => Some(AtZero::Stop),
+            (true, AtChangePoints::KeepBranch) | (false, _) => {
+                let movers = found.rates.iter().filter(|rate| **rate > 0.0).count();
+                (found.ends || movers > 1).then_some(AtZero::Stay)
+            }
+        };
+        // A loop that is iterated finds its dead points by itself, but it does not pass change points: there the closed form is
+        // taken whatever was wished.
+        let at_zero = at_zero
+            .filter(|at_zero| *at_zero != AtZero::Stay || choice.solver == Solver::ClosedForm);
+        let solver = if at_zero.is_some() {
+            Solver::ClosedForm
+        } else {
+            choice.solver
+        };
+        let watching = at_zero.map(|at_zero| Watching {
+            rates: found.rates.iter().map(|rate| SAFETY * rate).collect(),
+            at_zero,
+        });
+        Choice {
+            solver,
+            watching,
+            side: choice.side,
+        }
+    };
+    choices.into_iter().zip(found).map(decide).collect()
+}
+
+/// A walk through the motions of a program.
+struct Walk<'a> {
+    model: &'a Model,
+    plan: &'a Plan,
+    program: &'a Program,
+    found: &'a mut [Found],
+}
+
+impl Walk<'_> {
+    /// Moves one motor through its range, the others at the start.
+    fn motor(&mut self, motor: MotorId) {
+        let index = motor.index();
+        let start = self.program.start.motors[index];
+        let along = |way: f64| {
+            let mut ways = vec![0.0; self.program.motors.len()];
+            ways[index] = way;
+            ways
+        };
+        if let Some(range) = self.model.motor(motor).range {
+            self.straight(&along(range.high - start), 1);
+            self.straight(&along(range.low - start), 1);
+            return;
+        }
+        let turns = matches!(
+            self.model.joint(self.model.motor(motor).joint).kind,
+            JointKind::Revolute(..)
+        );
+        let (way, pieces) = if turns {
+            let turns = self.turns();
+            #[expect(clippy::cast_precision_loss, reason = "a handful of turns")]
+            let way = TAU * turns as f64;
+            (way, turns)
+        } else {
+            (4.0 * self.size(), 2)
+        };
+        let whole = self.straight(&along(way), pieces);
+        if !(whole && turns) {
+            self.straight(&along(-way), pieces);
+        }
+    }
+
+    /// Moves all motors together, in several proportions.
+    fn all_together(&mut self) {
+        for round in 1_u32..=4 {
+            let ways = (0_u32..).zip(&self.model.motors).map(|(index, motor)| {
+                let part = f64::from((round * (2 * index + 3)) % 7) / 3.0 - 1.0;
+                let whole = match self.model.joint(motor.joint).kind {
+                    JointKind::Revolute(..) => TAU,
+                    _ => self.size(),
+                };
+                part * whole
+            });
+            let ways: Vec<f64> = ways.collect();
+            self.straight(&ways, 1);
+        }
+    }
+
+    /// After so many turns of a motor everything behind gears has turned as a whole.
+    fn turns(&self) -> i64 {
+        let meshes = self.plan.steps.iter().filter_map(|step| match step {
+            Step::Mesh(mesh) => Some(mesh),
+            _ => None,
+        });
+        let parts = meshes.flat_map(|mesh| &mesh.parts);
+        parts.fold(1, |turns, (_, part)| {
+            let denominator = part.denom().to_i64().unwrap_or(MOST_TURNS);
+            let together = num_integer::lcm(turns, denominator.clamp(1, MOST_TURNS));
+            if together > MOST_TURNS {
+                MOST_TURNS
+            } else {
+                together
+            }
+        })
+    }
+
+    /// How large the mechanism is.
+    fn size(&self) -> f64 {
+        self.model
+            .axes
+            .iter()
+            .fold(0.0_f64, |size, axis| size.max(axis.at[0].hypot(axis.at[1])))
+    }
+
+    /// Moves the motors straight from the start; tells whether it came to the end.
+    fn straight(&mut self, ways: &[f64], turns: i64) -> bool {
+        let live = self.program.live.iter().filter(|live| **live).count();
+        let turns = usize::try_from(turns).unwrap_or(1).max(1);
+        let affordable = BUDGET / (live * turns * self.model.motors.len()).max(1);
+        let samples = turns * affordable.clamp(SAMPLES[0], SAMPLES[1]);
+        let mut machine = Machine::<f64>::new(self.program);
+        let mut trail = vec![(0.0, machine.position().clone())];
+        for sample in 1..=samples {
+            #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
+            let part = sample as f64 / samples as f64;
+            match machine.move_to(&self.at(ways, part)) {
+                Ok(()) => trail.push((part, machine.position().clone())),
+                Err(stop) => {
+                    self.ends(stop);
+                    // Near a dead point the square of the sine is a straight line: the last samples tell its rate.
+                    let _ = machine.move_toward(&self.at(ways, part));
+                    self.look(&trail, ways);
+                    return false;
+                }
+            }
+        }
+        self.look(&trail, ways);
+        true
+    }
+
+    fn at(&self, ways: &[f64], part: f64) -> Vec<f64> {
+        let start = self.program.start.motors.iter().zip(ways);
+        start.map(|(start, way)| start + way * part).collect()
+    }
+
+    fn ends(&mut self, stop: Stop) {
+        let block = match stop {
+            Stop::Open(block) | Stop::DeadPoint(block) | Stop::ChangePoint(block) => Some(block),
+            _ => None,
+        };
+        match block.and_then(|block| self.program.closed(block)) {
+            Some(closed) => self.found[closed.number].ends = true,
+            // Whatever it was, nobody knows what is beyond.
+            None => self.found.iter_mut().for_each(|found| found.ends = true),
+        }
+    }
+
+    /// Looks at what was sampled.
+    fn look(&mut self, trail: &[(f64, Position<f64>)], ways: &[f64]) {
+        for watch in &self.program.watches {
+            let Some(closed) = self.program.closed(watch.block) else {
+                continue;
+            };
+            let squares: Vec<f64> = trail
+                .iter()
+                .map(|(_, position)| position.kept[watch.kept].powi(2))
+                .collect();
+            let steepest = squares
+                .windows(2)
+                .zip(trail.windows(2))
+                .map(|(squares, ends)| (squares[1] - squares[0]).abs() / (ends[1].0 - ends[0].0))
+                .fold(0.0, f64::max);
+            self.steep(closed.number, steepest, ways);
+            if self.found[closed.number].crosses {
+                continue;
+            }
+            let crosses = (1..squares.len().saturating_sub(1)).any(|at| {
+                let least = squares[at] <= squares[at - 1] && squares[at] <= squares[at + 1];
+                least
+                    && squares[at] < NEAR
+                    && self.touches(watch.kept, &trail[at - 1], trail[at + 1].0, ways)
+            });
+            self.found[closed.number].crosses = crosses;
+        }
+    }
+
+    /// The rates must explain what was seen.
+    fn steep(&mut self, number: usize, steepest: f64, ways: &[f64]) {
+        let rates = &mut self.found[number].rates;
+        let moved: Vec<usize> = (0..ways.len())
+            .filter(|&motor| ways[motor] != 0.0)
+            .collect();
+        if let [motor] = moved[..] {
+            rates[motor] = rates[motor].max(steepest / ways[motor].abs());
+            return;
+        }
+        let explained: f64 = rates
+            .iter()
+            .zip(ways)
+            .map(|(rate, way)| rate * way.abs())
+            .sum();
+        if explained > 0.0 && steepest > explained {
+            rates
+                .iter_mut()
+                .for_each(|rate| *rate *= steepest / explained);
+        }
+    }
+
+    /// Whether the square of a sine comes to zero between two samples: its least value is looked for by thirds.
+    fn touches(
+        &self,
+        kept: usize,
+        (from, position): &(f64, Position<f64>),
+        to: f64,
+        ways: &[f64],
+    ) -> bool {
+        let mut machine = Machine::<f64>::new(self.program);
+        let mut square = |part: f64| {
+            machine.put_back(position.clone());
+            let moved = machine.move_to(&self.at(ways, part));
+            let kept = &machine.position().kept[kept..];
+            moved.is_ok().then(|| (kept[0].powi(2), kept[1]))
+        };
+        let (mut low, mut high) = (*from, to);
+        const GOLDEN: f64 = 0.381_966_011_250_105_1;
+        let mut at = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
+        let (Some(first), Some(second)) = (square(at[0]), square(at[1])) else {
+            return false;
+        };
+        let mut values = [first, second];
+        for _ in 0..64 {
+            if values.iter().any(|(square, tiny)| square <= tiny) {
+                return true;
+            }
+            let next = if values[0].0 < values[1].0 {
+                high = at[1];
+                (at[1], values[1]) = (at[0], values[0]);
+                at[0] = low + GOLDEN * (high - low);
+                0
+            } else {
+                low = at[0];
+                (at[0], values[0]) = (at[1], values[1]);
+                at[1] = high - GOLDEN * (high - low);
+                1
+            };
+            match square(at[next]) {
+                Some(value) => values[next] = value,
+                None => return false,
+            }
+        }
+        false
+    }
+}
