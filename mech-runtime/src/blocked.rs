@@ -30,6 +30,10 @@ pub enum Cause {
     ChangePoint,
     /// The way is too long to be followed past all its change points and dead points in one move.
     TooFar,
+    /// The value given to this motor is outside its declared range.
+    OutOfRange,
+    /// There is no room left in the columns.
+    NoRoom,
     /// A coordinate would be beyond the range of the scalar type.
     Overflow,
 }
@@ -77,6 +81,8 @@ impl<M: fmt::Debug> fmt::Display for Blocked<M> {
                 "the loop {place} is at a change point at {reached:?} and stops there as declared"
             ),
             Cause::TooFar => write!(f, "the way is too long to be followed in one move"),
+            Cause::OutOfRange => write!(f, "the value for motor `{place}` is outside its range"),
+            Cause::NoRoom => write!(f, "there is no room left in the columns"),
             Cause::Overflow => write!(f, "a coordinate would be beyond the range of the numbers"),
         }
     }

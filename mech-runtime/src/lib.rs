@@ -13,19 +13,25 @@
 extern crate self as mech_runtime;
 
 mod blocked;
+mod columns;
+mod cost;
 #[doc(hidden)]
 pub mod generated;
 mod mechanism;
 mod pose;
+mod range;
 pub mod raster;
 mod scalar;
 mod shape;
 
 pub use blocked::{Blocked, Cause, Reached};
+pub use columns::{BlockedAt, Columns};
+pub use cost::Cost;
 pub use mech_core::{Phase, Real};
 pub use mechanism::Mechanism;
 pub use nalgebra::{Isometry2, Point2};
 pub use pose::Pose;
+pub use range::InRange;
 pub use raster::{Canvas, Frame, Palette, View};
 pub use scalar::Scalar;
 pub use shape::{Outline, Shape};

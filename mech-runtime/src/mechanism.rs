@@ -1,6 +1,6 @@
 //! What every mechanism can do, for code that takes any.
 
-use crate::{Blocked, Canvas, Pose, Reached, Scalar, Shape};
+use crate::{Blocked, Canvas, Cost, Pose, Reached, Scalar, Shape};
 use core::fmt::Debug;
 
 /// A mechanism made by [`mechanism!`](crate::mechanism). Each of these is also an inherent item of its struct.
@@ -14,6 +14,10 @@ pub trait Mechanism: Clone {
     const NAME: &'static str;
     /// Mobility, trunk and arms, and the loops in the order in which they are solved.
     const REPORT: &'static str;
+    /// How many operations it takes to find a position.
+    const COST: Cost;
+    /// How many of them each loop takes, in the order in which they are solved.
+    const LOOP_COSTS: &'static [Cost];
     /// The names of the joints that have a motor, in the order of their declaration.
     const MOTORS: &'static [&'static str];
     /// The names of the moving links, in the order of their declaration.

@@ -1,6 +1,6 @@
 //! A four-bar linkage written by hand, in closed form: what the gallery is tested with.
 
-use mech_runtime::{Blocked, Cause, Mechanism, Outline, Palette, Pose, Reached, Shape};
+use mech_runtime::{Blocked, Cause, Cost, Mechanism, Outline, Palette, Pose, Reached, Shape};
 
 const CRANK: f64 = 1.0;
 const COUPLER: f64 = 3.0;
@@ -36,6 +36,16 @@ impl Mechanism for FourBar {
     const NAME: &'static str = "FourBar";
     const REPORT: &'static str =
         "mobility 1 = 3 × 3 − 2 × 4\nloop 1: a, b, c, d; closed form <RRR> & \"exact\"\n";
+    const COST: Cost = Cost {
+        additions: 15,
+        multiplications: 10,
+        divisions: 6,
+        square_roots: 1,
+        sine_cosine_pairs: 1,
+        arctangents: 0,
+        selections: 2,
+    };
+    const LOOP_COSTS: &'static [Cost] = &[];
     const MOTORS: &'static [&'static str] = &["a"];
     const LINKS: &'static [&'static str] = &["crank", "coupler", "rocker"];
     const SHAPES: &'static [Shape<f64>] = &[

@@ -4,10 +4,15 @@
 //! `syntax → model → structure → plan → program → emit | evaluate`. The crate has two users: the macro `mechanism!`, which
 //! calls [`expand`], and whoever analyses a [`Model`] made in another way, by [`compile`].
 
+pub mod accuracy;
+mod aligned;
+pub mod certify;
+pub mod cost;
 mod emit;
 pub mod evaluate;
 pub mod graphs;
 mod matched;
+mod proof;
 pub mod model;
 pub mod plan;
 pub mod program;
@@ -17,8 +22,10 @@ pub mod reporter;
 pub mod structure;
 mod survey;
 pub mod syntax;
+mod walk;
 
-use evaluate::Stop;
+use accuracy::{Prediction, Solved};
+use evaluate::{Machine, Stop};
 use matched::Matched;
 use model::{JointId, JointKind, Model};
 use plan::Plan;
@@ -37,6 +44,11 @@ pub struct Compiled {
     pub plan: Plan,
     /// The operations that move it.
     pub program: Program,
+    /// How each loop is solved, in the order in which they are closed.
+    pub loops: Vec<Solved>,
+    /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
+    /// motors are declared that move it.
+    pub prediction: Option<Prediction>,
     /// All of this in words.
     pub report: String,
 }
@@ -49,51 +61,104 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     if !model.fits() {
         return Err(vec![Diagnosis::TooLarge]);
     }
-    let (structure, plan, program) = match structure::analyse(model) {
+    let Coherent {
+        structure,
+        plan,
+        program,
+        prediction,
+    } = match structure::analyse(model) {
         Ok(structure) => regular(model, structure)?,
         Err(diagnoses) => special(model, diagnoses)?,
     };
     if !program.fits() {
         return Err(vec![Diagnosis::TooLarge]);
     }
-    let report = report::report(model, &structure, &plan);
+    let loops = accuracy::solved(&program, prediction.as_ref());
+    let found = (&program, &loops[..], prediction.as_ref());
+    let report = report::report(model, &structure, &plan, found);
     Ok(Compiled {
         structure,
         plan,
         program,
+        loops,
+        prediction,
         report,
     })
 }
 
-/// A mechanism that moves whatever its lengths.
-fn regular(
-    model: &Model,
+/// A mechanism whose program is written.
+struct Coherent {
     structure: Structure,
-) -> Result<(Structure, Plan, Program), Vec<Diagnosis>> {
-    let plan = plan::plan(model, &structure).map_err(|diagnosis| vec![diagnosis])?;
-    match written(model, &plan) {
-        Ok(program) => Ok((structure, plan, program)),
-        Err(diagnosis) => Err(vec![diagnosis]),
-    }
+    plan: Plan,
+    program: Program,
+    prediction: Option<Prediction>,
+}
+
+/// A mechanism that moves whatever its lengths.
+fn regular(model: &Model, structure: Structure) -> Result<Coherent, Vec<Diagnosis>> {
+    let plan = match plan::plan(model, &structure) {
+        Ok(plan) => plan,
+        Err(dead @ Diagnosis::DeadStart { .. }) => {
+            return match aligned(model, structure) {
+                Some(Ok(coherent)) => Ok(coherent),
+                Some(Err(told @ (Diagnosis::TooAccurate { .. } | Diagnosis::Range { .. }))) => {
+                    Err(vec![told])
+                }
+                Some(Err(_)) | None => Err(vec![dead]),
+            };
+        }
+        Err(diagnosis) => return Err(vec![diagnosis]),
+    };
+    written(model, structure, plan).map_err(|diagnosis| vec![diagnosis])
+}
+
+/// A mechanism that starts at a change point: it is assembled beside it and moved there.
+fn aligned(model: &Model, structure: Structure) -> Option<Result<Coherent, Diagnosis>> {
+    let plan = aligned::beside(model, &structure)?;
+    let mut coherent = match written(model, structure, plan) {
+        Ok(coherent) => coherent,
+        Err(diagnosis) => return Some(Err(diagnosis)),
+    };
+    let mut machine = Machine::<f64>::new(&coherent.program);
+    machine.move_to(&aligned::start(model)).ok()?;
+    let start = machine.position().clone();
+    coherent.program.start = start;
+    Some(Ok(coherent))
 }
 
 /// The program of a planned mechanism, at its start.
-fn written(model: &Model, plan: &Plan) -> Result<Program, Diagnosis> {
+fn written(model: &Model, structure: Structure, plan: Plan) -> Result<Coherent, Diagnosis> {
     let method = model.method.unwrap_or_default();
     let choices = plan.loops().map(|_| Choice::by(method)).collect();
-    let choices = survey::survey(model, plan, choices);
-    let mut program = program::build_as(model, plan, &choices);
-    match evaluate::settle(&mut program) {
-        Ok(()) => Ok(program),
-        Err(stop) => Err(unsettled(plan, &program, stop)),
+    let choices = survey::survey(model, &plan, choices);
+    let (choices, prediction) = match model.accuracy {
+        Some(accuracy) => {
+            let (choices, prediction) = accuracy::choose(model, &plan, choices, accuracy)?;
+            (choices, Some(prediction))
+        }
+        None => {
+            let prediction = accuracy::predict(model, &plan, &choices);
+            (choices, prediction)
+        }
+    };
+    let mut program = program::build_as(model, &plan, &choices);
+    if let Err(stop) = evaluate::settle(&mut program) {
+        return Err(unsettled(&plan, &program, stop));
     }
+    let program = proof::proved(model, &plan, choices, program)?;
+    Ok(Coherent {
+        structure,
+        plan,
+        program,
+        prediction,
+    })
 }
 
 /// A mechanism that moves, if it does, only because its lengths match.
 fn special(
     model: &Model,
     diagnoses: Vec<Diagnosis>,
-) -> Result<(Structure, Plan, Program), Vec<Diagnosis>> {
+) -> Result<Coherent, Vec<Diagnosis>> {
     let held = |diagnosis: &Diagnosis| {
         matches!(
             diagnosis,
@@ -122,8 +187,7 @@ fn special(
             }
             let joints = structure.redundant.clone();
             if model.allow.redundant {
-                let program = written(model, &plan).map_err(|diagnosis| vec![diagnosis])?;
-                Ok((structure, plan, program))
+                written(model, structure, plan).map_err(|diagnosis| vec![diagnosis])
             } else {
                 Err(vec![Diagnosis::Overdetermined {
                     joints,
@@ -209,7 +273,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
             &header,
             &places,
             &model,
-            &compiled.program,
+            (&compiled.plan, &compiled.program),
             &compiled.report,
         ),
         Err(diagnoses) => {

@@ -1,20 +1,32 @@
 //! The report: what the analysis found, in plain text, for the terminal, the docs and the gallery.
 
+use crate::accuracy::{Prediction, Solved};
+use crate::cost;
 use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
 use crate::plan::{ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
+use crate::program::Program;
 use crate::structure::{Rolling, Structure};
 use std::fmt::Write;
 
+/// What was found about a program: how its loops are solved, and how exact it will be, if that was predicted.
+type Found<'f> = (&'f Program, &'f [Solved], Option<&'f Prediction>);
+
 /// The report of a coherent mechanism.
 #[must_use]
-pub fn report(model: &Model, structure: &Structure, plan: &Plan) -> String {
+pub fn report(model: &Model, structure: &Structure, plan: &Plan, found: Found<'_>) -> String {
     let mut text = String::new();
     // Writing into a string does not fail.
-    let _ = write(&mut text, model, structure, plan);
+    let _ = write(&mut text, model, structure, plan, found);
     text
 }
 
-fn write(text: &mut String, model: &Model, structure: &Structure, plan: &Plan) -> std::fmt::Result {
+fn write(
+    text: &mut String,
+    model: &Model,
+    structure: &Structure,
+    plan: &Plan,
+    (program, loops, prediction): Found<'_>,
+) -> std::fmt::Result {
     let motors: Vec<JointId> = model.motors.iter().map(|motor| motor.joint).collect();
     writeln!(text, "{}", model.name)?;
     writeln!(text, "  mobility  {}", mobility(model, structure))?;
@@ -44,8 +56,37 @@ fn write(text: &mut String, model: &Model, structure: &Structure, plan: &Plan) -
             loop_line(model, closing)
         )?;
         writeln!(text, "            {}", needs_line(model, plan, closing))?;
+        if let Some(solved) = loops.get(index) {
+            writeln!(text, "            {}", solved_line(solved))?;
+        }
     }
-    writeln!(text, "  method    {}", method(model, plan))
+    writeln!(text, "  method    {}", method(model, plan))?;
+    if let Some(prediction) = prediction {
+        writeln!(text, "  accuracy  {}", accuracy(model, prediction))?;
+    }
+    writeln!(text, "  cost      {}", cost::of_program(program))
+}
+
+/// How a loop is solved, and what that costs.
+fn solved_line(solved: &Solved) -> String {
+    let error = match solved.error {
+        None => String::new(),
+        Some(error) if error.is_finite() => format!(", {error:.1e} off at most"),
+        Some(_) => ", may stop for no reason but its method".to_owned(),
+    };
+    format!("{}{error}: {}", solved.method, solved.cost)
+}
+
+/// What was wished, and what is to be expected.
+fn accuracy(model: &Model, prediction: &Prediction) -> String {
+    let error = match prediction.error {
+        error if error.is_finite() => format!("{error:.1e}"),
+        _ => "not bounded by the declared steps".to_owned(),
+    };
+    match model.accuracy {
+        Some(accuracy) => format!("{error}; {accuracy:e} wanted"),
+        None => error,
+    }
 }
 
 /// The count, with what each kind of joint takes.
@@ -204,12 +245,13 @@ fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
 }
 
 fn method(model: &Model, plan: &Plan) -> String {
-    match model.method.unwrap_or_default() {
+    match (model.method, model.accuracy) {
         _ if plan.loops().next().is_none() => "none needed".to_owned(),
-        Method::Newton => "Newton, until each loop closes to rounding".to_owned(),
-        Method::Exact => "exact".to_owned(),
-        Method::Linear => "linear".to_owned(),
-        Method::NewtonSteps(1) => "Newton, one round a loop".to_owned(),
-        Method::NewtonSteps(rounds) => format!("Newton, {rounds} rounds a loop"),
+        (None, Some(_)) => "the cheapest that is accurate enough".to_owned(),
+        (None | Some(Method::Exact), _) => "exact".to_owned(),
+        (Some(Method::Newton), _) => "Newton, until each loop closes to rounding".to_owned(),
+        (Some(Method::Linear), _) => "linear".to_owned(),
+        (Some(Method::NewtonSteps(1)), _) => "Newton, one round a loop".to_owned(),
+        (Some(Method::NewtonSteps(rounds)), _) => format!("Newton, {rounds} rounds a loop"),
     }
 }

@@ -2,9 +2,11 @@
 
 mod assembly;
 mod carrier;
+mod exactness;
 mod held;
 mod names;
 mod order;
+mod range;
 mod repairs;
 mod wording;
 
@@ -86,6 +88,9 @@ impl Words<'_> {
                 self.overdetermined(joints, *matched, offers),
             ),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
+            Diagnosis::TooAccurate { accuracy, best } => {
+                (self.model.origin, self.too_accurate(*accuracy, *best))
+            }
             Diagnosis::NoMotor {
                 freedom,
                 candidates,
@@ -110,6 +115,11 @@ impl Words<'_> {
             Diagnosis::NotSequential { waiting, rings } => {
                 return self.cycle(waiting, rings, offers);
             }
+            Diagnosis::Range {
+                motor,
+                unknowns,
+                trouble,
+            } => self.range(*motor, unknowns, trouble),
             Diagnosis::CannotClose { .. }
             | Diagnosis::DeadStart { .. }
             | Diagnosis::SeveralAssemblies { .. }

@@ -5,18 +5,15 @@
 //! sampled on the way, and where it comes near zero its least value is looked for.
 
 use crate::evaluate::{Machine, Stop};
-use crate::model::{AtChangePoints, JointKind, Model, MotorId};
-use crate::plan::{Plan, Step};
+use crate::model::{AtChangePoints, Model};
+use crate::plan::Plan;
 use crate::program::{AtZero, Choice, Position, Program, Solver, Watching, build_as};
-use num_traits::ToPrimitive;
-use std::f64::consts::TAU;
+use crate::walk::{Stretch, at, walk};
 
 /// How many operations a survey may cost.
 const BUDGET: usize = 1_200_000;
 /// Samples in a turn.
 const SAMPLES: [usize; 2] = [24, 360];
-/// Most turns of a motor that are looked at: behind gears it takes several until everything has turned.
-const MOST_TURNS: i64 = 8;
 /// Between samples a rate may be greater than any that was sampled.
 const SAFETY: f64 = 1.5;
 /// Squares of sines above this are far from zero.
@@ -49,18 +46,11 @@ pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Ch
         }
         let crossings = |found: &[Found]| found.iter().filter(|found| found.crosses).count();
         let before = crossings(&found);
-        let mut walk = Walk {
-            model,
-            plan,
+        let mut walker = Walker {
             program: &program,
             found: &mut found,
         };
-        for motor in model.motor_ids() {
-            walk.motor(motor);
-        }
-        if model.motors.len() > 1 {
-            walk.all_together();
-        }
+        walk(model, plan, |stretch| walker.straight(stretch));
         if crossings(&found) == before {
             break;
         }
@@ -84,6 +74,7 @@ fn watched(model: &Model, choices: &[Choice], found: &[Found]) -> Vec<Choice> {
         }),
         solver: Solver::ClosedForm,
         side: choice.side,
+        proved: false,
     });
     watched.collect()
 }
@@ -116,111 +107,36 @@ fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> 
             solver,
             watching,
             side: choice.side,
+        proved: false,
         }
     };
     choices.into_iter().zip(found).map(decide).collect()
 }
 
 /// A walk through the motions of a program.
-struct Walk<'a> {
-    model: &'a Model,
-    plan: &'a Plan,
+struct Walker<'a> {
     program: &'a Program,
     found: &'a mut [Found],
 }
 
-impl Walk<'_> {
-    /// Moves one motor through its range, the others at the start.
-    fn motor(&mut self, motor: MotorId) {
-        let index = motor.index();
-        let start = self.program.start.motors[index];
-        let along = |way: f64| {
-            let mut ways = vec![0.0; self.program.motors.len()];
-            ways[index] = way;
-            ways
-        };
-        if let Some(range) = self.model.motor(motor).range {
-            self.straight(&along(range.high - start), 1);
-            self.straight(&along(range.low - start), 1);
-            return;
-        }
-        let turns = matches!(
-            self.model.joint(self.model.motor(motor).joint).kind,
-            JointKind::Revolute(..)
-        );
-        let (way, pieces) = if turns {
-            let turns = self.turns();
-            #[expect(clippy::cast_precision_loss, reason = "a handful of turns")]
-            let way = TAU * turns as f64;
-            (way, turns)
-        } else {
-            (4.0 * self.size(), 2)
-        };
-        let whole = self.straight(&along(way), pieces);
-        if !(whole && turns) {
-            self.straight(&along(-way), pieces);
-        }
-    }
-
-    /// Moves all motors together, in several proportions.
-    fn all_together(&mut self) {
-        for round in 1_u32..=4 {
-            let ways = (0_u32..).zip(&self.model.motors).map(|(index, motor)| {
-                let part = f64::from((round * (2 * index + 3)) % 7) / 3.0 - 1.0;
-                let whole = match self.model.joint(motor.joint).kind {
-                    JointKind::Revolute(..) => TAU,
-                    _ => self.size(),
-                };
-                part * whole
-            });
-            let ways: Vec<f64> = ways.collect();
-            self.straight(&ways, 1);
-        }
-    }
-
-    /// After so many turns of a motor everything behind gears has turned as a whole.
-    fn turns(&self) -> i64 {
-        let meshes = self.plan.steps.iter().filter_map(|step| match step {
-            Step::Mesh(mesh) => Some(mesh),
-            _ => None,
-        });
-        let parts = meshes.flat_map(|mesh| &mesh.parts);
-        parts.fold(1, |turns, (_, part)| {
-            let denominator = part.denom().to_i64().unwrap_or(MOST_TURNS);
-            let together = num_integer::lcm(turns, denominator.clamp(1, MOST_TURNS));
-            if together > MOST_TURNS {
-                MOST_TURNS
-            } else {
-                together
-            }
-        })
-    }
-
-    /// How large the mechanism is.
-    fn size(&self) -> f64 {
-        self.model
-            .axes
-            .iter()
-            .fold(0.0_f64, |size, axis| size.max(axis.at[0].hypot(axis.at[1])))
-    }
-
+impl Walker<'_> {
     /// Moves the motors straight from the start; tells whether it came to the end.
-    fn straight(&mut self, ways: &[f64], turns: i64) -> bool {
+    fn straight(&mut self, stretch: &Stretch) -> bool {
+        let Stretch { ways, pieces } = stretch;
         let live = self.program.live.iter().filter(|live| **live).count();
-        let turns = usize::try_from(turns).unwrap_or(1).max(1);
-        let affordable = BUDGET / (live * turns * self.model.motors.len()).max(1);
-        let samples = turns * affordable.clamp(SAMPLES[0], SAMPLES[1]);
+        let affordable = BUDGET / (live * pieces * ways.len()).max(1);
+        let samples = pieces * affordable.clamp(SAMPLES[0], SAMPLES[1]);
         let mut machine = Machine::<f64>::new(self.program);
         let mut trail = vec![(0.0, machine.position().clone())];
         for sample in 1..=samples {
             #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
             let part = sample as f64 / samples as f64;
-            match machine.move_to(&self.at(ways, part)) {
+            match machine.move_to(&at(&self.program.start.motors, ways, part)) {
                 Ok(()) => trail.push((part, machine.position().clone())),
                 Err(stop) => {
                     self.ends(stop);
                     // Near a dead point the square of the sine is a straight line: the last samples tell its rate.
-                    let _ = machine.move_toward(&self.at(ways, part));
+                    let _ = machine.move_toward(&at(&self.program.start.motors, ways, part));
                     self.look(&trail, ways);
                     return false;
                 }
@@ -228,11 +144,6 @@ impl Walk<'_> {
         }
         self.look(&trail, ways);
         true
-    }
-
-    fn at(&self, ways: &[f64], part: f64) -> Vec<f64> {
-        let start = self.program.start.motors.iter().zip(ways);
-        start.map(|(start, way)| start + way * part).collect()
     }
 
     fn ends(&mut self, stop: Stop) {
@@ -309,7 +220,7 @@ impl Walk<'_> {
         let mut machine = Machine::<f64>::new(self.program);
         let mut square = |part: f64| {
             machine.put_back(position.clone());
-            let moved = machine.move_to(&self.at(ways, part));
+            let moved = machine.move_to(&at(&self.program.start.motors, ways, part));
             let kept = &machine.position().kept[kept..];
             moved.is_ok().then(|| (kept[0].powi(2), kept[1]))
         };

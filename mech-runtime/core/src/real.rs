@@ -39,7 +39,7 @@ pub trait Real:
     /// The square root.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// The greater of two numbers; that which is a number, if only one is.
+    /// The greater of two numbers: the second, if they are not ordered. One instruction on most machines.
     #[must_use]
     fn max(self, other: Self) -> Self;
     /// Its size with the sign of another.
@@ -115,7 +115,7 @@ macro_rules! real {
 
             #[inline]
             fn max(self, other: Self) -> Self {
-                $float::max(self, other)
+                if self > other { self } else { other }
             }
 
             #[inline]

@@ -32,6 +32,12 @@ pub fn sqrt<T: Scalar>(value: T) -> T {
     Real::sqrt(value)
 }
 
+/// The greater of two numbers: the second, if they are not ordered.
+#[inline]
+pub fn greater<T: Scalar>(a: T, b: T) -> T {
+    Real::max(a, b)
+}
+
 /// The nearest whole number, halves away from zero.
 #[inline]
 pub fn round<T: Scalar>(value: T) -> T {

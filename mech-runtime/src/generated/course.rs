@@ -30,6 +30,55 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub subdivides: bool,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
+    /// The least and the greatest value of each motor, if any has a declared range.
+    pub range: Option<[[T; 2]; MOTORS]>,
+}
+
+impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> Course<T, MOTORS, WATCHED> {
+    /// Whether these values are within the declared ranges.
+    #[inline]
+    pub fn contains(&self, motors: &Motors<T, MOTORS>) -> bool {
+        match &self.range {
+            None => true,
+            Some(range) => motors
+                .total()
+                .iter()
+                .zip(range)
+                .all(|(value, [low, high])| low <= value && value <= high),
+        }
+    }
+
+    /// Where the straight way to these values leaves the declared ranges, if it does.
+    fn leaves(
+        &self,
+        from: &Motors<T, MOTORS>,
+        to: &Motors<T, MOTORS>,
+    ) -> Option<(Stop, Motors<T, MOTORS>)> {
+        let (start, end, way) = (from.total(), to.total(), from.way_to(to));
+        let mut first: Option<(usize, T)> = None;
+        for (motor, [low, high]) in self.range.iter().flatten().enumerate() {
+            let bound = if end[motor] < *low {
+                *low
+            } else if end[motor] > *high {
+                *high
+            } else {
+                continue;
+            };
+            let part = (bound - start[motor]) / way[motor];
+            if first.is_none_or(|(_, least)| part < least) {
+                first = Some((motor, part));
+            }
+        }
+        let (motor, part) = first?;
+        let mut reached = start;
+        for (value, way) in reached.iter_mut().zip(way) {
+            *value += way * part;
+        }
+        // Not a rounding beyond the end of its range.
+        let [low, high] = self.range?[motor];
+        reached[motor] = if end[motor] < low { low } else { high };
+        Some((Stop::new(self.names[motor], Cause::OutOfRange), Motors::new(reached)))
+    }
 }
 
 /// A move under way.
@@ -38,14 +87,31 @@ struct Way<'a, T: 'static, const M: usize, const L: usize, const K: usize, const
     start: &'a Position<T, M, L, K>,
     target: Motors<T, M>,
     way: [T; M],
-    step: S,
+    step: &'a S,
 }
 
-impl<T, const M: usize, const L: usize, const K: usize, const W: usize, S> Way<'_, T, M, L, K, W, S>
+impl<'a, T, const M: usize, const L: usize, const K: usize, const W: usize, S>
+    Way<'a, T, M, L, K, W, S>
 where
     T: Scalar,
     S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 {
+    #[inline]
+    fn new(
+        course: &'a Course<T, M, W>,
+        start: &'a Position<T, M, L, K>,
+        target: Motors<T, M>,
+        step: &'a S,
+    ) -> Self {
+        Self {
+            way: start.motors.way_to(&target),
+            course,
+            start,
+            target,
+            step,
+        }
+    }
+
     #[inline]
     fn to(
         &self,
@@ -53,11 +119,10 @@ where
         motors: Motors<T, M>,
     ) -> Result<Position<T, M, L, K>, Stop> {
         let position = (self.step)(last, motors)?;
-        if self.course.overflows {
-            position.checked()
-        } else {
-            Ok(position)
+        if self.course.overflows && !position.is_finite() {
+            return Err(Stop::new("", Cause::Overflow));
         }
+        Ok(position)
     }
 
     fn motors(&self, part: T) -> Motors<T, M> {
@@ -173,31 +238,64 @@ where
 /// If a motor's value is not finite, or something is in the way: then with the motors' values where it would have stopped.
 #[inline]
 pub fn advance<T, const M: usize, const L: usize, const K: usize, const W: usize>(
-    start: &Position<T, M, L, K>,
+    position: &mut Position<T, M, L, K>,
     target: Motors<T, M>,
     course: &Course<T, M, W>,
     step: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
-) -> Result<Position<T, M, L, K>, Blocked<[T; M]>>
+) -> Result<(), Blocked<[T; M]>>
+where
+    T: Scalar,
+{
+    if target.is_finite() && course.contains(&target) {
+        if W == 0 && course.senses.is_none() {
+            // Nothing can be on the way.
+            if let Ok(there) = step(position, target)
+                && (!course.overflows || there.is_finite())
+            {
+                *position = there;
+                return Ok(());
+            }
+        } else {
+            let way = Way::new(course, position, target, &step);
+            if let Ok(mut there) = way.to(position, target)
+                && journey::is_clear(&way, position, &there, T::ONE)
+            {
+                way.note_sense(&mut there);
+                *position = there;
+                return Ok(());
+            }
+        }
+    }
+    follow(position, target, course, &step)
+}
+
+/// The same where something may be in the way.
+#[cold]
+#[inline(never)]
+fn follow<T, const M: usize, const L: usize, const K: usize, const W: usize>(
+    position: &mut Position<T, M, L, K>,
+    target: Motors<T, M>,
+    course: &Course<T, M, W>,
+    step: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+) -> Result<(), Blocked<[T; M]>>
 where
     T: Scalar,
 {
     if let Some(stop) = target.not_finite(&course.names) {
-        return Err(start.refuse(stop));
+        return Err(position.refuse(stop));
     }
-    let way = Way {
-        way: start.motors.way_to(&target),
-        course,
-        start,
-        target,
-        step,
-    };
-    if let Ok(mut position) = way.to(start, target)
-        && journey::is_clear(&way, start, &position, T::ONE)
-    {
-        way.note_sense(&mut position);
-        return Ok(position);
+    let start = *position;
+    if let Some((stop, reached)) = course.leaves(&start.motors, &target) {
+        return Err(Blocked::new(stop.place, stop.cause, reached.total()));
     }
-    travel(&way).map_err(|halt| blocked(&way, &halt))
+    let way = Way::new(course, &start, target, step);
+    match journey::go(&way, &start) {
+        Ok(there) => {
+            *position = there;
+            Ok(())
+        }
+        Err(halt) => Err(blocked(&way, &halt)),
+    }
 }
 
 /// Moves towards the target, as far as it can.
@@ -217,47 +315,23 @@ where
         return Err(position.refuse(stop));
     }
     let start = *position;
-    let way = Way {
-        way: start.motors.way_to(&target),
-        course,
-        start: &start,
-        target,
-        step,
+    let (end, target) = match course.leaves(&start.motors, &target) {
+        None => (Reached::Target, target),
+        Some((stop, reached)) => {
+            let blocked = Blocked::new(stop.place, stop.cause, reached.total());
+            (Reached::Limit(blocked), reached)
+        }
     };
-    match travel(&way) {
+    let way = Way::new(course, &start, target, &step);
+    match journey::go(&way, &start) {
         Ok(arrived) => {
             *position = arrived;
-            Ok(Reached::Target)
+            Ok(end)
         }
         Err(halt) => {
             *position = halt.position;
             Ok(Reached::Limit(blocked(&way, &halt)))
         }
-    }
-}
-
-#[cold]
-#[inline(never)]
-fn travel<T: Scalar, J: Journey<T>>(way: &J) -> Result<J::Position, Halt<J::Position, J::Stop, T>>
-where
-    J: Start<T>,
-{
-    journey::go(way, way.start())
-}
-
-/// Where a journey begins.
-trait Start<T: Scalar>: Journey<T> {
-    fn start(&self) -> &Self::Position;
-}
-
-impl<T, const M: usize, const L: usize, const K: usize, const W: usize, S> Start<T>
-    for Way<'_, T, M, L, K, W, S>
-where
-    T: Scalar,
-    S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
-{
-    fn start(&self) -> &Self::Position {
-        self.start
     }
 }
 

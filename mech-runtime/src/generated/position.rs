@@ -68,6 +68,12 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
         way
     }
 
+    /// Whether all values are finite numbers.
+    #[inline]
+    pub fn is_finite(&self) -> bool {
+        self.values.iter().all(|value| Real::is_finite(*value))
+    }
+
     /// The first motor whose value is not a finite number.
     #[inline]
     pub(super) fn not_finite(&self, names: &[&'static str; MOTORS]) -> Option<Stop> {
@@ -95,13 +101,9 @@ impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const KEPT: usize>
 {
     /// The loops check themselves; what hangs on motors and gears alone may still overflow.
     #[inline]
-    pub(super) fn checked(self) -> Result<Self, Stop> {
+    pub(super) fn is_finite(&self) -> bool {
         let finite = |pose: &Pose<T>| Real::is_finite(pose.cos + pose.sin + pose.x + pose.y);
-        if self.poses.iter().all(finite) {
-            Ok(self)
-        } else {
-            Err(Stop::new("", Cause::Overflow))
-        }
+        self.poses.iter().all(finite)
     }
 
     /// The message that it is stopped while it stays here.

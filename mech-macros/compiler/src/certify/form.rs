@@ -82,7 +82,10 @@ impl Forms {
         let sum: f64 = both.map(|(a, b)| (a - factor * b).abs()).sum();
         let alone: f64 = first_row[common..].iter().map(|part| part.abs()).sum();
         let other: f64 = second_row[common..].iter().map(|part| part.abs()).sum();
-        let radius = rounded_up(sum + alone + factor.abs() * other, first.max(second) + self.motors) + 4.0 * f64::EPSILON * sizes;
+        let radius = rounded_up(
+            sum + alone + factor.abs() * other,
+            first.max(second) + self.motors,
+        ) + 4.0 * f64::EPSILON * sizes;
         let middle = Interval::point(self.middles[first])
             - Interval::point(factor) * Interval::point(self.middles[second]);
         natural.meet(middle + Interval::new(-radius, radius))
@@ -136,12 +139,12 @@ impl Forms {
         }
         let begin = Self::begin(self.motors, step);
         let (before, after) = self.parts.split_at_mut(begin);
-        let row = &mut after[..self.motors + step + 1];
+        let row = &mut after[..=self.motors + step];
         row.fill(0.0);
         for (operand, factor) in operands.into_iter().zip(factors) {
             if let (Some(step), true) = (operand.step, factor != 0.0) {
                 let from = Self::begin(self.motors, step);
-                let parts = &before[from..from + self.motors + step + 1];
+                let parts = &before[from..=from + self.motors + step];
                 for (sum, part) in row.iter_mut().zip(parts) {
                     *sum += factor * part;
                 }
@@ -161,7 +164,7 @@ fn rounded_up(sum: f64, terms: usize) -> f64 {
     sum * (1.0 + f64::from(terms + 8) * f64::EPSILON)
 }
 
-/// The middle of an interval, and how far it reaches from there.
+/// The middle of an interval and how far it reaches from there.
 fn round(range: Interval) -> (f64, f64) {
     let middle = range.middle();
     let around = range - Interval::point(middle);
@@ -207,12 +210,8 @@ pub(super) fn greater(range: Interval, constant: Interval) -> Option<Linear> {
     })
 }
 
-/// A wave near the middle of a range: its value there, its rate there, its value anywhere in the range.
-pub(super) fn wave(
-    range: Interval,
-    middle: f64,
-    [value, rate, anywhere]: [Interval; 3],
-) -> Linear {
+/// A wave about a middle: its value there, its rate there, and its values anywhere between there and the range.
+pub(super) fn wave(range: Interval, middle: f64, [value, rate, anywhere]: [Interval; 3]) -> Linear {
     let factor = rate.middle();
     let (point, around) = (Interval::point(middle), range - Interval::point(middle));
     let curve = -(anywhere * around.square() * Interval::point(0.5));

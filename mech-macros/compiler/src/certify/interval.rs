@@ -1,7 +1,7 @@
 //! Intervals of numbers that are never too narrow: every bound is rounded outwards.
 //!
-//! Own code: `inari` builds on x86-64 only with flags for newer processors, and has sine and cosine only with GMP and MPFR;
-//! `honest-intervals` needs MPFR too, and `intervals` does not round outwards.
+//! Own code: `inari` builds on x86-64 only with flags for newer processors, and has sine and cosine only with GMP and MPFR,
+//! and `intervals` does not round outwards.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -51,7 +51,14 @@ impl Line {
         }
     }
 
-    fn blocked(&self, search: &mut Search<'_>, walk: &Walk, wall: f64, test: usize, to: f64) -> Verdict {
+    fn blocked(
+        &self,
+        search: &mut Search<'_>,
+        walk: &Walk,
+        wall: f64,
+        test: usize,
+        to: f64,
+    ) -> Verdict {
         let Some(block) = search.tape.block(test) else {
             return search.proved();
         };
@@ -126,10 +133,10 @@ impl Line {
                 walk.open.get_or_insert((near, end, test));
                 break;
             }
-            if is_cut && !is_narrow(part) {
+            if is_cut && !is_narrow(part) && !search.tape.is_sharp(test) {
                 waiting.extend(halves);
             } else {
-                // A narrow box stands beside every dead point: what comes after it tells.
+                // Such a box stands beside every dead point: what comes after it tells.
                 walk.open.get_or_insert((near, far, test));
             }
         }

@@ -4,9 +4,11 @@
 //! cannot be told is cut in two. The proof holds for the arithmetic of the program: rounding at run time is smaller than the
 //! half of a loop's floor that is left to it.
 
+mod claim;
 mod form;
 mod interval;
 mod line;
+mod operation;
 mod search;
 mod tape;
 
@@ -16,6 +18,7 @@ mod tests;
 pub use interval::Interval;
 
 use crate::program::{BlockId, BlockKind, Program};
+use claim::carried_sides;
 use search::Search;
 use tape::Tape;
 
@@ -25,7 +28,8 @@ const MOST_SIDES: usize = 4;
 /// What could be proved of a mechanism whose motors have ranges.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Every loop closes wherever the motors are within their ranges.
+    /// Every loop closes wherever the motors are within their ranges. One that was declared to stop at its change points still does
+    /// so, where it touches them.
     Proved {
         /// The loops that may come to within rounding of a dead point or change point on the way; all others stay clear of it.
         touching: Vec<BlockId>,
@@ -75,7 +79,7 @@ pub struct Blocked {
 pub struct Effort {
     /// On how many boxes the program was run.
     pub boxes: usize,
-    /// How many values and slopes were found in all.
+    /// How many numbers were found in all, a sixteenth of which may be a part of an affine form.
     pub evaluations: usize,
 }
 
@@ -102,7 +106,9 @@ pub fn certify_counted(program: &Program, ranges: &[Interval]) -> (Verdict, Effo
         .block_ids()
         .find(|block| matches!(program.blocks[block.index()].kind, BlockKind::Newton(_)));
     let verdict = match (verdict, iterated) {
-        (Verdict::Proved { touching }, None) => on_all_sides(program, &ranges, touching, &mut effort),
+        (Verdict::Proved { touching }, None) => {
+            on_all_sides(program, &ranges, touching, &mut effort)
+        }
         // What blocks a loop before an iteration is certain all the same.
         (verdict @ Verdict::Blocked(_), _) | (verdict, None) => verdict,
         (_, Some(block)) => Verdict::NoClosedForm { block },
@@ -121,18 +127,21 @@ fn on_all_sides(
     mut touching: Vec<BlockId>,
     effort: &mut Effort,
 ) -> Verdict {
-    let carries = |block: BlockId| {
-        program
-            .closed(block)
-            .is_some_and(|closed| closed.kept.is_some())
-    };
+    let carries = |block: BlockId| carried_sides(program).any(|(carrier, _)| carrier == block);
     // More loops may turn out to change sides when others have.
     let mut tried: Vec<Vec<BlockId>> = vec![Vec::new()];
     loop {
-        let crossing: Vec<BlockId> = touching.iter().copied().filter(|&block| carries(block)).collect();
+        let crossing: Vec<BlockId> = touching
+            .iter()
+            .copied()
+            .filter(|&block| carries(block))
+            .collect();
         let place = || ranges.to_vec();
         if let Some(&block) = crossing.get(MOST_SIDES) {
-            return Verdict::Undecided { block, place: place() };
+            return Verdict::Undecided {
+                block,
+                place: place(),
+            };
         }
         let Some(turned) = subsets(&crossing).find(|turned| !tried.contains(turned)) else {
             return Verdict::Proved { touching };

@@ -6,8 +6,8 @@ use super::{Blocked, Effort, Interval, Verdict};
 use crate::program::{BlockId, Program};
 use std::collections::VecDeque;
 
-/// How many values and slopes may be found in one search: some hundredths of a second.
-const BUDGET: usize = 1_000_000;
+/// How many numbers may be found for one verdict: that takes some hundredths of a second.
+const BUDGET: usize = 800_000;
 
 /// The part of it that may be spent on telling what only just closes from what stays clear of that.
 const FOR_CLEARANCE: usize = BUDGET / 4;
@@ -38,6 +38,7 @@ pub(super) struct Search<'p> {
     start: Vec<f64>,
     boxes: usize,
     touching: Vec<BlockId>,
+    budget: usize,
     for_clearance: usize,
 }
 
@@ -53,20 +54,25 @@ impl<'p> Search<'p> {
                 .collect(),
             boxes: 0,
             touching: Vec::new(),
+            budget: BUDGET,
             for_clearance: FOR_CLEARANCE,
         }
     }
 
-    /// What is found.
+    /// What is found, with what is left of the budget after this effort.
     pub(super) fn verdict(mut self, effort: &mut Effort) -> Verdict {
-        let verdict = match (self.ranges.iter().find(|range| !range.is_bounded()), self.tape.block(0)) {
-            (_, None) => Verdict::Proved { touching: Vec::new() },
-            (Some(_), Some(block)) => {
+        self.budget = BUDGET.saturating_sub(effort.evaluations);
+        self.for_clearance = self.for_clearance.min(self.budget / 2);
+        let hopeless =
+            self.tape.is_too_large() || self.ranges.iter().any(|range| !range.is_bounded());
+        let verdict = match self.tape.block(0) {
+            None => self.proved(),
+            Some(block) if hopeless => {
                 let place = self.ranges.clone();
                 Verdict::Undecided { block, place }
             }
-            (None, Some(_)) if self.ranges.len() == 1 => self.one_motor(),
-            (None, Some(_)) => self.boxes(),
+            Some(_) if self.ranges.len() == 1 => self.one_motor(),
+            Some(_) => self.boxes(),
         };
         effort.boxes += self.boxes;
         effort.evaluations += self.tape.evaluations();
@@ -92,6 +98,7 @@ impl<'p> Search<'p> {
     fn boxes(&mut self) -> Verdict {
         // Wide boxes first: where the border of what is blocked crosses the ranges, its far side is soon found.
         let mut waiting = VecDeque::from([self.ranges.clone()]);
+        let mut open = None;
         while let Some(place) = waiting.pop_front() {
             let test = match self.look(&place) {
                 Sight::Closes { clear } => {
@@ -109,26 +116,40 @@ impl<'p> Search<'p> {
                 Sight::Blocked(test) | Sight::BlockedInside(test) => return self.blocked(test),
                 Sight::Open(test) => test,
             };
+            let is_final = self.tape.is_sharp(test) || is_narrow(self.part(&place));
             match self.halves(&place) {
-                Some(halves) if !self.is_spent() && self.part(&place) > NARROW => {
-                    waiting.extend(halves);
+                Some(halves) if !is_final && !self.is_spent() => waiting.extend(halves),
+                _ => {
+                    // Another box may tell that it is blocked.
+                    open.get_or_insert((test, place));
+                    if self.is_spent() {
+                        break;
+                    }
                 }
-                _ => return self.undecided(test, place),
             }
         }
-        self.proved()
+        match open {
+            Some((test, place)) => self.undecided(test, place),
+            None => self.proved(),
+        }
     }
 
     /// Which loop blocks in the middle of the last box, and how far one motor can be moved towards it.
     fn blocked(&mut self, test: usize) -> Verdict {
         let at = self.tape.centre().to_vec();
         for motor in 0..at.len() {
-            let line = Line::new(motor, at.clone(), self.ranges[motor].width());
-            let (from, to) = (self.start[motor], at[motor]);
+            let range = self.ranges[motor];
+            let line = Line::new(motor, at.clone(), range.width());
+            let from = self.start[motor];
+            let to = if at[motor] < from {
+                range.low()
+            } else {
+                range.high()
+            };
             if let Sight::Closes { .. } = line.look(self, from, from)
-                && let Verdict::Blocked(blocked) = line.verdict(self, from, to)
+                && let blocked @ Verdict::Blocked(_) = line.verdict(self, from, to)
             {
-                return Verdict::Blocked(Blocked { at, ..blocked });
+                return blocked;
             }
         }
         match self.tape.block(test) {
@@ -166,7 +187,8 @@ impl<'p> Search<'p> {
         let first = |outcome| tests().find(|test| on_box(test) == outcome);
         if let Some(test) = first(Outcome::Fails) {
             Sight::Blocked(test)
-        } else if let Some(test) = tests().find(|&test| self.tape.at_centre(test) == Outcome::Fails) {
+        } else if let Some(test) = tests().find(|&test| self.tape.at_centre(test) == Outcome::Fails)
+        {
             Sight::BlockedInside(test)
         } else if let Some(test) = first(Outcome::Open) {
             Sight::Open(test)
@@ -200,12 +222,13 @@ impl<'p> Search<'p> {
     }
 
     pub(super) fn is_spent(&self) -> bool {
-        self.tape.evaluations() >= BUDGET
+        self.tape.evaluations() >= self.budget
     }
 
     /// The greatest part of a motor's range that a box takes.
     fn part(&self, place: &[Interval]) -> f64 {
-        self.parts(place).fold(0.0, |most, (_, part)| most.max(part))
+        self.parts(place)
+            .fold(0.0, |most, (_, part)| most.max(part))
     }
 
     fn parts(&self, place: &[Interval]) -> impl Iterator<Item = (usize, f64)> {
@@ -222,7 +245,8 @@ impl<'p> Search<'p> {
 
     /// A box cut across its longest side, if that can be cut.
     fn halves(&self, place: &[Interval]) -> Option<[Vec<Interval>; 2]> {
-        let longest = |best: (usize, f64), next: (usize, f64)| if next.1 > best.1 { next } else { best };
+        let longest =
+            |best: (usize, f64), next: (usize, f64)| if next.1 > best.1 { next } else { best };
         let (motor, _) = self.parts(place).reduce(longest)?;
         let middle = place[motor].middle();
         if !(place[motor].low() < middle && middle < place[motor].high()) {

@@ -1,17 +1,13 @@
 //! A program run on a box: every value as an interval and as an affine form. What both ways of bounding it leave is kept.
 
 use super::Interval;
+use super::claim::{Test, carried_sides, keeps_direction, tests};
 use super::form::{Forms, Linear, Operand, greater, root, wave};
+use super::operation::{direction, natural, sign, strict_sign};
 use crate::program::{BlockId, Op, Program, Slot, Value};
 
-/// What must hold for a loop to close, by the values that tell.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Test {
-    /// This slack is not less than zero by more than this floor.
-    Slack(Value, Value),
-    /// This divisor is not zero.
-    Divisor(Value),
-}
+/// Programs of which one run costs more are not run.
+const MOST: usize = 100_000;
 
 /// What is known about a test on a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -34,6 +30,8 @@ pub(super) struct Tape<'p> {
     /// What depends on motors, in order; all other values are known once and for all.
     moving: Vec<Value>,
     tests: Vec<(BlockId, Test)>,
+    /// Which values are directions, whatever they are made from.
+    directions: Vec<bool>,
     values: Vec<Interval>,
     /// The same in the middle of the box.
     middles: Vec<Interval>,
@@ -55,6 +53,7 @@ impl<'p> Tape<'p> {
             motors,
             moving: Vec::new(),
             tests: tests(program),
+            directions: keeps_direction(program),
             values: vec![Interval::ENTIRE; count],
             middles: vec![Interval::ENTIRE; count],
             steps: vec![None; count],
@@ -62,15 +61,15 @@ impl<'p> Tape<'p> {
             centre: vec![0.0; motors],
             evaluations: 0,
         };
-        for (block, closed) in program.all_closed() {
-            if let Some(kept) = closed.kept {
-                let side = program.start.kept.get(kept).copied().unwrap_or(1.0);
-                let side = 1.0_f64.copysign(side) * if turned.contains(&block) { -1.0 } else { 1.0 };
-                tape.keep(kept, Interval::point(side));
-            }
+        for (block, kept) in carried_sides(program) {
+            let side = program.start.kept.get(kept).copied().unwrap_or(1.0);
+            let turn = if turned.contains(&block) { -1.0 } else { 1.0 };
+            tape.keep(kept, Interval::point(1.0_f64.copysign(turn * side)));
         }
         tape.sort();
-        tape.forms = Forms::new(motors, tape.moving.len());
+        if !tape.is_too_large() {
+            tape.forms = Forms::new(motors, tape.moving.len());
+        }
         tape
     }
 
@@ -107,7 +106,8 @@ impl<'p> Tape<'p> {
         let mut moves = vec![false; nodes.len()];
         for value in needed.into_iter().flatten() {
             let op = nodes[value.index()].op;
-            let moving = matches!(op, Op::Motor(_)) || op.operands().any(|operand| moves[operand.index()]);
+            let moving =
+                matches!(op, Op::Motor(_)) || op.operands().any(|operand| moves[operand.index()]);
             moves[value.index()] = moving;
             if moving {
                 self.steps[value.index()] = Some(self.moving.len());
@@ -140,6 +140,11 @@ impl<'p> Tape<'p> {
         steps * (4 + (self.motors + steps / 2) / 16)
     }
 
+    /// Whether one run would take milliseconds, and the forms too much space: some fifty loops.
+    pub(super) fn is_too_large(&self) -> bool {
+        self.cost() > MOST
+    }
+
     /// The middle of the box on which it was run last.
     pub(super) fn centre(&self) -> &[f64] {
         &self.centre
@@ -160,20 +165,35 @@ impl<'p> Tape<'p> {
                     self.forms.motor(step, motor, range);
                     (range, Interval::point(self.centre[motor]))
                 }
-                _ => (self.by_value(step, op), self.by_middle(op)),
+                _ => (self.by_value(step, value), self.by_middle(value)),
             };
             self.values[value.index()] = by_value;
             self.middles[value.index()] = by_middle;
         }
     }
 
-    fn by_middle(&self, op: Op) -> Interval {
-        natural(op, |operand| self.middles[operand.index()]).unwrap_or(Interval::ENTIRE)
+    fn by_middle(&self, value: Value) -> Interval {
+        self.natural(value, &self.middles)
+    }
+
+    /// An operation on intervals.
+    fn natural(&self, value: Value, values: &[Interval]) -> Interval {
+        let op = self.program.node(value).op;
+        let range = natural(op, |operand| values[operand.index()]).unwrap_or(Interval::ENTIRE);
+        match op {
+            Op::Choose(test, ..)
+                if self.directions[value.index()] && values[test.index()].low() < 0.0 =>
+            {
+                range.meet(direction())
+            }
+            _ => range,
+        }
     }
 
     /// All values of an operation, as far as its natural interval and its form both tell.
-    fn by_value(&mut self, step: usize, op: Op) -> Interval {
-        let range = natural(op, |operand| self.values[operand.index()]).unwrap_or(Interval::ENTIRE);
+    fn by_value(&mut self, step: usize, value: Value) -> Interval {
+        let op = self.program.node(value).op;
+        let range = self.natural(value, &self.values);
         let known = match self.linear(op) {
             Some((operands, linear)) => self.forms.combine(step, operands, linear),
             None => false,
@@ -195,7 +215,10 @@ impl<'p> Tape<'p> {
             range: self.values[value.index()],
             step: self.steps[value.index()],
         };
-        let simple = |factors: [f64; 2]| Linear { factors, rest: Interval::ZERO };
+        let simple = |factors: [f64; 2]| Linear {
+            factors,
+            rest: Interval::ZERO,
+        };
         let one = |a: Value, linear: Linear| ([operand(a), operand(a)], linear);
         let two = |a: Value, b: Value, linear: Linear| ([operand(a), operand(b)], linear);
         Some(match op {
@@ -214,10 +237,11 @@ impl<'p> Tape<'p> {
             Op::Sin(a) | Op::Cos(a) => {
                 let angle = operand(a);
                 let middle = self.forms.middle(angle);
-                let (sin, cos) = (Interval::point(middle).sin(), Interval::point(middle).cos());
+                let point = Interval::point(middle);
+                let (sin, cos, between) = (point.sin(), point.cos(), angle.range.hull(point));
                 let about = match op {
-                    Op::Sin(_) => [sin, cos, angle.range.sin()],
-                    _ => [cos, -sin, angle.range.cos()],
+                    Op::Sin(_) => [sin, cos, between.sin()],
+                    _ => [cos, -sin, between.cos()],
                 };
                 one(a, wave(angle.range, middle, about))
             }
@@ -235,10 +259,22 @@ impl<'p> Tape<'p> {
                     }
                 }
             }
+            Op::Choose(test, a, b) => {
+                let test = operand(test).range;
+                if test.low() >= 0.0 {
+                    one(a, simple([1.0, 0.0]))
+                } else if test.high() < 0.0 {
+                    one(b, simple([1.0, 0.0]))
+                } else {
+                    return None;
+                }
+            }
             Op::Atan2(..)
             | Op::Round(_)
             | Op::Constant(_)
             | Op::Motor(_)
+            | Op::Turns(_)
+            | Op::Turned(..)
             | Op::Last(_)
             | Op::Unknown(..)
             | Op::Solved(..)
@@ -291,6 +327,17 @@ impl<'p> Tape<'p> {
         self.outcome(test, &self.middles)
     }
 
+    /// Whether a slack is known so well on the box on which it was run last that a narrower box would tell no more.
+    pub(super) fn is_sharp(&self, test: usize) -> bool {
+        match self.tests[test].1 {
+            Test::Slack(slack, floor) => {
+                let floor = self.values[floor.index()].abs().low();
+                self.values[slack.index()].width() <= 0.25 * floor
+            }
+            Test::Divisor(_) => false,
+        }
+    }
+
     /// Whether a slack is not negative at the middle of that box, as far as that can be told.
     pub(super) fn closes_at_centre(&self, test: usize) -> bool {
         match self.tests[test].1 {
@@ -328,69 +375,12 @@ impl<'p> Tape<'p> {
     }
 }
 
-/// What must hold for the loops to close that do not hang on an iteration, in the order in which they are found.
-fn tests(program: &Program) -> Vec<(BlockId, Test)> {
-    let mut hangs = vec![false; program.nodes.len()];
-    let mut divisors = Vec::new();
-    for (index, node) in program.nodes.iter().enumerate() {
-        hangs[index] = matches!(
-            node.op,
-            Op::Unknown(..) | Op::Solved(..) | Op::Dense(..) | Op::Last(Slot::Pose(..))
-        ) || node.op.operands().any(|operand| hangs[operand.index()]);
-        if let Op::Div(_, by) = node.op
-            && program.live.get(index) == Some(&true)
-            && !matches!(program.node(by).op, Op::Constant(_))
-            && !hangs[by.index()]
-        {
-            divisors.push((node.block, Test::Divisor(by)));
-        }
+#[cfg(test)]
+impl Tape<'_> {
+    /// What every step gave, and what its form alone says.
+    pub(super) fn all(&self) -> Vec<(Interval, Interval)> {
+        let ranges =
+            |(step, value): (usize, &Value)| (self.values[value.index()], self.forms.range(step));
+        self.moving.iter().enumerate().map(ranges).collect()
     }
-    let slacks = program
-        .margins()
-        .filter(|(_, closed)| !hangs[closed.margin.index()])
-        .map(|(block, closed)| (block, Test::Slack(closed.slack, closed.floor)));
-    let mut tests: Vec<(BlockId, Test)> = slacks.chain(divisors).collect();
-    // Of each block first the slack: what is divided by may be zero only where it does not close.
-    tests.sort_by_key(|(block, _)| *block);
-    tests
-}
-
-/// The operation on intervals, if it is arithmetic; the others come from outside.
-fn natural(op: Op, get: impl Fn(Value) -> Interval) -> Option<Interval> {
-    Some(match op {
-        Op::Constant(number) => Interval::point(number.get()),
-        Op::Motor(_) | Op::Last(_) | Op::Unknown(..) | Op::Solved(..) | Op::Dense(..) => {
-            return None;
-        }
-        Op::Neg(a) => -get(a),
-        Op::Abs(a) => get(a).abs(),
-        Op::Sqrt(a) => get(a).sqrt(),
-        Op::Add(a, b) => get(a) + get(b),
-        Op::Sub(a, b) => get(a) - get(b),
-        Op::Mul(a, b) if a == b => get(a).square(),
-        Op::Mul(a, b) => get(a) * get(b),
-        Op::Div(a, b) => get(a) / get(b),
-        Op::Sin(a) => get(a).sin(),
-        Op::Cos(a) => get(a).cos(),
-        Op::Max(a, b) => get(a).max(get(b)),
-        Op::CopySign(a, b) => get(a).copysign(get(b)),
-        Op::Atan2(a, b) => get(a).atan2(get(b)),
-        Op::Round(a) => get(a).round(),
-    })
-}
-
-/// The sign of all of an interval's numbers but zero.
-fn sign(of: Interval) -> Option<f64> {
-    if of.low() >= 0.0 {
-        Some(1.0)
-    } else if of.high() <= 0.0 {
-        Some(-1.0)
-    } else {
-        None
-    }
-}
-
-/// The sign of all of an interval's numbers, if zero is not among them.
-fn strict_sign(of: Interval) -> Option<f64> {
-    if of.contains(0.0) { None } else { sign(of) }
 }

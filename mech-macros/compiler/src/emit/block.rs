@@ -52,9 +52,9 @@ pub(super) fn binding(program: &Program, value: Value, scope: &mut Scope<'_>) ->
         _ => None,
     };
     if let Some((angle, sin, cos)) = pair {
-        let angle = scope.expression(angle);
+        let (angle, sines) = (scope.expression(angle), scope.sines().clone());
         let (sin, cos) = (scope.bind(sin), scope.bind(cos));
-        return quote!(let (#sin, #cos) = sin_cos(#angle););
+        return quote!(let (#sin, #cos) = #sines(#angle););
     }
     let made = scope.definition(value);
     let name = scope.bind(value);

@@ -4,7 +4,8 @@ use super::block::scalar;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
-use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
+use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin, Precision};
+use crate::plan::Plan;
 use crate::program::{self, Program};
 use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -16,7 +17,7 @@ pub(crate) fn items(
     header: &Header,
     places: &Places,
     model: &Model,
-    program: &Program,
+    (plan, program): (&Plan, &Program),
     report: &str,
 ) -> TokenStream {
     let Header {
@@ -40,7 +41,10 @@ pub(crate) fn items(
     let accessors = accessors(places, model, program, visibility);
     let course = course(program);
     let turn_to = turn_to(model, program, visibility);
-    let implementation = implementation(program, name);
+    let within = within(program, visibility);
+    let many = super::many::many(program, plan, visibility);
+    let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
+    let implementation = implementation(krate, program, name);
     quote! {
         #(#attributes)*
         #[doc = #doc]
@@ -65,13 +69,13 @@ pub(crate) fn items(
             const _: () = {
             use ::core::default::Default;
             use ::core::primitive::{#scalar, str};
-            use ::core::option::Option::{None, Some};
+            use ::core::option::Option::{self, None, Some};
             use ::core::result::Result::{self, Err, Ok};
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
             use #krate::generated::{
-                AtZero, Blocked, Canvas, Course, Isometry2, Mechanism, Motors, Outline, Phase, Point2, Pose, Position,
+                Anywhere, AtZero, Blocked, BlockedAt, Canvas, Columns, Course, Isometry2, Mechanism, Motors, Outline, Phase, Point2, Pose, Position,
                 Reached, Real, Shape, Stop, Watched, advance, angle, approach, atan2, closed, closes, cos, paint, round,
-                sin, sin_cos, slide, solve, sqrt, turned,
+                sin, sin_cos, slide, solve, sqrt, turned, Sines, Within, InRange, greater, least, move_many, solve_many,
             };
 
             #shapes
@@ -82,10 +86,14 @@ pub(crate) fn items(
 
             const REPORT: &str = #report;
 
+            #costs
+
             #[allow(dead_code, reason = "nobody has to ask for every link, point and joint")]
             impl Itself {
                 /// Mobility, trunk and arms, and the loops in the order in which they are solved.
                 #visibility const REPORT: &'static str = REPORT;
+
+                #associated_costs
 
                 /// The mechanism as it was assembled at compile time.
                 #[must_use]
@@ -106,8 +114,7 @@ pub(crate) fn items(
                 /// If a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it was.
                 #[inline]
                 #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
-                    self.position = advance(&self.position, Motors::new(motors), &COURSE, step)?;
-                    Ok(())
+                    advance(&mut self.position, Motors::new(motors), &COURSE, step)
                 }
 
                 /// Moves towards these values of the motors, in radians or scene units, on the straight way from the present
@@ -122,6 +129,10 @@ pub(crate) fn items(
                 }
 
                 #turn_to
+
+                #within
+
+                #many
 
                 /// The poses of the moving links in the scene, in the order of their declaration.
                 #[must_use]
@@ -152,7 +163,7 @@ pub(crate) fn items(
 }
 
 /// The trait, by way of the inherent methods.
-fn implementation(program: &Program, name: &Ident) -> TokenStream {
+fn implementation(krate: &TokenStream, program: &Program, name: &Ident) -> TokenStream {
     let scalar = scalar(program);
     let (motor_names, link_names) = (&program.motors, &program.links);
     let motors = Literal::usize_unsuffixed(program.motors.len());
@@ -163,6 +174,8 @@ fn implementation(program: &Program, name: &Ident) -> TokenStream {
                 type Motors = [#scalar; #motors];
                 const NAME: &'static str = #text;
                 const REPORT: &'static str = REPORT;
+                const COST: #krate::Cost = COST;
+                const LOOP_COSTS: &'static [#krate::Cost] = &LOOP_COSTS;
                 const MOTORS: &'static [&'static str] = &[#(#motor_names),*];
                 const LINKS: &'static [&'static str] = &[#(#link_names),*];
                 const SHAPES: &'static [Shape<#scalar>] = SHAPES;
@@ -218,6 +231,16 @@ fn course(program: &Program) -> TokenStream {
         }
     };
     let (subdivides, overflows) = (program.subdivides(), program.overflows);
+    let range = match &program.range {
+        None => quote!(None),
+        Some(range) => {
+            let ends = range.iter().map(|ends| {
+                let [low, high] = ends.map(|end| bound(program.precision, end));
+                quote!([#low, #high])
+            });
+            quote!(Some([#(#ends),*]))
+        }
+    };
     let [motors, loops] = [names.len(), program.watches.len()].map(Literal::usize_unsuffixed);
     quote! {
         const COURSE: Course<#scalar, #motors, #loops> = Course {
@@ -226,7 +249,59 @@ fn course(program: &Program) -> TokenStream {
             senses: #senses,
             subdivides: #subdivides,
             overflows: #overflows,
+            range: #range,
         };
+    }
+}
+
+/// An end of a range; a motor without one has infinite ends.
+fn bound(precision: Precision, end: f64) -> TokenStream {
+    let scalar = match precision {
+        Precision::F32 => quote!(f32),
+        Precision::F64 => quote!(f64),
+    };
+    if end == f64::INFINITY {
+        quote!(#scalar::INFINITY)
+    } else if end == f64::NEG_INFINITY {
+        quote!(#scalar::NEG_INFINITY)
+    } else {
+        number(precision, end)
+    }
+}
+
+/// The methods of a mechanism that was proved to move through its ranges.
+fn within(program: &Program, visibility: &syn::Visibility) -> TokenStream {
+    if program.range.is_none() {
+        return TokenStream::new();
+    }
+    let scalar = scalar(program);
+    let motors = Literal::usize_unsuffixed(program.motors.len());
+    let body = if program.is_function() && program.margins().next().is_none() && !program.overflows {
+        quote! {
+            if let Ok(there) = step(&self.position, Motors::new(motors.motors())) {
+                self.position = there;
+            }
+        }
+    } else {
+        quote! {
+            // It was proved that nothing is in the way.
+            let _ = advance(&mut self.position, Motors::new(motors.motors()), &COURSE, step);
+        }
+    };
+    quote! {
+        /// These values of the motors, in radians or scene units, if all of them are within the declared ranges.
+        #[must_use]
+        #visibility fn range(motors: [#scalar; #motors]) -> Option<InRange<Self, [#scalar; #motors]>> {
+            let values = Motors::new(motors);
+            (values.is_finite() && COURSE.contains(&values)).then_some(InRange::tested(motors))
+        }
+
+        /// Moves to values of the motors within their declared ranges: it was proved at compile time that nothing is in the
+        /// way there, so this cannot fail.
+        #[inline]
+        #visibility fn move_within(&mut self, motors: InRange<Self, [#scalar; #motors]>) {
+            #body
+        }
     }
 }
 
@@ -272,8 +347,7 @@ fn turn_to(model: &Model, program: &Program, visibility: &syn::Visibility) -> To
         #visibility fn turn_to(&mut self, #parameters) -> Result<(), Blocked<[#scalar; #count]>> {
             let mut motors = Motors::new([#(#values),*]);
             #phases
-            self.position = advance(&self.position, motors, &COURSE, step)?;
-            Ok(())
+            advance(&mut self.position, motors, &COURSE, step)
         }
     }
 }

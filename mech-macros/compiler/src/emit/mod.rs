@@ -1,9 +1,11 @@
 //! The program and its surroundings as Rust tokens.
 
 mod block;
+mod costs;
 mod flow;
 mod items;
 mod iteration;
+mod many;
 mod scope;
 mod shapes;
 mod step;

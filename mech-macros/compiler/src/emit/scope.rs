@@ -46,8 +46,8 @@ enum Binding {
 }
 
 /// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 14] = [
-    "motors", "turned", "last", "rounds", "atan2", "closed", "closes", "position", "cos", "round",
+const OUTER: [&str; 15] = [
+    "motors", "turned", "greater", "last", "rounds", "atan2", "closed", "closes", "position", "cos", "round",
     "sin", "sin_cos", "solve", "sqrt",
 ];
 
@@ -58,6 +58,8 @@ pub(super) struct Scope<'p> {
     taken: BTreeSet<String>,
     /// How often each value is used by what this function makes.
     uses: BTreeMap<Value, usize>,
+    /// Where sines and cosines are taken from.
+    sines: TokenStream,
 }
 
 impl<'p> Scope<'p> {
@@ -73,6 +75,7 @@ impl<'p> Scope<'p> {
             names: BTreeMap::new(),
             taken,
             uses,
+            sines: quote!(sin_cos),
         }
     }
 
@@ -157,8 +160,8 @@ impl<'p> Scope<'p> {
             Op::Sub(a, b) => self.infix(a, &quote!(-), b, Binding::Sum),
             Op::Mul(a, b) => self.infix(a, &quote!(*), b, Binding::Product),
             Op::Div(a, b) => self.infix(a, &quote!(/), b, Binding::Product),
-            Op::Sin(a) => self.call(&quote!(sin), &[a]),
-            Op::Cos(a) => self.call(&quote!(cos), &[a]),
+            Op::Sin(a) => self.sine(a, 0),
+            Op::Cos(a) => self.sine(a, 1),
             Op::Sqrt(a) => self.call(&quote!(sqrt), &[a]),
             Op::Atan2(a, b) => self.call(&quote!(atan2), &[a, b]),
             Op::Round(a) => self.call(&quote!(round), &[a]),
@@ -166,7 +169,7 @@ impl<'p> Scope<'p> {
                 let [test, a, b] = [test, a, b].map(|value| self.expression(value));
                 (quote!(if #test >= 0.0 { #a } else { #b }), Binding::Sum)
             }
-            Op::Max(a, b) => self.method(a, &quote!(max), b),
+            Op::Max(a, b) => self.call(&quote!(greater), &[a, b]),
             Op::CopySign(a, b) => self.method(a, &quote!(copysign), b),
             // These are always bound: they are parameters or variables.
             Op::Motor(_)
@@ -198,6 +201,22 @@ impl<'p> Scope<'p> {
     fn call(&self, function: &TokenStream, arguments: &[Value]) -> (TokenStream, Binding) {
         let arguments = arguments.iter().map(|&argument| self.expression(argument));
         (quote!(#function(#(#arguments),*)), Binding::Atom)
+    }
+
+    /// Where sines and cosines are taken from in this function.
+    pub(super) fn sines(&self) -> &TokenStream {
+        &self.sines
+    }
+
+    /// From here on sines and cosines are taken from there.
+    pub(super) fn take_sines_from(&mut self, sines: TokenStream) {
+        self.sines = sines;
+    }
+
+    fn sine(&self, angle: Value, part: usize) -> (TokenStream, Binding) {
+        let (sines, angle) = (&self.sines, self.expression(angle));
+        let part = Literal::usize_unsuffixed(part);
+        (quote!(#sines(#angle).#part), Binding::Atom)
     }
 
     fn method(&self, of: Value, name: &TokenStream, argument: Value) -> (TokenStream, Binding) {

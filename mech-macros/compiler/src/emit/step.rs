@@ -12,12 +12,19 @@ use std::collections::BTreeMap;
 /// because the compiler nests a scope for every `let`.
 const MOST_IN_PLACE: usize = 256;
 
+/// In lanes more blocks than this would be more code than it is worth.
+const MOST_BLOCKS: usize = 32;
+
 /// The function `step`, and those it calls.
 pub(super) fn step(program: &Program) -> TokenStream {
     let flows = flows(program);
     let position = position(program);
     let in_place = straight_values(program) <= MOST_IN_PLACE;
+    let in_lanes = in_lanes(program);
     let mut scope = Scope::new(program, all_uses(program));
+    if in_lanes {
+        scope.take_sines_from(quote!(S::sin_cos));
+    }
     let motors = motors(program, &mut scope);
     let mut functions = TokenStream::new();
     let mut body = TokenStream::new();
@@ -72,14 +79,19 @@ pub(super) fn step(program: &Program) -> TokenStream {
         .map(|(_, closed)| (scope.expression(closed.margin), &closed.place))
         .unzip();
     let result = quote!(Position { motors, poses: [#(#poses),*], kept: [#(#kept),*] });
-    if program.is_closed() && !margins.is_empty() {
+    if program.is_closed() {
         let loops = Literal::usize_unsuffixed(margins.len());
+        let (sines, anywhere) = if in_lanes {
+            (quote!(<S: Sines<#scalar>>), quote!(::<Anywhere>))
+        } else {
+            (TokenStream::new(), TokenStream::new())
+        };
         return quote! {
             #functions
 
             /// The position at these motor values, and for each loop a margin: it closes if that is not negative.
-            #[inline]
-            fn position(#last: &#position, motors: Motors<#scalar, #count>) -> (#position, [#scalar; #loops]) {
+            #[inline(always)]
+            fn position #sines(#last: &#position, motors: Motors<#scalar, #count>) -> (#position, [#scalar; #loops]) {
                 #motors
                 #body
                 (#result, [#(#margins),*])
@@ -88,7 +100,7 @@ pub(super) fn step(program: &Program) -> TokenStream {
             /// The position at these motor values, if every loop closes there.
             #[inline]
             fn step(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
-                let (position, margins) = position(last, motors);
+                let (position, margins) = position #anywhere(last, motors);
                 closes(margins, [#(#places),*])?;
                 Ok(position)
             }
@@ -151,6 +163,13 @@ fn motors(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
         tokens.extend(quote!(let #name = #made;));
     }
     tokens
+}
+
+/// Whether many positions are computed in lanes: where each is a function of the motors, and not too long.
+pub(super) fn in_lanes(program: &Program) -> bool {
+    program.is_function()
+        && straight_values(program) <= MOST_IN_PLACE
+        && program.blocks.len() <= MOST_BLOCKS
 }
 
 fn straight_values(program: &Program) -> usize {

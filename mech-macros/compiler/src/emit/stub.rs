@@ -66,6 +66,8 @@ pub(crate) fn stub(
         const _: () = {
             impl #name {
                 #visibility const REPORT: &'static ::core::primitive::str = "";
+                #visibility const COST: #krate::Cost = #krate::Cost::NOTHING;
+                #visibility const LOOP_COSTS: [#krate::Cost; 0] = [];
                 #[must_use]
                 #visibility const fn new() -> Self {
                     Self
@@ -103,6 +105,8 @@ pub(crate) fn stub(
                 type Motors = [#scalar; #motors];
                 const NAME: &'static ::core::primitive::str = #text;
                 const REPORT: &'static ::core::primitive::str = "";
+                const COST: #krate::Cost = #krate::Cost::NOTHING;
+                const LOOP_COSTS: &'static [#krate::Cost] = &[];
                 const MOTORS: &'static [&'static ::core::primitive::str] = &[];
                 const LINKS: &'static [&'static ::core::primitive::str] = &[];
                 const SHAPES: &'static [#krate::Shape<#scalar>] = &[];

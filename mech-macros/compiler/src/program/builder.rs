@@ -145,6 +145,11 @@ impl Builder {
         match (self.number(a), self.number(b)) {
             (Some(a), Some(b)) if b != 0.0 => self.constant(a / b),
             (_, Some(1.0)) => a,
+            // A product is several times cheaper, and as good up to a rounding.
+            (_, Some(b)) if b != 0.0 && (1.0 / b).is_normal() => {
+                let inverse = self.constant(1.0 / b);
+                self.mul(a, inverse)
+            }
             _ => self.make(Op::Div(a, b)),
         }
     }

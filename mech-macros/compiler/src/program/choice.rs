@@ -35,6 +35,8 @@ pub struct Choice {
     /// Whether it is watched, because it has dead points or change points. If it goes over to its other side there, on which
     /// side its dyad lies is carried from position to position, and it is solved in closed form.
     pub watching: Option<Watching>,
+    /// Whether it was proved to close wherever the motors may go, so that nothing has to be tested.
+    pub proved: bool,
     /// On which side its dyad lies at the start, where the start itself does not tell.
     pub side: Option<bool>,
 }
@@ -58,6 +60,7 @@ impl Choice {
         Self {
             solver,
             watching: None,
+            proved: false,
             side: None,
         }
     }

@@ -48,6 +48,8 @@ pub struct Program {
     pub watches: Vec<Watch>,
     /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor.
     pub senses: Option<usize>,
+    /// The least and the greatest value of each motor, if any has a declared range: it was proved that it moves through.
+    pub range: Option<Vec<[f64; 2]>>,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
     /// Which values anything depends on.
@@ -150,6 +152,12 @@ impl Program {
         };
         rounds(|rounds| matches!(rounds, Rounds::UntilClosed(_)))
             && !rounds(|rounds| matches!(rounds, Rounds::Exactly(_)))
+    }
+
+    /// Whether a position is a function of the motors alone: every loop in closed form, and nothing carried.
+    #[must_use]
+    pub fn is_function(&self) -> bool {
+        self.is_closed() && self.kept.is_empty()
     }
 
     /// Whether every loop is solved in closed form: no iteration, and no start that it would need.

@@ -114,6 +114,47 @@ pub enum Diagnosis {
         /// The joint.
         joint: JointId,
     },
+    /// A motor has a declared range that could not be proved to be free.
+    Range {
+        /// The motor.
+        motor: MotorId,
+        /// The joints of unknown coordinate of the loop it is about.
+        unknowns: Vec<JointId>,
+        /// What is wrong.
+        trouble: RangeTrouble,
+    },
     /// A length or a position is beyond the range of the scalar type.
     TooLarge,
+    /// More accuracy is declared than the scalar type has.
+    TooAccurate {
+        /// What is declared, in scene units.
+        accuracy: f64,
+        /// The greatest error of a position that is to be expected when everything is solved as exactly as it can be.
+        best: f64,
+    },
+}
+
+/// Why a declared range cannot stand.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RangeTrouble {
+    /// Coming from the start the motor moves up to a dead point.
+    Blocked {
+        /// The dead point, in radians or scene units.
+        limit: f64,
+        /// From there it is blocked up to this value.
+        until: f64,
+        /// The other motors, and where they are.
+        others: Vec<(MotorId, f64)>,
+    },
+    /// The loop is at a change point in the range, and was declared to stop there.
+    Stops,
+    /// Neither a proof nor a dead point was found within the time there is: this is where it could not be told.
+    Undecided {
+        /// The values of the motor.
+        between: (f64, f64),
+    },
+    /// The loop is solved by iteration, for which there is no proof.
+    Iterated,
+    /// Another motor has a range, this one slides and has none: it would have to be free everywhere.
+    Missing,
 }

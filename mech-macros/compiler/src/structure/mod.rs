@@ -9,7 +9,7 @@ mod pin;
 mod rolling;
 mod verdict;
 
-pub use diagnosis::Diagnosis;
+pub use diagnosis::{Diagnosis, RangeTrouble};
 pub(crate) use graph::KinematicGraph;
 pub use pin::Pin;
 pub use rolling::{Factor, Rolling, RollingEnd};

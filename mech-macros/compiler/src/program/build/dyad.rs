@@ -74,7 +74,11 @@ impl Writer<'_> {
             // Directions come first.
             (Unknown::Slide(_), Unknown::Direction(_)) => return None,
         };
-        let margin = self.builder.add(found.slack, found.floor);
+        let margin = if choice.proved {
+            self.builder.constant(1.0)
+        } else {
+            self.builder.add(found.slack, found.floor)
+        };
         let closed = Closed {
             number: self.loops - 1,
             place: String::new(),
@@ -121,7 +125,7 @@ impl Writer<'_> {
         let floor = builder.mul(outer, product);
         let tolerance = builder.constant(8.0 * TOLERANCE * self.model.precision.epsilon());
         let floor = builder.mul(tolerance, floor);
-        let root = self.root(slack);
+        let root = self.root(slack, choice);
         let root = self.on_side(root, side);
         let builder = &mut self.builder;
         let half = builder.constant(0.5);
@@ -211,7 +215,7 @@ impl Writer<'_> {
         let slack = builder.name(slack, "discriminant");
         let size = self.size_at_start(&[goal, arm]);
         let floor = self.rounding(2.0 * size, radius);
-        let root = self.root(slack);
+        let root = self.root(slack, choice);
         let root = self.on_side(root, side);
         let builder = &mut self.builder;
         let way = builder.add(foot, root);
@@ -270,7 +274,7 @@ impl Writer<'_> {
         let size = self.size_at_start(&[goal, arm]);
         let height_size = self.builder.abs(height);
         let floor = self.rounding(2.0 * size, height_size);
-        let root = self.root(slack);
+        let root = self.root(slack, choice);
         let root = self.on_side(root, side);
         let builder = &mut self.builder;
         let way = builder.sub(root, foot);
@@ -338,9 +342,13 @@ impl Writer<'_> {
     }
 
     /// The root of a discriminant; what rounding made negative is zero.
-    fn root(&mut self, slack: Value) -> Value {
-        let zero = self.builder.constant(0.0);
-        let slack = self.builder.max(slack, zero);
+    fn root(&mut self, slack: Value, choice: &Choice) -> Value {
+        let slack = if choice.proved {
+            slack
+        } else {
+            let zero = self.builder.constant(0.0);
+            self.builder.max(slack, zero)
+        };
         let root = self.builder.sqrt(slack);
         self.builder.name(root, "root")
     }

@@ -304,6 +304,7 @@ impl Writer<'_> {
             blocks: builder.blocks,
             watches,
             senses,
+            range: None,
             overflows: overflows(model),
             motors: model
                 .motors

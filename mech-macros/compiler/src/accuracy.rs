@@ -1,0 +1,350 @@
+//! How exact a mechanism will be, found by trying it; and, where an accuracy is declared, the cheapest way to solve each loop that
+//! keeps it.
+
+mod extent;
+mod influence;
+mod trial;
+
+use crate::cost::{self, Cost};
+use crate::evaluate;
+use crate::model::{Model, Precision};
+use crate::plan::Plan;
+use crate::program::{AtZero, BlockKind, Choice, Program, Rounds, Solver, Watching, build_as};
+use crate::structure::Diagnosis;
+use influence::Influence;
+use trial::{Exact, Rival, compare};
+
+/// Between samples an error may be greater than any that was seen; more so where several motors move, because not every
+/// combination is tried.
+const SAFETY: [f64; 2] = [2.0, 4.0];
+/// The same of rounding errors, which differ from one position to the next as dice do.
+const ROUNDING_SAFETY: f64 = 4.0;
+/// The least error of rounding, in units of the last place of the greatest number that is computed with.
+const LEAST_ROUNDING: f64 = 16.0;
+/// More rounds than this are not promised: an iteration that needs more is better left to run until its loop closes.
+const MOST_ROUNDS: u32 = 4;
+/// How often a combination of solvers is tried that were good enough one by one.
+const COMBINATIONS: usize = 6;
+
+/// How exact a mechanism will be: the greatest distance of anything on its links from where it should be, in scene units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prediction {
+    /// Of anything.
+    pub error: f64,
+    /// For each loop, of the links that wait for it and for no later one; infinite if it may stop where the mechanism could move
+    /// on. None if it is exact to rounding, and so is everything before it.
+    pub loops: Vec<Option<f64>>,
+}
+
+/// How a loop is solved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// By which method, in words.
+    pub method: String,
+    /// How far the links may be from where they should be that wait for it and for no later one, if that was predicted: in scene
+    /// units. Infinite if it may stop where the mechanism could move on.
+    pub error: Option<f64>,
+    /// Its operations.
+    pub cost: Cost,
+}
+
+/// How the loops of a program are solved.
+pub(crate) fn solved(program: &Program, prediction: Option<&Prediction>) -> Vec<Solved> {
+    let blocks = program.blocks.iter().filter_map(|block| match &block.kind {
+        BlockKind::Straight => None,
+        BlockKind::Closed(_) => Some("exact".to_owned()),
+        BlockKind::Newton(newton) => Some(match newton.rounds {
+            Rounds::UntilClosed(_) => "Newton, until closed".to_owned(),
+            Rounds::Exactly(_) if newton.linear => "linear".to_owned(),
+            Rounds::Exactly(1) => "Newton, one round".to_owned(),
+            Rounds::Exactly(rounds) => format!("Newton, {rounds} rounds"),
+        }),
+    });
+    let of_loop = |(number, (method, cost)): (usize, (String, Cost))| Solved {
+        method,
+        error: prediction.and_then(|prediction| *prediction.loops.get(number)?),
+        cost,
+    };
+    blocks
+        .zip(cost::of_loops(program))
+        .enumerate()
+        .map(of_loop)
+        .collect()
+}
+
+/// Chooses for each loop the cheapest solver that keeps an accuracy. What is given is how the loops are solved at their most
+/// exact, and how they are watched.
+pub(crate) fn choose(
+    model: &Model,
+    plan: &Plan,
+    exact: Vec<Choice>,
+    accuracy: f64,
+) -> Result<(Vec<Choice>, Prediction), Diagnosis> {
+    let judge = Judge::new(model, plan, exact);
+    let mut candidates = judge.candidates();
+    let mut rivals: Vec<Rival> = candidates
+        .iter()
+        .flatten()
+        .map(|candidate| Rival::new(candidate.program.clone()))
+        .collect();
+    let mut exact_program = judge.reference.clone();
+    // What does not even start is told elsewhere.
+    let starts = evaluate::settle(&mut exact_program).is_ok();
+    let found = compare(model, plan, &exact_program, &mut rivals);
+    let rounding = judge.rounding(&found);
+    let least = greatest(&rounding);
+    if starts && least > accuracy {
+        return Err(Diagnosis::TooAccurate {
+            accuracy,
+            best: least,
+        });
+    }
+    for (candidate, rival) in candidates.iter_mut().flatten().zip(&rivals) {
+        candidate.error = judge.safety() * rival.error();
+    }
+    for candidates in &mut candidates {
+        candidates.retain(|candidate| candidate.error + least <= accuracy);
+    }
+    for _ in 0..COMBINATIONS {
+        let choices = judge.with(&candidates);
+        let prediction = judge.predict(&choices, Some(&rounding));
+        if prediction.error <= accuracy {
+            return Ok((judge.watched(choices), prediction));
+        }
+        tighten(&mut candidates);
+    }
+    let choices = judge.exact.clone();
+    let prediction = Prediction {
+        error: least,
+        loops: vec![None; choices.len()],
+    };
+    Ok((choices, prediction))
+}
+
+/// How exact a mechanism will be whose loops are solved as given, if the steps of all motors are declared that move a loop whose
+/// rounds are counted.
+pub(crate) fn predict(model: &Model, plan: &Plan, choices: &[Choice]) -> Option<Prediction> {
+    let counted = |choice: &Choice| {
+        matches!(
+            choice.solver,
+            Solver::Linear | Solver::Newton(Rounds::Exactly(_))
+        )
+    };
+    if !choices.iter().any(counted) || model.motors.iter().all(|motor| motor.step.is_none()) {
+        return None;
+    }
+    let exact = choices.iter().map(|choice| Choice {
+        solver: Solver::ClosedForm,
+        ..choice.clone()
+    });
+    let judge = Judge::new(model, plan, exact.collect());
+    let mut loops = choices.iter().enumerate();
+    let known = loops.all(|(number, choice)| !counted(choice) || judge.is_stepped(number));
+    known.then(|| judge.predict(choices, None))
+}
+
+/// A way to solve a loop that costs less than the most exact one.
+struct Candidate {
+    solver: Solver,
+    program: Program,
+    weight: f64,
+    error: f64,
+}
+
+/// The cheapest candidate of the loop that is farthest off goes.
+fn tighten(candidates: &mut [Vec<Candidate>]) {
+    let worst = candidates
+        .iter_mut()
+        .filter(|candidates| !candidates.is_empty())
+        .max_by(|a, b| a[0].error.total_cmp(&b[0].error));
+    if let Some(candidates) = worst {
+        let error = candidates[0].error;
+        candidates.retain(|candidate| candidate.error < error);
+    }
+}
+
+fn greatest(errors: &[f64]) -> f64 {
+    errors.iter().copied().fold(0.0, f64::max)
+}
+
+/// Knows the most exact program of a mechanism, and compares others with it.
+struct Judge<'m> {
+    model: &'m Model,
+    plan: &'m Plan,
+    exact: Vec<Choice>,
+    /// The most exact program, without watching what is only watched for dead points: then others carry the same numbers from
+    /// position to position as this one does.
+    reference: Program,
+    on_loops: Vec<Influence>,
+    on_links: Vec<Influence>,
+}
+
+impl<'m> Judge<'m> {
+    fn new(model: &'m Model, plan: &'m Plan, exact: Vec<Choice>) -> Self {
+        let reference = build_as(model, plan, &unwatched(&exact));
+        Self {
+            on_loops: Influence::on_loops(&reference, exact.len()),
+            on_links: Influence::on_links(&reference, exact.len()),
+            model,
+            plan,
+            exact,
+            reference,
+        }
+    }
+
+    /// Whether the steps of all motors are declared that move a loop.
+    fn is_stepped(&self, number: usize) -> bool {
+        let moved = self.model.motors.iter().zip(&self.on_loops[number].motors);
+        moved
+            .filter(|(_, moves)| **moves)
+            .all(|(motor, _)| motor.step.is_some())
+    }
+
+    fn safety(&self) -> f64 {
+        SAFETY[usize::from(self.model.motors.len() > 1)]
+    }
+
+    /// For each loop the solvers that cost less than the most exact one, the cheapest first.
+    fn candidates(&self) -> Vec<Vec<Candidate>> {
+        let weigh = |program: &Program| {
+            cost::of_program(program).weight(self.model.target, self.model.precision)
+        };
+        let most = weigh(&self.reference);
+        let of_loop = |number: usize| {
+            let choice = &self.exact[number];
+            // Change points are passed in closed form or not at all, and only of a closed form it is proved that it moves through
+            // a range.
+            let ranged = self.model.motors.iter().any(|motor| motor.range.is_some());
+            if changes(choice) || ranged {
+                return Vec::new();
+            }
+            let until_closed = Choice::by(crate::model::Method::Newton).solver;
+            let counted = (1..=MOST_ROUNDS).map(|rounds| Solver::Newton(Rounds::Exactly(rounds)));
+            let counted = std::iter::once(Solver::Linear).chain(counted);
+            let solvers = counted
+                .filter(|_| self.is_stepped(number))
+                .chain([until_closed]);
+            let candidate = |solver: Solver| {
+                let mut choices = unwatched(&self.exact);
+                choices[number].solver = solver;
+                let program = build_as(self.model, self.plan, &choices);
+                Candidate {
+                    weight: weigh(&program),
+                    error: f64::INFINITY,
+                    solver,
+                    program,
+                }
+            };
+            let mut candidates: Vec<Candidate> = solvers
+                .map(candidate)
+                .filter(|candidate| candidate.weight < most)
+                .collect();
+            candidates.sort_by(|a, b| a.weight.total_cmp(&b.weight));
+            candidates
+        };
+        (0..self.exact.len()).map(of_loop).collect()
+    }
+
+    /// The cheapest candidate of each loop, or what is most exact.
+    fn with(&self, candidates: &[Vec<Candidate>]) -> Vec<Choice> {
+        let choices = self.exact.iter().zip(candidates);
+        let choice = |(exact, candidates): (&Choice, &Vec<Candidate>)| {
+            let solver = candidates.first().map(|candidate| candidate.solver);
+            Choice {
+                solver: solver.unwrap_or(exact.solver),
+                ..exact.clone()
+            }
+        };
+        choices.map(choice).collect()
+    }
+
+    /// Only a closed form is watched: an iteration finds its dead points by itself.
+    fn watched(&self, choices: Vec<Choice>) -> Vec<Choice> {
+        let watching = |choice: Choice| Choice {
+            watching: choice
+                .watching
+                .filter(|_| choice.solver == Solver::ClosedForm),
+            ..choice
+        };
+        choices.into_iter().map(watching).collect()
+    }
+
+    /// Tries a program.
+    fn predict(&self, choices: &[Choice], rounding: Option<&[f64]>) -> Prediction {
+        let is_exact: Vec<bool> = choices
+            .iter()
+            .map(|choice| choice.solver == Solver::ClosedForm)
+            .collect();
+        let all = is_exact.iter().all(|exact| *exact);
+        let mut rivals = Vec::new();
+        if !all {
+            let program = build_as(self.model, self.plan, &unwatched(choices));
+            rivals.push(Rival::new(program));
+        }
+        let rounding = match rounding {
+            Some(rounding) if all => rounding.to_vec(),
+            _ => self.rounding(&compare(
+                self.model,
+                self.plan,
+                &self.reference,
+                &mut rivals,
+            )),
+        };
+        let mut errors = rounding;
+        for rival in &rivals {
+            for (error, worst) in errors.iter_mut().zip(&rival.worst) {
+                *error += self.safety() * worst;
+                if rival.stopped {
+                    *error = f64::INFINITY;
+                }
+            }
+        }
+        let of_loop = |number: usize| {
+            let before = self.on_loops[number].loops.iter().zip(&is_exact);
+            if before.filter(|(needed, _)| **needed).all(|(_, exact)| *exact) {
+                return None;
+            }
+            let links = self.on_links.iter().zip(&errors);
+            let own = links.filter(|(link, _)| {
+                link.loops.iter().rposition(|needed| *needed) == Some(number)
+            });
+            Some(own.map(|(_, error)| *error).fold(0.0, f64::max))
+        };
+        Prediction {
+            loops: (0..choices.len()).map(of_loop).collect(),
+            error: greatest(&errors),
+        }
+    }
+
+    /// What rounding does to each link: what it does in single precision, in units of the last place.
+    fn rounding(&self, found: &Exact) -> Vec<f64> {
+        let epsilon = self.model.precision.epsilon();
+        let least = LEAST_ROUNDING * epsilon * found.reach;
+        let part = ROUNDING_SAFETY * epsilon / Precision::F32.epsilon();
+        let of_link = |single: &f64| {
+            if found.seen {
+                least + part * single
+            } else {
+                4.0 * least
+            }
+        };
+        found.single.iter().map(of_link).collect()
+    }
+}
+
+/// Whether a loop has change points that are not just kept on its branch.
+fn changes(choice: &Choice) -> bool {
+    matches!(&choice.watching, Some(watching) if watching.at_zero != AtZero::Stay)
+}
+
+/// The same, but nothing is watched except for change points.
+fn unwatched(choices: &[Choice]) -> Vec<Choice> {
+    let unwatched = |choice: &Choice| {
+        let watching: Option<Watching> = choice.watching.clone().filter(|_| changes(choice));
+        Choice {
+            watching,
+            ..choice.clone()
+        }
+    };
+    choices.iter().map(unwatched).collect()
+}

@@ -1,0 +1,69 @@
+//! How far a link is from where it should be: an angle that is off moves its far end by as much as its arm is long.
+
+use crate::model::{Model, ShapeKind};
+use crate::program::Position;
+use mech_core::Real;
+
+/// For each moving link that is shown the corners of a box around all that is fixed to it: its axes and its shapes. What is off
+/// anywhere in the box is so at one of its corners.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Extents(Vec<[[f64; 2]; 4]>);
+
+impl Extents {
+    pub(super) fn of(model: &Model) -> Self {
+        let corners = model.declared_links().map(|id| {
+            let mut low = [f64::INFINITY; 2];
+            let mut high = [f64::NEG_INFINITY; 2];
+            let mut reach = |point: [f64; 2]| {
+                for index in 0..2 {
+                    low[index] = low[index].min(point[index]);
+                    high[index] = high[index].max(point[index]);
+                }
+            };
+            for axis in model.axes.iter().filter(|axis| axis.link == id) {
+                reach(axis.at);
+            }
+            for shape in &model.link(id).shapes {
+                match &shape.kind {
+                    // Where its middle is, there is the circle.
+                    ShapeKind::Circle { center, .. } => reach(*center),
+                    ShapeKind::Polygon(corners) => corners.iter().copied().for_each(&mut reach),
+                }
+            }
+            if low[0] > high[0] {
+                return [[0.0; 2]; 4];
+            }
+            [low, [low[0], high[1]], [high[0], low[1]], high]
+        });
+        Self(corners.collect())
+    }
+
+    /// How far each link is off.
+    pub(super) fn displacements<T: Real>(
+        &self,
+        is: &Position<T>,
+        should: &Position<f64>,
+    ) -> impl Iterator<Item = f64> {
+        let poses = is.poses.iter().zip(&should.poses).zip(&self.0);
+        poses.map(|((is, should), corners)| {
+            let mut off = [0.0; 4];
+            for ((off, is), should) in off.iter_mut().zip(is).zip(should) {
+                *off = is.to_f64() - should;
+            }
+            let [cos, sin, x, y] = off;
+            let moved = |[a, b]: [f64; 2]| (x + cos * a - sin * b).hypot(y + sin * a + cos * b);
+            corners.iter().copied().map(moved).fold(0.0, f64::max)
+        })
+    }
+
+    /// The greatest of the numbers that it takes to say where the links are: rounding is relative to these.
+    pub(super) fn reach(&self, position: &Position<f64>) -> f64 {
+        let spots = self.0.iter().flatten().flatten();
+        let origins = position.poses.iter().flat_map(|pose| &pose[2..]);
+        let motors = &position.motors;
+        spots
+            .chain(origins)
+            .chain(motors)
+            .fold(0.0, |reach, number| reach.max(number.abs()))
+    }
+}

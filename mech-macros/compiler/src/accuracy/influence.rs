@@ -1,0 +1,86 @@
+//! What depends on what: which motors move a loop, and which loop a link waits for.
+
+use crate::program::{BlockKind, Op, Program, Value};
+
+/// What some values depend on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Influence {
+    /// For each motor whether it moves them.
+    pub(super) motors: Vec<bool>,
+    /// For each loop whether it has to be closed before.
+    pub(super) loops: Vec<bool>,
+}
+
+impl Influence {
+    /// On the links, one after the other.
+    pub(super) fn on_links(program: &Program, loops: usize) -> Vec<Self> {
+        let poses = program.poses.iter();
+        poses
+            .map(|pose| Self::on(program, loops, pose.to_vec()))
+            .collect()
+    }
+
+    /// On the loops, in the order in which they are closed; each has influence on itself.
+    pub(super) fn on_loops(program: &Program, loops: usize) -> Vec<Self> {
+        let mut found: Vec<Self> = (0..loops)
+            .map(|_| Self::on(program, loops, Vec::new()))
+            .collect();
+        for (number, roots) in program.blocks.iter().filter_map(|block| roots(&block.kind)) {
+            if let Some(entry) = found.get_mut(number) {
+                *entry = Self::on(program, loops, roots);
+                entry.loops[number] = true;
+            }
+        }
+        found
+    }
+
+    fn on(program: &Program, loops: usize, mut waiting: Vec<Value>) -> Self {
+        let mut influence = Self {
+            motors: vec![false; program.motors.len()],
+            loops: vec![false; loops],
+        };
+        let mut seen = vec![false; program.nodes.len()];
+        while let Some(value) = waiting.pop() {
+            if std::mem::replace(&mut seen[value.index()], true) {
+                continue;
+            }
+            let node = program.node(value);
+            match node.op {
+                Op::Motor(motor) | Op::Turns(motor) | Op::Turned(motor, ..) => {
+                    influence.motors[motor] = true;
+                }
+                _ => {}
+            }
+            waiting.extend(node.op.operands());
+            match &program.blocks[node.block.index()].kind {
+                BlockKind::Straight => {}
+                BlockKind::Closed(closed) => influence.note(closed.number),
+                kind @ BlockKind::Newton(newton) => {
+                    influence.note(newton.number);
+                    waiting.extend(roots(kind).into_iter().flat_map(|(_, roots)| roots));
+                }
+            }
+        }
+        influence
+    }
+
+    fn note(&mut self, number: usize) {
+        if let Some(entry) = self.loops.get_mut(number) {
+            *entry = true;
+        }
+    }
+}
+
+/// The loop that a block closes, and what is made by closing it.
+fn roots(kind: &BlockKind) -> Option<(usize, Vec<Value>)> {
+    match kind {
+        BlockKind::Straight => None,
+        BlockKind::Closed(closed) => Some((closed.number, vec![closed.slack, closed.sine])),
+        BlockKind::Newton(newton) => {
+            let next = newton.scalars.iter().map(|scalar| scalar.next);
+            let rates = newton.columns.iter().flatten();
+            let all = newton.gap.iter().chain(rates).copied().chain(next);
+            Some((newton.number, all.collect()))
+        }
+    }
+}

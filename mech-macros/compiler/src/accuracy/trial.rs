@@ -1,0 +1,265 @@
+//! Moves programs beside the exact one, step by step as it was declared, and looks how far they are off.
+//!
+//! An iteration begins where the last position was, and squares what is left in each round: after two steps nothing is left of
+//! what was before. So not every step of a turn has to be made: here and there along the ways of [`walk`](crate::walk) two are,
+//! forwards and backwards, from where the mechanism exactly is.
+
+use super::extent::Extents;
+use crate::cost;
+use crate::evaluate::Machine;
+use crate::model::Model;
+use crate::plan::Plan;
+use crate::program::{Position, Program};
+use crate::walk::{Stretch, at, walk};
+use mech_core::Real;
+
+/// How many operations a trial may cost.
+const BUDGET: usize = 1_200_000;
+/// Samples in a turn.
+const SAMPLES: [usize; 2] = [24, 180];
+/// Steps from a sample.
+const STEPS: usize = 2;
+/// Where several motors step at once: the most ways of doing so that are tried.
+const MOST_PATTERNS: usize = 16;
+
+/// A program that may be less exact than another.
+#[derive(Clone, Debug)]
+pub(super) struct Rival {
+    pub(super) program: Program,
+    /// How far each link was off, at most.
+    pub(super) worst: Vec<f64>,
+    /// Whether it stopped where the other one moved.
+    pub(super) stopped: bool,
+}
+
+impl Rival {
+    pub(super) fn new(program: Program) -> Self {
+        Self {
+            worst: vec![0.0; program.poses.len()],
+            stopped: false,
+            program,
+        }
+    }
+
+    /// How far any link was off.
+    pub(super) fn error(&self) -> f64 {
+        if self.stopped {
+            return f64::INFINITY;
+        }
+        self.worst.iter().copied().fold(0.0, f64::max)
+    }
+}
+
+/// What was found about the exact program.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Exact {
+    /// How far each link was off in single precision, at most.
+    pub(super) single: Vec<f64>,
+    /// Whether single precision was of any use.
+    pub(super) seen: bool,
+    /// The greatest number that it takes to say where everything is.
+    pub(super) reach: f64,
+}
+
+/// Tries all rivals of a program.
+pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut [Rival]) -> Exact {
+    let patterns = patterns(model);
+    let operations = |program: &Program| {
+        let live = program.live.iter().filter(|live| **live).count();
+        let cost = cost::of_program(program);
+        live.max(usize::try_from(cost.additions + cost.multiplications).unwrap_or(0))
+    };
+    let steps = STEPS * patterns.len();
+    let per_sample = operations(exact) * (2 + steps)
+        + rivals
+            .iter()
+            .map(|rival| steps * operations(&rival.program))
+            .sum::<usize>();
+    let extents = Extents::of(model);
+    let mut trial = Trial {
+        affordable: BUDGET / (per_sample * model.motors.len()).max(1),
+        found: Exact {
+            single: vec![0.0; exact.poses.len()],
+            seen: false,
+            reach: extents.reach(&exact.start),
+        },
+        extents,
+        patterns,
+        exact,
+        machine: Machine::new(exact),
+        single: Machine::new(exact),
+        rivals,
+    };
+    walk(model, plan, |stretch| trial.straight(stretch));
+    trial.found
+}
+
+/// The steps that are tried: of each motor alone, and of several at once.
+fn patterns(model: &Model) -> Vec<Vec<f64>> {
+    let steps: Vec<f64> = model
+        .motors
+        .iter()
+        .map(|motor| motor.step.unwrap_or(0.0))
+        .collect();
+    let moved: Vec<usize> = (0..steps.len()).filter(|&motor| steps[motor] > 0.0).collect();
+    let alone = moved.iter().flat_map(|&motor| {
+        [1.0, -1.0].map(|sign| {
+            let mut pattern = vec![0.0; steps.len()];
+            pattern[motor] = sign * steps[motor];
+            pattern
+        })
+    });
+    let together = (0_usize..1 << moved.len().min(4)).filter(|_| moved.len() > 1);
+    let together = together.map(|signs| {
+        let step = |(motor, step): (usize, &f64)| {
+            let back = signs >> (motor % 4) & 1 == 1;
+            if back { -step } else { *step }
+        };
+        steps.iter().enumerate().map(step).collect()
+    });
+    // Several at once are worse: these come first.
+    let mut patterns: Vec<Vec<f64>> = together.collect();
+    patterns.extend(alone);
+    patterns.truncate(MOST_PATTERNS);
+    patterns
+}
+
+struct Trial<'a, 'p> {
+    affordable: usize,
+    patterns: Vec<Vec<f64>>,
+    extents: Extents,
+    exact: &'p Program,
+    machine: Machine<'p, f64>,
+    single: Machine<'p, f32>,
+    rivals: &'a mut [Rival],
+    found: Exact,
+}
+
+impl Trial<'_, '_> {
+    /// Walks a stretch of the exact program's motion; tells whether it came to the end.
+    fn straight(&mut self, stretch: &Stretch) -> bool {
+        let Stretch { ways, pieces } = stretch;
+        let samples = pieces * (self.affordable / pieces).clamp(SAMPLES[0], SAMPLES[1]);
+        let start = &self.exact.start;
+        let mut machine = Machine::<f64>::new(self.exact);
+        self.around(machine.position());
+        for sample in 1..=samples {
+            #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
+            let part = sample as f64 / samples as f64;
+            let motors = representable(at(&start.motors, ways, part));
+            let before = machine.position().clone();
+            if machine.move_to(&motors).is_ok() {
+                self.in_single(&before, machine.position());
+                self.around(machine.position());
+            } else {
+                // Where it comes to its end all are at their worst.
+                let _ = machine.move_toward(&motors);
+                self.around(machine.position());
+                self.back_to(machine.position());
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Goes there in single precision.
+    fn in_single(&mut self, before: &Position<f64>, there: &Position<f64>) {
+        self.found.reach = self.found.reach.max(self.extents.reach(there));
+        self.single.put_back(rounded(before));
+        let motors: Vec<f32> = there.motors.iter().map(|&motor| f32::from_f64(motor)).collect();
+        if self.single.move_to(&motors).is_err() {
+            return;
+        }
+        self.found.seen = true;
+        let off = self.extents.displacements(self.single.position(), there);
+        note(&mut self.found.single, off);
+    }
+
+    /// Steps away from a position in all directions.
+    fn around(&mut self, position: &Position<f64>) {
+        if self.rivals.is_empty() {
+            return;
+        }
+        for pattern in &self.patterns {
+            let mut positions = Vec::with_capacity(STEPS);
+            self.machine.put_back(position.clone());
+            for step in 1..=STEPS {
+                let motors = stepped(position, pattern, step);
+                if self.machine.move_to(&motors).is_err() {
+                    break;
+                }
+                positions.push(self.machine.position().clone());
+            }
+            for rival in self.rivals.iter_mut().filter(|rival| !rival.stopped) {
+                try_rival(rival, position, &positions, &self.extents);
+            }
+        }
+    }
+
+    /// Steps from all directions to a position.
+    fn back_to(&mut self, position: &Position<f64>) {
+        for pattern in &self.patterns {
+            self.machine.put_back(position.clone());
+            let motors = stepped(position, pattern, 1);
+            if self.machine.move_to(&motors).is_err() {
+                continue;
+            }
+            for rival in self.rivals.iter_mut().filter(|rival| !rival.stopped) {
+                let away = self.machine.position();
+                try_rival(rival, away, std::slice::from_ref(position), &self.extents);
+            }
+        }
+    }
+}
+
+/// Steps a rival from a position through others.
+fn try_rival(
+    rival: &mut Rival,
+    from: &Position<f64>,
+    through: &[Position<f64>],
+    extents: &Extents,
+) {
+    let mut machine = Machine::<f64>::new(&rival.program);
+    machine.put_back(from.clone());
+    for position in through {
+        if machine.move_to(&position.motors).is_err() {
+            rival.stopped = true;
+            return;
+        }
+        let off = extents.displacements(machine.position(), position);
+        note(&mut rival.worst, off);
+    }
+}
+
+fn note(worst: &mut [f64], off: impl Iterator<Item = f64>) {
+    for (worst, off) in worst.iter_mut().zip(off) {
+        *worst = worst.max(off);
+    }
+}
+
+/// The motors after so many steps.
+fn stepped(position: &Position<f64>, pattern: &[f64], steps: usize) -> Vec<f64> {
+    #[expect(clippy::cast_precision_loss, reason = "a few steps")]
+    let steps = steps as f64;
+    at(&position.motors, pattern, steps)
+}
+
+/// The nearest values that both precisions have.
+fn representable(motors: Vec<f64>) -> Vec<f64> {
+    let nearest = |motor: f64| f32::from_f64(motor).to_f64();
+    motors.into_iter().map(nearest).collect()
+}
+
+fn rounded(position: &Position<f64>) -> Position<f32> {
+    let number = |number: &f64| f32::from_f64(*number);
+    Position {
+        motors: position.motors.iter().map(number).collect(),
+        turns: position.turns.clone(),
+        poses: position
+            .poses
+            .iter()
+            .map(|pose| pose.map(f32::from_f64))
+            .collect(),
+        kept: position.kept.iter().map(number).collect(),
+    }
+}

@@ -1,0 +1,96 @@
+//! What has to hold for a program never to be blocked.
+
+use crate::program::{AtZero, BlockId, Op, Part, Program, Slot, Value, Watch};
+
+/// What must hold for a loop to close, by the values that tell.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Test {
+    /// This slack is not less than zero by more than this floor.
+    Slack(Value, Value),
+    /// This divisor is not zero.
+    Divisor(Value),
+}
+
+/// What must hold for the loops to close that do not hang on an iteration, in the order in which they are found.
+pub(super) fn tests(program: &Program) -> Vec<(BlockId, Test)> {
+    let mut hangs = vec![false; program.nodes.len()];
+    for (index, node) in program.nodes.iter().enumerate() {
+        hangs[index] = matches!(node.op, Op::Unknown(..) | Op::Solved(..) | Op::Dense(..))
+            || node.op.operands().any(|operand| hangs[operand.index()]);
+    }
+    let exposed = exposed(program, &keeps_direction(program));
+    let divisors = program
+        .nodes
+        .iter()
+        .enumerate()
+        .filter_map(|(index, node)| match node.op {
+            Op::Div(_, by)
+                if exposed[index]
+                    && !hangs[by.index()]
+                    && !matches!(program.node(by).op, Op::Constant(_)) =>
+            {
+                Some((node.block, Test::Divisor(by)))
+            }
+            _ => None,
+        });
+    let slacks = program
+        .margins()
+        .filter(|(_, closed)| !hangs[closed.margin.index()])
+        .map(|(block, closed)| (block, Test::Slack(closed.slack, closed.floor)));
+    let mut tests: Vec<(BlockId, Test)> = slacks.chain(divisors).collect();
+    // Of each block first the slack: what is divided by may be zero only where it does not close.
+    tests.sort_by_key(|(block, _)| *block);
+    tests
+}
+
+/// Which values are a direction that is found, or, where none can be, that of the last position.
+pub(super) fn keeps_direction(program: &Program) -> Vec<bool> {
+    let mut lasts = vec![false; program.nodes.len()];
+    let mut keeps = vec![false; program.nodes.len()];
+    for (index, node) in program.nodes.iter().enumerate() {
+        let mut operands = node.op.operands().peekable();
+        lasts[index] = match node.op {
+            Op::Constant(_) | Op::Last(Slot::Pose(_, Part::Cos | Part::Sin)) => true,
+            _ => operands.peek().is_some() && operands.all(|operand| lasts[operand.index()]),
+        };
+        keeps[index] = matches!(node.op, Op::Choose(_, _, last) if lasts[last.index()]);
+    }
+    keeps
+}
+
+/// Which values reach anything that is asked for, and not only where the direction of the last position may stand in for them.
+fn exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
+    let mut exposed = vec![false; program.nodes.len()];
+    let margins = program.margins().map(|(_, closed)| closed.margin);
+    for root in program
+        .poses
+        .iter()
+        .flatten()
+        .chain(&program.kept)
+        .copied()
+        .chain(margins)
+    {
+        exposed[root.index()] = true;
+    }
+    for index in (0..exposed.len()).rev() {
+        if !exposed[index] {
+            continue;
+        }
+        let op = program.nodes[index].op;
+        let guarded = match op {
+            Op::Choose(_, a, _) if keeps[index] => Some(a),
+            _ => None,
+        };
+        for operand in op.operands().filter(|operand| Some(*operand) != guarded) {
+            exposed[operand.index()] = true;
+        }
+    }
+    exposed
+}
+
+/// The loops that carry on which side their dyad lies, and where they do.
+pub(super) fn carried_sides(program: &Program) -> impl Iterator<Item = (BlockId, usize)> + '_ {
+    let carries = |watch: &&Watch| watch.at_zero == AtZero::GoOver;
+    let place = |watch: &Watch| (watch.block, watch.kept);
+    program.watches.iter().filter(carries).map(place)
+}

@@ -1,0 +1,349 @@
+//! What a position costs: the operations of a program, counted, and weighed for a machine.
+
+use crate::model::{Precision, Target};
+use crate::program::{Block, BlockId, BlockKind, Newton, Op, Program, Rounds, Value};
+use std::fmt;
+use std::iter::Sum;
+use std::ops::{Add, Mul};
+
+/// How many rounds an iteration usually takes until its loop closes: from a step of a degree or so each round doubles the digits,
+/// and the third finds nothing left to do.
+const USUAL_ROUNDS: u32 = 3;
+
+/// Numbers of operations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Additions, subtractions and changes of sign.
+    pub additions: u32,
+    /// Multiplications.
+    pub multiplications: u32,
+    /// Divisions.
+    pub divisions: u32,
+    /// Square roots.
+    pub square_roots: u32,
+    /// Sines and cosines; both of one angle are one pair.
+    pub sine_cosine_pairs: u32,
+    /// Arctangents.
+    pub arctangents: u32,
+    /// Comparisons and what costs no more: absolute values, maxima, signs copied, choices, roundings.
+    pub selections: u32,
+}
+
+/// Cycles of each operation.
+struct Cycles {
+    addition: f64,
+    multiplication: f64,
+    division: f64,
+    square_root: f64,
+    sine_cosine: f64,
+    arctangent: f64,
+    selection: f64,
+}
+
+impl Cycles {
+    /// Estimates. A position is one long chain of operations of which about two at a time do not wait for each other: on a desktop
+    /// machine (Skylake to Zen 4: Fog's instruction tables) sums and products count half their latency of four, quotients and
+    /// roots, which everything after them waits for, the whole of theirs; sines are those of `libm` on reduced arguments, as
+    /// measured beside the dyad (`DESIGN.md`, §5). A Cortex-M4 does one thing after the other: by its reference manual a sum or a
+    /// product takes one cycle, and one more to load or keep what it works on; a quotient or a root 14. What it has no unit for
+    /// is a call: double precision as in the run-time libraries of compilers, sines and arctangents by polynomials.
+    const fn of(target: Target, precision: Precision) -> Self {
+        match (target, precision) {
+            (Target::X86_64, Precision::F64) => Self {
+                addition: 2.0,
+                multiplication: 2.0,
+                division: 14.0,
+                square_root: 18.0,
+                sine_cosine: 40.0,
+                arctangent: 60.0,
+                selection: 1.0,
+            },
+            (Target::X86_64, Precision::F32) => Self {
+                addition: 2.0,
+                multiplication: 2.0,
+                division: 11.0,
+                square_root: 12.0,
+                sine_cosine: 30.0,
+                arctangent: 45.0,
+                selection: 1.0,
+            },
+            (Target::CortexM4f, Precision::F32) => Self {
+                addition: 2.0,
+                multiplication: 2.0,
+                division: 14.0,
+                square_root: 14.0,
+                sine_cosine: 60.0,
+                arctangent: 80.0,
+                selection: 3.0,
+            },
+            (Target::CortexM4f, Precision::F64) => Self {
+                addition: 70.0,
+                multiplication: 60.0,
+                division: 250.0,
+                square_root: 500.0,
+                sine_cosine: 2500.0,
+                arctangent: 2500.0,
+                selection: 20.0,
+            },
+        }
+    }
+}
+
+impl Cost {
+    /// About how many cycles it takes on a machine.
+    #[must_use]
+    pub fn weight(&self, target: Target, precision: Precision) -> f64 {
+        let cycles = Cycles::of(target, precision);
+        f64::from(self.additions) * cycles.addition
+            + f64::from(self.multiplications) * cycles.multiplication
+            + f64::from(self.divisions) * cycles.division
+            + f64::from(self.square_roots) * cycles.square_root
+            + f64::from(self.sine_cosine_pairs) * cycles.sine_cosine
+            + f64::from(self.arctangents) * cycles.arctangent
+            + f64::from(self.selections) * cycles.selection
+    }
+
+    /// What an operation adds. A cosine is counted with its sine, if that is needed too: `sine` tells.
+    fn of(op: Op, sine: impl Fn(Value) -> bool) -> Self {
+        let mut cost = Self::default();
+        match op {
+            Op::Constant(_)
+            | Op::Motor(_)
+            | Op::Turns(_)
+            | Op::Last(_)
+            | Op::Unknown(..)
+            | Op::Solved(..)
+            | Op::Dense(..) => {}
+            // A remainder of whole numbers, and a part of a turn.
+            Op::Turned(..) => {
+                cost.multiplications = 1;
+                cost.divisions = 1;
+            }
+            Op::Neg(_) | Op::Add(..) | Op::Sub(..) => cost.additions = 1,
+            Op::Mul(..) => cost.multiplications = 1,
+            Op::Div(..) => cost.divisions = 1,
+            Op::Sqrt(_) => cost.square_roots = 1,
+            Op::Sin(_) => cost.sine_cosine_pairs = 1,
+            Op::Cos(angle) => cost.sine_cosine_pairs = u32::from(!sine(angle)),
+            Op::Atan2(..) => cost.arctangents = 1,
+            Op::Abs(_) | Op::Max(..) | Op::CopySign(..) | Op::Choose(..) | Op::Round(_) => {
+                cost.selections = 1;
+            }
+        }
+        cost
+    }
+
+    /// A dense system of so many unknowns by elimination with pivoting, with its determinant: n³/3 products and sums and a bit.
+    fn dense(unknowns: usize) -> Self {
+        let n = u32::try_from(unknowns).unwrap_or(0).min(1000);
+        // In the column of each pivot the rest below it is compared, divided, and taken off row by row.
+        let below = n * n.saturating_sub(1) / 2;
+        let taken_off = n.saturating_sub(1) * n * (2 * n).saturating_sub(1) / 6;
+        let products = taken_off + below + below;
+        Self {
+            additions: products,
+            multiplications: products + n,
+            divisions: below + n,
+            selections: below,
+            ..Self::default()
+        }
+    }
+
+    /// Each kind of operation that there is, and its sign.
+    fn parts(&self) -> impl Iterator<Item = (u32, &'static str)> {
+        [
+            (self.additions, "+"),
+            (self.multiplications, "×"),
+            (self.divisions, "÷"),
+            (self.square_roots, "√"),
+            (self.sine_cosine_pairs, "sin cos"),
+            (self.arctangents, "atan"),
+            (self.selections, "≷"),
+        ]
+        .into_iter()
+        .filter(|(count, _)| *count > 0)
+    }
+}
+
+/// As in a report: `12 + · 14 × · 1 ÷ · 1 √`.
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts: Vec<String> = self
+            .parts()
+            .map(|(count, sign)| format!("{count} {sign}"))
+            .collect();
+        match parts[..] {
+            [] => f.write_str("nothing"),
+            _ => f.write_str(&parts.join(" · ")),
+        }
+    }
+}
+
+impl Add for Cost {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            additions: self.additions + other.additions,
+            multiplications: self.multiplications + other.multiplications,
+            divisions: self.divisions + other.divisions,
+            square_roots: self.square_roots + other.square_roots,
+            sine_cosine_pairs: self.sine_cosine_pairs + other.sine_cosine_pairs,
+            arctangents: self.arctangents + other.arctangents,
+            selections: self.selections + other.selections,
+        }
+    }
+}
+
+impl Mul<u32> for Cost {
+    type Output = Self;
+
+    fn mul(self, times: u32) -> Self {
+        Self {
+            additions: self.additions * times,
+            multiplications: self.multiplications * times,
+            divisions: self.divisions * times,
+            square_roots: self.square_roots * times,
+            sine_cosine_pairs: self.sine_cosine_pairs * times,
+            arctangents: self.arctangents * times,
+            selections: self.selections * times,
+        }
+    }
+}
+
+impl Sum for Cost {
+    fn sum<I: Iterator<Item = Self>>(costs: I) -> Self {
+        costs.fold(Self::default(), Add::add)
+    }
+}
+
+/// What a whole program costs.
+#[must_use]
+pub fn of_program(program: &Program) -> Cost {
+    of_blocks(program).into_iter().sum()
+}
+
+/// What each loop costs, in the order in which they are closed.
+#[must_use]
+pub fn of_loops(program: &Program) -> Vec<Cost> {
+    let blocks = program.blocks.iter().zip(of_blocks(program));
+    blocks
+        .filter(|(block, _)| !matches!(block.kind, BlockKind::Straight))
+        .map(|(_, cost)| cost)
+        .collect()
+}
+
+/// What each block costs. Of what several need, the first pays.
+#[must_use]
+pub fn of_blocks(program: &Program) -> Vec<Cost> {
+    let sine_of = sines(program);
+    let mut costs = vec![Cost::default(); program.blocks.len()];
+    let iterations: Vec<Option<Iteration>> = program
+        .block_ids()
+        .map(|block| {
+            let newton = program.newton(block)?;
+            Some(Iteration::of(program, block, newton))
+        })
+        .collect();
+    for value in program.live_values() {
+        let node = program.node(value);
+        let once = Cost::of(node.op, |angle| sine_of[angle.index()]);
+        let times = match &iterations[node.block.index()] {
+            Some(iteration) if node.iterated => iteration.times(value),
+            _ => 1,
+        };
+        let cost = &mut costs[node.block.index()];
+        *cost = *cost + once * times;
+    }
+    for ((block, iteration), cost) in program.blocks.iter().zip(&iterations).zip(&mut costs) {
+        *cost = *cost + tests(program, block, iteration.as_ref());
+    }
+    costs
+}
+
+/// Of which values the sine is needed.
+fn sines(program: &Program) -> Vec<bool> {
+    let mut sines = vec![false; program.nodes.len()];
+    for value in program.live_values() {
+        if let Op::Sin(angle) = program.node(value).op {
+            sines[angle.index()] = true;
+        }
+    }
+    sines
+}
+
+/// What it takes to tell whether a loop is closed, and to solve what is solved as a whole.
+fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cost {
+    let (newton, iteration) = match (&block.kind, iteration) {
+        (BlockKind::Newton(newton), Some(iteration)) => (newton, iteration),
+        (BlockKind::Closed(closed), _) => {
+            let may_fail = !matches!(program.node(closed.margin).op, Op::Constant(_));
+            return Cost {
+                selections: u32::from(may_fail),
+                ..Cost::default()
+            };
+        }
+        _ => return Cost::default(),
+    };
+    // The greatest of the gap against a limit, and the determinant against its floor.
+    let gap = u32::try_from(newton.gap.len()).unwrap_or(0);
+    let grown = u32::from(newton.extent.is_some());
+    let test = Cost {
+        additions: grown,
+        multiplications: grown,
+        selections: 2 * gap,
+        ..Cost::default()
+    };
+    let in_rounds = match newton.rounds {
+        Rounds::Exactly(_) => Cost::default(),
+        Rounds::UntilClosed(_) => test * (iteration.rounds + 1),
+    };
+    let dense = if newton.dense {
+        Cost::dense(newton.columns.len()) * (iteration.rounds + 1)
+    } else {
+        Cost::default()
+    };
+    let det = Cost {
+        selections: 1,
+        ..Cost::default()
+    };
+    in_rounds + dense + test + det
+}
+
+/// How often what is in an iteration is done.
+struct Iteration {
+    rounds: u32,
+    /// For each node whether the test of a round needs it: that is done once more after the last round.
+    measured: Vec<bool>,
+}
+
+impl Iteration {
+    fn of(program: &Program, block: BlockId, newton: &Newton) -> Self {
+        let rounds = match newton.rounds {
+            Rounds::Exactly(rounds) => rounds,
+            Rounds::UntilClosed(most) => most.min(USUAL_ROUNDS),
+        };
+        let columns = newton.columns.iter().flatten().filter(|_| newton.dense);
+        let mut waiting: Vec<Value> = newton
+            .gap
+            .iter()
+            .chain(columns)
+            .copied()
+            .chain([newton.det])
+            .chain(newton.extent)
+            .collect();
+        let mut measured = vec![false; program.nodes.len()];
+        while let Some(value) = waiting.pop() {
+            let node = program.node(value);
+            let here = node.block == block && node.iterated;
+            if here && !std::mem::replace(&mut measured[value.index()], true) {
+                waiting.extend(node.op.operands());
+            }
+        }
+        Self { rounds, measured }
+    }
+
+    fn times(&self, value: Value) -> u32 {
+        self.rounds + u32::from(self.measured[value.index()])
+    }
+}

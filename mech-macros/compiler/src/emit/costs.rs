@@ -1,0 +1,62 @@
+//! What a position costs, as constants.
+
+use crate::cost::{self, Cost};
+use crate::program::Program;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// The cost of everything, and of each loop; after them these as associated constants.
+pub(super) fn costs(
+    krate: &TokenStream,
+    program: &Program,
+    visibility: &syn::Visibility,
+) -> (TokenStream, TokenStream) {
+    let all = literal(krate, cost::of_program(program));
+    let of_loops = cost::of_loops(program);
+    let count = Literal::usize_unsuffixed(of_loops.len());
+    let of_loops = of_loops.into_iter().map(|cost| literal(krate, cost));
+    let constants = quote! {
+        const COST: #krate::Cost = #all;
+        const LOOP_COSTS: [#krate::Cost; #count] = [#(#of_loops),*];
+    };
+    let associated = quote! {
+        /// How many operations it takes to find a position.
+        #visibility const COST: #krate::Cost = COST;
+
+        /// How many of them each loop takes, in the order in which they are solved.
+        #visibility const LOOP_COSTS: [#krate::Cost; #count] = LOOP_COSTS;
+    };
+    (constants, associated)
+}
+
+fn literal(krate: &TokenStream, cost: Cost) -> TokenStream {
+    let [
+        additions,
+        multiplications,
+        divisions,
+        square_roots,
+        sine_cosine_pairs,
+        arctangents,
+        selections,
+    ] = [
+        cost.additions,
+        cost.multiplications,
+        cost.divisions,
+        cost.square_roots,
+        cost.sine_cosine_pairs,
+        cost.arctangents,
+        cost.selections,
+    ]
+    .map(Literal::u32_unsuffixed);
+    quote! {
+        #krate::Cost {
+            additions: #additions,
+            multiplications: #multiplications,
+            divisions: #divisions,
+            square_roots: #square_roots,
+            sine_cosine_pairs: #sine_cosine_pairs,
+            arctangents: #arctangents,
+            selections: #selections,
+        }
+    }
+}

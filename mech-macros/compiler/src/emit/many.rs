@@ -1,0 +1,93 @@
+//! Many positions at once.
+
+use super::block::scalar;
+use super::scope::number;
+use super::step::in_lanes;
+use crate::model::Precision;
+use crate::plan::{Plan, Step};
+use crate::program::Program;
+use num_traits::ToPrimitive;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// The methods that solve many positions.
+pub(super) fn many(program: &Program, plan: &Plan, visibility: &syn::Visibility) -> TokenStream {
+    let scalar = scalar(program);
+    let [motors, links] =
+        [program.motors.len(), program.links.len()].map(Literal::usize_unsuffixed);
+    let reach = number(program.precision, reach(program, plan));
+    // What the vector unit of any x86-64 holds in a few registers; more lanes spill.
+    let lanes = Literal::usize_unsuffixed(match program.precision {
+        Precision::F32 => 8,
+        Precision::F64 => 4,
+    });
+    let kernel = if in_lanes(program) {
+        quote! {
+            |motors| {
+                let (position, margins) = position::<Within>(&START, Motors::new(motors));
+                (position.poses, least(margins))
+            }
+        }
+    } else {
+        // One by one.
+        quote!(|_| (START.poses, -1.0))
+    };
+    quote! {
+        /// The poses of the links at many values of the motors, each as if it were moved there from where it is. Where
+        /// positions depend on nothing but the motors, several are computed at once.
+        ///
+        /// # Errors
+        /// The first that is blocked, or for which there is no room; those before it are in the columns.
+        #visibility fn solve_many(
+            &self,
+            motors: &[[#scalar; #motors]],
+            columns: &mut Columns<'_, #scalar, #links>,
+        ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
+            solve_many::<_, _, _, #lanes>(motors, columns, #reach, #kernel, |motors| {
+                let mut there = self.position;
+                advance(&mut there, Motors::new(motors), &COURSE, step)?;
+                Ok(there.poses)
+            })
+        }
+
+        /// Moves many instances, each to its own values of the motors. Where positions depend on nothing but the motors,
+        /// several are computed at once.
+        ///
+        /// # Errors
+        /// The first that is blocked; those before it have moved, those after it have not.
+        #visibility fn move_many(
+            instances: &mut [Self],
+            motors: &[[#scalar; #motors]],
+        ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
+            move_many::<_, _, _, _, _, #lanes>(
+                instances,
+                motors,
+                #reach,
+                |instance| &mut instance.position,
+                #kernel,
+                |instance, motors| instance.move_to(motors),
+            )
+        }
+    }
+}
+
+/// The greatest value of a motor for which all angles are within the range of the polynomials of sine and cosine.
+fn reach(program: &Program, plan: &Plan) -> f64 {
+    let meshes = plan.steps.iter().filter_map(|step| match step {
+        Step::Mesh(mesh) => Some(mesh),
+        _ => None,
+    });
+    let gains = meshes.map(|mesh| {
+        let parts = mesh.parts.iter();
+        parts
+            .map(|(_, part)| part.to_f64().unwrap_or(f64::INFINITY).abs())
+            .sum()
+    });
+    let gain = gains.fold(1.0, f64::max);
+    let limit = match program.precision {
+        Precision::F32 => f64::from(mech_core::trig::LIMIT_F32),
+        Precision::F64 => mech_core::trig::LIMIT_F64,
+    };
+    // The rest is for where the meshes begin.
+    (0.5 * limit / gain).round()
+}

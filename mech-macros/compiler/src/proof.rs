@@ -1,0 +1,114 @@
+//! Declared ranges: proved by intervals to be free, or the reason why not.
+
+use crate::certify::{Interval, Verdict, certify};
+use crate::evaluate;
+use crate::model::{AtChangePoints, JointId, JointKind, Model, MotorId};
+use crate::plan::Plan;
+use crate::program::{BlockId, Choice, Program, build_as};
+use crate::structure::{Diagnosis, RangeTrouble};
+use std::f64::consts::PI;
+
+/// Proves that the mechanism moves wherever its motors are within their ranges, and takes out of the program what then needs no
+/// test.
+pub(crate) fn proved(
+    model: &Model,
+    plan: &Plan,
+    choices: Vec<Choice>,
+    program: Program,
+) -> Result<Program, Diagnosis> {
+    if model.motors.iter().all(|motor| motor.range.is_none()) {
+        return Ok(program);
+    }
+    let ranges: Vec<Interval> = model
+        .motor_ids()
+        .map(|motor| range(model, &program, motor))
+        .collect::<Result<_, _>>()?;
+    let unknowns = |block: BlockId| unknowns(plan, &program, block);
+    let trouble = |motor: usize, block: BlockId, trouble| Diagnosis::Range {
+        motor: MotorId::new(motor),
+        unknowns: unknowns(block),
+        trouble,
+    };
+    let ranged = model.motors.iter().position(|motor| motor.range.is_some());
+    let ranged = ranged.unwrap_or_default();
+    let touching = match certify(&program, &ranges) {
+        Verdict::Proved { touching } => touching,
+        Verdict::Blocked(blocked) => {
+            let others = blocked.at.iter().enumerate();
+            let others = others
+                .filter(|(motor, _)| *motor != blocked.motor)
+                .map(|(motor, at)| (MotorId::new(motor), *at));
+            let (low, high) = (blocked.interval.low(), blocked.interval.high());
+            let onwards = (high - blocked.limit).abs() >= (low - blocked.limit).abs();
+            let blocking = RangeTrouble::Blocked {
+                limit: blocked.limit,
+                until: if onwards { high } else { low },
+                others: others.collect(),
+            };
+            return Err(trouble(blocked.motor, blocked.block, blocking));
+        }
+        Verdict::Undecided { block, place } => {
+            let between = place.get(ranged).map(|place| (place.low(), place.high()));
+            let between = between.unwrap_or_default();
+            return Err(trouble(ranged, block, RangeTrouble::Undecided { between }));
+        }
+        Verdict::NoClosedForm { block } => {
+            return Err(trouble(ranged, block, RangeTrouble::Iterated));
+        }
+    };
+    if let (AtChangePoints::Stop, Some(&block)) = (model.change_points, touching.first()) {
+        return Err(trouble(ranged, block, RangeTrouble::Stops));
+    }
+    let touches: Vec<usize> = touching
+        .iter()
+        .filter_map(|&block| program.closed(block))
+        .map(|closed| closed.number)
+        .collect();
+    let settled = |(number, choice): (usize, Choice)| {
+        if touches.contains(&number) {
+            choice
+        } else {
+            Choice {
+                watching: None,
+                proved: true,
+                ..choice
+            }
+        }
+    };
+    let choices: Vec<Choice> = choices.into_iter().enumerate().map(settled).collect();
+    let mut proved = build_as(model, plan, &choices);
+    if evaluate::settle(&mut proved).is_err() {
+        return Ok(program);
+    }
+    let ends = model.motors.iter().map(|motor| match motor.range {
+        Some(range) => [range.low, range.high],
+        None => [f64::NEG_INFINITY, f64::INFINITY],
+    });
+    proved.range = Some(ends.collect());
+    Ok(proved)
+}
+
+/// The values of a motor that are proved: a motor that turns and has no range may be anywhere.
+fn range(model: &Model, program: &Program, id: MotorId) -> Result<Interval, Diagnosis> {
+    let motor = model.motor(id);
+    let start = program.start.motors[id.index()];
+    match (motor.range, model.joint(motor.joint).kind) {
+        // The start was allowed a rounding beyond the end.
+        (Some(range), _) => Ok(Interval::new(range.low.min(start), range.high.max(start))),
+        (None, JointKind::Revolute(..)) => Ok(Interval::new(start - PI, start + PI)),
+        (None, _) => Err(Diagnosis::Range {
+            motor: id,
+            unknowns: Vec::new(),
+            trouble: RangeTrouble::Missing,
+        }),
+    }
+}
+
+fn unknowns(plan: &Plan, program: &Program, block: BlockId) -> Vec<JointId> {
+    let closed = program.closed(block).map(|closed| closed.number);
+    let number = closed.or_else(|| program.newton(block).map(|newton| newton.number));
+    number
+        .and_then(|number| plan.loops().nth(number))
+        .map(crate::plan::Loop::unknowns)
+        .unwrap_or_default()
+}

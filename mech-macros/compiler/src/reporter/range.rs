@@ -1,0 +1,113 @@
+//! Declared ranges that cannot stand.
+
+use super::Words;
+use super::wording::brief;
+use crate::model::{JointKind, MotorId, Origin};
+use crate::structure::RangeTrouble;
+
+impl Words<'_> {
+    pub(super) fn range(
+        &self,
+        motor: MotorId,
+        unknowns: &[crate::model::JointId],
+        trouble: &RangeTrouble,
+    ) -> (Origin, String) {
+        let declared = self.model.motor(motor);
+        let name = self.joint(declared.joint);
+        let origin = declared.range.map_or(declared.origin, |range| range.origin);
+        let at = |value: f64| self.motor_value(motor, value);
+        let joints = || self.the_joints(unknowns, ["can", "can"]);
+        let text = match trouble {
+            RangeTrouble::Blocked {
+                limit,
+                until,
+                others,
+            } => {
+                let others: Vec<String> = others
+                    .iter()
+                    .map(|(other, value)| {
+                        let joint = self.joint(self.model.motor(*other).joint);
+                        format!("{joint} at {}", self.motor_value(*other, *value))
+                    })
+                    .collect();
+                let others = if others.is_empty() {
+                    String::new()
+                } else {
+                    format!(" with {}", others.join(" and "))
+                };
+                let start = self.start_value(motor);
+                let end = if *limit < start { "begin" } else { "end" };
+                format!(
+                    "motor {name} is blocked at {}, within its range{others}\nnote: coming from its start at {} it is at a dead \
+                     point there; until {} {} not close the loop\nhelp: let the range {end} at {}, or change a length",
+                    at(*limit),
+                    at(start),
+                    at(*until),
+                    self.the_joints(unknowns, ["can", "can"]),
+                    self.value_before(motor, *limit, start)
+                )
+            }
+            RangeTrouble::Stops => format!(
+                "motor {name} cannot move through its range: {} at a change point in it, and `at change points stop` was declared\nhelp: \
+                 narrow the range, or let it go on",
+                self.the_joints(unknowns, ["is", "are"])
+            ),
+            RangeTrouble::Undecided { between } => format!(
+                "it could not be proved that motor {name} moves through its range, nor that it does not\nnote: it could not be told whether \
+                 {} close the loop between {} and {}\nhelp: narrow the range, or leave it out: then every move is tested when it is made",
+                joints(),
+                at(between.0),
+                at(between.1)
+            ),
+            RangeTrouble::Iterated => format!(
+                "the range of motor {name} cannot be proved: the loop of {} is solved by iteration, for which there is no proof\nhelp: \
+                 leave the range out: then every move is tested when it is made{}",
+                self.joints(unknowns),
+                if self.model.method.is_some() {
+                    "; or write `method exact`"
+                } else {
+                    ""
+                }
+            ),
+            RangeTrouble::Missing => format!(
+                "motor {name} slides and has no range, though another motor has one: that it moves wherever it is told cannot be \
+                 proved\nhelp: declare a range for {name} too, as `motor {} in LOW ..= HIGH`",
+                self.model.joint(declared.joint).name
+            ),
+        };
+        (origin, text)
+    }
+
+    fn start_value(&self, motor: MotorId) -> f64 {
+        let joint = self.model.motor(motor).joint;
+        let values = self.model.start.values.iter();
+        values
+            .filter(|value| value.joint == joint)
+            .map(|value| value.value)
+            .next()
+            .unwrap_or_default()
+    }
+
+    /// A value that is short of a dead point, as one would write it.
+    fn value_before(&self, motor: MotorId, limit: f64, start: f64) -> String {
+        let (unit, limit, start) = match self.model.joint(self.model.motor(motor).joint).kind {
+            JointKind::Revolute(..) => (" deg", limit.to_degrees(), start.to_degrees()),
+            _ => ("", limit, start),
+        };
+        let scale = 1e3;
+        let short = if limit < start {
+            (limit * scale).ceil()
+        } else {
+            (limit * scale).floor()
+        };
+        format!("`{}{unit}`", brief(short / scale))
+    }
+
+    /// A motor's value as one would write it.
+    fn motor_value(&self, motor: MotorId, value: f64) -> String {
+        match self.model.joint(self.model.motor(motor).joint).kind {
+            JointKind::Revolute(..) => format!("`{} deg`", brief(value.to_degrees())),
+            _ => format!("`{}`", brief(value)),
+        }
+    }
+}

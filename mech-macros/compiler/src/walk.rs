@@ -1,0 +1,112 @@
+//! The ways on which a mechanism is tried at compile time: each motor alone through its range, or through whole turns, and all
+//! of them together in several proportions, always straight from the start.
+
+use crate::model::{JointKind, Model, MotorId};
+use crate::plan::{Plan, Step};
+use num_traits::ToPrimitive;
+use std::f64::consts::TAU;
+
+/// Most turns of a motor that are looked at: behind gears it takes several until everything has turned.
+const MOST_TURNS: i64 = 8;
+
+/// A straight way from the start.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Stretch {
+    /// How far each motor goes on it.
+    pub(crate) ways: Vec<f64>,
+    /// How many times as many samples as a single turn it is worth.
+    pub(crate) pieces: usize,
+}
+
+/// The values of the motors after a part of the ways from where they start.
+pub(crate) fn at(start: &[f64], ways: &[f64], part: f64) -> Vec<f64> {
+    let ways = start.iter().zip(ways);
+    ways.map(|(start, way)| start + way * part).collect()
+}
+
+/// Walks all ways. The walker is given a stretch and tells whether it came to its end: who can turn all the way round need not
+/// turn back as well.
+pub(crate) fn walk(model: &Model, plan: &Plan, mut walker: impl FnMut(&Stretch) -> bool) {
+    for motor in model.motor_ids() {
+        alone(model, plan, motor, &mut walker);
+    }
+    if model.motors.len() > 1 {
+        together(model, &mut walker);
+    }
+}
+
+/// Moves one motor through its range, the others at the start.
+fn alone(
+    model: &Model,
+    plan: &Plan,
+    motor: MotorId,
+    walker: &mut impl FnMut(&Stretch) -> bool,
+) {
+    let index = motor.index();
+    let start = plan.start.motors[index];
+    let along = |way: f64, pieces: usize| {
+        let mut ways = vec![0.0; model.motors.len()];
+        ways[index] = way;
+        Stretch { ways, pieces }
+    };
+    if let Some(range) = model.motor(motor).range {
+        walker(&along(range.high - start, 1));
+        walker(&along(range.low - start, 1));
+        return;
+    }
+    let turns = matches!(
+        model.joint(model.motor(motor).joint).kind,
+        JointKind::Revolute(..)
+    );
+    let (way, pieces) = if turns {
+        let turns = turns_of(plan);
+        #[expect(clippy::cast_precision_loss, reason = "a handful of turns")]
+        let way = TAU * turns as f64;
+        (way, usize::try_from(turns).unwrap_or(1).max(1))
+    } else {
+        (4.0 * size(model), 2)
+    };
+    let whole = walker(&along(way, pieces));
+    if !(whole && turns) {
+        walker(&along(-way, pieces));
+    }
+}
+
+/// Moves all motors together, in several proportions.
+fn together(model: &Model, walker: &mut impl FnMut(&Stretch) -> bool) {
+    for round in 1_u32..=4 {
+        let ways = (0_u32..).zip(&model.motors).map(|(index, motor)| {
+            let part = f64::from((round * (2 * index + 3)) % 7) / 3.0 - 1.0;
+            let whole = match model.joint(motor.joint).kind {
+                JointKind::Revolute(..) => TAU,
+                _ => size(model),
+            };
+            part * whole
+        });
+        walker(&Stretch {
+            ways: ways.collect(),
+            pieces: 1,
+        });
+    }
+}
+
+/// After so many turns of a motor everything behind gears has turned as a whole.
+fn turns_of(plan: &Plan) -> i64 {
+    let meshes = plan.steps.iter().filter_map(|step| match step {
+        Step::Mesh(mesh) => Some(mesh),
+        _ => None,
+    });
+    let parts = meshes.flat_map(|mesh| &mesh.parts);
+    parts.fold(1, |turns, (_, part)| {
+        let denominator = part.denom().to_i64().unwrap_or(MOST_TURNS);
+        num_integer::lcm(turns, denominator.clamp(1, MOST_TURNS)).min(MOST_TURNS)
+    })
+}
+
+/// How large the mechanism is: the greatest distance of an axis from the origin of its link.
+pub(crate) fn size(model: &Model) -> f64 {
+    model
+        .axes
+        .iter()
+        .fold(0.0_f64, |size, axis| size.max(axis.at[0].hypot(axis.at[1])))
+}

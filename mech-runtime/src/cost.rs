@@ -1,0 +1,45 @@
+//! What a position costs.
+
+/// How many operations it takes to find a position, as they are generated: what is never needed is not counted. An iteration is
+/// counted as often as it runs; one that runs until its loop closes as often as it usually does: three rounds.
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct Crank;
+///     link crank { point pin = (0, 1); }
+///     joint a = revolute(ground, crank) at (0, 0);
+///     motor a;
+/// }
+/// assert_eq!(Crank::COST.sine_cosine_pairs, 1);
+/// assert_eq!(Crank::LOOP_COSTS, []);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Cost {
+    /// Additions, subtractions and changes of sign.
+    pub additions: u32,
+    /// Multiplications.
+    pub multiplications: u32,
+    /// Divisions.
+    pub divisions: u32,
+    /// Square roots.
+    pub square_roots: u32,
+    /// Sines and cosines; both of one angle are one pair.
+    pub sine_cosine_pairs: u32,
+    /// Arctangents.
+    pub arctangents: u32,
+    /// Comparisons and what costs no more: absolute values, maxima, signs copied, choices, roundings.
+    pub selections: u32,
+}
+
+impl Cost {
+    /// No operation at all.
+    pub const NOTHING: Self = Self {
+        additions: 0,
+        multiplications: 0,
+        divisions: 0,
+        square_roots: 0,
+        sine_cosine_pairs: 0,
+        arctangents: 0,
+        selections: 0,
+    };
+}

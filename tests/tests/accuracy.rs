@@ -1,0 +1,263 @@
+//! What is predicted about errors, beside what is measured: programs moved by their declared steps, from anywhere, to and fro,
+//! beside the exact ones.
+
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{JointKind, Method, Model, Precision, ShapeKind};
+use mech_compiler::program::{Program, Rounds};
+use mech_compiler::structure::Diagnosis;
+use mech_compiler::syntax::parse;
+use mech_compiler::{Compiled, compile};
+use mech_runtime::Real;
+use mech_tests::{Dice, bodies, grow, size};
+
+const GALLERY: [(&str, &str); 8] = [
+    (
+        "andrews",
+        include_str!("../../examples/src/gallery/andrews.rs"),
+    ),
+    (
+        "four_bar",
+        include_str!("../../examples/src/gallery/four_bar.rs"),
+    ),
+    (
+        "geared_piston",
+        include_str!("../../examples/src/gallery/geared_piston.rs"),
+    ),
+    (
+        "jansen",
+        include_str!("../../examples/src/gallery/jansen.rs"),
+    ),
+    (
+        "rocker_arm",
+        include_str!("../../examples/src/gallery/rocker_arm.rs"),
+    ),
+    ("watt", include_str!("../../examples/src/gallery/watt.rs")),
+    ("rolling", include_str!("zoo/rolling.rs")),
+    ("special", include_str!("zoo/special.rs")),
+];
+
+const METHODS: [Method; 3] = [
+    Method::Linear,
+    Method::NewtonSteps(1),
+    Method::NewtonSteps(2),
+];
+
+fn models(source: &str) -> Vec<Model> {
+    let models = bodies(source).into_iter().map(|body| parse(body).model);
+    models.collect()
+}
+
+/// The same mechanism with this step of its motors, in degrees: what slides goes as far as its mechanism's size turned so much.
+fn with_step(model: &Model, degrees: f64) -> Model {
+    let mut model = model.clone();
+    for index in 0..model.motors.len() {
+        let joint = model.joint(model.motors[index].joint);
+        let arm = match joint.kind {
+            JointKind::Prismatic(..) => size(&model),
+            _ => 1.0,
+        };
+        model.motors[index].step = Some(arm * degrees.to_radians());
+    }
+    model
+}
+
+/// What is fixed to each moving link.
+fn spots(model: &Model) -> Vec<Vec<[f64; 2]>> {
+    let of_link = |id| {
+        let axes = model.axes.iter().filter(|axis| axis.link == id);
+        let mut spots: Vec<[f64; 2]> = axes.map(|axis| axis.at).collect();
+        for shape in &model.link(id).shapes {
+            match &shape.kind {
+                ShapeKind::Circle { center, .. } => spots.push(*center),
+                ShapeKind::Polygon(corners) => spots.extend(corners),
+            }
+        }
+        spots
+    };
+    model.declared_links().map(of_link).collect()
+}
+
+fn off<T: Real>(spots: &[Vec<[f64; 2]>], is: &[[T; 4]], should: &[[f64; 4]]) -> f64 {
+    let mut worst = 0.0_f64;
+    for ((spots, is), should) in spots.iter().zip(is).zip(should) {
+        let place = |[cos, sin, x, y]: [f64; 4], [a, b]: [f64; 2]| {
+            [x + cos * a - sin * b, y + sin * a + cos * b]
+        };
+        for spot in spots {
+            let ([a, b], [c, d]) = (place(is.map(Real::to_f64), *spot), place(*should, *spot));
+            worst = worst.max((a - c).hypot(b - d));
+        }
+    }
+    worst
+}
+
+/// The greatest error on some walks at the declared steps; infinite where only the exact program moves on.
+fn measured<T: Real>(model: &Model, program: &Program, exact: &Program, dice: &mut Dice) -> f64 {
+    const WALKS: usize = 4;
+    const STEPS: usize = 150;
+    let spots = spots(model);
+    let steps: Vec<f64> = model
+        .motors
+        .iter()
+        .map(|motor| motor.step.unwrap_or(0.0))
+        .collect();
+    let mut worst = 0.0_f64;
+    for _ in 0..WALKS {
+        let mut reference = Machine::<f64>::new(exact);
+        let mut machine = Machine::<T>::new(program);
+        // To anywhere, in steps that are smaller than declared.
+        let far = dice.below(STEPS);
+        let signs: Vec<f64> = steps
+            .iter()
+            .map(|_| dice.between(-1.0, 1.0).signum())
+            .collect();
+        let mut ways: Vec<f64> = signs;
+        let part = dice.between(0.2, 0.9);
+        for step in 0..far + STEPS {
+            let part = if step < far { part } else { 1.0 };
+            // A little less than the step, because of rounding.
+            let motors: Vec<T> = (0..steps.len())
+                .map(|motor| {
+                    let now = reference.position().motors[motor];
+                    T::from_f64(now + 0.999 * part * ways[motor] * steps[motor])
+                })
+                .collect();
+            let exactly: Vec<f64> = motors.iter().map(|motor| motor.to_f64()).collect();
+            if reference.move_to(&exactly).is_err() {
+                ways.iter_mut().for_each(|way| *way = -*way);
+                continue;
+            }
+            if machine.move_to(&motors).is_err() {
+                return f64::INFINITY;
+            }
+            let (is, should) = (&machine.position().poses, &reference.position().poses);
+            worst = worst.max(off(&spots, is, should));
+            if dice.once_in(20) {
+                let motor = dice.below(ways.len());
+                ways[motor] = *dice.pick(&[1.0, -1.0, 0.0]);
+            }
+        }
+    }
+    worst
+}
+
+fn in_its_precision(model: &Model, program: &Program, exact: &Program, dice: &mut Dice) -> f64 {
+    match model.precision {
+        Precision::F32 => measured::<f32>(model, program, exact, dice),
+        Precision::F64 => measured::<f64>(model, program, exact, dice),
+    }
+}
+
+/// The most exact way to move it.
+fn exact(model: &Model) -> Option<Program> {
+    let exact = Model {
+        method: None,
+        accuracy: None,
+        ..model.clone()
+    };
+    compile(&exact).ok().map(|compiled| compiled.program)
+}
+
+/// How often something was seen.
+#[derive(Default, Debug)]
+struct Seen {
+    cases: usize,
+    bounded: usize,
+    below: usize,
+    /// The greatest ratio of measured to predicted, where it is less than one; and of predicted to measured.
+    tightest: f64,
+    ratios: Vec<f64>,
+}
+
+impl Seen {
+    fn hold(&mut self, what: &str, predicted: f64, measured: f64) {
+        self.cases += 1;
+        if predicted.is_finite() {
+            self.bounded += 1;
+            self.tightest = self.tightest.max(measured / predicted);
+            self.ratios.push(measured / predicted);
+            if measured > predicted {
+                self.below += 1;
+                println!("{what}: {measured:.2e} measured, {predicted:.2e} predicted");
+            }
+        }
+    }
+
+    fn tell(&mut self, what: &str) {
+        self.ratios.sort_by(f64::total_cmp);
+        let median = self.ratios.get(self.ratios.len() / 2).copied();
+        println!(
+            "{what}: {} cases, {} predicted, {} below what was measured; measured at most {:.2} and in the middle {:.2} of it",
+            self.cases,
+            self.bounded,
+            self.below,
+            self.tightest,
+            median.unwrap_or_default()
+        );
+    }
+}
+
+fn hold(model: &Model, what: &str, seen: &mut Seen, dice: &mut Dice) {
+    let Some(exact) = exact(model) else {
+        return;
+    };
+    for method in METHODS {
+        let model = Model {
+            method: Some(method),
+            accuracy: None,
+            ..model.clone()
+        };
+        let Ok(compiled) = compile(&model) else {
+            continue;
+        };
+        let Some(prediction) = &compiled.prediction else {
+            continue;
+        };
+        let measured = in_its_precision(&model, &compiled.program, &exact, dice);
+        let what = format!("{what} {} {method:?} {:?}", model.name, model.precision);
+        seen.hold(&what, prediction.error, measured);
+    }
+}
+
+#[test]
+fn nothing_in_the_gallery_is_worse_than_predicted() {
+    let mut dice = Dice::new(5);
+    for precision in [Precision::F64, Precision::F32] {
+        let mut seen = Seen::default();
+        for (file, source) in GALLERY {
+            for mut model in models(source) {
+                model.precision = precision;
+                for degrees in [0.1, 1.0, 5.0] {
+                    let what = format!("{file} {degrees}°");
+                    hold(&with_step(&model, degrees), &what, &mut seen, &mut dice);
+                }
+            }
+        }
+        seen.tell(&format!("gallery and zoo, {precision:?}"));
+        assert_eq!(seen.below, 0);
+        assert!(2 * seen.bounded > seen.cases, "most can be predicted");
+    }
+}
+
+fn cases() -> u64 {
+    let cases = std::env::var("MECH_CASES").ok();
+    cases.and_then(|cases| cases.parse().ok()).unwrap_or(100)
+}
+
+#[test]
+fn nothing_at_random_is_worse_than_predicted() {
+    for precision in [Precision::F64, Precision::F32] {
+        let mut seen = Seen::default();
+        for seed in 0..cases() {
+            let mut dice = Dice::new(seed);
+            let additions = 1 + dice.below(5);
+            let mut model = grow(&mut dice, additions).model;
+            model.precision = precision;
+            let degrees = *dice.pick(&[0.1, 1.0, 5.0]);
+            let what = format!("seed {seed} {degrees}°");
+            hold(&with_step(&model, degrees), &what, &mut seen, &mut dice);
+        }
+        seen.tell(&format!("random, {precision:?}"));
+        assert!(100 * seen.below <= seen.bounded, "{} of {}", seen.below, seen.bounded);
+    }
+}
