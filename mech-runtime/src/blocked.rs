@@ -5,7 +5,7 @@ use core::fmt;
 /// A mechanism could not be moved as told; it is where it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Blocked<M> {
+pub struct Blocked<M = [f64; 1]> {
     /// The motor or the loop at which it stopped: the name of the motor's joint, or the loop's joints of unknown coordinate.
     pub place: &'static str,
     /// What stopped it.
@@ -41,7 +41,7 @@ pub enum Cause {
 /// How far a mechanism came that was moved as far as it goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use]
-pub enum Reached<M> {
+pub enum Reached<M = [f64; 1]> {
     /// It is where it was told to go.
     Target,
     /// It is at its limit, at the motor values [`Blocked::reached`].

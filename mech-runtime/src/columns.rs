@@ -124,7 +124,7 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
 
 /// Which of many positions is blocked, and why.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct BlockedAt<M> {
+pub struct BlockedAt<M = [f64; 1]> {
     /// The number of the position, from 0.
     pub index: usize,
     /// Why.

@@ -80,7 +80,7 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// assert!((tip.x - piston.h()).abs() < 1e-12);    // a joint's coordinate
 /// assert!((pose.translation.x - tip.x).abs() < 1e-12);
 /// println!("{}", GearedPiston::REPORT);           // mobility, trunk and arms, loops in order
-/// # Ok::<(), mech_runtime::Blocked<[f64; 1]>>(())
+/// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///
 /// # Two ways to declare

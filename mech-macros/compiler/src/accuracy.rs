@@ -348,3 +348,6 @@ fn unwatched(choices: &[Choice]) -> Vec<Choice> {
     };
     choices.iter().map(unwatched).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -347,3 +347,6 @@ impl Iteration {
         self.rounds + u32::from(self.measured[value.index()])
     }
 }
+
+#[cfg(test)]
+mod tests;

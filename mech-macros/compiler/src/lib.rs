@@ -129,7 +129,12 @@ fn aligned(model: &Model, structure: Structure) -> Option<Result<Coherent, Diagn
 /// The program of a planned mechanism, at its start.
 fn written(model: &Model, structure: Structure, plan: Plan) -> Result<Coherent, Diagnosis> {
     let method = model.method.unwrap_or_default();
-    let choices = plan.loops().map(|_| Choice::by(method)).collect();
+    let predictor = model.predictor;
+    let chosen = |_| Choice {
+        predictor,
+        ..Choice::by(method)
+    };
+    let choices = plan.loops().map(chosen).collect();
     let choices = survey::survey(model, &plan, choices);
     let (choices, prediction) = match model.accuracy {
         Some(accuracy) => {

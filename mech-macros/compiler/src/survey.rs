@@ -73,6 +73,7 @@ fn watched(model: &Model, choices: &[Choice], found: &[Found]) -> Vec<Choice> {
             }
         }),
         solver: Solver::ClosedForm,
+        predictor: 0,
         side: choice.side,
         proved: false,
     });
@@ -105,6 +106,7 @@ fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> 
         });
         Choice {
             solver,
+            predictor: choice.predictor,
             watching,
             side: choice.side,
         proved: false,

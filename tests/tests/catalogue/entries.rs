@@ -297,6 +297,89 @@ start { a = 60 deg; d = 110 deg; }",
         edit: ("d = 110 deg;", "rocker near 110 deg;"),
     },
     Entry {
+        variant: "Range",
+        example: "
+struct Rocking;
+ground { point a = (0, 0); point d = (4, 0); }
+link crank { point shaft = (0, 0); point pin = (1, 0); }
+link coupler { point a = (0, 0); point b = (2, 0); }
+link rocker { point shaft = (0, 0); point b = (1.5, 0); }
+joint a = revolute(ground.a, crank.shaft);
+joint b = revolute(crank.pin, coupler.a);
+joint c = revolute(coupler.b, rocker.b);
+joint d = revolute(ground.d, rocker.shaft);
+motor a in -50 deg ..= 90 deg;
+start { coupler near 40 deg; }",
+        remedy: "Let the range end before the dead point, or change a length so that the crank turns farther.",
+        edit: ("90 deg", "53 deg"),
+    },
+    Entry {
+        variant: "Range",
+        example: "
+struct Stopping;
+ground { point a = (0, 0); point d = (4, 0); }
+link crank { point shaft = (0, 0); point pin = (1, 0); }
+link coupler { point a = (0, 0); point b = (4, 0); }
+link rocker { point shaft = (0, 0); point b = (1, 0); }
+joint a = revolute(ground.a, crank.shaft);
+joint b = revolute(crank.pin, coupler.a);
+joint c = revolute(coupler.b, rocker.b);
+joint d = revolute(ground.d, rocker.shaft);
+motor a in 10 deg ..= 270 deg;
+start { a = 90 deg; rocker near 90 deg; }
+at change points stop;",
+        remedy: "Narrow the range, or let the mechanism go on.",
+        edit: ("at change points stop;", "at change points go on;"),
+    },
+    Entry {
+        variant: "Range",
+        example: "
+struct Grazing;
+ground { point a = (0, 0); point d = (4, 0); }
+link crank { point shaft = (0, 0); point pin = (1, 0); }
+link coupler { point a = (0, 0); point b = (2.5, 0); }
+link rocker { point shaft = (0, 0); point b = (2.49999999999995, 0); }
+joint a = revolute(ground.a, crank.shaft);
+joint b = revolute(crank.pin, coupler.a);
+joint c = revolute(coupler.b, rocker.b);
+joint d = revolute(ground.d, rocker.shaft);
+motor a in 0 deg ..= 360 deg;
+start { coupler near 50 deg; }",
+        remedy: "Lengths that nearly, but not quite, let it fold are seldom meant: change one.",
+        edit: ("2.49999999999995", "2.6"),
+    },
+    Entry {
+        variant: "Range",
+        example: "
+struct Iterated;
+ground { point a = (0, 0); point d = (4, 0); }
+link crank { point shaft = (0, 0); point pin = (1, 0); }
+link coupler { point a = (0, 0); point b = (3.5, 0); }
+link rocker { point shaft = (0, 0); point b = (3, 0); }
+joint a = revolute(ground.a, crank.shaft);
+joint b = revolute(crank.pin, coupler.a);
+joint c = revolute(coupler.b, rocker.b);
+joint d = revolute(ground.d, rocker.shaft);
+motor a in 0 deg ..= 360 deg;
+start { coupler near 50 deg; }
+method newton;",
+        remedy: "Solve it exactly, or leave the range out.",
+        edit: ("method newton;", "method exact;"),
+    },
+    Entry {
+        variant: "Range",
+        example: "
+struct Crane;
+link arm;
+link hook;
+joint a = revolute(ground, arm) at (0, 0);
+joint x = prismatic(arm, hook) at (1, 0) along (1, 0);
+motor a in 0 deg ..= 90 deg;
+motor x;",
+        remedy: "Declare a range for the other motor too.",
+        edit: ("motor x;", "motor x in 0 ..= 2;"),
+    },
+    Entry {
         variant: "TooLarge",
         example: "
 struct Arm: f32;

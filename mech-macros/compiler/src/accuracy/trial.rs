@@ -7,16 +7,21 @@
 use super::extent::Extents;
 use crate::cost;
 use crate::evaluate::Machine;
-use crate::model::Model;
+use crate::model::{JointKind, Model};
 use crate::plan::Plan;
 use crate::program::{Position, Program};
-use crate::walk::{Stretch, at, walk};
+use crate::walk::{Stretch, at, size, walk};
 use mech_core::Real;
+use std::f64::consts::TAU;
 
 /// How many operations a trial may cost.
 const BUDGET: usize = 1_200_000;
 /// Samples in a turn.
 const SAMPLES: [usize; 2] = [24, 180];
+/// Samples where all motors wander about.
+const WANDERING: [usize; 2] = [240, 600];
+/// Parts of it are never near each other.
+const GOLDEN: f64 = 0.618_033_988_749_895;
 /// Steps from a sample.
 const STEPS: usize = 2;
 /// Where several motors step at once: the most ways of doing so that are tried.
@@ -91,6 +96,9 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
         rivals,
     };
     walk(model, plan, |stretch| trial.straight(stretch));
+    if model.motors.len() > 1 && !trial.rivals.is_empty() {
+        trial.about(model);
+    }
     trial.found
 }
 
@@ -142,7 +150,7 @@ impl Trial<'_, '_> {
         let samples = pieces * (self.affordable / pieces).clamp(SAMPLES[0], SAMPLES[1]);
         let start = &self.exact.start;
         let mut machine = Machine::<f64>::new(self.exact);
-        self.around(machine.position());
+        self.around(machine.position(), 0..self.patterns.len());
         for sample in 1..=samples {
             #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
             let part = sample as f64 / samples as f64;
@@ -150,16 +158,67 @@ impl Trial<'_, '_> {
             let before = machine.position().clone();
             if machine.move_to(&motors).is_ok() {
                 self.in_single(&before, machine.position());
-                self.around(machine.position());
+                self.around(machine.position(), 0..self.patterns.len());
             } else {
-                // Where it comes to its end all are at their worst.
-                let _ = machine.move_toward(&motors);
-                self.around(machine.position());
-                self.back_to(machine.position());
+                self.end(&mut machine, &motors);
                 return false;
             }
         }
         true
+    }
+
+    /// Wanders about with all motors, turning back where it is blocked.
+    fn about(&mut self, model: &Model) {
+        let size = size(model);
+        let reach: Vec<f64> = model
+            .motors
+            .iter()
+            .map(|motor| match model.joint(motor.joint).kind {
+                JointKind::Revolute(..) => f64::INFINITY,
+                _ => 4.0 * size,
+            })
+            .collect();
+        let start = &self.exact.start.motors;
+        // Each at a pace of its own, so that they meet everywhere.
+        let mut ways: Vec<f64> = (1_u32..)
+            .zip(&reach)
+            .map(|(motor, reach)| {
+                let whole = if reach.is_finite() { size } else { TAU };
+                whole * (0.02 + 0.06 * (GOLDEN * f64::from(motor)).fract())
+            })
+            .collect();
+        let mut machine = Machine::<f64>::new(self.exact);
+        let samples = (4 * self.affordable).clamp(WANDERING[0], WANDERING[1]);
+        for sample in 0..samples {
+            let turned = sample % ways.len();
+            let next = at(&machine.position().motors, &ways, 1.0);
+            let inside = |(motor, next): (usize, &f64)| {
+                let range = model.motors[motor].range;
+                range.is_none_or(|range| range.low <= *next && *next <= range.high)
+                    && (next - start[motor]).abs() <= reach[motor]
+            };
+            if !next.iter().enumerate().all(inside) {
+                ways.iter_mut().for_each(|way| *way = -*way);
+                ways[turned] = -ways[turned];
+                continue;
+            }
+            if machine.move_to(&next).is_err() {
+                self.end(&mut machine, &next);
+                ways[turned] = -ways[turned];
+            }
+            let count = self.patterns.len().max(1);
+            self.around(
+                machine.position(),
+                [sample % count, (7 * sample + 3) % count].into_iter(),
+            );
+        }
+    }
+
+    /// Goes as far as it can: where it comes to its end all are at their worst.
+    fn end(&mut self, machine: &mut Machine<'_, f64>, motors: &[f64]) {
+        let _ = machine.move_toward(motors);
+        self.around(machine.position(), 0..self.patterns.len());
+        self.back_to(machine.position());
     }
 
     /// Goes there in single precision.
@@ -175,12 +234,12 @@ impl Trial<'_, '_> {
         note(&mut self.found.single, off);
     }
 
-    /// Steps away from a position in all directions.
-    fn around(&mut self, position: &Position<f64>) {
-        if self.rivals.is_empty() {
+    /// Steps away from a position in some directions.
+    fn around(&mut self, position: &Position<f64>, directions: impl Iterator<Item = usize>) {
+        if self.rivals.iter().all(|rival| rival.stopped) {
             return;
         }
-        for pattern in &self.patterns {
+        for pattern in directions.filter_map(|direction| self.patterns.get(direction)) {
             let mut positions = Vec::with_capacity(STEPS);
             self.machine.put_back(position.clone());
             for step in 1..=STEPS {

@@ -102,6 +102,8 @@ pub struct Model {
     pub start: Start,
     /// How the loops are solved, if that was said; else `accuracy` decides, and without that the method is exact.
     pub method: Option<Method>,
+    /// From how many differences of the motion iterations are started, 0 to 3.
+    pub predictor: u8,
     /// The greatest error of any position that is allowed, in scene units, if one was declared.
     pub accuracy: Option<f64>,
     /// Whose operations are counted when a method is chosen.
@@ -135,6 +137,7 @@ impl Model {
             motors: Vec::new(),
             start: Start::default(),
             method: None,
+            predictor: 0,
             accuracy: None,
             target: Target::default(),
             change_points: AtChangePoints::default(),

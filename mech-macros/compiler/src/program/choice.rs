@@ -32,6 +32,8 @@ pub struct Watching {
 pub struct Choice {
     /// How it is solved.
     pub solver: Solver,
+    /// From how many differences its iteration is started, 0 to 3, as long as the motors move by equal steps.
+    pub predictor: u8,
     /// Whether it is watched, because it has dead points or change points. If it goes over to its other side there, on which
     /// side its dyad lies is carried from position to position, and it is solved in closed form.
     pub watching: Option<Watching>,
@@ -59,6 +61,7 @@ impl Choice {
         };
         Self {
             solver,
+            predictor: 0,
             watching: None,
             proved: false,
             side: None,

@@ -16,7 +16,6 @@ impl Words<'_> {
         let name = self.joint(declared.joint);
         let origin = declared.range.map_or(declared.origin, |range| range.origin);
         let at = |value: f64| self.motor_value(motor, value);
-        let joints = || self.the_joints(unknowns, ["can", "can"]);
         let text = match trouble {
             RangeTrouble::Blocked {
                 limit,
@@ -39,11 +38,11 @@ impl Words<'_> {
                 let end = if *limit < start { "begin" } else { "end" };
                 format!(
                     "motor {name} is blocked at {}, within its range{others}\nnote: coming from its start at {} it is at a dead \
-                     point there; until {} {} not close the loop\nhelp: let the range {end} at {}, or change a length",
+                     point there; until {} {} close the loop\nhelp: let the range {end} at {}, or change a length",
                     at(*limit),
                     at(start),
                     at(*until),
-                    self.the_joints(unknowns, ["can", "can"]),
+                    self.the_joints(unknowns, ["cannot", "cannot"]),
                     self.value_before(motor, *limit, start)
                 )
             }
@@ -54,8 +53,8 @@ impl Words<'_> {
             ),
             RangeTrouble::Undecided { between } => format!(
                 "it could not be proved that motor {name} moves through its range, nor that it does not\nnote: it could not be told whether \
-                 {} close the loop between {} and {}\nhelp: narrow the range, or leave it out: then every move is tested when it is made",
-                joints(),
+                 the loop of {} closes between {} and {}\nhelp: narrow the range, or leave it out: then every move is tested when it is made",
+                self.joints(unknowns),
                 at(between.0),
                 at(between.1)
             ),

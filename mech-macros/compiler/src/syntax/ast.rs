@@ -253,6 +253,8 @@ pub(super) struct Method {
     pub word: Ident,
     /// The brackets after it, and the number of steps in them.
     pub steps: Option<(Option<Expr>, Place)>,
+    /// The word `predictor` after them, and its order.
+    pub predictor: Option<(Span, Expr)>,
 }
 
 /// `(x, y)`

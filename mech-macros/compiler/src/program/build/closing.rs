@@ -85,8 +85,11 @@ impl Writer<'_> {
     }
 
     /// What was decided for the present loop.
-    fn choice(&self) -> Choice {
-        let otherwise = Choice::by(self.model.method.unwrap_or_default());
+    pub(super) fn choice(&self) -> Choice {
+        let otherwise = Choice {
+            predictor: self.model.predictor,
+            ..Choice::by(self.model.method.unwrap_or_default())
+        };
         self.choices
             .get(self.loops - 1)
             .cloned()
@@ -100,15 +103,18 @@ impl Writer<'_> {
         };
         let [sine, tiny] =
             [closed.sine, closed.tiny_square].map(|value| self.builder.at_start(value));
+        // A side that is carried is kept already.
         if watching.at_zero != AtZero::GoOver {
-            self.builder.keep(sine);
+            self.keep(sine);
         }
-        self.builder.keep(tiny);
+        self.keep(tiny);
         let sine = self.builder.name(closed.sine, "sine");
-        self.kept.extend([sine, closed.tiny_square]);
+        let kept = self.kept.len() - 2;
+        self.kept[kept] = sine;
+        self.kept[kept + 1] = closed.tiny_square;
         self.watches.push(Watch {
             block,
-            kept: self.kept.len() - 2,
+            kept,
             rates: watching.rates.clone(),
             at_zero: watching.at_zero,
         });
@@ -294,6 +300,8 @@ impl Writer<'_> {
         block: BlockId,
         firsts: Vec<First>,
     ) -> (Vec<Scalar>, Vec<Solution<Value>>) {
+        let (firsts, histories) = self.predicted(firsts);
+        self.histories = histories;
         let mut scalars = Vec::new();
         let now = firsts
             .into_iter()
@@ -338,6 +346,8 @@ impl Writer<'_> {
             .map(|(scalar, next)| Scalar { next, ..scalar })
             .collect();
         let solution = self.solved(block, now, &scalars);
+        let histories = std::mem::take(&mut self.histories);
+        self.remember(&histories, &solution);
         let rounds = match self.choice().solver {
             Solver::ClosedForm => Rounds::UntilClosed(MOST_ROUNDS),
             Solver::Linear => Rounds::Exactly(1),

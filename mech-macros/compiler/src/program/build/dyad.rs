@@ -335,7 +335,7 @@ impl Writer<'_> {
             .unwrap_or_else(|| self.builder.at_start(tells) > 0.0);
         if choice.goes_over() {
             let sine = if positive { 1.0 } else { -1.0 };
-            Side::Carried(self.builder.keep(sine))
+            Side::Carried(self.keep(sine))
         } else {
             Side::Fixed(positive)
         }

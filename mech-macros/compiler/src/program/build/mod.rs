@@ -2,6 +2,7 @@
 
 mod closing;
 mod dyad;
+mod predictor;
 mod tied;
 mod triad;
 
@@ -46,6 +47,8 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
         kept: Vec::new(),
         watches: Vec::new(),
         senses: None,
+        steady: None,
+        histories: Vec::new(),
         sources: vec![None; plan.sources.len()],
         meshes: 0,
         loops: 0,
@@ -87,9 +90,21 @@ struct Writer<'m> {
     sources: Vec<Option<Value>>,
     meshes: usize,
     loops: usize,
+    /// Whether the motors move by equal steps, once something asked.
+    steady: Option<predictor::Steady>,
+    /// The histories of the present loop's unknowns, if its start is predicted.
+    histories: Vec<predictor::History>,
 }
 
 impl Writer<'_> {
+    /// A number that is carried from position to position: what it is at the start and, unless something else is put into its
+    /// place, for ever.
+    fn keep(&mut self, start: f64) -> Value {
+        let last = self.builder.keep(start);
+        self.kept.push(last);
+        last
+    }
+
     fn link_of(&self, axis: AxisId) -> LinkId {
         self.model.axis(axis).link
     }
@@ -237,7 +252,8 @@ impl Writer<'_> {
         );
         let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
         let principal = self.builder.make(Op::Atan2(sin, cos));
-        let last = self.builder.keep(start);
+        let kept = self.kept.len();
+        let last = self.keep(start);
         let behind = self.builder.sub(last, principal);
         let turn = self.builder.constant(std::f64::consts::TAU);
         let turns = self.builder.div(behind, turn);
@@ -246,7 +262,7 @@ impl Writer<'_> {
         let angle = self.builder.add(principal, whole);
         let name = format!("{}_angle", self.name_of(to));
         self.builder.name(angle, name);
-        self.kept.push(angle);
+        self.kept[kept] = angle;
         angle
     }
 
@@ -273,8 +289,7 @@ impl Writer<'_> {
         }
         self.senses = Some(self.kept.len());
         for _ in &self.model.motors {
-            let sense = self.builder.keep(1.0);
-            self.kept.push(sense);
+            self.keep(1.0);
         }
     }
 

@@ -106,10 +106,12 @@ impl Writer<'_> {
         base: LinkId,
     ) -> (Newton, Vec<Solution<Value>>) {
         let mut firsts = Vec::new();
+        let mut kept = Vec::new();
         for (name, index) in &tied.unknowns {
             firsts.push(match equation.unknowns[*index] {
                 Unknown::Direction(_) => {
-                    let last = self.builder.keep(0.0);
+                    kept.push(self.kept.len());
+                    let last = self.keep(0.0);
                     (name.clone(), Solution::Slide(last))
                 }
                 unknown @ Unknown::Slide(_) => self.first(unknown, base),
@@ -151,11 +153,14 @@ impl Writer<'_> {
             extent: self.extent(equation, &full),
         };
         let (newton, solution) = self.advance(block, &names, scalars, &now, system);
+        let mut kept = kept.into_iter();
         for ((_, index), solved) in tied.unknowns.iter().zip(&solution) {
             if let (Unknown::Direction(_), Solution::Slide(angle)) =
                 (equation.unknowns[*index], *solved)
             {
-                self.kept.push(angle);
+                if let Some(kept) = kept.next() {
+                    self.kept[kept] = angle;
+                }
             }
         }
         (newton, solution)

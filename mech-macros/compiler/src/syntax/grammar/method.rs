@@ -2,7 +2,7 @@
 
 use super::expression::expression;
 use super::setting::settled;
-use super::tokens::{any_word, comes_word, in_parens, unexpected, word};
+use super::tokens::{any_word, comes_word, in_parens, take_word, unexpected, word};
 use crate::model::AtChangePoints;
 use crate::syntax::Message;
 use crate::syntax::ast::{Expr, Method, Read, Statement};
@@ -10,7 +10,7 @@ use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::token;
 
-/// Reads `newton(2);`.
+/// Reads `newton(2);` or `newton(1) predictor(3);`.
 pub(super) fn method(input: ParseStream, keyword: Span) -> Statement {
     settled(input, |input| {
         let word =
@@ -20,10 +20,14 @@ pub(super) fn method(input: ParseStream, keyword: Span) -> Statement {
         } else {
             None
         };
+        let predictor = take_word(input, "predictor")
+            .map(|span| Ok((span, in_parens(input, "`(`", expression)?.0)))
+            .transpose()?;
         Ok(Statement::Method(Method {
             keyword,
             word,
             steps,
+            predictor,
         }))
     })
 }

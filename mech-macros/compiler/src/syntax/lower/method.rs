@@ -12,6 +12,9 @@ const MACHINES: [&str; 2] = ["x86_64", "cortex_m4f"];
 /// More Newton steps than this are a mistake: the error is squared by each.
 const MOST_STEPS: i32 = 64;
 
+/// Higher orders follow rounding rather than the motion.
+const MOST_ORDER: i32 = 3;
+
 const ONE_TOO_MANY: &str = "remove one of the two";
 
 impl Lowering {
@@ -30,6 +33,14 @@ impl Lowering {
             }
         };
         self.model.method = chosen.or(self.model.method);
+        if let Some((span, order)) = &method.predictor {
+            if !text.eq("newton") {
+                let text = format!("method `{text}` starts from no prediction; leave `predictor` out");
+                return self.report.tell(Place::at(*span), text);
+            }
+            let order = self.whole(order, "the order of a predictor", [1, MOST_ORDER]);
+            self.model.predictor = order.and_then(|order| u8::try_from(order).ok()).unwrap_or(0);
+        }
     }
 
     /// Either a method is declared, or an accuracy that chooses one.

@@ -1,0 +1,3 @@
+//! Stub.
+use plotters as _;
+fn main() {}

@@ -1,0 +1,144 @@
+//! Which solver is chosen.
+
+use crate::model::{Model, Precision, Target};
+use crate::program::{BlockKind, Program, Rounds};
+use crate::structure::Diagnosis;
+use crate::syntax::parse;
+use crate::{Compiled, compile};
+
+const FOUR_BAR: &str = "struct FourBar;
+    link crank; link coupler; link rocker;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, coupler) at (0.8, 0.6);
+    joint c = revolute(coupler, rocker) at (3.3, 2.9);
+    joint d = revolute(ground, rocker) at (4, 0);
+    motor a by 1 deg;";
+
+/// Stephenson's third six-bar, driven from its far side: two rings that wait for each other.
+const COUPLED: &str = "struct SixBar;
+    link crank; link coupler; link rocker; link rod; link driver;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, coupler) at (0.7, 1.2);
+    joint c = revolute(coupler, rocker) at (3.6, 2.4);
+    joint d = revolute(ground, rocker) at (4, 0);
+    joint e = revolute(coupler, rod) at (2.2, 3.6);
+    joint f = revolute(rod, driver) at (5.6, 4.6);
+    joint g = revolute(ground, driver) at (6.4, 1.6);
+    motor g;
+    allow coupled;";
+
+/// The same with a short crank, which turns all the way round.
+const CRANKED: &str = "struct SixBar;
+    link crank; link coupler; link rocker; link rod; link driver;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, coupler) at (0.7, 1.2);
+    joint c = revolute(coupler, rocker) at (3.6, 2.4);
+    joint d = revolute(ground, rocker) at (4, 0);
+    joint e = revolute(coupler, rod) at (2.2, 3.6);
+    joint f = revolute(rod, driver) at (6.5, 1.8);
+    joint g = revolute(ground, driver) at (6.4, 1.6);
+    motor g by 1 deg;
+    allow coupled;";
+
+/// Gears tie two of the unknown directions of a five-bar.
+const TIED: &str = "struct TiedFiveBar;
+    link left; link right; link rod; link arm;
+    joint a = revolute(ground, left) at (0, 0);
+    joint b = revolute(left, rod) at (0, 1);
+    joint c = revolute(rod, arm) at (2, 3);
+    joint d = revolute(arm, right) at (4, 1.2);
+    joint e = revolute(ground, right) at (4, 0);
+    joint mesh = gear(left, right, 30 : -20);
+    motor c;";
+
+fn model(text: &str, accuracy: f64) -> Model {
+    let parsed = parse(text.parse().expect("tokens"));
+    assert_eq!(parsed.errors.len(), 0);
+    Model {
+        accuracy: Some(accuracy),
+        ..parsed.model
+    }
+}
+
+fn accepted(model: &Model) -> Compiled {
+    let compiled = compile(model).expect("it is accurate enough");
+    let error = compiled.prediction.as_ref().expect("a prediction").error;
+    assert!(Some(error) <= model.accuracy);
+    compiled
+}
+
+fn rounds(program: &Program) -> Option<Rounds> {
+    program.blocks.iter().find_map(|block| match &block.kind {
+        BlockKind::Newton(newton) => Some(newton.rounds),
+        BlockKind::Straight | BlockKind::Closed(_) => None,
+    })
+}
+
+#[test]
+fn a_dyad_is_solved_exactly() {
+    for accuracy in [1e-1, 1e-6, 1e-12] {
+        let compiled = accepted(&model(FOUR_BAR, accuracy));
+        assert!(compiled.program.is_closed(), "{accuracy:e}");
+        assert_eq!(compiled.loops[0].method, "exact");
+        assert_eq!(compiled.loops[0].error, None);
+        // Exact to rounding: it does not depend on what was asked for.
+        assert!(compiled.prediction.expect("a prediction").error < 1e-13);
+    }
+}
+
+#[test]
+fn without_a_step_nobody_knows_how_far_it_goes() {
+    for text in [COUPLED, TIED] {
+        let compiled = accepted(&model(text, 1e-1));
+        let rounds = rounds(&compiled.program);
+        assert!(matches!(rounds, Some(Rounds::UntilClosed(_))), "{rounds:?}");
+        assert_eq!(compiled.loops[0].error, None);
+    }
+}
+
+#[test]
+fn more_accuracy_takes_more_rounds() {
+    let mut model = model(CRANKED, 1.0);
+    let mut taken = Vec::new();
+    for accuracy in [1.0, 1e-2, 1e-4, 1e-7, 1e-10, 1e-12] {
+        model.accuracy = Some(accuracy);
+        let compiled = accepted(&model);
+        let rounds = match rounds(&compiled.program) {
+            Some(Rounds::Exactly(rounds)) => rounds,
+            _ => u32::MAX,
+        };
+        println!("{accuracy:e}: {} {:?}", compiled.loops[0].method, compiled.prediction);
+        taken.push(rounds);
+    }
+    assert!(taken.is_sorted(), "{taken:?}");
+    assert_eq!(taken[0], 1);
+    taken.dedup();
+    assert!(taken.len() > 2, "{taken:?}");
+}
+
+#[test]
+fn in_single_precision_it_is_less_exact() {
+    let mut model = model(FOUR_BAR, 1e-12);
+    model.precision = Precision::F32;
+    let Err(diagnoses) = compile(&model) else {
+        panic!("single precision has not that many digits");
+    };
+    let [Diagnosis::TooAccurate { accuracy, best }] = diagnoses[..] else {
+        panic!("{diagnoses:?}");
+    };
+    assert_eq!(accuracy, 1e-12);
+    assert!((1e-7..1e-4).contains(&best), "{best:e}");
+    model.accuracy = Some(best);
+    accepted(&model);
+    model.accuracy = Some(0.99 * best);
+    assert!(compile(&model).is_err());
+}
+
+#[test]
+fn the_target_weighs() {
+    for target in [Target::X86_64, Target::CortexM4f] {
+        let mut model = model(CRANKED, 1e-3);
+            model.target = target;
+        accepted(&model);
+    }
+}

@@ -1,0 +1,100 @@
+//! Nearly a change point, and none: the branch must not flip.
+
+use crate::bed::Bed;
+use crate::geometry::{four_bar, slider_crank};
+use mech_runtime::Mechanism;
+
+macro_rules! slider_cranks {
+    ($($name:ident $length:literal $methods:tt;)*) => { $(
+        ways! {
+            $name by $methods {
+                ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
+                link crank { point a = (0, 0); point b = (1, 0); }
+                link rod { point b = (0, 0); point c = ($length, 0); }
+                link block { point c = (0, 0); line way = (0, 0) -> (1, 0); }
+                joint ja = revolute(ground.a, crank.a);
+                joint jb = revolute(crank.b, rod.b);
+                joint jc = revolute(rod.c, block.c);
+                joint x = prismatic(ground.way, block.way);
+                motor ja;
+                start { ja = 0 deg; rod near 0 deg; }
+            } {
+                its_block_never_goes_over_to_the_other_side: |bed| slider_crank_turns(&bed, $length);
+            }
+        }
+    )* };
+}
+
+slider_cranks! {
+    rod_longer_by_a_hundredth 1.01 [exact newton];
+    rod_longer_by_a_ten_thousandth 1.0001 [exact newton];
+    rod_longer_by_a_millionth 1.000_001 [exact_f64 newton_f64];
+}
+
+macro_rules! gaps {
+    ($($name:ident $gap:literal $methods:tt;)*) => { $(
+        ways! {
+            $name by $methods {
+                ground { point a = (0, 0); point d = (4, 0); }
+                link crank { point a = (0, 0); point b = (1, 0); }
+                link coupler { point b = (0, 0); point c = (2.5 + $gap / 2, 0); }
+                link rocker { point d = (0, 0); point c = (2.5 + $gap / 2, 0); }
+                joint ja = revolute(ground.a, crank.a);
+                joint jb = revolute(crank.b, coupler.b);
+                joint jc = revolute(coupler.c, rocker.c);
+                joint jd = revolute(ground.d, rocker.d);
+                motor ja;
+                start { coupler near 50 deg; }
+            } {
+                it_passes_its_nearly_flat_position_unflipped: |bed| nearly_flat(&bed, $gap);
+            }
+        }
+    )* };
+}
+
+gaps! {
+    gap_of_1e_3 1e-3 [exact newton];
+    gap_of_1e_4 1e-4 [exact newton];
+    gap_of_1e_5 1e-5 [exact_f64 newton_f64];
+    gap_of_1e_6 1e-6 [exact_f64];
+    gap_of_1e_7 1e-7 [exact_f64 newton_f64];
+    gap_of_1e_8 1e-8 [exact_f64];
+    gap_of_1e_9 1e-9 [exact_f64 newton_f64];
+}
+
+const STEPS: [f64; 8] = [1.0, 7.0, 30.0, 45.0, 90.0, 180.0, 300.0, -1.5];
+
+fn slider_crank_turns<M: Mechanism>(bed: &Bed<M>, length: f64) {
+    for step in STEPS {
+        let mut bed = bed.fresh();
+        for number in 1..=1500_u32 {
+            bed.must(&[f64::to_radians(step * f64::from(number))]);
+            let should = slider_crank(1.0, length, 0.0, bed.motor());
+            bed.assert_at(("block", [0.0, 0.0]), should.at, should.sine);
+        }
+    }
+    let mut bed = bed.fresh();
+    for number in -200..=200 {
+        bed.must(&[std::f64::consts::FRAC_PI_2 + 1e-5 * f64::from(number)]);
+        let should = slider_crank(1.0, length, 0.0, bed.motor());
+        bed.assert_at(("block", [0.0, 0.0]), should.at, should.sine);
+    }
+}
+
+fn nearly_flat<M: Mechanism>(bed: &Bed<M>, gap: f64) {
+    let lengths = [4.0, 1.0, 2.5 + gap / 2.0, 2.5 + gap / 2.0];
+    for step in STEPS {
+        let mut bed = bed.fresh();
+        for number in 1..=1500_u32 {
+            bed.must(&[f64::to_radians(step * f64::from(number))]);
+            let should = four_bar(lengths, bed.motor(), true);
+            bed.assert_at(("rocker", [lengths[3], 0.0]), should.at, should.sine);
+        }
+    }
+    let mut bed = bed.fresh();
+    for number in -200..=200 {
+        bed.must(&[std::f64::consts::PI + gap.sqrt() * 0.05 * f64::from(number)]);
+        let should = four_bar(lengths, bed.motor(), true);
+        bed.assert_at(("rocker", [lengths[3], 0.0]), should.at, should.sine);
+    }
+}

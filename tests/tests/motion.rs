@@ -1,0 +1,433 @@
+//! Random mechanisms in random motion: nothing that a motor is told makes a mechanism panic, come apart, bend a link or change
+//! its branch unseen.
+//!
+//! A case is one mechanism and one segment of its motion: `MECH_CASES=1000000` for a million of them.
+
+use mech_compiler::compile;
+use mech_compiler::evaluate::{Machine, Stop};
+use mech_compiler::model::{AtChangePoints, LinkId, Method, Model, Precision};
+use mech_compiler::program::{Position, Program};
+use mech_runtime::Real;
+use mech_tests::{Dice, grow, with_ground, worst_gap, worst_stretch};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Segments of the motion of one mechanism.
+const SEGMENTS: u64 = 40;
+/// In all tests a gap or an error of this many units of rounding of the mechanism's size passes for rounding.
+const ROUNDING: f64 = 64.0;
+/// More failures than this are not told.
+const TOLD: usize = 400;
+
+const METHODS: [Method; 5] = [
+    Method::Exact,
+    Method::Newton,
+    Method::Exact,
+    Method::NewtonSteps(4),
+    Method::Linear,
+];
+
+fn cases() -> u64 {
+    std::env::var("MECH_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(8_000)
+}
+
+/// One way to compute a random mechanism.
+struct Subject {
+    model: Model,
+    program: Program,
+    dice: Dice,
+    size: f64,
+}
+
+impl Subject {
+    fn of(seed: u64, method: Method, precision: Precision) -> Option<Self> {
+        let mut dice = Dice::new(seed);
+        let additions = 1 + dice.below(8);
+        let mut model = grow(&mut dice, additions).model;
+        model.method = Some(method);
+        model.precision = precision;
+        model.change_points = *dice.pick(&[
+            AtChangePoints::GoOn,
+            AtChangePoints::GoOn,
+            AtChangePoints::KeepBranch,
+            AtChangePoints::Stop,
+        ]);
+        let program = compile(&model).ok()?.program;
+        let size = lengths(&model);
+        Some(Self {
+            model,
+            program,
+            dice,
+            size,
+        })
+    }
+}
+
+/// The lengths of all links together: the greatest distances between their axes.
+fn lengths(model: &Model) -> f64 {
+    let longest = |link: LinkId| {
+        let at: Vec<[f64; 2]> = model
+            .axes
+            .iter()
+            .filter(|axis| axis.link == link)
+            .map(|axis| axis.at)
+            .collect();
+        let apart = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        at.iter()
+            .flat_map(|a| at.iter().map(move |b| apart(a, b)))
+            .fold(0.0, f64::max)
+    };
+    model.link_ids().map(longest).sum()
+}
+
+fn poses<T: Real>(position: &Position<T>) -> Vec<[f64; 4]> {
+    let pose = |pose: &[T; 4]| pose.map(Real::to_f64);
+    position.poses.iter().map(pose).collect()
+}
+
+/// Every bit of a position.
+fn bits<T: Real>(position: &Position<T>) -> Vec<u64> {
+    let numbers = position.poses.iter().flatten();
+    let numbers = numbers.chain(&position.motors).chain(&position.kept);
+    numbers
+        .map(|number| number.to_f64().to_bits())
+        .chain(
+            position
+                .turns
+                .iter()
+                .map(|turns| u64::from(turns.unsigned_abs())),
+        )
+        .collect()
+}
+
+/// What a segment does.
+#[derive(Clone, Copy, Debug)]
+enum Segment {
+    Small,
+    Leap,
+    Back,
+    OneMotor,
+    Toward,
+    Extreme,
+    NotFinite,
+}
+
+/// What a method promises about the gaps it leaves, as a part of the size.
+fn promised<T: Real>(method: Method) -> f64 {
+    match method {
+        Method::Linear => 1e-2,
+        _ => ROUNDING * T::EPSILON,
+    }
+}
+
+/// The mechanism is whole: finite, closed, its links of their length.
+fn whole<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(), String> {
+    let poses = with_ground(&subject.model, &poses(position));
+    if poses.iter().flatten().any(|number| !number.is_finite()) {
+        return Err("a pose is not finite".to_owned());
+    }
+    if position.kept.iter().any(|number| !number.is_finite()) {
+        return Err("what is carried is not finite".to_owned());
+    }
+    let stretch = worst_stretch(&poses);
+    if stretch > 16.0 * T::EPSILON {
+        return Err(format!(
+            "a link is stretched by {:.1} eps",
+            stretch / T::EPSILON
+        ));
+    }
+    let far = poses
+        .iter()
+        .map(|pose| pose[2].abs().max(pose[3].abs()))
+        .fold(0.0, f64::max);
+    let size = subject.size + far;
+    let gap = worst_gap(&subject.model, &poses);
+    let method = subject.model.method.unwrap_or_default();
+    if gap > promised::<T>(method) * size {
+        return Err(format!(
+            "a gap of {gap:e}: {:.1} eps of the size {size}",
+            gap / size / T::EPSILON
+        ));
+    }
+    Ok(())
+}
+
+/// Values for the motors.
+fn told<T: Real>(dice: &mut Dice, segment: Segment, now: &[T], before: &[T]) -> Vec<T> {
+    const EXTREMES: [f64; 10] = [
+        0.0,
+        -0.0,
+        1e-300,
+        5e-324,
+        300.0,
+        -1e9,
+        1e15,
+        1e38,
+        -1e300,
+        f64::MAX,
+    ];
+    let one = dice.below(now.len().max(1));
+    let near =
+        |dice: &mut Dice, value: &T, most: f64| *value + T::from_f64(dice.between(-most, most));
+    let mut motors: Vec<T> = match segment {
+        Segment::Small => now.iter().map(|value| near(dice, value, 0.05)).collect(),
+        Segment::Leap | Segment::Toward => now.iter().map(|value| near(dice, value, 7.0)).collect(),
+        Segment::Back => before.to_vec(),
+        Segment::OneMotor | Segment::Extreme | Segment::NotFinite => now.to_vec(),
+    };
+    if let Some(motor) = motors.get_mut(one) {
+        match segment {
+            Segment::OneMotor => *motor = near(dice, motor, 7.0),
+            Segment::Extreme => *motor = T::from_f64(*dice.pick(&EXTREMES)),
+            Segment::NotFinite => {
+                let not = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+                *motor = T::from_f64(*dice.pick(&not));
+            }
+            _ => {}
+        }
+    }
+    motors
+}
+
+/// Goes to these values in small steps; tells whether it came there.
+fn in_small_steps<T: Real>(machine: &mut Machine<T>, motors: &[T]) -> Result<(), (u32, Stop)> {
+    let start = machine.position().motors.clone();
+    let way = start
+        .iter()
+        .zip(motors)
+        .map(|(from, to)| (*to - *from).abs().to_f64())
+        .fold(0.0, f64::max);
+    let steps = (1_u32..400)
+        .find(|steps| f64::from(*steps) * 0.03 > way)
+        .unwrap_or(400);
+    for step in 1..steps {
+        let part = T::from_f64(f64::from(step) / f64::from(steps));
+        let between: Vec<T> = start
+            .iter()
+            .zip(motors)
+            .map(|(from, to)| *from + (*to - *from) * part)
+            .collect();
+        machine.move_to(&between).map_err(|stop| (step, stop))?;
+    }
+    machine.move_to(motors).map_err(|stop| (steps, stop))
+}
+
+/// How much faster than a motor anything moves here, for a small motion of the motors: what rounding is multiplied by.
+fn sensitivity<T: Real>(program: &Program, at: &Position<T>) -> f64 {
+    let small = T::EPSILON.sqrt();
+    let mut most = 1.0_f64;
+    for motor in 0..at.motors.len() {
+        for way in [small, -small] {
+            let mut machine = Machine::new(program);
+            machine.put_back(at.clone());
+            let mut motors = at.motors.clone();
+            motors[motor] = motors[motor] + T::from_f64(way);
+            let way = (motors[motor] - at.motors[motor]).to_f64();
+            if machine.move_to(&motors).is_ok() && way != 0.0 {
+                most = most.max(apart(at, machine.position()) / way.abs());
+            } else {
+                // It is at its limit: a root is there, and half of the digits are gone.
+                most = most.max(1.0 / small);
+            }
+        }
+    }
+    most
+}
+
+/// The greatest difference of any number of two positions' poses.
+fn apart<T: Real>(a: &Position<T>, b: &Position<T>) -> f64 {
+    poses(a)
+        .iter()
+        .flatten()
+        .zip(poses(b).iter().flatten())
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
+}
+
+/// In one leap it comes where it comes in small steps.
+fn same_way<T: Real>(
+    subject: &Subject,
+    start: &Position<T>,
+    end: &Position<T>,
+) -> Result<(), String> {
+    let mut machine = Machine::new(&subject.program);
+    machine.put_back(start.clone());
+    if let Err((step, stop)) = in_small_steps(&mut machine, &end.motors) {
+        let bar = margin_to_limit(&subject.program, machine.position(), &end.motors);
+        return Err(format!(
+            "a leap passes where small steps are stopped, {stop:?} at step {step}, {bar}"
+        ));
+    }
+    let off = apart(machine.position(), end);
+    if off == 0.0 {
+        return Ok(());
+    }
+    let size = subject.size + 1.0;
+    let most = ROUNDING * T::EPSILON * size * sensitivity(&subject.program, end);
+    if off > most {
+        return Err(format!(
+            "a leap ends {off:e} from where small steps do; rounding explains {most:e}"
+        ));
+    }
+    Ok(())
+}
+
+fn margin_to_limit<T: Real>(program: &Program, at: &Position<T>, motors: &[T]) -> String {
+    let mut machine = Machine::new(program);
+    machine.put_back(at.clone());
+    let reached = machine.move_toward(motors);
+    format!(
+        "from {:?} it reaches {:?}: {reached:?}",
+        at.motors,
+        machine.position().motors
+    )
+}
+
+/// The values are on the straight way between two others.
+fn between<T: Real>(from: &[T], values: &[T], to: &[T]) -> bool {
+    from.iter()
+        .zip(values)
+        .zip(to)
+        .all(|((from, value), to)| (from <= value && value <= to) || (to <= value && value <= from))
+}
+
+/// Moves a mechanism through its segments.
+fn moved<T: Real>(subject: &mut Subject, tell: &mut impl FnMut(u64, Segment, String)) {
+    let program = subject.program.clone();
+    let method = subject.model.method.unwrap_or_default();
+    let mut machine = Machine::<T>::new(&program);
+    let mut before = machine.position().motors.clone();
+    for number in 0..SEGMENTS {
+        let segment = match subject.dice.below(16) {
+            0..=3 => Segment::Small,
+            4..=7 => Segment::Leap,
+            8 | 9 => Segment::Back,
+            10 | 11 => Segment::OneMotor,
+            12 | 13 => Segment::Toward,
+            14 => Segment::Extreme,
+            _ => Segment::NotFinite,
+        };
+        let start = machine.position().clone();
+        let motors = told(&mut subject.dice, segment, &start.motors, &before);
+        let finite = motors.iter().all(|motor| motor.is_finite());
+        let fail = &mut |text: String| {
+            let text = format!("{text}; from {:?} to {motors:?}", start.motors);
+            tell(number, segment, text);
+        };
+        if let Segment::Toward = segment {
+            match machine.move_toward(&motors) {
+                Ok(_) if !between(&start.motors, &machine.position().motors, &motors) => {
+                    fail(format!(
+                        "it is told to go towards a place and goes to {:?}",
+                        machine.position().motors
+                    ));
+                }
+                Ok(None) if machine.position().motors != motors => {
+                    fail("it says that it is there and is not".to_owned());
+                }
+                Ok(_) => {}
+                Err(stop) => fail(format!("it does not go towards finite values: {stop:?}")),
+            }
+        } else {
+            match (machine.move_to(&motors), finite) {
+                (Ok(()), false) => fail("it goes to what is not finite".to_owned()),
+                (Err(Stop::NotFinite(_)), true) => fail("finite values are refused".to_owned()),
+                (Ok(()), true) if machine.position().motors != motors => {
+                    fail("its motors are not where they were told".to_owned());
+                }
+                (Err(_), _) if bits(machine.position()) != bits(&start) => {
+                    fail("a refused move changes it".to_owned());
+                }
+                _ => {}
+            }
+        }
+        let end = machine.position().clone();
+        if bits(&end) != bits(&start)
+            && let Err(text) = whole(subject, &end)
+        {
+            fail(text);
+        }
+        let leapt = matches!(
+            segment,
+            Segment::Leap | Segment::OneMotor | Segment::Back | Segment::Toward
+        );
+        if leapt && method == Method::Exact && bits(&end) != bits(&start) {
+            if let Err(text) = same_way(subject, &start, &end) {
+                fail(text);
+            }
+        }
+        if let Segment::Extreme = segment {
+            machine = Machine::new(&program);
+        }
+        before = start.motors;
+    }
+}
+
+/// All failures of the mechanisms of the first seeds.
+fn failures(precision: Precision, only: &[Method]) -> Vec<String> {
+    let mut failures = Vec::new();
+    for seed in 0..cases().div_ceil(SEGMENTS) {
+        let method = METHODS[usize::try_from(seed).unwrap_or(0) % METHODS.len()];
+        if !only.contains(&method) {
+            continue;
+        }
+        let Some(mut subject) = Subject::of(seed, method, precision) else {
+            failures.push(format!("seed {seed}: it does not compile"));
+            continue;
+        };
+        let change_points = subject.model.change_points;
+        let mut tell = |number: u64, segment: Segment, text: String| {
+            failures.push(format!(
+                "seed {seed}, {method:?}, {change_points:?}, {number} {segment:?}: {text}"
+            ));
+        };
+        let panicked = catch_unwind(AssertUnwindSafe(|| match precision {
+            Precision::F32 => moved::<f32>(&mut subject, &mut tell),
+            Precision::F64 => moved::<f64>(&mut subject, &mut tell),
+        }));
+        if panicked.is_err() {
+            failures.push(format!("seed {seed}, {method:?}: it panics"));
+        }
+    }
+    failures
+}
+
+#[track_caller]
+fn assert_sound(precision: Precision, only: &[Method]) {
+    let failures = failures(precision, only);
+    let first: Vec<&str> = failures.iter().take(TOLD).map(String::as_str).collect();
+    assert!(
+        failures.is_empty(),
+        "{} failures:\n{}",
+        failures.len(),
+        first.join("\n")
+    );
+}
+
+#[test]
+fn in_closed_form_and_double_precision_every_motion_is_sound() {
+    assert_sound(Precision::F64, &[Method::Exact]);
+}
+
+#[test]
+fn in_closed_form_and_single_precision_every_motion_is_sound() {
+    assert_sound(Precision::F32, &[Method::Exact]);
+}
+
+#[test]
+fn iterated_in_double_precision_every_motion_is_sound() {
+    assert_sound(
+        Precision::F64,
+        &[Method::Newton, Method::NewtonSteps(4), Method::Linear],
+    );
+}
+
+#[test]
+fn iterated_in_single_precision_every_motion_is_sound() {
+    assert_sound(
+        Precision::F32,
+        &[Method::Newton, Method::NewtonSteps(4), Method::Linear],
+    );
+}
