@@ -19,6 +19,13 @@ pub(crate) fn proved(
     if model.motors.iter().all(|motor| motor.range.is_none()) {
         return Ok(program);
     }
+    if plan.loops().next().is_none() {
+        // Nothing can be in the way.
+        return Ok(Program {
+            range: Some(ends(model)),
+            ..program
+        });
+    }
     let ranges: Vec<Interval> = model
         .motor_ids()
         .map(|motor| range(model, &program, motor))
@@ -80,12 +87,17 @@ pub(crate) fn proved(
     if evaluate::settle(&mut proved).is_err() {
         return Ok(program);
     }
+    proved.range = Some(ends(model));
+    Ok(proved)
+}
+
+/// The ends of all ranges; a motor without one may be anywhere.
+fn ends(model: &Model) -> Vec<[f64; 2]> {
     let ends = model.motors.iter().map(|motor| match motor.range {
         Some(range) => [range.low, range.high],
         None => [f64::NEG_INFINITY, f64::INFINITY],
     });
-    proved.range = Some(ends.collect());
-    Ok(proved)
+    ends.collect()
 }
 
 /// The values of a motor that are proved: a motor that turns and has no range may be anywhere.

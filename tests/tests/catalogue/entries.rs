@@ -369,15 +369,22 @@ method newton;",
     Entry {
         variant: "Range",
         example: "
-struct Crane;
-link arm;
-link hook;
-joint a = revolute(ground, arm) at (0, 0);
-joint x = prismatic(arm, hook) at (1, 0) along (1, 0);
-motor a in 0 deg ..= 90 deg;
-motor x;",
+struct Sliding;
+ground { point a = (0, 0); line rail = (4, 0) -> (1, 0); }
+link crank { point shaft = (0, 0); point pin = (1, 0); }
+link coupler { point a = (0, 0); point b = (3.5, 0); }
+link rocker { point shaft = (0, 0); point b = (3, 0); }
+link base { line foot = (0, 0) -> (1, 0); point d = (0, 0); }
+joint a = revolute(ground.a, crank.shaft);
+joint b = revolute(crank.pin, coupler.a);
+joint c = revolute(coupler.b, rocker.b);
+joint d = revolute(base.d, rocker.shaft);
+joint x = prismatic(ground.rail, base.foot);
+motor a in 0 deg ..= 360 deg;
+motor x;
+start { coupler near 50 deg; }",
         remedy: "Declare a range for the other motor too.",
-        edit: ("motor x;", "motor x in 0 ..= 2;"),
+        edit: ("motor x;", "motor x in -0.2 ..= 0.2;"),
     },
     Entry {
         variant: "TooLarge",

@@ -21,7 +21,16 @@ pub(super) fn many(program: &Program, plan: &Plan, visibility: &syn::Visibility)
         Precision::F32 => 8,
         Precision::F64 => 4,
     });
-    let kernel = if in_lanes(program) {
+    let kernel = if in_lanes(program) && program.range.is_some() {
+        quote! {
+            |motors| {
+                let motors = Motors::new(motors);
+                let (position, margins) = position::<Within>(&START, motors);
+                let inside = if COURSE.contains(&motors) { 1.0 } else { -1.0 };
+                (position.poses, least([least(margins), inside]))
+            }
+        }
+    } else if in_lanes(program) {
         quote! {
             |motors| {
                 let (position, margins) = position::<Within>(&START, Motors::new(motors));

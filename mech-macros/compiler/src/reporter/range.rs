@@ -53,10 +53,13 @@ impl Words<'_> {
             ),
             RangeTrouble::Undecided { between } => format!(
                 "it could not be proved that motor {name} moves through its range, nor that it does not\nnote: it could not be told whether \
-                 the loop of {} closes between {} and {}\nhelp: narrow the range, or leave it out: then every move is tested when it is made",
+                 the loop of {} closes {}\nhelp: narrow the range, or leave it out: then every move is tested when it is made",
                 self.joints(unknowns),
-                at(between.0),
-                at(between.1)
+                if at(between.0) == at(between.1) {
+                    format!("at {}", at(between.0))
+                } else {
+                    format!("between {} and {}", at(between.0), at(between.1))
+                }
             ),
             RangeTrouble::Iterated => format!(
                 "the range of motor {name} cannot be proved: the loop of {} is solved by iteration, for which there is no proof\nhelp: \
