@@ -204,6 +204,26 @@ macro_rules! bench {
                 (name, [dependent, independent])
             }
 
+            /// Far apart, so that nothing about the next angle can be guessed from the last ones.
+            fn shuffled<S: Sines<$float>>(name: &str) {
+                let mut state = 1_u32;
+                let angles: Vec<$float> = (0..4096)
+                    .map(|_| {
+                        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                        ((state >> 8) as $float / 46_603.0).to_radians()
+                    })
+                    .collect();
+                let (mut emitted, mut by_hand) = (Emitted::new(), start());
+                compare(
+                    &format!("{}, independent, any order, by hand with {name}", stringify!($float)),
+                    ["emitted", "by hand"],
+                    4096.0,
+                    Threshold::None,
+                    independent(&mut emitted, &angles, |m, a| m.move_to([a]).is_ok()),
+                    independent(&mut by_hand, &angles, ByHand::move_to::<S>),
+                );
+            }
+
             /// With a proved range, nothing has to be tested but the range.
             fn within() {
                 let (mut ranged, mut by_hand, angles) = (Ranged::new(), start(), angles());
@@ -247,6 +267,9 @@ macro_rules! bench {
                         if ratio <= 1.05 { "" } else { ": MISSED" }
                     );
                 }
+                shuffled::<Ours>("our sines");
+                shuffled::<Libm>("libm");
+                shuffled::<Std>("std");
                 within();
             }
         }

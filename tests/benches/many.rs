@@ -45,7 +45,10 @@ macro_rules! bench {
             /// The structure of arrays as a programmer would write it who knows what a compiler needs to vectorise: arrays of
             /// known length, each an argument of its own. `None` if one of them is blocked.
             #[inline(never)]
-            #[allow(clippy::too_many_arguments, reason = "as arguments the arrays are known not to overlap")]
+            #[allow(
+                clippy::too_many_arguments,
+                reason = "as arguments the arrays are known not to overlap"
+            )]
             fn block(
                 angles: &Block,
                 crank_cos: &mut Block,
@@ -102,8 +105,9 @@ macro_rules! bench {
                 let (angles, _) = angles.as_flattened().as_chunks::<BLOCK>();
                 for (number, angles) in angles.iter().enumerate() {
                     let at = number * BLOCK;
-                    let [a, b, c, d, e, f, g, h, i, j, k, l] =
-                        columns.each_mut().map(|column| column.get_mut(at..)?.first_chunk_mut::<BLOCK>());
+                    let [a, b, c, d, e, f, g, h, i, j, k, l] = columns
+                        .each_mut()
+                        .map(|column| column.get_mut(at..)?.first_chunk_mut::<BLOCK>());
                     block(angles, a?, b?, c?, d?, e?, f?, g?, h?, i?, j?, k?, l?)?;
                 }
                 Some(())
@@ -111,33 +115,50 @@ macro_rules! bench {
 
             pub(super) fn run(count: usize) {
                 assert_eq!(count % BLOCK, 0, "by hand only whole blocks are computed");
-                let angles: Vec<[$float; 1]> =
-                    (0..count).map(|step| [(step as $float).to_radians() * 0.7]).collect();
+                let angles: Vec<[$float; 1]> = (0..count)
+                    .map(|step| [(step as $float).to_radians() * 0.7])
+                    .collect();
                 let emitted = Emitted::new();
                 let mut buffer = vec![0.0; 12 * count];
-                let mut columns = Columns::<$float, 3>::new(&mut buffer, count).expect("it is large enough");
+                let mut columns =
+                    Columns::<$float, 3>::new(&mut buffer, count).expect("it is large enough");
                 let mut arrays: [Vec<$float>; 12] = std::array::from_fn(|_| vec![0.0; count]);
 
-                emitted.solve_many(&angles, &mut columns).expect("the crank turns");
+                emitted
+                    .solve_many(&angles, &mut columns)
+                    .expect("the crank turns");
                 by_hand(&angles, &mut arrays).expect("the crank turns");
                 for position in 0..count {
                     for link in 0..3 {
                         let pose = columns.pose(link, position).expect("it was computed");
-                        for (part, value) in [pose.cos, pose.sin, pose.x, pose.y].into_iter().enumerate() {
+                        for (part, value) in
+                            [pose.cos, pose.sin, pose.x, pose.y].into_iter().enumerate()
+                        {
                             let off = (value - arrays[4 * link + part][position]).abs();
                             assert!(off < $tolerance, "both compute the same: {off}");
                         }
                     }
                 }
 
-                let what = |beside| format!("{}, {count} positions, solve_many beside {beside}", stringify!($float));
+                let what = |beside| {
+                    format!(
+                        "{}, {count} positions, solve_many beside {beside}",
+                        stringify!($float)
+                    )
+                };
                 let positions = count as f64;
                 compare(
                     &what("SoA by hand"),
                     ["emitted", "by hand"],
                     positions,
                     Threshold::AtMost(1.15),
-                    || assert!(black_box(&emitted).solve_many(black_box(&angles), black_box(&mut columns)).is_ok()),
+                    || {
+                        assert!(
+                            black_box(&emitted)
+                                .solve_many(black_box(&angles), black_box(&mut columns))
+                                .is_ok()
+                        )
+                    },
                     || assert!(by_hand(black_box(&angles), black_box(&mut arrays)).is_some()),
                 );
                 let mut moved = Emitted::new();
@@ -151,7 +172,13 @@ macro_rules! bench {
                             assert!(black_box(&mut moved).move_to(*angle).is_ok());
                         }
                     },
-                    || assert!(black_box(&emitted).solve_many(black_box(&angles), black_box(&mut columns)).is_ok()),
+                    || {
+                        assert!(
+                            black_box(&emitted)
+                                .solve_many(black_box(&angles), black_box(&mut columns))
+                                .is_ok()
+                        )
+                    },
                 );
             }
         }

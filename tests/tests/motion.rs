@@ -440,7 +440,7 @@ fn assert_none(only: &[Method], wanted: Wanted) {
 }
 
 #[test]
-#[ignore = "at a dead point a gap of 112 eps of the size: seed 175 in single precision"]
+#[ignore = "what hangs on a link that is stretched at a dead point does not close: seeds 175 and 1145"]
 fn in_closed_form_it_stays_whole_wherever_it_is_told_to_go() {
     assert_none(&[Method::Exact], Wanted::Sound);
 }
@@ -478,7 +478,7 @@ fn by_linear_steps_no_link_is_stretched() {
 }
 
 #[test]
-#[ignore = "from where it is at its limit a leap goes past where small steps are stopped: seed 127"]
+#[ignore = "an angle that a gear follows loses whole turns in a leap (seed 397); from its limit it leaps past where small steps are stopped (seed 127)"]
 fn in_closed_form_a_leap_ends_where_small_steps_do() {
     assert_none(&[Method::Exact], Wanted::SameWay);
 }

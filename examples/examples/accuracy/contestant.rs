@@ -7,6 +7,8 @@ use std::time::Instant;
 
 /// Cosine, sine, x and y of every link.
 pub(crate) type Poses<T> = Vec<[T; 4]>;
+/// Position after position.
+pub(crate) type Trace<T> = Vec<Poses<T>>;
 
 /// A mechanism with one method in one precision.
 #[derive(Clone, Copy, Debug)]
@@ -15,7 +17,7 @@ pub(crate) struct Contestant {
     pub(crate) method: Method,
     /// What it is computed in.
     pub(crate) precision: Precision,
-    trace: fn(&[f64]) -> Result<Vec<Poses<f64>>, Block>,
+    trace: fn(&[f64]) -> Result<Trace<f64>, Block>,
     time: fn(&[f64], u32) -> f64,
 }
 
@@ -42,7 +44,7 @@ impl Contestant {
     }
 
     /// Its positions for these values of its motor, one after the other.
-    pub(crate) fn trace(&self, values: &[f64]) -> Result<Vec<Poses<f64>>, Block> {
+    pub(crate) fn trace(&self, values: &[f64]) -> Result<Trace<f64>, Block> {
         (self.trace)(values)
     }
 
@@ -60,7 +62,7 @@ fn motors<M: Mechanism>(mechanism: &M, value: f64) -> M::Motors {
     motors
 }
 
-fn trace<M: Mechanism>(values: &[f64]) -> Result<Vec<Poses<f64>>, Block> {
+fn trace<M: Mechanism>(values: &[f64]) -> Result<Trace<f64>, Block> {
     let mut mechanism = M::new();
     let mut trace = Vec::with_capacity(values.len());
     for (position, &value) in values.iter().enumerate() {
@@ -91,6 +93,7 @@ fn time<M: Mechanism>(values: &[f64], sweeps: u32) -> f64 {
             black_box((gone.is_ok(), mechanism.poses()));
         }
     }
-    let positions = f64::from(sweeps) * values.len() as f64;
-    watch.elapsed().as_secs_f64() * 1e9 / positions
+    let elapsed = watch.elapsed().as_secs_f64() * 1e9;
+    let positions = u32::try_from(values.len()).unwrap_or(u32::MAX);
+    elapsed / f64::from(sweeps) / f64::from(positions)
 }

@@ -5,6 +5,7 @@
 
 use mech_runtime::{Phase, Real};
 use std::cmp::Ordering;
+use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The sum of two floats, the lower at most half an ulp of the higher.
@@ -15,7 +16,7 @@ pub(crate) struct DoubleDouble {
 }
 
 /// A right angle.
-const QUARTER: DoubleDouble = DoubleDouble::new(1.570_796_326_794_896_6, 6.123_233_995_736_766e-17);
+const QUARTER: DoubleDouble = DoubleDouble::new(FRAC_PI_2, 6.123_233_995_736_766e-17);
 /// The terms of a series: at an eighth of a turn the last is below 1e-32.
 const TERMS: i32 = 28;
 
@@ -123,8 +124,8 @@ impl Neg for DoubleDouble {
 }
 
 impl Real for DoubleDouble {
-    // The last five bits are left to the roundings of a few operations.
-    const EPSILON: f64 = 1.0 / (1u128 << 100) as f64;
+    // The last four bits are left to the roundings of a few operations.
+    const EPSILON: f64 = 16.0 * f64::EPSILON * f64::EPSILON;
     const ZERO: Self = Self::new(0.0, 0.0);
     const ONE: Self = Self::new(1.0, 0.0);
     const HALF: Self = Self::new(0.5, 0.0);
@@ -223,6 +224,7 @@ impl Real for DoubleDouble {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::SQRT_2;
 
     /// Beside digits that were computed with sixty.
     fn near(found: DoubleDouble, high: f64, low: f64) {
@@ -233,11 +235,19 @@ mod tests {
     #[test]
     fn arithmetic() {
         let number = DoubleDouble::from;
-        near(number(2.0).sqrt(), 1.414_213_562_373_095_1, -9.667_293_313_452_913e-17);
-        near(number(1.0) / number(7.0), 0.142_857_142_857_142_85, 7.930_164_461_608_26e-18);
+        near(number(2.0).sqrt(), SQRT_2, -9.667_293_313_452_913e-17);
+        near(
+            number(1.0) / number(7.0),
+            0.142_857_142_857_142_85,
+            7.930_164_461_608_26e-18,
+        );
         let third = number(1.0) / number(3.0);
         near(third, 0.333_333_333_333_333_3, 1.850_371_707_708_594e-17);
-        near(third * number(3.0) - number(1.0) + third * third, 0.111_111_111_111_111_1, 6.167_905_692_361_981e-18);
+        near(
+            third * number(3.0) - number(1.0) + third * third,
+            0.111_111_111_111_111_1,
+            6.167_905_692_361_981e-18,
+        );
         assert!(number(-1.0).sqrt().high.is_nan());
     }
 

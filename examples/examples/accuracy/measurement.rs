@@ -34,8 +34,6 @@ pub(crate) struct Measurement {
     pub(crate) subject: Subject,
     /// The greatest distance between two of its axes at the start, in scene units.
     pub(crate) size: f64,
-    /// How far two references are apart, in scene units.
-    pub(crate) doubt: f64,
     /// One row for each method, precision and step.
     pub(crate) rows: Vec<Row>,
 }
@@ -90,7 +88,6 @@ pub(crate) fn measure(subject: Subject, effort: Effort) -> Result<Measurement, S
     let reference = Reference::new(subject.text)?;
     let mut rows = Vec::new();
     let mut entries = Vec::new();
-    let mut doubt: f64 = 0.0;
     for step in STEPS {
         let degrees = there_and_back(subject.travel, step);
         for precision in [Precision::Single, Precision::Double] {
@@ -100,9 +97,6 @@ pub(crate) fn measure(subject: Subject, effort: Effort) -> Result<Measurement, S
             });
             let values: Vec<f64> = values.collect();
             let truth = reference.trace(&values)?;
-            if precision == Precision::Double {
-                doubt = doubt.max(reference.doubt(&values)?);
-            }
             let contestants = subject.contestants.iter();
             for &contestant in contestants.filter(|one| one.precision == precision) {
                 let outcome = match contestant.trace(&values) {
@@ -153,7 +147,6 @@ pub(crate) fn measure(subject: Subject, effort: Effort) -> Result<Measurement, S
     Ok(Measurement {
         size: reference.size,
         subject,
-        doubt,
         rows,
     })
 }

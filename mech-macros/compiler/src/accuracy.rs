@@ -109,7 +109,7 @@ pub(crate) fn choose(
         let choices = judge.with(&candidates);
         let prediction = judge.predict(&choices, Some(&rounding));
         if prediction.error <= accuracy {
-            return Ok((judge.watched(choices), prediction));
+            return Ok((choices, prediction));
         }
         tighten(&mut candidates);
     }
@@ -256,17 +256,6 @@ impl<'m> Judge<'m> {
             }
         };
         choices.map(choice).collect()
-    }
-
-    /// Only a closed form is watched: an iteration finds its dead points by itself.
-    fn watched(&self, choices: Vec<Choice>) -> Vec<Choice> {
-        let watching = |choice: Choice| Choice {
-            watching: choice
-                .watching
-                .filter(|_| choice.solver == Solver::ClosedForm),
-            ..choice
-        };
-        choices.into_iter().map(watching).collect()
     }
 
     /// Tries a program.

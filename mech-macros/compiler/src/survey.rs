@@ -14,6 +14,8 @@ use crate::walk::{Stretch, at, walk};
 const BUDGET: usize = 1_200_000;
 /// Samples in a turn.
 const SAMPLES: [usize; 2] = [24, 360];
+/// Where several motors move a loop, most of its positions were never seen.
+const WIDE_SAFETY: f64 = 6.0;
 /// Between samples a rate may be greater than any that was sampled.
 const SAFETY: f64 = 1.5;
 /// Squares of sines above this are far from zero.
@@ -91,17 +93,15 @@ fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> 
                 (found.ends || movers > 1).then_some(AtZero::Stay)
             }
         };
-        // A loop that is iterated finds its dead points by itself, but it does not pass change points: there the closed form is
-        // taken whatever was wished.
-        let at_zero = at_zero
-            .filter(|at_zero| *at_zero != AtZero::Stay || choice.solver == Solver::ClosedForm);
-        let solver = if at_zero.is_some() {
-            Solver::ClosedForm
-        } else {
-            choice.solver
+        // A loop that is iterated does not pass change points: there the closed form is taken whatever was wished.
+        let solver = match at_zero {
+            Some(AtZero::GoOver | AtZero::Stop) => Solver::ClosedForm,
+            Some(AtZero::Stay) | None => choice.solver,
         };
+        let movers = found.rates.iter().filter(|rate| **rate > 0.0).count();
+        let safety = if movers > 1 { WIDE_SAFETY } else { SAFETY };
         let watching = at_zero.map(|at_zero| Watching {
-            rates: found.rates.iter().map(|rate| SAFETY * rate).collect(),
+            rates: found.rates.iter().map(|rate| safety * rate).collect(),
             at_zero,
         });
         Choice {

@@ -57,6 +57,10 @@ pub trait Journey<T: Real> {
     fn too_far(&self) -> Self::Stop;
     /// Why it stops at a change point that it may not pass.
     fn stopped_at(&self, index: usize) -> Self::Stop;
+    /// In how many pieces the way has to be gone at least: where an angle is followed over whole turns, so many that none is lost.
+    fn pieces(&self) -> T {
+        T::ONE
+    }
     /// Whether a step that fails may work in smaller ones: where loops are solved by iteration.
     fn subdivides(&self) -> bool;
 }
@@ -89,7 +93,8 @@ pub fn is_clear<T: Real, J: Journey<T>>(
     to: &J::Position,
     part: T,
 ) -> bool {
-    (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
+    journey.pieces() <= T::ONE
+        && (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
 }
 
 fn is_far<T: Real, J: Journey<T>>(
@@ -113,7 +118,7 @@ pub fn go<T: Real, J: Journey<T>>(
 ) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
     let change =
         (0..journey.watches()).fold(T::ZERO, |most, index| most.max(journey.watch(index).change));
-    let pieces = (change / T::from_f64(PIECE)).max(T::ONE);
+    let pieces = (change / T::from_f64(PIECE)).max(journey.pieces());
     if pieces > T::from_f64(MOST_PIECES) || !pieces.is_finite() {
         return Err(Halt {
             position: start.clone(),

@@ -30,6 +30,8 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub subdivides: bool,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
+    /// How far each motor may go in one piece, where an angle is followed over whole turns.
+    pub strides: Option<[T; MOTORS]>,
     /// The least and the greatest value of each motor, if any has a declared range.
     pub range: Option<[[T; 2]; MOTORS]>,
 }
@@ -227,6 +229,15 @@ where
         Stop::new("", Cause::TooFar)
     }
 
+    #[inline]
+    fn pieces(&self) -> T {
+        let mut most = T::ONE;
+        for (stride, way) in self.course.strides.iter().flatten().zip(self.way) {
+            most = mech_core::Real::max(most, mech_core::Real::abs(way) / *stride);
+        }
+        most
+    }
+
     fn subdivides(&self) -> bool {
         self.course.subdivides
     }
@@ -247,7 +258,7 @@ where
     T: Scalar,
 {
     if target.is_finite() && course.contains(&target) {
-        if W == 0 && course.senses.is_none() {
+        if W == 0 && course.senses.is_none() && course.strides.is_none() {
             // Nothing can be on the way.
             if let Ok(there) = step(position, target)
                 && (!course.overflows || there.is_finite())

@@ -3,6 +3,12 @@
 //! What must come out is formula or plain geometry in double precision ([`geometry`]); that links keep their lengths and pins
 //! their places is read off the declaration and the poses alone ([`bed`]).
 
+#![allow(
+    clippy::needless_pass_by_value,
+    clippy::excessive_precision,
+    reason = "a check has its bed to itself; digits stand as their source gives them"
+)]
+
 #[macro_use]
 mod ways;
 

@@ -218,9 +218,9 @@ fn course(program: &Program) -> TokenStream {
             program::AtZero::GoOver => quote!(AtZero::GoOver),
             program::AtZero::Stop => quote!(AtZero::Stop),
         };
-        let place = program
-            .closed(watch.block)
-            .map_or("", |closed| &closed.place);
+        let closed = program.closed(watch.block).map(|closed| &closed.place);
+        let newton = program.newton(watch.block).map(|newton| &newton.place);
+        let place = closed.or(newton).map_or("", String::as_str);
         quote!(Watched { kept: #kept, rates: [#(#rates),*], at_zero: #at_zero, place: #place })
     });
     let senses = match program.senses {
@@ -231,6 +231,13 @@ fn course(program: &Program) -> TokenStream {
         }
     };
     let (subdivides, overflows) = (program.subdivides(), program.overflows);
+    let strides = match &program.strides {
+        None => quote!(None),
+        Some(strides) => {
+            let strides = strides.iter().map(n);
+            quote!(Some([#(#strides),*]))
+        }
+    };
     let range = match &program.range {
         None => quote!(None),
         Some(range) => {
@@ -249,6 +256,7 @@ fn course(program: &Program) -> TokenStream {
             senses: #senses,
             subdivides: #subdivides,
             overflows: #overflows,
+            strides: #strides,
             range: #range,
         };
     }

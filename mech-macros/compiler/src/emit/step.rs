@@ -68,9 +68,11 @@ pub(super) fn step(program: &Program) -> TokenStream {
         .iter()
         .map(|&value| scope.expression(value))
         .collect();
-    let uses_last = flows
-        .iter()
-        .any(|flow| flow.reads_last && !flow.gives.is_empty());
+    let is_last = |value: &Value| matches!(program.node(*value).op, Op::Last(_));
+    let uses_last = program.kept.iter().any(is_last)
+        || flows
+            .iter()
+            .any(|flow| flow.reads_last && !flow.gives.is_empty());
     let last = if uses_last { quote!(last) } else { quote!(_) };
     let scalar = scalar(program);
     let count = Literal::usize_unsuffixed(program.motors.len());

@@ -131,6 +131,13 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         Stop::TooFar
     }
 
+    fn pieces(&self) -> T {
+        let strides = self.runner.program.strides.iter().flatten();
+        strides.zip(&self.way).fold(T::ONE, |most, (stride, way)| {
+            most.max(way.abs() / T::from_f64(*stride))
+        })
+    }
+
     fn subdivides(&self) -> bool {
         self.subdivides
     }

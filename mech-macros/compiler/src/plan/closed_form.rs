@@ -5,6 +5,10 @@ use super::equation::{Equation, Solution, Unknown};
 /// Below this sine of the transmission angle a loop is taken to be at a dead point.
 const DEAD: f64 = 1e-6;
 
+/// Below this sine of the angle between them two guides are taken to be parallel: the better part of a rounding. What is above is
+/// badly conditioned, but it is what was asked for.
+const PARALLEL: f64 = 1e-14;
+
 /// The ways in which a loop can be closed.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Closure {
@@ -137,7 +141,7 @@ fn sleeve(goal: Vector, arm: Vector, along: Vector) -> Closure {
 /// s·a + t·b = goal.
 fn two_slides(goal: Vector, a: Vector, b: Vector) -> Closure {
     let det = a[0] * b[1] - a[1] * b[0];
-    if det.is_nan() || det.abs() < DEAD {
+    if det.is_nan() || det.abs() < PARALLEL {
         return Closure::Dead;
     }
     let first = (goal[0] * b[1] - goal[1] * b[0]) / det;

@@ -3,7 +3,7 @@
 use super::node::Value;
 
 /// The greatest gap, as a part of the loop's size, that a linear step may leave.
-const LINEAR_GAP: f64 = 1e-2;
+const LINEAR_GAP: f64 = 2e-3;
 
 /// Newton's iteration on a loop's equations.
 #[derive(Clone, Debug, PartialEq)]

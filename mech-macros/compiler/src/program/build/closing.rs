@@ -73,7 +73,10 @@ impl Writer<'_> {
         let solution = match (&tied, &triad) {
             (Some(tied), _) => self.all_directions(tied, &equation, &solution),
             (None, Some(triad)) => self.expand(triad, &equation, &solution),
-            (None, None) => solution,
+            (None, None) => {
+                self.watch_iteration(block, &equation, &solution);
+                solution
+            }
         };
         if let Some(block) = self.builder.blocks.last_mut() {
             block.kind = BlockKind::Newton(newton);
@@ -96,28 +99,54 @@ impl Writer<'_> {
             .unwrap_or(otherwise)
     }
 
-    /// Carries what has to be known about a loop that is watched. The side of its dyad, if it is carried, is so already.
-    fn keep_watch(&mut self, block: BlockId, closed: &Closed, choice: &Choice) {
-        let Some(watching) = &choice.watching else {
+    /// Carries what has to be known about a loop that is watched, if it is. The side of a dyad that is carried is so already.
+    fn keep_watch(&mut self, block: BlockId, sine: Value, tiny_square: Value) {
+        let Some(watching) = self.choice().watching else {
             return;
         };
-        let [sine, tiny] =
-            [closed.sine, closed.tiny_square].map(|value| self.builder.at_start(value));
-        // A side that is carried is kept already.
+        let start = [sine, tiny_square].map(|value| self.builder.at_start(value));
         if watching.at_zero != AtZero::GoOver {
-            self.keep(sine);
+            self.keep(start[0]);
         }
-        self.keep(tiny);
-        let sine = self.builder.name(closed.sine, "sine");
+        self.keep(start[1]);
         let kept = self.kept.len() - 2;
-        self.kept[kept] = sine;
-        self.kept[kept + 1] = closed.tiny_square;
+        self.kept[kept] = self.builder.name(sine, "sine");
+        self.kept[kept + 1] = tiny_square;
         self.watches.push(Watch {
             block,
             kept,
-            rates: watching.rates.clone(),
+            rates: watching.rates,
             at_zero: watching.at_zero,
         });
+    }
+
+    /// A dyad that is iterated is watched like one in closed form: over a place where it does not close it may not leap.
+    fn watch_iteration(
+        &mut self,
+        block: BlockId,
+        equation: &Equation<Value>,
+        solution: &[Solution<Value>],
+    ) {
+        if self.choice().watching.is_none() || equation.rings.len() != 1 {
+            return;
+        }
+        let measure = equation.measure(&mut self.builder, solution);
+        let [walk] = &measure.rings[..] else {
+            return;
+        };
+        let [a, b] = walk.columns[..] else {
+            return;
+        };
+        let length = |builder: &crate::program::builder::Builder, [x, y]: [Value; 2]| {
+            builder.at_start(x).hypot(builder.at_start(y))
+        };
+        let reach = length(&self.builder, a) * length(&self.builder, b);
+        let det = self.builder.cross(a, b);
+        let scale = self.builder.constant(1.0 / reach);
+        let sine = self.builder.mul(scale, det);
+        let epsilon = self.model.precision.epsilon();
+        let tiny_square = self.builder.constant(16.0 * epsilon);
+        self.keep_watch(block, sine, tiny_square);
     }
 
     /// Closes a loop in closed form, if it has one.
@@ -136,7 +165,7 @@ impl Writer<'_> {
         let solutions: Vec<Solution<Value>> = firsts.iter().map(|(_, first)| *first).collect();
         let choice = self.choice();
         let (closed, solution) = self.dyad(closing, equation, &solutions, &choice)?;
-        self.keep_watch(block, &closed, &choice);
+        self.keep_watch(block, closed.sine, closed.tiny_square);
         for ((name, _), solution) in firsts.iter().zip(&solution) {
             match *solution {
                 Solution::Direction(direction) => {
@@ -483,12 +512,12 @@ impl Writer<'_> {
         let (half, one) = (builder.constant(0.5), builder.constant(1.0));
         let square = builder.mul(angle, angle);
         let half = builder.mul(half, square);
-        // (1 − a²/2, a) is too long by a⁴/8, which would stretch the link.
-        let eighth = builder.mul(half, half);
-        let too_long = {
-            let half = builder.constant(0.5);
-            builder.mul(half, eighth)
-        };
+        // (1 − a²/2, a) has the length √(1 + e) with e = a⁴/4, which would stretch the link.
+        let e = builder.mul(half, half);
+        let (b, c) = (builder.constant(0.5), builder.constant(0.375));
+        let c = builder.mul(c, e);
+        let factor = builder.sub(b, c);
+        let too_long = builder.mul(factor, e);
         let scale = builder.sub(one, too_long);
         let cos = builder.sub(one, half);
         let turn = builder.scaled(scale, [cos, angle]);

@@ -152,7 +152,8 @@ impl Writer<'_> {
         let two = builder.constant(2.0);
         let scale = builder.mul(two, product);
         let sine = builder.div(root, scale);
-        let apart = self.far_apart(a_length, b_length, square);
+        // Where rounding is let pass for closed, it must not stretch a link.
+        let apart = choice.watching.is_some() || self.far_apart(a_length, b_length, square);
         let mut directions = [first, second].map(|direction| {
             if apart {
                 self.normalised(direction, "closed")
@@ -164,9 +165,13 @@ impl Writer<'_> {
             [a_length, b_length, product].map(|value| self.builder.at_start(value));
         let size = long + short;
         if choice.goes_over() && (long - short).abs() <= 1e-9 * size {
-            for (direction, last) in directions.iter_mut().zip(firsts) {
-                *direction = self.unless_pins_meet(square, size, *direction, *last);
-            }
+            // The one keeps its direction, the other follows from it.
+            directions[0] = self.unless_pins_meet(square, size, directions[0], firsts[0]);
+            let side = self.builder.turned(directions[0], a);
+            let rest = self.builder.minus(goal, side);
+            let follows = unit(&mut self.builder, rest, b, b_square);
+            directions[1] =
+                self.unless_pins_meet(square, size, directions[1], Solution::Direction(follows));
         }
         let shift = self.builder.div(square, product);
         let tiny_square = self.tiny_square(shift, size * size / wide);
@@ -232,7 +237,9 @@ impl Writer<'_> {
         let long = builder.constant(size);
         let shift = builder.div(long, radius);
         let tiny_square = self.tiny_square(shift, size / self.builder.at_start(radius));
-        let direction = if size > FAR_APART * self.builder.at_start(radius) {
+        let direction = if choice.watching.is_some()
+            || size > FAR_APART * self.builder.at_start(radius)
+        {
             self.normalised(direction, "closed")
         } else {
             direction
@@ -287,6 +294,12 @@ impl Writer<'_> {
         let back = builder.conjugate(tip);
         let turned = builder.turned(goal, back);
         let direction = builder.scaled(inverse, turned);
+        let direction = if choice.watching.is_some() {
+            self.normalised(direction, "closed")
+        } else {
+            direction
+        };
+        let builder = &mut self.builder;
         let scale = builder.constant(1.0 / size);
         let sine = builder.mul(scale, root);
         let part = builder.mul(scale, height);
@@ -317,7 +330,7 @@ impl Writer<'_> {
         let inverse = builder.div(one, det);
         let (p, q) = (builder.cross(goal, b), builder.cross(a, goal));
         let ways = [builder.mul(p, inverse), builder.mul(q, inverse)];
-        let least = -TOLERANCE * self.model.precision.epsilon();
+        let least = -4.0 * self.model.precision.epsilon();
         let floor = self.builder.constant(least);
         Found {
             solution: ways.map(Solution::Slide).to_vec(),
@@ -368,7 +381,16 @@ impl Writer<'_> {
     /// epsilon, and not less than what rounding of lengths does to the sine itself.
     fn tiny_square(&mut self, shift: Value, sine: f64) -> Value {
         let epsilon = self.model.precision.epsilon();
-        let least = self.builder.constant((TOLERANCE * epsilon * sine).powi(2));
+        // The motors' values are rounded too, the more the farther they have turned.
+        let mut turned = self.builder.constant(1.0);
+        for motor in self.model.motor_ids() {
+            let value = self.builder.make(Op::Motor(motor.index()));
+            let value = self.builder.abs(value);
+            turned = self.builder.add(turned, value);
+        }
+        let least = self.builder.constant(TOLERANCE * epsilon * sine);
+        let least = self.builder.mul(least, turned);
+        let least = self.builder.mul(least, least);
         let shift_by = self.builder.constant(16.0 * epsilon);
         let shift = self.builder.mul(shift_by, shift);
         self.builder.add(shift, least)

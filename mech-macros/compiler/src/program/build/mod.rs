@@ -48,6 +48,7 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
         watches: Vec::new(),
         senses: None,
         steady: None,
+        follows: false,
         histories: Vec::new(),
         sources: vec![None; plan.sources.len()],
         meshes: 0,
@@ -63,6 +64,19 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
     }
     writer.keep_senses();
     writer.finish()
+}
+
+/// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster.
+fn strides(model: &Model) -> Vec<f64> {
+    let size = model
+        .axes
+        .iter()
+        .fold(0.0_f64, |size, axis| size.max(axis.at[0].hypot(axis.at[1])));
+    let stride = |motor: &crate::model::Motor| match model.joint(motor.joint).kind {
+        JointKind::Revolute(..) => 0.25,
+        _ => 0.02 * size.max(f64::MIN_POSITIVE),
+    };
+    model.motors.iter().map(stride).collect()
 }
 
 /// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it.
@@ -92,6 +106,8 @@ struct Writer<'m> {
     loops: usize,
     /// Whether the motors move by equal steps, once something asked.
     steady: Option<predictor::Steady>,
+    /// Whether an angle is followed over whole turns.
+    follows: bool,
     /// The histories of the present loop's unknowns, if its start is predicted.
     histories: Vec<predictor::History>,
 }
@@ -252,6 +268,7 @@ impl Writer<'_> {
         );
         let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
         let principal = self.builder.make(Op::Atan2(sin, cos));
+        self.follows = true;
         let kept = self.kept.len();
         let last = self.keep(start);
         let behind = self.builder.sub(last, principal);
@@ -301,6 +318,7 @@ impl Writer<'_> {
             kept,
             watches,
             senses,
+            follows,
             ..
         } = self;
         let shown: Vec<LinkId> = model.declared_links().collect();
@@ -312,6 +330,7 @@ impl Writer<'_> {
             [cos, sin, x, y]
         });
         let start = builder.start().clone();
+        let strides = follows.then(|| strides(model));
         let mut program = Program {
             name: model.name.clone(),
             precision: model.precision,
@@ -320,6 +339,7 @@ impl Writer<'_> {
             watches,
             senses,
             range: None,
+            strides,
             overflows: overflows(model),
             motors: model
                 .motors

@@ -1,0 +1,229 @@
+//! Positions that close to thirty digits, straight from the definition of the joints.
+//!
+//! The compiler folds lengths into constants that have seventeen digits. So what its program finds in more is still off by
+//! what these were rounded by, as are the positions it is to judge. A few steps of Newton's iteration on all joints at once,
+//! the gaps in all digits and the rates in a float, take that away.
+
+use crate::double_double::DoubleDouble;
+use mech_compiler::model::{AxisId, JointKind, LinkId, Model};
+use mech_runtime::Real;
+
+/// Gaps below this part of the mechanism's size pass for none.
+const CLOSED: f64 = 1e-28;
+/// Each gives some fourteen digits.
+const ROUNDS: usize = 6;
+
+type Vector = [DoubleDouble; 2];
+
+/// One condition on the position: what is missing, and its rates with turning and moving each link.
+struct Condition {
+    gap: DoubleDouble,
+    rates: Vec<(usize, f64)>,
+}
+
+/// An axis in the scene.
+struct Placed {
+    /// Where the unknowns of its link begin, if that moves.
+    first: Option<usize>,
+    at: Vector,
+    /// From the origin of its link.
+    arm: Vector,
+    direction: Vector,
+}
+
+/// Corrects the poses until the joints close and the motor's coordinate is as told.
+///
+/// # Errors
+/// If they do not come to close, or there is a joint that rolls.
+pub(crate) fn close(
+    model: &Model,
+    size: f64,
+    motor: f64,
+    poses: &mut [[DoubleDouble; 4]],
+) -> Result<(), String> {
+    for _ in 0..ROUNDS {
+        let conditions = conditions(model, motor, poses)?;
+        let gaps = conditions
+            .iter()
+            .map(|condition| condition.gap.to_f64().abs());
+        if gaps.fold(0.0, f64::max) < CLOSED * size {
+            return Ok(());
+        }
+        let steps = solve(&conditions, 3 * poses.len()).ok_or("its joints are singular")?;
+        let (steps, _) = steps.as_chunks::<3>();
+        for (pose, &[turn, dx, dy]) in poses.iter_mut().zip(steps) {
+            let [cos, sin, x, y] = *pose;
+            let turn = DoubleDouble::from(turn);
+            let (cos, sin) = (cos - sin * turn, sin + cos * turn);
+            let length = (cos * cos + sin * sin).sqrt();
+            *pose = [cos / length, sin / length, x + dx.into(), y + dy.into()];
+        }
+    }
+    Err(format!("its joints do not close at {motor}"))
+}
+
+fn conditions(
+    model: &Model,
+    motor: f64,
+    poses: &[[DoubleDouble; 4]],
+) -> Result<Vec<Condition>, String> {
+    let mut conditions = Vec::new();
+    for id in model.joint_ids() {
+        let joint = model.joint(id);
+        match joint.kind {
+            JointKind::Revolute(a, b) => {
+                let (a, b) = (placed(model, poses, a), placed(model, poses, b));
+                conditions.extend(meeting(&a, &b));
+                if model.motor_of(id).is_some() {
+                    let (sin, cos) = DoubleDouble::from(motor).sin_cos();
+                    let turned = turned(a.direction, cos, sin);
+                    conditions.push(parallel(
+                        &Placed {
+                            direction: turned,
+                            ..a
+                        },
+                        &b,
+                    ));
+                }
+            }
+            JointKind::Prismatic(a, b) if model.motor_of(id).is_none() => {
+                let (a, b) = (placed(model, poses, a), placed(model, poses, b));
+                conditions.extend([on_line(&a, &b), parallel(&a, &b)]);
+            }
+            _ => return Err(format!("no reference for joint `{}`", joint.name)),
+        }
+    }
+    Ok(conditions)
+}
+
+fn placed(model: &Model, poses: &[[DoubleDouble; 4]], id: AxisId) -> Placed {
+    let axis = model.axis(id);
+    let (at, direction) = (
+        axis.at.map(DoubleDouble::from),
+        axis.direction.map(DoubleDouble::from),
+    );
+    if axis.link == LinkId::GROUND {
+        return Placed {
+            first: None,
+            at,
+            arm: at,
+            direction,
+        };
+    }
+    let link = axis.link.index() - 1;
+    let [cos, sin, x, y] = poses[link];
+    let arm = turned(at, cos, sin);
+    Placed {
+        first: Some(3 * link),
+        at: [x + arm[0], y + arm[1]],
+        arm,
+        direction: turned(direction, cos, sin),
+    }
+}
+
+fn turned([x, y]: Vector, cos: DoubleDouble, sin: DoubleDouble) -> Vector {
+    [cos * x - sin * y, sin * x + cos * y]
+}
+
+fn cross([a, b]: Vector, [c, d]: Vector) -> DoubleDouble {
+    a * d - b * c
+}
+
+fn dot([a, b]: Vector, [c, d]: Vector) -> f64 {
+    (a * c + b * d).to_f64()
+}
+
+/// Two points coincide.
+fn meeting(a: &Placed, b: &Placed) -> [Condition; 2] {
+    let condition = |coordinate: usize| {
+        let mut rates = Vec::new();
+        for (axis, sign) in [(a, -1.0), (b, 1.0)] {
+            if let Some(first) = axis.first {
+                let [x, y] = axis.arm.map(Real::to_f64);
+                let turning = if coordinate == 0 { -y } else { x };
+                rates.extend([(first, sign * turning), (first + 1 + coordinate, sign)]);
+            }
+        }
+        Condition {
+            gap: b.at[coordinate] - a.at[coordinate],
+            rates,
+        }
+    };
+    [condition(0), condition(1)]
+}
+
+/// Two axes have the same direction.
+fn parallel(a: &Placed, b: &Placed) -> Condition {
+    let rate = dot(a.direction, b.direction);
+    let rates = [(a, -rate), (b, rate)].into_iter();
+    Condition {
+        gap: cross(a.direction, b.direction),
+        rates: rates
+            .filter_map(|(axis, rate)| Some((axis.first?, rate)))
+            .collect(),
+    }
+}
+
+/// The second point is on the first line.
+fn on_line(a: &Placed, b: &Placed) -> Condition {
+    let between = [b.at[0] - a.at[0], b.at[1] - a.at[1]];
+    let [x, y] = a.direction.map(Real::to_f64);
+    let mut rates = Vec::new();
+    for (axis, sign) in [(a, -1.0), (b, 1.0)] {
+        if let Some(first) = axis.first {
+            let turning = dot(a.direction, axis.arm);
+            rates.extend([
+                (first, sign * turning),
+                (first + 1, -sign * y),
+                (first + 2, sign * x),
+            ]);
+        }
+    }
+    if let Some(first) = a.first {
+        rates.push((first, -dot(a.direction, between)));
+    }
+    Condition {
+        gap: cross(a.direction, between),
+        rates,
+    }
+}
+
+/// The steps that take the gaps away, by Gauss's elimination; none if it is singular.
+fn solve(conditions: &[Condition], unknowns: usize) -> Option<Vec<f64>> {
+    if conditions.len() != unknowns {
+        return None;
+    }
+    let row = |condition: &Condition| {
+        let mut row = vec![0.0; unknowns + 1];
+        for &(unknown, rate) in &condition.rates {
+            row[unknown] += rate;
+        }
+        row[unknowns] = -condition.gap.to_f64();
+        row
+    };
+    let mut rows: Vec<Vec<f64>> = conditions.iter().map(row).collect();
+    for column in 0..unknowns {
+        let size = |row: &usize| rows[*row][column].abs();
+        let pivot = (column..unknowns).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        rows.swap(column, pivot);
+        let (above, below) = rows.split_at_mut(column + 1);
+        let pivot = &above[column];
+        if pivot[column] == 0.0 {
+            return None;
+        }
+        for row in below.iter_mut().filter(|row| row[column] != 0.0) {
+            let part = row[column] / pivot[column];
+            for (number, above) in row.iter_mut().zip(pivot).skip(column) {
+                *number -= part * above;
+            }
+        }
+    }
+    let mut steps = vec![0.0; unknowns];
+    for column in (0..unknowns).rev() {
+        let row = &rows[column];
+        let known = row.iter().zip(&steps).skip(column + 1);
+        let known: f64 = known.map(|(rate, step)| rate * step).sum();
+        steps[column] = (row[unknowns] - known) / row[column];
+    }
+    Some(steps)
+}

@@ -1,0 +1,57 @@
+//! The command line.
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Command {
+    /// To measure, and to renew the page in `docs`.
+    Full,
+    /// To measure briefly, and to write into `target` only.
+    Quick,
+    /// To be told what there is.
+    Help,
+}
+
+/// What there is.
+pub(crate) const HELP: &str = "\
+Measures what each method costs and how exact it is: the price list.
+
+Usage: accuracy [--quick]
+
+Without arguments, it takes about a minute and renews docs/accuracy.md with its table and
+picture. With --quick it measures briefly and writes into target/accuracy only.";
+
+impl Command {
+    /// Reads the arguments.
+    ///
+    /// # Errors
+    /// If there is one that means nothing.
+    pub(crate) fn read(arguments: impl IntoIterator<Item = String>) -> Result<Self, String> {
+        let mut command = Self::Full;
+        for argument in arguments {
+            match argument.as_str() {
+                "--quick" => command = Self::Quick,
+                "-h" | "--help" => return Ok(Self::Help),
+                _ => {
+                    return Err(format!(
+                        "`{argument}` means nothing here; there are `--quick` and `--help`"
+                    ));
+                }
+            }
+        }
+        Ok(command)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arguments() {
+        let read = |text: &str| Command::read(text.split_whitespace().map(str::to_owned));
+        assert_eq!(read(""), Ok(Command::Full));
+        assert_eq!(read("--quick"), Ok(Command::Quick));
+        assert_eq!(read("--quick --help"), Ok(Command::Help));
+        assert!(read("--fast").is_err_and(|error| error.contains("`--fast`")));
+    }
+}
