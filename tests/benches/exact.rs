@@ -1,6 +1,13 @@
 //! The emitted closed form of a four-bar beside one written by hand: same geometry, same outputs, same guard, one process,
 //! interleaved rounds, medians, and the range of several repetitions. The ratio that counts is the one to the fastest of
 //! three hand-written ones, which differ in where they take sine and cosine from. `cargo bench -p mech-tests --bench exact`
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_lossless,
+    clippy::neg_cmp_op_on_partial_ord,
+    reason = "small numbers; what is not a number must not pass"
+)]
 
 mod common;
 

@@ -1,5 +1,11 @@
 //! `solve_many` beside a structure of arrays written by hand, and beside a sequence of `move_to`; one process, interleaved
 //! rounds, medians, and the range of several repetitions. `cargo bench -p mech-tests --bench many`
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_lossless,
+    reason = "small numbers"
+)]
 
 mod common;
 

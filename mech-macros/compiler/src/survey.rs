@@ -93,10 +93,12 @@ fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> 
                 (found.ends || movers > 1).then_some(AtZero::Stay)
             }
         };
-        // A loop that is iterated does not pass change points: there the closed form is taken whatever was wished.
-        let solver = match at_zero {
-            Some(AtZero::GoOver | AtZero::Stop) => Solver::ClosedForm,
-            Some(AtZero::Stay) | None => choice.solver,
+        // An iteration fails where its equations are singular: a loop that comes to dead points or change points is solved in
+        // closed form whatever was wished.
+        let solver = if found.crosses || found.ends {
+            Solver::ClosedForm
+        } else {
+            choice.solver
         };
         let movers = found.rates.iter().filter(|rate| **rate > 0.0).count();
         let safety = if movers > 1 { WIDE_SAFETY } else { SAFETY };

@@ -3,6 +3,11 @@
 //!
 //! The chains are written by `chain_text` into a crate of their own, as `compile_time` does, which this builds and runs.
 //! The picture goes to `docs/growth.svg`.
+#![allow(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    reason = "small numbers"
+)]
 
 mod plot;
 
@@ -85,19 +90,16 @@ fn program(chains: &[usize]) -> String {
     let mut calls = String::new();
     for &loops in chains {
         let chain = chain_text(loops);
-        let _ = write!(
+        let _ = writeln!(
             text,
-            "mod chain_{loops} {{ mech_runtime::mechanism! {{ pub {chain} }} }}\n"
+            "mod chain_{loops} {{ mech_runtime::mechanism! {{ pub {chain} }} }}"
         );
-        let _ = write!(
+        let _ = writeln!(
             calls,
-            "        ({loops}, bed::emitted::<chain_{loops}::Chain>()),\n"
+            "        ({loops}, bed::emitted::<chain_{loops}::Chain>()),"
         );
     }
-    let _ = write!(
-        text,
-        "fn main() {{\n    bed::run(vec![\n{calls}    ]);\n}}\n"
-    );
+    let _ = writeln!(text, "fn main() {{\n    bed::run(vec![\n{calls}    ]);\n}}");
     text
 }
 

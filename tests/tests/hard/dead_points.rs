@@ -28,13 +28,11 @@ ways! {
         it_is_blocked_beyond_and_tells_the_limit: beyond;
         it_comes_back_from_its_dead_point_on_its_own_side: back;
         it_goes_to_and_fro_between_its_dead_points: to_and_fro;
-        #[ignore = "links are stretched at a dead point: by the tolerance of the loop, as a part of the short link"]
         no_link_is_stretched_there: unstretched;
     } and by [newton] {
         it_comes_as_near_as_one_likes_to_its_dead_point: nearer_and_nearer;
         it_comes_there_from_the_start_in_one_leap: in_one_leap;
         it_stands_exactly_at_its_dead_point: exactly_there;
-        #[ignore = "an iterated loop leaps over where it does not close, if it closes at the end of the leap"]
         it_is_blocked_beyond_and_tells_the_limit: beyond;
         it_comes_back_from_its_dead_point_on_its_own_side: back;
         it_goes_to_and_fro_between_its_dead_points: to_and_fro;

@@ -20,12 +20,9 @@ ways! {
         start { ja = 0 deg; arm near 40 deg; }
     } {
         it_ends_where_the_pin_is_at_the_height_of_the_guide: arm_ends;
-        #[ignore = "links are stretched at a dead point: by the tolerance of the loop, as a part of the short link"]
         no_link_is_stretched_there: |bed| unstretched(bed, -3.0);
     } and by [newton] {
-        #[ignore = "an iterated loop leaps over where it does not close, if it closes at the end of the leap"]
         it_ends_where_the_pin_is_at_the_height_of_the_guide: arm_ends;
-        #[ignore = "at its limit it closes to 93 eps of its size, not to 64"]
         no_link_is_stretched_there: |bed| unstretched(bed, -2.0);
     }
 }
@@ -46,7 +43,6 @@ ways! {
     } {
         it_ends_where_its_coupler_and_rocker_are_in_line: double_rocker_ends;
     } and by [newton] {
-        #[ignore = "an iterated loop leaps over where it does not close, if it closes at the end of the leap"]
         it_ends_where_its_coupler_and_rocker_are_in_line: double_rocker_ends;
     }
 }
@@ -81,7 +77,6 @@ ways! {
     } {
         it_ends_where_its_rod_is_across_its_guide: offset_rocker_ends;
     } and by [newton] {
-        #[ignore = "an iterated loop leaps over where it does not close, if it closes at the end of the leap"]
         it_ends_where_its_rod_is_across_its_guide: offset_rocker_ends;
     }
 }
@@ -135,7 +130,6 @@ ways! {
     } {
         its_first_loop_ends_where_its_second_does: six_bar_ends;
     } and by [newton] {
-        #[ignore = "an iterated loop leaps over where it does not close, if it closes at the end of the leap"]
         its_first_loop_ends_where_its_second_does: six_bar_ends;
     }
 }

@@ -54,7 +54,6 @@ ways! {
     } {
         it_turns_by_thirty_degrees_and_no_further: thirty_degrees;
     } and by [newton] {
-        #[ignore = "an iterated loop leaps over where it does not close, if it closes at the end of the leap"]
         it_turns_by_thirty_degrees_and_no_further: thirty_degrees;
     }
 }

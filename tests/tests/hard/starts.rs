@@ -16,7 +16,6 @@ fn assert_compiles(text: &str) {
 
 /// A `mechanism!` that does not compile cannot stand in a test: hence the text.
 #[test]
-#[ignore = "a start on a change point is refused as a dead start"]
 fn a_parallelogram_may_start_where_it_is_flat() {
     assert_compiles(
         "struct Flat;
@@ -53,7 +52,6 @@ fn the_same_parallelogram_may_start_anywhere_else() {
 }
 
 #[test]
-#[ignore = "guides at 1e-6 and less are refused as a dead start"]
 fn nearly_parallel_guides_may_start_as_drawn() {
     for (scalar, slope) in [
         ("f64", 1e-6),

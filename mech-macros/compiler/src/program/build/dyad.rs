@@ -126,7 +126,16 @@ impl Writer<'_> {
         let tolerance = builder.constant(8.0 * TOLERANCE * self.model.precision.epsilon());
         let floor = builder.mul(tolerance, floor);
         let root = self.root(slack, choice);
-        let root = self.on_side(root, side);
+        let signed = self.on_side(root, side);
+        let [long, short, wide] =
+            [a_length, b_length, product].map(|value| self.builder.at_start(value));
+        let size = long + short;
+        let pins_meet = choice.goes_over() && (long - short).abs() <= 1e-9 * size;
+        let aside = if pins_meet {
+            self.nearest_side(goal, a, square, size, (root, signed), firsts[0])
+        } else {
+            signed
+        };
         let builder = &mut self.builder;
         let half = builder.constant(0.5);
         let half_inverse = builder.div(half, square);
@@ -134,7 +143,7 @@ impl Writer<'_> {
         let excess = builder.mul(sum, difference);
         let lean = builder.mul(excess, half_inverse);
         let along = builder.add(half, lean);
-        let across = builder.mul(root, half_inverse);
+        let across = builder.mul(aside, half_inverse);
         let tip = builder.turned(goal, [along, across]);
         let rest = builder.minus(goal, tip);
         let unit = |builder: &mut crate::program::builder::Builder,
@@ -151,7 +160,7 @@ impl Writer<'_> {
         let second = unit(builder, rest, b, b_square);
         let two = builder.constant(2.0);
         let scale = builder.mul(two, product);
-        let sine = builder.div(root, scale);
+        let sine = builder.div(signed, scale);
         // Where rounding is let pass for closed, it must not stretch a link.
         let apart = choice.watching.is_some() || self.far_apart(a_length, b_length, square);
         let mut directions = [first, second].map(|direction| {
@@ -161,10 +170,7 @@ impl Writer<'_> {
                 direction
             }
         });
-        let [long, short, wide] =
-            [a_length, b_length, product].map(|value| self.builder.at_start(value));
-        let size = long + short;
-        if choice.goes_over() && (long - short).abs() <= 1e-9 * size {
+        if pins_meet {
             // The one keeps its direction, the other follows from it.
             directions[0] = self.unless_pins_meet(square, size, directions[0], firsts[0]);
             let side = self.builder.turned(directions[0], a);
@@ -182,6 +188,45 @@ impl Writer<'_> {
             sine,
             tiny_square,
         }
+    }
+
+    /// Where pins nearly meet, on which side of the line between them a dyad of equal lengths lies is hidden by rounding: it lies on
+    /// that on which it was.
+    fn nearest_side(
+        &mut self,
+        goal: Vector,
+        arm: Vector,
+        square: Value,
+        size: f64,
+        (root, signed): (Value, Value),
+        last: Solution<Value>,
+    ) -> Value {
+        let Solution::Direction(last) = last else {
+            return signed;
+        };
+        let rounded = self.rounded();
+        let scale = 4.0 * self.model.precision.epsilon() * size;
+        let scale = self.builder.constant(scale);
+        let near = self.builder.mul(scale, rounded);
+        let near = self.builder.mul(near, near);
+        let beyond = self.builder.sub(square, near);
+        let tip = self.builder.turned(last, arm);
+        let turn = self.builder.cross(goal, tip);
+        let side = self.builder.make(Op::Choose(beyond, signed, turn));
+        self.builder.copysign(root, side)
+    }
+
+    /// How many roundings a length at hand has suffered: the motors' values are rounded too, the more the farther they have turned.
+    fn rounded(&mut self) -> Value {
+        let mut turned = self.builder.constant(0.0);
+        for motor in self.model.motor_ids() {
+            let value = self.builder.make(Op::Motor(motor.index()));
+            let value = self.builder.abs(value);
+            turned = self.builder.add(turned, value);
+        }
+        let (two, sixteen) = (self.builder.constant(2.0), self.builder.constant(16.0));
+        let turned = self.builder.mul(two, turned);
+        self.builder.add(sixteen, turned)
     }
 
     /// Whether the lengths of a triangle differ so much that its short side's direction suffers.
@@ -381,15 +426,9 @@ impl Writer<'_> {
     /// epsilon, and not less than what rounding of lengths does to the sine itself.
     fn tiny_square(&mut self, shift: Value, sine: f64) -> Value {
         let epsilon = self.model.precision.epsilon();
-        // The motors' values are rounded too, the more the farther they have turned.
-        let mut turned = self.builder.constant(1.0);
-        for motor in self.model.motor_ids() {
-            let value = self.builder.make(Op::Motor(motor.index()));
-            let value = self.builder.abs(value);
-            turned = self.builder.add(turned, value);
-        }
-        let least = self.builder.constant(TOLERANCE * epsilon * sine);
-        let least = self.builder.mul(least, turned);
+        let rounded = self.rounded();
+        let least = self.builder.constant(epsilon * sine);
+        let least = self.builder.mul(least, rounded);
         let least = self.builder.mul(least, least);
         let shift_by = self.builder.constant(16.0 * epsilon);
         let shift = self.builder.mul(shift_by, shift);
@@ -407,7 +446,7 @@ impl Writer<'_> {
         let Solution::Direction(last) = last else {
             return direction;
         };
-        let least = (TOLERANCE * self.model.precision.epsilon() * size).powi(2);
+        let least = (4.0 * self.model.precision.epsilon() * size).powi(2);
         let least = self.builder.constant(least);
         let apart = self.builder.sub(square, least);
         let apart = self.builder.name(apart, "apart");
