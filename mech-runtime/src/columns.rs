@@ -138,4 +138,3 @@ impl<M: core::fmt::Debug> core::fmt::Display for BlockedAt<M> {
 }
 
 impl<M: core::fmt::Debug> core::error::Error for BlockedAt<M> {}
-

@@ -1,11 +1,11 @@
 //! What is predicted about errors, beside what is measured: programs moved by their declared steps, from anywhere, to and fro,
 //! beside the exact ones.
 
+use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Method, Model, Precision, ShapeKind};
 use mech_compiler::program::Program;
 use mech_compiler::syntax::parse;
-use mech_compiler::compile;
 use mech_runtime::Real;
 use mech_tests::{Dice, bodies, grow, size};
 
@@ -270,6 +270,11 @@ fn nothing_at_random_is_worse_than_predicted() {
             hold(&with_step(&model, degrees), &what, &mut seen, &mut dice);
         }
         seen.tell(&format!("random, {precision:?}"));
-        assert!(100 * seen.below <= seen.bounded, "{} of {}", seen.below, seen.bounded);
+        assert!(
+            100 * seen.below <= seen.bounded,
+            "{} of {}",
+            seen.below,
+            seen.bounded
+        );
     }
 }

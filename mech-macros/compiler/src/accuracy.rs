@@ -290,13 +290,15 @@ impl<'m> Judge<'m> {
         }
         let of_loop = |number: usize| {
             let before = self.on_loops[number].loops.iter().zip(&is_exact);
-            if before.filter(|(needed, _)| **needed).all(|(_, exact)| *exact) {
+            if before
+                .filter(|(needed, _)| **needed)
+                .all(|(_, exact)| *exact)
+            {
                 return None;
             }
             let links = self.on_links.iter().zip(&errors);
-            let own = links.filter(|(link, _)| {
-                link.loops.iter().rposition(|needed| *needed) == Some(number)
-            });
+            let own = links
+                .filter(|(link, _)| link.loops.iter().rposition(|needed| *needed) == Some(number));
             Some(own.map(|(_, error)| *error).fold(0.0, f64::max))
         };
         Prediction {
@@ -340,3 +342,6 @@ fn unwatched(choices: &[Choice]) -> Vec<Choice> {
 
 #[cfg(test)]
 mod tests;
+
+#[cfg(test)]
+mod debug_tmp;

@@ -12,10 +12,10 @@ mod emit;
 pub mod evaluate;
 pub mod graphs;
 mod matched;
-mod proof;
 pub mod model;
 pub mod plan;
 pub mod program;
+mod proof;
 pub mod repair;
 pub mod report;
 pub mod reporter;
@@ -136,15 +136,12 @@ fn written(model: &Model, structure: Structure, plan: Plan) -> Result<Coherent, 
     };
     let choices = plan.loops().map(chosen).collect();
     let choices = survey::survey(model, &plan, choices);
-    let (choices, prediction) = match model.accuracy {
-        Some(accuracy) => {
-            let (choices, prediction) = accuracy::choose(model, &plan, choices, accuracy)?;
-            (choices, Some(prediction))
-        }
-        None => {
-            let prediction = accuracy::predict(model, &plan, &choices);
-            (choices, prediction)
-        }
+    let (choices, prediction) = if let Some(accuracy) = model.accuracy {
+        let (choices, prediction) = accuracy::choose(model, &plan, choices, accuracy)?;
+        (choices, Some(prediction))
+    } else {
+        let prediction = accuracy::predict(model, &plan, &choices);
+        (choices, prediction)
     };
     let mut program = program::build_as(model, &plan, &choices);
     if let Err(stop) = evaluate::settle(&mut program) {
@@ -160,10 +157,7 @@ fn written(model: &Model, structure: Structure, plan: Plan) -> Result<Coherent, 
 }
 
 /// A mechanism that moves, if it does, only because its lengths match.
-fn special(
-    model: &Model,
-    diagnoses: Vec<Diagnosis>,
-) -> Result<Coherent, Vec<Diagnosis>> {
+fn special(model: &Model, diagnoses: Vec<Diagnosis>) -> Result<Coherent, Vec<Diagnosis>> {
     let held = |diagnosis: &Diagnosis| {
         matches!(
             diagnosis,

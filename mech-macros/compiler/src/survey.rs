@@ -18,6 +18,8 @@ const SAMPLES: [usize; 2] = [24, 360];
 const WIDE_SAFETY: f64 = 6.0;
 /// Between samples a rate may be greater than any that was sampled.
 const SAFETY: f64 = 1.5;
+/// By this part of itself a bracket is cut.
+const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// Squares of sines above this are far from zero.
 const NEAR: f64 = 0.1;
 
@@ -111,7 +113,7 @@ fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> 
             predictor: choice.predictor,
             watching,
             side: choice.side,
-        proved: false,
+            proved: false,
         }
     };
     choices.into_iter().zip(found).map(decide).collect()
@@ -207,9 +209,9 @@ impl Walker<'_> {
             .map(|(rate, way)| rate * way.abs())
             .sum();
         if explained > 0.0 && steepest > explained {
-            rates
-                .iter_mut()
-                .for_each(|rate| *rate *= steepest / explained);
+            for rate in rates {
+                *rate *= steepest / explained;
+            }
         }
     }
 
@@ -229,7 +231,6 @@ impl Walker<'_> {
             moved.is_ok().then(|| (kept[0].powi(2), kept[1]))
         };
         let (mut low, mut high) = (*from, to);
-        const GOLDEN: f64 = 0.381_966_011_250_105_1;
         let mut at = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
         let (Some(first), Some(second)) = (square(at[0]), square(at[1])) else {
             return false;

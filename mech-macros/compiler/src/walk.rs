@@ -36,12 +36,7 @@ pub(crate) fn walk(model: &Model, plan: &Plan, mut walker: impl FnMut(&Stretch) 
 }
 
 /// Moves one motor through its range, the others at the start.
-fn alone(
-    model: &Model,
-    plan: &Plan,
-    motor: MotorId,
-    walker: &mut impl FnMut(&Stretch) -> bool,
-) {
+fn alone(model: &Model, plan: &Plan, motor: MotorId, walker: &mut impl FnMut(&Stretch) -> bool) {
     let index = motor.index();
     let start = plan.start.motors[index];
     let along = |way: f64, pieces: usize| {

@@ -46,6 +46,7 @@ pub fn round<T: Scalar>(value: T) -> T {
 
 /// What a part of so many whole turns comes to, less whole turns: an angle in radians. Exact up to the last rounding.
 #[inline]
+#[must_use]
 pub fn turned<T: Scalar>(turns: i32, numerator: i64, denominator: i64) -> T {
     if turns == 0 {
         return T::ZERO;

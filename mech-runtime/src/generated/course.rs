@@ -30,6 +30,8 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub subdivides: bool,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
+    /// Up to this value of every motor all angles are within the range of the polynomials of sine and cosine.
+    pub reach: T,
     /// How far each motor may go in one piece, where an angle is followed over whole turns.
     pub strides: Option<[T; MOTORS]>,
     /// The least and the greatest value of each motor, if any has a declared range.
@@ -79,7 +81,10 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> Course<T, MOTORS, WAT
         // Not a rounding beyond the end of its range.
         let [low, high] = self.range?[motor];
         reached[motor] = if end[motor] < low { low } else { high };
-        Some((Stop::new(self.names[motor], Cause::OutOfRange), Motors::new(reached)))
+        Some((
+            Stop::new(self.names[motor], Cause::OutOfRange),
+            Motors::new(reached),
+        ))
     }
 }
 
@@ -88,7 +93,7 @@ struct Way<'a, T: 'static, const M: usize, const L: usize, const K: usize, const
     course: &'a Course<T, M, W>,
     start: &'a Position<T, M, L, K>,
     target: Motors<T, M>,
-    way: [T; M],
+    ways: [T; M],
     step: &'a S,
 }
 
@@ -106,7 +111,7 @@ where
         step: &'a S,
     ) -> Self {
         Self {
-            way: start.motors.way_to(&target),
+            ways: start.motors.way_to(&target),
             course,
             start,
             target,
@@ -132,7 +137,7 @@ where
             return self.target;
         }
         let mut motors = self.start.motors;
-        for (value, way) in motors.values.iter_mut().zip(self.way) {
+        for (value, way) in motors.values.iter_mut().zip(self.ways) {
             *value += way * part;
         }
         motors
@@ -167,7 +172,7 @@ where
     fn watch(&self, index: usize) -> Watch<T> {
         let watched = &self.course.watched[index];
         let mut change = T::ZERO;
-        for (rate, way) in watched.rates.iter().zip(self.way) {
+        for (rate, way) in watched.rates.iter().zip(self.ways) {
             change += *rate * mech_core::Real::abs(way);
         }
         Watch {
@@ -201,7 +206,7 @@ where
             return false;
         };
         let mut along = T::ZERO;
-        for (motor, (rate, way)) in watched.rates.iter().zip(self.way).enumerate() {
+        for (motor, (rate, way)) in watched.rates.iter().zip(self.ways).enumerate() {
             let sense = position.kept.get(first + motor).copied();
             along += *rate * way * sense.unwrap_or(T::ZERO);
         }
@@ -213,7 +218,7 @@ where
         let Some(first) = self.course.senses else {
             return;
         };
-        for (sense, way) in position.kept.iter_mut().skip(first).zip(self.way) {
+        for (sense, way) in position.kept.iter_mut().skip(first).zip(self.ways) {
             if way != T::ZERO {
                 *sense = mech_core::Real::copysign(T::ONE, way);
             }
@@ -232,7 +237,7 @@ where
     #[inline]
     fn pieces(&self) -> T {
         let mut most = T::ONE;
-        for (stride, way) in self.course.strides.iter().flatten().zip(self.way) {
+        for (stride, way) in self.course.strides.iter().flatten().zip(self.ways) {
             most = mech_core::Real::max(most, mech_core::Real::abs(way) / *stride);
         }
         most
@@ -243,31 +248,36 @@ where
     }
 }
 
-/// Moves to the target.
+/// Moves to the target. `near` is the step for motor values within the course's reach, `step` that for any.
 ///
 /// # Errors
 /// If a motor's value is not finite, or something is in the way: then with the motors' values where it would have stopped.
-#[inline]
+#[expect(
+    clippy::inline_always,
+    reason = "the half of it that is hot is a few comparisons around the step"
+)]
+#[inline(always)]
 pub fn advance<T, const M: usize, const L: usize, const K: usize, const W: usize>(
     position: &mut Position<T, M, L, K>,
     target: Motors<T, M>,
     course: &Course<T, M, W>,
+    near: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
     step: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 ) -> Result<(), Blocked<[T; M]>>
 where
     T: Scalar,
 {
-    if target.is_finite() && course.contains(&target) {
+    if target.is_within(course.reach) && course.contains(&target) {
         if W == 0 && course.senses.is_none() && course.strides.is_none() {
             // Nothing can be on the way.
-            if let Ok(there) = step(position, target)
+            if let Ok(there) = near(position, target)
                 && (!course.overflows || there.is_finite())
             {
                 *position = there;
                 return Ok(());
             }
         } else {
-            let way = Way::new(course, position, target, &step);
+            let way = Way::new(course, position, target, &near);
             if let Ok(mut there) = way.to(position, target)
                 && journey::is_clear(&way, position, &there, T::ONE)
             {

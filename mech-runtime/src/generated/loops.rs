@@ -12,11 +12,9 @@ pub fn closes<T: Scalar, const LOOPS: usize>(
     margins: [T; LOOPS],
     places: [&'static str; LOOPS],
 ) -> Result<(), Stop> {
-    // So written that what is not a number does not pass.
-    match margins
-        .into_iter()
-        .position(|margin| !(margin >= T::zero()))
-    {
+    // What is not a number does not pass.
+    let passes = |margin: T| margin >= T::zero();
+    match margins.into_iter().position(|margin| !passes(margin)) {
         None => Ok(()),
         Some(first) => Err(Stop::new(
             places.get(first).copied().unwrap_or_default(),

@@ -201,4 +201,3 @@ pub fn least<T: Scalar, const N: usize>(margins: [T; N]) -> T {
     }
     least
 }
-

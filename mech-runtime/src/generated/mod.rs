@@ -6,14 +6,14 @@ mod loops;
 mod many;
 mod position;
 
-pub use crate::{BlockedAt, Columns, InRange};
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
 };
+pub use crate::{BlockedAt, Columns, InRange};
 pub use coordinates::{angle, atan2, cos, greater, round, sin, sin_cos, slide, sqrt, turned};
 pub use course::{Course, Watched, advance, approach};
-pub use many::{Anywhere, Sines, Within, least, move_many, solve_many};
 pub use loops::{closed, closes, solve};
+pub use many::{Anywhere, Sines, Within, least, move_many, solve_many};
 pub use mech_core::Real;
 pub use mech_core::journey::AtZero;
 pub use position::{Motors, Position};

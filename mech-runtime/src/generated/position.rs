@@ -68,6 +68,12 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
         way
     }
 
+    /// Whether all values are finite numbers and none is farther from zero than this.
+    #[inline]
+    pub(super) fn is_within(&self, reach: T) -> bool {
+        self.values.iter().all(|value| Real::abs(*value) <= reach)
+    }
+
     /// Whether all values are finite numbers.
     #[inline]
     pub fn is_finite(&self) -> bool {

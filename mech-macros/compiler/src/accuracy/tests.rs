@@ -107,7 +107,10 @@ fn more_accuracy_takes_more_rounds() {
             Some(Rounds::Exactly(rounds)) => rounds,
             _ => u32::MAX,
         };
-        println!("{accuracy:e}: {} {:?}", compiled.loops[0].method, compiled.prediction);
+        println!(
+            "{accuracy:e}: {} {:?}",
+            compiled.loops[0].method, compiled.prediction
+        );
         taken.push(rounds);
     }
     assert!(taken.is_sorted(), "{taken:?}");
@@ -138,7 +141,7 @@ fn in_single_precision_it_is_less_exact() {
 fn the_target_weighs() {
     for target in [Target::X86_64, Target::CortexM4f] {
         let mut model = model(CRANKED, 1e-3);
-            model.target = target;
+        model.target = target;
         accepted(&model);
     }
 }

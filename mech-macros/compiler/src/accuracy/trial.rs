@@ -109,7 +109,9 @@ fn patterns(model: &Model) -> Vec<Vec<f64>> {
         .iter()
         .map(|motor| motor.step.unwrap_or(0.0))
         .collect();
-    let moved: Vec<usize> = (0..steps.len()).filter(|&motor| steps[motor] > 0.0).collect();
+    let moved: Vec<usize> = (0..steps.len())
+        .filter(|&motor| steps[motor] > 0.0)
+        .collect();
     let alone = moved.iter().flat_map(|&motor| {
         [1.0, -1.0].map(|sign| {
             let mut pattern = vec![0.0; steps.len()];
@@ -198,7 +200,9 @@ impl Trial<'_, '_> {
                     && (next - start[motor]).abs() <= reach[motor]
             };
             if !next.iter().enumerate().all(inside) {
-                ways.iter_mut().for_each(|way| *way = -*way);
+                for way in &mut ways {
+                    *way = -*way;
+                }
                 ways[turned] = -ways[turned];
                 continue;
             }
@@ -225,7 +229,11 @@ impl Trial<'_, '_> {
     fn in_single(&mut self, before: &Position<f64>, there: &Position<f64>) {
         self.found.reach = self.found.reach.max(self.extents.reach(there));
         self.single.put_back(rounded(before));
-        let motors: Vec<f32> = there.motors.iter().map(|&motor| f32::from_f64(motor)).collect();
+        let motors: Vec<f32> = there
+            .motors
+            .iter()
+            .map(|&motor| f32::from_f64(motor))
+            .collect();
         if self.single.move_to(&motors).is_err() {
             return;
         }

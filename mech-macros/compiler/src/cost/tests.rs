@@ -153,8 +153,15 @@ fn a_dyad_in_closed_form_is_the_cheapest() {
     for (target, precision) in targets {
         let weight = |method| of_program(&program(method)).weight(target, precision);
         let exact = weight(Method::Exact);
-        for method in [Method::NewtonSteps(1), Method::NewtonSteps(2), Method::Newton] {
-            assert!(exact < weight(method), "{target:?} {precision:?} {method:?}");
+        for method in [
+            Method::NewtonSteps(1),
+            Method::NewtonSteps(2),
+            Method::Newton,
+        ] {
+            assert!(
+                exact < weight(method),
+                "{target:?} {precision:?} {method:?}"
+            );
         }
     }
 }

@@ -1,12 +1,13 @@
 //! The struct and its methods.
 
 use super::block::scalar;
+use super::moves::{course, near, turn_to, within};
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
-use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin, Precision};
+use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
 use crate::plan::Plan;
-use crate::program::{self, Program};
+use crate::program::Program;
 use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -39,11 +40,13 @@ pub(crate) fn items(
     let step = step(program);
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
-    let course = course(program);
+    let course = course(program, plan);
     let turn_to = turn_to(model, program, visibility);
+    let near = near(program);
     let within = within(program, visibility);
     let many = super::many::many(program, plan, visibility);
     let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
+    let imports = imports(krate, &scalar);
     let implementation = implementation(krate, program, name);
     quote! {
         #(#attributes)*
@@ -62,21 +65,14 @@ pub(crate) fn items(
             #[allow(
                 clippy::approx_constant,
                 clippy::excessive_precision,
+                clippy::inline_always,
+                clippy::neg_multiply,
                 clippy::suboptimal_flops,
                 clippy::unreadable_literal,
                 reason = "numbers were computed, and fused operations would not give the same bits on every machine"
             )]
             const _: () = {
-            use ::core::default::Default;
-            use ::core::primitive::{#scalar, str};
-            use ::core::option::Option::{self, None, Some};
-            use ::core::result::Result::{self, Err, Ok};
-            #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
-            use #krate::generated::{
-                Anywhere, AtZero, Blocked, BlockedAt, Canvas, Columns, Course, Isometry2, Mechanism, Motors, Outline, Phase, Point2, Pose, Position,
-                Reached, Real, Shape, Stop, Watched, advance, angle, approach, atan2, closed, closes, cos, paint, round,
-                sin, sin_cos, slide, solve, sqrt, turned, Sines, Within, InRange, greater, least, move_many, solve_many,
-            };
+            #imports
 
             #shapes
 
@@ -114,7 +110,7 @@ pub(crate) fn items(
                 /// If a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it was.
                 #[inline]
                 #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
-                    advance(&mut self.position, Motors::new(motors), &COURSE, step)
+                    advance(&mut self.position, Motors::new(motors), &COURSE, #near, step)
                 }
 
                 /// Moves towards these values of the motors, in radians or scene units, on the straight way from the present
@@ -162,6 +158,22 @@ pub(crate) fn items(
     }
 }
 
+/// What the generated code uses.
+fn imports(krate: &TokenStream, scalar: &TokenStream) -> TokenStream {
+    quote! {
+            use ::core::default::Default;
+            use ::core::primitive::{#scalar, str};
+            use ::core::option::Option::{self, None, Some};
+            use ::core::result::Result::{self, Err, Ok};
+            #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
+            use #krate::generated::{
+                Anywhere, AtZero, Blocked, BlockedAt, Canvas, Columns, Course, Isometry2, Mechanism, Motors, Outline, Phase, Point2, Pose, Position,
+                Reached, Real, Shape, Stop, Watched, advance, angle, approach, atan2, closed, closes, cos, paint, round,
+                sin, sin_cos, slide, solve, sqrt, turned, Sines, Within, InRange, greater, least, move_many, solve_many,
+            };
+    }
+}
+
 /// The trait, by way of the inherent methods.
 fn implementation(krate: &TokenStream, program: &Program, name: &Ident) -> TokenStream {
     let scalar = scalar(program);
@@ -202,161 +214,6 @@ fn implementation(krate: &TokenStream, program: &Program, name: &Ident) -> Token
                     self.poses()
                 }
             }
-    }
-}
-
-/// What is known about every move.
-fn course(program: &Program) -> TokenStream {
-    let scalar = scalar(program);
-    let n = |value: &f64| number(program.precision, *value);
-    let names = &program.motors;
-    let watched = program.watches.iter().map(|watch| {
-        let kept = Literal::usize_unsuffixed(watch.kept);
-        let rates = watch.rates.iter().map(n);
-        let at_zero = match watch.at_zero {
-            program::AtZero::Stay => quote!(AtZero::Stay),
-            program::AtZero::GoOver => quote!(AtZero::GoOver),
-            program::AtZero::Stop => quote!(AtZero::Stop),
-        };
-        let closed = program.closed(watch.block).map(|closed| &closed.place);
-        let newton = program.newton(watch.block).map(|newton| &newton.place);
-        let place = closed.or(newton).map_or("", String::as_str);
-        quote!(Watched { kept: #kept, rates: [#(#rates),*], at_zero: #at_zero, place: #place })
-    });
-    let senses = match program.senses {
-        None => quote!(None),
-        Some(first) => {
-            let first = Literal::usize_unsuffixed(first);
-            quote!(Some(#first))
-        }
-    };
-    let (subdivides, overflows) = (program.subdivides(), program.overflows);
-    let strides = match &program.strides {
-        None => quote!(None),
-        Some(strides) => {
-            let strides = strides.iter().map(n);
-            quote!(Some([#(#strides),*]))
-        }
-    };
-    let range = match &program.range {
-        None => quote!(None),
-        Some(range) => {
-            let ends = range.iter().map(|ends| {
-                let [low, high] = ends.map(|end| bound(program.precision, end));
-                quote!([#low, #high])
-            });
-            quote!(Some([#(#ends),*]))
-        }
-    };
-    let [motors, loops] = [names.len(), program.watches.len()].map(Literal::usize_unsuffixed);
-    quote! {
-        const COURSE: Course<#scalar, #motors, #loops> = Course {
-            names: [#(#names),*],
-            watched: [#(#watched),*],
-            senses: #senses,
-            subdivides: #subdivides,
-            overflows: #overflows,
-            strides: #strides,
-            range: #range,
-        };
-    }
-}
-
-/// An end of a range; a motor without one has infinite ends.
-fn bound(precision: Precision, end: f64) -> TokenStream {
-    let scalar = match precision {
-        Precision::F32 => quote!(f32),
-        Precision::F64 => quote!(f64),
-    };
-    if end == f64::INFINITY {
-        quote!(#scalar::INFINITY)
-    } else if end == f64::NEG_INFINITY {
-        quote!(#scalar::NEG_INFINITY)
-    } else {
-        number(precision, end)
-    }
-}
-
-/// The methods of a mechanism that was proved to move through its ranges.
-fn within(program: &Program, visibility: &syn::Visibility) -> TokenStream {
-    if program.range.is_none() {
-        return TokenStream::new();
-    }
-    let scalar = scalar(program);
-    let motors = Literal::usize_unsuffixed(program.motors.len());
-    let body = if program.is_function() && program.margins().next().is_none() && !program.overflows {
-        quote! {
-            if let Ok(there) = step(&self.position, Motors::new(motors.motors())) {
-                self.position = there;
-            }
-        }
-    } else {
-        quote! {
-            // It was proved that nothing is in the way.
-            let _ = advance(&mut self.position, Motors::new(motors.motors()), &COURSE, step);
-        }
-    };
-    quote! {
-        /// These values of the motors, in radians or scene units, if all of them are within the declared ranges.
-        #[must_use]
-        #visibility fn range(motors: [#scalar; #motors]) -> Option<InRange<Self, [#scalar; #motors]>> {
-            let values = Motors::new(motors);
-            (values.is_finite() && COURSE.contains(&values)).then_some(InRange::tested(motors))
-        }
-
-        /// Moves to values of the motors within their declared ranges: it was proved at compile time that nothing is in the
-        /// way there, so this cannot fail.
-        #[inline]
-        #visibility fn move_within(&mut self, motors: InRange<Self, [#scalar; #motors]>) {
-            #body
-        }
-    }
-}
-
-/// The method that takes phases, if a motor turns.
-fn turn_to(model: &Model, program: &Program, visibility: &syn::Visibility) -> TokenStream {
-    let turns = |motor: &crate::model::Motor| {
-        matches!(model.joint(motor.joint).kind, JointKind::Revolute(..))
-    };
-    if !model.motors.iter().any(turns) {
-        return TokenStream::new();
-    }
-    let scalar = scalar(program);
-    let count = Literal::usize_unsuffixed(program.motors.len());
-    let mut parameters = TokenStream::new();
-    let mut values = Vec::new();
-    let mut phases = TokenStream::new();
-    for (index, (motor, name)) in model.motors.iter().zip(&program.motors).enumerate() {
-        let variable = super::scope::ident(name);
-        if turns(motor) {
-            let index = Literal::usize_unsuffixed(index);
-            parameters.extend(quote!(#variable: Phase,));
-            phases.extend(quote! {
-                if let Err(stop) = motors.turn(#index, #variable, #name) {
-                    return Err(self.position.refuse(stop));
-                }
-            });
-            values.push(quote!(0.0));
-        } else {
-            parameters.extend(quote!(#variable: #scalar,));
-            values.push(quote!(#variable));
-        }
-    }
-    let many = (program.motors.len() > 6).then(|| {
-        quote!(#[allow(clippy::too_many_arguments, reason = "a mechanism has as many motors as it has")])
-    });
-    quote! {
-        /// The same with phases for the motors that turn: exact after any number of turns.
-        ///
-        /// # Errors
-        /// If a value is not finite, a phase is beyond 2³¹ turns, or a loop cannot be closed on the way there; the mechanism
-        /// then stays where it was.
-        #many
-        #visibility fn turn_to(&mut self, #parameters) -> Result<(), Blocked<[#scalar; #count]>> {
-            let mut motors = Motors::new([#(#values),*]);
-            #phases
-            advance(&mut self.position, motors, &COURSE, step)
-        }
     }
 }
 

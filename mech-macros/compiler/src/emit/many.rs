@@ -12,7 +12,7 @@ use quote::quote;
 
 /// The methods that solve many positions.
 pub(super) fn many(program: &Program, plan: &Plan, visibility: &syn::Visibility) -> TokenStream {
-    let scalar = scalar(program);
+    let (scalar, near) = (scalar(program), super::moves::near(program));
     let [motors, links] =
         [program.motors.len(), program.links.len()].map(Literal::usize_unsuffixed);
     let reach = number(program.precision, reach(program, plan));
@@ -54,7 +54,7 @@ pub(super) fn many(program: &Program, plan: &Plan, visibility: &syn::Visibility)
         ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
             solve_many::<_, _, _, #lanes>(motors, columns, #reach, #kernel, |motors| {
                 let mut there = self.position;
-                advance(&mut there, Motors::new(motors), &COURSE, step)?;
+                advance(&mut there, Motors::new(motors), &COURSE, #near, step)?;
                 Ok(there.poses)
             })
         }
@@ -81,7 +81,7 @@ pub(super) fn many(program: &Program, plan: &Plan, visibility: &syn::Visibility)
 }
 
 /// The greatest value of a motor for which all angles are within the range of the polynomials of sine and cosine.
-fn reach(program: &Program, plan: &Plan) -> f64 {
+pub(super) fn reach(program: &Program, plan: &Plan) -> f64 {
     let meshes = plan.steps.iter().filter_map(|step| match step {
         Step::Mesh(mesh) => Some(mesh),
         _ => None,

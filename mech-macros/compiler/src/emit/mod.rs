@@ -6,6 +6,7 @@ mod flow;
 mod items;
 mod iteration;
 mod many;
+mod moves;
 mod scope;
 mod shapes;
 mod step;

@@ -20,9 +20,8 @@ pub(super) fn step(program: &Program) -> TokenStream {
     let flows = flows(program);
     let position = position(program);
     let in_place = straight_values(program) <= MOST_IN_PLACE;
-    let in_lanes = in_lanes(program);
     let mut scope = Scope::new(program, all_uses(program));
-    if in_lanes {
+    if takes_sines(program) {
         scope.take_sines_from(quote!(S::sin_cos));
     }
     let motors = motors(program, &mut scope);
@@ -74,43 +73,95 @@ pub(super) fn step(program: &Program) -> TokenStream {
             .iter()
             .any(|flow| flow.reads_last && !flow.gives.is_empty());
     let last = if uses_last { quote!(last) } else { quote!(_) };
-    let scalar = scalar(program);
-    let count = Literal::usize_unsuffixed(program.motors.len());
     let (margins, places): (Vec<TokenStream>, Vec<&String>) = program
         .margins()
         .map(|(_, closed)| (scope.expression(closed.margin), &closed.place))
         .unzip();
     let result = quote!(Position { motors, poses: [#(#poses),*], kept: [#(#kept),*] });
-    if program.is_closed() {
-        let loops = Literal::usize_unsuffixed(margins.len());
-        let (sines, anywhere) = if in_lanes {
-            (quote!(<S: Sines<#scalar>>), quote!(::<Anywhere>))
-        } else {
-            (TokenStream::new(), TokenStream::new())
-        };
-        return quote! {
-            #functions
+    let written = Written {
+        motors,
+        body,
+        last,
+        result,
+        margins,
+    };
+    let steps = if program.is_closed() {
+        closed_step(program, &written, &places)
+    } else {
+        iterated_step(program, &written)
+    };
+    quote!(#functions #steps)
+}
 
-            /// The position at these motor values, and for each loop a margin: it closes if that is not negative.
-            #[inline(always)]
-            fn position #sines(#last: &#position, motors: Motors<#scalar, #count>) -> (#position, [#scalar; #loops]) {
-                #motors
-                #body
-                (#result, [#(#margins),*])
-            }
+/// What a step is made of.
+struct Written {
+    motors: TokenStream,
+    body: TokenStream,
+    /// The parameter for the last position.
+    last: TokenStream,
+    /// The new position.
+    result: TokenStream,
+    margins: Vec<TokenStream>,
+}
 
-            /// The position at these motor values, if every loop closes there.
+/// A step whose loops are all in closed form: the position, whether or not they close, and a function that asks.
+fn closed_step(program: &Program, written: &Written, places: &[&String]) -> TokenStream {
+    let Written {
+        motors,
+        body,
+        last,
+        result,
+        margins,
+    } = written;
+    let (position, scalar) = (position(program), scalar(program));
+    let [count, loops] = [program.motors.len(), margins.len()].map(Literal::usize_unsuffixed);
+    let (sines, anywhere, near) = if takes_sines(program) {
+        let near = quote! {
+            /// The same, where all angles are within the range of the polynomials of sine and cosine.
             #[inline]
-            fn step(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
-                let (position, margins) = position #anywhere(last, motors);
+            fn near(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
+                let (position, margins) = position::<Within>(last, motors);
                 closes(margins, [#(#places),*])?;
                 Ok(position)
             }
         };
-    }
+        (quote!(<S: Sines<#scalar>>), quote!(::<Anywhere>), near)
+    } else {
+        (TokenStream::new(), TokenStream::new(), TokenStream::new())
+    };
     quote! {
-        #functions
+        /// The position at these motor values, and for each loop a margin: it closes if that is not negative.
+        #[inline(always)]
+        fn position #sines(#last: &#position, motors: Motors<#scalar, #count>) -> (#position, [#scalar; #loops]) {
+            #motors
+            #body
+            (#result, [#(#margins),*])
+        }
 
+        /// The position at these motor values, if every loop closes there.
+        #[inline]
+        fn step(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
+            let (position, margins) = position #anywhere(last, motors);
+            closes(margins, [#(#places),*])?;
+            Ok(position)
+        }
+
+        #near
+    }
+}
+
+/// A step with iterations in it.
+fn iterated_step(program: &Program, written: &Written) -> TokenStream {
+    let Written {
+        motors,
+        body,
+        last,
+        result,
+        ..
+    } = written;
+    let (position, scalar) = (position(program), scalar(program));
+    let count = Literal::usize_unsuffixed(program.motors.len());
+    quote! {
         /// The position at these motor values, close to the last one.
         fn step(#last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
             #motors
@@ -169,9 +220,13 @@ fn motors(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
 
 /// Whether many positions are computed in lanes: where each is a function of the motors, and not too long.
 pub(super) fn in_lanes(program: &Program) -> bool {
-    program.is_function()
-        && straight_values(program) <= MOST_IN_PLACE
-        && program.blocks.len() <= MOST_BLOCKS
+    program.is_function() && takes_sines(program) && program.blocks.len() <= MOST_BLOCKS
+}
+
+/// Whether the positions are written once for any place that sines and cosines are taken from: where all of those stand in one
+/// function.
+pub(super) fn takes_sines(program: &Program) -> bool {
+    program.is_closed() && straight_values(program) <= MOST_IN_PLACE
 }
 
 fn straight_values(program: &Program) -> usize {

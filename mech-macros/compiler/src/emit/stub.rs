@@ -27,36 +27,10 @@ pub(crate) fn stub(
     };
     let motors = Literal::usize_unsuffixed(motors);
     let links = Literal::usize_unsuffixed(model.declared_links().count());
-    let isometry = quote!(#krate::Isometry2<#scalar>);
-    let point = quote!(#krate::Point2<#scalar>);
-    let mut methods: Vec<(proc_macro2::Ident, &TokenStream)> = Vec::new();
-    for id in model.declared_links() {
-        let link = model.link(id);
-        methods.push((user_ident(&link.name, places, link.origin), &isometry));
-    }
-    for (link, name, origin, _) in named_points(model) {
-        methods.push((
-            user_ident(&format!("{}_{name}", model.link(link).name), places, origin),
-            &point,
-        ));
-    }
-    for joint in model.joints.iter().filter(|joint| {
-        matches!(
-            joint.kind,
-            JointKind::Revolute(..) | JointKind::Prismatic(..)
-        ) && !joint.hidden
-    }) {
-        methods.push((user_ident(&joint.name, places, joint.origin), &scalar));
-    }
-    // What was declared twice is reported elsewhere: here each name may stand only once.
-    let mut seen = Vec::new();
-    methods.retain(|(name, _)| {
-        let new = !seen.contains(name);
-        seen.push(name.clone());
-        new
-    });
+    let methods = accessors(krate, places, model, &scalar);
+    let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
-    let text = name.to_string();
+    let implementation = implementation(krate, header, &scalar, &motors);
     quote! {
         #(#attributes)*
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
@@ -76,6 +50,30 @@ pub(crate) fn stub(
                     loop {}
                 }
                 #visibility fn move_to<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS]) -> ::core::result::Result<(), #krate::Blocked<[#scalar; MOTORS]>> {
+                    loop {}
+                }
+                #visibility fn turn_to(&mut self #(, #phases: impl ::core::marker::Sized)*)
+                    -> ::core::result::Result<(), #krate::Blocked<[#scalar; #motors]>>
+                {
+                    loop {}
+                }
+                #visibility fn range<const MOTORS: usize>(motors: [#scalar; MOTORS])
+                    -> ::core::option::Option<#krate::InRange<Self, [#scalar; MOTORS]>>
+                {
+                    ::core::option::Option::None
+                }
+                #visibility fn move_within<const MOTORS: usize>(&mut self, motors: #krate::InRange<Self, [#scalar; MOTORS]>) {}
+                #visibility fn solve_many<const MOTORS: usize>(
+                    &self,
+                    motors: &[[#scalar; MOTORS]],
+                    columns: &mut #krate::Columns<'_, #scalar, #links>,
+                ) -> ::core::result::Result<(), #krate::BlockedAt<[#scalar; MOTORS]>> {
+                    loop {}
+                }
+                #visibility fn move_many<const MOTORS: usize>(
+                    instances: &mut [Self],
+                    motors: &[[#scalar; MOTORS]],
+                ) -> ::core::result::Result<(), #krate::BlockedAt<[#scalar; MOTORS]>> {
                     loop {}
                 }
                 #visibility fn move_toward<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS])
@@ -100,6 +98,21 @@ pub(crate) fn stub(
                 }
             }
 
+            #implementation
+        };
+    }
+}
+
+/// The trait, never run either.
+fn implementation(
+    krate: &TokenStream,
+    header: &Header,
+    scalar: &TokenStream,
+    motors: &Literal,
+) -> TokenStream {
+    let name = &header.name;
+    let text = name.to_string();
+    quote! {
             impl #krate::Mechanism for #name {
                 type Scalar = #scalar;
                 type Motors = [#scalar; #motors];
@@ -128,6 +141,49 @@ pub(crate) fn stub(
                     &[]
                 }
             }
-        };
     }
+}
+
+/// The methods that read links, points and joints, each once, with what they give.
+fn accessors(
+    krate: &TokenStream,
+    places: &Places,
+    model: &Model,
+    scalar: &TokenStream,
+) -> Vec<(proc_macro2::Ident, TokenStream)> {
+    let isometry = quote!(#krate::Isometry2<#scalar>);
+    let point = quote!(#krate::Point2<#scalar>);
+    let mut methods: Vec<(proc_macro2::Ident, TokenStream)> = Vec::new();
+    for id in model.declared_links() {
+        let link = model.link(id);
+        methods.push((
+            user_ident(&link.name, places, link.origin),
+            isometry.clone(),
+        ));
+    }
+    for (link, name, origin, _) in named_points(model) {
+        methods.push((
+            user_ident(&format!("{}_{name}", model.link(link).name), places, origin),
+            point.clone(),
+        ));
+    }
+    for joint in model.joints.iter().filter(|joint| {
+        matches!(
+            joint.kind,
+            JointKind::Revolute(..) | JointKind::Prismatic(..)
+        ) && !joint.hidden
+    }) {
+        methods.push((
+            user_ident(&joint.name, places, joint.origin),
+            scalar.clone(),
+        ));
+    }
+    // What was declared twice is reported elsewhere: here each name may stand only once.
+    let mut seen = Vec::new();
+    methods.retain(|(name, _)| {
+        let new = !seen.contains(name);
+        seen.push(name.clone());
+        new
+    });
+    methods
 }

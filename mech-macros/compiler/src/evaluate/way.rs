@@ -12,7 +12,7 @@ pub(super) struct Way<'a, 'p, T> {
     start: &'a Position<T>,
     motors: &'a [T],
     turns: &'a [i32],
-    way: Vec<T>,
+    ways: Vec<T>,
     subdivides: bool,
 }
 
@@ -37,7 +37,7 @@ impl<'a, 'p, T: Real> Way<'a, 'p, T> {
                 }
             });
         Self {
-            way: way.collect(),
+            ways: way.collect(),
             subdivides: runner.program.subdivides(),
             runner,
             start,
@@ -66,7 +66,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         if part >= T::ONE {
             return self.runner.step(last, (self.motors, self.turns));
         }
-        let start = self.start.motors.iter().zip(&self.way);
+        let start = self.start.motors.iter().zip(&self.ways);
         let motors: Vec<T> = start.map(|(value, way)| *value + *way * part).collect();
         self.runner.step(last, (&motors, &self.start.turns))
     }
@@ -78,7 +78,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
     fn watch(&self, index: usize) -> Watch<T> {
         let watch = &self.runner.program.watches[index];
         let mut change = T::ZERO;
-        for (rate, way) in watch.rates.iter().zip(&self.way) {
+        for (rate, way) in watch.rates.iter().zip(&self.ways) {
             change = change + T::from_f64(*rate) * way.abs();
         }
         Watch {
@@ -106,7 +106,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         };
         let rates = &self.runner.program.watches[index].rates;
         let mut along = T::ZERO;
-        for (motor, (rate, way)) in rates.iter().zip(&self.way).enumerate() {
+        for (motor, (rate, way)) in rates.iter().zip(&self.ways).enumerate() {
             along = along + T::from_f64(*rate) * *way * position.kept[first + motor];
         }
         along > T::ZERO
@@ -116,7 +116,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         let Some(first) = self.runner.program.senses else {
             return;
         };
-        for (sense, way) in position.kept.iter_mut().skip(first).zip(&self.way) {
+        for (sense, way) in position.kept.iter_mut().skip(first).zip(&self.ways) {
             if *way != T::ZERO {
                 *sense = T::ONE.copysign(*way);
             }
@@ -133,7 +133,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
 
     fn pieces(&self) -> T {
         let strides = self.runner.program.strides.iter().flatten();
-        strides.zip(&self.way).fold(T::ONE, |most, (stride, way)| {
+        strides.zip(&self.ways).fold(T::ONE, |most, (stride, way)| {
             most.max(way.abs() / T::from_f64(*stride))
         })
     }

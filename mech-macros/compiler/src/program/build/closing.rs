@@ -6,8 +6,7 @@ use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
 use crate::program::choice::{Choice, MOST_ROUNDS, Solver};
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
-use crate::program::{BlockKind, Closed, Watch};
-use mech_core::journey::AtZero;
+use crate::program::{BlockKind, Closed};
 
 /// An unknown: what it is called, and where the iteration starts.
 pub(super) type First = (String, Solution<Value>);
@@ -97,56 +96,6 @@ impl Writer<'_> {
             .get(self.loops - 1)
             .cloned()
             .unwrap_or(otherwise)
-    }
-
-    /// Carries what has to be known about a loop that is watched, if it is. The side of a dyad that is carried is so already.
-    fn keep_watch(&mut self, block: BlockId, sine: Value, tiny_square: Value) {
-        let Some(watching) = self.choice().watching else {
-            return;
-        };
-        let start = [sine, tiny_square].map(|value| self.builder.at_start(value));
-        if watching.at_zero != AtZero::GoOver {
-            self.keep(start[0]);
-        }
-        self.keep(start[1]);
-        let kept = self.kept.len() - 2;
-        self.kept[kept] = self.builder.name(sine, "sine");
-        self.kept[kept + 1] = tiny_square;
-        self.watches.push(Watch {
-            block,
-            kept,
-            rates: watching.rates,
-            at_zero: watching.at_zero,
-        });
-    }
-
-    /// A dyad that is iterated is watched like one in closed form: over a place where it does not close it may not leap.
-    fn watch_iteration(
-        &mut self,
-        block: BlockId,
-        equation: &Equation<Value>,
-        solution: &[Solution<Value>],
-    ) {
-        if self.choice().watching.is_none() || equation.rings.len() != 1 {
-            return;
-        }
-        let measure = equation.measure(&mut self.builder, solution);
-        let [walk] = &measure.rings[..] else {
-            return;
-        };
-        let [a, b] = walk.columns[..] else {
-            return;
-        };
-        let length = |builder: &crate::program::builder::Builder, [x, y]: [Value; 2]| {
-            builder.at_start(x).hypot(builder.at_start(y))
-        };
-        let reach = length(&self.builder, a) * length(&self.builder, b);
-        let det = self.builder.cross(a, b);
-        let scale = self.builder.constant(1.0 / reach);
-        let sine = self.builder.mul(scale, det);
-        let epsilon = self.model.precision.epsilon();
-        let tiny_square = self.builder.constant(16.0 * epsilon);
-        self.keep_watch(block, sine, tiny_square);
     }
 
     /// Closes a loop in closed form, if it has one.
@@ -278,16 +227,6 @@ impl Writer<'_> {
                 (name, Solution::Slide(way))
             }
         }
-    }
-
-    /// One step towards length one, so that rounding never adds up.
-    pub(super) fn normalised(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
-        let square = self.builder.dot(v, v);
-        let (half, three) = (self.builder.constant(0.5), self.builder.constant(1.5));
-        let half = self.builder.mul(half, square);
-        let factor = self.builder.sub(three, half);
-        let factor = self.builder.name(factor, format!("{name}_scale"));
-        self.builder.scaled(factor, v)
     }
 
     /// The iteration: the gap, its rates, and the next round's unknowns.
@@ -504,42 +443,6 @@ impl Writer<'_> {
             ]),
             Solution::Slide(way) => Solution::Slide(scalar(name.to_owned(), way)),
         }
-    }
-
-    /// A direction turned by a small angle, to third order: without a division.
-    fn turned_a_little(&mut self, direction: [Value; 2], angle: Value, name: &str) -> [Value; 2] {
-        let builder = &mut self.builder;
-        let (half, one) = (builder.constant(0.5), builder.constant(1.0));
-        let square = builder.mul(angle, angle);
-        let half = builder.mul(half, square);
-        // (1 − a²/2, a) has the length √(1 + e) with e = a⁴/4, which would stretch the link.
-        let e = builder.mul(half, half);
-        let (b, c) = (builder.constant(0.5), builder.constant(0.375));
-        let c = builder.mul(c, e);
-        let factor = builder.sub(b, c);
-        let too_long = builder.mul(factor, e);
-        let scale = builder.sub(one, too_long);
-        let cos = builder.sub(one, half);
-        let turn = builder.scaled(scale, [cos, angle]);
-        let turn = builder.name_direction(turn, &format!("{name}_turn"));
-        builder.turned(direction, turn)
-    }
-
-    /// A direction turned by a small angle, by the rational map that keeps its length (Cayley's).
-    fn turned_by(&mut self, direction: [Value; 2], angle: Value, name: &str) -> [Value; 2] {
-        let builder = &mut self.builder;
-        let (half, one) = (builder.constant(0.5), builder.constant(1.0));
-        let tangent = builder.mul(half, angle);
-        let tangent = builder.name(tangent, format!("{name}_tangent"));
-        let square = builder.mul(tangent, tangent);
-        let sum = builder.add(one, square);
-        let two = builder.constant(2.0);
-        // cos = 2/(1 + t²) − 1 and sin = t · 2/(1 + t²), with t the tangent of half the angle.
-        let factor = builder.div(two, sum);
-        let factor = builder.name(factor, format!("{name}_factor"));
-        let turn = [builder.sub(factor, one), builder.mul(tangent, factor)];
-        let turn = builder.name_direction(turn, &format!("{name}_turn"));
-        builder.turned(direction, turn)
     }
 
     /// The unknowns after the last round.

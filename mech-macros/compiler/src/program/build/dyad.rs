@@ -282,13 +282,12 @@ impl Writer<'_> {
         let long = builder.constant(size);
         let shift = builder.div(long, radius);
         let tiny_square = self.tiny_square(shift, size / self.builder.at_start(radius));
-        let direction = if choice.watching.is_some()
-            || size > FAR_APART * self.builder.at_start(radius)
-        {
-            self.normalised(direction, "closed")
-        } else {
-            direction
-        };
+        let direction =
+            if choice.watching.is_some() || size > FAR_APART * self.builder.at_start(radius) {
+                self.normalised(direction, "closed")
+            } else {
+                direction
+            };
         Found {
             solution: vec![Solution::Direction(direction), Solution::Slide(way)],
             slack,

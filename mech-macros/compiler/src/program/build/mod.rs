@@ -5,6 +5,8 @@ mod dyad;
 mod predictor;
 mod tied;
 mod triad;
+mod turning;
+mod watching;
 
 use super::builder::Builder;
 use super::calibrate::calibrate;

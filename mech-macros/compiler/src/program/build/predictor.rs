@@ -63,9 +63,7 @@ impl Writer<'_> {
         let differences = (0..order).map(|_| {
             let first = self.kept.len();
             let kept = match last {
-                Solution::Direction(_) => {
-                    Solution::Direction([self.keep(1.0), self.keep(0.0)])
-                }
+                Solution::Direction(_) => Solution::Direction([self.keep(1.0), self.keep(0.0)]),
                 Solution::Slide(_) => Solution::Slide(self.keep(0.0)),
             };
             (Kept(first), kept)
@@ -151,12 +149,7 @@ impl Writer<'_> {
         }
     }
 
-    fn choose(
-        &mut self,
-        test: Value,
-        a: Solution<Value>,
-        b: Solution<Value>,
-    ) -> Solution<Value> {
+    fn choose(&mut self, test: Value, a: Solution<Value>, b: Solution<Value>) -> Solution<Value> {
         let mut choose = |a, b| self.builder.make(Op::Choose(test, a, b));
         match (a, b) {
             (Solution::Direction([a, b]), Solution::Direction([c, d])) => {

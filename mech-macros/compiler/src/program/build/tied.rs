@@ -158,10 +158,9 @@ impl Writer<'_> {
         for ((_, index), solved) in tied.unknowns.iter().zip(&solution) {
             if let (Unknown::Direction(_), Solution::Slide(angle)) =
                 (equation.unknowns[*index], *solved)
+                && let Some(kept) = kept.next()
             {
-                if let Some(kept) = kept.next() {
-                    self.kept[kept] = angle;
-                }
+                self.kept[kept] = angle;
             }
         }
         (newton, solution)

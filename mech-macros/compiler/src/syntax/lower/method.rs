@@ -35,11 +35,14 @@ impl Lowering {
         self.model.method = chosen.or(self.model.method);
         if let Some((span, order)) = &method.predictor {
             if !text.eq("newton") {
-                let text = format!("method `{text}` starts from no prediction; leave `predictor` out");
+                let text =
+                    format!("method `{text}` starts from no prediction; leave `predictor` out");
                 return self.report.tell(Place::at(*span), text);
             }
             let order = self.whole(order, "the order of a predictor", [1, MOST_ORDER]);
-            self.model.predictor = order.and_then(|order| u8::try_from(order).ok()).unwrap_or(0);
+            self.model.predictor = order
+                .and_then(|order| u8::try_from(order).ok())
+                .unwrap_or(0);
         }
     }
 

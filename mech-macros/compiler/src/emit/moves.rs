@@ -1,0 +1,186 @@
+//! The methods that move a mechanism, and what they know beforehand.
+
+use super::block::scalar;
+use super::many::reach;
+use super::scope::{ident, number};
+use super::step::takes_sines;
+use crate::model::{JointKind, Model, Motor, Precision};
+use crate::plan::Plan;
+use crate::program::{self, Program};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// The step for motor values within reach.
+pub(super) fn near(program: &Program) -> TokenStream {
+    if takes_sines(program) {
+        quote!(near)
+    } else {
+        quote!(step)
+    }
+}
+
+/// What is known about every move.
+pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
+    let scalar = scalar(program);
+    let n = |value: &f64| number(program.precision, *value);
+    let names = &program.motors;
+    let watched = program.watches.iter().map(|watch| {
+        let kept = Literal::usize_unsuffixed(watch.kept);
+        let rates = watch.rates.iter().map(n);
+        let at_zero = match watch.at_zero {
+            program::AtZero::Stay => quote!(AtZero::Stay),
+            program::AtZero::GoOver => quote!(AtZero::GoOver),
+            program::AtZero::Stop => quote!(AtZero::Stop),
+        };
+        let closed = program.closed(watch.block).map(|closed| &closed.place);
+        let newton = program.newton(watch.block).map(|newton| &newton.place);
+        let place = closed.or(newton).map_or("", String::as_str);
+        quote!(Watched { kept: #kept, rates: [#(#rates),*], at_zero: #at_zero, place: #place })
+    });
+    let senses = match program.senses {
+        None => quote!(None),
+        Some(first) => {
+            let first = Literal::usize_unsuffixed(first);
+            quote!(Some(#first))
+        }
+    };
+    let (subdivides, overflows) = (program.subdivides(), program.overflows);
+    let reach = if takes_sines(program) {
+        number(program.precision, reach(program, plan))
+    } else {
+        quote!(#scalar::MAX)
+    };
+    let strides = match &program.strides {
+        None => quote!(None),
+        Some(strides) => {
+            let strides = strides.iter().map(n);
+            quote!(Some([#(#strides),*]))
+        }
+    };
+    let range = match &program.range {
+        None => quote!(None),
+        Some(range) => {
+            let ends = range.iter().map(|ends| {
+                let [low, high] = ends.map(|end| bound(program.precision, end));
+                quote!([#low, #high])
+            });
+            quote!(Some([#(#ends),*]))
+        }
+    };
+    let [motors, loops] = [names.len(), program.watches.len()].map(Literal::usize_unsuffixed);
+    quote! {
+        const COURSE: Course<#scalar, #motors, #loops> = Course {
+            names: [#(#names),*],
+            watched: [#(#watched),*],
+            senses: #senses,
+            subdivides: #subdivides,
+            overflows: #overflows,
+            reach: #reach,
+            strides: #strides,
+            range: #range,
+        };
+    }
+}
+
+/// An end of a range; a motor without one has infinite ends.
+fn bound(precision: Precision, end: f64) -> TokenStream {
+    let scalar = match precision {
+        Precision::F32 => quote!(f32),
+        Precision::F64 => quote!(f64),
+    };
+    if end == f64::INFINITY {
+        quote!(#scalar::INFINITY)
+    } else if end == f64::NEG_INFINITY {
+        quote!(#scalar::NEG_INFINITY)
+    } else {
+        number(precision, end)
+    }
+}
+
+/// The methods of a mechanism that was proved to move through its ranges.
+pub(super) fn within(program: &Program, visibility: &syn::Visibility) -> TokenStream {
+    if program.range.is_none() {
+        return TokenStream::new();
+    }
+    let near = near(program);
+    let scalar = scalar(program);
+    let motors = Literal::usize_unsuffixed(program.motors.len());
+    let body = if program.is_function() && program.margins().next().is_none() && !program.overflows
+    {
+        quote! {
+            if let Ok(there) = #near(&self.position, Motors::new(motors.motors())) {
+                self.position = there;
+            }
+        }
+    } else {
+        quote! {
+            // It was proved that nothing is in the way.
+            let _ = advance(&mut self.position, Motors::new(motors.motors()), &COURSE, #near, step);
+        }
+    };
+    quote! {
+        /// These values of the motors, in radians or scene units, if all of them are within the declared ranges.
+        #[must_use]
+        #visibility fn range(motors: [#scalar; #motors]) -> Option<InRange<Self, [#scalar; #motors]>> {
+            let values = Motors::new(motors);
+            (values.is_finite() && COURSE.contains(&values)).then_some(InRange::tested(motors))
+        }
+
+        /// Moves to values of the motors within their declared ranges: it was proved at compile time that nothing is in the
+        /// way there, so this cannot fail.
+        #[inline]
+        #visibility fn move_within(&mut self, motors: InRange<Self, [#scalar; #motors]>) {
+            #body
+        }
+    }
+}
+
+/// The method that takes phases, if a motor turns.
+pub(super) fn turn_to(
+    model: &Model,
+    program: &Program,
+    visibility: &syn::Visibility,
+) -> TokenStream {
+    let turns = |motor: &Motor| matches!(model.joint(motor.joint).kind, JointKind::Revolute(..));
+    if !model.motors.iter().any(turns) {
+        return TokenStream::new();
+    }
+    let near = near(program);
+    let scalar = scalar(program);
+    let count = Literal::usize_unsuffixed(program.motors.len());
+    let mut parameters = TokenStream::new();
+    let mut values = Vec::new();
+    let mut phases = TokenStream::new();
+    for (index, (motor, name)) in model.motors.iter().zip(&program.motors).enumerate() {
+        let variable = ident(name);
+        if turns(motor) {
+            let index = Literal::usize_unsuffixed(index);
+            parameters.extend(quote!(#variable: Phase,));
+            phases.extend(quote! {
+                if let Err(stop) = motors.turn(#index, #variable, #name) {
+                    return Err(self.position.refuse(stop));
+                }
+            });
+            values.push(quote!(0.0));
+        } else {
+            parameters.extend(quote!(#variable: #scalar,));
+            values.push(quote!(#variable));
+        }
+    }
+    let many = (program.motors.len() > 6).then(|| {
+        quote!(#[allow(clippy::too_many_arguments, reason = "a mechanism has as many motors as it has")])
+    });
+    quote! {
+        /// The same with phases for the motors that turn: exact after any number of turns.
+        ///
+        /// # Errors
+        /// If a value is not finite, a phase is beyond 2³¹ turns, or a loop cannot be closed on the way there; the mechanism
+        /// then stays where it was.
+        #many
+        #visibility fn turn_to(&mut self, #parameters) -> Result<(), Blocked<[#scalar; #count]>> {
+            let mut motors = Motors::new([#(#values),*]);
+            #phases
+            advance(&mut self.position, motors, &COURSE, #near, step)
+        }
+    }
+}

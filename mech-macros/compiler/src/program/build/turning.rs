@@ -1,0 +1,63 @@
+//! Directions that are turned, and kept at length one.
+
+use super::Writer;
+use crate::plan::Algebra;
+use crate::program::node::Value;
+
+impl Writer<'_> {
+    /// One step towards length one, so that rounding never adds up.
+    pub(super) fn normalised(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
+        let square = self.builder.dot(v, v);
+        let (half, three) = (self.builder.constant(0.5), self.builder.constant(1.5));
+        let half = self.builder.mul(half, square);
+        let factor = self.builder.sub(three, half);
+        let factor = self.builder.name(factor, format!("{name}_scale"));
+        self.builder.scaled(factor, v)
+    }
+
+    /// A direction turned by a small angle, to third order: without a division.
+    pub(super) fn turned_a_little(
+        &mut self,
+        direction: [Value; 2],
+        angle: Value,
+        name: &str,
+    ) -> [Value; 2] {
+        let builder = &mut self.builder;
+        let (half, one) = (builder.constant(0.5), builder.constant(1.0));
+        let square = builder.mul(angle, angle);
+        let half = builder.mul(half, square);
+        // (1 − a²/2, a) has the length √(1 + e) with e = a⁴/4, which would stretch the link.
+        let e = builder.mul(half, half);
+        let (b, c) = (builder.constant(0.5), builder.constant(0.375));
+        let c = builder.mul(c, e);
+        let factor = builder.sub(b, c);
+        let too_long = builder.mul(factor, e);
+        let scale = builder.sub(one, too_long);
+        let cos = builder.sub(one, half);
+        let turn = builder.scaled(scale, [cos, angle]);
+        let turn = builder.name_direction(turn, &format!("{name}_turn"));
+        builder.turned(direction, turn)
+    }
+
+    /// A direction turned by a small angle, by the rational map that keeps its length (Cayley's).
+    pub(super) fn turned_by(
+        &mut self,
+        direction: [Value; 2],
+        angle: Value,
+        name: &str,
+    ) -> [Value; 2] {
+        let builder = &mut self.builder;
+        let (half, one) = (builder.constant(0.5), builder.constant(1.0));
+        let tangent = builder.mul(half, angle);
+        let tangent = builder.name(tangent, format!("{name}_tangent"));
+        let square = builder.mul(tangent, tangent);
+        let sum = builder.add(one, square);
+        let two = builder.constant(2.0);
+        // cos = 2/(1 + t²) − 1 and sin = t · 2/(1 + t²), with t the tangent of half the angle.
+        let factor = builder.div(two, sum);
+        let factor = builder.name(factor, format!("{name}_factor"));
+        let turn = [builder.sub(factor, one), builder.mul(tangent, factor)];
+        let turn = builder.name_direction(turn, &format!("{name}_turn"));
+        builder.turned(direction, turn)
+    }
+}
