@@ -220,7 +220,7 @@ fn a_blocked_mechanism_is_told() {
     let stuck = beyond.film().expect_err("it is blocked half way");
     assert_eq!(
         stuck.to_string(),
-        "stuck at frame 45 of 90, with `a` = 7.0194, because the loop a, b, c, d does not close there"
+        "stuck at frame 45 of 90, with `a` = 7.0194, because the loop a, b, c, d does not close beyond [7.0]"
     );
     let folder = folder("blocked");
     let others = showcase();

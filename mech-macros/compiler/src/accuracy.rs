@@ -17,8 +17,9 @@ use trial::{Exact, Rival, compare};
 /// Between samples an error may be greater than any that was seen; more so where several motors move, because not every
 /// combination is tried.
 const SAFETY: [f64; 2] = [2.0, 4.0];
-/// The same of rounding errors, which differ from one position to the next as dice do.
-const ROUNDING_SAFETY: f64 = 4.0;
+/// The same of rounding errors, which differ from one position to the next as dice do, and grow without bound towards dead points:
+/// where several motors move, most of what is near one is never seen.
+const ROUNDING_SAFETY: [f64; 2] = [4.0, 12.0];
 /// The least error of rounding, in units of the last place of the greatest number that is computed with.
 const LEAST_ROUNDING: f64 = 16.0;
 /// More rounds than this are not promised: an iteration that needs more is better left to run until its loop closes.
@@ -201,7 +202,12 @@ impl<'m> Judge<'m> {
     }
 
     fn safety(&self) -> f64 {
-        SAFETY[usize::from(self.model.motors.len() > 1)]
+        SAFETY[self.several()]
+    }
+
+    /// One if several motors move, else zero.
+    fn several(&self) -> usize {
+        usize::from(self.model.motors.len() > 1)
     }
 
     /// For each loop the solvers that cost less than the most exact one, the cheapest first.
@@ -311,7 +317,7 @@ impl<'m> Judge<'m> {
     fn rounding(&self, found: &Exact) -> Vec<f64> {
         let epsilon = self.model.precision.epsilon();
         let least = LEAST_ROUNDING * epsilon * found.reach;
-        let part = ROUNDING_SAFETY * epsilon / Precision::F32.epsilon();
+        let part = ROUNDING_SAFETY[self.several()] * epsilon / Precision::F32.epsilon();
         let of_link = |single: &f64| {
             if found.seen {
                 least + part * single
@@ -328,12 +334,14 @@ fn changes(choice: &Choice) -> bool {
     matches!(&choice.watching, Some(watching) if watching.at_zero != AtZero::Stay)
 }
 
-/// The same, but nothing is watched except for change points.
+/// The same, but nothing is watched except for change points, and nothing is predicted from steps before: that helps only as long
+/// as the steps are equal.
 fn unwatched(choices: &[Choice]) -> Vec<Choice> {
     let unwatched = |choice: &Choice| {
         let watching: Option<Watching> = choice.watching.clone().filter(|_| changes(choice));
         Choice {
             watching,
+            predictor: 0,
             ..choice.clone()
         }
     };
@@ -342,6 +350,3 @@ fn unwatched(choices: &[Choice]) -> Vec<Choice> {
 
 #[cfg(test)]
 mod tests;
-
-#[cfg(test)]
-mod debug_tmp;

@@ -58,21 +58,12 @@ pub struct Compiled {
 /// # Errors
 /// Everything that keeps it from moving as its motors say.
 pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
-    if !model.fits() {
-        return Err(vec![Diagnosis::TooLarge]);
-    }
     let Coherent {
         structure,
         plan,
         program,
         prediction,
-    } = match structure::analyse(model) {
-        Ok(structure) => regular(model, structure)?,
-        Err(diagnoses) => special(model, diagnoses)?,
-    };
-    if !program.fits() {
-        return Err(vec![Diagnosis::TooLarge]);
-    }
+    } = coherent(model, Depth::Whole)?;
     let loops = accuracy::solved(&program, prediction.as_ref());
     let found = (&program, &loops[..], prediction.as_ref());
     let report = report::report(model, &structure, &plan, found);
@@ -86,6 +77,41 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     })
 }
 
+/// Whether a mechanism compiles.
+///
+/// # Errors
+/// As [`compile`].
+pub(crate) fn check(model: &Model) -> Result<(), Vec<Diagnosis>> {
+    // Only these depend on how it moves beyond its start.
+    let motion = model.accuracy.is_some() || model.motors.iter().any(|motor| motor.range.is_some());
+    let depth = if motion { Depth::Whole } else { Depth::Start };
+    coherent(model, depth).map(drop)
+}
+
+/// How far a mechanism is looked into.
+#[derive(Clone, Copy, PartialEq)]
+enum Depth {
+    /// To its start.
+    Start,
+    /// Through its whole motion.
+    Whole,
+}
+
+fn coherent(model: &Model, depth: Depth) -> Result<Coherent, Vec<Diagnosis>> {
+    if !model.fits() {
+        return Err(vec![Diagnosis::TooLarge]);
+    }
+    let coherent = match structure::analyse(model) {
+        Ok(structure) => regular(model, structure, depth)?,
+        Err(diagnoses) => special(model, diagnoses, depth)?,
+    };
+    if coherent.program.fits() {
+        Ok(coherent)
+    } else {
+        Err(vec![Diagnosis::TooLarge])
+    }
+}
+
 /// A mechanism whose program is written.
 struct Coherent {
     structure: Structure,
@@ -95,11 +121,11 @@ struct Coherent {
 }
 
 /// A mechanism that moves whatever its lengths.
-fn regular(model: &Model, structure: Structure) -> Result<Coherent, Vec<Diagnosis>> {
+fn regular(model: &Model, structure: Structure, depth: Depth) -> Result<Coherent, Vec<Diagnosis>> {
     let plan = match plan::plan(model, &structure) {
         Ok(plan) => plan,
         Err(dead @ Diagnosis::DeadStart { .. }) => {
-            return match aligned(model, structure) {
+            return match aligned(model, structure, depth) {
                 Some(Ok(coherent)) => Ok(coherent),
                 Some(Err(told @ (Diagnosis::TooAccurate { .. } | Diagnosis::Range { .. }))) => {
                     Err(vec![told])
@@ -109,13 +135,17 @@ fn regular(model: &Model, structure: Structure) -> Result<Coherent, Vec<Diagnosi
         }
         Err(diagnosis) => return Err(vec![diagnosis]),
     };
-    written(model, structure, plan).map_err(|diagnosis| vec![diagnosis])
+    written(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis])
 }
 
 /// A mechanism that starts at a change point: it is assembled beside it and moved there.
-fn aligned(model: &Model, structure: Structure) -> Option<Result<Coherent, Diagnosis>> {
+fn aligned(
+    model: &Model,
+    structure: Structure,
+    depth: Depth,
+) -> Option<Result<Coherent, Diagnosis>> {
     let plan = aligned::beside(model, &structure)?;
-    let mut coherent = match written(model, structure, plan) {
+    let mut coherent = match written(model, structure, plan, depth) {
         Ok(coherent) => coherent,
         Err(diagnosis) => return Some(Err(diagnosis)),
     };
@@ -127,7 +157,12 @@ fn aligned(model: &Model, structure: Structure) -> Option<Result<Coherent, Diagn
 }
 
 /// The program of a planned mechanism, at its start.
-fn written(model: &Model, structure: Structure, plan: Plan) -> Result<Coherent, Diagnosis> {
+fn written(
+    model: &Model,
+    structure: Structure,
+    plan: Plan,
+    depth: Depth,
+) -> Result<Coherent, Diagnosis> {
     let method = model.method.unwrap_or_default();
     let predictor = model.predictor;
     let chosen = |_| Choice {
@@ -135,19 +170,17 @@ fn written(model: &Model, structure: Structure, plan: Plan) -> Result<Coherent, 
         ..Choice::by(method)
     };
     let choices = plan.loops().map(chosen).collect();
-    let choices = survey::survey(model, &plan, choices);
-    let (choices, prediction) = if let Some(accuracy) = model.accuracy {
-        let (choices, prediction) = accuracy::choose(model, &plan, choices, accuracy)?;
-        (choices, Some(prediction))
-    } else {
-        let prediction = accuracy::predict(model, &plan, &choices);
-        (choices, prediction)
+    let (choices, prediction) = match depth {
+        Depth::Start => (choices, None),
+        Depth::Whole => chosen_by_motion(model, &plan, choices)?,
     };
     let mut program = program::build_as(model, &plan, &choices);
     if let Err(stop) = evaluate::settle(&mut program) {
         return Err(unsettled(&plan, &program, stop));
     }
-    let program = proof::proved(model, &plan, choices, program)?;
+    if depth == Depth::Whole {
+        program = proof::proved(model, &plan, choices, program)?;
+    }
     Ok(Coherent {
         structure,
         plan,
@@ -156,8 +189,27 @@ fn written(model: &Model, structure: Structure, plan: Plan) -> Result<Coherent, 
     })
 }
 
+/// How each loop is solved and watched, from how the mechanism moves.
+fn chosen_by_motion(
+    model: &Model,
+    plan: &Plan,
+    choices: Vec<Choice>,
+) -> Result<(Vec<Choice>, Option<Prediction>), Diagnosis> {
+    let choices = survey::survey(model, plan, choices);
+    if let Some(accuracy) = model.accuracy {
+        let (choices, prediction) = accuracy::choose(model, plan, choices, accuracy)?;
+        return Ok((choices, Some(prediction)));
+    }
+    let prediction = accuracy::predict(model, plan, &choices);
+    Ok((choices, prediction))
+}
+
 /// A mechanism that moves, if it does, only because its lengths match.
-fn special(model: &Model, diagnoses: Vec<Diagnosis>) -> Result<Coherent, Vec<Diagnosis>> {
+fn special(
+    model: &Model,
+    diagnoses: Vec<Diagnosis>,
+    depth: Depth,
+) -> Result<Coherent, Vec<Diagnosis>> {
     let held = |diagnosis: &Diagnosis| {
         matches!(
             diagnosis,
@@ -186,7 +238,7 @@ fn special(model: &Model, diagnoses: Vec<Diagnosis>) -> Result<Coherent, Vec<Dia
             }
             let joints = structure.redundant.clone();
             if model.allow.redundant {
-                written(model, structure, plan).map_err(|diagnosis| vec![diagnosis])
+                written(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis])
             } else {
                 Err(vec![Diagnosis::Overdetermined {
                     joints,

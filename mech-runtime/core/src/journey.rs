@@ -173,6 +173,10 @@ fn piece<T: Real, J: Journey<T>>(
             Leaving::Same => {}
         }
         match first_event(journey, &from, done, &reach) {
+            Event::None if reach.stop.is_none() && reach.end < target => {
+                // What was blocked in a step that long is not in this one: on from here.
+                (from, done, aim) = (reach.to, reach.end, target);
+            }
             Event::None => {
                 settle(journey, &from, done, &mut reach);
                 note_sense(journey, &from, &mut reach.to);

@@ -109,7 +109,7 @@ impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const KEPT: usize>
     #[inline]
     pub(super) fn is_finite(&self) -> bool {
         let finite = |pose: &Pose<T>| Real::is_finite(pose.cos + pose.sin + pose.x + pose.y);
-        self.poses.iter().all(finite)
+        self.poses.iter().all(finite) && self.kept.iter().all(|kept| Real::is_finite(*kept))
     }
 
     /// The message that it is stopped while it stays here.

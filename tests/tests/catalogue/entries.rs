@@ -397,4 +397,16 @@ motor a;",
         remedy: "Choose a unit in which the numbers are small, or compute in `f64`.",
         edit: (": f32", ": f64"),
     },
+    Entry {
+        variant: "TooAccurate",
+        example: "
+struct Arm: f32;
+ground { point base = (0, 0); }
+link arm { point shoulder = (0, 0); point hand = (1, 0); }
+joint a = revolute(ground.base, arm.shoulder);
+motor a;
+accuracy 1e-9;",
+        remedy: "Ask for no more than the message says there is, or compute in `f64`.",
+        edit: (": f32", ""),
+    },
 ];

@@ -35,7 +35,7 @@ const CRANKED: &str = "struct SixBar;
     joint c = revolute(coupler, rocker) at (3.6, 2.4);
     joint d = revolute(ground, rocker) at (4, 0);
     joint e = revolute(coupler, rod) at (2.2, 3.6);
-    joint f = revolute(rod, driver) at (6.5, 1.8);
+    joint f = revolute(rod, driver) at (6.44, 1.68);
     joint g = revolute(ground, driver) at (6.4, 1.6);
     motor g by 1 deg;
     allow coupled;";

@@ -22,6 +22,8 @@ const SAMPLES: [usize; 2] = [24, 180];
 const WANDERING: [usize; 2] = [240, 600];
 /// Parts of it are never near each other.
 const GOLDEN: f64 = 0.618_033_988_749_895;
+/// How near to its end rounding is looked at, as parts of a sample.
+const NEAR_THE_END: [f64; 3] = [0.25, 0.063, 0.016];
 /// Steps from a sample.
 const STEPS: usize = 2;
 /// Where several motors step at once: the most ways of doing so that are tried.
@@ -96,7 +98,7 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
         rivals,
     };
     walk(model, plan, |stretch| trial.straight(stretch));
-    if model.motors.len() > 1 && !trial.rivals.is_empty() {
+    if model.motors.len() > 1 {
         trial.about(model);
     }
     trial.found
@@ -193,7 +195,8 @@ impl Trial<'_, '_> {
         let samples = (4 * self.affordable).clamp(WANDERING[0], WANDERING[1]);
         for sample in 0..samples {
             let turned = sample % ways.len();
-            let next = at(&machine.position().motors, &ways, 1.0);
+            let before = machine.position().clone();
+            let next = representable(at(&before.motors, &ways, 1.0));
             let inside = |(motor, next): (usize, &f64)| {
                 let range = model.motors[motor].range;
                 range.is_none_or(|range| range.low <= *next && *next <= range.high)
@@ -206,7 +209,9 @@ impl Trial<'_, '_> {
                 ways[turned] = -ways[turned];
                 continue;
             }
-            if machine.move_to(&next).is_err() {
+            if machine.move_to(&next).is_ok() {
+                self.in_single(&before, machine.position());
+            } else {
                 self.end(&mut machine, &next);
                 ways[turned] = -ways[turned];
             }
@@ -218,11 +223,28 @@ impl Trial<'_, '_> {
         }
     }
 
-    /// Goes as far as it can: where it comes to its end all are at their worst.
+    /// Goes as far as it can: where it comes to its end all are at their worst, and nearer and nearer to it rounding is.
     fn end(&mut self, machine: &mut Machine<'_, f64>, motors: &[f64]) {
+        let before = machine.position().clone();
         let _ = machine.move_toward(motors);
-        self.around(machine.position(), 0..self.patterns.len());
-        self.back_to(machine.position());
+        let end = machine.position().clone();
+        self.around(&end, 0..self.patterns.len());
+        self.back_to(&end);
+        let back: Vec<f64> = motors
+            .iter()
+            .zip(&before.motors)
+            .map(|(there, here)| here - there)
+            .collect();
+        for part in NEAR_THE_END {
+            machine.put_back(before.clone());
+            if machine
+                .move_to(&representable(at(&end.motors, &back, part)))
+                .is_ok()
+            {
+                self.in_single(&before, machine.position());
+            }
+        }
+        machine.put_back(end);
     }
 
     /// Goes there in single precision.

@@ -76,11 +76,15 @@ impl<'p> Runner<'p> {
         if poses.iter().flatten().any(|number| !number.is_finite()) {
             return Err(Stop::Overflow);
         }
+        let kept: Vec<T> = self.program.kept.iter().map(get).collect();
+        if kept.iter().any(|number| !number.is_finite()) {
+            return Err(Stop::Overflow);
+        }
         Ok(Position {
             motors: motors.to_vec(),
             turns: turns.to_vec(),
             poses,
-            kept: self.program.kept.iter().map(get).collect(),
+            kept,
         })
     }
 

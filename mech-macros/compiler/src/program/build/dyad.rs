@@ -445,7 +445,7 @@ impl Writer<'_> {
         let Solution::Direction(last) = last else {
             return direction;
         };
-        let least = (4.0 * self.model.precision.epsilon() * size).powi(2);
+        let least = (0.5 * TOLERANCE * self.model.precision.epsilon() * size).powi(2);
         let least = self.builder.constant(least);
         let apart = self.builder.sub(square, least);
         let apart = self.builder.name(apart, "apart");
