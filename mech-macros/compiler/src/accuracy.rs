@@ -19,7 +19,7 @@ use trial::{Exact, Rival, compare};
 const SAFETY: [f64; 2] = [2.0, 4.0];
 /// The same of rounding errors, which differ from one position to the next as dice do, and grow without bound towards dead points:
 /// where several motors move, most of what is near one is never seen.
-const ROUNDING_SAFETY: [f64; 2] = [4.0, 12.0];
+const ROUNDING_SAFETY: [f64; 2] = [8.0, 12.0];
 /// The least error of rounding, in units of the last place of the greatest number that is computed with.
 const LEAST_ROUNDING: f64 = 16.0;
 /// More rounds than this are not promised: an iteration that needs more is better left to run until its loop closes.
