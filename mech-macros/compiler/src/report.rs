@@ -71,7 +71,7 @@ fn write(
 fn solved_line(solved: &Solved) -> String {
     let error = match solved.error {
         None => String::new(),
-        Some(error) if error.is_finite() => format!(", {error:.1e} off at most"),
+        Some(error) if error.is_finite() => format!(", predicted error {error:.1e}"),
         Some(_) => ", may stop for no reason but its method".to_owned(),
     };
     format!("{}{error}: {}", solved.method, solved.cost)
@@ -84,8 +84,8 @@ fn accuracy(model: &Model, prediction: &Prediction) -> String {
         _ => "not bounded by the declared steps".to_owned(),
     };
     match model.accuracy {
-        Some(accuracy) => format!("{error}; {accuracy:e} wanted"),
-        None => error,
+        Some(accuracy) => format!("{error} predicted, {accuracy:e} wanted"),
+        None => format!("{error} predicted"),
     }
 }
 

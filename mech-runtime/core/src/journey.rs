@@ -81,7 +81,7 @@ const FINEST: f64 = 1.0 / 4096.0;
 /// In one piece the square of a sine changes by no more than this.
 const PIECE: f64 = 0.25;
 /// More pieces than this are not gone: they are a mistake, or would take longer than anybody waits.
-const MOST_PIECES: f64 = 1_048_576.0;
+const MOST_PIECES: f64 = 65_536.0;
 /// Each halving gives a digit of a binary fraction: no float has more.
 const HALVINGS: u32 = 64;
 
