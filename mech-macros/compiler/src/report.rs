@@ -80,12 +80,12 @@ fn solved_line(solved: &Solved) -> String {
 /// What was wished, and what is to be expected.
 fn accuracy(model: &Model, prediction: &Prediction) -> String {
     let error = match prediction.error {
-        error if error.is_finite() => format!("{error:.1e}"),
+        error if error.is_finite() => format!("{error:.1e} predicted"),
         _ => "not bounded by the declared steps".to_owned(),
     };
     match model.accuracy {
-        Some(accuracy) => format!("{error} predicted, {accuracy:e} wanted"),
-        None => format!("{error} predicted"),
+        Some(accuracy) => format!("{error}, {accuracy:e} wanted"),
+        None => error,
     }
 }
 
