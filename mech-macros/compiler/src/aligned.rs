@@ -63,16 +63,7 @@ fn at_least_turning<'a>(
 /// The values of the motors at the start.
 pub(crate) fn start(model: &Model) -> Vec<f64> {
     let motors = model.motors.iter();
-    motors
-        .map(|motor| {
-            let given = model.start.values.iter();
-            given
-                .filter(|value| value.joint == motor.joint)
-                .map(|value| value.value)
-                .next()
-                .unwrap_or_default()
-        })
-        .collect()
+    motors.map(|motor| model.start.value(motor.joint)).collect()
 }
 
 fn moved(model: &Model, way: f64) -> Model {

@@ -229,7 +229,6 @@ fn special(
         Some(Matched {
             mut structure,
             plan,
-            ..
         }) => {
             if structure.redundant.is_empty() {
                 structure.redundant = diagnoses.iter().flat_map(held_joints).collect();

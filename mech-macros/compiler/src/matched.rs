@@ -76,10 +76,7 @@ fn nudged(
         model.joint(model.motor(motor).joint).kind,
         JointKind::Prismatic(..)
     );
-    let size = model
-        .axes
-        .iter()
-        .fold(0.0_f64, |size, axis| size.max(axis.at[0].hypot(axis.at[1])));
+    let size = model.size();
     motors[motor.index()] += if slides { way * size } else { way };
     if machine.move_to(&motors).is_err() {
         return Outcome::Stopped;

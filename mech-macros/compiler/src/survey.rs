@@ -141,8 +141,6 @@ impl Walker<'_> {
                 Ok(()) => trail.push((part, machine.position().clone())),
                 Err(stop) => {
                     self.ends(stop);
-                    // Near a dead point the square of the sine is a straight line: the last samples tell its rate.
-                    let _ = machine.move_toward(&at(&self.program.start.motors, ways, part));
                     self.look(&trail, ways);
                     return false;
                 }

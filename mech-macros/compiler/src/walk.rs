@@ -59,7 +59,7 @@ fn alone(model: &Model, plan: &Plan, motor: MotorId, walker: &mut impl FnMut(&St
         let way = TAU * turns as f64;
         (way, usize::try_from(turns).unwrap_or(1).max(1))
     } else {
-        (4.0 * size(model), 2)
+        (4.0 * model.size(), 2)
     };
     let whole = walker(&along(way, pieces));
     if !(whole && turns) {
@@ -74,7 +74,7 @@ fn together(model: &Model, walker: &mut impl FnMut(&Stretch) -> bool) {
             let part = f64::from((round * (2 * index + 3)) % 7) / 3.0 - 1.0;
             let whole = match model.joint(motor.joint).kind {
                 JointKind::Revolute(..) => TAU,
-                _ => size(model),
+                _ => model.size(),
             };
             part * whole
         });
@@ -96,12 +96,4 @@ fn turns_of(plan: &Plan) -> i64 {
         let denominator = part.denom().to_i64().unwrap_or(MOST_TURNS);
         num_integer::lcm(turns, denominator.clamp(1, MOST_TURNS)).min(MOST_TURNS)
     })
-}
-
-/// How large the mechanism is: the greatest distance of an axis from the origin of its link.
-pub(crate) fn size(model: &Model) -> f64 {
-    model
-        .axes
-        .iter()
-        .fold(0.0_f64, |size, axis| size.max(axis.at[0].hypot(axis.at[1])))
 }

@@ -80,8 +80,8 @@ pub struct Halt<P, S, T> {
 const FINEST: f64 = 1.0 / 4096.0;
 /// In one piece the square of a sine changes by no more than this.
 const PIECE: f64 = 0.25;
-/// More pieces than this are not gone: they are a mistake, or would take longer than anybody waits.
-const MOST_PIECES: f64 = 65_536.0;
+/// More pieces than this are not gone at once: they are a mistake, or would take longer than anybody waits.
+const MOST_PIECES: u32 = 65_536;
 /// Each halving gives a digit of a binary fraction: no float has more.
 const HALVINGS: u32 = 64;
 
@@ -119,17 +119,13 @@ pub fn go<T: Real, J: Journey<T>>(
     let change =
         (0..journey.watches()).fold(T::ZERO, |most, index| most.max(journey.watch(index).change));
     let pieces = (change / T::from_f64(PIECE)).max(journey.pieces());
-    if pieces > T::from_f64(MOST_PIECES) || !pieces.is_finite() {
-        return Err(Halt {
-            position: start.clone(),
-            part: T::ZERO,
-            stop: journey.too_far(),
-        });
+    if !pieces.is_finite() {
+        return Err(too_far(journey, start.clone(), T::ZERO));
     }
     let stride = T::ONE / pieces;
     let mut position = start.clone();
     let mut done = T::ZERO;
-    while done < T::ONE {
+    for _ in 0..MOST_PIECES {
         let target = done + stride;
         // The last piece may be a little longer rather than leave a splinter.
         let target = if target + stride * T::HALF > T::ONE {
@@ -138,9 +134,24 @@ pub fn go<T: Real, J: Journey<T>>(
             target
         };
         position = piece(journey, position, done, target)?;
+        if target >= T::ONE {
+            return Ok(position);
+        }
         done = target;
     }
-    Ok(position)
+    Err(too_far(journey, position, done))
+}
+
+fn too_far<T: Real, J: Journey<T>>(
+    journey: &J,
+    position: J::Position,
+    part: T,
+) -> Halt<J::Position, J::Stop, T> {
+    Halt {
+        position,
+        part,
+        stop: journey.too_far(),
+    }
 }
 
 /// Where a piece ends: at its target, or before it for a reason.

@@ -11,8 +11,10 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+pub mod dense;
 pub mod journey;
 mod kernel;
+pub mod motors;
 mod phase;
 mod real;
 pub mod trig;

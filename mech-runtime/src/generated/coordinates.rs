@@ -8,18 +8,6 @@ pub fn sin_cos<T: Scalar>(angle: T) -> (T, T) {
     Real::sin_cos(angle)
 }
 
-/// The sine of an angle in radians.
-#[inline]
-pub fn sin<T: Scalar>(angle: T) -> T {
-    Real::sin_cos(angle).0
-}
-
-/// The cosine of an angle in radians.
-#[inline]
-pub fn cos<T: Scalar>(angle: T) -> T {
-    Real::sin_cos(angle).1
-}
-
 /// The angle of the vector (`x`, `y`), in radians.
 #[inline]
 pub fn atan2<T: Scalar>(y: T, x: T) -> T {
@@ -42,26 +30,6 @@ pub fn greater<T: Scalar>(a: T, b: T) -> T {
 #[inline]
 pub fn round<T: Scalar>(value: T) -> T {
     Real::round(value)
-}
-
-/// What a part of so many whole turns comes to, less whole turns: an angle in radians. Exact up to the last rounding.
-#[inline]
-#[must_use]
-pub fn turned<T: Scalar>(turns: i32, numerator: i64, denominator: i64) -> T {
-    if turns == 0 {
-        return T::ZERO;
-    }
-    let (turns, numerator, denominator) = (
-        i128::from(turns),
-        i128::from(numerator),
-        i128::from(denominator),
-    );
-    let rest = (turns * numerator)
-        .checked_rem_euclid(denominator)
-        .unwrap_or(0);
-    #[expect(clippy::cast_precision_loss, reason = "a fraction of a turn, rounded")]
-    let part = rest as f64 / denominator as f64;
-    T::TURN * <T as Real>::from_f64(part)
 }
 
 /// An axis in the scene: the pose of its link, its origin and its direction in the link's frame.

@@ -3,6 +3,7 @@
 use super::{Motors, Position, Stop};
 use crate::{Blocked, Cause, Reached, Scalar};
 use mech_core::journey::{self, AtZero, Halt, Journey, Watch};
+use mech_core::motors;
 
 /// A loop in closed form that has dead points or change points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -171,12 +172,8 @@ where
     #[inline]
     fn watch(&self, index: usize) -> Watch<T> {
         let watched = &self.course.watched[index];
-        let mut change = T::ZERO;
-        for (rate, way) in watched.rates.iter().zip(self.ways) {
-            change += *rate * mech_core::Real::abs(way);
-        }
         Watch {
-            change,
+            change: motors::change(watched.rates, &self.ways),
             at_zero: watched.at_zero,
         }
     }
@@ -205,23 +202,18 @@ where
         else {
             return false;
         };
-        let mut along = T::ZERO;
-        for (motor, (rate, way)) in watched.rates.iter().zip(self.ways).enumerate() {
-            let sense = position.kept.get(first + motor).copied();
-            along += *rate * way * sense.unwrap_or(T::ZERO);
-        }
-        along > T::ZERO
+        let senses = position.kept.get(first..).unwrap_or_default();
+        motors::along(watched.rates, &self.ways, senses) > T::ZERO
     }
 
     #[inline]
     fn note_sense(&self, position: &mut Self::Position) {
-        let Some(first) = self.course.senses else {
-            return;
-        };
-        for (sense, way) in position.kept.iter_mut().skip(first).zip(self.ways) {
-            if way != T::ZERO {
-                *sense = mech_core::Real::copysign(T::ONE, way);
-            }
+        if let Some(senses) = self
+            .course
+            .senses
+            .and_then(|first| position.kept.get_mut(first..))
+        {
+            motors::note_senses(senses, &self.ways);
         }
     }
 
@@ -236,11 +228,7 @@ where
 
     #[inline]
     fn pieces(&self) -> T {
-        let mut most = T::ONE;
-        for (stride, way) in self.course.strides.iter().flatten().zip(self.ways) {
-            most = mech_core::Real::max(most, mech_core::Real::abs(way) / *stride);
-        }
-        most
+        motors::pieces(self.course.strides.into_iter().flatten(), &self.ways)
     }
 
     fn subdivides(&self) -> bool {

@@ -55,35 +55,6 @@ pub fn closed<T: Scalar, const N: usize>(
 /// determinant of zero or numbers that are not finite.
 #[must_use]
 pub fn solve<T: Scalar, const N: usize>(mut rows: [[T; N]; N], mut right: [T; N]) -> ([T; N], T) {
-    let mut det = T::one();
-    for pivot in 0..N {
-        let mut best = pivot;
-        for row in pivot + 1..N {
-            if Real::abs(rows[row][pivot]) > Real::abs(rows[best][pivot]) {
-                best = row;
-            }
-        }
-        if best != pivot {
-            rows.swap(best, pivot);
-            right.swap(best, pivot);
-            det = -det;
-        }
-        det *= rows[pivot][pivot];
-        for row in pivot + 1..N {
-            let factor = rows[row][pivot] / rows[pivot][pivot];
-            let above = rows[pivot];
-            for (entry, over) in rows[row].iter_mut().zip(above).skip(pivot + 1) {
-                *entry -= factor * over;
-            }
-            right[row] -= factor * right[pivot];
-        }
-    }
-    for row in (0..N).rev() {
-        let mut sum = right[row];
-        for column in row + 1..N {
-            sum -= rows[row][column] * right[column];
-        }
-        right[row] = sum / rows[row][row];
-    }
+    let det = mech_core::dense::solve(&mut rows, &mut right);
     (right, det)
 }

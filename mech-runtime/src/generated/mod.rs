@@ -10,12 +10,13 @@ pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
 };
 pub use crate::{BlockedAt, Columns, InRange};
-pub use coordinates::{angle, atan2, cos, greater, round, sin, sin_cos, slide, sqrt, turned};
+pub use coordinates::{angle, atan2, greater, round, sin_cos, slide, sqrt};
 pub use course::{Course, Watched, advance, approach};
 pub use loops::{closed, closes, solve};
 pub use many::{Anywhere, Sines, Within, least, move_many, solve_many};
 pub use mech_core::Real;
 pub use mech_core::journey::AtZero;
+pub use mech_core::motors::turned;
 pub use position::{Motors, Position};
 
 use crate::{Cause, Scalar};

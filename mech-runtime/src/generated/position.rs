@@ -57,15 +57,11 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     /// How far it is from here to there.
     #[inline]
     pub(super) fn way_to(&self, target: &Self) -> [T; MOTORS] {
-        let mut way = target.values;
-        for (index, way) in way.iter_mut().enumerate() {
-            *way -= self.values[index];
-            let turns = target.turns[index].wrapping_sub(self.turns[index]);
-            if turns != 0 {
-                *way += T::TURN * <T as Real>::from_i32(turns);
-            }
-        }
-        way
+        core::array::from_fn(|motor| {
+            let [from, to] =
+                [self, target].map(|motors| (motors.values[motor], motors.turns[motor]));
+            mech_core::motors::way(from, to)
+        })
     }
 
     /// Whether all values are finite numbers and none is farther from zero than this.

@@ -10,7 +10,7 @@ use crate::evaluate::Machine;
 use crate::model::{JointKind, Model};
 use crate::plan::Plan;
 use crate::program::{Position, Program};
-use crate::walk::{Stretch, at, size, walk};
+use crate::walk::{Stretch, at, walk};
 use mech_core::Real;
 use std::f64::consts::TAU;
 
@@ -173,7 +173,7 @@ impl Trial<'_, '_> {
 
     /// Wanders about with all motors, turning back where it is blocked.
     fn about(&mut self, model: &Model) {
-        let size = size(model);
+        let size = model.size();
         let reach: Vec<f64> = model
             .motors
             .iter()

@@ -46,9 +46,9 @@ enum Binding {
 }
 
 /// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 16] = [
+const OUTER: [&str; 14] = [
     "motors", "turned", "greater", "near", "last", "rounds", "atan2", "closed", "closes",
-    "position", "cos", "round", "sin", "sin_cos", "solve", "sqrt",
+    "position", "round", "sin_cos", "solve", "sqrt",
 ];
 
 /// The names and uses of values in one function.

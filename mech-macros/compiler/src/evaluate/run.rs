@@ -2,9 +2,11 @@
 
 use super::Stop;
 use crate::program::{
-    BlockId, BlockKind, Closed, Newton, Op, Position, Program, Rounds, Slot, Value, solve,
+    BlockId, BlockKind, Closed, Newton, Op, Position, Program, Rounds, Slot, Value,
 };
 use mech_core::Real;
+use mech_core::dense::solve;
+use mech_core::motors::turned;
 
 /// A program that is ready to be run, in any precision, whatever it was written for.
 #[derive(Clone, Debug)]
@@ -169,15 +171,17 @@ impl<'p> Runner<'p> {
 /// Solves the system of coupled loops: columns times steps is what is missing.
 fn system<T: Real>(newton: &Newton, values: &[T]) -> (Vec<T>, T) {
     let get = |value: &Value| values[value.index()];
-    let row = |row: usize| {
+    let row = |row: usize| -> Vec<T> {
         newton
             .columns
             .iter()
             .map(|column| get(&column[row]))
             .collect()
     };
-    let rows = (0..newton.gap.len()).map(row).collect();
-    solve(rows, newton.gap.iter().map(|gap| -get(gap)).collect())
+    let mut rows: Vec<Vec<T>> = (0..newton.gap.len()).map(row).collect();
+    let mut steps: Vec<T> = newton.gap.iter().map(|gap| -get(gap)).collect();
+    let det = solve(&mut rows, &mut steps);
+    (steps, det)
 }
 
 fn read<T: Real>(last: &Position<T>, slot: Slot) -> T {
@@ -185,19 +189,4 @@ fn read<T: Real>(last: &Position<T>, slot: Slot) -> T {
         Slot::Kept(index) => last.kept[index],
         Slot::Pose(link, part) => last.poses[link][part.index()],
     }
-}
-
-/// What a part of so many whole turns comes to, less whole turns, exactly as the generated code's runtime does it.
-fn turned<T: Real>(turns: i32, numerator: i64, denominator: i64) -> T {
-    let (turns, numerator, denominator) = (
-        i128::from(turns),
-        i128::from(numerator),
-        i128::from(denominator),
-    );
-    let rest = (turns * numerator)
-        .checked_rem_euclid(denominator)
-        .unwrap_or(0);
-    #[expect(clippy::cast_precision_loss, reason = "a fraction of a turn, rounded")]
-    let part = rest as f64 / denominator as f64;
-    T::TURN * T::from_f64(part)
 }

@@ -3,14 +3,14 @@
 use super::Stop;
 use super::run::Runner;
 use crate::program::Position;
-use mech_core::Real;
 use mech_core::journey::{self, Halt, Journey, Watch};
+use mech_core::{Real, motors};
 
 /// A move under way.
 pub(super) struct Way<'a, 'p, T> {
     runner: &'a Runner<'p>,
     start: &'a Position<T>,
-    motors: &'a [T],
+    values: &'a [T],
     turns: &'a [i32],
     ways: Vec<T>,
     subdivides: bool,
@@ -20,28 +20,19 @@ impl<'a, 'p, T: Real> Way<'a, 'p, T> {
     pub(super) fn new(
         runner: &'a Runner<'p>,
         start: &'a Position<T>,
-        motors: &'a [T],
+        values: &'a [T],
         turns: &'a [i32],
     ) -> Self {
-        let way = motors
-            .iter()
-            .zip(turns)
-            .enumerate()
-            .map(|(index, (motor, turns))| {
-                let way = *motor - start.motors[index];
-                let turns = turns.wrapping_sub(start.turns[index]);
-                if turns == 0 {
-                    way
-                } else {
-                    way + T::TURN * T::from_i32(turns)
-                }
-            });
+        let way = |motor: usize| {
+            let start = (start.motors[motor], start.turns[motor]);
+            motors::way(start, (values[motor], turns[motor]))
+        };
         Self {
-            ways: way.collect(),
+            ways: (0..values.len()).map(way).collect(),
             subdivides: runner.program.subdivides(),
             runner,
             start,
-            motors,
+            values,
             turns,
         }
     }
@@ -64,7 +55,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
 
     fn at(&self, last: &Position<T>, part: T) -> Result<Position<T>, Stop> {
         if part >= T::ONE {
-            return self.runner.step(last, (self.motors, self.turns));
+            return self.runner.step(last, (self.values, self.turns));
         }
         let start = self.start.motors.iter().zip(&self.ways);
         let motors: Vec<T> = start.map(|(value, way)| *value + *way * part).collect();
@@ -77,12 +68,9 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
 
     fn watch(&self, index: usize) -> Watch<T> {
         let watch = &self.runner.program.watches[index];
-        let mut change = T::ZERO;
-        for (rate, way) in watch.rates.iter().zip(&self.ways) {
-            change = change + T::from_f64(*rate) * way.abs();
-        }
+        let rates = watch.rates.iter().map(|rate| T::from_f64(*rate));
         Watch {
-            change,
+            change: motors::change(rates, &self.ways),
             at_zero: watch.at_zero,
         }
     }
@@ -104,22 +92,14 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         let Some(first) = self.runner.program.senses else {
             return false;
         };
-        let rates = &self.runner.program.watches[index].rates;
-        let mut along = T::ZERO;
-        for (motor, (rate, way)) in rates.iter().zip(&self.ways).enumerate() {
-            along = along + T::from_f64(*rate) * *way * position.kept[first + motor];
-        }
-        along > T::ZERO
+        let rates = self.runner.program.watches[index].rates.iter();
+        let rates = rates.map(|rate| T::from_f64(*rate));
+        motors::along(rates, &self.ways, &position.kept[first..]) > T::ZERO
     }
 
     fn note_sense(&self, position: &mut Position<T>) {
-        let Some(first) = self.runner.program.senses else {
-            return;
-        };
-        for (sense, way) in position.kept.iter_mut().skip(first).zip(&self.ways) {
-            if *way != T::ZERO {
-                *sense = T::ONE.copysign(*way);
-            }
+        if let Some(first) = self.runner.program.senses {
+            motors::note_senses(&mut position.kept[first..], &self.ways);
         }
     }
 
@@ -133,9 +113,8 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
 
     fn pieces(&self) -> T {
         let strides = self.runner.program.strides.iter().flatten();
-        strides.zip(&self.ways).fold(T::ONE, |most, (stride, way)| {
-            most.max(way.abs() / T::from_f64(*stride))
-        })
+        let strides = strides.map(|stride| T::from_f64(*stride));
+        motors::pieces(strides, &self.ways)
     }
 
     fn subdivides(&self) -> bool {

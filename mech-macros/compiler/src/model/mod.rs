@@ -178,6 +178,13 @@ impl Model {
             && self.start.values.iter().all(in_start)
     }
 
+    /// How large it is: the greatest distance of an axis from the origin of its link.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let reach = |axis: &Axis| axis.at[0].hypot(axis.at[1]);
+        self.axes.iter().map(reach).fold(0.0, f64::max)
+    }
+
     /// The link with this id.
     #[must_use]
     pub fn link(&self, id: LinkId) -> &Link {

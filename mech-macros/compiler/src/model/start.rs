@@ -11,6 +11,17 @@ pub struct Start {
     pub near: Vec<Near>,
 }
 
+impl Start {
+    /// The coordinate of a joint at the start, as far as it was said: zero if it is not listed.
+    #[must_use]
+    pub fn value(&self, joint: JointId) -> f64 {
+        let mut listed = self.values.iter();
+        listed
+            .find(|value| value.joint == joint)
+            .map_or(0.0, |value| value.value)
+    }
+}
+
 /// A joint's coordinate at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StartValue {

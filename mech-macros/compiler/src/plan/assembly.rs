@@ -6,7 +6,7 @@ use super::equation::Equation;
 use super::placement::{Coordinate, Placement};
 use super::search::search;
 use super::step::{Connection, ConnectionKind, Loop, Source, Step};
-use crate::model::{JointId, LinkId, Model, Near};
+use crate::model::{LinkId, Model, Near};
 use crate::structure::Diagnosis;
 
 /// With more assemblies than this still open the search stops and lists them.
@@ -51,7 +51,7 @@ pub(super) fn assemble(
                 .map(|draft| draft.put(*connection, 0.0))
                 .collect(),
             Step::Drive(drive) => {
-                let value = start_value(model, drive.connection.joint);
+                let value = model.start.value(drive.connection.joint);
                 drafts
                     .into_iter()
                     .map(|draft| draft.put(drive.connection, value))
@@ -95,19 +95,10 @@ fn flat(pose: Pose<f64>) -> [f64; 4] {
     ]
 }
 
-fn start_value(model: &Model, joint: JointId) -> f64 {
-    model
-        .start
-        .values
-        .iter()
-        .find(|value| value.joint == joint)
-        .map_or(0.0, |value| value.value)
-}
-
 /// The start value of a connection's joint, for one who walks the connection.
 fn start_along(model: &Model, connection: Connection) -> f64 {
     let forwards = model.ends(connection.joint).1 == model.axis(connection.to).link;
-    let value = start_value(model, connection.joint);
+    let value = model.start.value(connection.joint);
     if forwards { value } else { -value }
 }
 
@@ -149,7 +140,7 @@ impl Draft<'_> {
             motors: model
                 .motors
                 .iter()
-                .map(|motor| start_value(model, motor.joint))
+                .map(|motor| model.start.value(motor.joint))
                 .collect(),
             meshes: self.meshes.clone(),
             sources: sources
@@ -161,7 +152,7 @@ impl Draft<'_> {
 
     fn source(&self, model: &Model, source: Source) -> f64 {
         match source {
-            Source::Motor(motor) => start_value(model, model.motor(motor).joint),
+            Source::Motor(motor) => model.start.value(model.motor(motor).joint),
             Source::Angle { from, to } => {
                 let [a, b] = self.placement.pose(from).direction;
                 let [c, d] = self.placement.pose(to).direction;

@@ -1,8 +1,8 @@
 //! Measures every loop at the start: tolerances are relative to what is found there.
 
-use super::dense::solve;
 use super::node::{Op, Slot, Value};
 use super::{BlockKind, Limits, Newton, Program};
+use mech_core::dense::solve;
 
 /// Sets the limits of all loops.
 pub(super) fn calibrate(program: &mut Program) {
@@ -20,12 +20,13 @@ pub(super) fn calibrate(program: &mut Program) {
             return values[newton.det.index()];
         }
         let rate = |row: usize, column: usize| values[newton.columns[column][row].index()];
-        let rows = (0..newton.gap.len()).map(|row| {
+        let row = |row: usize| -> Vec<f64> {
             (0..newton.columns.len())
                 .map(|column| rate(row, column))
                 .collect()
-        });
-        solve(rows.collect(), vec![0.0; newton.gap.len()]).1
+        };
+        let mut rows: Vec<Vec<f64>> = (0..newton.gap.len()).map(row).collect();
+        solve(&mut rows, &mut vec![0.0; newton.gap.len()])
     };
     for block in &mut program.blocks {
         if let BlockKind::Newton(newton) = &mut block.kind {

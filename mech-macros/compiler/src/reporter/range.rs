@@ -34,7 +34,7 @@ impl Words<'_> {
                 } else {
                     format!(" with {}", others.join(" and "))
                 };
-                let start = self.start_value(motor);
+                let start = self.model.start.value(declared.joint);
                 let end = if *limit < start { "begin" } else { "end" };
                 format!(
                     "motor {name} is blocked at {}, within its range{others}\nnote: coming from its start at {} it is at a dead \
@@ -78,16 +78,6 @@ impl Words<'_> {
             ),
         };
         (origin, text)
-    }
-
-    fn start_value(&self, motor: MotorId) -> f64 {
-        let joint = self.model.motor(motor).joint;
-        let values = self.model.start.values.iter();
-        values
-            .filter(|value| value.joint == joint)
-            .map(|value| value.value)
-            .next()
-            .unwrap_or_default()
     }
 
     /// A value that is short of a dead point, as one would write it.

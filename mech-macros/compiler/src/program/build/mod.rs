@@ -70,10 +70,7 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
 
 /// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster.
 fn strides(model: &Model) -> Vec<f64> {
-    let size = model
-        .axes
-        .iter()
-        .fold(0.0_f64, |size, axis| size.max(axis.at[0].hypot(axis.at[1])));
+    let size = model.size();
     let stride = |motor: &crate::model::Motor| match model.joint(motor.joint).kind {
         JointKind::Revolute(..) => 0.25,
         _ => 0.02 * size.max(f64::MIN_POSITIVE),
