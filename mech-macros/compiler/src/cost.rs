@@ -307,7 +307,15 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
         selections: 1,
         ..Cost::default()
     };
-    in_rounds + dense + test + det
+    let contraction = Cost {
+        multiplications: 1,
+        selections: 2,
+        ..Cost::default()
+    };
+    let contractions = newton
+        .contracting()
+        .map_or(Cost::default(), |_| contraction * iteration.rounds);
+    in_rounds + dense + test + det + contractions
 }
 
 /// How often what is in an iteration is done.

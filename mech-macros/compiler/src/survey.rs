@@ -20,6 +20,8 @@ const WIDE_SAFETY: f64 = 6.0;
 const SAFETY: f64 = 1.5;
 /// By this part of itself a bracket is cut.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
+/// Below this square of the distance of pins, as a part of the product of lengths, rounding stretches links.
+const NEAR_PINS: f64 = 0.1;
 /// Squares of sines above this are far from zero.
 const NEAR: f64 = 0.1;
 
@@ -32,6 +34,8 @@ struct Found {
     ends: bool,
     /// Whether it comes to zero and closes on both sides.
     crosses: bool,
+    /// The least square of the distance of the pins that it joins, as a part of the product of its links' lengths.
+    least_distance_square: f64,
 }
 
 /// Decides for every loop how it is watched; how it is solved is decided already.
@@ -40,6 +44,7 @@ pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Ch
         rates: vec![0.0; model.motors.len()],
         ends: false,
         crosses: false,
+        least_distance_square: f64::INFINITY,
     };
     let mut found = vec![none; choices.len()];
     // A loop that goes over at a change point moves on otherwise, and so do those that need it: they are looked at again.
@@ -80,6 +85,7 @@ fn watched(model: &Model, choices: &[Choice], found: &[Found]) -> Vec<Choice> {
         predictor: 0,
         side: choice.side,
         proved: false,
+        pins_near: false,
     });
     watched.collect()
 }
@@ -114,6 +120,7 @@ fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> 
             watching,
             side: choice.side,
             proved: false,
+            pins_near: found.least_distance_square < NEAR_PINS,
         }
     };
     choices.into_iter().zip(found).map(decide).collect()
@@ -142,6 +149,7 @@ impl Walker<'_> {
                 Err(stop) => {
                     self.ends(stop);
                     self.look(&trail, ways);
+                    self.unseen(ways);
                     return false;
                 }
             }
@@ -162,6 +170,17 @@ impl Walker<'_> {
         }
     }
 
+    /// Where these motors cannot go farther, they may if others are elsewhere: nobody saw what their loops do there.
+    fn unseen(&mut self, ways: &[f64]) {
+        if ways.len() < 2 {
+            return;
+        }
+        for found in self.found.iter_mut() {
+            let mut moved = found.rates.iter().zip(ways);
+            found.ends |= moved.any(|(rate, way)| *rate > 0.0 && *way != 0.0);
+        }
+    }
+
     /// Looks at what was sampled.
     fn look(&mut self, trail: &[(f64, Position<f64>)], ways: &[f64]) {
         for watch in &self.program.watches {
@@ -172,6 +191,13 @@ impl Walker<'_> {
                 .iter()
                 .map(|(_, position)| position.kept[watch.kept].powi(2))
                 .collect();
+            let found = &mut self.found[closed.number];
+            // Rounding hides the side the more, the farther the pins are from each other.
+            let rounding = 16.0 * self.program.precision.epsilon();
+            found.least_distance_square = trail
+                .iter()
+                .map(|(_, position)| position.kept[watch.kept + 1] / rounding)
+                .fold(found.least_distance_square, f64::min);
             let steepest = squares
                 .windows(2)
                 .zip(trail.windows(2))

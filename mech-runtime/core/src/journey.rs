@@ -76,12 +76,12 @@ pub struct Halt<P, S, T> {
     pub stop: S,
 }
 
-/// The smallest part of a piece that is tried where loops are solved by iteration.
-const FINEST: f64 = 1.0 / 4096.0;
 /// In one piece the square of a sine changes by no more than this.
 const PIECE: f64 = 0.25;
 /// More pieces than this are not gone at once: they are a mistake, or would take longer than anybody waits.
 const MOST_PIECES: u32 = 65_536;
+/// So often at most is a piece tried that does not end where it should.
+const MOST_TRIES: u32 = 512;
 /// Each halving gives a digit of a binary fraction: no float has more.
 const HALVINGS: u32 = 64;
 
@@ -309,41 +309,30 @@ fn reach<T: Real, J: Journey<T>>(
         Err(stop) => stop,
     };
     let (mut to, mut end, mut blocked) = (from.clone(), done, aim);
-    if journey.subdivides() {
-        let least = (aim - done) * T::from_f64(FINEST);
-        let mut stride = (aim - done) * T::HALF;
-        while stride >= least {
-            let next = if end + stride < aim {
-                end + stride
-            } else {
-                aim
-            };
-            match journey.at(&to, next) {
-                Ok(position) => {
-                    (to, end) = (position, next);
-                    if end >= aim {
-                        return Reach {
-                            to,
-                            end,
-                            stop: None,
-                        };
-                    }
-                    stride = stride + stride;
-                }
-                Err(reason) => {
-                    (stop, blocked) = (reason, next);
-                    stride = stride * T::HALF;
-                }
-            }
-        }
-    }
-    for _ in 0..HALVINGS {
+    for _ in 0..MOST_TRIES {
         let middle = end + (blocked - end) * T::HALF;
         if !(middle > end && middle < blocked) {
             break;
         }
         match journey.at(&to, middle) {
-            Ok(position) => (to, end) = (position, middle),
+            Ok(position) => {
+                // An iteration that failed to come far from a place may come there from a nearer one.
+                if journey.subdivides() {
+                    let far = end + (middle - end) * T::from_f64(4.0);
+                    blocked = if far < aim { far } else { aim };
+                }
+                (to, end) = (position, middle);
+                if blocked >= aim
+                    && journey.subdivides()
+                    && let Ok(position) = journey.at(&to, aim)
+                {
+                    return Reach {
+                        to: position,
+                        end: aim,
+                        stop: None,
+                    };
+                }
+            }
             Err(reason) => (stop, blocked) = (reason, middle),
         }
     }

@@ -11,6 +11,7 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+pub mod contraction;
 pub mod dense;
 pub mod journey;
 mod kernel;

@@ -15,6 +15,7 @@ pub use course::{Course, Watched, advance, approach};
 pub use loops::{closed, closes, solve};
 pub use many::{Anywhere, Sines, Within, least, move_many, solve_many};
 pub use mech_core::Real;
+pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::AtZero;
 pub use mech_core::motors::turned;
 pub use position::{Motors, Position};

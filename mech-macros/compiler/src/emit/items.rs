@@ -168,7 +168,7 @@ fn imports(krate: &TokenStream, scalar: &TokenStream) -> TokenStream {
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
             use #krate::generated::{
                 Anywhere, AtZero, Blocked, BlockedAt, Canvas, Columns, Course, Isometry2, Mechanism, Motors, Outline, Phase, Point2, Pose, Position,
-                Reached, Real, Shape, Stop, Watched, advance, angle, approach, atan2, closed, closes, paint, round,
+                Reached, Real, Shape, Stop, Watched, advance, angle, approach, atan2, closed, closes, contracts, before_first, paint, round,
                 sin_cos, slide, solve, sqrt, turned, Sines, Within, InRange, greater, least, move_many, solve_many,
             };
     }

@@ -32,17 +32,20 @@ pub(super) fn iteration(
         .map(|scalar| scope.expression(scalar.next))
         .collect();
     let exits: Vec<TokenStream> = exits.iter().map(|&value| scope.expression(value)).collect();
+    let (start, contracts) = contraction(newton, &exits, scope);
     let enough = enough(program, newton, scope);
     let test = test(program, newton, scope);
     quote! {
         #(let mut #variables = #firsts;)*
         let mut rounds = 0_u32;
+        #start
         let (#(#exits),*) = loop {
             #before
             if #enough {
                 break (#(#exits),*);
             }
             #after
+            #contracts
             (#(#variables),*) = (#(#next),*);
             rounds += 1;
         };
@@ -166,6 +169,22 @@ fn test(program: &Program, newton: &Newton, scope: &Scope<'_>) -> TokenStream {
     };
     let place = &newton.place;
     quote!(closed([#(#gap),*], #accept, #signed, #floor, #place)?;)
+}
+
+/// The end of an iteration whose steps do not become smaller, and what the first is compared with.
+fn contraction(
+    newton: &Newton,
+    exits: &[TokenStream],
+    scope: &Scope<'_>,
+) -> (TokenStream, TokenStream) {
+    let Some(step) = newton.contracting() else {
+        return (TokenStream::new(), TokenStream::new());
+    };
+    let step = scope.expression(step);
+    (
+        quote!(let mut before = before_first();),
+        quote!(if !contracts(&mut before, #step) { break (#(#exits),*); }),
+    )
 }
 
 /// The greatest of the absolute values.

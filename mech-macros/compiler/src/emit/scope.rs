@@ -46,9 +46,24 @@ enum Binding {
 }
 
 /// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 14] = [
-    "motors", "turned", "greater", "near", "last", "rounds", "atan2", "closed", "closes",
-    "position", "round", "sin_cos", "solve", "sqrt",
+const OUTER: [&str; 17] = [
+    "before",
+    "contracts",
+    "before_first",
+    "motors",
+    "turned",
+    "greater",
+    "near",
+    "last",
+    "rounds",
+    "atan2",
+    "closed",
+    "closes",
+    "position",
+    "round",
+    "sin_cos",
+    "solve",
+    "sqrt",
 ];
 
 /// The names and uses of values in one function.

@@ -5,6 +5,7 @@ use crate::program::{
     BlockId, BlockKind, Closed, Newton, Op, Position, Program, Rounds, Slot, Value,
 };
 use mech_core::Real;
+use mech_core::contraction::{before_first, contracts};
 use mech_core::dense::solve;
 use mech_core::motors::turned;
 
@@ -125,6 +126,7 @@ impl<'p> Runner<'p> {
             newton.gap.iter().copied().all(small)
         };
         let mut rounds = 0;
+        let mut before = before_first();
         loop {
             let mut dense = None;
             for &value in &body {
@@ -144,6 +146,11 @@ impl<'p> Runner<'p> {
             };
             if done {
                 break;
+            }
+            if let Some(step) = newton.contracting() {
+                if !contracts(&mut before, values[step.index()]) {
+                    break;
+                }
             }
             let next: Vec<T> = newton
                 .scalars

@@ -33,6 +33,7 @@ pub(super) fn calibrate(program: &mut Program) {
             newton.limits = Limits {
                 size: newton.sides.iter().map(|&side| length(side)).sum(),
                 reach: newton.columns.iter().map(|column| norm(column)).product(),
+                det: det(newton).abs(),
                 positive: det(newton) > 0.0,
             };
         }

@@ -39,6 +39,9 @@ pub struct Choice {
     pub watching: Option<Watching>,
     /// Whether it was proved to close wherever the motors may go, so that nothing has to be tested.
     pub proved: bool,
+    /// Whether the pins that its dyad joins come so near each other that rounding stretches its links, unless their directions are
+    /// brought back to length one.
+    pub pins_near: bool,
     /// On which side its dyad lies at the start, where the start itself does not tell.
     pub side: Option<bool>,
 }
@@ -64,6 +67,7 @@ impl Choice {
             predictor: 0,
             watching: None,
             proved: false,
+            pins_near: false,
             side: None,
         }
     }

@@ -46,6 +46,7 @@ fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
                 .chain(columns.copied())
                 .chain([newton.det])
                 .chain(newton.extent)
+                .chain(newton.contracting())
                 .collect()
         }
     }

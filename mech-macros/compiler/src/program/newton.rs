@@ -25,6 +25,9 @@ pub struct Newton {
     pub dense: bool,
     /// The vectors that the way round is made of, and where they begin: their lengths tell the loop's size.
     pub sides: Vec<[Value; 2]>,
+    /// The square of a round's step, angles in radians and lengths as parts of the loop's size, where the determinant's sign does
+    /// not tell all assemblies apart: a step that is not followed by a much smaller one may end in another of them.
+    pub step: Option<Value>,
     /// How far it has grown beyond that size, where something slides: the lengths that are not fixed.
     pub extent: Option<Value>,
     /// How many rounds.
@@ -33,6 +36,15 @@ pub struct Newton {
     pub linear: bool,
     /// What a result must satisfy.
     pub limits: Limits,
+}
+
+impl Newton {
+    /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
+    #[must_use]
+    pub fn contracting(&self) -> Option<Value> {
+        self.step
+            .filter(|_| !matches!(self.rounds, Rounds::Exactly(0 | 1)))
+    }
 }
 
 /// A scalar that is iterated.
@@ -64,6 +76,8 @@ pub struct Limits {
     pub size: f64,
     /// The product of the lengths of the two columns: the determinant is at most this, times a sine.
     pub reach: f64,
+    /// The absolute value of the determinant.
+    pub det: f64,
     /// Whether the determinant is positive at the start. It stays so: it changes its sign at a dead point only.
     pub positive: bool,
 }
@@ -79,7 +93,7 @@ impl Newton {
     /// first leaves no more than a thousandth of the loop's size, and each further one squares what is left.
     #[must_use]
     pub fn accept(&self, epsilon: f64) -> f64 {
-        let rounding = 64.0 * epsilon;
+        let rounding = 16.0 * epsilon;
         match self.rounds {
             Rounds::UntilClosed(_) => rounding,
             Rounds::Exactly(_) if self.linear => LINEAR_GAP,
@@ -90,9 +104,13 @@ impl Newton {
         }
     }
 
-    /// The least determinant, its sign that of the start: a result below it is beyond a dead point or too near one.
+    /// The least determinant, its sign that of the start: a result below it is beyond a dead point or too near one. What is
+    /// iterated for want of a closed form stays as far from it as rounding shifts a root: there it can still turn back.
     #[must_use]
     pub fn floor(&self, epsilon: f64) -> f64 {
-        64.0 * epsilon * self.limits.reach
+        match self.contracting() {
+            None => 64.0 * epsilon * self.limits.reach,
+            Some(_) => 4.0 * epsilon.sqrt() * self.limits.det,
+        }
     }
 }

@@ -21,6 +21,8 @@ pub(super) struct System {
     pub(super) sides: Vec<[Value; 2]>,
     /// How far it has grown, where something slides.
     pub(super) extent: Option<Value>,
+    /// For each unknown whether it is an angle, where the determinant's sign does not tell all assemblies apart.
+    pub(super) angles: Option<Vec<bool>>,
 }
 
 impl Writer<'_> {
@@ -258,6 +260,7 @@ impl Writer<'_> {
                 .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
                 .collect(),
             extent: self.extent(equation, &now),
+            angles: (equation.rings.len() > 1).then(|| now.iter().map(is_direction).collect()),
         };
         self.advance(block, &names, scalars, &now, system)
     }
@@ -292,9 +295,11 @@ impl Writer<'_> {
             columns,
             sides,
             extent,
+            angles,
         } = system;
         let (steps, det) = self.steps(block, &columns, &gap);
         let det = self.builder.name(det, "det");
+        let step = angles.map(|angles| self.step_square(&steps, &angles, &sides));
         let linear = self.choice().solver == Solver::Linear;
         let mut next = Vec::new();
         for ((now, step), name) in now.iter().zip(steps).zip(names) {
@@ -330,12 +335,30 @@ impl Writer<'_> {
             det,
             columns,
             sides,
+            step,
             extent,
             rounds,
             linear,
             limits: Limits::default(),
         };
         (newton, solution)
+    }
+
+    /// The square of a step.
+    fn step_square(&mut self, steps: &[Value], angles: &[bool], sides: &[[Value; 2]]) -> Value {
+        let size = self.size_at_start(sides);
+        let inverse = self.builder.constant(1.0 / size.max(f64::MIN_POSITIVE));
+        let mut sum = self.builder.constant(0.0);
+        for (step, is_angle) in steps.iter().zip(angles) {
+            let part = if *is_angle {
+                *step
+            } else {
+                self.builder.mul(inverse, *step)
+            };
+            let square = self.builder.mul(part, part);
+            sum = self.builder.add(sum, square);
+        }
+        sum
     }
 
     fn name_measure(&mut self, measure: &Measure<Value>, names: &[String]) {
@@ -466,4 +489,9 @@ impl Writer<'_> {
         });
         solved.collect()
     }
+}
+
+/// Whether an unknown is a direction.
+fn is_direction(unknown: &Solution<Value>) -> bool {
+    matches!(unknown, Solution::Direction(_))
 }

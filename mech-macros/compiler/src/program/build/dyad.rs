@@ -120,11 +120,17 @@ impl Writer<'_> {
         let (inside, outside) = (builder.sub(outer, square), builder.sub(square, inner));
         let slack = builder.mul(inside, outside);
         let slack = builder.name(slack, "discriminant");
-        // A gap of `g` at the outer dead point makes the discriminant −g · 2s · 4ab, with s = a + b; inside it is less.
+        // A gap of `g` makes the discriminant −g · 2d · 4ab at a dead point: at the outer with a distance d of s = a + b, at the
+        // inner of m = |a − b|. For all between, d is taken as the chord of the root of its square: (d² + sm) / (s + m).
         let product = builder.mul(a_length, b_length);
-        let floor = builder.mul(outer, product);
+        let least = builder.abs(difference);
+        let (both, within) = (builder.add(sum, least), builder.mul(sum, least));
         let tolerance = builder.constant(8.0 * TOLERANCE * self.model.precision.epsilon());
-        let floor = builder.mul(tolerance, floor);
+        let gap = builder.mul(tolerance, sum);
+        let scale = builder.mul(gap, product);
+        let scale = builder.div(scale, both);
+        let chord = builder.add(square, within);
+        let floor = builder.mul(scale, chord);
         let root = self.root(slack, choice);
         let signed = self.on_side(root, side);
         let [long, short, wide] =
@@ -162,7 +168,9 @@ impl Writer<'_> {
         let scale = builder.mul(two, product);
         let sine = builder.div(signed, scale);
         // Where rounding is let pass for closed, it must not stretch a link.
-        let apart = choice.watching.is_some() || self.far_apart(a_length, b_length, square);
+        let apart = choice.watching.is_some()
+            || choice.pins_near
+            || self.far_apart(a_length, b_length, square);
         let mut directions = [first, second].map(|direction| {
             if apart {
                 self.normalised(direction, "closed")
@@ -456,7 +464,7 @@ impl Writer<'_> {
     }
 
     /// The lengths at the start of what a loop is made of.
-    fn size_at_start(&self, sides: &[Vector]) -> f64 {
+    pub(super) fn size_at_start(&self, sides: &[Vector]) -> f64 {
         let length = |side: &Vector| {
             let [x, y] = side.map(|part| self.builder.at_start(part));
             x.hypot(y)

@@ -12,7 +12,7 @@ use super::builder::Builder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::{Op, Value};
-use super::{Choice, Position, Program, Watch};
+use super::{Block, BlockKind, Choice, Position, Program, Rounds, Watch};
 use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
     Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Placement, Plan, Pose, Rational,
@@ -68,7 +68,8 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
     writer.finish()
 }
 
-/// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster.
+/// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster; and that coupled
+/// loops which close at both ends are not likely to be open between.
 fn strides(model: &Model) -> Vec<f64> {
     let size = model.size();
     let stride = |motor: &crate::model::Motor| match model.joint(motor.joint).kind {
@@ -329,6 +330,11 @@ impl Writer<'_> {
             [cos, sin, x, y]
         });
         let start = builder.start().clone();
+        let leaps = |block: &Block| {
+            matches!(&block.kind, BlockKind::Newton(newton)
+                if newton.step.is_some() && matches!(newton.rounds, Rounds::UntilClosed(_)))
+        };
+        let follows = follows || builder.blocks.iter().any(leaps);
         let strides = follows.then(|| strides(model));
         let mut program = Program {
             name: model.name.clone(),

@@ -152,6 +152,12 @@ impl Writer<'_> {
                 .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
                 .collect(),
             extent: self.extent(equation, &full),
+            angles: Some(
+                tied.unknowns
+                    .iter()
+                    .map(|(_, index)| matches!(equation.unknowns[*index], Unknown::Direction(_)))
+                    .collect(),
+            ),
         };
         let (newton, solution) = self.advance(block, &names, scalars, &now, system);
         let mut kept = kept.into_iter();

@@ -97,6 +97,7 @@ impl Writer<'_> {
             columns: vec![Vec::new(); 3],
             sides: Vec::new(),
             extent: None,
+            angles: Some(vec![true, false, false]),
         };
         for leg in triad.legs {
             self.leg_equation(leg, &now, &mut system);
