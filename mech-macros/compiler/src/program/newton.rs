@@ -110,7 +110,7 @@ impl Newton {
     pub fn floor(&self, epsilon: f64) -> f64 {
         match self.contracting() {
             None => 64.0 * epsilon * self.limits.reach,
-            Some(_) => 4.0 * epsilon.sqrt() * self.limits.det,
+            Some(_) => 16.0 * epsilon.sqrt() * self.limits.det,
         }
     }
 }
