@@ -19,7 +19,7 @@ pub struct Blocked<M = [f64; 1]> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Cause {
-    /// The value given to this motor is not a finite number.
+    /// The value or rate given to this motor is not a finite number.
     NotFinite,
     /// This loop does not close beyond the motor values reached: there is a dead point, or, where a fixed number of Newton
     /// steps was chosen, the step is too long for it.
@@ -36,6 +36,8 @@ pub enum Cause {
     NoRoom,
     /// A coordinate would be beyond the range of the scalar type.
     Overflow,
+    /// This loop is at a dead point or a change point, where rates are not determined by those of the motors.
+    Singular,
 }
 
 /// How far a mechanism came that was moved as far as it goes.
@@ -84,6 +86,10 @@ impl<M: fmt::Debug> fmt::Display for Blocked<M> {
             Cause::OutOfRange => write!(f, "the value for motor `{place}` is outside its range"),
             Cause::NoRoom => write!(f, "there is no room left in the columns"),
             Cause::Overflow => write!(f, "a coordinate would be beyond the range of the numbers"),
+            Cause::Singular => write!(
+                f,
+                "the rates of the loop {place} are not determined at {reached:?}: it is at a dead point or a change point"
+            ),
         }
     }
 }

@@ -21,6 +21,7 @@ mod mechanism;
 mod pose;
 mod range;
 pub mod raster;
+mod rate;
 mod scalar;
 mod shape;
 
@@ -29,10 +30,11 @@ pub use columns::{BlockedAt, Columns};
 pub use cost::Cost;
 pub use mech_core::{Phase, Real};
 pub use mechanism::Mechanism;
-pub use nalgebra::{Isometry2, Point2};
+pub use nalgebra::{Isometry2, Point2, Vector2};
 pub use pose::Pose;
 pub use range::InRange;
 pub use raster::{Canvas, Frame, Palette, View};
+pub use rate::{Acceleration, Velocity};
 pub use scalar::Scalar;
 pub use shape::{Outline, Shape};
 

@@ -113,7 +113,10 @@ impl Cost {
             | Op::Last(_)
             | Op::Unknown(..)
             | Op::Solved(..)
-            | Op::Dense(..) => {}
+            | Op::Dense(..)
+            | Op::Rate(_)
+            | Op::Acceleration(_)
+            | Op::Linear(..) => {}
             // A remainder of whole numbers, and a part of a turn.
             Op::Turned(..) => {
                 cost.multiplications = 1;

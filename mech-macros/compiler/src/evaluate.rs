@@ -26,6 +26,19 @@ pub enum Stop {
     TooFar,
     /// A coordinate is beyond the range of the numbers.
     Overflow,
+    /// The rates of the loop with this number are not determined: it is at a dead point or a change point.
+    Singular(usize),
+    /// The program does not go on to rates.
+    Unasked,
+}
+
+/// How fast everything moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved<T> {
+    /// For each moving link its angular velocity, and the rates of x and y.
+    pub velocities: Vec<[T; 3]>,
+    /// For each moving link its angular acceleration, and the second rates of x and y, if the program goes on to them.
+    pub accelerations: Option<Vec<[T; 3]>>,
 }
 
 /// A mechanism that is moved by interpretation, in any precision, whatever the program was written for.
@@ -108,6 +121,27 @@ impl<'p, T: Real> Machine<'p, T> {
                 Ok(Some(halt.stop))
             }
         }
+    }
+
+    /// How fast everything moves where it is, if the motors move at these rates and second rates.
+    ///
+    /// # Errors
+    /// If a loop is at a dead point or a change point, where rates are not determined; if a rate is not finite; or if the
+    /// program does not go on to rates.
+    pub fn motion(&self, rates: &[T], accelerations: &[T]) -> Result<Moved<T>, Stop> {
+        let count = self.position.motors.len();
+        if rates.len() != count || accelerations.len() != count {
+            return Err(Stop::MotorCount);
+        }
+        let finite = |(rate, second): (&T, &T)| rate.is_finite() && second.is_finite();
+        if let Some(motor) = rates
+            .iter()
+            .zip(accelerations)
+            .position(|both| !finite(both))
+        {
+            return Err(Stop::NotFinite(motor));
+        }
+        self.runner.motion(&self.position, [rates, accelerations])
     }
 
     /// Exactly as the generated code's runtime does it.

@@ -44,6 +44,8 @@ pub struct Compiled {
     pub plan: Plan,
     /// The operations that move it.
     pub program: Program,
+    /// The operations that move it and go on to velocities, if these were asked for.
+    pub moving: Option<Program>,
     /// How each loop is solved, in the order in which they are closed.
     pub loops: Vec<Solved>,
     /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
@@ -64,6 +66,11 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         program,
         prediction,
     } = coherent(model, Depth::Whole)?;
+    let moving = program::build_moving(model, &plan, &program.choices).map(|moving| Program {
+        start: program.start.clone(),
+        range: program.range.clone(),
+        ..moving
+    });
     let loops = accuracy::solved(&program, prediction.as_ref());
     let found = (&program, &loops[..], prediction.as_ref());
     let report = report::report(model, &structure, &plan, found);
@@ -71,6 +78,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         structure,
         plan,
         program,
+        moving,
         loops,
         prediction,
         report,
@@ -323,7 +331,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
             &header,
             &places,
             &model,
-            (&compiled.plan, &compiled.program),
+            (&compiled.plan, &compiled.program, compiled.moving.as_ref()),
             &compiled.report,
         ),
         Err(diagnoses) => {

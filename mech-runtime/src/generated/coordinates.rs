@@ -1,6 +1,6 @@
 //! The functions that generated code uses, and the coordinates of joints.
 
-use crate::{Pose, Real, Scalar};
+use crate::{Acceleration, Pose, Real, Scalar, Velocity};
 
 /// The sine and the cosine of an angle in radians.
 #[inline]
@@ -50,4 +50,47 @@ pub fn slide<T: Scalar>(from: Axis<T>, to: Axis<T>) -> T {
     let ([a, b], [c, d]) = (from.0.apply(from.1), to.0.apply(to.1));
     let [x, y] = heading(from);
     (c - a) * x + (d - b) * y
+}
+
+/// The rate of the coordinate of a prismatic joint.
+pub fn slide_rate<T: Scalar>(
+    from: Axis<T>,
+    at_start: Velocity<T>,
+    to: Axis<T>,
+    at_end: Velocity<T>,
+) -> T {
+    let ([x, y], [p, q]) = (heading(from), span(from, to));
+    let ([a, b], [c, d]) = (
+        at_start.of_point(from.0, from.1),
+        at_end.of_point(to.0, to.1),
+    );
+    (c - a) * x + (d - b) * y + at_start.angular * (q * x - p * y)
+}
+
+/// The second rate of the coordinate of a prismatic joint.
+pub fn slide_acceleration<T: Scalar>(
+    from: Axis<T>,
+    (start_rate, start): (Velocity<T>, Acceleration<T>),
+    to: Axis<T>,
+    (end_rate, end): (Velocity<T>, Acceleration<T>),
+) -> T {
+    let ([x, y], [p, q]) = (heading(from), span(from, to));
+    let turning = start_rate.angular;
+    let ([a, b], [c, d]) = (
+        start_rate.of_point(from.0, from.1),
+        end_rate.of_point(to.0, to.1),
+    );
+    let ([e, f], [g, h]) = (
+        start.of_point(from.0, turning, from.1),
+        end.of_point(to.0, end_rate.angular, to.1),
+    );
+    let across = (d - b) * x - (c - a) * y;
+    (g - e) * x + (h - f) * y + turning * (across + across) + start.angular * (q * x - p * y)
+        - turning * turning * (p * x + q * y)
+}
+
+/// The way from the origin of an axis to that of another, in the scene.
+fn span<T: Scalar>(from: Axis<T>, to: Axis<T>) -> [T; 2] {
+    let ([a, b], [c, d]) = (from.0.apply(from.1), to.0.apply(to.1));
+    [c - a, d - b]
 }

@@ -90,7 +90,15 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> Course<T, MOTORS, WAT
 }
 
 /// A move under way.
-struct Way<'a, T: 'static, const M: usize, const L: usize, const K: usize, const W: usize, S> {
+pub(super) struct Way<
+    'a,
+    T: 'static,
+    const M: usize,
+    const L: usize,
+    const K: usize,
+    const W: usize,
+    S,
+> {
     course: &'a Course<T, M, W>,
     start: &'a Position<T, M, L, K>,
     target: Motors<T, M>,
@@ -105,7 +113,7 @@ where
     S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 {
     #[inline]
-    fn new(
+    pub(super) fn new(
         course: &'a Course<T, M, W>,
         start: &'a Position<T, M, L, K>,
         target: Motors<T, M>,
@@ -281,7 +289,7 @@ where
 /// The same where something may be in the way.
 #[cold]
 #[inline(never)]
-fn follow<T, const M: usize, const L: usize, const K: usize, const W: usize>(
+pub(super) fn follow<T, const M: usize, const L: usize, const K: usize, const W: usize>(
     position: &mut Position<T, M, L, K>,
     target: Motors<T, M>,
     course: &Course<T, M, W>,

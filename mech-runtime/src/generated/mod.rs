@@ -5,12 +5,15 @@ mod course;
 mod loops;
 mod many;
 mod position;
+mod rates;
 
+pub use crate::{Acceleration, BlockedAt, Columns, InRange, Vector2, Velocity};
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
 };
-pub use crate::{BlockedAt, Columns, InRange};
-pub use coordinates::{angle, atan2, greater, round, sin_cos, slide, sqrt};
+pub use coordinates::{
+    angle, atan2, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
+};
 pub use course::{Course, Watched, advance, approach};
 pub use loops::{closed, closes, solve};
 pub use many::{Anywhere, Sines, Within, least, move_many, solve_many};
@@ -19,6 +22,7 @@ pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::AtZero;
 pub use mech_core::motors::turned;
 pub use position::{Motors, Position};
+pub use rates::{Rates, advance_with, determined, finite, rates_at};
 
 use crate::{Cause, Scalar};
 

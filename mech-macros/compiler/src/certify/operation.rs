@@ -10,9 +10,14 @@ pub(super) fn natural(op: Op, get: impl Fn(Value) -> Interval) -> Option<Interva
         // A range is one of values with all their turns in them: there are none besides.
         Op::Turns(_) | Op::Turned(..) => Interval::ZERO,
         Op::Last(Slot::Pose(_, Part::Cos | Part::Sin)) => direction(),
-        Op::Motor(_) | Op::Last(_) | Op::Unknown(..) | Op::Solved(..) | Op::Dense(..) => {
-            return None;
-        }
+        Op::Motor(_)
+        | Op::Last(_)
+        | Op::Unknown(..)
+        | Op::Solved(..)
+        | Op::Dense(..)
+        | Op::Rate(_)
+        | Op::Acceleration(_)
+        | Op::Linear(..) => return None,
         Op::Neg(a) => -get(a),
         Op::Abs(a) => get(a).abs(),
         Op::Sqrt(a) => get(a).sqrt(),

@@ -278,7 +278,10 @@ impl<'p> Tape<'p> {
             | Op::Last(_)
             | Op::Unknown(..)
             | Op::Solved(..)
-            | Op::Dense(..) => return None,
+            | Op::Dense(..)
+            | Op::Rate(_)
+            | Op::Acceleration(_)
+            | Op::Linear(..) => return None,
         })
     }
 

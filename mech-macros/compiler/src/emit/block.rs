@@ -31,12 +31,55 @@ pub(super) fn statements(
             tokens.extend(iteration(program, block, newton, scope));
             solved = true;
         }
+        if let (Op::Linear(number, _), false) = (node.op, scope.is_bound(value)) {
+            tokens.extend(linear(program, number, scope));
+            continue;
+        }
         if scope.is_bound(value) || !(scope.deserves_name(value) || flow.gives.contains(&value)) {
             continue;
         }
         tokens.extend(binding(program, value, scope));
     }
     tokens
+}
+
+/// The unknowns and the determinant of a linear system.
+fn linear(program: &Program, number: usize, scope: &mut Scope<'_>) -> TokenStream {
+    let Some(system) = program
+        .motion
+        .as_ref()
+        .and_then(|motion| motion.systems.get(number))
+    else {
+        return TokenStream::new();
+    };
+    let rows: Vec<TokenStream> = (0..system.right.len())
+        .map(|row| {
+            let parts = system
+                .columns
+                .iter()
+                .map(|column| scope.expression(column[row]));
+            quote!([#(#parts),*])
+        })
+        .collect();
+    let right: Vec<TokenStream> = system
+        .right
+        .iter()
+        .map(|&right| scope.expression(right))
+        .collect();
+    let bound: Vec<Ident> = (0..=system.columns.len())
+        .map(|index| {
+            let wanted = Op::Linear(number, index);
+            let value = program
+                .live_values()
+                .find(|&value| program.node(value).op == wanted);
+            match value {
+                Some(value) => scope.bind(value),
+                None => scope.fresh("_unused"),
+            }
+        })
+        .collect();
+    let (unknowns, det) = bound.split_at(system.columns.len());
+    quote!(let ([#(#unknowns),*], #(#det)*) = solve([#(#rows),*], [#(-(#right)),*]);)
 }
 
 /// The `let` of a value; the sine and cosine of one angle are made together.

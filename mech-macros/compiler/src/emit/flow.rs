@@ -1,6 +1,6 @@
 //! What flows between blocks: which values each takes from earlier ones and gives to later ones.
 
-use crate::program::{BlockId, Op, Program, Slot, Value};
+use crate::program::{BlockId, Motion, Op, Program, Slot, Value};
 use std::collections::BTreeSet;
 
 /// What a block takes and gives.
@@ -14,6 +14,14 @@ pub(super) struct Flow {
     pub(super) links: Vec<usize>,
     /// Whether anything of the last position is read.
     pub(super) reads_last: bool,
+}
+
+/// Whether it is given from outside: something about a motor.
+pub(super) fn is_given(op: Op) -> bool {
+    matches!(
+        op,
+        Op::Motor(_) | Op::Turns(_) | Op::Turned(..) | Op::Rate(_) | Op::Acceleration(_)
+    )
 }
 
 /// The flow of every block.
@@ -32,7 +40,7 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
         }
         op => {
             let from = program.node(value).block;
-            if matches!(op, Op::Motor(_) | Op::Turns(_) | Op::Turned(..)) || from != by {
+            if is_given(op) || from != by {
                 takes[by.index()].insert(value);
             }
             if from != by {
@@ -62,19 +70,22 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
                 .for_each(|scalar| read(scalar.first, block));
         }
     }
+    for system in program.live_systems() {
+        let needed = system.columns.iter().flatten().chain(&system.right);
+        needed.for_each(|&value| read(value, system.block));
+    }
     let margins = program.margins().map(|(_, closed)| &closed.margin);
+    let rates: Vec<Value> = program.motion.iter().flat_map(Motion::roots).collect();
     for value in program
         .poses
         .iter()
         .flatten()
         .chain(&program.kept)
         .chain(margins)
+        .chain(&rates)
     {
         let node = program.node(*value);
-        if !matches!(
-            node.op,
-            Op::Constant(_) | Op::Last(_) | Op::Motor(_) | Op::Turns(_) | Op::Turned(..)
-        ) {
+        if !is_given(node.op) && !matches!(node.op, Op::Constant(_) | Op::Last(_)) {
             gives[node.block.index()].insert(*value);
         }
     }

@@ -2,6 +2,7 @@
 
 use super::block::scalar;
 use super::moves::{course, near, turn_to, within};
+use super::rates::RateItems;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
@@ -18,7 +19,7 @@ pub(crate) fn items(
     header: &Header,
     places: &Places,
     model: &Model,
-    (plan, program): (&Plan, &Program),
+    (plan, program, moving): (&Plan, &Program, Option<&Program>),
     report: &str,
 ) -> TokenStream {
     let Header {
@@ -41,12 +42,35 @@ pub(crate) fn items(
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
     let course = course(program, plan);
-    let turn_to = turn_to(model, program, visibility);
+    let rates = RateItems::new(krate, places, model, program, moving, visibility);
+    let turn_to = turn_to(model, program, visibility, &rates.rest);
     let near = near(program);
-    let within = within(program, visibility);
-    let many = super::many::many(program, plan, visibility);
+    let within = within(program, visibility, &rates.rest);
+    let many = super::many::many(program, plan, visibility, &rates.instance_rest);
     let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
     let imports = imports(krate, &scalar);
+    let RateItems {
+        fields,
+        at_rest,
+        rest,
+        instance_rest: _,
+        imports: rate_imports,
+        methods: rate_methods,
+        steps: rate_steps,
+    } = rates;
+    let move_to = rested(
+        quote!(advance(&mut self.position, Motors::new(motors), &COURSE, #near, step)),
+        &rest,
+    );
+    let move_toward = rested(
+        quote!(approach(
+            &mut self.position,
+            Motors::new(motors),
+            &COURSE,
+            step
+        )),
+        &rest,
+    );
     let implementation = implementation(krate, program, name);
     quote! {
         #(#attributes)*
@@ -56,6 +80,7 @@ pub(crate) fn items(
         )]
         #visibility struct #name {
             position: #krate::generated::Position<::core::primitive::#scalar, #(#sizes),*>,
+            #fields
         }
 
         const _: () = {
@@ -73,6 +98,7 @@ pub(crate) fn items(
             )]
             const _: () = {
             #imports
+            #rate_imports
 
             #shapes
 
@@ -94,7 +120,7 @@ pub(crate) fn items(
                 /// The mechanism as it was assembled at compile time.
                 #[must_use]
                 #visibility const fn new() -> Self {
-                    Self { position: START }
+                    Self { position: START, #at_rest }
                 }
 
                 /// The present values of the motors, in the order of their declaration, in radians or scene units.
@@ -110,7 +136,7 @@ pub(crate) fn items(
                 /// If a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it was.
                 #[inline]
                 #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
-                    advance(&mut self.position, Motors::new(motors), &COURSE, #near, step)
+                    #move_to
                 }
 
                 /// Moves towards these values of the motors, in radians or scene units, on the straight way from the present
@@ -121,7 +147,7 @@ pub(crate) fn items(
                 #visibility fn move_toward(&mut self, motors: [#scalar; #motors])
                     -> Result<Reached<[#scalar; #motors]>, Blocked<[#scalar; #motors]>>
                 {
-                    approach(&mut self.position, Motors::new(motors), &COURSE, step)
+                    #move_toward
                 }
 
                 #turn_to
@@ -129,6 +155,8 @@ pub(crate) fn items(
                 #within
 
                 #many
+
+                #rate_methods
 
                 /// The poses of the moving links in the scene, in the order of their declaration.
                 #[must_use]
@@ -153,8 +181,22 @@ pub(crate) fn items(
             #implementation
 
             #step
+
+            #rate_steps
             };
         };
+    }
+}
+
+/// A move; after it everything rests, if there are rates.
+pub(super) fn rested(moved: TokenStream, rest: &TokenStream) -> TokenStream {
+    if rest.is_empty() {
+        return moved;
+    }
+    quote! {
+        let moved = #moved?;
+        #rest
+        Ok(moved)
     }
 }
 
@@ -308,7 +350,7 @@ pub(super) fn named_points(
 }
 
 /// The expression of a link's pose.
-fn pose(link: LinkId) -> TokenStream {
+pub(super) fn pose(link: LinkId) -> TokenStream {
     match link.index().checked_sub(1) {
         None => quote!(Pose::identity()),
         Some(index) => {
@@ -318,20 +360,37 @@ fn pose(link: LinkId) -> TokenStream {
     }
 }
 
-/// The unit and the expression of a joint's coordinate; a gear has none.
+/// Whether a joint turns, and the axes between which its coordinate is measured; a gear has none.
+pub(super) fn coordinate_axes(
+    model: &Model,
+    joint: crate::model::JointId,
+) -> Option<(bool, AxisId, AxisId)> {
+    let declared = model.joint(joint);
+    let (turns, a, b) = match declared.kind {
+        JointKind::Revolute(a, b) => (true, a, b),
+        JointKind::Prismatic(a, b) => (false, a, b),
+        _ => return None,
+    };
+    // A die is not kept: its pin is where it is.
+    let pin = |id: AxisId| {
+        let die = model.link(model.axis(id).link).die;
+        die.map_or(id, |(pin, _)| pin)
+    };
+    (!declared.hidden).then(|| (turns, pin(a), pin(b)))
+}
+
+/// The unit and the expression of a joint's coordinate.
 fn coordinate(
     model: &Model,
     program: &Program,
     joint: crate::model::JointId,
 ) -> Option<(&'static str, TokenStream)> {
-    if model.joint(joint).hidden {
-        return None;
-    }
+    let (turns, a, b) = coordinate_axes(model, joint)?;
     let motor = model.motor_of(joint);
-    let (unit, function, a, b) = match model.joint(joint).kind {
-        JointKind::Revolute(a, b) => ("radians, between −π and π", quote!(angle), a, b),
-        JointKind::Prismatic(a, b) => ("scene units", quote!(slide), a, b),
-        _ => return None,
+    let (unit, function) = if turns {
+        ("radians, between −π and π", quote!(angle))
+    } else {
+        ("scene units", quote!(slide))
     };
     if let Some(motor) = motor {
         let index = Literal::usize_unsuffixed(motor.index());
@@ -339,12 +398,7 @@ fn coordinate(
         return Some(("radians or scene units, as given to its motor", value));
     }
     let axis = |id: AxisId| {
-        // A die is not kept: its pin is where it is.
-        let pin = model
-            .link(model.axis(id).link)
-            .die
-            .map_or(id, |(pin, _)| pin);
-        let axis = model.axis(pin);
+        let axis = model.axis(id);
         let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
             .map(|value| number(program.precision, value));
         let pose = pose(axis.link);

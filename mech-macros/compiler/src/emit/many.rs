@@ -11,7 +11,12 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// The methods that solve many positions.
-pub(super) fn many(program: &Program, plan: &Plan, visibility: &syn::Visibility) -> TokenStream {
+pub(super) fn many(
+    program: &Program,
+    plan: &Plan,
+    visibility: &syn::Visibility,
+    rest: &TokenStream,
+) -> TokenStream {
     let (scalar, near) = (scalar(program), super::moves::near(program));
     let [motors, links] =
         [program.motors.len(), program.links.len()].map(Literal::usize_unsuffixed);
@@ -40,6 +45,16 @@ pub(super) fn many(program: &Program, plan: &Plan, visibility: &syn::Visibility)
     } else {
         // One by one.
         quote!(|_| (START.poses, -1.0))
+    };
+    let instance = if rest.is_empty() {
+        quote!(&mut instance.position)
+    } else {
+        quote! {
+            {
+                #rest
+                &mut instance.position
+            }
+        }
     };
     quote! {
         /// The poses of the links at many values of the motors, each as if it were moved there from where it is. Where
@@ -72,7 +87,7 @@ pub(super) fn many(program: &Program, plan: &Plan, visibility: &syn::Visibility)
                 instances,
                 motors,
                 #reach,
-                |instance| &mut instance.position,
+                |instance| #instance,
                 #kernel,
                 |instance, motors| instance.move_to(motors),
             )

@@ -1,6 +1,7 @@
 //! The methods that move a mechanism, and what they know beforehand.
 
 use super::block::scalar;
+use super::items::rested;
 use super::many::reach;
 use super::scope::{ident, number};
 use super::step::takes_sines;
@@ -98,7 +99,11 @@ fn bound(precision: Precision, end: f64) -> TokenStream {
 }
 
 /// The methods of a mechanism that was proved to move through its ranges.
-pub(super) fn within(program: &Program, visibility: &syn::Visibility) -> TokenStream {
+pub(super) fn within(
+    program: &Program,
+    visibility: &syn::Visibility,
+    rest: &TokenStream,
+) -> TokenStream {
     if program.range.is_none() {
         return TokenStream::new();
     }
@@ -131,6 +136,7 @@ pub(super) fn within(program: &Program, visibility: &syn::Visibility) -> TokenSt
         #[inline]
         #visibility fn move_within(&mut self, motors: InRange<Self, [#scalar; #motors]>) {
             #body
+            #rest
         }
     }
 }
@@ -140,6 +146,7 @@ pub(super) fn turn_to(
     model: &Model,
     program: &Program,
     visibility: &syn::Visibility,
+    rest: &TokenStream,
 ) -> TokenStream {
     let turns = |motor: &Motor| matches!(model.joint(motor.joint).kind, JointKind::Revolute(..));
     if !model.motors.iter().any(turns) {
@@ -167,6 +174,10 @@ pub(super) fn turn_to(
             values.push(quote!(#variable));
         }
     }
+    let advance = rested(
+        quote!(advance(&mut self.position, motors, &COURSE, #near, step)),
+        rest,
+    );
     let many = (program.motors.len() > 6).then(|| {
         quote!(#[allow(clippy::too_many_arguments, reason = "a mechanism has as many motors as it has")])
     });
@@ -180,7 +191,7 @@ pub(super) fn turn_to(
         #visibility fn turn_to(&mut self, #parameters) -> Result<(), Blocked<[#scalar; #count]>> {
             let mut motors = Motors::new([#(#values),*]);
             #phases
-            advance(&mut self.position, motors, &COURSE, #near, step)
+            #advance
         }
     }
 }

@@ -46,7 +46,9 @@ enum Binding {
 }
 
 /// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 17] = [
+const OUTER: [&str; 19] = [
+    "determined",
+    "rates",
     "before",
     "contracts",
     "before_first",
@@ -192,7 +194,10 @@ impl<'p> Scope<'p> {
             | Op::Turned(..)
             | Op::Unknown(..)
             | Op::Solved(..)
-            | Op::Dense(..) => (quote!(()), Binding::Atom),
+            | Op::Dense(..)
+            | Op::Rate(_)
+            | Op::Acceleration(_)
+            | Op::Linear(..) => (quote!(()), Binding::Atom),
         }
     }
 
@@ -286,6 +291,12 @@ pub(super) fn uses(program: &Program, block: BlockId) -> BTreeMap<Value, usize> 
         .filter(|&value| program.node(value).block == block)
     {
         program.node(value).op.operands().for_each(&mut count);
+    }
+    for system in program.live_systems() {
+        if system.block == block {
+            let needed = system.columns.iter().flatten().chain(&system.right);
+            needed.copied().for_each(&mut count);
+        }
     }
     if let Some(newton) = program.newton(block) {
         // The gap and the determinant leave the iteration; what follows a round is read once.

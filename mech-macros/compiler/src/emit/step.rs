@@ -2,8 +2,9 @@
 
 use super::block::{function, scalar, statements};
 use super::flow::flows;
+use super::motion::{given_rates, moved, step_with};
 use super::scope::{Scope, ident, uses};
-use crate::program::{BlockId, BlockKind, Op, Program, Value};
+use crate::program::{BlockId, BlockKind, Motion, Op, Program, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
@@ -24,7 +25,13 @@ pub(super) fn step(program: &Program) -> TokenStream {
     if takes_sines(program) {
         scope.take_sines_from(quote!(S::sin_cos));
     }
-    let motors = motors(program, &mut scope);
+    let mut motors = motors(program, &mut scope);
+    motors.extend(given_rates(program, &mut scope));
+    let suffix = if program.motion.is_some() {
+        "_with"
+    } else {
+        ""
+    };
     let mut functions = TokenStream::new();
     let mut body = TokenStream::new();
     let mut names = FunctionNames::default();
@@ -39,7 +46,8 @@ pub(super) fn step(program: &Program) -> TokenStream {
             body.extend(statements(program, block, flow, &mut scope));
             continue;
         }
-        let name = names.fresh(&program.blocks[block.index()].name);
+        let name = format!("{}{suffix}", program.blocks[block.index()].name);
+        let name = names.fresh(&name);
         functions.extend(function(program, block, &name, flow, &position));
         let last = flow.reads_last.then(|| quote!(last,));
         let takes: Vec<TokenStream> = flow
@@ -78,6 +86,7 @@ pub(super) fn step(program: &Program) -> TokenStream {
         .map(|(_, closed)| (scope.expression(closed.margin), &closed.place))
         .unzip();
     let result = quote!(Position { motors, poses: [#(#poses),*], kept: [#(#kept),*] });
+    let moved = program.motion.as_ref().map(|motion| moved(motion, &scope));
     let written = Written {
         motors,
         body,
@@ -85,7 +94,9 @@ pub(super) fn step(program: &Program) -> TokenStream {
         result,
         margins,
     };
-    let steps = if program.is_closed() {
+    let steps = if let Some(moved) = moved {
+        step_with(program, &written, &places, &moved)
+    } else if program.is_closed() {
         closed_step(program, &written, &places)
     } else {
         iterated_step(program, &written)
@@ -94,14 +105,14 @@ pub(super) fn step(program: &Program) -> TokenStream {
 }
 
 /// What a step is made of.
-struct Written {
-    motors: TokenStream,
-    body: TokenStream,
+pub(super) struct Written {
+    pub(super) motors: TokenStream,
+    pub(super) body: TokenStream,
     /// The parameter for the last position.
-    last: TokenStream,
+    pub(super) last: TokenStream,
     /// The new position.
-    result: TokenStream,
-    margins: Vec<TokenStream>,
+    pub(super) result: TokenStream,
+    pub(super) margins: Vec<TokenStream>,
 }
 
 /// A step whose loops are all in closed form: the position, whether or not they close, and a function that asks.
@@ -252,7 +263,9 @@ fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
         .flatten()
         .chain(&program.kept)
         .chain(program.margins().map(|(_, closed)| &closed.margin))
-        .for_each(|value| *all.entry(*value).or_insert(0) += 1);
+        .copied()
+        .chain(program.motion.iter().flat_map(Motion::roots))
+        .for_each(|value| *all.entry(value).or_insert(0) += 1);
     all
 }
 

@@ -28,6 +28,7 @@ pub(crate) fn stub(
     let motors = Literal::usize_unsuffixed(motors);
     let links = Literal::usize_unsuffixed(model.declared_links().count());
     let methods = accessors(krate, places, model, &scalar);
+    let rates = rates(krate, model, visibility, (&scalar, &links));
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
     let implementation = implementation(krate, header, &scalar, &motors);
@@ -85,6 +86,7 @@ pub(crate) fn stub(
                     loop {}
                 }
                 #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
+                #rates
                 #(
                     #visibility fn #names(&self) -> #types {
                         loop {}
@@ -144,6 +146,46 @@ fn implementation(
     }
 }
 
+/// The methods that velocities add.
+fn rates(
+    krate: &TokenStream,
+    model: &Model,
+    visibility: &syn::Visibility,
+    (scalar, links): (&TokenStream, &Literal),
+) -> TokenStream {
+    if !model.effects.velocity {
+        return TokenStream::new();
+    }
+    let (given, second) = if model.effects.acceleration {
+        (
+            quote!(, accelerations: [#scalar; MOTORS]),
+            quote! {
+                #visibility fn accelerations(&self) -> &[#krate::Acceleration<#scalar>; #links] {
+                    loop {}
+                }
+            },
+        )
+    } else {
+        (TokenStream::new(), TokenStream::new())
+    };
+    quote! {
+        #visibility fn move_with<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS], rates: [#scalar; MOTORS] #given)
+            -> ::core::result::Result<(), #krate::Blocked<[#scalar; MOTORS]>>
+        {
+            loop {}
+        }
+        #visibility fn velocities(&self) -> &[#krate::Velocity<#scalar>; #links] {
+            loop {}
+        }
+        #second
+        #visibility fn influences<const MOTORS: usize>(&self)
+            -> ::core::result::Result<[[#krate::Velocity<#scalar>; #links]; MOTORS], #krate::Blocked<[#scalar; MOTORS]>>
+        {
+            loop {}
+        }
+    }
+}
+
 /// The methods that read links, points and joints, each once, with what they give.
 fn accessors(
     krate: &TokenStream,
@@ -153,19 +195,31 @@ fn accessors(
 ) -> Vec<(proc_macro2::Ident, TokenStream)> {
     let isometry = quote!(#krate::Isometry2<#scalar>);
     let point = quote!(#krate::Point2<#scalar>);
+    let vector = quote!(#krate::Vector2<#scalar>);
+    let velocity = quote!(#krate::Velocity<#scalar>);
+    let acceleration = quote!(#krate::Acceleration<#scalar>);
     let mut methods: Vec<(proc_macro2::Ident, TokenStream)> = Vec::new();
+    let mut tell = |name: &str, origin, kinds: [TokenStream; 3], rate: &str| {
+        let [value, velocity, acceleration] = kinds;
+        methods.push((user_ident(name, places, origin), value));
+        if model.effects.velocity {
+            let name = format!("{name}_{rate}");
+            methods.push((user_ident(&name, places, origin), velocity));
+        }
+        if model.effects.acceleration {
+            let name = format!("{name}_acceleration");
+            methods.push((user_ident(&name, places, origin), acceleration));
+        }
+    };
     for id in model.declared_links() {
         let link = model.link(id);
-        methods.push((
-            user_ident(&link.name, places, link.origin),
-            isometry.clone(),
-        ));
+        let kinds = [isometry.clone(), velocity.clone(), acceleration.clone()];
+        tell(&link.name, link.origin, kinds, "velocity");
     }
     for (link, name, origin, _) in named_points(model) {
-        methods.push((
-            user_ident(&format!("{}_{name}", model.link(link).name), places, origin),
-            point.clone(),
-        ));
+        let kinds = [point.clone(), vector.clone(), vector.clone()];
+        let name = format!("{}_{name}", model.link(link).name);
+        tell(&name, origin, kinds, "velocity");
     }
     for joint in model.joints.iter().filter(|joint| {
         matches!(
@@ -173,10 +227,8 @@ fn accessors(
             JointKind::Revolute(..) | JointKind::Prismatic(..)
         ) && !joint.hidden
     }) {
-        methods.push((
-            user_ident(&joint.name, places, joint.origin),
-            scalar.clone(),
-        ));
+        let kinds = [scalar.clone(), scalar.clone(), scalar.clone()];
+        tell(&joint.name, joint.origin, kinds, "rate");
     }
     // What was declared twice is reported elsewhere: here each name may stand only once.
     let mut seen = Vec::new();

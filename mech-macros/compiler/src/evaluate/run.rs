@@ -1,8 +1,8 @@
 //! One step of a program: all its operations, one after the other.
 
-use super::Stop;
+use super::{Moved, Stop};
 use crate::program::{
-    BlockId, BlockKind, Closed, Newton, Op, Position, Program, Rounds, Slot, Value,
+    BlockId, BlockKind, Closed, Newton, Op, Position, Program, RateMargin, Rounds, Slot, Value,
 };
 use mech_core::Real;
 use mech_core::contraction::{before_first, contracts};
@@ -30,6 +30,65 @@ impl<'p> Runner<'p> {
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
     ) -> Result<Position<T>, Stop> {
+        let zero = vec![T::ZERO; motors.len()];
+        let values = self.values(last, (motors, turns), [&zero, &zero])?;
+        self.position(&values, (motors, turns))
+    }
+
+    /// What it finds of the rates of everything, at a position, from the rates of the motors.
+    pub(super) fn motion<T: Real>(
+        &self,
+        at: &Position<T>,
+        rates: [&[T]; 2],
+    ) -> Result<Moved<T>, Stop> {
+        let motion = self.program.motion.as_ref().ok_or(Stop::Unasked)?;
+        let values = self.values(at, (&at.motors, &at.turns), rates);
+        // What closed where it is and does not once more is at its limit.
+        let values = values.map_err(|stop| match stop {
+            Stop::Open(block) | Stop::DeadPoint(block) => Stop::Singular(self.number(block)),
+            other => other,
+        })?;
+        let get = |value: &Value| values[value.index()];
+        let regular = |margin: &RateMargin| get(&margin.margin) >= T::ZERO;
+        if let Some(first) = motion.margins.iter().position(|margin| !regular(margin)) {
+            return Err(Stop::Singular(first));
+        }
+        let all = |rates: &Vec<[Value; 3]>| -> Vec<[T; 3]> {
+            rates
+                .iter()
+                .map(|rates| rates.each_ref().map(get))
+                .collect()
+        };
+        let moved = Moved {
+            velocities: all(&motion.velocities),
+            accelerations: motion.accelerations.as_ref().map(all),
+        };
+        let mut numbers = moved
+            .velocities
+            .iter()
+            .chain(moved.accelerations.iter().flatten())
+            .flatten();
+        if numbers.all(|number| number.is_finite()) {
+            Ok(moved)
+        } else {
+            Err(Stop::Overflow)
+        }
+    }
+
+    /// Which loop a block closes.
+    fn number(&self, block: BlockId) -> usize {
+        let closed = self.program.closed(block).map(|closed| closed.number);
+        let newton = self.program.newton(block).map(|newton| newton.number);
+        closed.or(newton).unwrap_or_default()
+    }
+
+    /// All values of the program.
+    fn values<T: Real>(
+        &self,
+        last: &Position<T>,
+        (motors, turns): (&[T], &[i32]),
+        [rates, accelerations]: [&[T]; 2],
+    ) -> Result<Vec<T>, Stop> {
         let mut values = vec![T::from_f64(0.0); self.program.nodes.len()];
         let mut solved = vec![false; self.program.blocks.len()];
         let closes = |(block, closed): (BlockId, &Closed), values: &[T]| {
@@ -60,6 +119,9 @@ impl<'p> Runner<'p> {
                     turned(turns[motor], numerator, denominator)
                 }
                 Op::Last(slot) => read(last, slot),
+                Op::Rate(motor) => rates[motor],
+                Op::Acceleration(motor) => accelerations[motor],
+                Op::Linear(system, index) => self.linear(system, index, &values),
                 Op::Solved(block, index) => self.scalar(block, index, &values),
                 op => op
                     .apply(|value| values[value.index()])
@@ -69,6 +131,14 @@ impl<'p> Runner<'p> {
         for margin in self.program.margins() {
             closes(margin, &values)?;
         }
+        Ok(values)
+    }
+
+    fn position<T: Real>(
+        &self,
+        values: &[T],
+        (motors, turns): (&[T], &[i32]),
+    ) -> Result<Position<T>, Stop> {
         let get = |value: &Value| values[value.index()];
         let poses: Vec<[T; 4]> = self
             .program
@@ -89,6 +159,20 @@ impl<'p> Runner<'p> {
             poses,
             kept,
         })
+    }
+
+    /// An unknown of a linear system, or after these its determinant.
+    fn linear<T: Real>(&self, system: usize, index: usize, values: &[T]) -> T {
+        let Some(system) = self
+            .program
+            .motion
+            .as_ref()
+            .and_then(|motion| motion.systems.get(system))
+        else {
+            return T::ZERO;
+        };
+        let (unknowns, det) = self::solved(&system.columns, &system.right, values);
+        unknowns.get(index).copied().unwrap_or(det)
     }
 
     /// The present value of an unknown: it stands in the place of the node that reads it inside the iteration.
@@ -177,16 +261,15 @@ impl<'p> Runner<'p> {
 
 /// Solves the system of coupled loops: columns times steps is what is missing.
 fn system<T: Real>(newton: &Newton, values: &[T]) -> (Vec<T>, T) {
+    solved(&newton.columns, &newton.gap, values)
+}
+
+/// Solves a linear system: the columns times the unknowns and the right side add to zero.
+fn solved<T: Real>(columns: &[Vec<Value>], right: &[Value], values: &[T]) -> (Vec<T>, T) {
     let get = |value: &Value| values[value.index()];
-    let row = |row: usize| -> Vec<T> {
-        newton
-            .columns
-            .iter()
-            .map(|column| get(&column[row]))
-            .collect()
-    };
-    let mut rows: Vec<Vec<T>> = (0..newton.gap.len()).map(row).collect();
-    let mut steps: Vec<T> = newton.gap.iter().map(|gap| -get(gap)).collect();
+    let row = |row: usize| -> Vec<T> { columns.iter().map(|column| get(&column[row])).collect() };
+    let mut rows: Vec<Vec<T>> = (0..right.len()).map(row).collect();
+    let mut steps: Vec<T> = right.iter().map(|right| -get(right)).collect();
     let det = solve(&mut rows, &mut steps);
     (steps, det)
 }

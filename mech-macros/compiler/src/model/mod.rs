@@ -4,12 +4,14 @@
 //! maps back to where it was declared.
 
 mod edit;
+mod effects;
 mod id;
 mod joint;
 mod link;
 mod start;
 
 pub use edit::Edit;
+pub use effects::Effects;
 pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
@@ -112,6 +114,8 @@ pub struct Model {
     pub change_points: AtChangePoints,
     /// What is let pass.
     pub allow: Allowances,
+    /// What is computed beyond positions.
+    pub effects: Effects,
 }
 
 /// What is let pass that is otherwise an error.
@@ -142,6 +146,7 @@ impl Model {
             target: Target::default(),
             change_points: AtChangePoints::default(),
             allow: Allowances::default(),
+            effects: Effects::default(),
         }
     }
 

@@ -172,6 +172,28 @@ impl<S: Copy + PartialEq> Equation<S> {
         }
     }
 
+    /// The equation of other quantities of the same kind, such as the rates of these.
+    pub(crate) fn map(&self, mut other: impl FnMut(S) -> S) -> Self {
+        let mut both = |v: [S; 2]| v.map(&mut other);
+        let rings = self.rings.iter().map(|ring| Ring {
+            offset: both(ring.offset),
+            arms: ring.arms.iter().map(|arm| arm.map(&mut both)).collect(),
+            slides: ring
+                .slides
+                .iter()
+                .map(|slide| Slide {
+                    along: both(slide.along),
+                    ..*slide
+                })
+                .collect(),
+        });
+        Self {
+            rings: rings.collect(),
+            unknowns: self.unknowns.clone(),
+            classes: self.classes.clone(),
+        }
+    }
+
     /// Walks every ring with these values of the unknowns.
     pub(crate) fn measure<A: Algebra<Scalar = S>>(
         &self,

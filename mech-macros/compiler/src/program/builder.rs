@@ -73,7 +73,7 @@ impl Builder {
         self.current()
     }
 
-    fn current(&self) -> BlockId {
+    pub(super) fn current(&self) -> BlockId {
         BlockId(u32::try_from(self.blocks.len().saturating_sub(1)).unwrap_or(u32::MAX))
     }
 
@@ -181,6 +181,16 @@ impl Builder {
             (Some(size), Some(sign)) => self.constant(size.copysign(sign)),
             _ => self.make(Op::CopySign(size, sign)),
         }
+    }
+
+    /// What makes a value.
+    pub(super) fn op(&self, value: Value) -> Op {
+        self.nodes[value.index()].op
+    }
+
+    /// The value that this operation makes, if it was made.
+    pub(super) fn find(&self, op: Op) -> Option<Value> {
+        self.known.get(&op).copied()
     }
 
     pub(super) fn number(&self, value: Value) -> Option<f64> {

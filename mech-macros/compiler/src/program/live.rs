@@ -17,6 +17,7 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
         .chain(&program.kept)
         .copied()
         .chain(margins)
+        .chain(program.motion.iter().flat_map(super::Motion::roots))
         .collect();
     while let Some(value) = waiting.pop() {
         if std::mem::replace(&mut live[value.index()], true) {
@@ -24,6 +25,10 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
         }
         let op = program.nodes[value.index()].op;
         waiting.extend(op.operands());
+        if let (Op::Linear(system, _), Some(motion)) = (op, &program.motion) {
+            let system = &motion.systems[system];
+            waiting.extend(system.columns.iter().flatten().chain(&system.right));
+        }
         if let Op::Solved(block, _) = op {
             waiting.extend(iteration(&program.blocks, block));
         }

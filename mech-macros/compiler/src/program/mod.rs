@@ -7,16 +7,18 @@ mod calibrate;
 mod choice;
 mod closed;
 mod live;
+mod motion;
 mod newton;
 mod node;
 mod real;
 mod watch;
 
-pub use build::{build, build_as};
+pub use build::{build, build_as, build_moving};
 pub use choice::{Choice, Solver, Watching};
 pub use closed::Closed;
 pub use mech_core::Real;
 pub use mech_core::journey::AtZero;
+pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
 pub use watch::Watch;
@@ -52,6 +54,10 @@ pub struct Program {
     pub range: Option<Vec<[f64; 2]>>,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
+    /// The rates of everything, if this program goes on to them.
+    pub motion: Option<Motion>,
+    /// What was decided for each loop.
+    pub choices: Vec<Choice>,
     /// Which values anything depends on.
     pub live: Vec<bool>,
     /// The position in which the mechanism is assembled.
@@ -139,6 +145,16 @@ impl Program {
             BlockKind::Closed(closed) => Some(closed),
             BlockKind::Straight | BlockKind::Newton(_) => None,
         }
+    }
+
+    /// The linear systems of the motion that something depends on.
+    pub fn live_systems(&self) -> impl Iterator<Item = &System> {
+        let systems = self.motion.iter().flat_map(|motion| &motion.systems);
+        systems.enumerate().filter_map(|(number, system)| {
+            let is_of =
+                |value: Value| matches!(self.node(value).op, Op::Linear(of, _) if of == number);
+            self.live_values().any(is_of).then_some(system)
+        })
     }
 
     /// Whether a step that fails is subdivided: where loops are iterated until they close. A fixed number of rounds is a promise

@@ -95,6 +95,12 @@ pub enum Op {
     Solved(BlockId, usize),
     /// What a loop's dense system gives in a round: the steps of its unknowns, and after these its determinant.
     Dense(BlockId, usize),
+    /// The rate given to a motor, by its number.
+    Rate(usize),
+    /// The second rate given to a motor, by its number.
+    Acceleration(usize),
+    /// What a linear system of the motion, by its number, gives: its unknowns, and after these its determinant.
+    Linear(usize, usize),
     /// −a.
     Neg(Value),
     /// The absolute value.
@@ -136,7 +142,10 @@ impl Op {
             | Self::Last(_)
             | Self::Unknown(..)
             | Self::Solved(..)
-            | Self::Dense(..) => [None, None, None],
+            | Self::Dense(..)
+            | Self::Rate(_)
+            | Self::Acceleration(_)
+            | Self::Linear(..) => [None, None, None],
             Self::Neg(a)
             | Self::Abs(a)
             | Self::Sqrt(a)

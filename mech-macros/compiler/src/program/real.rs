@@ -14,7 +14,10 @@ impl Op {
             | Self::Last(_)
             | Self::Unknown(..)
             | Self::Solved(..)
-            | Self::Dense(..) => {
+            | Self::Dense(..)
+            | Self::Rate(_)
+            | Self::Acceleration(_)
+            | Self::Linear(..) => {
                 return None;
             }
             Self::Neg(a) => -get(a),

@@ -1,6 +1,7 @@
 //! A loop's iteration: the gap, its rates, and the next round's unknowns.
 
 use super::Writer;
+use super::rates::Closing;
 use crate::model::{Joint, JointKind, LinkId};
 use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
 use crate::program::choice::{Choice, MOST_ROUNDS, Solver};
@@ -42,7 +43,7 @@ impl Writer<'_> {
         let links: Vec<&str> = bases.iter().map(|&base| self.name_of(base)).collect();
         let name = format!("close_{}", links.join("_"));
         let title = format!("Loop {}, closed by {place}.", self.loops);
-        let block = self.builder.block(name, title);
+        let block = self.builder.block(name.clone(), title);
         let equation = Equation::new(&mut self.builder, &self.placement, closing);
         for ring in &equation.rings {
             self.builder.name_vector(ring.offset, "known");
@@ -58,6 +59,13 @@ impl Writer<'_> {
             for &base in &bases {
                 self.name_cluster(base);
             }
+            self.closings.push(Closing {
+                name,
+                place,
+                equation,
+                solution,
+                tied: None,
+            });
             return;
         }
         let triad = self.triad(closing);
@@ -68,7 +76,7 @@ impl Writer<'_> {
             (None, Some(triad)) => self.contract(block, triad, first),
             (None, None) => self.iterate(block, &equation, first),
         };
-        newton.place = place;
+        newton.place.clone_from(&place);
         newton.sides.extend(self.spots(closing));
         self.builder.leave();
         let solution = match (&tied, &triad) {
@@ -86,6 +94,13 @@ impl Writer<'_> {
         for &base in &bases {
             self.name_cluster(base);
         }
+        self.closings.push(Closing {
+            name,
+            place,
+            equation,
+            solution,
+            tied,
+        });
     }
 
     /// What was decided for the present loop.
@@ -373,7 +388,7 @@ impl Writer<'_> {
     }
 
     /// The steps of the unknowns that close the gap to first order, and the determinant.
-    fn steps(
+    pub(super) fn steps(
         &mut self,
         block: BlockId,
         columns: &[Vec<Value>],

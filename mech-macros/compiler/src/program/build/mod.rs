@@ -3,6 +3,8 @@
 mod closing;
 mod dyad;
 mod predictor;
+mod rates;
+mod tangent;
 mod tied;
 mod triad;
 mod turning;
@@ -31,6 +33,24 @@ pub fn build(model: &Model, plan: &Plan) -> Program {
 /// that the model says.
 #[must_use]
 pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
+    written(model, plan, choices).finish(Reach::Positions)
+}
+
+/// Writes the program that goes on from positions to rates, as far as effects ask for them.
+#[must_use]
+pub fn build_moving(model: &Model, plan: &Plan, choices: &[Choice]) -> Option<Program> {
+    let program = written(model, plan, choices).finish(Reach::Rates);
+    program.motion.is_some().then_some(program)
+}
+
+/// How far a program goes.
+#[derive(Clone, Copy, PartialEq)]
+enum Reach {
+    Positions,
+    Rates,
+}
+
+fn written<'m>(model: &'m Model, plan: &'m Plan, choices: &'m [Choice]) -> Writer<'m> {
     let shown = model.declared_links();
     let mut builder = Builder::new(Position {
         motors: plan.start.motors.clone(),
@@ -52,6 +72,9 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
         steady: None,
         follows: false,
         histories: Vec::new(),
+        closings: Vec::new(),
+        angles: Vec::new(),
+
         sources: vec![None; plan.sources.len()],
         meshes: 0,
         loops: 0,
@@ -65,7 +88,7 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
         }
     }
     writer.keep_senses();
-    writer.finish()
+    writer
 }
 
 /// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster; and that coupled
@@ -108,6 +131,10 @@ struct Writer<'m> {
     steady: Option<predictor::Steady>,
     /// Whether an angle is followed over whole turns.
     follows: bool,
+    /// The loops that were closed.
+    closings: Vec<rates::Closing>,
+    /// Angles between two directions that are followed over any number of turns.
+    angles: Vec<(Value, [[Value; 2]; 2])>,
     /// The histories of the present loop's unknowns, if its start is predicted.
     histories: Vec<predictor::History>,
 }
@@ -268,6 +295,7 @@ impl Writer<'_> {
         );
         let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
         let principal = self.builder.make(Op::Atan2(sin, cos));
+        self.angles.push((principal, [base, end]));
         self.follows = true;
         let kept = self.kept.len();
         let last = self.keep(start);
@@ -310,25 +338,30 @@ impl Writer<'_> {
         }
     }
 
-    fn finish(self) -> Program {
+    fn finish(mut self, reach: Reach) -> Program {
+        let shown: Vec<LinkId> = self.model.declared_links().collect();
+        let pose = |&link: &LinkId| {
+            let Pose {
+                direction: [cos, sin],
+                origin: [x, y],
+            } = self.placement.pose(link);
+            [cos, sin, x, y]
+        };
+        let poses: Vec<[Value; 4]> = shown.iter().map(pose).collect();
+        let motion = match reach {
+            Reach::Positions => None,
+            Reach::Rates => self.motion(&poses),
+        };
         let Self {
             model,
+            choices,
             builder,
-            placement,
             kept,
             watches,
             senses,
             follows,
             ..
         } = self;
-        let shown: Vec<LinkId> = model.declared_links().collect();
-        let poses = shown.iter().map(|&link| {
-            let Pose {
-                direction: [cos, sin],
-                origin: [x, y],
-            } = placement.pose(link);
-            [cos, sin, x, y]
-        });
         let start = builder.start().clone();
         let leaps = |block: &Block| {
             matches!(&block.kind, BlockKind::Newton(newton)
@@ -355,8 +388,10 @@ impl Writer<'_> {
                 .iter()
                 .map(|&link| model.link(link).name.clone())
                 .collect(),
-            poses: poses.collect(),
+            poses,
             kept,
+            motion,
+            choices: choices.to_vec(),
             live: Vec::new(),
             start,
         };

@@ -4,6 +4,7 @@ use super::Writer;
 use super::closing::System;
 use crate::model::LinkId;
 use crate::plan::{Algebra, Equation, Loop, Solution, Unknown};
+use crate::program::builder::Builder;
 use crate::program::newton::Newton;
 use crate::program::node::{BlockId, Op, Value};
 use num_traits::ToPrimitive;
@@ -24,6 +25,54 @@ pub(super) struct Tied {
     turns: Vec<Turn>,
     /// For each unknown its name, and the direction or slide of the equation that it is.
     unknowns: Vec<(String, usize)>,
+}
+
+impl Tied {
+    /// What each direction turns by besides the unknown angles: the direction's number, and what is known.
+    pub(super) fn known(&self) -> impl Iterator<Item = (usize, Value)> + '_ {
+        self.turns.iter().map(|turn| turn.known).enumerate()
+    }
+
+    /// The columns of the unknown angles and ways, from those of all directions and ways.
+    pub(super) fn columns(&self, builder: &mut Builder, all: &[Vec<Value>]) -> Vec<Vec<Value>> {
+        let column = |(place, (_, index)): (usize, &(String, usize))| {
+            if *index >= self.turns.len() {
+                return all[*index].clone();
+            }
+            let mut sum = vec![builder.constant(0.0); all[*index].len()];
+            for (direction, turn) in self.turns.iter().enumerate() {
+                for (_, part) in turn.parts.iter().filter(|(other, _)| *other == place) {
+                    let part = builder.constant(*part);
+                    for (sum, &rate) in sum.iter_mut().zip(&all[direction]) {
+                        let share = builder.mul(part, rate);
+                        *sum = builder.add(*sum, share);
+                    }
+                }
+            }
+            sum
+        };
+        self.unknowns.iter().enumerate().map(column).collect()
+    }
+
+    /// The rate of a direction or way of the equation, from those of the unknowns and of what is known.
+    pub(super) fn rate(
+        &self,
+        builder: &mut Builder,
+        (index, rates): (usize, &[Value]),
+        of_known: impl FnOnce(&mut Builder, Value) -> Value,
+    ) -> Value {
+        let Some(turn) = self.turns.get(index) else {
+            let place = self.unknowns.iter().position(|(_, own)| *own == index);
+            return place.map_or_else(|| builder.constant(0.0), |place| rates[place]);
+        };
+        let mut sum = of_known(builder, turn.known);
+        for (place, part) in &turn.parts {
+            let part = builder.constant(*part);
+            let share = builder.mul(part, rates[*place]);
+            sum = builder.add(sum, share);
+        }
+        sum
+    }
 }
 
 impl Writer<'_> {
@@ -122,29 +171,12 @@ impl Writer<'_> {
         let (scalars, now) = self.unknowns(block, firsts);
         let full = self.all_directions(tied, equation, &now);
         let measure = equation.measure(&mut self.builder, &full);
-        let mut columns: Vec<Vec<Value>> = Vec::new();
-        for (place, (_, index)) in tied.unknowns.iter().enumerate() {
-            let rows = measure
-                .rings
-                .iter()
-                .flat_map(|walk| [0, 1].map(|row| (walk, row)));
-            let column = rows.map(|(walk, row)| match equation.unknowns[*index] {
-                Unknown::Slide(_) => walk.columns[*index][row],
-                Unknown::Direction(_) => {
-                    let mut sum = self.builder.constant(0.0);
-                    for (direction, turn) in tied.turns.iter().enumerate() {
-                        for (_, part) in turn.parts.iter().filter(|(other, _)| *other == place) {
-                            let part = self.builder.constant(*part);
-                            let share = self.builder.mul(part, walk.columns[direction][row]);
-                            sum = self.builder.add(sum, share);
-                        }
-                    }
-                    sum
-                }
-            });
-            columns.push(column.collect());
-        }
         let walks = || measure.rings.iter();
+        let column = |unknown: usize| -> Vec<Value> {
+            walks().flat_map(|walk| walk.columns[unknown]).collect()
+        };
+        let all: Vec<Vec<Value>> = (0..full.len()).map(column).collect();
+        let columns = tied.columns(&mut self.builder, &all);
         let system = System {
             gap: walks().flat_map(|walk| walk.gap).collect(),
             columns,

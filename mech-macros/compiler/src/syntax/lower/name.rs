@@ -7,8 +7,12 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 19] = [
+const RESERVED: [&str; 23] = [
     "new",
+    "move_with",
+    "velocities",
+    "accelerations",
+    "influences",
     "move_to",
     "move_toward",
     "move_within",

@@ -1,0 +1,340 @@
+//! What the struct of a mechanism has more if velocities were asked for.
+
+use super::block::scalar;
+use super::items::{coordinate_axes, named_points, pose, user_ident};
+use super::motion::given;
+use super::scope::number;
+use super::step::{step, takes_sines};
+use crate::model::{AxisId, LinkId, Model};
+use crate::program::Program;
+use crate::syntax::Places;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// The parts of the generated code that velocities add; nothing without them.
+#[derive(Default)]
+pub(super) struct RateItems {
+    /// Fields of the struct.
+    pub(super) fields: TokenStream,
+    /// The same in its constructor.
+    pub(super) at_rest: TokenStream,
+    /// What a move without rates leaves behind.
+    pub(super) rest: TokenStream,
+    /// The same for another instance.
+    pub(super) instance_rest: TokenStream,
+    /// Imports of the generated code.
+    pub(super) imports: TokenStream,
+    /// Methods.
+    pub(super) methods: TokenStream,
+    /// The step that goes on to rates.
+    pub(super) steps: TokenStream,
+}
+
+/// What there is of rates.
+struct Kinds {
+    scalar: TokenStream,
+    links: Literal,
+    count: Literal,
+    second: bool,
+}
+
+impl RateItems {
+    /// What velocities add to a mechanism.
+    pub(super) fn new(
+        krate: &TokenStream,
+        places: &Places,
+        model: &Model,
+        program: &Program,
+        moving: Option<&Program>,
+        visibility: &syn::Visibility,
+    ) -> Self {
+        let Some(moving) = moving else {
+            return Self::default();
+        };
+        let kinds = Kinds {
+            scalar: scalar(program),
+            links: Literal::usize_unsuffixed(program.links.len()),
+            count: Literal::usize_unsuffixed(program.motors.len()),
+            second: model.effects.acceleration,
+        };
+        let Kinds { scalar, links, .. } = &kinds;
+        let mut items = Self {
+            fields: quote!(velocities: [#krate::Velocity<::core::primitive::#scalar>; #links],),
+            at_rest: quote!(velocities: [Velocity::ZERO; #links],),
+            rest: quote!(self.velocities = [Velocity::ZERO; #links];),
+            instance_rest: quote!(instance.velocities = [Velocity::ZERO; #links];),
+            imports: quote! {
+                #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
+                use #krate::generated::{
+                    Vector2, Velocity, advance_with, determined, finite, rates_at, slide_acceleration, slide_rate,
+                };
+            },
+            methods: methods(moving, &kinds, visibility),
+            steps: step(moving),
+        };
+        if kinds.second {
+            let zero = quote!([Acceleration::ZERO; #links]);
+            items.fields.extend(
+                quote!(accelerations: [#krate::Acceleration<::core::primitive::#scalar>; #links],),
+            );
+            items.at_rest.extend(quote!(accelerations: #zero,));
+            items.rest.extend(quote!(self.accelerations = #zero;));
+            items
+                .instance_rest
+                .extend(quote!(instance.accelerations = #zero;));
+            items
+                .imports
+                .extend(quote!(use #krate::generated::Acceleration;));
+        }
+        items
+            .methods
+            .extend(accessors(places, model, &kinds, visibility));
+        items
+    }
+}
+
+/// The methods that move it with rates.
+fn methods(moving: &Program, kinds: &Kinds, visibility: &syn::Visibility) -> TokenStream {
+    let Kinds {
+        scalar,
+        links,
+        count,
+        second,
+    } = kinds;
+    let [parameters, arguments] = given(moving);
+    let near_with = if takes_sines(moving) {
+        quote!(near_with)
+    } else {
+        quote!(step_with)
+    };
+    let checked = if *second {
+        quote!([rates, accelerations])
+    } else {
+        quote!([rates])
+    };
+    let pattern = if *second {
+        quote!((velocities, accelerations))
+    } else {
+        quote!(velocities)
+    };
+    let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
+    let still = second.then(|| quote!(, [0.0; #count]));
+    let first = if *second { quote!(.0) } else { quote!() };
+    let accelerations = second.then(|| {
+        quote! {
+            /// The accelerations of the moving links in the scene, in the order of their declaration.
+            #[must_use]
+            #visibility const fn accelerations(&self) -> &[Acceleration<#scalar>; #links] {
+                &self.accelerations
+            }
+        }
+    });
+    let sums = if *second {
+        "Gives the motors these values, rates and second rates"
+    } else {
+        "Gives the motors these values and rates"
+    };
+    let doc = format!(
+        " {sums}, in the order of their declaration, in radians or scene units and units of time, and moves everything accordingly."
+    );
+    quote! {
+        #[doc = #doc]
+        /// After a move without rates it rests.
+        ///
+        /// # Errors
+        /// If a value is not finite, a loop cannot be closed on the way there, or it is at a dead point or a change point there,
+        /// where rates are not determined; the mechanism then stays where it was.
+        #[inline]
+        #visibility fn move_with(&mut self, motors: [#scalar; #count], #parameters)
+            -> Result<(), Blocked<[#scalar; #count]>>
+        {
+            for rates in #checked {
+                if let Err(stop) = finite(rates, &COURSE.names) {
+                    return Err(self.position.refuse(stop));
+                }
+            }
+            let #pattern = advance_with(
+                &mut self.position,
+                Motors::new(motors),
+                &COURSE,
+                |last, motors| #near_with(last, motors, #arguments),
+                |last, motors| step_with(last, motors, #arguments),
+                step,
+            )?;
+            self.velocities = velocities;
+            #keep_second
+            Ok(())
+        }
+
+        /// The velocities of the moving links in the scene, in the order of their declaration.
+        #[must_use]
+        #visibility const fn velocities(&self) -> &[Velocity<#scalar>; #links] {
+            &self.velocities
+        }
+
+        #accelerations
+
+        /// The influence coefficients: for each motor, the velocities of the moving links if it alone moves, at a rate of one.
+        ///
+        /// # Errors
+        /// If the mechanism is at a dead point or a change point, where these are not determined.
+        #visibility fn influences(&self)
+            -> Result<[[Velocity<#scalar>; #links]; #count], Blocked<[#scalar; #count]>>
+        {
+            let mut influences = [[Velocity::ZERO; #links]; #count];
+            for (motor, influence) in influences.iter_mut().enumerate() {
+                let mut rates = [0.0; #count];
+                rates[motor] = 1.0;
+                let found = rates_at(&self.position, |last, motors| step_with(last, motors, rates #still));
+                match found {
+                    Ok(found) => *influence = found #first,
+                    Err(stop) => return Err(self.position.refuse(stop)),
+                }
+            }
+            Ok(influences)
+        }
+    }
+}
+
+/// The methods that tell the rates of links, points and joints.
+fn accessors(
+    places: &Places,
+    model: &Model,
+    kinds: &Kinds,
+    visibility: &syn::Visibility,
+) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    let scalar = &kinds.scalar;
+    let n = |value: f64| number(model.precision, value);
+    for id in model.declared_links() {
+        let (link, index) = (model.link(id), index(id));
+        let name = &link.name;
+        let mut tell = |what: &str, kind: TokenStream, rates: Ident| {
+            let method = user_ident(&format!("{name}_{what}"), places, link.origin);
+            let doc = format!(" The {what} of link `{name}` in the scene.");
+            tokens.extend(quote! {
+                #[doc = #doc]
+                #[must_use]
+                #visibility const fn #method(&self) -> #kind<#scalar> {
+                    self.#rates[#index]
+                }
+            });
+        };
+        tell("velocity", quote!(Velocity), format_ident!("velocities"));
+        if kinds.second {
+            tell(
+                "acceleration",
+                quote!(Acceleration),
+                format_ident!("accelerations"),
+            );
+        }
+    }
+    for (id, point, origin, [x, y]) in named_points(model) {
+        let (name, index, pose) = (&model.link(id).name, index(id), pose(id));
+        let at = [n(x), n(y)];
+        let mut tell = |what: &str, value: TokenStream| {
+            let method = user_ident(&format!("{name}_{point}_{what}"), places, origin);
+            let doc = format!(" The {what} of point `{point}` of link `{name}` in the scene.");
+            tokens.extend(quote! {
+                #[doc = #doc]
+                #[must_use]
+                #visibility fn #method(&self) -> Vector2<#scalar> {
+                    let [x, y] = #value;
+                    Vector2::new(x, y)
+                }
+            });
+        };
+        let [u, v] = &at;
+        tell(
+            "velocity",
+            quote!(self.velocities[#index].of_point(#pose, [#u, #v])),
+        );
+        if kinds.second {
+            let value = quote! {
+                self.accelerations[#index].of_point(#pose, self.velocities[#index].angular, [#u, #v])
+            };
+            tell("acceleration", value);
+        }
+    }
+    for joint in model.joint_ids() {
+        let Some(axes) = coordinate_axes(model, joint) else {
+            continue;
+        };
+        let (name, origin) = (&model.joint(joint).name, model.joint(joint).origin);
+        let mut tell = |what: &str, title: &str, second: bool| {
+            let method = user_ident(&format!("{name}_{what}"), places, origin);
+            let doc = format!(" The {title} of the coordinate of joint `{name}`.");
+            let value = joint_rate(model, axes, second);
+            tokens.extend(quote! {
+                #[doc = #doc]
+                #[must_use]
+                #visibility fn #method(&self) -> #scalar {
+                    #value
+                }
+            });
+        };
+        tell("rate", "rate", false);
+        if kinds.second {
+            tell("acceleration", "second rate", true);
+        }
+    }
+    tokens
+}
+
+/// The first or second rate of a joint's coordinate.
+fn joint_rate(
+    model: &Model,
+    (turns, from, to): (bool, AxisId, AxisId),
+    second: bool,
+) -> TokenStream {
+    let link = |axis: AxisId| model.axis(axis).link;
+    let field = if second {
+        quote!(accelerations)
+    } else {
+        quote!(velocities)
+    };
+    if turns {
+        let angular = |id: LinkId| match id.index() {
+            0 => quote!(0.0),
+            _ => {
+                let index = index(id);
+                quote!(self.#field[#index].angular)
+            }
+        };
+        let (from, to) = (angular(link(from)), angular(link(to)));
+        return quote!(#to - #from);
+    }
+    let end = |axis: AxisId| {
+        let id = link(axis);
+        let (axis, pose) = (model.axis(axis), pose(id));
+        let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
+            .map(|value| number(model.precision, value));
+        let (velocity, acceleration) = match id.index() {
+            0 => (quote!(Velocity::ZERO), quote!(Acceleration::ZERO)),
+            _ => {
+                let index = index(id);
+                (
+                    quote!(self.velocities[#index]),
+                    quote!(self.accelerations[#index]),
+                )
+            }
+        };
+        let rates = if second {
+            quote!((#velocity, #acceleration))
+        } else {
+            velocity
+        };
+        quote!((#pose, [#x, #y], [#along, #across]), #rates)
+    };
+    let function = if second {
+        quote!(slide_acceleration)
+    } else {
+        quote!(slide_rate)
+    };
+    let (from, to) = (end(from), end(to));
+    quote!(#function(#from, #to))
+}
+
+fn index(link: LinkId) -> Literal {
+    Literal::usize_unsuffixed(link.index().saturating_sub(1))
+}

@@ -1,0 +1,227 @@
+//! Velocities and accelerations: the program goes on from positions to the rates of everything, loop after loop.
+//!
+//! The rates of a loop's unknowns solve the linear system of its Newton step, with the rate of the gap that what is known
+//! leaves in the place of the gap; their second rates solve it again.
+
+use super::Writer;
+use super::tangent::Tangents;
+use super::tied::Tied;
+use crate::plan::{Algebra, Equation, Solution};
+use crate::program::node::{Op, Value};
+use crate::program::{BlockId, Motion, RateMargin, System};
+
+/// Links whose rates stand in one block.
+const MOST_LINKS: usize = 48;
+
+/// A loop that was closed.
+pub(super) struct Closing {
+    /// What its block is called.
+    pub(super) name: String,
+    /// The joints of the loop whose coordinates are unknown, for messages.
+    pub(super) place: String,
+    pub(super) equation: Equation<Value>,
+    /// Its directions and ways, in the order of the equation's unknowns.
+    pub(super) solution: Vec<Solution<Value>>,
+    /// How its directions follow from fewer angles, if rolling ties them.
+    pub(super) tied: Option<Tied>,
+}
+
+/// The linear system for the rates of a loop.
+struct Rates {
+    block: BlockId,
+    columns: Vec<Vec<Value>>,
+    /// What the columns times the rates must add to zero.
+    gap: Vec<Value>,
+    rates: Vec<Value>,
+}
+
+impl Writer<'_> {
+    /// Extends the program by the rates of all poses.
+    pub(super) fn motion(&mut self, poses: &[[Value; 4]]) -> Option<Motion> {
+        let effects = self.model.effects;
+        if !effects.velocity {
+            return None;
+        }
+        let mut tangents = Tangents::default();
+        for (angle, ends) in &self.angles {
+            tangents.is_angle(*angle, *ends);
+        }
+        let mut motion = Motion {
+            velocities: Vec::new(),
+            accelerations: None,
+            margins: Vec::new(),
+            systems: Vec::new(),
+        };
+        let closings = std::mem::take(&mut self.closings);
+        let mut solved = Vec::new();
+        for closing in &closings {
+            let title = format!("Rates of the loop that {} close.", closing.place);
+            let block = self.builder.block(format!("{}_rates", closing.name), title);
+            solved.push(self.rates(block, closing, &mut tangents, &mut motion));
+        }
+        motion.velocities = self.link_rates("velocities", poses, &mut tangents);
+        if effects.acceleration {
+            for (closing, rates) in closings.iter().zip(&solved) {
+                let title = format!("Second rates of the loop that {} close.", closing.place);
+                self.builder
+                    .block(format!("{}_second_rates", closing.name), title);
+                self.second_rates(rates, &mut tangents, &mut motion);
+            }
+            let mut accelerations = Vec::new();
+            for some in motion.velocities.chunks(MOST_LINKS) {
+                self.builder
+                    .block("accelerations".to_owned(), "Accelerations.".to_owned());
+                for rates in some {
+                    accelerations.push(rates.map(|rate| tangents.of(&mut self.builder, rate)));
+                }
+            }
+            motion.accelerations = Some(accelerations);
+        }
+        Some(motion)
+    }
+
+    fn link_rates(
+        &mut self,
+        name: &str,
+        poses: &[[Value; 4]],
+        tangents: &mut Tangents,
+    ) -> Vec<[Value; 3]> {
+        let mut rates = Vec::new();
+        for some in poses.chunks(MOST_LINKS) {
+            self.builder
+                .block(name.to_owned(), "Velocities.".to_owned());
+            for &[cos, sin, x, y] in some {
+                let turning = tangents.turning(&mut self.builder, [cos, sin]);
+                let [x, y] = tangents.of_vector(&mut self.builder, [x, y]);
+                rates.push([turning, x, y]);
+            }
+        }
+        rates
+    }
+
+    /// The rates of what a loop solves.
+    fn rates(
+        &mut self,
+        block: BlockId,
+        closing: &Closing,
+        tangents: &mut Tangents,
+        motion: &mut Motion,
+    ) -> Rates {
+        let Closing {
+            equation,
+            solution,
+            tied,
+            ..
+        } = closing;
+        let measure = equation.measure(&mut self.builder, solution);
+        // The way round is linear in what is known: its rate is the way round what changes.
+        let builder = &mut self.builder;
+        let moved = equation.map(|value| tangents.of(builder, value));
+        let moved = moved.measure(&mut self.builder, solution);
+        let mut gap: Vec<Value> = moved.rings.iter().flat_map(|walk| walk.gap).collect();
+        let column = |unknown: usize| -> Vec<Value> {
+            let walks = measure.rings.iter();
+            walks.flat_map(|walk| walk.columns[unknown]).collect()
+        };
+        let all: Vec<Vec<Value>> = (0..solution.len()).map(column).collect();
+        let columns = match tied {
+            None => all,
+            Some(tied) => {
+                for (direction, known) in tied.known() {
+                    let rate = tangents.of(&mut self.builder, known);
+                    for (gap, part) in gap.iter_mut().zip(&all[direction]) {
+                        let share = self.builder.mul(rate, *part);
+                        *gap = self.builder.add(*gap, share);
+                    }
+                }
+                tied.columns(&mut self.builder, &all)
+            }
+        };
+        let (rates, det) = self.solved_rates(block, (&columns, &gap), motion);
+        let most: f64 = columns.iter().map(|column| self.length(column)).product();
+        let least = 16.0 * self.model.precision.epsilon().sqrt() * most;
+        let least = self.builder.constant(least);
+        let size = self.builder.abs(det);
+        let margin = self.builder.sub(size, least);
+        motion.margins.push(RateMargin {
+            place: closing.place.clone(),
+            margin,
+        });
+        for (unknown, solution) in solution.iter().enumerate() {
+            let rate = match tied {
+                None => rates[unknown],
+                Some(tied) => tied.rate(&mut self.builder, (unknown, &rates), |builder, known| {
+                    tangents.of(builder, known)
+                }),
+            };
+            match *solution {
+                Solution::Direction(direction) => {
+                    tangents.set_turning(&mut self.builder, direction, rate);
+                }
+                Solution::Slide(way) => tangents.set(way, rate),
+            }
+        }
+        Rates {
+            block,
+            columns,
+            gap,
+            rates,
+        }
+    }
+
+    /// The second rates of what a loop solves.
+    fn second_rates(&mut self, rates: &Rates, tangents: &mut Tangents, motion: &mut Motion) {
+        let builder = &mut self.builder;
+        let mut gap: Vec<Value> = rates
+            .gap
+            .iter()
+            .map(|&gap| tangents.of(builder, gap))
+            .collect();
+        for (column, &rate) in rates.columns.iter().zip(&rates.rates) {
+            for (gap, &part) in gap.iter_mut().zip(column) {
+                let changed = tangents.of(builder, part);
+                let share = builder.mul(changed, rate);
+                *gap = builder.add(*gap, share);
+            }
+        }
+        let (second, _) = self.solved_rates(rates.block, (&rates.columns, &gap), motion);
+        for (&rate, second) in rates.rates.iter().zip(second) {
+            // What never moves is never faster.
+            if self.builder.number(rate).is_none() {
+                tangents.set(rate, second);
+            }
+        }
+    }
+
+    /// Solves the linear system of a loop, and gives its determinant.
+    fn solved_rates(
+        &mut self,
+        block: BlockId,
+        (columns, gap): (&[Vec<Value>], &[Value]),
+        motion: &mut Motion,
+    ) -> (Vec<Value>, Value) {
+        if columns.len() <= 3 {
+            return self.steps(block, columns, gap);
+        }
+        let system = motion.systems.len();
+        motion.systems.push(System {
+            block: self.builder.current(),
+            columns: columns.to_vec(),
+            right: gap.to_vec(),
+        });
+        let linear = |index| Op::Linear(system, index);
+        let rates = (0..columns.len()).map(|index| {
+            let rate = self.builder.make(linear(index));
+            self.builder.name(rate, "rate")
+        });
+        (rates.collect(), self.builder.make(linear(columns.len())))
+    }
+
+    /// How long a column is at the start.
+    fn length(&self, column: &[Value]) -> f64 {
+        let squares = column
+            .iter()
+            .map(|&part| self.builder.at_start(part).powi(2));
+        squares.sum::<f64>().sqrt()
+    }
+}

@@ -1,0 +1,46 @@
+//! How a mechanism moves: what extends a program if velocities were asked for.
+
+use super::node::{BlockId, Value};
+
+/// The rates of all poses, from those of the motors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// For each moving link its angular velocity, and the rates of x and y.
+    pub velocities: Vec<[Value; 3]>,
+    /// For each moving link its angular acceleration, and the second rates of x and y, if they were asked for.
+    pub accelerations: Option<Vec<[Value; 3]>>,
+    /// What must not be negative for the rates of a loop to be determined.
+    pub margins: Vec<RateMargin>,
+    /// The linear systems that are solved as a whole.
+    pub systems: Vec<System>,
+}
+
+/// A loop's test that it is not at a dead point or a change point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RateMargin {
+    /// The joints of the loop whose coordinates are unknown, for messages.
+    pub place: String,
+    /// The determinant's size, less what rounding may make of zero.
+    pub margin: Value,
+}
+
+/// A linear system of coupled loops.
+#[derive(Clone, Debug, PartialEq)]
+pub struct System {
+    /// The block in which it is solved.
+    pub block: BlockId,
+    /// For each unknown the rates of the gaps with it.
+    pub columns: Vec<Vec<Value>>,
+    /// What the columns times the unknowns must add to zero.
+    pub right: Vec<Value>,
+}
+
+impl Motion {
+    /// What is asked for.
+    pub fn roots(&self) -> impl Iterator<Item = Value> + '_ {
+        let accelerations = self.accelerations.iter().flatten().flatten();
+        let velocities = self.velocities.iter().flatten();
+        let margins = self.margins.iter().map(|margin| margin.margin);
+        velocities.chain(accelerations).copied().chain(margins)
+    }
+}

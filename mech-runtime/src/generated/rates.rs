@@ -1,0 +1,145 @@
+//! Moves that go on to the rates of everything.
+
+use super::course::{Way, follow};
+use super::{Course, Motors, Position, Stop};
+use crate::{Acceleration, Blocked, Cause, Real, Scalar, Velocity};
+use mech_core::journey;
+
+/// The rates of all links.
+pub trait Rates: Copy {
+    /// Whether all of them are finite.
+    fn is_finite(&self) -> bool;
+}
+
+impl<T: Scalar, const LINKS: usize> Rates for [Velocity<T>; LINKS] {
+    #[inline]
+    fn is_finite(&self) -> bool {
+        let sums = self.iter().map(|rate| rate.angular + rate.x + rate.y);
+        Real::is_finite(sums.fold(T::ZERO, |sum, rate| sum + rate))
+    }
+}
+
+impl<T: Scalar, const LINKS: usize> Rates for ([Velocity<T>; LINKS], [Acceleration<T>; LINKS]) {
+    #[inline]
+    fn is_finite(&self) -> bool {
+        let sums = self.1.iter().map(|rate| rate.angular + rate.x + rate.y);
+        let seconds = sums.fold(T::ZERO, |sum, rate| sum + rate);
+        self.0.is_finite() && Real::is_finite(seconds)
+    }
+}
+
+/// Tests that the rates of all loops are determined.
+///
+/// # Errors
+/// The first loop whose margin is negative or not a number.
+#[inline]
+pub fn determined<T: Scalar, const LOOPS: usize>(
+    margins: [T; LOOPS],
+    places: [&'static str; LOOPS],
+) -> Result<(), Stop> {
+    let passes = |margin: T| margin >= T::ZERO;
+    match margins.into_iter().position(|margin| !passes(margin)) {
+        None => Ok(()),
+        Some(first) => Err(Stop::new(
+            places.get(first).copied().unwrap_or_default(),
+            Cause::Singular,
+        )),
+    }
+}
+
+/// Tests that the rates of all motors are finite numbers.
+///
+/// # Errors
+/// The first motor of which one is not.
+#[inline]
+pub fn finite<T: Scalar, const M: usize>(
+    rates: [T; M],
+    names: &[&'static str; M],
+) -> Result<(), Stop> {
+    match rates.iter().position(|rate| !Real::is_finite(*rate)) {
+        None => Ok(()),
+        Some(motor) => Err(Stop::new(names[motor], Cause::NotFinite)),
+    }
+}
+
+/// Moves to the target and gives the rates there. `near` is the step for motor values within the course's reach, `far` that for
+/// any; `step` finds positions alone.
+///
+/// # Errors
+/// If a motor's value is not finite, something is in the way, or rates are not determined there; it then stays where it was.
+#[expect(
+    clippy::inline_always,
+    reason = "the half of it that is hot is a few comparisons around the step"
+)]
+#[inline(always)]
+pub fn advance_with<T, R, const M: usize, const L: usize, const K: usize, const W: usize>(
+    position: &mut Position<T, M, L, K>,
+    target: Motors<T, M>,
+    course: &Course<T, M, W>,
+    near: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
+    far: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
+    step: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+) -> Result<R, Blocked<[T; M]>>
+where
+    T: Scalar,
+    R: Rates,
+{
+    if target.is_within(course.reach)
+        && course.contains(&target)
+        && let Ok((mut there, rates)) = near(position, target)
+        && rates.is_finite()
+        && (!course.overflows || there.is_finite())
+    {
+        let way = Way::new(course, position, target, &step);
+        let free = W == 0 && course.senses.is_none() && course.strides.is_none();
+        if free || journey::is_clear(&way, position, &there, T::ONE) {
+            journey::Journey::note_sense(&way, &mut there);
+            *position = there;
+            return Ok(rates);
+        }
+    }
+    follow_with(position, target, course, &far, &step)
+}
+
+/// The same where something may be in the way.
+#[cold]
+#[inline(never)]
+fn follow_with<T, R, const M: usize, const L: usize, const K: usize, const W: usize>(
+    position: &mut Position<T, M, L, K>,
+    target: Motors<T, M>,
+    course: &Course<T, M, W>,
+    far: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
+    step: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+) -> Result<R, Blocked<[T; M]>>
+where
+    T: Scalar,
+    R: Rates,
+{
+    let start = *position;
+    follow(position, target, course, step)?;
+    rates_at(position, far).map_err(|stop| {
+        let reached = position.motors.total();
+        *position = start;
+        Blocked::new(stop.place, stop.cause, reached)
+    })
+}
+
+/// The rates where it is.
+///
+/// # Errors
+/// If they are not determined there, or not finite.
+pub fn rates_at<T, R, const M: usize, const L: usize, const K: usize>(
+    position: &Position<T, M, L, K>,
+    far: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
+) -> Result<R, Stop>
+where
+    T: Scalar,
+    R: Rates,
+{
+    match far(position, position.motors) {
+        Ok((_, rates)) if rates.is_finite() => Ok(rates),
+        Ok(_) => Err(Stop::new("", Cause::Overflow)),
+        // What closed where it is and does not once more is at its limit.
+        Err(stop) => Err(Stop::new(stop.place, Cause::Singular)),
+    }
+}

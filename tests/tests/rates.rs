@@ -1,0 +1,193 @@
+//! Velocities and accelerations: exact, held against finite differences of positions, on random mechanisms and on those of the
+//! zoo and the gallery.
+
+use mech_compiler::compile;
+use mech_compiler::evaluate::{Machine, Stop};
+use mech_compiler::model::{Effects, Method, Model, Precision};
+use mech_compiler::program::{Position, Program};
+use mech_compiler::syntax::parse;
+use mech_tests::{Dice, bodies, grow, size};
+
+/// A step of the time, in which motors move about a unit a unit.
+const STEP: f64 = 1e-3;
+
+fn cases() -> u64 {
+    std::env::var("MECH_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(200)
+}
+
+/// What was compared.
+#[derive(Debug, Default)]
+struct Seen {
+    compared: usize,
+    singular: usize,
+    /// The greatest error, as a part of what the differences explain.
+    worst: f64,
+}
+
+/// The pose numbers of all links, in a row: angles by their directions.
+fn numbers(position: &Position<f64>) -> Vec<[f64; 4]> {
+    position.poses.clone()
+}
+
+/// The positions at five equal steps of the time round now, if it moves through all of them.
+fn five(
+    program: &Program,
+    at: &Position<f64>,
+    (rates, seconds): (&[f64], &[f64]),
+    step: f64,
+) -> Option<[Vec<[f64; 4]>; 5]> {
+    let mut found = Vec::new();
+    for index in -2..=2 {
+        let time = f64::from(index) * step;
+        let motors: Vec<f64> = (0..rates.len())
+            .map(|motor| {
+                at.motors[motor] + rates[motor] * time + 0.5 * seconds[motor] * time * time
+            })
+            .collect();
+        let mut machine = Machine::new(program);
+        machine.put_back(at.clone());
+        machine.move_to(&motors).ok()?;
+        found.push(numbers(machine.position()));
+    }
+    found.try_into().ok()
+}
+
+/// First and second differences of fourth order.
+fn differences(f: [f64; 5], step: f64) -> [f64; 2] {
+    let [a, b, c, d, e] = f;
+    [
+        (a - 8.0 * b + 8.0 * d - e) / (12.0 * step),
+        (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * step * step),
+    ]
+}
+
+/// Angular and linear rates, first and second, by differences.
+fn by_differences(five: &[Vec<[f64; 4]>; 5], link: usize, step: f64) -> [[f64; 3]; 2] {
+    let part = |part: usize| differences(five.each_ref().map(|poses| poses[link][part]), step);
+    let [cos, sin, x, y] = [0, 1, 2, 3].map(part);
+    let [c, s, ..] = five[2][link];
+    // The angle's rates from those of its cosine and sine.
+    let turning = [c * sin[0] - s * cos[0], c * sin[1] - s * cos[1]];
+    [[turning[0], x[0], y[0]], [turning[1], x[1], y[1]]]
+}
+
+/// Compares rates with differences where the model has moved to.
+fn compare(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
+    let Ok(compiled) = compile(model) else {
+        return;
+    };
+    let moving = compiled.moving.expect("velocities were asked for");
+    let mut machine = Machine::<f64>::new(&moving);
+    let count = moving.motors.len();
+    for _ in 0..places {
+        let motors: Vec<f64> = machine
+            .position()
+            .motors
+            .iter()
+            .map(|motor| motor + dice.between(-0.7, 0.7))
+            .collect();
+        let _ = machine.move_toward(&motors);
+        let rates: Vec<f64> = (0..count).map(|_| dice.between(-1.0, 1.0)).collect();
+        let seconds: Vec<f64> = (0..count).map(|_| dice.between(-1.0, 1.0)).collect();
+        let at = machine.position().clone();
+        let moved = match machine.motion(&rates, &seconds) {
+            Ok(moved) => moved,
+            Err(Stop::Singular(_)) => {
+                seen.singular += 1;
+                continue;
+            }
+            Err(stop) => panic!("{}: {stop:?}", model.name),
+        };
+        let given = (&rates[..], &seconds[..]);
+        let fine = five(&compiled.program, &at, given, STEP);
+        let coarse = five(&compiled.program, &at, given, 2.0 * STEP);
+        let (Some(fine), Some(coarse)) = (fine, coarse) else {
+            // It is too near a limit to be moved both ways.
+            continue;
+        };
+        let accelerations = moved.accelerations.expect("accelerations were asked for");
+        for link in 0..moving.links.len() {
+            let (near, far) = (
+                by_differences(&fine, link, STEP),
+                by_differences(&coarse, link, 2.0 * STEP),
+            );
+            for (order, exact) in [moved.velocities[link], accelerations[link]]
+                .iter()
+                .enumerate()
+            {
+                for part in 0..3 {
+                    // The difference of two step lengths tells what the differences are worth, and rounding does.
+                    let truncation = (near[order][part] - far[order][part]).abs();
+                    let extent =
+                        size(model) + fine[2][link][2].abs() + fine[2][link][3].abs() + 1.0;
+                    let rounding =
+                        1e-12 * extent / STEP.powi(i32::try_from(order).unwrap_or(0) + 1);
+                    let most = truncation + rounding;
+                    let off = (near[order][part] - exact[part]).abs();
+                    assert!(
+                        off <= most,
+                        "{}, link {}, order {}, part {part}: {} exact, {} by differences, off by {off:e}, explained {most:e}",
+                        model.name,
+                        moving.links[link],
+                        order + 1,
+                        exact[part],
+                        near[order][part],
+                    );
+                    seen.worst = seen.worst.max(off / most);
+                    seen.compared += 1;
+                }
+            }
+        }
+    }
+}
+
+fn with_effects(model: &mut Model) {
+    model.effects = Effects {
+        velocity: true,
+        acceleration: true,
+    };
+}
+
+#[test]
+fn rates_of_random_mechanisms_are_those_of_their_positions() {
+    let mut seen = Seen::default();
+    for seed in 0..cases() {
+        let mut dice = Dice::new(seed);
+        let additions = 1 + dice.below(8);
+        let mut model = grow(&mut dice, additions).model;
+        with_effects(&mut model);
+        model.precision = Precision::F64;
+        if seed % 3 == 0 {
+            model.method = Some(Method::Newton);
+        }
+        compare(&model, &mut dice, 6, &mut seen);
+    }
+    println!("{seen:?}");
+    assert!(seen.compared > 20 * usize::try_from(cases()).unwrap_or(0));
+}
+
+#[test]
+fn rates_of_the_zoo_and_the_gallery_are_those_of_their_positions() {
+    let sources = [
+        include_str!("../../examples/src/gallery/andrews.rs"),
+        include_str!("../../examples/src/gallery/four_bar.rs"),
+        include_str!("../../examples/src/gallery/geared_piston.rs"),
+        include_str!("../../examples/src/gallery/jansen.rs"),
+        include_str!("../../examples/src/gallery/rocker_arm.rs"),
+        include_str!("../../examples/src/gallery/watt.rs"),
+        include_str!("zoo/rolling.rs"),
+        include_str!("zoo/special.rs"),
+    ];
+    let mut seen = Seen::default();
+    let mut dice = Dice::new(5);
+    for model in sources.into_iter().flat_map(bodies) {
+        let mut model = parse(model).model;
+        with_effects(&mut model);
+        compare(&model, &mut dice, 12, &mut seen);
+    }
+    println!("{seen:?}");
+    assert!(seen.compared > 1000);
+}
