@@ -169,6 +169,32 @@ pub use mech_macros::mechanism as expand_mechanism;
 ///
 /// `solve_many` finds many positions at once, into [`Columns`].
 ///
+/// # Effects
+///
+/// What is not asked for is not there: no field, no instruction, no method. With `effects { velocity; acceleration; }` (either, or
+/// both; accelerations bring velocities with them) `move_with` takes the rates and second rates of the motors besides their
+/// values, and the mechanism tells how everything moves: `crank_velocity()` of a link (a [`Velocity`]), `rod_small_end_velocity()`
+/// of a named point, `h_rate()` of a joint, the same with `acceleration`; `influences()` are the velocities for a rate of one of
+/// each motor alone. They are exact: every loop's rates solve the linear system that its positions come from. At a dead point or a
+/// change point, where they are not determined, `move_with` is an error, [`Cause::Singular`], not a large number. After a move
+/// without rates the mechanism rests.
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct Crank;
+///     ground { point o = (0, 0); }
+///     link crank { point shaft = (0, 0); point pin = (2, 0); }
+///     joint a = revolute(ground.o, crank.shaft);
+///     motor a;
+///     effects { velocity; acceleration; }
+/// }
+/// let mut crank = Crank::new();
+/// crank.move_with([0.0], [3.0], [0.0])?; // its value, its rate, its second rate
+/// assert_eq!(crank.crank_pin_velocity().y, 6.0);
+/// assert_eq!(crank.crank_pin_acceleration().x, -18.0); // towards the shaft
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
 /// # What is checked
 ///
 /// Names, kinds of axes and numbers; that everything is connected to the ground; that the motors take exactly the freedom

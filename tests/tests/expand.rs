@@ -76,3 +76,47 @@ fn a_mechanism_with_errors() {
         motor a;"
     ));
 }
+
+/// The four-bar of which effects are shown.
+const FOUR_BAR: &str = "struct FourBar;
+    ground { point a = (0, 0); point d = (4, 0); }
+    link crank { point a = (0, 0); point b = (1, 0); }
+    link coupler { point b = (0, 0); point c = (3.5, 0); }
+    link rocker { point d = (0, 0); point c = (3, 0); }
+    joint ja = revolute(ground.a, crank.a);
+    joint jb = revolute(crank.b, coupler.b);
+    joint jc = revolute(coupler.c, rocker.c);
+    joint jd = revolute(ground.d, rocker.d);
+    motor ja;
+    start { coupler near 50 deg; }";
+
+#[test]
+fn velocities_and_accelerations() {
+    let text = format!("{FOUR_BAR} effects {{ velocity; acceleration; }}");
+    let all = expansion(&text);
+    let start = all
+        .find("        /// Loop 1, closed by `jb`, `jc`, `jd`.\n        #[inline]\n        fn close_coupler_rocker_with")
+        .expect("a step that goes on to rates");
+    insta::assert_snapshot!(all.split_at(start).1);
+}
+
+/// What nobody asked for costs nothing: the step to a position is the same, token for token, whatever effects there are.
+#[test]
+fn the_step_to_a_position_never_knew_of_effects() {
+    let step = |effects: &str| {
+        let all = solving(&format!("{FOUR_BAR} {effects}"));
+        let end = all.find("        /// Loop 1, closed by `jb`, `jc`, `jd`.\n        #[inline]\n        fn close_coupler_rocker_with");
+        end.map_or(
+            all.trim_end_matches(['}', ';', ' ', '\n']).to_owned(),
+            |end| {
+                all[..end]
+                    .trim_end_matches(['}', ';', ' ', '\n'])
+                    .to_owned()
+            },
+        )
+    };
+    let alone = step("");
+    assert!(alone.contains("fn near("));
+    assert_eq!(step("effects { velocity; }"), alone);
+    assert_eq!(step("effects { velocity; acceleration; }"), alone);
+}

@@ -161,15 +161,12 @@ fn a_four_bar_has_the_rates_that_three_programs_agree_on() {
 
 #[test]
 fn slider_cranks_have_the_rates_that_three_programs_agree_on() {
-    const RATE: f64 = 1.581_262_768_306_862_5;
     let row = |degrees, x, a, coupler| Row {
         degrees,
         velocity: [x, 0.0],
         acceleration: [a, 0.0],
         coupler,
     };
-    let rate = 1.581_268_302_306_862_5_f64;
-    let _ = (RATE, rate);
     let rows = [
         row(
             0.0,

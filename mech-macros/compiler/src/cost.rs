@@ -214,6 +214,24 @@ impl Mul<u32> for Cost {
     }
 }
 
+impl Cost {
+    /// What is more than this.
+    #[must_use]
+    fn less(self, other: Self) -> Self {
+        Self {
+            additions: self.additions.saturating_sub(other.additions),
+            multiplications: self.multiplications.saturating_sub(other.multiplications),
+            divisions: self.divisions.saturating_sub(other.divisions),
+            square_roots: self.square_roots.saturating_sub(other.square_roots),
+            sine_cosine_pairs: self
+                .sine_cosine_pairs
+                .saturating_sub(other.sine_cosine_pairs),
+            arctangents: self.arctangents.saturating_sub(other.arctangents),
+            selections: self.selections.saturating_sub(other.selections),
+        }
+    }
+}
+
 impl Sum for Cost {
     fn sum<I: Iterator<Item = Self>>(costs: I) -> Self {
         costs.fold(Self::default(), Add::add)
@@ -224,6 +242,20 @@ impl Sum for Cost {
 #[must_use]
 pub fn of_program(program: &Program) -> Cost {
     of_blocks(program).into_iter().sum()
+}
+
+/// What it costs beyond a position to go on to rates.
+#[must_use]
+pub fn of_rates(program: &Program, moving: &Program) -> Cost {
+    let systems = moving
+        .live_systems()
+        .map(|system| Cost::dense(system.columns.len()));
+    let tests = moving.motion.iter().map(|motion| Cost {
+        selections: u32::try_from(motion.margins.len()).unwrap_or(0),
+        ..Cost::default()
+    });
+    let all: Cost = of_program(moving) + systems.chain(tests).sum();
+    all.less(of_program(program))
 }
 
 /// What each loop costs, in the order in which they are closed.

@@ -72,7 +72,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         ..moving
     });
     let loops = accuracy::solved(&program, prediction.as_ref());
-    let found = (&program, &loops[..], prediction.as_ref());
+    let found = (&program, moving.as_ref(), &loops[..], prediction.as_ref());
     let report = report::report(model, &structure, &plan, found);
     Ok(Compiled {
         structure,

@@ -8,8 +8,14 @@ use crate::program::Program;
 use crate::structure::{Rolling, Structure};
 use std::fmt::Write;
 
-/// What was found about a program: how its loops are solved, and how exact it will be, if that was predicted.
-type Found<'f> = (&'f Program, &'f [Solved], Option<&'f Prediction>);
+/// What was found about a program: what it becomes if it goes on to rates, how its loops are solved, and how exact it will be, if
+/// that was predicted.
+type Found<'f> = (
+    &'f Program,
+    Option<&'f Program>,
+    &'f [Solved],
+    Option<&'f Prediction>,
+);
 
 /// The report of a coherent mechanism.
 #[must_use]
@@ -25,7 +31,7 @@ fn write(
     model: &Model,
     structure: &Structure,
     plan: &Plan,
-    (program, loops, prediction): Found<'_>,
+    (program, moving, loops, prediction): Found<'_>,
 ) -> std::fmt::Result {
     let motors: Vec<JointId> = model.motors.iter().map(|motor| motor.joint).collect();
     writeln!(text, "{}", model.name)?;
@@ -64,7 +70,17 @@ fn write(
     if let Some(prediction) = prediction {
         writeln!(text, "  accuracy  {}", accuracy(model, prediction))?;
     }
-    writeln!(text, "  cost      {}", cost::of_program(program))
+    writeln!(text, "  cost      {}", cost::of_program(program))?;
+    if let Some(moving) = moving {
+        let kinds = if model.effects.acceleration {
+            "velocity and acceleration"
+        } else {
+            "velocity"
+        };
+        let more = cost::of_rates(program, moving);
+        writeln!(text, "  effects   {kinds}: {more} more")?;
+    }
+    Ok(())
 }
 
 /// How a loop is solved, and what that costs.

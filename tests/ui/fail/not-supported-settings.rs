@@ -17,7 +17,7 @@ mechanism! {
 
     motor a;
     start { a = 60 deg; coupler near 30 deg; }
-    effects { velocity; acceleration; }
+    effects { dynamics; }
     show rocker, coupler.right;
     certify;
     param length = 1.0 in 0.5 ..= 2.0;

@@ -29,7 +29,7 @@ pub(super) fn costs(
     (constants, associated)
 }
 
-fn literal(krate: &TokenStream, cost: Cost) -> TokenStream {
+pub(super) fn literal(krate: &TokenStream, cost: Cost) -> TokenStream {
     let [
         additions,
         multiplications,

@@ -1,10 +1,12 @@
 //! What the struct of a mechanism has more if velocities were asked for.
 
 use super::block::scalar;
+use super::costs::literal;
 use super::items::{coordinate_axes, named_points, pose, user_ident};
 use super::motion::given;
 use super::scope::number;
 use super::step::{step, takes_sines};
+use crate::cost;
 use crate::model::{AxisId, LinkId, Model};
 use crate::program::Program;
 use crate::syntax::Places;
@@ -86,6 +88,11 @@ impl RateItems {
                 .imports
                 .extend(quote!(use #krate::generated::Acceleration;));
         }
+        let cost = literal(krate, cost::of_rates(program, moving));
+        items.methods.extend(quote! {
+            /// How many operations more it takes to find the rates of everything with a position.
+            #visibility const RATES_COST: #krate::Cost = #cost;
+        });
         items
             .methods
             .extend(accessors(places, model, &kinds, visibility));

@@ -183,6 +183,11 @@ impl Builder {
         }
     }
 
+    /// What a value is called.
+    pub(super) fn name_of(&self, value: Value) -> Option<&str> {
+        self.nodes[value.index()].name.as_deref()
+    }
+
     /// What makes a value.
     pub(super) fn op(&self, value: Value) -> Op {
         self.nodes[value.index()].op

@@ -6,7 +6,7 @@
 use super::Writer;
 use super::tangent::Tangents;
 use super::tied::Tied;
-use crate::plan::{Algebra, Equation, Solution};
+use crate::plan::{Algebra, Equation, Solution, Unknown};
 use crate::program::node::{Op, Value};
 use crate::program::{BlockId, Motion, RateMargin, System};
 
@@ -138,6 +138,7 @@ impl Writer<'_> {
             }
         };
         let (rates, det) = self.solved_rates(block, (&columns, &gap), motion);
+        self.builder.name(det, "det");
         let most: f64 = columns.iter().map(|column| self.length(column)).product();
         let least = 16.0 * self.model.precision.epsilon().sqrt() * most;
         let least = self.builder.constant(least);
@@ -154,6 +155,12 @@ impl Writer<'_> {
                     tangents.of(builder, known)
                 }),
             };
+            let moving = match equation.unknowns[unknown] {
+                Unknown::Direction(base) => self.name_of(base),
+                Unknown::Slide(joint) => &self.model.joint(joint).name,
+            };
+            let moving = format!("{moving}_rate");
+            self.builder.name(rate, moving);
             match *solution {
                 Solution::Direction(direction) => {
                     tangents.set_turning(&mut self.builder, direction, rate);
@@ -188,6 +195,13 @@ impl Writer<'_> {
         for (&rate, second) in rates.rates.iter().zip(second) {
             // What never moves is never faster.
             if self.builder.number(rate).is_none() {
+                let name = self
+                    .builder
+                    .name_of(rate)
+                    .map(|name| format!("{name}_change"));
+                if let Some(name) = name {
+                    self.builder.name(second, name);
+                }
                 tangents.set(rate, second);
             }
         }

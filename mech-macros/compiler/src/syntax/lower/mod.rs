@@ -2,6 +2,7 @@
 
 mod constant;
 mod drawn;
+mod effect;
 mod joint;
 mod link;
 mod method;
@@ -31,6 +32,7 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.pass(&text.statements, Lowering::set);
     lowering.pass(&text.statements, Lowering::begin);
     lowering.check_unlisted();
+    lowering.claim_rate_methods();
     Parsed {
         motors: text.motors,
         header: text.header.map(|(header, _)| header),

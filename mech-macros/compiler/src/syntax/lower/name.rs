@@ -7,7 +7,8 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 23] = [
+const RESERVED: [&str; 24] = [
+    "RATES_COST",
     "new",
     "move_with",
     "velocities",
@@ -152,7 +153,7 @@ impl Lowering {
         self.claim_method(method, owner, Place::at(name.span()))
     }
 
-    fn claim_method(&mut self, method: String, owner: String, place: Place) -> bool {
+    pub(super) fn claim_method(&mut self, method: String, owner: String, place: Place) -> bool {
         if let Some((_, earlier)) = self
             .names
             .methods

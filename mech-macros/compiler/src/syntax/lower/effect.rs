@@ -1,0 +1,108 @@
+//! What is computed beyond positions, and the methods that tell it.
+
+use super::Lowering;
+use crate::model::{AxisKind, JointKind, LinkId, Origin};
+use crate::syntax::ast::Read;
+use crate::syntax::{Place, spelling};
+use proc_macro2::{Ident, Span};
+
+const EFFECTS: [&str; 2] = ["velocity", "acceleration"];
+/// Effects that are to come.
+const TO_COME: [&str; 4] = ["force", "dynamics", "trace", "sensitivity"];
+
+impl Lowering {
+    pub(super) fn lower_effects(&mut self, keyword: Span, effects: &[Read<Ident>]) {
+        self.single(keyword, "effects", "put everything into the first");
+        let mut listed: Vec<&Ident> = Vec::new();
+        for effect in effects {
+            self.report.next_item();
+            match effect {
+                Ok(effect) if listed.contains(&effect) => {
+                    let text = format!("`{effect}` is listed already; remove one of the two");
+                    self.report.tell(Place::at(effect.span()), text);
+                }
+                Ok(effect) => {
+                    listed.push(effect);
+                    self.lower_effect(effect);
+                }
+                Err(error) => self.report.pass_on(error.clone()),
+            }
+        }
+    }
+
+    fn lower_effect(&mut self, effect: &Ident) {
+        let text = effect.to_string();
+        let effects = &mut self.model.effects;
+        let message = match text.as_str() {
+            "velocity" => {
+                effects.velocity = true;
+                return;
+            }
+            // Accelerations are made from velocities.
+            "acceleration" => {
+                (effects.velocity, effects.acceleration) = (true, true);
+                return;
+            }
+            word if TO_COME.contains(&word) => format!("effect `{text}` is not supported yet"),
+            _ => format!(
+                "unknown effect `{text}`{}",
+                spelling::remedy(&text, &EFFECTS)
+            ),
+        };
+        self.report.tell(Place::at(effect.span()), message);
+    }
+
+    /// The methods that tell rates must not be called as others are.
+    pub(super) fn claim_rate_methods(&mut self) {
+        let (velocity, acceleration) =
+            (self.model.effects.velocity, self.model.effects.acceleration);
+        for (name, owner, origin, rate) in self.told() {
+            let rates = [(velocity, rate), (acceleration, "acceleration")];
+            for (_, what) in rates.into_iter().filter(|(wanted, _)| *wanted) {
+                let place = self.places.get(origin);
+                self.claim_method(
+                    format!("{name}_{what}"),
+                    format!("the {what} of {owner}"),
+                    place,
+                );
+            }
+        }
+    }
+
+    /// Everything that has a method of its own: its name, what it is, where it was declared, and what its rate is called.
+    fn told(&self) -> Vec<(String, String, Origin, &'static str)> {
+        let model = &self.model;
+        let links = model.declared_links().map(|id| {
+            let link = model.link(id);
+            (
+                link.name.clone(),
+                format!("link `{}`", link.name),
+                link.origin,
+                "velocity",
+            )
+        });
+        let points = model.axes.iter().filter_map(|axis| {
+            let name = axis.name.as_deref()?;
+            let is_told = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
+            let link = &model.link(axis.link).name;
+            let owner = format!("point `{link}.{name}`");
+            is_told.then(|| (format!("{link}_{name}"), owner, axis.origin, "velocity"))
+        });
+        let joints = model.joints.iter().filter(|joint| {
+            let moves = matches!(
+                joint.kind,
+                JointKind::Revolute(..) | JointKind::Prismatic(..)
+            );
+            moves && !joint.hidden
+        });
+        let joints = joints.map(|joint| {
+            (
+                joint.name.clone(),
+                format!("joint `{}`", joint.name),
+                joint.origin,
+                "rate",
+            )
+        });
+        links.chain(points).chain(joints).collect()
+    }
+}

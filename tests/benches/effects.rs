@@ -1,0 +1,89 @@
+//! What velocities and accelerations cost beside positions alone: the same exact four-bar, one process, interleaved rounds,
+//! medians. `cargo bench -p mech-tests --bench effects`
+#![allow(clippy::cast_precision_loss, reason = "small numbers")]
+
+mod common;
+
+use common::{Threshold, compare};
+use mech_runtime::mechanism;
+use std::hint::black_box;
+
+/// A four-bar: ground 4, crank 1, coupler 3.5, rocker 3.
+macro_rules! four_bar {
+    ($name:ident, $($effects:tt)*) => {
+        mechanism! {
+            struct $name;
+
+            ground { point crank_shaft = (0, 0); point rocker_shaft = (4, 0); }
+            link crank { point shaft = (0, 0); point pin = (1, 0); }
+            link coupler { point a = (0, 0); point b = (3.5, 0); }
+            link rocker { point shaft = (0, 0); point b = (3, 0); }
+
+            joint a = revolute(ground.crank_shaft, crank.shaft);
+            joint b = revolute(crank.pin, coupler.a);
+            joint c = revolute(coupler.b, rocker.b);
+            joint d = revolute(ground.rocker_shaft, rocker.shaft);
+
+            motor a;
+            start { coupler near 50 deg; }
+            $($effects)*
+        }
+    };
+}
+
+four_bar!(Position,);
+four_bar!(Fast, effects { velocity; });
+four_bar!(Faster, effects { velocity; acceleration; });
+
+/// How much of the last position goes into the next angle in a dependent sequence: too little to be seen.
+const PART: f64 = 1e-18;
+
+fn main() {
+    let angles: [f64; 360] = std::array::from_fn(|degree| (degree as f64).to_radians());
+    for dependent in [true, false] {
+        let part = if dependent { PART } else { 0.0 };
+        let how = if dependent {
+            "each after the last"
+        } else {
+            "independent"
+        };
+        let mut position = Position::new();
+        let mut alone = || {
+            for angle in black_box(&angles) {
+                let mechanism = black_box(&mut position);
+                let angle = angle + part * mechanism.poses()[2].sin;
+                assert!(mechanism.move_to([angle]).is_ok());
+            }
+        };
+        let mut fast = Fast::new();
+        compare(
+            &format!("velocity to position alone, {how}"),
+            ["velocity", "position"],
+            360.0,
+            Threshold::AtMost(1.7),
+            || {
+                for angle in black_box(&angles) {
+                    let mechanism = black_box(&mut fast);
+                    let angle = angle + part * mechanism.poses()[2].sin;
+                    assert!(mechanism.move_with([angle], [1.5]).is_ok());
+                }
+            },
+            &mut alone,
+        );
+        let mut faster = Faster::new();
+        compare(
+            &format!("velocity and acceleration to position alone, {how}"),
+            ["acceleration", "position"],
+            360.0,
+            Threshold::AtMost(2.7),
+            || {
+                for angle in black_box(&angles) {
+                    let mechanism = black_box(&mut faster);
+                    let angle = angle + part * mechanism.poses()[2].sin;
+                    assert!(mechanism.move_with([angle], [1.5], [0.7]).is_ok());
+                }
+            },
+            &mut alone,
+        );
+    }
+}
