@@ -195,6 +195,24 @@ impl Add for Cost {
     }
 }
 
+impl Cost {
+    /// What is left after the operations of another are taken off.
+    #[must_use]
+    pub fn without(self, other: Self) -> Self {
+        Self {
+            additions: self.additions.saturating_sub(other.additions),
+            multiplications: self.multiplications.saturating_sub(other.multiplications),
+            divisions: self.divisions.saturating_sub(other.divisions),
+            square_roots: self.square_roots.saturating_sub(other.square_roots),
+            sine_cosine_pairs: self
+                .sine_cosine_pairs
+                .saturating_sub(other.sine_cosine_pairs),
+            arctangents: self.arctangents.saturating_sub(other.arctangents),
+            selections: self.selections.saturating_sub(other.selections),
+        }
+    }
+}
+
 impl Mul<u32> for Cost {
     type Output = Self;
 

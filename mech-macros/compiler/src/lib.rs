@@ -25,6 +25,7 @@ pub mod syntax;
 mod walk;
 
 use accuracy::{Prediction, Solved};
+use cost::Cost;
 use evaluate::{Machine, Stop};
 use matched::Matched;
 use model::{JointId, JointKind, Model};
@@ -49,6 +50,8 @@ pub struct Compiled {
     /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
     /// motors are declared that move it.
     pub prediction: Option<Prediction>,
+    /// What it saves that only what is shown is computed, if something is left out.
+    pub saved: Option<Cost>,
     /// All of this in words.
     pub report: String,
 }
@@ -62,10 +65,12 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         structure,
         plan,
         program,
+        choices,
         prediction,
     } = coherent(model, Depth::Whole)?;
     let loops = accuracy::solved(&program, prediction.as_ref());
-    let found = (&program, &loops[..], prediction.as_ref());
+    let saved = saved(model, &plan, &program, &choices);
+    let found = (&program, &loops[..], prediction.as_ref(), saved);
     let report = report::report(model, &structure, &plan, found);
     Ok(Compiled {
         structure,
@@ -73,8 +78,23 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         program,
         loops,
         prediction,
+        saved,
         report,
     })
+}
+
+/// What it saves that only what is shown is computed.
+fn saved(model: &Model, plan: &Plan, program: &Program, choices: &[Choice]) -> Option<Cost> {
+    model.show.as_ref()?;
+    let everything = Model {
+        show: None,
+        ..model.clone()
+    };
+    let whole = program::build_as(&everything, plan, choices);
+    let saved = cost::of_program(&whole).without(cost::of_program(program));
+    let needed = program::needed(model, plan, &program.stored);
+    let all = needed.steps.iter().all(|needed| *needed);
+    (!all || saved != Cost::default()).then_some(saved)
 }
 
 /// Whether a mechanism compiles.
@@ -117,6 +137,8 @@ struct Coherent {
     structure: Structure,
     plan: Plan,
     program: Program,
+    /// How each loop of the plan is solved and watched.
+    choices: Vec<Choice>,
     prediction: Option<Prediction>,
 }
 
@@ -170,7 +192,7 @@ fn written(
         ..Choice::by(method)
     };
     let choices = plan.loops().map(chosen).collect();
-    let (choices, prediction) = match depth {
+    let (mut choices, prediction) = match depth {
         Depth::Start => (choices, None),
         Depth::Whole => chosen_by_motion(model, &plan, choices)?,
     };
@@ -179,12 +201,13 @@ fn written(
         return Err(unsettled(&plan, &program, stop));
     }
     if depth == Depth::Whole {
-        program = proof::proved(model, &plan, choices, program)?;
+        (program, choices) = proof::proved(model, &plan, choices, program)?;
     }
     Ok(Coherent {
         structure,
         plan,
         program,
+        choices,
         prediction,
     })
 }

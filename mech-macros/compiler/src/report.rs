@@ -1,15 +1,21 @@
 //! The report: what the analysis found, in plain text, for the terminal, the docs and the gallery.
 
 use crate::accuracy::{Prediction, Solved};
-use crate::cost;
+use crate::cost::{self, Cost};
 use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
-use crate::plan::{ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
-use crate::program::Program;
+use crate::plan::{ConnectionKind, Loop, Mesh, Needed, Plan, Rational, Source, Step};
+use crate::program::{self, Program};
 use crate::structure::{Rolling, Structure};
 use std::fmt::Write;
 
-/// What was found about a program: how its loops are solved, and how exact it will be, if that was predicted.
-type Found<'f> = (&'f Program, &'f [Solved], Option<&'f Prediction>);
+/// What was found about a program: how its loops are solved, how exact it will be, if that was predicted, and what is saved
+/// where only what is shown is computed.
+type Found<'f> = (
+    &'f Program,
+    &'f [Solved],
+    Option<&'f Prediction>,
+    Option<Cost>,
+);
 
 /// The report of a coherent mechanism.
 #[must_use]
@@ -25,7 +31,7 @@ fn write(
     model: &Model,
     structure: &Structure,
     plan: &Plan,
-    (program, loops, prediction): Found<'_>,
+    (program, loops, prediction, saved): Found<'_>,
 ) -> std::fmt::Result {
     let motors: Vec<JointId> = model.motors.iter().map(|motor| motor.joint).collect();
     writeln!(text, "{}", model.name)?;
@@ -48,6 +54,7 @@ fn write(
     }) {
         writeln!(text, "  moved     {}", mesh_line(model, plan, mesh))?;
     }
+    let needed = program::needed(model, plan, &program.stored);
     for (index, closing) in plan.loops().enumerate() {
         writeln!(
             text,
@@ -56,15 +63,50 @@ fn write(
             loop_line(model, closing)
         )?;
         writeln!(text, "            {}", needs_line(model, plan, closing))?;
-        if let Some(solved) = loops.get(index) {
+        if let Some(solved) = loops.iter().find(|solved| solved.number == index) {
             writeln!(text, "            {}", solved_line(solved))?;
         }
     }
-    writeln!(text, "  method    {}", method(model, plan))?;
+    writeln!(text, "  method    {}", method(model, program))?;
     if let Some(prediction) = prediction {
         writeln!(text, "  accuracy  {}", accuracy(model, prediction))?;
     }
+    if let Some(saved) = saved {
+        writeln!(
+            text,
+            "  left out  {}: {saved}",
+            left_out(model, plan, &needed)
+        )?;
+    }
     writeln!(text, "  cost      {}", cost::of_program(program))
+}
+
+/// What nothing that is shown depends on.
+fn left_out(model: &Model, plan: &Plan, needed: &Needed) -> String {
+    let steps = || plan.steps.iter().zip(&needed.steps);
+    let closing = steps().filter(|(step, _)| matches!(step, Step::Close(_)));
+    let idle_loops = (1..).zip(closing).filter(|(_, (_, needed))| !**needed);
+    let loops: Vec<String> = idle_loops.map(|(number, _)| number.to_string()).collect();
+    let idle_arms = steps().filter(|(step, needed)| !**needed && !matches!(step, Step::Close(_)));
+    let arms: Vec<JointId> = idle_arms
+        .flat_map(|(step, _)| step.connections())
+        .map(|connection| connection.joint)
+        .collect();
+    let mut parts = Vec::new();
+    match &loops[..] {
+        [] => {}
+        [one] => parts.push(format!("loop {one}")),
+        several => parts.push(format!("loops {}", several.join(", "))),
+    }
+    match &arms[..] {
+        [] => {}
+        [one] => parts.push(format!("joint {}", joints(model, &[*one]))),
+        several => parts.push(format!("joints {}", joints(model, several))),
+    }
+    if parts.is_empty() {
+        parts.push("poses".to_owned());
+    }
+    parts.join(" and ")
 }
 
 /// How a loop is solved, and what that costs.
@@ -244,9 +286,9 @@ fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
     }
 }
 
-fn method(model: &Model, plan: &Plan) -> String {
+fn method(model: &Model, program: &Program) -> String {
     match (model.method, model.accuracy) {
-        _ if plan.loops().next().is_none() => "none needed".to_owned(),
+        _ if !program.has_loops() => "none needed".to_owned(),
         (None, Some(_)) => "the cheapest that is accurate enough".to_owned(),
         (None | Some(Method::Exact), _) => "exact".to_owned(),
         (Some(Method::Newton), _) => "Newton, until each loop closes to rounding".to_owned(),

@@ -26,7 +26,7 @@ pub(crate) fn stub(
         Precision::F64 => quote!(::core::primitive::f64),
     };
     let motors = Literal::usize_unsuffixed(motors);
-    let links = Literal::usize_unsuffixed(model.declared_links().count());
+    let links = Literal::usize_unsuffixed(model.asked_links().len());
     let methods = accessors(krate, places, model, &scalar);
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
@@ -154,7 +154,7 @@ fn accessors(
     let isometry = quote!(#krate::Isometry2<#scalar>);
     let point = quote!(#krate::Point2<#scalar>);
     let mut methods: Vec<(proc_macro2::Ident, TokenStream)> = Vec::new();
-    for id in model.declared_links() {
+    for id in model.declared_links().filter(|&id| model.shows_link(id)) {
         let link = model.link(id);
         methods.push((
             user_ident(&link.name, places, link.origin),
@@ -167,7 +167,8 @@ fn accessors(
             point.clone(),
         ));
     }
-    for joint in model.joints.iter().filter(|joint| {
+    let shown = model.joint_ids().filter(|&id| model.shows_joint(id));
+    for joint in shown.map(|id| model.joint(id)).filter(|joint| {
         matches!(
             joint.kind,
             JointKind::Revolute(..) | JointKind::Prismatic(..)

@@ -7,12 +7,14 @@ mod edit;
 mod id;
 mod joint;
 mod link;
+mod show;
 mod start;
 
 pub use edit::Edit;
 pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
+pub use show::Shown;
 pub use start::{Near, Start, StartValue};
 
 /// The scalar type of the generated code.
@@ -110,6 +112,8 @@ pub struct Model {
     pub target: Target,
     /// How change points are passed.
     pub change_points: AtChangePoints,
+    /// What is asked for: what nothing of it depends on is not computed. Without, everything is.
+    pub show: Option<Vec<Shown>>,
     /// What is let pass.
     pub allow: Allowances,
 }
@@ -141,6 +145,7 @@ impl Model {
             accuracy: None,
             target: Target::default(),
             change_points: AtChangePoints::default(),
+            show: None,
             allow: Allowances::default(),
         }
     }

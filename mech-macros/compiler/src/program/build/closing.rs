@@ -6,6 +6,7 @@ use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
 use crate::program::choice::{Choice, MOST_ROUNDS, Solver};
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
+use crate::program::stored::number_among_all;
 use crate::program::{BlockKind, Closed};
 
 /// An unknown: what it is called, and where the iteration starts.
@@ -187,7 +188,7 @@ impl Writer<'_> {
                 .turn(&mut self.builder, guide.direction);
             return Pose { direction, origin };
         }
-        match link.index().checked_sub(1) {
+        match number_among_all(link) {
             None => Pose::identity(&mut self.builder),
             Some(index) => {
                 let [cos, sin, x, y] =

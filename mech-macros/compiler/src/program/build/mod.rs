@@ -2,6 +2,7 @@
 
 mod closing;
 mod dyad;
+mod left_out;
 mod predictor;
 mod tied;
 mod triad;
@@ -15,8 +16,8 @@ use super::node::{Op, Value};
 use super::{Block, BlockKind, Choice, Position, Program, Rounds, Watch};
 use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
-    Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Placement, Plan, Pose, Rational,
-    Source, Step,
+    Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Needed, Placement, Plan, Pose,
+    Rational, Source, Step,
 };
 use mech_core::journey::AtZero;
 use num_traits::ToPrimitive;
@@ -28,14 +29,42 @@ pub fn build(model: &Model, plan: &Plan) -> Program {
 }
 
 /// Writes the program of a planned mechanism, with something decided for each loop; what is missing is solved by the method
-/// that the model says.
+/// that the model says. What nothing that is shown depends on is left out.
 #[must_use]
 pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
-    let shown = model.declared_links();
+    let mut links = model.asked_links();
+    loop {
+        let mut program = write(model, plan, choices, &links);
+        // What an iteration begins with has to be known too.
+        let read = program.read_back();
+        let before = links.len();
+        links.extend(read);
+        links.sort_unstable();
+        links.dedup();
+        if links.len() == before {
+            program.number_stored();
+            return program;
+        }
+    }
+}
+
+/// The steps that something that is shown depends on.
+#[must_use]
+pub(crate) fn needed(model: &Model, plan: &Plan, stored: &[LinkId]) -> Needed {
+    match model.show {
+        None => plan.whole(),
+        Some(_) => plan.needed(model, stored),
+    }
+}
+
+/// Writes the program that tells where these links are; poses are numbered among those of all links.
+fn write(model: &Model, plan: &Plan, choices: &[Choice], links: &[LinkId]) -> Program {
+    let needed = needed(model, plan, links);
+    let all = model.declared_links();
     let mut builder = Builder::new(Position {
         motors: plan.start.motors.clone(),
         turns: vec![0; plan.start.motors.len()],
-        poses: shown.map(|link| plan.start.poses[link.index()]).collect(),
+        poses: all.map(|link| plan.start.poses[link.index()]).collect(),
         kept: Vec::new(),
     });
     builder.block("start".to_owned(), String::new());
@@ -56,8 +85,9 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
         meshes: 0,
         loops: 0,
     };
-    for step in &plan.steps {
+    for (step, is_needed) in plan.steps.iter().zip(&needed.steps) {
         match step {
+            step if !is_needed => writer.leave_out(step, &needed.sources),
             Step::Weld(connection) => writer.weld(*connection),
             Step::Drive(drive) => writer.drive(drive),
             Step::Mesh(mesh) => writer.mesh(mesh),
@@ -65,7 +95,7 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
         }
     }
     writer.keep_senses();
-    writer.finish()
+    writer.finish(links)
 }
 
 /// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster; and that coupled
@@ -310,7 +340,7 @@ impl Writer<'_> {
         }
     }
 
-    fn finish(self) -> Program {
+    fn finish(self, stored: &[LinkId]) -> Program {
         let Self {
             model,
             builder,
@@ -321,8 +351,7 @@ impl Writer<'_> {
             follows,
             ..
         } = self;
-        let shown: Vec<LinkId> = model.declared_links().collect();
-        let poses = shown.iter().map(|&link| {
+        let poses = stored.iter().map(|&link| {
             let Pose {
                 direction: [cos, sin],
                 origin: [x, y],
@@ -351,7 +380,8 @@ impl Writer<'_> {
                 .iter()
                 .map(|motor| model.joint(motor.joint).name.clone())
                 .collect(),
-            links: shown
+            stored: stored.to_vec(),
+            links: stored
                 .iter()
                 .map(|&link| model.link(link).name.clone())
                 .collect(),

@@ -1,8 +1,7 @@
 //! What is wanted of the mechanism, and what is let pass.
 
 use super::Lowering;
-use super::name::Named;
-use crate::syntax::ast::{End, Read};
+use crate::syntax::ast::Read;
 use crate::syntax::{Place, spelling};
 use proc_macro2::{Ident, Span};
 
@@ -19,20 +18,6 @@ impl Lowering {
                     self.report.tell(Place::at(effect.span()), text);
                 }
                 Err(error) => self.report.pass_on(error.clone()),
-            }
-        }
-    }
-
-    pub(super) fn lower_show(&mut self, keyword: Span, what: &[End]) {
-        self.report.tell(
-            Place::at(keyword),
-            "`show` is not supported yet; everything is shown",
-        );
-        for end in what {
-            match (self.names.look_up(&end.link), &end.axis) {
-                (Some(Named::Joint(_)), None) | (Some(Named::Broken), _) => {}
-                (None, None) => self.unknown(&end.link),
-                _ => self.check_end(end),
             }
         }
     }
