@@ -93,7 +93,8 @@ fn saved(model: &Model, plan: &Plan, program: &Program, choices: &[Choice]) -> O
     let whole = program::build_as(&everything, plan, choices);
     let saved = cost::of_program(&whole).without(cost::of_program(program));
     let needed = program::needed(model, plan, &program.stored);
-    let all = needed.steps.iter().all(|needed| *needed);
+    let all = needed.steps.iter().all(|needed| *needed)
+        && program.solved_loops().len() == plan.loops().count();
     (!all || saved != Cost::default()).then_some(saved)
 }
 

@@ -3,7 +3,7 @@
 use crate::accuracy::{Prediction, Solved};
 use crate::cost::{self, Cost};
 use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
-use crate::plan::{ConnectionKind, Loop, Mesh, Needed, Plan, Rational, Source, Step};
+use crate::plan::{ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
 use crate::program::{self, Program};
 use crate::structure::{Rolling, Structure};
 use std::fmt::Write;
@@ -54,7 +54,6 @@ fn write(
     }) {
         writeln!(text, "  moved     {}", mesh_line(model, plan, mesh))?;
     }
-    let needed = program::needed(model, plan, &program.stored);
     for (index, closing) in plan.loops().enumerate() {
         writeln!(
             text,
@@ -75,19 +74,20 @@ fn write(
         writeln!(
             text,
             "  left out  {}: {saved}",
-            left_out(model, plan, &needed)
+            left_out(model, plan, program)
         )?;
     }
     writeln!(text, "  cost      {}", cost::of_program(program))
 }
 
 /// What nothing that is shown depends on.
-fn left_out(model: &Model, plan: &Plan, needed: &Needed) -> String {
-    let steps = || plan.steps.iter().zip(&needed.steps);
-    let closing = steps().filter(|(step, _)| matches!(step, Step::Close(_)));
-    let idle_loops = (1..).zip(closing).filter(|(_, (_, needed))| !**needed);
-    let loops: Vec<String> = idle_loops.map(|(number, _)| number.to_string()).collect();
-    let idle_arms = steps().filter(|(step, needed)| !**needed && !matches!(step, Step::Close(_)));
+fn left_out(model: &Model, plan: &Plan, program: &Program) -> String {
+    let solved = program.solved_loops();
+    let needed = program::needed(model, plan, &program.stored);
+    let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
+    let loops: Vec<String> = idle.map(|number| (number + 1).to_string()).collect();
+    let idle_arms = plan.steps.iter().zip(&needed.steps);
+    let idle_arms = idle_arms.filter(|(step, needed)| !**needed && !matches!(step, Step::Close(_)));
     let arms: Vec<JointId> = idle_arms
         .flat_map(|(step, _)| step.connections())
         .map(|connection| connection.joint)

@@ -3,7 +3,7 @@
 use super::Writer;
 use crate::model::{Joint, JointKind, LinkId};
 use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
-use crate::program::choice::{Choice, MOST_ROUNDS, Solver};
+use crate::program::choice::{MOST_ROUNDS, Solver};
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
 use crate::program::stored::number_among_all;
@@ -89,18 +89,6 @@ impl Writer<'_> {
         }
     }
 
-    /// What was decided for the present loop.
-    pub(super) fn choice(&self) -> Choice {
-        let otherwise = Choice {
-            predictor: self.model.predictor,
-            ..Choice::by(self.model.method.unwrap_or_default())
-        };
-        self.choices
-            .get(self.loops - 1)
-            .cloned()
-            .unwrap_or(otherwise)
-    }
-
     /// Closes a loop in closed form, if it has one.
     fn in_closed_form(
         &mut self,
@@ -128,8 +116,13 @@ impl Writer<'_> {
                 }
             }
         }
+        let numbers = solution.iter().flat_map(|found| match *found {
+            Solution::Direction(direction) => direction.to_vec(),
+            Solution::Slide(way) => vec![way],
+        });
         let closed = Closed {
             place: place.to_owned(),
+            found: numbers.collect(),
             ..closed
         };
         if let Some(block) = self.builder.blocks.last_mut() {

@@ -2,6 +2,7 @@
 
 use super::Writer;
 use crate::plan::{Source, Step};
+use crate::program::choice::Choice;
 
 impl Writer<'_> {
     /// Leaves a step out; everything after it keeps its number. A source that it would have been the first to read is read all
@@ -19,6 +20,25 @@ impl Writer<'_> {
                 self.builder.block("source".to_owned(), title);
                 self.source(*number);
             }
+        }
+    }
+
+    /// What was decided for the present loop.
+    pub(super) fn choice(&self) -> Choice {
+        let number = self.loops - 1;
+        let otherwise = || Choice {
+            predictor: self.model.predictor,
+            ..Choice::by(self.model.method.unwrap_or_default())
+        };
+        let choice = self.choices.get(number).cloned().unwrap_or_else(otherwise);
+        if !self.idle.contains(&number) {
+            return choice;
+        }
+        // It only says how its links hang together.
+        Choice {
+            watching: None,
+            predictor: 0,
+            ..choice
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod closing;
 mod dyad;
+mod idle;
 mod left_out;
 mod predictor;
 mod tied;
@@ -34,7 +35,11 @@ pub fn build(model: &Model, plan: &Plan) -> Program {
 pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
     let mut links = model.asked_links();
     loop {
-        let mut program = write(model, plan, choices, &links);
+        let mut program = write(model, plan, choices, (&links, &[]));
+        let idle = program.idle_loops(model, plan);
+        if !idle.is_empty() {
+            program = write(model, plan, choices, (&links, &idle));
+        }
         // What an iteration begins with has to be known too.
         let read = program.read_back();
         let before = links.len();
@@ -57,8 +62,14 @@ pub(crate) fn needed(model: &Model, plan: &Plan, stored: &[LinkId]) -> Needed {
     }
 }
 
-/// Writes the program that tells where these links are; poses are numbered among those of all links.
-fn write(model: &Model, plan: &Plan, choices: &[Choice], links: &[LinkId]) -> Program {
+/// Writes the program that tells where these links are, without solving these idle loops; poses are numbered among those of all
+/// links.
+fn write(
+    model: &Model,
+    plan: &Plan,
+    choices: &[Choice],
+    (links, idle): (&[LinkId], &[usize]),
+) -> Program {
     let needed = needed(model, plan, links);
     let all = model.declared_links();
     let mut builder = Builder::new(Position {
@@ -73,6 +84,7 @@ fn write(model: &Model, plan: &Plan, choices: &[Choice], links: &[LinkId]) -> Pr
         model,
         plan,
         choices,
+        idle,
         builder,
         placement,
         kept: Vec::new(),
@@ -124,6 +136,8 @@ struct Writer<'m> {
     model: &'m Model,
     plan: &'m Plan,
     choices: &'m [Choice],
+    /// The loops, by number, whose solution nothing needs.
+    idle: &'m [usize],
     builder: Builder,
     placement: Placement<'m, Value>,
     /// The new values of what is carried from position to position.
@@ -349,6 +363,7 @@ impl Writer<'_> {
             watches,
             senses,
             follows,
+            idle,
             ..
         } = self;
         let poses = stored.iter().map(|&link| {
@@ -390,6 +405,7 @@ impl Writer<'_> {
             live: Vec::new(),
             start,
         };
+        program.forget_loops(idle);
         program.live = live(&program);
         calibrate(&mut program);
         program
