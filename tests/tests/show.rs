@@ -2,11 +2,15 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{LinkId, Method, Model, Shown};
-use mech_compiler::plan::{Plan, Source, Step};
-use mech_compiler::program::{BlockKind, Op, Program, Slot, Value, build};
+use mech_compiler::model::{LinkId, Method, Model, Range, Shown};
+use mech_compiler::plan::{Plan, Source, Step, plan};
+use mech_compiler::program::{Op, Program, Slot, Value, build};
+use mech_compiler::structure::analyse;
+use mech_compiler::syntax::parse;
 use mech_tests::{Dice, grow};
+use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
+use std::f64::consts::TAU;
 
 fn cases() -> u64 {
     std::env::var("MECH_CASES")
@@ -20,7 +24,8 @@ fn case(dice: &mut Dice, method: Method) -> Option<(Model, Plan)> {
     let additions = 1 + dice.below(9);
     let mut model = grow(dice, additions).model;
     model.method = Some(method);
-    let plan = compile(&model).ok()?.plan;
+    let structure = analyse(&model).ok()?;
+    let plan = plan(&model, &structure).ok()?;
     Some((model, plan))
 }
 
@@ -223,4 +228,129 @@ fn same_motion(dice: &mut Dice, (whole, part): (&Program, &Program), what: &str)
         }
     }
     moved
+}
+
+/// A piston and, on the same crank, a rocker whose arm is moved by a gear that follows it.
+const PRESS: &str = "
+    link crank; link rod; link block { circle (4, 0) radius 1 on plane 1 color 1; }
+    link arm { point tip = (-2, 1); circle (-2, 1) radius 1 on plane 0 color 2; }
+    link lever; link wheel; link idle;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, rod) at (1, 0.5);
+    joint c = revolute(rod, block) at (4, 0);
+    joint x = prismatic(ground, block) at (4, 0) along (1, 0);
+    joint d = revolute(crank, arm) at (0.5, 1);
+    joint e = revolute(arm, lever) at (-2, 1);
+    joint f = revolute(ground, lever) at (-2, 0);
+    joint w = revolute(ground, wheel) at (-4, -1);
+    joint mesh = gear(lever, wheel, 20 : 10);
+    joint g = revolute(wheel, idle) at (-5, -1);
+    motor a; motor g;";
+
+fn model(head: &str, show: &str) -> Model {
+    let text = format!("{head} {PRESS} {show}");
+    let parsed = parse(text.parse().expect("tokens"));
+    let told: Vec<&str> = parsed.errors.iter().map(|one| one.text.as_str()).collect();
+    assert!(told.is_empty(), "{told:?}");
+    parsed.model
+}
+
+/// What the mechanism becomes.
+fn code(head: &str, show: &str) -> String {
+    let text: TokenStream = format!("{head} {PRESS} {show}").parse().expect("tokens");
+    mech_compiler::expand(quote::quote!(::mech_runtime; #text)).to_string()
+}
+
+const HEADS: [&str; 3] = [
+    "struct Press;",
+    "struct Press: f32; method newton;",
+    "struct Press; method newton(2) predictor(2);",
+];
+
+#[test]
+fn shown_as_a_whole_it_is_what_it_is_without() {
+    for head in HEADS {
+        let all = "show crank, rod, block, arm, lever, wheel, idle, a, b, c, x, d, e, f, w, g;";
+        assert_eq!(code(head, all), code(head, ""), "{head}");
+    }
+}
+
+#[test]
+fn in_part_it_says_what_is_left_out() {
+    let compiled = |show: &str| compile(&model(HEADS[0], show)).expect("it is coherent");
+    let whole = compiled("");
+    assert_eq!(whole.saved, None);
+    assert!(!whole.report.contains("left out"), "{}", whole.report);
+    for (show, left_out, stored) in [
+        ("show block;", "loop 2 and joints w g: ", &["block"][..]),
+        ("show x, arm.tip;", "joints w g: ", &["block", "arm"]),
+        ("show g, idle;", "loop 1: ", &["idle"]),
+        ("show crank;", "loops 1, 2 and joints w g: ", &["crank"]),
+        ("show c;", "loop 2 and joints w g: ", &["rod", "block"]),
+    ] {
+        let part = compiled(show);
+        assert_eq!(part.program.links, stored, "{show}");
+        let saved = part.saved.expect("something is saved");
+        let line = format!("  left out  {left_out}{saved}\n");
+        assert!(part.report.contains(&line), "{show}{}", part.report);
+        assert_eq!(part.loops.len(), part.program.solved_loops().len());
+    }
+}
+
+#[test]
+fn an_iteration_begins_where_the_last_position_was() {
+    let compiled = compile(&model(HEADS[1], "show block;")).expect("it is coherent");
+    // The loop's unknowns are the direction of the rod, and the way of the block.
+    assert_eq!(compiled.program.links, ["rod", "block"]);
+}
+
+#[test]
+fn what_is_left_out_does_not_block() {
+    // The arm and the lever do not let the crank turn round; the rod does.
+    let [whole, part] = ["", "show block;"].map(|show| {
+        compile(&model(HEADS[0], show))
+            .expect("it is coherent")
+            .program
+    });
+    let goes_round = |program: &Program| {
+        let mut machine = Machine::<f64>::new(program);
+        (1..=12).all(|twelfth| {
+            machine
+                .move_to(&[f64::from(twelfth) * TAU / 12.0, 0.0])
+                .is_ok()
+        })
+    };
+    assert!(!goes_round(&whole));
+    assert!(goes_round(&part));
+}
+
+#[test]
+fn an_accuracy_is_kept_by_what_is_shown() {
+    for show in ["", "show block;", "show lever;", "show idle;"] {
+        let mut model = model("struct Press; accuracy 1e-3; cost cortex_m4f;", show);
+        for motor in &mut model.motors {
+            motor.step = Some(0.01);
+        }
+        let compiled = compile(&model).expect("it is accurate enough");
+        let error = compiled.prediction.expect("a prediction").error;
+        assert!(error <= 1e-3, "{show} {error}");
+    }
+}
+
+#[test]
+fn a_range_is_proved_of_what_is_shown() {
+    let ranged = |show: &str| {
+        let mut model = model(HEADS[0], show);
+        for motor in &mut model.motors {
+            motor.range = Some(Range {
+                low: 0.0,
+                high: TAU,
+                origin: motor.origin,
+            });
+        }
+        compile(&model)
+    };
+    assert!(ranged("").is_err(), "the lever stops the crank");
+    assert!(ranged("show block;").is_ok());
+    assert!(ranged("show crank;").is_ok());
 }

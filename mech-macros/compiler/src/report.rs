@@ -88,10 +88,11 @@ fn left_out(model: &Model, plan: &Plan, program: &Program) -> String {
     let loops: Vec<String> = idle.map(|number| (number + 1).to_string()).collect();
     let idle_arms = plan.steps.iter().zip(&needed.steps);
     let idle_arms = idle_arms.filter(|(step, needed)| !**needed && !matches!(step, Step::Close(_)));
-    let arms: Vec<JointId> = idle_arms
+    let mut arms: Vec<JointId> = idle_arms
         .flat_map(|(step, _)| step.connections())
         .map(|connection| connection.joint)
         .collect();
+    arms.sort_unstable();
     let mut parts = Vec::new();
     match &loops[..] {
         [] => {}
