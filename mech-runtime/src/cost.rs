@@ -1,5 +1,7 @@
 //! What a position costs.
 
+use core::fmt;
+
 /// How many operations it takes to find a position, as they are generated: what is never needed is not counted. An iteration is
 /// counted as often as it runs; one that runs until its loop closes as often as it usually does: three rounds.
 ///
@@ -42,4 +44,25 @@ impl Cost {
         arctangents: 0,
         selections: 0,
     };
+}
+
+impl fmt::Display for Cost {
+    /// The operations that there are, with their signs: `12 + · 9 × · 1 √`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts = [
+            (self.additions, "+"),
+            (self.multiplications, "×"),
+            (self.divisions, "÷"),
+            (self.square_roots, "√"),
+            (self.sine_cosine_pairs, "sin cos"),
+            (self.arctangents, "atan"),
+            (self.selections, "≷"),
+        ];
+        let mut parts = parts.into_iter().filter(|(count, _)| *count > 0);
+        let Some((count, sign)) = parts.next() else {
+            return f.write_str("nothing");
+        };
+        write!(f, "{count} {sign}")?;
+        parts.try_for_each(|(count, sign)| write!(f, " · {count} {sign}"))
+    }
 }

@@ -169,6 +169,43 @@ pub use mech_macros::mechanism as expand_mechanism;
 ///
 /// `solve_many` finds many positions at once, into [`Columns`].
 ///
+/// # Only what is needed
+///
+/// `show` names the links, the points and the joints that are asked for; without it everything is. What they do not depend on is
+/// not solved, not kept and not painted, and costs nothing:
+///
+/// ```
+/// use mech_runtime::Mechanism;
+///
+/// mech_runtime::mechanism! {
+///     struct Press;
+///     link crank; link rod; link block;
+///     link arm { point tip = (-2, 1); }
+///     link lever;
+///     joint a = revolute(ground, crank) at (0, 0);
+///     joint b = revolute(crank, rod) at (1, 0.5);
+///     joint c = revolute(rod, block) at (4, 0);
+///     joint x = prismatic(ground, block) at (4, 0) along (1, 0);
+///     joint d = revolute(crank, arm) at (0.5, 1);
+///     joint e = revolute(arm, lever) at (-2, 1);
+///     joint f = revolute(ground, lever) at (-2, -1);
+///     motor a;
+///     show block, c;                              // `arm.tip` would be shown by the method `arm_tip`
+/// }
+/// let mut press = Press::new();
+/// press.move_to([0.5])?;
+/// let (pose, angle) = (press.block(), press.c());
+/// assert_eq!(Press::LINKS, ["rod", "block"]);     // what the angle at `c` takes is kept too
+/// assert_eq!(Press::LOOP_COSTS.len(), 1);         // the loop of the lever is left out
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
+/// A link comes with its points, its shapes and its method; a point or a joint is only a method. Everything is checked as before: the
+/// whole mechanism has to be coherent and to be assembled. But a loop that is not solved cannot block a move: what is shown moves
+/// on where the whole mechanism could not. Motors that nothing needs keep their place in `move_to`. [`Mechanism::LINKS`] tells which
+/// links [`Mechanism::poses`] gives: besides those shown, those that tell where shown points and joints are, and those from whose
+/// last pose an iteration begins.
+///
 /// # Effects
 ///
 /// What is not asked for is not there: no field, no instruction, no method. With `effects { velocity; acceleration; }` (either, or

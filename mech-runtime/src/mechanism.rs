@@ -20,7 +20,7 @@ pub trait Mechanism: Clone {
     const LOOP_COSTS: &'static [Cost];
     /// The names of the joints that have a motor, in the order of their declaration.
     const MOTORS: &'static [&'static str];
-    /// The names of the moving links, in the order of their declaration.
+    /// The names of the moving links whose poses are kept, in the order of their declaration: without a `show` of all.
     const LINKS: &'static [&'static str];
     /// Everything that is seen, from the plane farthest from the eye to the nearest.
     const SHAPES: &'static [Shape<Self::Scalar>];

@@ -41,7 +41,6 @@ const PART: f64 = 1e-18;
 fn main() {
     let angles: [f64; 360] = std::array::from_fn(|degree| (degree as f64).to_radians());
     for dependent in [true, false] {
-        let part = if dependent { PART } else { 0.0 };
         let how = if dependent {
             "each after the last"
         } else {
@@ -51,7 +50,12 @@ fn main() {
         let mut alone = || {
             for angle in black_box(&angles) {
                 let mechanism = black_box(&mut position);
-                let angle = angle + part * mechanism.poses()[2].sin;
+                let last = if dependent {
+                    mechanism.poses()[2].sin
+                } else {
+                    0.0
+                };
+                let angle = angle + PART * last;
                 assert!(mechanism.move_to([angle]).is_ok());
             }
         };
@@ -64,7 +68,12 @@ fn main() {
             || {
                 for angle in black_box(&angles) {
                     let mechanism = black_box(&mut fast);
-                    let angle = angle + part * mechanism.poses()[2].sin;
+                    let last = if dependent {
+                        mechanism.poses()[2].sin
+                    } else {
+                        0.0
+                    };
+                    let angle = angle + PART * last;
                     assert!(mechanism.move_with([angle], [1.5]).is_ok());
                 }
             },
@@ -79,7 +88,12 @@ fn main() {
             || {
                 for angle in black_box(&angles) {
                     let mechanism = black_box(&mut faster);
-                    let angle = angle + part * mechanism.poses()[2].sin;
+                    let last = if dependent {
+                        mechanism.poses()[2].sin
+                    } else {
+                        0.0
+                    };
+                    let angle = angle + PART * last;
                     assert!(mechanism.move_with([angle], [1.5], [0.7]).is_ok());
                 }
             },

@@ -7,11 +7,14 @@ mod trial;
 
 use crate::cost::{self, Cost};
 use crate::evaluate;
-use crate::model::{Model, Precision};
+use crate::model::{Method, Model, Precision, Shown};
 use crate::plan::Plan;
-use crate::program::{AtZero, BlockKind, Choice, Program, Rounds, Solver, Watching, build_as};
+use crate::program::{
+    AtZero, BlockKind, Choice, Newton, Program, Rounds, Solver, Watching, build_as,
+};
 use crate::structure::Diagnosis;
 use influence::Influence;
+use std::borrow::Cow;
 use trial::{Exact, Rival, compare};
 
 /// Between samples an error may be greater than any that was seen; more so where several motors move, because not every
@@ -40,6 +43,8 @@ pub struct Prediction {
 /// How a loop is solved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solved {
+    /// Its number among the loops of the plan: some may be left out.
+    pub number: usize,
     /// By which method, in words.
     pub method: String,
     /// How far the links may be from where they should be that wait for it and for no later one, if that was predicted: in scene
@@ -53,24 +58,25 @@ pub struct Solved {
 pub(crate) fn solved(program: &Program, prediction: Option<&Prediction>) -> Vec<Solved> {
     let blocks = program.blocks.iter().filter_map(|block| match &block.kind {
         BlockKind::Straight => None,
-        BlockKind::Closed(_) => Some("exact".to_owned()),
-        BlockKind::Newton(newton) => Some(match newton.rounds {
-            Rounds::UntilClosed(_) => "Newton, until closed".to_owned(),
-            Rounds::Exactly(_) if newton.linear => "linear".to_owned(),
-            Rounds::Exactly(1) => "Newton, one round".to_owned(),
-            Rounds::Exactly(rounds) => format!("Newton, {rounds} rounds"),
-        }),
+        BlockKind::Closed(closed) => Some((closed.number, "exact".to_owned())),
+        BlockKind::Newton(newton) => Some((newton.number, method(newton))),
     });
-    let of_loop = |(number, (method, cost)): (usize, (String, Cost))| Solved {
+    let of_loop = |((number, method), cost): ((usize, String), Cost)| Solved {
+        number,
         method,
         error: prediction.and_then(|prediction| *prediction.loops.get(number)?),
         cost,
     };
-    blocks
-        .zip(cost::of_loops(program))
-        .enumerate()
-        .map(of_loop)
-        .collect()
+    blocks.zip(cost::of_loops(program)).map(of_loop).collect()
+}
+
+fn method(newton: &Newton) -> String {
+    match newton.rounds {
+        Rounds::UntilClosed(_) => "Newton, until closed".to_owned(),
+        Rounds::Exactly(_) if newton.linear => "linear".to_owned(),
+        Rounds::Exactly(1) => "Newton, one round".to_owned(),
+        Rounds::Exactly(rounds) => format!("Newton, {rounds} rounds"),
+    }
 }
 
 /// Chooses for each loop the cheapest solver that keeps an accuracy. What is given is how the loops are solved at their most
@@ -91,7 +97,7 @@ pub(crate) fn choose(
     let mut exact_program = judge.reference.clone();
     // What does not even start is told elsewhere.
     let starts = evaluate::settle(&mut exact_program).is_ok();
-    let found = compare(model, plan, &exact_program, &mut rivals);
+    let found = compare(&judge.model, plan, &exact_program, &mut rivals);
     let rounding = judge.rounding(&found);
     let least = greatest(&rounding);
     if starts && least > accuracy {
@@ -170,7 +176,8 @@ fn greatest(errors: &[f64]) -> f64 {
 
 /// Knows the most exact program of a mechanism, and compares others with it.
 struct Judge<'m> {
-    model: &'m Model,
+    /// It shows whatever any solver begins with: positions of one program are begun from by others.
+    model: Cow<'m, Model>,
     plan: &'m Plan,
     exact: Vec<Choice>,
     /// The most exact program, without watching what is only watched for dead points: then others carry the same numbers from
@@ -182,7 +189,8 @@ struct Judge<'m> {
 
 impl<'m> Judge<'m> {
     fn new(model: &'m Model, plan: &'m Plan, exact: Vec<Choice>) -> Self {
-        let reference = build_as(model, plan, &unwatched(&exact));
+        let model = with_all_kept(model, plan, &exact);
+        let reference = build_as(&model, plan, &unwatched(&exact));
         Self {
             on_loops: Influence::on_loops(&reference, exact.len()),
             on_links: Influence::on_links(&reference, exact.len()),
@@ -224,7 +232,7 @@ impl<'m> Judge<'m> {
             if changes(choice) || ranged {
                 return Vec::new();
             }
-            let until_closed = Choice::by(crate::model::Method::Newton).solver;
+            let until_closed = Choice::by(Method::Newton).solver;
             let counted = (1..=MOST_ROUNDS).map(|rounds| Solver::Newton(Rounds::Exactly(rounds)));
             let counted = std::iter::once(Solver::Linear).chain(counted);
             let solvers = counted
@@ -233,7 +241,7 @@ impl<'m> Judge<'m> {
             let candidate = |solver: Solver| {
                 let mut choices = unwatched(&self.exact);
                 choices[number].solver = solver;
-                let program = build_as(self.model, self.plan, &choices);
+                let program = build_as(&self.model, self.plan, &choices);
                 Candidate {
                     weight: weigh(&program),
                     error: f64::INFINITY,
@@ -273,13 +281,13 @@ impl<'m> Judge<'m> {
         let all = is_exact.iter().all(|exact| *exact);
         let mut rivals = Vec::new();
         if !all {
-            let program = build_as(self.model, self.plan, &unwatched(choices));
+            let program = build_as(&self.model, self.plan, &unwatched(choices));
             rivals.push(Rival::new(program));
         }
         let rounding = match rounding {
             Some(rounding) if all => rounding.to_vec(),
             _ => self.rounding(&compare(
-                self.model,
+                &self.model,
                 self.plan,
                 &self.reference,
                 &mut rivals,
@@ -327,6 +335,19 @@ impl<'m> Judge<'m> {
         };
         found.single.iter().map(of_link).collect()
     }
+}
+
+/// The mechanism with everything shown that its loops begin with, however they are solved.
+fn with_all_kept<'m>(model: &'m Model, plan: &Plan, exact: &[Choice]) -> Cow<'m, Model> {
+    if model.show.is_none() {
+        return Cow::Borrowed(model);
+    }
+    let iterated: Vec<Choice> = exact.iter().map(|_| Choice::by(Method::Newton)).collect();
+    let iterated = build_as(model, plan, &iterated);
+    let shown = iterated.stored.iter().map(|&link| Shown::Link(link));
+    let mut kept = model.clone();
+    kept.show = Some(shown.collect());
+    Cow::Owned(kept)
 }
 
 /// Whether a loop has change points that are not just kept on its branch.

@@ -198,6 +198,24 @@ impl Add for Cost {
     }
 }
 
+impl Cost {
+    /// What is left after the operations of another are taken off.
+    #[must_use]
+    pub fn without(self, other: Self) -> Self {
+        Self {
+            additions: self.additions.saturating_sub(other.additions),
+            multiplications: self.multiplications.saturating_sub(other.multiplications),
+            divisions: self.divisions.saturating_sub(other.divisions),
+            square_roots: self.square_roots.saturating_sub(other.square_roots),
+            sine_cosine_pairs: self
+                .sine_cosine_pairs
+                .saturating_sub(other.sine_cosine_pairs),
+            arctangents: self.arctangents.saturating_sub(other.arctangents),
+            selections: self.selections.saturating_sub(other.selections),
+        }
+    }
+}
+
 impl Mul<u32> for Cost {
     type Output = Self;
 
@@ -210,24 +228,6 @@ impl Mul<u32> for Cost {
             sine_cosine_pairs: self.sine_cosine_pairs * times,
             arctangents: self.arctangents * times,
             selections: self.selections * times,
-        }
-    }
-}
-
-impl Cost {
-    /// What is more than this.
-    #[must_use]
-    fn less(self, other: Self) -> Self {
-        Self {
-            additions: self.additions.saturating_sub(other.additions),
-            multiplications: self.multiplications.saturating_sub(other.multiplications),
-            divisions: self.divisions.saturating_sub(other.divisions),
-            square_roots: self.square_roots.saturating_sub(other.square_roots),
-            sine_cosine_pairs: self
-                .sine_cosine_pairs
-                .saturating_sub(other.sine_cosine_pairs),
-            arctangents: self.arctangents.saturating_sub(other.arctangents),
-            selections: self.selections.saturating_sub(other.selections),
         }
     }
 }
@@ -255,7 +255,7 @@ pub fn of_rates(program: &Program, moving: &Program) -> Cost {
         ..Cost::default()
     });
     let all: Cost = of_program(moving) + systems.chain(tests).sum();
-    all.less(of_program(program))
+    all.without(of_program(program))
 }
 
 /// What each loop costs, in the order in which they are closed.

@@ -25,6 +25,7 @@ pub mod syntax;
 mod walk;
 
 use accuracy::{Prediction, Solved};
+use cost::Cost;
 use evaluate::{Machine, Stop};
 use matched::Matched;
 use model::{JointId, JointKind, Model};
@@ -51,6 +52,8 @@ pub struct Compiled {
     /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
     /// motors are declared that move it.
     pub prediction: Option<Prediction>,
+    /// What it saves that only what is shown is computed, if something is left out.
+    pub saved: Option<Cost>,
     /// All of this in words.
     pub report: String,
 }
@@ -64,6 +67,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         structure,
         plan,
         program,
+        choices,
         prediction,
     } = coherent(model, Depth::Whole)?;
     let moving = program::build_moving(model, &plan, &program.choices).map(|moving| Program {
@@ -72,7 +76,14 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         ..moving
     });
     let loops = accuracy::solved(&program, prediction.as_ref());
-    let found = (&program, moving.as_ref(), &loops[..], prediction.as_ref());
+    let saved = saved(model, &plan, &program, &choices);
+    let found = report::Found {
+        program: &program,
+        moving: moving.as_ref(),
+        loops: &loops,
+        prediction: prediction.as_ref(),
+        saved,
+    };
     let report = report::report(model, &structure, &plan, found);
     Ok(Compiled {
         structure,
@@ -81,8 +92,24 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         moving,
         loops,
         prediction,
+        saved,
         report,
     })
+}
+
+/// What it saves that only what is shown is computed.
+fn saved(model: &Model, plan: &Plan, program: &Program, choices: &[Choice]) -> Option<Cost> {
+    model.show.as_ref()?;
+    let everything = Model {
+        show: None,
+        ..model.clone()
+    };
+    let whole = program::build_as(&everything, plan, choices);
+    let saved = cost::of_program(&whole).without(cost::of_program(program));
+    let needed = program::needed(model, plan, &program.stored);
+    let all = needed.steps.iter().all(|needed| *needed)
+        && program.solved_loops().len() == plan.loops().count();
+    (!all || saved != Cost::default()).then_some(saved)
 }
 
 /// Whether a mechanism compiles.
@@ -125,6 +152,8 @@ struct Coherent {
     structure: Structure,
     plan: Plan,
     program: Program,
+    /// How each loop of the plan is solved and watched.
+    choices: Vec<Choice>,
     prediction: Option<Prediction>,
 }
 
@@ -178,7 +207,7 @@ fn written(
         ..Choice::by(method)
     };
     let choices = plan.loops().map(chosen).collect();
-    let (choices, prediction) = match depth {
+    let (mut choices, prediction) = match depth {
         Depth::Start => (choices, None),
         Depth::Whole => chosen_by_motion(model, &plan, choices)?,
     };
@@ -187,12 +216,13 @@ fn written(
         return Err(unsettled(&plan, &program, stop));
     }
     if depth == Depth::Whole {
-        program = proof::proved(model, &plan, choices, program)?;
+        (program, choices) = proof::proved(model, &plan, choices, program)?;
     }
     Ok(Coherent {
         structure,
         plan,
         program,
+        choices,
         prediction,
     })
 }

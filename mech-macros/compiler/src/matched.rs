@@ -29,6 +29,8 @@ pub(crate) fn matched(model: &Model) -> Option<Matched> {
             redundant: true,
             ..model.allow
         },
+        // What is not shown must close too.
+        show: None,
         ..model.clone()
     };
     let mut structure = structure::layout(&lenient).ok()?;

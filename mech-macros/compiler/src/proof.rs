@@ -9,22 +9,23 @@ use crate::structure::{Diagnosis, RangeTrouble};
 use std::f64::consts::PI;
 
 /// Proves that the mechanism moves wherever its motors are within their ranges, and takes out of the program what then needs no
-/// test.
+/// test; gives how its loops then are solved, too.
 pub(crate) fn proved(
     model: &Model,
     plan: &Plan,
     choices: Vec<Choice>,
     program: Program,
-) -> Result<Program, Diagnosis> {
+) -> Result<(Program, Vec<Choice>), Diagnosis> {
     if model.motors.iter().all(|motor| motor.range.is_none()) {
-        return Ok(program);
+        return Ok((program, choices));
     }
-    if plan.loops().next().is_none() {
+    if !program.has_loops() {
         // Nothing can be in the way.
-        return Ok(Program {
+        let program = Program {
             range: Some(ends(model)),
             ..program
-        });
+        };
+        return Ok((program, choices));
     }
     let ranges: Vec<Interval> = model
         .motor_ids()
@@ -82,13 +83,13 @@ pub(crate) fn proved(
             }
         }
     };
-    let choices: Vec<Choice> = choices.into_iter().enumerate().map(settled).collect();
-    let mut proved = build_as(model, plan, &choices);
+    let free: Vec<Choice> = choices.iter().cloned().enumerate().map(settled).collect();
+    let mut proved = build_as(model, plan, &free);
     if evaluate::settle(&mut proved).is_err() {
-        return Ok(program);
+        return Ok((program, choices));
     }
     proved.range = Some(ends(model));
-    Ok(proved)
+    Ok((proved, free))
 }
 
 /// The ends of all ranges; a motor without one may be anywhere.

@@ -1,21 +1,27 @@
 //! The report: what the analysis found, in plain text, for the terminal, the docs and the gallery.
 
 use crate::accuracy::{Prediction, Solved};
-use crate::cost;
+use crate::cost::{self, Cost};
 use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
 use crate::plan::{ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
-use crate::program::Program;
+use crate::program::{self, Program};
 use crate::structure::{Rolling, Structure};
 use std::fmt::Write;
 
-/// What was found about a program: what it becomes if it goes on to rates, how its loops are solved, and how exact it will be, if
-/// that was predicted.
-type Found<'f> = (
-    &'f Program,
-    Option<&'f Program>,
-    &'f [Solved],
-    Option<&'f Prediction>,
-);
+/// What was found about a program.
+#[derive(Clone, Copy, Debug)]
+pub struct Found<'f> {
+    /// The operations that move it.
+    pub program: &'f Program,
+    /// The same and those that go on to rates, if these were asked for.
+    pub moving: Option<&'f Program>,
+    /// How its loops are solved.
+    pub loops: &'f [Solved],
+    /// How exact it will be, if that was predicted.
+    pub prediction: Option<&'f Prediction>,
+    /// What is saved where only what is shown is computed.
+    pub saved: Option<Cost>,
+}
 
 /// The report of a coherent mechanism.
 #[must_use]
@@ -31,8 +37,15 @@ fn write(
     model: &Model,
     structure: &Structure,
     plan: &Plan,
-    (program, moving, loops, prediction): Found<'_>,
+    found: Found<'_>,
 ) -> std::fmt::Result {
+    let Found {
+        program,
+        moving,
+        loops,
+        prediction,
+        saved,
+    } = found;
     let motors: Vec<JointId> = model.motors.iter().map(|motor| motor.joint).collect();
     writeln!(text, "{}", model.name)?;
     writeln!(text, "  mobility  {}", mobility(model, structure))?;
@@ -62,13 +75,20 @@ fn write(
             loop_line(model, closing)
         )?;
         writeln!(text, "            {}", needs_line(model, plan, closing))?;
-        if let Some(solved) = loops.get(index) {
+        if let Some(solved) = loops.iter().find(|solved| solved.number == index) {
             writeln!(text, "            {}", solved_line(solved))?;
         }
     }
-    writeln!(text, "  method    {}", method(model, plan))?;
+    writeln!(text, "  method    {}", method(model, program))?;
     if let Some(prediction) = prediction {
         writeln!(text, "  accuracy  {}", accuracy(model, prediction))?;
+    }
+    if let Some(saved) = saved {
+        writeln!(
+            text,
+            "  left out  {}: {saved}",
+            left_out(model, plan, program)
+        )?;
     }
     writeln!(text, "  cost      {}", cost::of_program(program))?;
     if let Some(moving) = moving {
@@ -81,6 +101,36 @@ fn write(
         writeln!(text, "  effects   {kinds}: {more} more")?;
     }
     Ok(())
+}
+
+/// What nothing that is shown depends on.
+fn left_out(model: &Model, plan: &Plan, program: &Program) -> String {
+    let solved = program.solved_loops();
+    let needed = program::needed(model, plan, &program.stored);
+    let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
+    let loops: Vec<String> = idle.map(|number| (number + 1).to_string()).collect();
+    let idle_arms = plan.steps.iter().zip(&needed.steps);
+    let idle_arms = idle_arms.filter(|(step, needed)| !**needed && !matches!(step, Step::Close(_)));
+    let mut arms: Vec<JointId> = idle_arms
+        .flat_map(|(step, _)| step.connections())
+        .map(|connection| connection.joint)
+        .collect();
+    arms.sort_unstable();
+    let mut parts = Vec::new();
+    match &loops[..] {
+        [] => {}
+        [one] => parts.push(format!("loop {one}")),
+        several => parts.push(format!("loops {}", several.join(", "))),
+    }
+    match &arms[..] {
+        [] => {}
+        [one] => parts.push(format!("joint {}", joints(model, &[*one]))),
+        several => parts.push(format!("joints {}", joints(model, several))),
+    }
+    if parts.is_empty() {
+        parts.push("poses".to_owned());
+    }
+    parts.join(" and ")
 }
 
 /// How a loop is solved, and what that costs.
@@ -260,9 +310,9 @@ fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
     }
 }
 
-fn method(model: &Model, plan: &Plan) -> String {
+fn method(model: &Model, program: &Program) -> String {
     match (model.method, model.accuracy) {
-        _ if plan.loops().next().is_none() => "none needed".to_owned(),
+        _ if !program.has_loops() => "none needed".to_owned(),
         (None, Some(_)) => "the cheapest that is accurate enough".to_owned(),
         (None | Some(Method::Exact), _) => "exact".to_owned(),
         (Some(Method::Newton), _) => "Newton, until each loop closes to rounding".to_owned(),

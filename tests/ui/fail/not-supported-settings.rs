@@ -18,7 +18,6 @@ mechanism! {
     motor a;
     start { a = 60 deg; coupler near 30 deg; }
     effects { dynamics; }
-    show rocker, coupler.right;
     certify;
     param length = 1.0 in 0.5 ..= 2.0;
 }

@@ -1,17 +1,17 @@
 //! How far a link is from where it should be: an angle that is off moves its far end by as much as its arm is long.
 
-use crate::model::{Model, ShapeKind};
+use crate::model::{LinkId, Model, ShapeKind};
 use crate::program::Position;
 use mech_core::Real;
 
-/// For each moving link that is shown the corners of a box around all that is fixed to it: its axes and its shapes. What is off
+/// For each link whose pose is kept the corners of a box around all that is fixed to it: its axes and its shapes. What is off
 /// anywhere in the box is so at one of its corners.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Extents(Vec<[[f64; 2]; 4]>);
 
 impl Extents {
-    pub(super) fn of(model: &Model) -> Self {
-        let corners = model.declared_links().map(|id| {
+    pub(super) fn of(model: &Model, stored: &[LinkId]) -> Self {
+        let corners = stored.iter().map(|&id| {
             let mut low = [f64::INFINITY; 2];
             let mut high = [f64::NEG_INFINITY; 2];
             let mut reach = |point: [f64; 2]| {

@@ -82,7 +82,7 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
             .iter()
             .map(|rival| steps * operations(&rival.program))
             .sum::<usize>();
-    let extents = Extents::of(model);
+    let extents = Extents::of(model, &exact.stored);
     let mut trial = Trial {
         affordable: BUDGET / (per_sample * model.motors.len()).max(1),
         found: Exact {

@@ -278,7 +278,7 @@ pub(super) fn user_ident(name: &str, places: &Places, origin: Origin) -> Ident {
     ident
 }
 
-/// A method for each link, named point and joint.
+/// A method for each link, named point and joint that is shown.
 fn accessors(
     places: &Places,
     model: &Model,
@@ -287,10 +287,10 @@ fn accessors(
 ) -> TokenStream {
     let scalar = scalar(program);
     let mut tokens = TokenStream::new();
-    for id in model.declared_links() {
+    for id in model.declared_links().filter(|&id| model.shows_link(id)) {
         let link = model.link(id);
         let name = user_ident(&link.name, places, link.origin);
-        let pose = pose(id);
+        let pose = pose(program, id);
         let doc = format!(" The pose of link `{}` in the scene.", link.name);
         tokens.extend(quote! {
             #[doc = #doc]
@@ -307,7 +307,7 @@ fn accessors(
             origin,
         );
         let (x, y) = (number(program.precision, x), number(program.precision, y));
-        let pose = pose(link);
+        let pose = pose(program, link);
         let doc = format!(
             " Point `{point}` of link `{}`, in the scene.",
             model.link(link).name
@@ -321,7 +321,7 @@ fn accessors(
             }
         });
     }
-    for joint in model.joint_ids() {
+    for joint in model.joint_ids().filter(|&id| model.shows_joint(id)) {
         if let Some((unit, value)) = coordinate(model, program, joint) {
             let joint = model.joint(joint);
             let name = user_ident(&joint.name, places, joint.origin);
@@ -338,20 +338,21 @@ fn accessors(
     tokens
 }
 
-/// The named points of the moving links: link, name, place, and where it is in the link.
+/// The named points of the moving links that are shown: link, name, place, and where it is in the link.
 pub(super) fn named_points(
     model: &Model,
 ) -> impl Iterator<Item = (LinkId, &str, Origin, [f64; 2])> {
-    let points = model
-        .axes
-        .iter()
-        .filter(|axis| axis.kind == AxisKind::Point && axis.link != LinkId::GROUND);
+    let axes = (0..).map(AxisId::new).zip(&model.axes);
+    let points = axes.filter(|(id, axis)| {
+        axis.kind == AxisKind::Point && axis.link != LinkId::GROUND && model.shows_point(*id)
+    });
+    let points = points.map(|(_, axis)| axis);
     points.filter_map(|axis| Some((axis.link, axis.name.as_deref()?, axis.origin, axis.at)))
 }
 
-/// The expression of a link's pose.
-pub(super) fn pose(link: LinkId) -> TokenStream {
-    match link.index().checked_sub(1) {
+/// The expression of the pose of a link, which is kept unless it is the ground.
+pub(super) fn pose(program: &Program, link: LinkId) -> TokenStream {
+    match program.place_of(link) {
         None => quote!(Pose::identity()),
         Some(index) => {
             let index = Literal::usize_unsuffixed(index);
@@ -371,12 +372,7 @@ pub(super) fn coordinate_axes(
         JointKind::Prismatic(a, b) => (false, a, b),
         _ => return None,
     };
-    // A die is not kept: its pin is where it is.
-    let pin = |id: AxisId| {
-        let die = model.link(model.axis(id).link).die;
-        die.map_or(id, |(pin, _)| pin)
-    };
-    (!declared.hidden).then(|| (turns, pin(a), pin(b)))
+    (!declared.hidden).then(|| (turns, model.seen_axis(a), model.seen_axis(b)))
 }
 
 /// The unit and the expression of a joint's coordinate.
@@ -401,7 +397,7 @@ fn coordinate(
         let axis = model.axis(id);
         let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
             .map(|value| number(program.precision, value));
-        let pose = pose(axis.link);
+        let pose = pose(program, axis.link);
         quote!((#pose, [#x, #y], [#along, #across]))
     };
     let (a, b) = (axis(a), axis(b));

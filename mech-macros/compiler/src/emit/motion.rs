@@ -143,7 +143,7 @@ pub(super) fn step_with(
     let (sines, anywhere, near) = if takes_sines(program) {
         let near = quote! {
             /// The same, where all angles are within the range of the polynomials of sine and cosine.
-            #[inline]
+            #[inline(always)]
             fn near_with(last: &#position, motors: Motors<#scalar, #count>, #parameters)
                 -> Result<(#position, #found), Stop>
             {

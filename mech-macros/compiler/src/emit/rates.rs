@@ -33,7 +33,8 @@ pub(super) struct RateItems {
 }
 
 /// What there is of rates.
-struct Kinds {
+struct Kinds<'p> {
+    program: &'p Program,
     scalar: TokenStream,
     links: Literal,
     count: Literal,
@@ -54,6 +55,7 @@ impl RateItems {
             return Self::default();
         };
         let kinds = Kinds {
+            program,
             scalar: scalar(program),
             links: Literal::usize_unsuffixed(program.links.len()),
             count: Literal::usize_unsuffixed(program.motors.len()),
@@ -101,12 +103,13 @@ impl RateItems {
 }
 
 /// The methods that move it with rates.
-fn methods(moving: &Program, kinds: &Kinds, visibility: &syn::Visibility) -> TokenStream {
+fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) -> TokenStream {
     let Kinds {
         scalar,
         links,
         count,
         second,
+        ..
     } = kinds;
     let [parameters, arguments] = given(moving);
     let near_with = if takes_sines(moving) {
@@ -207,14 +210,14 @@ fn methods(moving: &Program, kinds: &Kinds, visibility: &syn::Visibility) -> Tok
 fn accessors(
     places: &Places,
     model: &Model,
-    kinds: &Kinds,
+    kinds: &Kinds<'_>,
     visibility: &syn::Visibility,
 ) -> TokenStream {
     let mut tokens = TokenStream::new();
     let scalar = &kinds.scalar;
     let n = |value: f64| number(model.precision, value);
-    for id in model.declared_links() {
-        let (link, index) = (model.link(id), index(id));
+    for id in model.declared_links().filter(|&id| model.shows_link(id)) {
+        let (link, index) = (model.link(id), index(kinds.program, id));
         let name = &link.name;
         let mut tell = |what: &str, kind: TokenStream, rates: Ident| {
             let method = user_ident(&format!("{name}_{what}"), places, link.origin);
@@ -237,7 +240,8 @@ fn accessors(
         }
     }
     for (id, point, origin, [x, y]) in named_points(model) {
-        let (name, index, pose) = (&model.link(id).name, index(id), pose(id));
+        let (name, index) = (&model.link(id).name, index(kinds.program, id));
+        let pose = pose(kinds.program, id);
         let at = [n(x), n(y)];
         let mut tell = |what: &str, value: TokenStream| {
             let method = user_ident(&format!("{name}_{point}_{what}"), places, origin);
@@ -263,15 +267,21 @@ fn accessors(
             tell("acceleration", value);
         }
     }
-    for joint in model.joint_ids() {
-        let Some(axes) = coordinate_axes(model, joint) else {
+    for joint in model.joint_ids().filter(|&id| model.shows_joint(id)) {
+        // A motor's coordinate is told without its links.
+        let is_kept = |axis: AxisId| {
+            let link = model.axis(axis).link;
+            link == LinkId::GROUND || kinds.program.place_of(link).is_some()
+        };
+        let axes = coordinate_axes(model, joint).filter(|(_, a, b)| is_kept(*a) && is_kept(*b));
+        let Some(axes) = axes else {
             continue;
         };
         let (name, origin) = (&model.joint(joint).name, model.joint(joint).origin);
         let mut tell = |what: &str, title: &str, second: bool| {
             let method = user_ident(&format!("{name}_{what}"), places, origin);
             let doc = format!(" The {title} of the coordinate of joint `{name}`.");
-            let value = joint_rate(model, axes, second);
+            let value = joint_rate(model, kinds.program, axes, second);
             tokens.extend(quote! {
                 #[doc = #doc]
                 #[must_use]
@@ -291,6 +301,7 @@ fn accessors(
 /// The first or second rate of a joint's coordinate.
 fn joint_rate(
     model: &Model,
+    program: &Program,
     (turns, from, to): (bool, AxisId, AxisId),
     second: bool,
 ) -> TokenStream {
@@ -304,7 +315,7 @@ fn joint_rate(
         let angular = |id: LinkId| match id.index() {
             0 => quote!(0.0),
             _ => {
-                let index = index(id);
+                let index = index(program, id);
                 quote!(self.#field[#index].angular)
             }
         };
@@ -313,13 +324,13 @@ fn joint_rate(
     }
     let end = |axis: AxisId| {
         let id = link(axis);
-        let (axis, pose) = (model.axis(axis), pose(id));
+        let (axis, pose) = (model.axis(axis), pose(program, id));
         let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
             .map(|value| number(model.precision, value));
         let (velocity, acceleration) = match id.index() {
             0 => (quote!(Velocity::ZERO), quote!(Acceleration::ZERO)),
             _ => {
-                let index = index(id);
+                let index = index(program, id);
                 (
                     quote!(self.velocities[#index]),
                     quote!(self.accelerations[#index]),
@@ -342,6 +353,7 @@ fn joint_rate(
     quote!(#function(#from, #to))
 }
 
-fn index(link: LinkId) -> Literal {
-    Literal::usize_unsuffixed(link.index().saturating_sub(1))
+/// Where the rates of a link are kept.
+fn index(program: &Program, link: LinkId) -> Literal {
+    Literal::usize_unsuffixed(program.place_of(link).unwrap_or_default())
 }

@@ -2,19 +2,18 @@
 
 use super::block::scalar;
 use super::scope::number;
-use crate::model::{Model, ShapeKind};
+use crate::model::{LinkId, Model, ShapeKind};
 use crate::program::Program;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// The shapes of all links, from the plane farthest from the eye to the nearest; within a plane as declared.
+/// The shapes of the ground and of all links whose poses are kept, from the plane farthest from the eye to the nearest; within a plane as declared.
 pub(super) fn shapes(model: &Model, program: &Program) -> TokenStream {
-    let all = model.link_ids().flat_map(|link| {
-        model
-            .link(link)
-            .shapes
-            .iter()
-            .map(move |shape| (link, shape))
+    let stored = program.stored.iter().copied();
+    let seen = std::iter::once(LinkId::GROUND).chain(stored);
+    let all = seen.enumerate().flat_map(|(place, link)| {
+        let shapes = model.link(link).shapes.iter();
+        shapes.map(move |shape| (place, shape))
     });
     let mut all: Vec<_> = all.collect();
     all.sort_by_key(|(_, shape)| shape.plane);
@@ -23,8 +22,8 @@ pub(super) fn shapes(model: &Model, program: &Program) -> TokenStream {
         let (x, y) = (n(x), n(y));
         quote!([#x, #y])
     };
-    let entries = all.into_iter().map(|(link, shape)| {
-        let link = Literal::usize_unsuffixed(link.index());
+    let entries = all.into_iter().map(|(place, shape)| {
+        let link = Literal::usize_unsuffixed(place);
         let color = Literal::u8_unsuffixed(shape.color);
         let outline = match &shape.kind {
             ShapeKind::Circle { center, radius } => {

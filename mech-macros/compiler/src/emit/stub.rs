@@ -26,7 +26,7 @@ pub(crate) fn stub(
         Precision::F64 => quote!(::core::primitive::f64),
     };
     let motors = Literal::usize_unsuffixed(motors);
-    let links = Literal::usize_unsuffixed(model.declared_links().count());
+    let links = Literal::usize_unsuffixed(model.asked_links().len());
     let methods = accessors(krate, places, model, &scalar);
     let rates = rates(krate, model, visibility, (&scalar, &links));
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
@@ -211,7 +211,7 @@ fn accessors(
             methods.push((user_ident(&name, places, origin), acceleration));
         }
     };
-    for id in model.declared_links() {
+    for id in model.declared_links().filter(|&id| model.shows_link(id)) {
         let link = model.link(id);
         let kinds = [isometry.clone(), velocity.clone(), acceleration.clone()];
         tell(&link.name, link.origin, kinds, "velocity");
@@ -221,7 +221,8 @@ fn accessors(
         let name = format!("{}_{name}", model.link(link).name);
         tell(&name, origin, kinds, "velocity");
     }
-    for joint in model.joints.iter().filter(|joint| {
+    let shown = model.joint_ids().filter(|&id| model.shows_joint(id));
+    for joint in shown.map(|id| model.joint(id)).filter(|joint| {
         matches!(
             joint.kind,
             JointKind::Revolute(..) | JointKind::Prismatic(..)

@@ -1,7 +1,7 @@
 //! Changes to a mechanism, as a user would make them in the text: everything else follows, and is numbered anew.
 
 use super::{
-    Axis, AxisId, AxisKind, Joint, JointId, JointKind, LinkId, Model, Motor, MotorId, Start,
+    Axis, AxisId, AxisKind, Joint, JointId, JointKind, LinkId, Model, Motor, MotorId, Shown, Start,
 };
 
 /// Changes to a mechanism. All ids are those of the mechanism that is changed, until [`Edit::finish`].
@@ -146,6 +146,16 @@ impl Edit {
                 true
             })
         });
+        let still = |shown: Shown| {
+            Some(match shown {
+                Shown::Link(id) => Shown::Link(link(id)?),
+                Shown::Point(id) => Shown::Point(axis(id)?),
+                Shown::Joint(id) => Shown::Joint(joint(id)?),
+            })
+        };
+        if let Some(shown) = &mut model.show {
+            *shown = shown.iter().copied().filter_map(still).collect();
+        }
         model
     }
 

@@ -8,6 +8,7 @@ mod effects;
 mod id;
 mod joint;
 mod link;
+mod show;
 mod start;
 
 pub use edit::Edit;
@@ -15,6 +16,7 @@ pub use effects::Effects;
 pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
+pub use show::Shown;
 pub use start::{Near, Start, StartValue};
 
 /// The scalar type of the generated code.
@@ -112,6 +114,8 @@ pub struct Model {
     pub target: Target,
     /// How change points are passed.
     pub change_points: AtChangePoints,
+    /// What is asked for: what nothing of it depends on is not computed. Without, everything is.
+    pub show: Option<Vec<Shown>>,
     /// What is let pass.
     pub allow: Allowances,
     /// What is computed beyond positions.
@@ -145,6 +149,7 @@ impl Model {
             accuracy: None,
             target: Target::default(),
             change_points: AtChangePoints::default(),
+            show: None,
             allow: Allowances::default(),
             effects: Effects::default(),
         }

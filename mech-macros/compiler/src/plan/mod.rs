@@ -9,6 +9,7 @@ mod coupled;
 mod equation;
 mod knowledge;
 mod ledger;
+mod needed;
 mod placement;
 mod search;
 mod sequence;
@@ -18,6 +19,7 @@ pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::Assembly;
 pub(crate) use equation::{Equation, Measure, Slide, Solution, Unknown};
 pub use ledger::Rational;
+pub use needed::Needed;
 pub(crate) use placement::{Coordinate, Placement};
 pub use step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
 

@@ -19,4 +19,6 @@ pub struct Closed {
     pub sine: Value,
     /// The square of a sine below which rounding hides its sign.
     pub tiny_square: Value,
+    /// The unknowns, when they are found.
+    pub found: Vec<Value>,
 }

@@ -37,7 +37,7 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
 }
 
 /// What an iteration needs.
-fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
+pub(super) fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
     match &blocks[block.index()].kind {
         BlockKind::Straight | BlockKind::Closed(_) => Vec::new(),
         BlockKind::Newton(newton) => {

@@ -11,8 +11,10 @@ mod motion;
 mod newton;
 mod node;
 mod real;
+mod stored;
 mod watch;
 
+pub(crate) use build::needed;
 pub use build::{build, build_as, build_moving};
 pub use choice::{Choice, Solver, Watching};
 pub use closed::Closed;
@@ -23,7 +25,7 @@ pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
 pub use watch::Watch;
 
-use crate::model::Precision;
+use crate::model::{LinkId, Precision};
 
 /// A straight-line program.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,9 +40,11 @@ pub struct Program {
     pub blocks: Vec<Block>,
     /// The names of the motors' joints.
     pub motors: Vec<String>,
-    /// The names of the moving links.
+    /// The moving links whose poses are kept, in the order of their declaration: without a `show` all.
+    pub stored: Vec<LinkId>,
+    /// Their names.
     pub links: Vec<String>,
-    /// For each moving link the cosine, sine, x and y of its new pose.
+    /// For each of them the cosine, sine, x and y of its new pose.
     pub poses: Vec<[Value; 4]>,
     /// The new values of what is carried from position to position.
     pub kept: Vec<Value>,
@@ -93,7 +97,7 @@ pub struct Position<T> {
     pub motors: Vec<T>,
     /// Whole turns of the motors besides.
     pub turns: Vec<i32>,
-    /// For each moving link the cosine, sine, x and y of its pose.
+    /// For each moving link whose pose is kept its cosine, sine, x and y.
     pub poses: Vec<[T; 4]>,
     /// What is carried from position to position besides: unwrapped angles, sides of dyads.
     pub kept: Vec<T>,
@@ -183,6 +187,13 @@ impl Program {
             .blocks
             .iter()
             .any(|block| matches!(block.kind, BlockKind::Newton(_)))
+    }
+
+    /// Whether it closes any loop.
+    #[must_use]
+    pub fn has_loops(&self) -> bool {
+        let straight = |block: &Block| matches!(block.kind, BlockKind::Straight);
+        !self.blocks.iter().all(straight)
     }
 
     /// The closed forms that may fail to close: those whose margin is no constant, with their margins.

@@ -45,7 +45,7 @@ impl Number {
 /// What the last position left behind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slot {
-    /// A number of the pose of a moving link, by its position among the moving links.
+    /// A number of the pose of a link, by its position among those whose poses are kept.
     Pose(usize, Part),
     /// A number that is carried from position to position: an angle that a gear needs unwrapped, or on which side a dyad
     /// lies that passes change points.

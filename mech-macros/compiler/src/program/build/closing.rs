@@ -4,9 +4,10 @@ use super::Writer;
 use super::rates::Closing;
 use crate::model::{Joint, JointKind, LinkId};
 use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
-use crate::program::choice::{Choice, MOST_ROUNDS, Solver};
+use crate::program::choice::{MOST_ROUNDS, Solver};
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
+use crate::program::stored::number_among_all;
 use crate::program::{BlockKind, Closed};
 
 /// An unknown: what it is called, and where the iteration starts.
@@ -59,7 +60,7 @@ impl Writer<'_> {
             for &base in &bases {
                 self.name_cluster(base);
             }
-            self.closings.push(Closing {
+            self.closed(Closing {
                 name,
                 place,
                 equation,
@@ -94,25 +95,13 @@ impl Writer<'_> {
         for &base in &bases {
             self.name_cluster(base);
         }
-        self.closings.push(Closing {
+        self.closed(Closing {
             name,
             place,
             equation,
             solution,
             tied,
         });
-    }
-
-    /// What was decided for the present loop.
-    pub(super) fn choice(&self) -> Choice {
-        let otherwise = Choice {
-            predictor: self.model.predictor,
-            ..Choice::by(self.model.method.unwrap_or_default())
-        };
-        self.choices
-            .get(self.loops - 1)
-            .cloned()
-            .unwrap_or(otherwise)
     }
 
     /// Closes a loop in closed form, if it has one.
@@ -142,8 +131,13 @@ impl Writer<'_> {
                 }
             }
         }
+        let numbers = solution.iter().flat_map(|found| match *found {
+            Solution::Direction(direction) => direction.to_vec(),
+            Solution::Slide(way) => vec![way],
+        });
         let closed = Closed {
             place: place.to_owned(),
+            found: numbers.collect(),
             ..closed
         };
         if let Some(block) = self.builder.blocks.last_mut() {
@@ -202,7 +196,7 @@ impl Writer<'_> {
                 .turn(&mut self.builder, guide.direction);
             return Pose { direction, origin };
         }
-        match link.index().checked_sub(1) {
+        match number_among_all(link) {
             None => Pose::identity(&mut self.builder),
             Some(index) => {
                 let [cos, sin, x, y] =

@@ -87,6 +87,7 @@ impl Writer<'_> {
             margin: self.builder.name(margin, "margin"),
             sine: found.sine,
             tiny_square: found.tiny_square,
+            found: Vec::new(),
         };
         Some((closed, found.solution))
     }

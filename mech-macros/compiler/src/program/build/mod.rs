@@ -2,6 +2,8 @@
 
 mod closing;
 mod dyad;
+mod idle;
+mod left_out;
 mod predictor;
 mod rates;
 mod tangent;
@@ -17,8 +19,8 @@ use super::node::{Op, Value};
 use super::{Block, BlockKind, Choice, Position, Program, Rounds, Watch};
 use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
-    Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Placement, Plan, Pose, Rational,
-    Source, Step,
+    Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Needed, Placement, Plan, Pose,
+    Rational, Source, Step,
 };
 use mech_core::journey::AtZero;
 use num_traits::ToPrimitive;
@@ -30,17 +32,22 @@ pub fn build(model: &Model, plan: &Plan) -> Program {
 }
 
 /// Writes the program of a planned mechanism, with something decided for each loop; what is missing is solved by the method
-/// that the model says.
+/// that the model says. What nothing that is shown depends on is left out.
 #[must_use]
 pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
-    written(model, plan, choices).finish(Reach::Positions)
+    settled(model, plan, choices).0
 }
 
 /// Writes the program that goes on from positions to rates, as far as effects ask for them.
 #[must_use]
 pub fn build_moving(model: &Model, plan: &Plan, choices: &[Choice]) -> Option<Program> {
-    let program = written(model, plan, choices).finish(Reach::Rates);
-    program.motion.is_some().then_some(program)
+    if !model.effects.velocity {
+        return None;
+    }
+    let (_, links, idle) = settled(model, plan, choices);
+    let mut program = write(model, plan, choices, (&links, &idle), Reach::Rates);
+    program.number_stored();
+    Some(program)
 }
 
 /// How far a program goes.
@@ -50,12 +57,54 @@ enum Reach {
     Rates,
 }
 
-fn written<'m>(model: &'m Model, plan: &'m Plan, choices: &'m [Choice]) -> Writer<'m> {
-    let shown = model.declared_links();
+/// The program to positions, the links that it stores, and the loops that are idle in it.
+fn settled(model: &Model, plan: &Plan, choices: &[Choice]) -> (Program, Vec<LinkId>, Vec<usize>) {
+    let mut links = model.asked_links();
+    loop {
+        let written =
+            |idle: &[usize]| write(model, plan, choices, (&links, idle), Reach::Positions);
+        let mut program = written(&[]);
+        let idle = program.idle_loops(model, plan);
+        if !idle.is_empty() {
+            program = written(&idle);
+        }
+        // What an iteration begins with has to be known too.
+        let read = program.read_back();
+        let before = links.len();
+        links.extend(read);
+        links.sort_unstable();
+        links.dedup();
+        if links.len() == before {
+            program.number_stored();
+            return (program, links, idle);
+        }
+    }
+}
+
+/// The steps that something that is shown depends on.
+#[must_use]
+pub(crate) fn needed(model: &Model, plan: &Plan, stored: &[LinkId]) -> Needed {
+    match model.show {
+        None => plan.whole(),
+        Some(_) => plan.needed(model, stored),
+    }
+}
+
+/// Writes the program that tells where these links are, without solving these idle loops; poses are numbered among those of all
+/// links.
+fn write(
+    model: &Model,
+    plan: &Plan,
+    choices: &[Choice],
+    (links, idle): (&[LinkId], &[usize]),
+    reach: Reach,
+) -> Program {
+    let needed = needed(model, plan, links);
+    let all = model.declared_links();
     let mut builder = Builder::new(Position {
         motors: plan.start.motors.clone(),
         turns: vec![0; plan.start.motors.len()],
-        poses: shown.map(|link| plan.start.poses[link.index()]).collect(),
+        poses: all.map(|link| plan.start.poses[link.index()]).collect(),
         kept: Vec::new(),
     });
     builder.block("start".to_owned(), String::new());
@@ -64,6 +113,7 @@ fn written<'m>(model: &'m Model, plan: &'m Plan, choices: &'m [Choice]) -> Write
         model,
         plan,
         choices,
+        idle,
         builder,
         placement,
         kept: Vec::new(),
@@ -79,8 +129,9 @@ fn written<'m>(model: &'m Model, plan: &'m Plan, choices: &'m [Choice]) -> Write
         meshes: 0,
         loops: 0,
     };
-    for step in &plan.steps {
+    for (step, is_needed) in plan.steps.iter().zip(&needed.steps) {
         match step {
+            step if !is_needed => writer.leave_out(step, &needed.sources),
             Step::Weld(connection) => writer.weld(*connection),
             Step::Drive(drive) => writer.drive(drive),
             Step::Mesh(mesh) => writer.mesh(mesh),
@@ -88,7 +139,7 @@ fn written<'m>(model: &'m Model, plan: &'m Plan, choices: &'m [Choice]) -> Write
         }
     }
     writer.keep_senses();
-    writer
+    writer.finish(links, reach)
 }
 
 /// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster; and that coupled
@@ -117,6 +168,8 @@ struct Writer<'m> {
     model: &'m Model,
     plan: &'m Plan,
     choices: &'m [Choice],
+    /// The loops, by number, whose solution nothing needs.
+    idle: &'m [usize],
     builder: Builder,
     placement: Placement<'m, Value>,
     /// The new values of what is carried from position to position.
@@ -338,8 +391,7 @@ impl Writer<'_> {
         }
     }
 
-    fn finish(mut self, reach: Reach) -> Program {
-        let shown: Vec<LinkId> = self.model.declared_links().collect();
+    fn finish(mut self, stored: &[LinkId], reach: Reach) -> Program {
         let pose = |&link: &LinkId| {
             let Pose {
                 direction: [cos, sin],
@@ -347,7 +399,7 @@ impl Writer<'_> {
             } = self.placement.pose(link);
             [cos, sin, x, y]
         };
-        let poses: Vec<[Value; 4]> = shown.iter().map(pose).collect();
+        let poses: Vec<[Value; 4]> = stored.iter().map(pose).collect();
         let motion = match reach {
             Reach::Positions => None,
             Reach::Rates => self.motion(&poses),
@@ -360,6 +412,7 @@ impl Writer<'_> {
             watches,
             senses,
             follows,
+            idle,
             ..
         } = self;
         let start = builder.start().clone();
@@ -384,7 +437,8 @@ impl Writer<'_> {
                 .iter()
                 .map(|motor| model.joint(motor.joint).name.clone())
                 .collect(),
-            links: shown
+            stored: stored.to_vec(),
+            links: stored
                 .iter()
                 .map(|&link| model.link(link).name.clone())
                 .collect(),
@@ -395,6 +449,7 @@ impl Writer<'_> {
             live: Vec::new(),
             start,
         };
+        program.forget_loops(idle);
         program.live = live(&program);
         calibrate(&mut program);
         program

@@ -36,6 +36,13 @@ struct Rates {
 }
 
 impl Writer<'_> {
+    /// Notes a loop that was closed, unless nothing needs its solution.
+    pub(super) fn closed(&mut self, closing: Closing) {
+        if !self.idle.contains(&(self.loops - 1)) {
+            self.closings.push(closing);
+        }
+    }
+
     /// Extends the program by the rates of all poses.
     pub(super) fn motion(&mut self, poses: &[[Value; 4]]) -> Option<Motion> {
         let effects = self.model.effects;

@@ -11,6 +11,7 @@ mod name;
 mod report;
 mod rolling;
 mod setting;
+mod show;
 mod start;
 mod value;
 mod weld;
@@ -139,16 +140,17 @@ impl Lowering {
             Statement::Cost { keyword, word } => self.lower_cost(*keyword, word),
             Statement::ChangePoints { keyword, what } => self.lower_change_points(*keyword, *what),
             Statement::Effects { keyword, effects } => self.lower_effects(*keyword, effects),
-            Statement::Show { keyword, what } => self.lower_show(*keyword, what),
             Statement::Allow(word) => self.lower_allow(word),
             _ => {}
         }
     }
 
-    /// Fourth: where it starts, which must be within the ranges of the motors.
+    /// Fourth: where it starts, which must be within the ranges of the motors; and what is shown, which they may give.
     fn begin(&mut self, statement: &Statement) {
-        if let Statement::Start(start) = statement {
-            self.lower_start(start);
+        match statement {
+            Statement::Start(start) => self.lower_start(start),
+            Statement::Show { keyword, what } => self.lower_show(*keyword, what),
+            _ => {}
         }
     }
 

@@ -2,7 +2,6 @@
 
 use super::Lowering;
 use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
-use crate::syntax::ast::End;
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
@@ -278,14 +277,6 @@ impl Lowering {
         let axes = self.model.axes.iter().filter(|axis| axis.link == link);
         let axes = axes.filter(|axis| kind.is_none_or(|kind| axis.kind == kind));
         axes.filter_map(|axis| axis.name.as_deref()).collect()
-    }
-
-    /// Checks that a link, and the axis if one is given, exist.
-    pub(super) fn check_end(&mut self, end: &End) {
-        let link = self.find_link(&end.link);
-        if let (Some(link), Some(axis)) = (link, &end.axis) {
-            self.find_axis(link, axis, None);
-        }
     }
 }
 

@@ -1,28 +1,12 @@
 //! What is wanted of the mechanism, and what is let pass.
 
 use super::Lowering;
-use super::name::Named;
-use crate::syntax::ast::End;
 use crate::syntax::{Place, spelling};
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 
 const PERMISSIONS: [&str; 2] = ["redundant", "coupled"];
 
 impl Lowering {
-    pub(super) fn lower_show(&mut self, keyword: Span, what: &[End]) {
-        self.report.tell(
-            Place::at(keyword),
-            "`show` is not supported yet; everything is shown",
-        );
-        for end in what {
-            match (self.names.look_up(&end.link), &end.axis) {
-                (Some(Named::Joint(_)), None) | (Some(Named::Broken), _) => {}
-                (None, None) => self.unknown(&end.link),
-                _ => self.check_end(end),
-            }
-        }
-    }
-
     pub(super) fn lower_allow(&mut self, word: &Ident) {
         let text = word.to_string();
         let allow = &mut self.model.allow;

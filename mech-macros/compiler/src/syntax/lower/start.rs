@@ -103,7 +103,7 @@ impl Lowering {
     ) -> Option<(Place, String)> {
         let name = &clause.name;
         let place = Place::at(name.span());
-        if let Some(text) = self.no_coordinate(name, joint) {
+        if let Some(text) = self.no_coordinate(name, joint, "give") {
             return Some((place, text));
         }
         if self
@@ -127,15 +127,19 @@ impl Lowering {
         })
     }
 
-    /// What to say about a joint that has no coordinate.
-    fn no_coordinate(&self, name: &Ident, joint: JointId) -> Option<String> {
+    /// What to say about a joint that has no coordinate that somebody could give or show.
+    pub(super) fn no_coordinate(&self, name: &Ident, joint: JointId, verb: &str) -> Option<String> {
         let kind = self.model.joint(joint).kind;
         let (word, remedy) = match (rolling::word_for(kind), kind) {
-            (Some(word), JointKind::Rack { .. }) => {
-                (word, "give that of the joint of its pinion or its bar")
-            }
-            (Some(word), _) => (word, "give that of the joint of one of its wheels"),
-            (None, JointKind::Weld(..)) => ("weld", "leave this out"),
+            (Some(word), JointKind::Rack { .. }) => (
+                word,
+                format!("{verb} that of the joint of its pinion or its bar"),
+            ),
+            (Some(word), _) => (
+                word,
+                format!("{verb} that of the joint of one of its wheels"),
+            ),
+            (None, JointKind::Weld(..)) => ("weld", "leave this out".to_owned()),
             (None, _) => return None,
         };
         Some(format!(

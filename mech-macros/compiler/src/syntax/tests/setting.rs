@@ -127,15 +127,90 @@ fn some_things_are_let_pass() {
 
 #[test]
 fn what_is_shown_must_exist() {
-    let show = "`show` is not supported yet; everything is shown";
-    with_crank("«show» crank, shaft, crank.p;", &[show]);
     with_crank(
-        "«show» «crnk», crank.«q», «shaft».p;",
+        "show «crnk», crank.«q», «shaft».p;",
         &[
-            show,
             "unknown link or joint `crnk`; did you mean `crank`?",
-            "`crank` has no point or line `q`; there is only `p`",
+            "`crank` has no point `q`; there is only `p`",
             "`shaft` is a joint; this must be a link, one of `ground`, `crank`, `wheel`",
         ],
+    );
+}
+
+#[test]
+fn what_is_shown_is_noted() {
+    use crate::model::{AxisId, JointId, LinkId, Shown};
+    let show = |text| with_crank(text, &[]).model.show;
+    assert_eq!(show(""), None);
+    let (crank, wheel) = (LinkId::new(1), LinkId::new(2));
+    assert_eq!(
+        show("show crank, drawn; motor shaft;"),
+        Some(vec![Shown::Link(crank), Shown::Joint(JointId::new(2))])
+    );
+    // The third axis of the text, after the two of the ground.
+    assert_eq!(
+        show("show wheel, crank.p, shaft,; motor shaft;"),
+        Some(vec![
+            Shown::Link(wheel),
+            Shown::Point(AxisId::new(2)),
+            Shown::Joint(JointId::new(0))
+        ])
+    );
+}
+
+#[test]
+fn what_is_shown_has_to_be_computed() {
+    with_crank(
+        "show «ground», crank;",
+        &["`ground` does not move: there is nothing to compute; leave this out"],
+    );
+    with_crank(
+        "show crank, «ground.o»;",
+        &["`ground.o` does not move: there is nothing to compute; leave this out"],
+    );
+    with_crank(
+        "show ground.«l»;",
+        &["`ground.l` is a line; leave this out"],
+    );
+    with_crank(
+        "show last.«rail»; link last { line rail = (0, 0) -> (1, 0); }",
+        &["`last.rail` is a line; show its link, `last`"],
+    );
+    with_crank(
+        "show «mesh»;",
+        &["`mesh` is a gear, which has no coordinate; show that of the joint of one of its wheels"],
+    );
+    with_crank(
+        "joint fix = weld(crank, wheel); show «fix»;",
+        &["`fix` is a weld, which has no coordinate; leave this out"],
+    );
+    with_crank(
+        "«show» shaft; motor shaft;",
+        &[
+            "nothing of this has to be computed: it is what the motors are given; show what they move, or leave this out",
+        ],
+    );
+}
+
+#[test]
+fn things_are_shown_once() {
+    with_crank(
+        "show crank, shaft, «crank», «shaft»;",
+        &[
+            "`crank` is shown already; remove one of the two",
+            "`shaft` is shown already; remove one of the two",
+        ],
+    );
+    with_crank(
+        "show crank, «crank.p»;",
+        &["`crank.p` is shown with its link already; leave this out"],
+    );
+    with_crank(
+        "show «crank.p», crank;",
+        &["`crank.p` is shown with its link already; leave this out"],
+    );
+    with_crank(
+        "show crank; «show» wheel;",
+        &["a mechanism has one `show`; put everything into the first"],
     );
 }

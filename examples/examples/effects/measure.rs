@@ -1,0 +1,59 @@
+//! Times, side by side.
+
+use crate::code;
+use mech_runtime::Cost;
+use std::time::Instant;
+
+/// Moves in one measurement.
+const MOVES: u32 = 3600;
+
+/// A mechanism with some effects.
+pub(crate) struct Subject {
+    pub(crate) name: &'static str,
+    /// The module of its moving function.
+    pub(crate) module: &'static str,
+    pub(crate) cost: Cost,
+    /// What rates add, if there are any.
+    pub(crate) more: Option<Cost>,
+    pub(crate) state: usize,
+    /// Moves it so many times; gives something that depends on all of them.
+    pub(crate) run: fn(u32) -> f64,
+}
+
+/// What was found.
+pub(crate) struct Row {
+    pub(crate) name: &'static str,
+    pub(crate) operations: String,
+    pub(crate) nanoseconds: f64,
+    pub(crate) state: usize,
+    pub(crate) code: Option<u64>,
+}
+
+/// Measures all of them in turn.
+///
+/// # Errors
+/// If one does not move.
+pub(crate) fn measured(subjects: &[Subject], rounds: usize) -> Result<Vec<Row>, String> {
+    let mut times = vec![Vec::new(); subjects.len()];
+    for _ in 0..rounds {
+        for (subject, times) in subjects.iter().zip(&mut times) {
+            let start = Instant::now();
+            if !(subject.run)(MOVES).is_finite() {
+                return Err(format!("{} did not move", subject.name));
+            }
+            times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(MOVES));
+        }
+    }
+    let row = |(subject, mut times): (&Subject, Vec<f64>)| {
+        times.sort_by(f64::total_cmp);
+        let more = subject.more.map(|more| format!(" plus {more}"));
+        Row {
+            name: subject.name,
+            operations: format!("{}{}", subject.cost, more.unwrap_or_default()),
+            nanoseconds: times[times.len() / 2],
+            state: subject.state,
+            code: code::size(subject.module),
+        }
+    };
+    Ok(subjects.iter().zip(times).map(row).collect())
+}

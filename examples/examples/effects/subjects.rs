@@ -1,0 +1,173 @@
+//! The mechanisms, each with nothing and with every effect.
+
+use crate::measure::Subject;
+use mech_runtime::mechanism;
+use std::hint::black_box;
+
+/// The angle of a move: a degree on, and nearly nothing of the last position, so that each needs the one before.
+fn angle(number: u32, last: f64) -> f64 {
+    f64::from(number % 360).to_radians() * 0.25 + last * 1e-18
+}
+
+/// A module with a mechanism, and a function that moves it once, by these arguments.
+macro_rules! subject {
+    ($module:ident: { $($text:tt)* } ($motor:ident) => ($($argument:expr),*), $method:ident, $more:expr, $name:expr) => {
+        mod $module {
+            use super::{Subject, angle, black_box, mechanism};
+
+            mechanism! { struct Subject0; $($text)* }
+
+            #[inline(never)]
+            fn moved(mechanism: &mut Subject0, $motor: f64) -> bool {
+                mechanism.$method($($argument),*).is_ok()
+            }
+
+            fn run(moves: u32) -> f64 {
+                let mut mechanism = Subject0::new();
+                for number in 0..moves {
+                    let mechanism = black_box(&mut mechanism);
+                    let sine = mechanism.poses().last().map_or(0.0, |pose| pose.sin + pose.x);
+                    if !moved(mechanism, angle(number, sine)) {
+                        return f64::NAN;
+                    }
+                }
+                mechanism.poses()[0].x
+            }
+
+            pub(super) fn subject() -> Subject {
+                let more: fn() -> Option<mech_runtime::Cost> = $more;
+                Subject {
+                    name: $name,
+                    module: stringify!($module),
+                    cost: Subject0::COST,
+                    more: more(),
+                    state: size_of::<Subject0>(),
+                    run,
+                }
+            }
+        }
+    };
+}
+
+/// All kinds of one mechanism.
+macro_rules! kinds {
+    ($position:ident, $velocity:ident, $acceleration:ident, $shown:ident, $show:tt: { $($text:tt)* }) => {
+        subject!($position: { $($text)* } (angle) => ([angle]), move_to, || None, "position");
+        subject!($velocity: { $($text)* effects { velocity; } } (angle) => ([angle], [1.5]), move_with,
+            || Some(Subject0::RATES_COST), "velocity");
+        subject!($acceleration: { $($text)* effects { velocity; acceleration; } } (angle) => ([angle], [1.5], [0.5]), move_with,
+            || Some(Subject0::RATES_COST), "velocity and acceleration");
+        subject!($shown: { $($text)* show $show; } (angle) => ([angle]), move_to, || None,
+            concat!("position, `show ", stringify!($show), "`"));
+    };
+}
+
+kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_shown, crank: {
+    ground { point a = (0, 0); point d = (4, 0); }
+    link crank { point a = (0, 0); point b = (1, 0); }
+    link coupler { point b = (0, 0); point c = (3.5, 0); }
+    link rocker { point d = (0, 0); point c = (3, 0); }
+    joint ja = revolute(ground.a, crank.a);
+    joint jb = revolute(crank.b, coupler.b);
+    joint jc = revolute(coupler.c, rocker.c);
+    joint jd = revolute(ground.d, rocker.d);
+    motor ja;
+    start { coupler near 50 deg; }
+});
+
+kinds!(slider, slider_velocity, slider_acceleration, slider_shown, crank: {
+    link crank;
+    link rod;
+    link block;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, rod) at (1, 0);
+    joint c = revolute(rod, block) at (4, 0.5);
+    joint x = prismatic(ground, block) at (4, 0.5) along (1, 0);
+    motor a;
+});
+
+kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_shown, upper: {
+    link crank;
+    link lift;
+    link drop;
+    link upper;
+    link knee;
+    link shin;
+    link foot;
+    joint o = revolute(ground, crank) at (0, 0);
+    joint u = revolute(crank, lift) at (9.61, 11.52);
+    joint d = revolute(crank, drop) at (9.61, 11.52);
+    joint k = revolute(lift, upper) at (-35.24, 33.61);
+    joint g = revolute(ground, upper) at (-38, -7.8);
+    joint h = revolute(drop, knee) at (-20.1, -42.79);
+    joint i = revolute(ground, knee) at (-38, -7.8);
+    joint s = revolute(upper, shin) at (-77.75, -2.54);
+    joint f = revolute(shin, foot) at (-56.05, -35.42);
+    joint e = revolute(knee, foot) at (-20.1, -42.79);
+    motor o;
+});
+
+kinds!(andrews, andrews_velocity, andrews_acceleration, andrews_shown, k3: {
+    ground { point o = (0, 0); point a = (-0.06934, -0.00227); point b = (-0.03635, 0.03273); }
+    link k1 { point o = (0, 0); point tip = (0.007, 0); }
+    link k2 { point tip = (0, 0); point e = (-0.028, 0); }
+    link k3 { point b = (0, 0); point e = (0, -0.035); }
+    link k4 { point e = (0, -0.02); point knee = (0, 0); }
+    link k5 { point a = (0, 0); point knee = (0.04, 0); }
+    link k6 { point e = (0.02, 0); point knee = (0, 0); }
+    link k7 { point a = (0, 0); point knee = (0, -0.04); }
+    joint beta = revolute(ground.o, k1.o);
+    joint theta = revolute(k1.tip, k2.tip);
+    joint gamma = revolute(ground.b, k3.b);
+    joint e3 = revolute(k2.e, k3.e);
+    joint delta = revolute(ground.a, k5.a);
+    joint phi = revolute(k5.knee, k4.knee);
+    joint e4 = revolute(k2.e, k4.e);
+    joint epsilon = revolute(ground.a, k7.a);
+    joint omega = revolute(k7.knee, k6.knee);
+    joint e6 = revolute(k2.e, k6.e);
+    motor beta;
+    start { beta = 0; k2 near 0; k5 near 0.49; k7 near 1.23; }
+});
+
+/// All of them, by mechanism.
+pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
+    [
+        (
+            "Four-bar (one loop)",
+            vec![
+                four_bar::subject(),
+                four_bar_velocity::subject(),
+                four_bar_acceleration::subject(),
+                four_bar_shown::subject(),
+            ],
+        ),
+        (
+            "Slider-crank (one loop)",
+            vec![
+                slider::subject(),
+                slider_velocity::subject(),
+                slider_acceleration::subject(),
+                slider_shown::subject(),
+            ],
+        ),
+        (
+            "Jansen's leg (four loops)",
+            vec![
+                jansen::subject(),
+                jansen_velocity::subject(),
+                jansen_acceleration::subject(),
+                jansen_shown::subject(),
+            ],
+        ),
+        (
+            "Andrews' squeezer (three loops)",
+            vec![
+                andrews::subject(),
+                andrews_velocity::subject(),
+                andrews_acceleration::subject(),
+                andrews_shown::subject(),
+            ],
+        ),
+    ]
+}

@@ -1,0 +1,80 @@
+//! What is asked of a mechanism.
+
+use super::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
+
+/// One of the things that are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// The pose of a link, and with it its points and its shapes.
+    Link(LinkId),
+    /// The place of a point.
+    Point(AxisId),
+    /// The coordinate of a joint.
+    Joint(JointId),
+}
+
+impl Model {
+    /// The links whose poses are asked for or tell what is, in the order of their declaration.
+    #[must_use]
+    pub fn asked_links(&self) -> Vec<LinkId> {
+        let Some(shown) = &self.show else {
+            return self.declared_links().collect();
+        };
+        let mut links: Vec<LinkId> = shown
+            .iter()
+            .flat_map(|shown| self.told_by(*shown))
+            .filter(|link| *link != LinkId::GROUND)
+            .collect();
+        links.sort_unstable();
+        links.dedup();
+        links
+    }
+
+    /// The links whose poses tell what is asked for. A motor's coordinate needs none.
+    fn told_by(&self, shown: Shown) -> Vec<LinkId> {
+        match shown {
+            Shown::Link(link) => vec![link],
+            Shown::Point(point) => vec![self.axis(point).link],
+            Shown::Joint(joint) if self.motor_of(joint).is_some() => Vec::new(),
+            Shown::Joint(joint) => match self.joint(joint).kind {
+                JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => [a, b]
+                    .map(|axis| self.axis(self.seen_axis(axis)).link)
+                    .to_vec(),
+                _ => Vec::new(),
+            },
+        }
+    }
+
+    /// The axis that tells where this one is: a die's pose is not kept, but its pin is where it is.
+    #[must_use]
+    pub fn seen_axis(&self, axis: AxisId) -> AxisId {
+        let die = self.link(self.axis(axis).link).die;
+        die.map_or(axis, |(pin, _)| pin)
+    }
+
+    /// Whether the pose of a link is asked for.
+    #[must_use]
+    pub fn shows_link(&self, link: LinkId) -> bool {
+        self.shows(Shown::Link(link))
+    }
+
+    /// Whether a point is asked for, by itself or with its link.
+    #[must_use]
+    pub fn shows_point(&self, point: AxisId) -> bool {
+        let axis = self.axis(point);
+        axis.kind == AxisKind::Point
+            && (self.shows(Shown::Point(point)) || self.shows_link(axis.link))
+    }
+
+    /// Whether the coordinate of a joint is asked for.
+    #[must_use]
+    pub fn shows_joint(&self, joint: JointId) -> bool {
+        self.shows(Shown::Joint(joint))
+    }
+
+    fn shows(&self, wanted: Shown) -> bool {
+        self.show
+            .as_ref()
+            .is_none_or(|shown| shown.contains(&wanted))
+    }
+}

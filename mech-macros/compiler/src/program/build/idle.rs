@@ -1,0 +1,89 @@
+//! Loops that place links which are needed, but whose solution is not: where two slides follow each other, a link between them keeps
+//! a direction that is known, and may be where it is whatever the way of the slides.
+
+use crate::model::Model;
+use crate::plan::Plan;
+use crate::program::live::iteration;
+use crate::program::node::{BlockId, Op, Slot, Value};
+use crate::program::{Block, BlockKind, Program};
+
+impl Program {
+    /// The loops, by number, whose solution does not reach any pose, while poses are numbered among those of all links.
+    pub(super) fn idle_loops(&self, model: &Model, plan: &Plan) -> Vec<usize> {
+        if model.show.is_none() {
+            return Vec::new();
+        }
+        let reached = self.reached_loops();
+        let blocks = self.block_ids().filter(|block| !reached.contains(block));
+        let idle = blocks.filter_map(|block| number(&self.blocks[block.index()]));
+        // The turns of what is tied are counted from move to move.
+        let tied = |number: &usize| {
+            plan.loops()
+                .nth(*number)
+                .is_some_and(|closing| !closing.ties.is_empty())
+        };
+        idle.filter(|number| !tied(number)).collect()
+    }
+
+    /// The blocks of the loops whose solution some pose depends on, or the solution or the test of such a loop.
+    fn reached_loops(&self) -> Vec<BlockId> {
+        let mut found = vec![None; self.nodes.len()];
+        for (block, closed) in self.all_closed() {
+            for value in &closed.found {
+                // A value that was known before is not found by closing the loop.
+                if self.node(*value).block == block {
+                    found[value.index()] = Some(block);
+                }
+            }
+        }
+        let mut reached: Vec<BlockId> = Vec::new();
+        let mut seen = vec![false; self.nodes.len()];
+        let mut waiting: Vec<Value> = self.poses.iter().flatten().copied().collect();
+        while let Some(value) = waiting.pop() {
+            if std::mem::replace(&mut seen[value.index()], true) {
+                continue;
+            }
+            let op = self.node(value).op;
+            waiting.extend(op.operands());
+            if let Op::Last(Slot::Kept(kept)) = op {
+                waiting.push(self.kept[kept]);
+            }
+            let solved = match op {
+                Op::Solved(block, _) => Some(block),
+                _ => found[value.index()],
+            };
+            if let Some(block) = solved.filter(|block| !reached.contains(block)) {
+                reached.push(block);
+                waiting.extend(iteration(&self.blocks, block));
+                waiting.extend(self.closed(block).map(|closed| closed.margin));
+                let watches = self.watches.iter().filter(|watch| watch.block == block);
+                waiting.extend(watches.flat_map(|watch| &self.kept[watch.kept..watch.kept + 2]));
+            }
+        }
+        reached
+    }
+
+    /// Loops that are only there for how their links hang together are straight blocks.
+    pub(super) fn forget_loops(&mut self, idle: &[usize]) {
+        for block in &mut self.blocks {
+            if number(block).is_some_and(|number| idle.contains(&number)) {
+                block.kind = BlockKind::Straight;
+            }
+        }
+    }
+
+    /// The loops that it solves, by their numbers in the plan.
+    #[must_use]
+    pub fn solved_loops(&self) -> Vec<usize> {
+        self.blocks.iter().filter_map(number).collect()
+    }
+}
+
+/// The number of the loop that a block solves, if it does.
+fn number(block: &Block) -> Option<usize> {
+    match &block.kind {
+        BlockKind::Straight => None,
+        BlockKind::Closed(closed) => Some(closed.number),
+        BlockKind::Newton(newton) => Some(newton.number),
+    }
+}

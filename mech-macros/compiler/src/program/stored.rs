@@ -1,0 +1,59 @@
+//! Which poses a position keeps: those that are asked for, and those that the next move begins with.
+
+use super::node::{Number, Op, Slot};
+use super::{Position, Program};
+use crate::model::LinkId;
+
+/// The number of a link's pose among those of all declared links: so poses are numbered while a program is written, as long as
+/// nobody knows which of them will be kept.
+pub(super) fn number_among_all(link: LinkId) -> Option<usize> {
+    link.index().checked_sub(1)
+}
+
+impl Program {
+    /// The position of a link's pose among those that are kept; none if it is not, and of the ground, which does not move.
+    #[must_use]
+    pub fn place_of(&self, link: LinkId) -> Option<usize> {
+        self.stored.binary_search(&link).ok()
+    }
+
+    /// The links whose last pose is read, while poses are numbered among those of all links.
+    pub(super) fn read_back(&self) -> Vec<LinkId> {
+        let read = self
+            .live_values()
+            .filter_map(|value| self.node(value).op.read());
+        read.map(|number| LinkId::new(number + 1)).collect()
+    }
+
+    /// From here on a position holds only the poses that are kept, and these are numbered anew.
+    pub(super) fn number_stored(&mut self) {
+        let Position { poses, .. } = &mut self.start;
+        let all = std::mem::take(poses);
+        let numbers = self
+            .stored
+            .iter()
+            .filter_map(|&link| number_among_all(link));
+        poses.extend(numbers.filter_map(|number| all.get(number)));
+        for node in &mut self.nodes {
+            if let Op::Last(Slot::Pose(number, part)) = node.op {
+                let place = self.stored.binary_search(&LinkId::new(number + 1));
+                node.op = match (place, all.get(number)) {
+                    (Ok(place), _) => Op::Last(Slot::Pose(place, part)),
+                    // Nothing reads it.
+                    (Err(_), Some(pose)) => Op::Constant(Number::new(pose[part.index()])),
+                    (Err(_), None) => Op::Constant(Number::new(0.0)),
+                };
+            }
+        }
+    }
+}
+
+impl Op {
+    /// The number of the last pose that it reads, if it reads one.
+    fn read(self) -> Option<usize> {
+        match self {
+            Self::Last(Slot::Pose(number, _)) => Some(number),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! What is asked for.
+
+use super::Lowering;
+use super::name::Named;
+use crate::model::{AxisKind, LinkId, Shown};
+use crate::syntax::Place;
+use crate::syntax::ast::End;
+use proc_macro2::{Ident, Span};
+
+impl Lowering {
+    pub(super) fn lower_show(&mut self, keyword: Span, what: &[End]) {
+        self.single(keyword, "show", "put everything into the first");
+        let mut shown: Vec<(Place, Shown)> = Vec::new();
+        for end in what {
+            self.report.next_item();
+            let Some(one) = self.shown(end) else {
+                continue;
+            };
+            if let Some(text) = self.again(end, one, &shown) {
+                self.report.tell(end.place(), text);
+            } else {
+                shown.push((end.place(), one));
+            }
+        }
+        self.report.next_item();
+        self.tell_points_shown_before_their_links(&shown);
+        if shown.len() < what.len() || self.model.show.is_some() {
+            return;
+        }
+        self.model.show = Some(shown.into_iter().map(|(_, one)| one).collect());
+        if self.model.asked_links().is_empty() {
+            self.report.tell(
+                Place::at(keyword),
+                "nothing of this has to be computed: it is what the motors are given; show what they move, or leave this out",
+            );
+        }
+    }
+
+    /// What is to be shown, if it can be.
+    fn shown(&mut self, end: &End) -> Option<Shown> {
+        match (self.names.look_up(&end.link), &end.axis) {
+            (Some(Named::Broken), _) => None,
+            (None, None) => {
+                self.unknown(&end.link);
+                None
+            }
+            (Some(Named::Joint(joint)), None) => {
+                let joint = joint?;
+                if let Some(text) = self.no_coordinate(&end.link, joint, "show") {
+                    self.report.tell(end.place(), text);
+                    return None;
+                }
+                Some(Shown::Joint(joint))
+            }
+            (_, axis) => {
+                let link = self.find_link(&end.link)?;
+                let shown = match axis {
+                    None => Shown::Link(link),
+                    Some(axis) => self.shown_point(link, &end.link, axis)?,
+                };
+                if link == LinkId::GROUND {
+                    let text = format!(
+                        "`{end}` does not move: there is nothing to compute; leave this out"
+                    );
+                    self.report.tell(end.place(), text);
+                    return None;
+                }
+                Some(shown)
+            }
+        }
+    }
+
+    fn shown_point(&mut self, link: LinkId, link_name: &Ident, name: &Ident) -> Option<Shown> {
+        let axis = self.find_axis(link, name, Some(AxisKind::Point))?;
+        if self.model.axis(axis).kind == AxisKind::Line {
+            let remedy = match link {
+                LinkId::GROUND => "leave this out".to_owned(),
+                _ => format!("show its link, `{link_name}`"),
+            };
+            let text = format!("`{link_name}.{name}` is a line; {remedy}");
+            self.report.tell(Place::at(name.span()), text);
+            return None;
+        }
+        Some(Shown::Point(axis))
+    }
+
+    /// What to say about something that is shown already.
+    fn again(&self, end: &End, one: Shown, before: &[(Place, Shown)]) -> Option<String> {
+        let known = |wanted: Shown| before.iter().any(|(_, shown)| *shown == wanted);
+        if known(one) {
+            return Some(format!("`{end}` is shown already; remove one of the two"));
+        }
+        match one {
+            Shown::Point(point) if known(Shown::Link(self.model.axis(point).link)) => Some(
+                format!("`{end}` is shown with its link already; leave this out"),
+            ),
+            _ => None,
+        }
+    }
+
+    fn tell_points_shown_before_their_links(&mut self, shown: &[(Place, Shown)]) {
+        let links: Vec<LinkId> = shown
+            .iter()
+            .filter_map(|(_, one)| match one {
+                Shown::Link(link) => Some(*link),
+                Shown::Point(_) | Shown::Joint(_) => None,
+            })
+            .collect();
+        for (place, one) in shown {
+            if let Shown::Point(point) = one {
+                let axis = self.model.axis(*point);
+                if links.contains(&axis.link) {
+                    let link = &self.model.link(axis.link).name;
+                    let name = axis.name.as_deref().unwrap_or_default();
+                    let text =
+                        format!("`{link}.{name}` is shown with its link already; leave this out");
+                    self.report.tell(*place, text);
+                }
+            }
+        }
+    }
+}
