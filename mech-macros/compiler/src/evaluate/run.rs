@@ -231,10 +231,10 @@ impl<'p> Runner<'p> {
             if done {
                 break;
             }
-            if let Some(step) = newton.contracting() {
-                if !contracts(&mut before, values[step.index()]) {
-                    break;
-                }
+            if let Some(step) = newton.contracting()
+                && !contracts(&mut before, values[step.index()])
+            {
+                break;
             }
             let next: Vec<T> = newton
                 .scalars

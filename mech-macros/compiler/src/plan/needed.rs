@@ -33,8 +33,9 @@ impl Plan {
             sources: vec![false; self.sources.len()],
         };
         let mut wanted = vec![false; model.links.len()];
-        let want = |wanted: &mut Vec<bool>, link: LinkId| wanted[link.index()] = true;
-        links.iter().for_each(|&link| want(&mut wanted, link));
+        for link in links {
+            wanted[link.index()] = true;
+        }
         let ends = self.steps.iter().map(|step| ends(model, step));
         let ends: Vec<Vec<LinkId>> = ends.collect();
         let clusters = clusters_before(model, &ends);
@@ -51,7 +52,9 @@ impl Plan {
                 .any(|link| wanted[link.index()] && moved(&link))
             {
                 needed.steps[index] = true;
-                ends[index].iter().for_each(|&end| want(&mut wanted, end));
+                for end in &ends[index] {
+                    wanted[end.index()] = true;
+                }
                 for (source, _) in step.sources() {
                     needed.sources[*source] = true;
                 }
@@ -60,7 +63,7 @@ impl Plan {
             for (number, source) in self.sources.iter().enumerate() {
                 if needed.sources[number] && first_reader[number] == Some(index) {
                     for link in read_by(model, source) {
-                        want(&mut wanted, link);
+                        wanted[link.index()] = true;
                     }
                 }
             }
