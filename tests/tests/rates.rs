@@ -3,7 +3,7 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::{Machine, Stop};
-use mech_compiler::model::{Effects, Method, Model, Precision};
+use mech_compiler::model::{Effects, LinkId, Method, Model, Precision, Shown};
 use mech_compiler::program::{Position, Program};
 use mech_compiler::syntax::parse;
 use mech_tests::{Dice, bodies, grow, size};
@@ -167,6 +167,58 @@ fn rates_of_random_mechanisms_are_those_of_their_positions() {
     }
     println!("{seen:?}");
     assert!(seen.compared > 20 * usize::try_from(cases()).unwrap_or(0));
+}
+
+#[test]
+fn what_is_shown_moves_as_it_does_in_the_whole() {
+    let mut compared = 0;
+    for seed in 0..cases() {
+        let mut dice = Dice::new(seed);
+        let additions = 2 + dice.below(6);
+        let mut whole = grow(&mut dice, additions).model;
+        with_effects(&mut whole);
+        let links: Vec<LinkId> = whole.declared_links().collect();
+        let link = *dice.pick(&links);
+        let mut part = whole.clone();
+        part.show = Some(vec![Shown::Link(link)]);
+        let (Ok(whole), Ok(part)) = (compile(&whole), compile(&part)) else {
+            continue;
+        };
+        let (whole, part) = (whole.moving.expect("asked"), part.moving.expect("asked"));
+        let (mut all, mut one) = (Machine::<f64>::new(&whole), Machine::<f64>::new(&part));
+        for _ in 0..4 {
+            let mut near = |_: usize| dice.between(-0.3, 0.3);
+            let motors: Vec<f64> = (0..whole.motors.len()).map(&mut near).collect();
+            let rates: Vec<f64> = (0..whole.motors.len()).map(&mut near).collect();
+            if all.move_to(&motors).is_err() || one.move_to(&motors).is_err() {
+                continue;
+            }
+            let (Ok(expected), Ok(found)) =
+                (all.motion(&rates, &rates), one.motion(&rates, &rates))
+            else {
+                continue;
+            };
+            let place = |program: &Program| program.place_of(link).expect("it is shown");
+            let (a, b) = (place(&whole), place(&part));
+            let orders = [
+                (expected.velocities[a], found.velocities[b]),
+                (
+                    expected.accelerations.expect("asked")[a],
+                    found.accelerations.expect("asked")[b],
+                ),
+            ];
+            for (expected, found) in orders {
+                for (expected, found) in expected.into_iter().zip(found) {
+                    assert!(
+                        (expected - found).abs() <= 1e-9 * (1.0 + expected.abs()),
+                        "seed {seed}: {found} instead of {expected}"
+                    );
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 5 * cases(), "{compared}");
 }
 
 #[test]

@@ -1,9 +1,14 @@
-//! Velocities and accelerations of generated code, against numbers nobody here made.
+//! Velocities and accelerations of generated code, against numbers nobody here made: the tables of `PMKS_Verification` and the
+//! literature on Andrews' squeezer.
+#![allow(
+    clippy::excessive_precision,
+    reason = "numbers are as they were published"
+)]
 
 use mech_runtime::{Cause, Velocity, mechanism};
 
 mechanism! {
-    /// PMKS_Verification: teaching_four_bar.
+    /// The four-bar of the tables.
     struct FourBar;
     link crank { point pin = (1.52, 0); }
     link coupler { point end = (4.23, 3.029); point f = (2.548, 1.958); }
@@ -17,7 +22,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// PMKS_Verification: teaching_slider_crank.
+    /// The slider-crank of the tables.
     struct SliderCrank;
     link crank;
     link rod { point end = (-0.97, 10.01); }
@@ -31,7 +36,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// PMKS_Verification: slider_crank_tracer.
+    /// The slider-crank with a tracer point of the tables.
     struct Tracer;
     link crank;
     link rod { point end = (12, 0); point tracer = (20, 2); }

@@ -57,9 +57,14 @@ pub trait Journey<T: Real> {
     fn too_far(&self) -> Self::Stop;
     /// Why it stops at a change point that it may not pass.
     fn stopped_at(&self, index: usize) -> Self::Stop;
-    /// In how many pieces the way has to be gone at least: where an angle is followed over whole turns, so many that none is lost.
+    /// In how many pieces the way has to be gone at least: where an angle is followed over whole turns, so many that none is lost;
+    /// where a loop has dead points, so many that it does not leap from one side of an opening to the other.
     fn pieces(&self) -> T {
         T::ONE
+    }
+    /// Whether the way may be gone in one piece.
+    fn is_one_piece(&self) -> bool {
+        self.pieces() <= T::ONE
     }
     /// Whether a step that fails may work in smaller ones: where loops are solved by iteration.
     fn subdivides(&self) -> bool;
@@ -93,7 +98,7 @@ pub fn is_clear<T: Real, J: Journey<T>>(
     to: &J::Position,
     part: T,
 ) -> bool {
-    journey.pieces() <= T::ONE
+    journey.is_one_piece()
         && (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
 }
 

@@ -57,6 +57,13 @@ pub fn note_senses<T: Real>(senses: &mut [T], ways: &[T]) {
     }
 }
 
+/// Whether no motor goes farther than its stride.
+#[inline]
+pub fn in_one_piece<T: Real>(strides: impl IntoIterator<Item = T>, ways: &[T]) -> bool {
+    let mut parts = strides.into_iter().zip(ways);
+    parts.all(|(stride, way)| way.abs() <= stride)
+}
+
 /// In how many pieces the motors have to go if in each they go no farther than these strides.
 #[inline]
 pub fn pieces<T: Real>(strides: impl IntoIterator<Item = T>, ways: &[T]) -> T {

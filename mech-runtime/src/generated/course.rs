@@ -239,6 +239,11 @@ where
         motors::pieces(self.course.strides.into_iter().flatten(), &self.ways)
     }
 
+    #[inline]
+    fn is_one_piece(&self) -> bool {
+        motors::in_one_piece(self.course.strides.into_iter().flatten(), &self.ways)
+    }
+
     fn subdivides(&self) -> bool {
         self.course.subdivides
     }

@@ -35,7 +35,7 @@ pub(crate) fn items(
         program.kept.len(),
     ]
     .map(Literal::usize_unsuffixed);
-    let [motors, links, _] = &sizes;
+    let links = &sizes[1];
     let doc = format!("\n```text\n{report}```");
     let start = start(program);
     let step = step(program);
@@ -44,7 +44,6 @@ pub(crate) fn items(
     let course = course(program, plan);
     let rates = RateItems::new(krate, places, model, program, moving, visibility);
     let turn_to = turn_to(model, program, visibility, &rates.rest);
-    let near = near(program);
     let within = within(program, visibility, &rates.rest);
     let many = super::many::many(program, plan, visibility, &rates.instance_rest);
     let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
@@ -58,19 +57,7 @@ pub(crate) fn items(
         methods: rate_methods,
         steps: rate_steps,
     } = rates;
-    let move_to = rested(
-        quote!(advance(&mut self.position, Motors::new(motors), &COURSE, #near, step)),
-        &rest,
-    );
-    let move_toward = rested(
-        quote!(approach(
-            &mut self.position,
-            Motors::new(motors),
-            &COURSE,
-            step
-        )),
-        &rest,
-    );
+    let moves = moves(program, visibility, &rest);
     let implementation = implementation(krate, program, name);
     quote! {
         #(#attributes)*
@@ -123,32 +110,7 @@ pub(crate) fn items(
                     Self { position: START, #at_rest }
                 }
 
-                /// The present values of the motors, in the order of their declaration, in radians or scene units.
-                #[must_use]
-                #visibility fn motors(&self) -> [#scalar; #motors] {
-                    self.position.motors.total()
-                }
-
-                /// Gives the motors these values, in the order of their declaration, in radians or scene units, and moves
-                /// everything accordingly.
-                ///
-                /// # Errors
-                /// If a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it was.
-                #[inline]
-                #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
-                    #move_to
-                }
-
-                /// Moves towards these values of the motors, in radians or scene units, on the straight way from the present
-                /// ones, as far as it can.
-                ///
-                /// # Errors
-                /// If a value is not finite; the mechanism then stays where it was.
-                #visibility fn move_toward(&mut self, motors: [#scalar; #motors])
-                    -> Result<Reached<[#scalar; #motors]>, Blocked<[#scalar; #motors]>>
-                {
-                    #move_toward
-                }
+                #moves
 
                 #turn_to
 
@@ -185,6 +147,54 @@ pub(crate) fn items(
             #rate_steps
             };
         };
+    }
+}
+
+/// The methods that tell and set the values of its motors.
+fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) -> TokenStream {
+    let (scalar, near) = (scalar(program), near(program));
+    let motors = Literal::usize_unsuffixed(program.motors.len());
+    let move_to = rested(
+        quote!(advance(&mut self.position, Motors::new(motors), &COURSE, #near, step)),
+        rest,
+    );
+    let move_toward = rested(
+        quote!(approach(
+            &mut self.position,
+            Motors::new(motors),
+            &COURSE,
+            step
+        )),
+        rest,
+    );
+    quote! {
+                /// The present values of the motors, in the order of their declaration, in radians or scene units.
+                #[must_use]
+                #visibility fn motors(&self) -> [#scalar; #motors] {
+                    self.position.motors.total()
+                }
+
+                /// Gives the motors these values, in the order of their declaration, in radians or scene units, and moves
+                /// everything accordingly.
+                ///
+                /// # Errors
+                /// If a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it was.
+                #[inline]
+                #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
+                    #move_to
+                }
+
+                /// Moves towards these values of the motors, in radians or scene units, on the straight way from the present
+                /// ones, as far as it can.
+                ///
+                /// # Errors
+                /// If a value is not finite; the mechanism then stays where it was.
+                #visibility fn move_toward(&mut self, motors: [#scalar; #motors])
+                    -> Result<Reached<[#scalar; #motors]>, Blocked<[#scalar; #motors]>>
+                {
+                    #move_toward
+                }
+
     }
 }
 

@@ -312,12 +312,12 @@ fn joint_rate(
         quote!(velocities)
     };
     if turns {
-        let angular = |id: LinkId| match id.index() {
-            0 => quote!(0.0),
-            _ => {
-                let index = index(program, id);
-                quote!(self.#field[#index].angular)
+        let angular = |id: LinkId| {
+            if id == LinkId::GROUND {
+                return quote!(0.0);
             }
+            let index = index(program, id);
+            quote!(self.#field[#index].angular)
         };
         let (from, to) = (angular(link(from)), angular(link(to)));
         return quote!(#to - #from);
@@ -327,15 +327,14 @@ fn joint_rate(
         let (axis, pose) = (model.axis(axis), pose(program, id));
         let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
             .map(|value| number(model.precision, value));
-        let (velocity, acceleration) = match id.index() {
-            0 => (quote!(Velocity::ZERO), quote!(Acceleration::ZERO)),
-            _ => {
-                let index = index(program, id);
-                (
-                    quote!(self.velocities[#index]),
-                    quote!(self.accelerations[#index]),
-                )
-            }
+        let (velocity, acceleration) = if id == LinkId::GROUND {
+            (quote!(Velocity::ZERO), quote!(Acceleration::ZERO))
+        } else {
+            let index = index(program, id);
+            (
+                quote!(self.velocities[#index]),
+                quote!(self.accelerations[#index]),
+            )
         };
         let rates = if second {
             quote!((#velocity, #acceleration))

@@ -37,6 +37,11 @@ impl<'a, 'p, T: Real> Way<'a, 'p, T> {
         }
     }
 
+    fn strides(&self) -> impl Iterator<Item = T> + '_ {
+        let strides = self.runner.program.strides.iter().flatten();
+        strides.map(|stride| T::from_f64(*stride))
+    }
+
     /// Where it leads.
     pub(super) fn gone(&self) -> Result<Position<T>, Halt<Position<T>, Stop, T>> {
         if let Ok(mut position) = self.at(self.start, T::ONE)
@@ -112,9 +117,11 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
     }
 
     fn pieces(&self) -> T {
-        let strides = self.runner.program.strides.iter().flatten();
-        let strides = strides.map(|stride| T::from_f64(*stride));
-        motors::pieces(strides, &self.ways)
+        motors::pieces(self.strides(), &self.ways)
+    }
+
+    fn is_one_piece(&self) -> bool {
+        motors::in_one_piece(self.strides(), &self.ways)
     }
 
     fn subdivides(&self) -> bool {

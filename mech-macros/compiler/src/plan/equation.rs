@@ -70,6 +70,13 @@ pub(crate) enum Solution<S> {
     Slide(S),
 }
 
+impl<S> Solution<S> {
+    /// Whether it is a direction.
+    pub(crate) fn is_direction(&self) -> bool {
+        matches!(self, Self::Direction(_))
+    }
+}
+
 /// What was found on the way round every ring.
 #[derive(Clone, Debug)]
 pub(crate) struct Measure<S> {

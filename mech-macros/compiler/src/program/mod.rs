@@ -52,7 +52,7 @@ pub struct Program {
     pub watches: Vec<Watch>,
     /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor.
     pub senses: Option<usize>,
-    /// How far each motor may go in one piece, where an angle is followed over whole turns or loops are coupled.
+    /// How far each motor may go in one piece, where an angle is followed over whole turns, loops are coupled or have dead points.
     pub strides: Option<Vec<f64>>,
     /// The least and the greatest value of each motor, if any has a declared range: it was proved that it moves through.
     pub range: Option<Vec<[f64; 2]>>,

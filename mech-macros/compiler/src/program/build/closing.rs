@@ -269,7 +269,8 @@ impl Writer<'_> {
                 .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
                 .collect(),
             extent: self.extent(equation, &now),
-            angles: (equation.rings.len() > 1).then(|| now.iter().map(is_direction).collect()),
+            angles: (equation.rings.len() > 1)
+                .then(|| now.iter().map(Solution::is_direction).collect()),
         };
         self.advance(block, &names, scalars, &now, system)
     }
@@ -381,74 +382,6 @@ impl Writer<'_> {
         }
     }
 
-    /// The steps of the unknowns that close the gap to first order, and the determinant.
-    pub(super) fn steps(
-        &mut self,
-        block: BlockId,
-        columns: &[Vec<Value>],
-        gap: &[Value],
-    ) -> (Vec<Value>, Value) {
-        match (columns, gap) {
-            ([a, b], &[x, y]) => {
-                let (a, b, gap) = ([a[0], a[1]], [b[0], b[1]], [x, y]);
-                let det = self.builder.cross(a, b);
-                let (p, q) = (self.builder.cross(b, gap), self.builder.cross(gap, a));
-                let one = self.builder.constant(1.0);
-                let inverse = self.builder.div(one, det);
-                let inverse = self.builder.name(inverse, "inverse");
-                (
-                    vec![self.builder.mul(p, inverse), self.builder.mul(q, inverse)],
-                    det,
-                )
-            }
-            ([a, b, c], [_, _, _]) => self.cramer([a, b, c], gap),
-            // More equations than unknowns, where joints are redundant: as good as possible.
-            ([a], &[x, y]) => {
-                let a = [a[0], a[1]];
-                let square = self.builder.dot(a, a);
-                let along = self.builder.dot(a, [x, y]);
-                let along = self.builder.neg(along);
-                (vec![self.builder.div(along, square)], square)
-            }
-            _ => {
-                let dense = |builder: &mut crate::program::builder::Builder, index| {
-                    builder.make(Op::Dense(block, index))
-                };
-                let steps = (0..columns.len()).map(|index| {
-                    let step = dense(&mut self.builder, index);
-                    self.builder.name(step, "step")
-                });
-                (steps.collect(), dense(&mut self.builder, columns.len()))
-            }
-        }
-    }
-
-    /// Three steps and the determinant, by Cramer's rule.
-    fn cramer(&mut self, [a, b, c]: [&Vec<Value>; 3], gap: &[Value]) -> (Vec<Value>, Value) {
-        let [a, b, c, gap] = [a, b, c, gap].map(|column| [column[0], column[1], column[2]]);
-        let det = self.triple(a, b, c);
-        let parts = [
-            self.triple(gap, b, c),
-            self.triple(a, gap, c),
-            self.triple(a, b, gap),
-        ];
-        let steps = parts.map(|part| {
-            let part = self.builder.neg(part);
-            self.builder.div(part, det)
-        });
-        (steps.to_vec(), det)
-    }
-
-    /// The determinant of three columns.
-    fn triple(&mut self, a: [Value; 3], b: [Value; 3], c: [Value; 3]) -> Value {
-        let builder = &mut self.builder;
-        let minors =
-            [(1, 2), (2, 0), (0, 1)].map(|(i, j)| builder.cross([b[i], b[j]], [c[i], c[j]]));
-        let [x, y, z] = [0, 1, 2].map(|row| builder.mul(a[row], minors[row]));
-        let sum = builder.add(x, y);
-        builder.add(sum, z)
-    }
-
     fn unknown(
         &mut self,
         block: BlockId,
@@ -498,9 +431,4 @@ impl Writer<'_> {
         });
         solved.collect()
     }
-}
-
-/// Whether an unknown is a direction.
-fn is_direction(unknown: &Solution<Value>) -> bool {
-    matches!(unknown, Solution::Direction(_))
 }

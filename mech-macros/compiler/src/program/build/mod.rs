@@ -4,6 +4,7 @@ mod closing;
 mod dyad;
 mod idle;
 mod left_out;
+mod linear;
 mod predictor;
 mod rates;
 mod tangent;
@@ -143,7 +144,7 @@ fn write(
 }
 
 /// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster; and that coupled
-/// loops which close at both ends are not likely to be open between.
+/// loops which close at both ends, or loops with dead points, are not likely to be open between.
 fn strides(model: &Model) -> Vec<f64> {
     let size = model.size();
     let stride = |motor: &crate::model::Motor| match model.joint(motor.joint).kind {
@@ -420,7 +421,8 @@ impl Writer<'_> {
             matches!(&block.kind, BlockKind::Newton(newton)
                 if newton.step.is_some() && matches!(newton.rounds, Rounds::UntilClosed(_)))
         };
-        let follows = follows || builder.blocks.iter().any(leaps);
+        let ends = watches.iter().any(|watch| watch.at_zero == AtZero::Stay);
+        let follows = follows || ends || builder.blocks.iter().any(leaps);
         let strides = follows.then(|| strides(model));
         let mut program = Program {
             name: model.name.clone(),

@@ -27,7 +27,7 @@ pub(super) struct Closing {
 }
 
 /// The linear system for the rates of a loop.
-struct Rates {
+struct Solved {
     block: BlockId,
     columns: Vec<Vec<Value>>,
     /// What the columns times the rates must add to zero.
@@ -113,7 +113,7 @@ impl Writer<'_> {
         closing: &Closing,
         tangents: &mut Tangents,
         motion: &mut Motion,
-    ) -> Rates {
+    ) -> Solved {
         let Closing {
             equation,
             solution,
@@ -175,7 +175,7 @@ impl Writer<'_> {
                 Solution::Slide(way) => tangents.set(way, rate),
             }
         }
-        Rates {
+        Solved {
             block,
             columns,
             gap,
@@ -184,22 +184,22 @@ impl Writer<'_> {
     }
 
     /// The second rates of what a loop solves.
-    fn second_rates(&mut self, rates: &Rates, tangents: &mut Tangents, motion: &mut Motion) {
+    fn second_rates(&mut self, solved: &Solved, tangents: &mut Tangents, motion: &mut Motion) {
         let builder = &mut self.builder;
-        let mut gap: Vec<Value> = rates
+        let mut gap: Vec<Value> = solved
             .gap
             .iter()
             .map(|&gap| tangents.of(builder, gap))
             .collect();
-        for (column, &rate) in rates.columns.iter().zip(&rates.rates) {
+        for (column, &rate) in solved.columns.iter().zip(&solved.rates) {
             for (gap, &part) in gap.iter_mut().zip(column) {
                 let changed = tangents.of(builder, part);
                 let share = builder.mul(changed, rate);
                 *gap = builder.add(*gap, share);
             }
         }
-        let (second, _) = self.solved_rates(rates.block, (&rates.columns, &gap), motion);
-        for (&rate, second) in rates.rates.iter().zip(second) {
+        let (second, _) = self.solved_rates(solved.block, (&solved.columns, &gap), motion);
+        for (&rate, second) in solved.rates.iter().zip(second) {
             // What never moves is never faster.
             if self.builder.number(rate).is_none() {
                 let name = self
