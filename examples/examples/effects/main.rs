@@ -26,7 +26,7 @@ const HEAD: &str = "# What effects cost\n\n\
     nothing is in the way.\n\n";
 
 fn main() -> ExitCode {
-    match run(env::args().skip(1).collect()) {
+    match run(&env::args().skip(1).collect::<Vec<_>>()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
@@ -35,7 +35,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: Vec<String>) -> Result<(), String> {
+fn run(arguments: &[String]) -> Result<(), String> {
     let quick = match &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => false,
         ["--quick"] => true,
