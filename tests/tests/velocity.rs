@@ -1,6 +1,7 @@
 //! Velocities and accelerations of generated code, against numbers nobody here made: the tables of `PMKS_Verification` and the
 //! literature on Andrews' squeezer.
 #![allow(
+    clippy::approx_constant,
     clippy::excessive_precision,
     reason = "numbers are as they were published"
 )]
