@@ -22,8 +22,8 @@ const HEAD: &str = "# What effects cost\n\n\
     token for token, in all of them (`tests/tests/expand.rs` holds it to that).\n\n\
     **Operations** are those of a position and, after the plus, what rates add. **Time** is that of one `move_to` or `move_with`, \
     sine and cosine included, the next needing the last: the median of many rounds in which all take turns. **State** is the size \
-    of the struct. **Code** is the size of a function that makes one such move, everything inlined that is on the way when \
-    nothing is in the way.\n\n";
+    of the struct. **Code** is the size of the functions that make such moves, without those that are only called when \
+    something is in the way.\n\n";
 
 fn main() -> ExitCode {
     match run(&env::args().skip(1).collect::<Vec<_>>()) {

@@ -3,7 +3,7 @@
 //! The angle comes in two parts, a float and what its rounding lost. The coefficients are minimax fits (Remez, one
 //! coefficient rounded at a time): the error of the sine is relative to the sine, that of the cosine to one.
 
-/// Sine and cosine of `high + low` for |high| <= pi/4 and |low| of half an ulp of it.
+/// Sine and cosine of `high + low` for |high| <= pi/4 and |low| <= 2^-53.
 #[inline]
 pub(crate) fn between_diagonals_f64(high: f64, low: f64) -> (f64, f64) {
     // Relative error 2^-57.9.

@@ -83,11 +83,9 @@ pub fn sin_cos_within_f64(x: f64) -> (f64, f64) {
     let second = first - middle;
     // Exact too, even if `first` is the smaller one: it is a multiple of the last place of `middle`.
     let lost = (first - second) - middle;
-    // Nearest first a subtraction: so that -0 stays what it is.
-    let rest = count * TAIL - lost;
-    let high = second - rest;
-    let low = (second - high) - rest;
-    turned_f64(between_diagonals_f64(high, low), sum.to_bits())
+    // What is left over is at most 2^-54, so that nobody has to wait until it is put where it belongs.
+    let low = lost - count * TAIL;
+    turned_f64(between_diagonals_f64(second, low), sum.to_bits())
 }
 
 /// As [`sin_cos_f32`], bit for bit, for |x| <= [`LIMIT_F32`]; beyond that it gives any numbers, but does not panic.
