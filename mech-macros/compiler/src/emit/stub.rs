@@ -28,7 +28,7 @@ pub(crate) fn stub(
     let motors = Literal::usize_unsuffixed(motors);
     let links = Literal::usize_unsuffixed(model.asked_links().len());
     let methods = accessors(krate, places, model, &scalar);
-    let rates = rates(krate, model, visibility, (&scalar, &links));
+    let rates = rates(krate, model, visibility, (&scalar, &links, &motors));
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
     let implementation = implementation(krate, header, &scalar, &motors);
@@ -151,7 +151,7 @@ fn rates(
     krate: &TokenStream,
     model: &Model,
     visibility: &syn::Visibility,
-    (scalar, links): (&TokenStream, &Literal),
+    (scalar, links, motors): (&TokenStream, &Literal, &Literal),
 ) -> TokenStream {
     if !model.effects.velocity {
         return TokenStream::new();
@@ -178,8 +178,8 @@ fn rates(
             loop {}
         }
         #second
-        #visibility fn influences<const MOTORS: usize>(&self)
-            -> ::core::result::Result<[[#krate::Velocity<#scalar>; #links]; MOTORS], #krate::Blocked<[#scalar; MOTORS]>>
+        #visibility fn influences(&self)
+            -> ::core::result::Result<[[#krate::Velocity<#scalar>; #links]; #motors], #krate::Blocked<[#scalar; #motors]>>
         {
             loop {}
         }
