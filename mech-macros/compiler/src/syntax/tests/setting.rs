@@ -88,16 +88,38 @@ fn a_drawn_joint_starts_at_zero() {
 #[test]
 fn some_settings_are_to_come() {
     told(
-        "effects { «velocity»; «acceleration»; }",
+        "effects { «dynamics»; «force»; }",
         &[
-            "effect `velocity` is not supported yet",
-            "effect `acceleration` is not supported yet",
+            "effect `dynamics` is not supported yet",
+            "effect `force` is not supported yet",
         ],
     );
     told("«certify»;", &["`certify` is not supported yet"]);
     told(
         "«param» r = 1 in 0 ..= 2;",
         &["`param` is not supported yet"],
+    );
+}
+
+#[test]
+fn accelerations_bring_velocities_with_them() {
+    use crate::model::Effects;
+    let effects = |text| {
+        let Effects {
+            velocity,
+            acceleration,
+        } = told(text, &[]).model.effects;
+        [velocity, acceleration]
+    };
+    assert_eq!(effects(""), [false, false]);
+    assert_eq!(effects("effects { velocity; }"), [true, false]);
+    assert_eq!(effects("effects { acceleration; }"), [true, true]);
+    told(
+        "effects { velocity; «velocity»; «speed»; }",
+        &[
+            "`velocity` is listed already; remove one of the two",
+            "unknown effect `speed`; there are `velocity`, `acceleration`",
+        ],
     );
 }
 
