@@ -14,6 +14,8 @@ use crate::walk::{Stretch, at, walk};
 const BUDGET: usize = 1_200_000;
 /// Samples in a turn.
 const SAMPLES: [usize; 2] = [24, 360];
+/// Ends nearer than this part of a way are not looked at.
+const SHORTEST: f64 = 1e-6;
 /// Samples before an end.
 const LAST_SAMPLES: u32 = 12;
 /// Where several motors move a loop, most of its positions were never seen.
@@ -188,7 +190,8 @@ impl Walker<'_> {
             .filter(|(_, way)| **way != 0.0)
             .map(|((reached, start), way)| (reached - start) / way)
             .fold(from, f64::max);
-        if reached.is_err() {
+        // In less, rounding is steeper than anything.
+        if reached.is_err() || end - from < SHORTEST {
             return;
         }
         machine.put_back(last);
@@ -219,7 +222,7 @@ impl Walker<'_> {
             };
             let squares: Vec<f64> = trail
                 .iter()
-                .map(|(_, position)| position.kept[watch.kept].powi(2))
+                .map(|(_, position)| position.kept[watch.kept].powi(2).min(1.0))
                 .collect();
             let found = &mut self.found[closed.number];
             // Rounding hides the side the more, the farther the pins are from each other.
