@@ -14,10 +14,6 @@ use crate::walk::{Stretch, at, walk};
 const BUDGET: usize = 1_200_000;
 /// Samples in a turn.
 const SAMPLES: [usize; 2] = [24, 360];
-/// Ends nearer than this part of a way are not looked at.
-const SHORTEST: f64 = 1e-6;
-/// Samples before an end.
-const LAST_SAMPLES: u32 = 12;
 /// Where several motors move a loop, most of its positions were never seen.
 const WIDE_SAFETY: f64 = 6.0;
 /// Between samples a rate may be greater than any that was sampled.
@@ -152,7 +148,6 @@ impl Walker<'_> {
                 Ok(()) => trail.push((part, machine.position().clone())),
                 Err(stop) => {
                     self.ends(stop);
-                    self.to_the_end(&mut trail, ways, part);
                     self.look(&trail, ways);
                     self.unseen(ways);
                     return false;
@@ -175,34 +170,6 @@ impl Walker<'_> {
         }
     }
 
-    /// Samples the rest of a way that ends before this part of it: there it changes fastest.
-    fn to_the_end(&self, trail: &mut Vec<(f64, Position<f64>)>, ways: &[f64], beyond: f64) {
-        let Some((from, last)) = trail.last().cloned() else {
-            return;
-        };
-        let start = &self.program.start.motors;
-        let mut machine = Machine::<f64>::new(self.program);
-        machine.put_back(last.clone());
-        let reached = machine.move_toward(&at(start, ways, beyond));
-        let motors = machine.position().motors.clone();
-        let parts = motors.iter().zip(start).zip(ways);
-        let end = parts
-            .filter(|(_, way)| **way != 0.0)
-            .map(|((reached, start), way)| (reached - start) / way)
-            .fold(from, f64::max);
-        // In less, rounding is steeper than anything.
-        if reached.is_err() || end - from < SHORTEST {
-            return;
-        }
-        machine.put_back(last);
-        for sample in 1..=LAST_SAMPLES {
-            let part = from + (end - from) * f64::from(sample) / f64::from(LAST_SAMPLES);
-            if part > from && machine.move_to(&at(start, ways, part)).is_ok() {
-                trail.push((part, machine.position().clone()));
-            }
-        }
-    }
-
     /// Where these motors cannot go farther, they may if others are elsewhere: nobody saw what their loops do there.
     fn unseen(&mut self, ways: &[f64]) {
         if ways.len() < 2 {
@@ -222,7 +189,7 @@ impl Walker<'_> {
             };
             let squares: Vec<f64> = trail
                 .iter()
-                .map(|(_, position)| position.kept[watch.kept].powi(2).min(1.0))
+                .map(|(_, position)| position.kept[watch.kept].powi(2))
                 .collect();
             let found = &mut self.found[closed.number];
             // Rounding hides the side the more, the farther the pins are from each other.

@@ -10,7 +10,7 @@ use crate::Real;
 /// A loop that is watched. All numbers are for the way from the start to the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Watch<T> {
-    /// By how much the square of the sine, where it is less than one, may change on the whole way, at most.
+    /// By how much the square of the sine may change on the whole way, at most.
     pub change: T,
     /// What happens where the sine is zero and the loop closes on both sides.
     pub at_zero: AtZero,
@@ -109,13 +109,8 @@ fn is_far<T: Real, J: Journey<T>>(
     part: T,
     index: usize,
 ) -> bool {
-    // Where something slides away, what is kept for a sine grows without bound: what is more than one is far.
-    let square = |position| {
-        let sine = journey.sine(position, index);
-        let square = sine * sine;
-        if square < T::ONE { square } else { T::ONE }
-    };
-    square(from) + square(to) > journey.watch(index).change * part
+    let (a, b) = (journey.sine(from, index), journey.sine(to, index));
+    a * a + b * b > journey.watch(index).change * part
 }
 
 /// Goes to the target, past whatever is on the way.
