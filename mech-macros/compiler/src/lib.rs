@@ -70,7 +70,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         choices,
         prediction,
     } = coherent(model, Depth::Whole)?;
-    let moving = program::build_moving(model, &plan, &program.choices).map(|moving| Program {
+    let moving = program::build_moving(model, &plan, &choices, &program).map(|moving| Program {
         start: program.start.clone(),
         range: program.range.clone(),
         ..moving

@@ -1,6 +1,6 @@
 //! A move: in one step where nothing is in the way, else as a journey.
 
-use super::{Motors, Position, Stop};
+use super::{Motors, Position, Stop, finite};
 use crate::{Blocked, Cause, Reached, Scalar};
 use mech_core::journey::{self, AtZero, Halt, Journey, Watch};
 use mech_core::motors;
@@ -40,6 +40,12 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
 }
 
 impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> Course<T, MOTORS, WATCHED> {
+    /// Whether nothing can be on any way.
+    #[inline]
+    pub(super) const fn is_free(&self) -> bool {
+        WATCHED == 0 && self.senses.is_none() && self.strides.is_none()
+    }
+
     /// Whether these values are within the declared ranges.
     #[inline]
     pub fn contains(&self, motors: &Motors<T, MOTORS>) -> bool {
@@ -269,8 +275,7 @@ where
     T: Scalar,
 {
     if target.is_within(course.reach) && course.contains(&target) {
-        if W == 0 && course.senses.is_none() && course.strides.is_none() {
-            // Nothing can be on the way.
+        if course.is_free() {
             if let Ok(there) = near(position, target)
                 && (!course.overflows || there.is_finite())
             {
@@ -303,7 +308,7 @@ pub(super) fn follow<T, const M: usize, const L: usize, const K: usize, const W:
 where
     T: Scalar,
 {
-    if let Some(stop) = target.not_finite(&course.names) {
+    if let Err(stop) = finite(target.values, &course.names) {
         return Err(position.refuse(stop));
     }
     let start = *position;
@@ -333,7 +338,7 @@ pub fn approach<T, const M: usize, const L: usize, const K: usize, const W: usiz
 where
     T: Scalar,
 {
-    if let Some(stop) = target.not_finite(&course.names) {
+    if let Err(stop) = finite(target.values, &course.names) {
         return Err(position.refuse(stop));
     }
     let start = *position;

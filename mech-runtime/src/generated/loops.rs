@@ -12,13 +12,34 @@ pub fn closes<T: Scalar, const LOOPS: usize>(
     margins: [T; LOOPS],
     places: [&'static str; LOOPS],
 ) -> Result<(), Stop> {
+    none_negative(margins, places, Cause::Open)
+}
+
+/// Tests that the rates of all loops are determined.
+///
+/// # Errors
+/// The first loop whose margin is negative or not a number.
+#[inline]
+pub fn determined<T: Scalar, const LOOPS: usize>(
+    margins: [T; LOOPS],
+    places: [&'static str; LOOPS],
+) -> Result<(), Stop> {
+    none_negative(margins, places, Cause::Singular)
+}
+
+#[inline]
+fn none_negative<T: Scalar, const LOOPS: usize>(
+    margins: [T; LOOPS],
+    places: [&'static str; LOOPS],
+    cause: Cause,
+) -> Result<(), Stop> {
     // What is not a number does not pass.
     let passes = |margin: T| margin >= T::zero();
     match margins.into_iter().position(|margin| !passes(margin)) {
         None => Ok(()),
         Some(first) => Err(Stop::new(
             places.get(first).copied().unwrap_or_default(),
-            Cause::Open,
+            cause,
         )),
     }
 }

@@ -15,14 +15,14 @@ pub use coordinates::{
     angle, atan2, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
 };
 pub use course::{Course, Watched, advance, approach};
-pub use loops::{closed, closes, solve};
+pub use loops::{closed, closes, determined, solve};
 pub use many::{Anywhere, Sines, Within, least, move_many, solve_many};
 pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::AtZero;
 pub use mech_core::motors::turned;
-pub use position::{Motors, Position};
-pub use rates::{Rates, advance_with, determined, finite, rates_at};
+pub use position::{Motors, Position, finite};
+pub use rates::{Rates, advance_with, rates_at};
 
 use crate::{Cause, Scalar};
 

@@ -75,15 +75,20 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     pub fn is_finite(&self) -> bool {
         self.values.iter().all(|value| Real::is_finite(*value))
     }
+}
 
-    /// The first motor whose value is not a finite number.
-    #[inline]
-    pub(super) fn not_finite(&self, names: &[&'static str; MOTORS]) -> Option<Stop> {
-        let first = self
-            .values
-            .iter()
-            .position(|value| !Real::is_finite(*value))?;
-        Some(Stop::new(names[first], Cause::NotFinite))
+/// Tests that the values or rates of all motors are finite numbers.
+///
+/// # Errors
+/// The first motor of which one is not.
+#[inline]
+pub fn finite<T: Scalar, const MOTORS: usize>(
+    values: [T; MOTORS],
+    names: &[&'static str; MOTORS],
+) -> Result<(), Stop> {
+    match values.iter().position(|value| !Real::is_finite(*value)) {
+        None => Ok(()),
+        Some(motor) => Err(Stop::new(names[motor], Cause::NotFinite)),
     }
 }
 

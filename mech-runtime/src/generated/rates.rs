@@ -28,40 +28,6 @@ impl<T: Scalar, const LINKS: usize> Rates for ([Velocity<T>; LINKS], [Accelerati
     }
 }
 
-/// Tests that the rates of all loops are determined.
-///
-/// # Errors
-/// The first loop whose margin is negative or not a number.
-#[inline]
-pub fn determined<T: Scalar, const LOOPS: usize>(
-    margins: [T; LOOPS],
-    places: [&'static str; LOOPS],
-) -> Result<(), Stop> {
-    let passes = |margin: T| margin >= T::ZERO;
-    match margins.into_iter().position(|margin| !passes(margin)) {
-        None => Ok(()),
-        Some(first) => Err(Stop::new(
-            places.get(first).copied().unwrap_or_default(),
-            Cause::Singular,
-        )),
-    }
-}
-
-/// Tests that the rates of all motors are finite numbers.
-///
-/// # Errors
-/// The first motor of which one is not.
-#[inline]
-pub fn finite<T: Scalar, const M: usize>(
-    rates: [T; M],
-    names: &[&'static str; M],
-) -> Result<(), Stop> {
-    match rates.iter().position(|rate| !Real::is_finite(*rate)) {
-        None => Ok(()),
-        Some(motor) => Err(Stop::new(names[motor], Cause::NotFinite)),
-    }
-}
-
 /// Moves to the target and gives the rates there. `near` is the step for motor values within the course's reach, `far` that for
 /// any; `step` finds positions alone.
 ///
@@ -91,8 +57,7 @@ where
         && (!course.overflows || there.is_finite())
     {
         let way = Way::new(course, position, target, &step);
-        let free = W == 0 && course.senses.is_none() && course.strides.is_none();
-        if free || journey::is_clear(&way, position, &there, T::ONE) {
+        if course.is_free() || journey::is_clear(&way, position, &there, T::ONE) {
             journey::Journey::note_sense(&way, &mut there);
             *position = there;
             return Ok(rates);

@@ -45,41 +45,40 @@ pub(super) fn statements(
 
 /// The unknowns and the determinant of a linear system.
 fn linear(program: &Program, number: usize, scope: &mut Scope<'_>) -> TokenStream {
-    let Some(system) = program
-        .motion
-        .as_ref()
-        .and_then(|motion| motion.systems.get(number))
-    else {
+    let systems = program.motion.iter().flat_map(|motion| &motion.systems);
+    let Some(found) = systems.into_iter().nth(number) else {
         return TokenStream::new();
     };
-    let rows: Vec<TokenStream> = (0..system.right.len())
+    let unknown = |index| Op::Linear(number, index);
+    system(program, (&found.columns, &found.right), unknown, scope)
+}
+
+/// The `let` of the unknowns and the determinant of a system: columns times unknowns and the right side add to zero.
+pub(super) fn system(
+    program: &Program,
+    (columns, right): (&[Vec<Value>], &[Value]),
+    unknown: impl Fn(usize) -> Op,
+    scope: &mut Scope<'_>,
+) -> TokenStream {
+    let rows: Vec<TokenStream> = (0..right.len())
         .map(|row| {
-            let parts = system
-                .columns
-                .iter()
-                .map(|column| scope.expression(column[row]));
+            let parts = columns.iter().map(|column| scope.expression(column[row]));
             quote!([#(#parts),*])
         })
         .collect();
-    let right: Vec<TokenStream> = system
-        .right
-        .iter()
-        .map(|&right| scope.expression(right))
-        .collect();
-    let bound: Vec<Ident> = (0..=system.columns.len())
+    let right: Vec<TokenStream> = right.iter().map(|&right| scope.negated(right)).collect();
+    let bound: Vec<Ident> = (0..=columns.len())
         .map(|index| {
-            let wanted = Op::Linear(number, index);
-            let value = program
-                .live_values()
-                .find(|&value| program.node(value).op == wanted);
-            match value {
+            let wanted = unknown(index);
+            let mut live = program.live_values();
+            match live.find(|&value| program.node(value).op == wanted) {
                 Some(value) => scope.bind(value),
                 None => scope.fresh("_unused"),
             }
         })
         .collect();
-    let (unknowns, det) = bound.split_at(system.columns.len());
-    quote!(let ([#(#unknowns),*], #(#det)*) = solve([#(#rows),*], [#(-(#right)),*]);)
+    let (unknowns, det) = bound.split_at(columns.len());
+    quote!(let ([#(#unknowns),*], #(#det)*) = solve([#(#rows),*], [#(#right),*]);)
 }
 
 /// The `let` of a value; the sine and cosine of one angle are made together.

@@ -1,6 +1,6 @@
 //! The iteration of a loop as Rust.
 
-use super::block::binding;
+use super::block::{binding, system};
 use super::scope::{Scope, number};
 use crate::program::{BlockId, Newton, Op, Program, Rounds, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -196,32 +196,8 @@ fn greatest(gap: &[TokenStream]) -> TokenStream {
 
 /// The steps and the determinant of coupled loops, from their dense system.
 fn dense(program: &Program, block: BlockId, newton: &Newton, scope: &mut Scope<'_>) -> TokenStream {
-    let rows = (0..newton.gap.len()).map(|row| {
-        let rates = newton
-            .columns
-            .iter()
-            .map(|column| scope.expression(column[row]));
-        quote!([#(#rates),*])
-    });
-    let rows: Vec<TokenStream> = rows.collect();
-    let gap: Vec<TokenStream> = newton
-        .gap
-        .iter()
-        .map(|&gap| scope.expression(gap))
-        .collect();
-    let value = |index| {
-        program
-            .live_values()
-            .find(|&value| program.node(value).op == Op::Dense(block, index))
-    };
-    let bound: Vec<Ident> = (0..=newton.columns.len())
-        .map(|index| match value(index) {
-            Some(value) => scope.bind(value),
-            None => scope.fresh("_unused"),
-        })
-        .collect();
-    let (steps, det) = bound.split_at(newton.columns.len());
-    quote!(let ([#(#steps),*], #(#det)*) = solve([#(#rows),*], [#(-#gap),*]);)
+    let unknown = |index| Op::Dense(block, index);
+    system(program, (&newton.columns, &newton.gap), unknown, scope)
 }
 
 /// A part of the present size of a loop.

@@ -139,6 +139,12 @@ impl<'p> Scope<'p> {
         self.bound(value).0
     }
 
+    /// A value with the other sign.
+    pub(super) fn negated(&self, value: Value) -> TokenStream {
+        let value = self.at_least(value, Binding::Sign);
+        quote!(-#value)
+    }
+
     /// What makes a value, even if it has a name.
     pub(super) fn definition(&self, value: Value) -> TokenStream {
         self.made(value).0
@@ -165,10 +171,7 @@ impl<'p> Scope<'p> {
                 )
             }
             Op::Last(slot) => (self.last(slot), Binding::Atom),
-            Op::Neg(a) => {
-                let a = self.at_least(a, Binding::Sign);
-                (quote!(-#a), Binding::Sign)
-            }
+            Op::Neg(a) => (self.negated(a), Binding::Sign),
             Op::Abs(a) => {
                 let a = self.at_least(a, Binding::Atom);
                 (quote!(#a.abs()), Binding::Atom)

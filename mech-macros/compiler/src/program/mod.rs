@@ -60,8 +60,6 @@ pub struct Program {
     pub overflows: bool,
     /// The rates of everything, if this program goes on to them.
     pub motion: Option<Motion>,
-    /// What was decided for each loop.
-    pub choices: Vec<Choice>,
     /// Which values anything depends on.
     pub live: Vec<bool>,
     /// The position in which the mechanism is assembled.

@@ -36,30 +36,6 @@ pub fn build(model: &Model, plan: &Plan) -> Program {
 /// that the model says. What nothing that is shown depends on is left out.
 #[must_use]
 pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
-    settled(model, plan, choices).0
-}
-
-/// Writes the program that goes on from positions to rates, as far as effects ask for them.
-#[must_use]
-pub fn build_moving(model: &Model, plan: &Plan, choices: &[Choice]) -> Option<Program> {
-    if !model.effects.velocity {
-        return None;
-    }
-    let (_, links, idle) = settled(model, plan, choices);
-    let mut program = write(model, plan, choices, (&links, &idle), Reach::Rates);
-    program.number_stored();
-    Some(program)
-}
-
-/// How far a program goes.
-#[derive(Clone, Copy, PartialEq)]
-enum Reach {
-    Positions,
-    Rates,
-}
-
-/// The program to positions, the links that it stores, and the loops that are idle in it.
-fn settled(model: &Model, plan: &Plan, choices: &[Choice]) -> (Program, Vec<LinkId>, Vec<usize>) {
     let mut links = model.asked_links();
     loop {
         let written =
@@ -77,9 +53,37 @@ fn settled(model: &Model, plan: &Plan, choices: &[Choice]) -> (Program, Vec<Link
         links.dedup();
         if links.len() == before {
             program.number_stored();
-            return (program, links, idle);
+            return program;
         }
     }
+}
+
+/// Writes the program that goes on from positions to rates, as far as effects ask for them: of the same links and loops as the
+/// program to positions.
+#[must_use]
+pub fn build_moving(
+    model: &Model,
+    plan: &Plan,
+    choices: &[Choice],
+    positions: &Program,
+) -> Option<Program> {
+    if !model.effects.velocity {
+        return None;
+    }
+    let solved = positions.solved_loops();
+    let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
+    let idle: Vec<usize> = idle.collect();
+    let parts = (&positions.stored[..], &idle[..]);
+    let mut program = write(model, plan, choices, parts, Reach::Rates);
+    program.number_stored();
+    Some(program)
+}
+
+/// How far a program goes.
+#[derive(Clone, Copy, PartialEq)]
+enum Reach {
+    Positions,
+    Rates,
 }
 
 /// The steps that something that is shown depends on.
@@ -407,7 +411,6 @@ impl Writer<'_> {
         };
         let Self {
             model,
-            choices,
             builder,
             kept,
             watches,
@@ -447,7 +450,6 @@ impl Writer<'_> {
             poses,
             kept,
             motion,
-            choices: choices.to_vec(),
             live: Vec::new(),
             start,
         };
