@@ -38,6 +38,10 @@ pub enum Cause {
     Overflow,
     /// This loop is at a dead point or a change point, where rates are not determined by those of the motors.
     Singular,
+    /// No mass resists this motor where it is, so forces do not tell how it moves.
+    Massless,
+    /// The step of time is so long that its iteration does not settle.
+    StepTooLong,
 }
 
 /// How far a mechanism came that was moved as far as it goes.
@@ -72,7 +76,7 @@ impl<M: fmt::Debug> fmt::Display for Blocked<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (place, reached) = (self.place, &self.reached);
         match self.cause {
-            Cause::NotFinite => write!(f, "the value for motor `{place}` is not a finite number"),
+            Cause::NotFinite => write!(f, "the value for `{place}` is not a finite number"),
             Cause::Open => write!(f, "the loop {place} does not close beyond {reached:?}"),
             Cause::DeadPoint => write!(
                 f,
@@ -86,6 +90,8 @@ impl<M: fmt::Debug> fmt::Display for Blocked<M> {
             Cause::OutOfRange => write!(f, "the value for motor `{place}` is outside its range"),
             Cause::NoRoom => write!(f, "there is no room left in the columns"),
             Cause::Overflow => write!(f, "a coordinate would be beyond the range of the numbers"),
+            Cause::Massless => write!(f, "no mass resists motor `{place}` at {reached:?}"),
+            Cause::StepTooLong => write!(f, "the step of time is too long to be followed"),
             Cause::Singular => write!(
                 f,
                 "the rates of the loop {place} are not determined at {reached:?}: it is at a dead point or a change point"

@@ -15,6 +15,8 @@ extern crate self as mech_runtime;
 mod blocked;
 mod columns;
 mod cost;
+mod force;
+mod gauss;
 #[doc(hidden)]
 pub mod generated;
 mod mechanism;
@@ -28,6 +30,8 @@ mod shape;
 pub use blocked::{Blocked, Cause, Reached};
 pub use columns::{BlockedAt, Columns};
 pub use cost::Cost;
+pub use force::{Forces, Reaction};
+pub use gauss::Gauss;
 pub use mech_core::{Phase, Real};
 pub use mechanism::Mechanism;
 pub use nalgebra::{Isometry2, Point2, Vector2};

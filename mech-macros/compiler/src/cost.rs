@@ -116,6 +116,7 @@ impl Cost {
             | Op::Dense(..)
             | Op::Rate(_)
             | Op::Acceleration(_)
+            | Op::Load(_)
             | Op::Linear(..) => {}
             // A remainder of whole numbers, and a part of a turn.
             Op::Turned(..) => {

@@ -3,10 +3,10 @@
 mod run;
 mod way;
 
-use crate::program::{BlockId, Position, Program};
+use crate::program::{BlockId, Forces, Position, Program};
 use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
-use run::Runner;
+use run::{Given, Runner};
 use way::Way;
 
 /// Why a mechanism did not go where it was told.
@@ -129,6 +129,26 @@ impl<'p, T: Real> Machine<'p, T> {
     /// If a loop is at a dead point or a change point, where rates are not determined; if a rate is not finite; or if the
     /// program does not go on to rates.
     pub fn motion(&self, rates: &[T], accelerations: &[T]) -> Result<Moved<T>, Stop> {
+        let given = self.given(rates, accelerations, &[])?;
+        self.runner.motion(&self.position, given)
+    }
+
+    /// What forces do where it is, if the motors move at these rates and second rates, and the loads are these numbers.
+    ///
+    /// # Errors
+    /// If a loop is at a dead point or a change point, where that is not determined; if a number is not finite or missing; or if
+    /// the program does not go on to forces.
+    pub fn forces(&self, rates: &[T], accelerations: &[T], loads: &[T]) -> Result<Forces<T>, Stop> {
+        let given = self.given(rates, accelerations, loads)?;
+        self.runner.forces(&self.position, given)
+    }
+
+    fn given<'g>(
+        &self,
+        rates: &'g [T],
+        accelerations: &'g [T],
+        loads: &'g [T],
+    ) -> Result<Given<'g, T>, Stop> {
         let count = self.position.motors.len();
         if rates.len() != count || accelerations.len() != count {
             return Err(Stop::MotorCount);
@@ -141,7 +161,14 @@ impl<'p, T: Real> Machine<'p, T> {
         {
             return Err(Stop::NotFinite(motor));
         }
-        self.runner.motion(&self.position, [rates, accelerations])
+        if loads.iter().any(|load| !load.is_finite()) {
+            return Err(Stop::Overflow);
+        }
+        Ok(Given {
+            rates,
+            accelerations,
+            loads,
+        })
     }
 
     /// Exactly as the generated code's runtime does it.

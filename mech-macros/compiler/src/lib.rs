@@ -28,10 +28,10 @@ use accuracy::{Prediction, Solved};
 use cost::Cost;
 use evaluate::{Machine, Stop};
 use matched::Matched;
-use model::{JointId, JointKind, Model};
+use model::{JointId, JointKind, Model, MotorId};
 use plan::Plan;
 use proc_macro2::{Span, TokenStream, TokenTree};
-use program::{Choice, Program};
+use program::{Choice, Forces, Further, Number, Op, Program};
 use quote::quote;
 use structure::{Diagnosis, Structure};
 use syntax::{Message, Parsed, Place};
@@ -47,6 +47,8 @@ pub struct Compiled {
     pub program: Program,
     /// The operations that move it and go on to velocities, if these were asked for.
     pub moving: Option<Program>,
+    /// The operations that go on to forces, if these were asked for.
+    pub forced: Forced,
     /// How each loop is solved, in the order in which they are closed.
     pub loops: Vec<Solved>,
     /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
@@ -56,6 +58,17 @@ pub struct Compiled {
     pub saved: Option<Cost>,
     /// All of this in words.
     pub report: String,
+}
+
+/// The programs that go on from positions to forces, as far as these were asked for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Forced {
+    /// To what it takes to hold it at rest.
+    pub holding: Option<Program>,
+    /// To what it takes to move in a given way, in every joint; not where joints are redundant.
+    pub acting: Option<Program>,
+    /// To inertia and forces as the motors feel them.
+    pub inertia: Option<Program>,
 }
 
 /// Analyses a mechanism and writes its program.
@@ -70,11 +83,24 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         choices,
         prediction,
     } = coherent(model, Depth::Whole)?;
-    let moving = program::build_moving(model, &plan, &choices, &program).map(|moving| Program {
-        start: program.start.clone(),
-        range: program.range.clone(),
-        ..moving
-    });
+    let further = |further: Further<'_>| {
+        let written = program::build_further(model, &plan, &choices, &program, further)?;
+        Some(Program {
+            start: program.start.clone(),
+            range: program.range.clone(),
+            ..written
+        })
+    };
+    let moving = further(Further::Rates);
+    let forced = Forced {
+        holding: further(Further::Holding),
+        acting: further(Further::Acting(&structure)),
+        inertia: further(Further::Inertia),
+    };
+    let massless = forced.inertia.as_ref().map_or(Vec::new(), massless);
+    if !massless.is_empty() {
+        return Err(vec![Diagnosis::Massless { motors: massless }]);
+    }
     let loops = accuracy::solved(&program, prediction.as_ref());
     let saved = saved(model, &plan, &program, &choices);
     let found = report::Found {
@@ -90,11 +116,31 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         plan,
         program,
         moving,
+        forced,
         loops,
         prediction,
         saved,
         report,
     })
+}
+
+/// The motors that move nothing that has a mass.
+fn massless(inertia: &Program) -> Vec<MotorId> {
+    let Some(Forces::Inertia(found)) = inertia
+        .motion
+        .as_ref()
+        .and_then(|motion| motion.forces.as_ref())
+    else {
+        return Vec::new();
+    };
+    let nothing = Op::Constant(Number::new(0.0));
+    let rows = found.matrix.iter().enumerate();
+    rows.filter(|(motor, row)| {
+        row.get(*motor)
+            .is_some_and(|&own| inertia.node(own).op == nothing)
+    })
+    .map(|(motor, _)| MotorId::new(motor))
+    .collect()
 }
 
 /// What it saves that only what is shown is computed.
@@ -356,14 +402,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         return fail(&errors);
     }
     match compile(&model) {
-        Ok(compiled) => emit::items(
-            &krate,
-            &header,
-            &places,
-            &model,
-            (&compiled.plan, &compiled.program, compiled.moving.as_ref()),
-            &compiled.report,
-        ),
+        Ok(compiled) => emit::items(&krate, &header, &places, &model, &compiled),
         Err(diagnoses) => {
             let offers = repair::offers(&model, &diagnoses);
             fail(&reporter::messages(&diagnoses, &offers, &model, &places))

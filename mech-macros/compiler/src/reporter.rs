@@ -10,7 +10,7 @@ mod range;
 mod repairs;
 mod wording;
 
-use crate::model::{JointId, LinkId, Model, Origin, Precision};
+use crate::model::{JointId, LinkId, Model, MotorId, Origin, Precision};
 use crate::repair::{self, Offers};
 use crate::structure::Diagnosis;
 use crate::syntax::{Message, Places};
@@ -87,6 +87,7 @@ impl Words<'_> {
                 self.at_joint(joints.first()),
                 self.overdetermined(joints, *matched, offers),
             ),
+            Diagnosis::Massless { motors } => return self.massless(motors),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
             Diagnosis::TooAccurate { accuracy, best } => {
                 (self.model.origin, self.too_accurate(*accuracy, *best))
@@ -154,6 +155,19 @@ impl Words<'_> {
             self.links(&links),
             if links.len() == 1 { "is" } else { "are" }
         )
+    }
+
+    fn massless(&self, motors: &[MotorId]) -> Vec<(Origin, String)> {
+        let told = motors.iter().map(|&motor| {
+            let motor = self.model.motor(motor);
+            let text = format!(
+                "nothing that motor {} moves has a mass: forces do not tell how it moves\nhelp: give a link that it moves \
+                 `mass` or `density`, or leave the effect `dynamics` out",
+                self.joint(motor.joint)
+            );
+            (motor.origin, text)
+        });
+        told.collect()
     }
 
     fn too_large(&self) -> String {

@@ -2,6 +2,8 @@
 
 mod coordinates;
 mod course;
+mod dynamics;
+mod forces;
 mod loops;
 mod many;
 mod position;
@@ -11,10 +13,13 @@ pub use crate::{Acceleration, BlockedAt, Columns, InRange, Vector2, Velocity};
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
 };
+pub use crate::{Forces, Gauss, Reaction};
 pub use coordinates::{
     angle, atan2, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
 };
 pub use course::{Course, Watched, advance, approach};
+pub use dynamics::{Moment, Simulated, simulate};
+pub use forces::{Holding, Inertia, not_finite, pull};
 pub use loops::{closed, closes, determined, solve};
 pub use many::{Anywhere, Sines, Within, least, move_many, solve_many};
 pub use mech_core::Real;

@@ -54,6 +54,20 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
         }
     }
 
+    /// The same, with whole turns of what turns kept apart.
+    pub(super) fn wrapped(self, turning: &[bool; MOTORS]) -> Self {
+        let mut motors = self;
+        let values = motors.values.iter_mut().zip(&mut motors.turns);
+        for ((value, turns), _) in values.zip(turning).filter(|(_, turning)| **turning) {
+            let whole = whole_turns(*value);
+            if let Some(sum) = turns.checked_add(whole) {
+                *value -= <T as Real>::from_i32(whole) * T::TURN;
+                *turns = sum;
+            }
+        }
+        motors
+    }
+
     /// How far it is from here to there.
     #[inline]
     pub(super) fn way_to(&self, target: &Self) -> [T; MOTORS] {
@@ -75,6 +89,17 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     pub fn is_finite(&self) -> bool {
         self.values.iter().all(|value| Real::is_finite(*value))
     }
+}
+
+/// The whole turns in an angle, as far as they can be counted.
+fn whole_turns<T: Scalar>(angle: T) -> i32 {
+    let turns = Real::to_f64(Real::round(angle / T::TURN));
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "out of range it stops at the limits, and no number is none"
+    )]
+    let whole = turns as i32;
+    whole
 }
 
 /// Tests that the values or rates of all motors are finite numbers.

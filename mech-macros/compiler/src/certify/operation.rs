@@ -17,6 +17,7 @@ pub(super) fn natural(op: Op, get: impl Fn(Value) -> Interval) -> Option<Interva
         | Op::Dense(..)
         | Op::Rate(_)
         | Op::Acceleration(_)
+        | Op::Load(_)
         | Op::Linear(..) => return None,
         Op::Neg(a) => -get(a),
         Op::Abs(a) => get(a).abs(),

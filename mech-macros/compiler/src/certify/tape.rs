@@ -281,6 +281,7 @@ impl<'p> Tape<'p> {
             | Op::Dense(..)
             | Op::Rate(_)
             | Op::Acceleration(_)
+            | Op::Load(_)
             | Op::Linear(..) => return None,
         })
     }

@@ -20,7 +20,12 @@ pub(super) struct Flow {
 pub(super) fn is_given(op: Op) -> bool {
     matches!(
         op,
-        Op::Motor(_) | Op::Turns(_) | Op::Turned(..) | Op::Rate(_) | Op::Acceleration(_)
+        Op::Motor(_)
+            | Op::Turns(_)
+            | Op::Turned(..)
+            | Op::Rate(_)
+            | Op::Acceleration(_)
+            | Op::Load(_)
     )
 }
 

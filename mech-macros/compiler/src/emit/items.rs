@@ -1,13 +1,15 @@
 //! The struct and its methods.
 
+use super::added::Added;
 use super::block::scalar;
 use super::moves::{course, near, turn_to, within};
-use super::rates::RateItems;
+
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
+use super::{forces, rates};
+use crate::Compiled;
 use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
-use crate::plan::Plan;
 use crate::program::Program;
 use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -19,9 +21,16 @@ pub(crate) fn items(
     header: &Header,
     places: &Places,
     model: &Model,
-    (plan, program, moving): (&Plan, &Program, Option<&Program>),
-    report: &str,
+    compiled: &Compiled,
 ) -> TokenStream {
+    let Compiled {
+        plan,
+        program,
+        moving,
+        forced,
+        report,
+        ..
+    } = compiled;
     let Header {
         attributes,
         visibility,
@@ -42,21 +51,30 @@ pub(crate) fn items(
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
     let course = course(program, plan);
-    let rates = RateItems::new(krate, places, model, program, moving, visibility);
-    let turn_to = turn_to(model, program, visibility, &rates.rest);
-    let within = within(program, visibility, &rates.rest);
-    let many = super::many::many(program, plan, visibility, &rates.instance_rest);
+    let rates = rates::added(krate, places, model, program, moving.as_ref(), visibility);
+    let forces = forces::added(
+        krate,
+        places,
+        model,
+        (program, forced),
+        visibility,
+        &rates.rest,
+    );
+    let added = rates.and(forces);
+    let turn_to = turn_to(model, program, visibility, &added.rest);
+    let within = within(program, visibility, &added.rest);
+    let many = super::many::many(program, plan, visibility, &added.instance_rest);
     let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
     let imports = imports(krate, &scalar);
-    let RateItems {
+    let Added {
         fields,
         at_rest,
         rest,
         instance_rest: _,
-        imports: rate_imports,
-        methods: rate_methods,
-        steps: rate_steps,
-    } = rates;
+        imports: more_imports,
+        methods: more_methods,
+        steps: more_steps,
+    } = added;
     let moves = moves(program, visibility, &rest);
     let implementation = implementation(krate, program, name);
     quote! {
@@ -85,7 +103,7 @@ pub(crate) fn items(
             )]
             const _: () = {
             #imports
-            #rate_imports
+            #more_imports
 
             #shapes
 
@@ -118,7 +136,7 @@ pub(crate) fn items(
 
                 #many
 
-                #rate_methods
+                #more_methods
 
                 /// The poses of the moving links in the scene, in the order of their declaration.
                 #[must_use]
@@ -144,7 +162,7 @@ pub(crate) fn items(
 
             #step
 
-            #rate_steps
+            #more_steps
             };
         };
     }

@@ -1,8 +1,10 @@
 //! The program and its surroundings as Rust tokens.
 
+mod added;
 mod block;
 mod costs;
 mod flow;
+mod forces;
 mod items;
 mod iteration;
 mod many;

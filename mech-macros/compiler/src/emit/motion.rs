@@ -3,9 +3,9 @@
 use super::block::scalar;
 use super::scope::Scope;
 use super::step::{Written, position, takes_sines};
-use crate::program::{Motion, Op, Program, Value};
+use crate::program::{Forces, Motion, Op, Program, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// What a step finds of rates.
 pub(super) struct Moved {
@@ -15,22 +15,11 @@ pub(super) struct Moved {
     places: Vec<String>,
 }
 
-/// What a step finds of rates, in its own words.
+/// What a step finds of rates or forces, in its own words.
 pub(super) fn moved(motion: &Motion, scope: &Scope<'_>) -> Moved {
-    let rates = |name: &TokenStream, all: &[[Value; 3]]| {
-        let all = all.iter().map(|rates| {
-            let [angular, x, y] = rates.map(|rate| scope.expression(rate));
-            quote!(#name { angular: #angular, x: #x, y: #y })
-        });
-        quote!([#(#all),*])
-    };
-    let velocities = rates(&quote!(Velocity), &motion.velocities);
-    let result = match &motion.accelerations {
-        None => velocities,
-        Some(accelerations) => {
-            let accelerations = rates(&quote!(Acceleration), accelerations);
-            quote!((#velocities, #accelerations))
-        }
+    let result = match &motion.forces {
+        None => rates(motion, scope),
+        Some(forces) => self::forces(forces, scope),
     };
     let margins = motion.margins.iter();
     let (margins, places) = margins
@@ -43,64 +32,178 @@ pub(super) fn moved(motion: &Motion, scope: &Scope<'_>) -> Moved {
     }
 }
 
-/// The rates of the motors, as variables.
-pub(super) fn given_rates(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
-    let Some(motion) = &program.motion else {
-        return TokenStream::new();
+fn rates(motion: &Motion, scope: &Scope<'_>) -> TokenStream {
+    let rates = |name: &TokenStream, all: &[[Value; 3]]| {
+        let all = all.iter().map(|rates| {
+            let [angular, x, y] = rates.map(|rate| scope.expression(rate));
+            quote!(#name { angular: #angular, x: #x, y: #y })
+        });
+        quote!([#(#all),*])
     };
-    let mut variables = |op: fn(usize) -> Op, what: &str| -> Vec<Ident> {
-        let variable = |(motor, name): (usize, &String)| {
+    let velocities = rates(&quote!(Velocity), &motion.velocities);
+    match &motion.accelerations {
+        None => velocities,
+        Some(accelerations) => {
+            let accelerations = rates(&quote!(Acceleration), accelerations);
+            quote!((#velocities, #accelerations))
+        }
+    }
+}
+
+fn forces(forces: &Forces<Value>, scope: &Scope<'_>) -> TokenStream {
+    let row = |values: &Vec<Value>| {
+        let values = values.iter().map(|&value| scope.expression(value));
+        quote!([#(#values),*])
+    };
+    match forces {
+        Forces::Holding(torques) => {
+            let torques = row(torques);
+            quote!(Holding { torques: #torques })
+        }
+        Forces::Acting(acting) => {
+            let (torques, transmission) = (row(&acting.torques), row(&acting.transmission));
+            let responses = acting.responses.iter().map(row);
+            let reactions = acting.reactions.iter().map(|reaction| {
+                let [x, y, torque] = reaction.map(|part| scope.expression(part));
+                quote!(Reaction { x: #x, y: #y, torque: #torque })
+            });
+            quote! {
+                Forces {
+                    torques: #torques,
+                    reactions: [#(#reactions),*],
+                    responses: [#(#responses),*],
+                    transmission: #transmission,
+                }
+            }
+        }
+        Forces::Inertia(inertia) => {
+            let (matrix, drive) = (inertia.matrix.iter().map(row), row(&inertia.drive));
+            let [kinetic, potential] = inertia.energy.map(|part| scope.expression(part));
+            quote! {
+                Inertia { matrix: [#(#matrix),*], drive: #drive, kinetic: #kinetic, potential: #potential }
+            }
+        }
+    }
+}
+
+/// Something that a step is given besides the motors' values: a name for it, how many numbers it has, what each is called, and the
+/// operation that reads it.
+struct Given {
+    name: Ident,
+    names: Vec<String>,
+    op: fn(usize) -> Op,
+}
+
+impl Given {
+    fn new(name: &str, names: Vec<String>, op: fn(usize) -> Op) -> Self {
+        Self {
+            name: format_ident!("{}", name),
+            names,
+            op,
+        }
+    }
+}
+
+/// What a step is given besides the motors' values.
+fn all_given(program: &Program) -> Vec<Given> {
+    let Some(motion) = &program.motion else {
+        return Vec::new();
+    };
+    let of_motors = |what: &str| -> Vec<String> {
+        let names = program.motors.iter();
+        names.map(|name| format!("{name}_{what}")).collect()
+    };
+    let rates = || Given::new("rates", of_motors("rate"), Op::Rate);
+    let accelerations = || Given::new("accelerations", of_motors("acceleration"), Op::Acceleration);
+    let mut given = match &motion.forces {
+        None if motion.accelerations.is_none() => vec![rates()],
+        None | Some(Forces::Acting(_)) => vec![rates(), accelerations()],
+        Some(Forces::Holding(_)) => Vec::new(),
+        Some(Forces::Inertia(_)) => vec![rates()],
+    };
+    if !motion.loads.is_empty() {
+        given.push(Given::new("loads", motion.loads.clone(), Op::Load));
+    }
+    given
+}
+
+/// What a step is given besides the motors' values, as variables.
+pub(super) fn given_rates(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    for Given { name, names, op } in all_given(program) {
+        let variable = |(number, wanted): (usize, &String)| {
             let mut live = program.live_values();
-            match live.find(|&value| program.node(value).op == op(motor)) {
+            match live.find(|&value| program.node(value).op == op(number)) {
                 Some(value) => {
-                    let name = scope.fresh(&format!("{name}_{what}"));
+                    let name = scope.fresh(wanted);
                     scope.alias(value, name.clone());
                     name
                 }
-                None => scope.fresh(&format!("_{name}_{what}")),
+                None => scope.fresh(&format!("_{wanted}")),
             }
         };
-        program.motors.iter().enumerate().map(variable).collect()
-    };
-    let rates = variables(Op::Rate, "rate");
-    let mut tokens = quote!(let [#(#rates),*] = rates;);
-    if motion.accelerations.is_some() {
-        let accelerations = variables(Op::Acceleration, "acceleration");
-        tokens.extend(quote!(let [#(#accelerations),*] = accelerations;));
+        let variables: Vec<Ident> = names.iter().enumerate().map(variable).collect();
+        tokens.extend(quote!(let [#(#variables),*] = #name;));
     }
     tokens
 }
 
-/// The parameters for the rates of the motors, and these as arguments.
+/// The parameters for what a step is given besides the motors' values, and these as arguments: each with a comma before it.
 pub(super) fn given(program: &Program) -> [TokenStream; 2] {
-    let (scalar, count) = (scalar(program), motors(program));
-    let second = program
-        .motion
-        .as_ref()
-        .is_some_and(|motion| motion.accelerations.is_some());
-    if second {
-        let parameters = quote!(rates: [#scalar; #count], accelerations: [#scalar; #count]);
-        [parameters, quote!(rates, accelerations)]
-    } else {
-        [quote!(rates: [#scalar; #count]), quote!(rates)]
+    let scalar = scalar(program);
+    let all = all_given(program);
+    let parameters = all.iter().map(|Given { name, names, .. }| {
+        let count = Literal::usize_unsuffixed(names.len());
+        quote!(, #name: [#scalar; #count])
+    });
+    let arguments = all.iter().map(|Given { name, .. }| quote!(, #name));
+    [parameters.collect(), arguments.collect()]
+}
+
+/// What distinguishes the functions of a program from those that only find positions.
+pub(super) fn suffix(program: &Program) -> &'static str {
+    match program.motion.as_ref().map(|motion| &motion.forces) {
+        None => "",
+        Some(None) => "_with",
+        Some(Some(Forces::Holding(_))) => "_held",
+        Some(Some(Forces::Acting(_))) => "_acted",
+        Some(Some(Forces::Inertia(_))) => "_driven",
     }
 }
 
-fn motors(program: &Program) -> Literal {
-    Literal::usize_unsuffixed(program.motors.len())
-}
-
-/// The type of the rates of all links.
-fn rates_type(program: &Program) -> TokenStream {
-    let (scalar, links) = (
-        scalar(program),
-        Literal::usize_unsuffixed(program.links.len()),
-    );
-    match &program.motion {
-        Some(motion) if motion.accelerations.is_some() => {
-            quote!(([Velocity<#scalar>; #links], [Acceleration<#scalar>; #links]))
+/// The type of what is found besides a position, and what it is.
+pub(super) fn found(program: &Program) -> (TokenStream, &'static str) {
+    let scalar = scalar(program);
+    let literal = Literal::usize_unsuffixed;
+    let (links, motors) = (literal(program.links.len()), literal(program.motors.len()));
+    match program
+        .motion
+        .as_ref()
+        .map(|motion| (&motion.forces, motion.accelerations.is_some()))
+    {
+        Some((None, true)) => (
+            quote!(([Velocity<#scalar>; #links], [Acceleration<#scalar>; #links])),
+            "the rates of all links",
+        ),
+        None | Some((None, false)) => (
+            quote!([Velocity<#scalar>; #links]),
+            "the rates of all links",
+        ),
+        Some((Some(Forces::Holding(_)), _)) => {
+            (quote!(Holding<#scalar, #motors>), "what holds it there")
         }
-        _ => quote!([Velocity<#scalar>; #links]),
+        Some((Some(Forces::Acting(acting)), _)) => {
+            let loads = acting.responses.first().map_or(0, Vec::len);
+            let sizes = [acting.reactions.len(), loads, acting.transmission.len()].map(literal);
+            (
+                quote!(Forces<#scalar, #motors, #(#sizes),*>),
+                "the forces in it",
+            )
+        }
+        Some((Some(Forces::Inertia(_)), _)) => (
+            quote!(Inertia<#scalar, #motors>),
+            "its inertia as the motors feel it",
+        ),
     }
 }
 
@@ -123,13 +226,18 @@ pub(super) fn step_with(
         margins: regular,
         places: rate_places,
     } = moved;
-    let (position, scalar, found) = (position(program), scalar(program), rates_type(program));
+    let (position, scalar, (found, what)) = (position(program), scalar(program), found(program));
+    let names =
+        ["step", "near", "position"].map(|name| format_ident!("{}{}", name, suffix(program)));
+    let [step_with, near_with, position_with] = &names;
     let [parameters, arguments] = given(program);
     let count = Literal::usize_unsuffixed(program.motors.len());
     if !program.is_closed() {
+        let doc =
+            format!(" The position at these motor values, close to the last one, and {what}.");
         return quote! {
-            /// The position at these motor values, close to the last one, and the rates of all links.
-            fn step_with(#last: &#position, motors: Motors<#scalar, #count>, #parameters)
+            #[doc = #doc]
+            fn #step_with(#last: &#position, motors: Motors<#scalar, #count> #parameters)
                 -> Result<(#position, #found), Stop>
             {
                 #motors
@@ -144,10 +252,10 @@ pub(super) fn step_with(
         let near = quote! {
             /// The same, where all angles are within the range of the polynomials of sine and cosine.
             #[inline(always)]
-            fn near_with(last: &#position, motors: Motors<#scalar, #count>, #parameters)
+            fn #near_with(last: &#position, motors: Motors<#scalar, #count> #parameters)
                 -> Result<(#position, #found), Stop>
             {
-                let (position, rates, margins, regular) = position_with::<Within>(last, motors, #arguments);
+                let (position, rates, margins, regular) = #position_with::<Within>(last, motors #arguments);
                 closes(margins, [#(#places),*])?;
                 determined(regular, [#(#rate_places),*])?;
                 Ok((position, rates))
@@ -157,11 +265,17 @@ pub(super) fn step_with(
     } else {
         (TokenStream::new(), TokenStream::new(), TokenStream::new())
     };
+    let doc = format!(
+        " The position at these motor values, {what}, and for each loop margins: if they are not negative, it"
+    );
+    let result_doc = format!(
+        " The position at these motor values and {what}, if every loop closes there and its rates are"
+    );
     quote! {
-        /// The position at these motor values, the rates of all links, and for each loop margins: if they are not negative, it
+        #[doc = #doc]
         /// closes, and its rates are determined.
         #[inline(always)]
-        fn position_with #sines(#last: &#position, motors: Motors<#scalar, #count>, #parameters)
+        fn #position_with #sines(#last: &#position, motors: Motors<#scalar, #count> #parameters)
             -> (#position, #found, [#scalar; #loops], [#scalar; #regular_loops])
         {
             #motors
@@ -169,13 +283,13 @@ pub(super) fn step_with(
             (#result, #rates, [#(#margins),*], [#(#regular),*])
         }
 
-        /// The position at these motor values and the rates of all links, if every loop closes there and its rates are
+        #[doc = #result_doc]
         /// determined.
         #[inline]
-        fn step_with(last: &#position, motors: Motors<#scalar, #count>, #parameters)
+        fn #step_with(last: &#position, motors: Motors<#scalar, #count> #parameters)
             -> Result<(#position, #found), Stop>
         {
-            let (position, rates, margins, regular) = position_with #anywhere(last, motors, #arguments);
+            let (position, rates, margins, regular) = #position_with #anywhere(last, motors #arguments);
             closes(margins, [#(#places),*])?;
             determined(regular, [#(#rate_places),*])?;
             Ok((position, rates))

@@ -1,5 +1,6 @@
 //! What the struct of a mechanism has more if velocities were asked for.
 
+use super::added::Added;
 use super::block::scalar;
 use super::costs::literal;
 use super::items::{coordinate_axes, named_points, pose, user_ident};
@@ -13,25 +14,6 @@ use crate::syntax::Places;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The parts of the generated code that velocities add; nothing without them.
-#[derive(Default)]
-pub(super) struct RateItems {
-    /// Fields of the struct.
-    pub(super) fields: TokenStream,
-    /// The same in its constructor.
-    pub(super) at_rest: TokenStream,
-    /// What a move without rates leaves behind.
-    pub(super) rest: TokenStream,
-    /// The same for another instance.
-    pub(super) instance_rest: TokenStream,
-    /// Imports of the generated code.
-    pub(super) imports: TokenStream,
-    /// Methods.
-    pub(super) methods: TokenStream,
-    /// The step that goes on to rates.
-    pub(super) steps: TokenStream,
-}
-
 /// What there is of rates.
 struct Kinds<'p> {
     program: &'p Program,
@@ -39,67 +21,68 @@ struct Kinds<'p> {
     links: Literal,
     count: Literal,
     second: bool,
+    /// Whether the rates of the motors are kept.
+    dynamics: bool,
 }
 
-impl RateItems {
-    /// What velocities add to a mechanism.
-    pub(super) fn new(
-        krate: &TokenStream,
-        places: &Places,
-        model: &Model,
-        program: &Program,
-        moving: Option<&Program>,
-        visibility: &syn::Visibility,
-    ) -> Self {
-        let Some(moving) = moving else {
-            return Self::default();
-        };
-        let kinds = Kinds {
-            program,
-            scalar: scalar(program),
-            links: Literal::usize_unsuffixed(program.links.len()),
-            count: Literal::usize_unsuffixed(program.motors.len()),
-            second: model.effects.acceleration,
-        };
-        let Kinds { scalar, links, .. } = &kinds;
-        let mut items = Self {
-            fields: quote!(velocities: [#krate::Velocity<::core::primitive::#scalar>; #links],),
-            at_rest: quote!(velocities: [Velocity::ZERO; #links],),
-            rest: quote!(self.velocities = [Velocity::ZERO; #links];),
-            instance_rest: quote!(instance.velocities = [Velocity::ZERO; #links];),
-            imports: quote! {
-                #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
-                use #krate::generated::{
-                    Vector2, Velocity, advance_with, determined, finite, rates_at, slide_acceleration, slide_rate,
-                };
-            },
-            methods: methods(moving, &kinds, visibility),
-            steps: step(moving),
-        };
-        if kinds.second {
-            let zero = quote!([Acceleration::ZERO; #links]);
-            items.fields.extend(
-                quote!(accelerations: [#krate::Acceleration<::core::primitive::#scalar>; #links],),
-            );
-            items.at_rest.extend(quote!(accelerations: #zero,));
-            items.rest.extend(quote!(self.accelerations = #zero;));
-            items
-                .instance_rest
-                .extend(quote!(instance.accelerations = #zero;));
-            items
-                .imports
-                .extend(quote!(use #krate::generated::Acceleration;));
-        }
-        let cost = literal(krate, cost::of_rates(program, moving));
-        items.methods.extend(quote! {
-            /// How many operations more it takes to find the rates of everything with a position.
-            #visibility const RATES_COST: #krate::Cost = #cost;
-        });
+/// What velocities add to a mechanism.
+pub(super) fn added(
+    krate: &TokenStream,
+    places: &Places,
+    model: &Model,
+    program: &Program,
+    moving: Option<&Program>,
+    visibility: &syn::Visibility,
+) -> Added {
+    let Some(moving) = moving else {
+        return Added::default();
+    };
+    let kinds = Kinds {
+        program,
+        scalar: scalar(program),
+        links: Literal::usize_unsuffixed(program.links.len()),
+        count: Literal::usize_unsuffixed(program.motors.len()),
+        second: model.effects.acceleration,
+        dynamics: model.effects.dynamics,
+    };
+    let Kinds { scalar, links, .. } = &kinds;
+    let mut items = Added {
+        fields: quote!(velocities: [#krate::Velocity<::core::primitive::#scalar>; #links],),
+        at_rest: quote!(velocities: [Velocity::ZERO; #links],),
+        rest: quote!(self.velocities = [Velocity::ZERO; #links];),
+        instance_rest: quote!(instance.velocities = [Velocity::ZERO; #links];),
+        imports: quote! {
+            #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
+            use #krate::generated::{
+                Vector2, Velocity, advance_with, determined, finite, rates_at, slide_acceleration, slide_rate,
+            };
+        },
+        methods: methods(moving, &kinds, visibility),
+        steps: step(moving),
+    };
+    if kinds.second {
+        let zero = quote!([Acceleration::ZERO; #links]);
+        items.fields.extend(
+            quote!(accelerations: [#krate::Acceleration<::core::primitive::#scalar>; #links],),
+        );
+        items.at_rest.extend(quote!(accelerations: #zero,));
+        items.rest.extend(quote!(self.accelerations = #zero;));
         items
-            .methods
-            .extend(accessors(places, model, &kinds, visibility));
+            .instance_rest
+            .extend(quote!(instance.accelerations = #zero;));
         items
+            .imports
+            .extend(quote!(use #krate::generated::Acceleration;));
     }
+    let cost = literal(krate, cost::of_rates(program, moving));
+    items.methods.extend(quote! {
+        /// How many operations more it takes to find the rates of everything with a position.
+        #visibility const RATES_COST: #krate::Cost = #cost;
+    });
+    items
+        .methods
+        .extend(accessors(places, model, &kinds, visibility));
+    items
 }
 
 /// The methods that move it with rates.
@@ -127,6 +110,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
     } else {
         quote!(velocities)
     };
+    let keep_rates = kinds.dynamics.then(|| quote!(self.rates = rates;));
     let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
     let still = second.then(|| quote!(, [0.0; #count]));
     let first = if *second { quote!(.0) } else { quote!() };
@@ -155,7 +139,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
         /// If a value is not finite, a loop cannot be closed on the way there, or it is at a dead point or a change point there,
         /// where rates are not determined; the mechanism then stays where it was.
         #[inline]
-        #visibility fn move_with(&mut self, motors: [#scalar; #count], #parameters)
+        #visibility fn move_with(&mut self, motors: [#scalar; #count] #parameters)
             -> Result<(), Blocked<[#scalar; #count]>>
         {
             for rates in #checked {
@@ -167,12 +151,13 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
                 &mut self.position,
                 Motors::new(motors),
                 &COURSE,
-                |last, motors| #near_with(last, motors, #arguments),
-                |last, motors| step_with(last, motors, #arguments),
+                |last, motors| #near_with(last, motors #arguments),
+                |last, motors| step_with(last, motors #arguments),
                 step,
             )?;
             self.velocities = velocities;
             #keep_second
+            #keep_rates
             Ok(())
         }
 

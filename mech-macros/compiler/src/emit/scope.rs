@@ -200,6 +200,7 @@ impl<'p> Scope<'p> {
             | Op::Dense(..)
             | Op::Rate(_)
             | Op::Acceleration(_)
+            | Op::Load(_)
             | Op::Linear(..) => (quote!(()), Binding::Atom),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::block::{function, scalar, statements};
 use super::flow::flows;
-use super::motion::{given_rates, moved, step_with};
+use super::motion::{given_rates, moved, step_with, suffix};
 use super::scope::{Scope, ident, uses};
 use crate::program::{BlockId, BlockKind, Motion, Op, Program, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -27,11 +27,7 @@ pub(super) fn step(program: &Program) -> TokenStream {
     }
     let mut motors = motors(program, &mut scope);
     motors.extend(given_rates(program, &mut scope));
-    let suffix = if program.motion.is_some() {
-        "_with"
-    } else {
-        ""
-    };
+    let suffix = suffix(program);
     let mut functions = TokenStream::new();
     let mut body = TokenStream::new();
     let mut names = FunctionNames::default();

@@ -2,12 +2,21 @@
 
 use super::{Moved, Stop};
 use crate::program::{
-    BlockId, BlockKind, Closed, Newton, Op, Position, Program, RateMargin, Rounds, Slot, Value,
+    BlockId, BlockKind, Closed, Forces, Motion, Newton, Op, Position, Program, RateMargin, Rounds,
+    Slot, Value,
 };
 use mech_core::Real;
 use mech_core::contraction::{before_first, contracts};
 use mech_core::dense::solve;
 use mech_core::motors::turned;
+
+/// What a program that goes on from positions is given besides the motors' values.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Given<'g, T> {
+    pub(super) rates: &'g [T],
+    pub(super) accelerations: &'g [T],
+    pub(super) loads: &'g [T],
+}
 
 /// A program that is ready to be run, in any precision, whatever it was written for.
 #[derive(Clone, Debug)]
@@ -31,7 +40,12 @@ impl<'p> Runner<'p> {
         (motors, turns): (&[T], &[i32]),
     ) -> Result<Position<T>, Stop> {
         let zero = vec![T::ZERO; motors.len()];
-        let values = self.values(last, (motors, turns), [&zero, &zero])?;
+        let given = Given {
+            rates: &zero,
+            accelerations: &zero,
+            loads: &[],
+        };
+        let values = self.values(last, (motors, turns), given)?;
         self.position(&values, (motors, turns))
     }
 
@@ -39,20 +53,10 @@ impl<'p> Runner<'p> {
     pub(super) fn motion<T: Real>(
         &self,
         at: &Position<T>,
-        rates: [&[T]; 2],
+        given: Given<'_, T>,
     ) -> Result<Moved<T>, Stop> {
-        let motion = self.program.motion.as_ref().ok_or(Stop::Unasked)?;
-        let values = self.values(at, (&at.motors, &at.turns), rates);
-        // What closed where it is and does not once more is at its limit.
-        let values = values.map_err(|stop| match stop {
-            Stop::Open(block) | Stop::DeadPoint(block) => Stop::Singular(self.number(block)),
-            other => other,
-        })?;
+        let (motion, values) = self.beyond(at, given)?;
         let get = |value: &Value| values[value.index()];
-        let regular = |margin: &RateMargin| get(&margin.margin) >= T::ZERO;
-        if let Some(first) = motion.margins.iter().position(|margin| !regular(margin)) {
-            return Err(Stop::Singular(first));
-        }
         let all = |rates: &Vec<[Value; 3]>| -> Vec<[T; 3]> {
             rates
                 .iter()
@@ -75,6 +79,46 @@ impl<'p> Runner<'p> {
         }
     }
 
+    /// What it finds of forces, at a position.
+    pub(super) fn forces<T: Real>(
+        &self,
+        at: &Position<T>,
+        given: Given<'_, T>,
+    ) -> Result<Forces<T>, Stop> {
+        let (motion, values) = self.beyond(at, given)?;
+        let forces = motion.forces.as_ref().ok_or(Stop::Unasked)?;
+        let found = forces.map(|value: Value| values[value.index()]);
+        if found.roots().iter().all(|number| number.is_finite()) {
+            Ok(found)
+        } else {
+            Err(Stop::Overflow)
+        }
+    }
+
+    /// All values of a program that goes on from positions, where it is.
+    fn beyond<T: Real>(
+        &self,
+        at: &Position<T>,
+        given: Given<'_, T>,
+    ) -> Result<(&Motion, Vec<T>), Stop> {
+        let motion = self.program.motion.as_ref().ok_or(Stop::Unasked)?;
+        if given.loads.len() != motion.loads.len() {
+            return Err(Stop::MotorCount);
+        }
+        let values = self.values(at, (&at.motors, &at.turns), given);
+        // What closed where it is and does not once more is at its limit.
+        let values = values.map_err(|stop| match stop {
+            Stop::Open(block) | Stop::DeadPoint(block) => Stop::Singular(self.number(block)),
+            other => other,
+        })?;
+        let get = |value: &Value| values[value.index()];
+        let regular = |margin: &RateMargin| get(&margin.margin) >= T::ZERO;
+        if let Some(first) = motion.margins.iter().position(|margin| !regular(margin)) {
+            return Err(Stop::Singular(first));
+        }
+        Ok((motion, values))
+    }
+
     /// Which loop a block closes.
     fn number(&self, block: BlockId) -> usize {
         let closed = self.program.closed(block).map(|closed| closed.number);
@@ -87,7 +131,7 @@ impl<'p> Runner<'p> {
         &self,
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
-        [rates, accelerations]: [&[T]; 2],
+        given: Given<'_, T>,
     ) -> Result<Vec<T>, Stop> {
         let mut values = vec![T::from_f64(0.0); self.program.nodes.len()];
         let mut solved = vec![false; self.program.blocks.len()];
@@ -119,8 +163,10 @@ impl<'p> Runner<'p> {
                     turned(turns[motor], numerator, denominator)
                 }
                 Op::Last(slot) => read(last, slot),
-                Op::Rate(motor) => rates[motor],
-                Op::Acceleration(motor) => accelerations[motor],
+                Op::Rate(motor) => given.rates[motor],
+                Op::Acceleration(motor) => given.accelerations[motor],
+                // Positions do not depend on loads, and are found without.
+                Op::Load(number) => given.loads.get(number).copied().unwrap_or(T::ZERO),
                 Op::Linear(system, index) => self.linear(system, index, &values),
                 Op::Solved(block, index) => self.scalar(block, index, &values),
                 op => op

@@ -7,4 +7,16 @@ pub struct Effects {
     pub velocity: bool,
     /// Their accelerations; only with velocities.
     pub acceleration: bool,
+    /// Forces: what torques the motors need, and how the joints react.
+    pub force: bool,
+    /// Motion under the torques of the motors.
+    pub dynamics: bool,
+}
+
+impl Effects {
+    /// Whether something has to be known of the masses of all links and of what acts on them.
+    #[must_use]
+    pub fn needs_actions(self) -> bool {
+        self.force || self.dynamics
+    }
 }

@@ -1,6 +1,6 @@
 //! Links, and what is rigidly fixed to them.
 
-use super::{AxisId, LinkId, Origin};
+use super::{AxisId, LinkId, Mass, Origin};
 
 /// A rigid body that moves in planes parallel to the screen.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub struct Link {
     pub drawn: bool,
     /// What is seen of it.
     pub shapes: Vec<Shape>,
+    /// Its mass, if it has any.
+    pub mass: Option<Mass>,
     /// If it is the die of a slot, which nobody declared: the point axis on whose pin it turns and the line axis in which it
     /// slides. Dies come after all other links.
     pub die: Option<(AxisId, AxisId)>,
@@ -27,6 +29,7 @@ impl Link {
             origin,
             drawn: false,
             shapes: Vec::new(),
+            mass: None,
             die: None,
         }
     }

@@ -3,19 +3,23 @@
 //! A model knows no spans. Whatever a message may have to point at carries an [`Origin`], which `syntax` (or the studio)
 //! maps back to where it was declared.
 
+mod action;
 mod edit;
 mod effects;
 mod id;
 mod joint;
 mod link;
+mod mass;
 mod show;
 mod start;
 
+pub use action::{Actions, Between, Damper, Load, LoadKind, Spring};
 pub use edit::Edit;
 pub use effects::Effects;
 pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
+pub use mass::Mass;
 pub use show::Shown;
 pub use start::{Near, Start, StartValue};
 
@@ -120,6 +124,8 @@ pub struct Model {
     pub allow: Allowances,
     /// What is computed beyond positions.
     pub effects: Effects,
+    /// What acts on links.
+    pub actions: Actions,
 }
 
 /// What is let pass that is otherwise an error.
@@ -152,6 +158,7 @@ impl Model {
             show: None,
             allow: Allowances::default(),
             effects: Effects::default(),
+            actions: Actions::default(),
         }
     }
 
@@ -296,6 +303,11 @@ impl Model {
         &self,
     ) -> impl DoubleEndedIterator<Item = JointId> + ExactSizeIterator + use<> {
         (0..self.joints.len()).map(JointId::new)
+    }
+
+    /// The ids of the joints whose reactions are told: all but the pivots of slots.
+    pub fn told_joints(&self) -> impl Iterator<Item = JointId> + '_ {
+        self.joint_ids().filter(|&joint| !self.joint(joint).hidden)
     }
 
     /// The ids of all motors.

@@ -17,7 +17,7 @@ impl Model {
     /// The links whose poses are asked for or tell what is, in the order of their declaration.
     #[must_use]
     pub fn asked_links(&self) -> Vec<LinkId> {
-        let Some(shown) = &self.show else {
+        let Some(shown) = self.show.as_ref().filter(|_| !self.effects.needs_actions()) else {
             return self.declared_links().collect();
         };
         let mut links: Vec<LinkId> = shown

@@ -1,9 +1,10 @@
 //! How a mechanism moves: what extends a program if velocities were asked for.
 
+use super::forces::Forces;
 use super::node::{BlockId, Value};
 
-/// The rates of all poses, from those of the motors.
-#[derive(Clone, Debug, PartialEq)]
+/// What goes on from positions: the rates of all poses, from those of the motors, or forces.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
     /// For each moving link its angular velocity, and the rates of x and y.
     pub velocities: Vec<[Value; 3]>,
@@ -13,6 +14,10 @@ pub struct Motion {
     pub margins: Vec<RateMargin>,
     /// The linear systems that are solved as a whole.
     pub systems: Vec<System>,
+    /// What forces do, if that is what it is written for; then it gives nothing else.
+    pub forces: Option<Forces<Value>>,
+    /// What the numbers of all loads are called.
+    pub loads: Vec<String>,
 }
 
 /// A loop's test that it is not at a dead point or a change point.
@@ -41,6 +46,11 @@ impl Motion {
         let accelerations = self.accelerations.iter().flatten().flatten();
         let velocities = self.velocities.iter().flatten();
         let margins = self.margins.iter().map(|margin| margin.margin);
-        velocities.chain(accelerations).copied().chain(margins)
+        let forces = self.forces.iter().flat_map(Forces::roots);
+        velocities
+            .chain(accelerations)
+            .copied()
+            .chain(margins)
+            .chain(forces)
     }
 }

@@ -99,6 +99,8 @@ pub enum Op {
     Rate(usize),
     /// The second rate given to a motor, by its number.
     Acceleration(usize),
+    /// A number of a load, by its position among those of all loads.
+    Load(usize),
     /// What a linear system of the motion, by its number, gives: its unknowns, and after these its determinant.
     Linear(usize, usize),
     /// −a.
@@ -145,6 +147,7 @@ impl Op {
             | Self::Dense(..)
             | Self::Rate(_)
             | Self::Acceleration(_)
+            | Self::Load(_)
             | Self::Linear(..) => [None, None, None],
             Self::Neg(a)
             | Self::Abs(a)

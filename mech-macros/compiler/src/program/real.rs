@@ -17,6 +17,7 @@ impl Op {
             | Self::Dense(..)
             | Self::Rate(_)
             | Self::Acceleration(_)
+            | Self::Load(_)
             | Self::Linear(..) => {
                 return None;
             }

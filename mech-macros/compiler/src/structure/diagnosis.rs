@@ -123,6 +123,11 @@ pub enum Diagnosis {
         /// What is wrong.
         trouble: RangeTrouble,
     },
+    /// Forces cannot say how these motors move: nothing that they move has a mass.
+    Massless {
+        /// The motors.
+        motors: Vec<MotorId>,
+    },
     /// A length or a position is beyond the range of the scalar type.
     TooLarge,
     /// More accuracy is declared than the scalar type has.

@@ -49,6 +49,14 @@ pub(super) enum Statement {
         keyword: Span,
         effects: Vec<Read<Ident>>,
     },
+    /// `gravity (0, -9.81);`
+    Gravity { keyword: Span, value: Pair },
+    /// `spring ...;`
+    Spring(Box<Elastic>),
+    /// `damper ...;`
+    Damper(Box<Elastic>),
+    /// `load ...;`
+    Load(Box<Load>),
     /// `show a, b.c;`
     Show { keyword: Span, what: Vec<End> },
     /// `allow redundant;`
@@ -95,6 +103,8 @@ pub(super) enum Item {
     Axis(Axis),
     /// `circle ...;` or `polygon ...;`
     Shape(Shape),
+    /// `mass ...;` or `density ...;`
+    Matter(Box<Matter>),
     /// Something that could not be read.
     Broken(Broken),
 }
@@ -119,6 +129,68 @@ pub(super) struct Shape {
     pub plane: Option<Expr>,
     /// Its colour, if given.
     pub color: Option<Expr>,
+}
+
+/// The mass of a link.
+pub(super) struct Matter {
+    /// The word it begins with.
+    pub keyword: Span,
+    /// How it is given.
+    pub kind: MatterKind,
+}
+
+/// How the mass of a link is given.
+pub(super) enum MatterKind {
+    /// `mass 0.4 at (0.1, 0) inertia 2e-3`
+    Mass {
+        mass: Expr,
+        at: Option<Pair>,
+        inertia: Option<Expr>,
+    },
+    /// `density 7.8`
+    Density(Expr),
+}
+
+/// `spring coil = linear(rocker.d, ground.c) stiffness 4530 rest 0.08;`, or a damper.
+pub(super) struct Elastic {
+    /// Its name.
+    pub name: Ident,
+    /// What it lies between, and how strong it is.
+    pub body: Read<ElasticBody>,
+}
+
+/// What a spring or damper lies between, and how strong it is.
+pub(super) struct ElasticBody {
+    /// What it lies between.
+    pub between: BetweenEnds,
+    /// Its stiffness or damping.
+    pub strength: Expr,
+    /// The length or coordinate at which a spring is at rest.
+    pub rest: Option<Expr>,
+}
+
+/// What a spring or damper lies between.
+pub(super) enum BetweenEnds {
+    /// `linear(a.p, b.q)`
+    Points([End; 2]),
+    /// `torsional(joint)`
+    Joint(Ident),
+}
+
+/// `load push = force(rod.small_end);`
+pub(super) struct Load {
+    /// Its name.
+    pub name: Ident,
+    /// What it acts on.
+    pub on: Read<LoadOn>,
+}
+
+/// What a load acts on.
+pub(super) enum LoadOn {
+    /// `force(link.point)`
+    Force(End),
+    /// `torque(link)`
+    Torque(Ident),
 }
 
 /// The outline of a shape.

@@ -1,17 +1,22 @@
 //! From the plan to the program.
 
+mod acting;
 mod closing;
 mod dyad;
+mod equilibrium;
 mod idle;
 mod left_out;
 mod linear;
 mod predictor;
 mod rates;
+mod reaction;
 mod tangent;
 mod tied;
 mod triad;
 mod turning;
+mod virtual_work;
 mod watching;
+mod wrench;
 
 use super::builder::Builder;
 use super::calibrate::calibrate;
@@ -23,6 +28,7 @@ use crate::plan::{
     Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Needed, Placement, Plan, Pose,
     Rational, Source, Step,
 };
+use crate::structure::Structure;
 use mech_core::journey::AtZero;
 use num_traits::ToPrimitive;
 
@@ -38,8 +44,7 @@ pub fn build(model: &Model, plan: &Plan) -> Program {
 pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
     let mut links = model.asked_links();
     loop {
-        let written =
-            |idle: &[usize]| write(model, plan, choices, (&links, idle), Reach::Positions);
+        let written = |idle: &[usize]| write(model, plan, choices, (&links, idle), None);
         let mut program = written(&[]);
         let idle = program.idle_loops(model, plan);
         if !idle.is_empty() {
@@ -58,32 +63,50 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
     }
 }
 
-/// Writes the program that goes on from positions to rates, as far as effects ask for them: of the same links and loops as the
-/// program to positions.
+/// Writes the program that goes on from positions, as far as effects ask for it: of the same links and loops as the program to
+/// positions.
 #[must_use]
-pub fn build_moving(
+pub fn build_further(
     model: &Model,
     plan: &Plan,
     choices: &[Choice],
     positions: &Program,
+    further: Further<'_>,
 ) -> Option<Program> {
-    if !model.effects.velocity {
+    let wanted = match further {
+        Further::Rates => model.effects.velocity,
+        Further::Holding => model.effects.force,
+        Further::Acting(structure) => model.effects.force && structure.redundant.is_empty(),
+        Further::Inertia => model.effects.dynamics,
+    };
+    if !wanted {
         return None;
     }
     let solved = positions.solved_loops();
     let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
     let idle: Vec<usize> = idle.collect();
     let parts = (&positions.stored[..], &idle[..]);
-    let mut program = write(model, plan, choices, parts, Reach::Rates);
+    let mut program = write(model, plan, choices, parts, Some(further));
     program.number_stored();
-    Some(program)
+    let undetermined = further != Further::Rates
+        && program
+            .motion
+            .as_ref()
+            .is_none_or(|motion| motion.forces.is_none());
+    (!undetermined).then_some(program)
 }
 
-/// How far a program goes.
-#[derive(Clone, Copy, PartialEq)]
-enum Reach {
-    Positions,
+/// What a program goes on to from positions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Further<'s> {
+    /// The rates of everything.
     Rates,
+    /// What it takes to hold it at rest.
+    Holding,
+    /// What it takes to move in a given way, in every joint: that of this structure, of which none is redundant.
+    Acting(&'s Structure),
+    /// How it moves under the torques of its motors.
+    Inertia,
 }
 
 /// The steps that something that is shown depends on.
@@ -102,7 +125,7 @@ fn write(
     plan: &Plan,
     choices: &[Choice],
     (links, idle): (&[LinkId], &[usize]),
-    reach: Reach,
+    further: Option<Further<'_>>,
 ) -> Program {
     let needed = needed(model, plan, links);
     let all = model.declared_links();
@@ -144,7 +167,7 @@ fn write(
         }
     }
     writer.keep_senses();
-    writer.finish(links, reach)
+    writer.finish(links, further)
 }
 
 /// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster; and that coupled
@@ -396,7 +419,7 @@ impl Writer<'_> {
         }
     }
 
-    fn finish(mut self, stored: &[LinkId], reach: Reach) -> Program {
+    fn finish(mut self, stored: &[LinkId], further: Option<Further<'_>>) -> Program {
         let pose = |&link: &LinkId| {
             let Pose {
                 direction: [cos, sin],
@@ -405,10 +428,12 @@ impl Writer<'_> {
             [cos, sin, x, y]
         };
         let poses: Vec<[Value; 4]> = stored.iter().map(pose).collect();
-        let motion = match reach {
-            Reach::Positions => None,
-            Reach::Rates => self.motion(&poses),
-        };
+        let motion = further.map(|further| match further {
+            Further::Rates => self.motion(&poses),
+            Further::Holding => self.holding(),
+            Further::Acting(structure) => self.acting(structure),
+            Further::Inertia => self.inertia(),
+        });
         let Self {
             model,
             builder,

@@ -4,7 +4,7 @@
 //! leaves in the place of the gap; their second rates solve it again.
 
 use super::Writer;
-use super::tangent::Tangents;
+use super::tangent::{Drive, Tangents};
 use super::tied::Tied;
 use crate::plan::{Algebra, Equation, Solution, Unknown};
 use crate::program::node::{Op, Value};
@@ -27,9 +27,9 @@ pub(super) struct Closing {
 }
 
 /// The linear system for the rates of a loop.
-struct Solved {
+pub(super) struct Solved {
     block: BlockId,
-    columns: Vec<Vec<Value>>,
+    pub(super) columns: Vec<Vec<Value>>,
     /// What the columns times the rates must add to zero.
     gap: Vec<Value>,
     rates: Vec<Value>,
@@ -44,36 +44,13 @@ impl Writer<'_> {
     }
 
     /// Extends the program by the rates of all poses.
-    pub(super) fn motion(&mut self, poses: &[[Value; 4]]) -> Option<Motion> {
-        let effects = self.model.effects;
-        if !effects.velocity {
-            return None;
-        }
-        let mut tangents = Tangents::default();
-        for (angle, ends) in &self.angles {
-            tangents.is_angle(*angle, *ends);
-        }
-        let mut motion = Motion {
-            velocities: Vec::new(),
-            accelerations: None,
-            margins: Vec::new(),
-            systems: Vec::new(),
-        };
+    pub(super) fn motion(&mut self, poses: &[[Value; 4]]) -> Motion {
+        let mut motion = Motion::default();
         let closings = std::mem::take(&mut self.closings);
-        let mut solved = Vec::new();
-        for closing in &closings {
-            let title = format!("Rates of the loop that {} close.", closing.place);
-            let block = self.builder.block(format!("{}_rates", closing.name), title);
-            solved.push(self.rates(block, closing, &mut tangents, &mut motion));
-        }
+        let (mut tangents, solved) = self.driven(&closings, Drive::Given, &mut motion);
         motion.velocities = self.link_rates("velocities", poses, &mut tangents);
-        if effects.acceleration {
-            for (closing, rates) in closings.iter().zip(&solved) {
-                let title = format!("Second rates of the loop that {} close.", closing.place);
-                self.builder
-                    .block(format!("{}_second_rates", closing.name), title);
-                self.second_rates(rates, &mut tangents, &mut motion);
-            }
+        if self.model.effects.acceleration {
+            self.driven_on(&closings, &solved, &mut tangents, &mut motion);
             let mut accelerations = Vec::new();
             for some in motion.velocities.chunks(MOST_LINKS) {
                 self.builder
@@ -84,7 +61,55 @@ impl Writer<'_> {
             }
             motion.accelerations = Some(accelerations);
         }
-        Some(motion)
+        motion
+    }
+
+    /// The rates of what all loops solve, if the motors do this.
+    pub(super) fn driven(
+        &mut self,
+        closings: &[Closing],
+        drive: Drive,
+        motion: &mut Motion,
+    ) -> (Tangents, Vec<Solved>) {
+        let mut tangents = Tangents::new(drive);
+        for (angle, ends) in &self.angles {
+            tangents.is_angle(*angle, *ends);
+        }
+        let mut solved = Vec::new();
+        for closing in closings {
+            let (title, name) = match drive {
+                Drive::Given | Drive::Coasting => ("Rates of".to_owned(), "rates".to_owned()),
+                Drive::Alone(motor) => {
+                    let motor = &self.model.joint(self.model.motors[motor].joint).name;
+                    (
+                        format!("What motor `{motor}` does to"),
+                        format!("follows_{motor}"),
+                    )
+                }
+            };
+            let title = format!("{title} the loop that {} close.", closing.place);
+            let block = self
+                .builder
+                .block(format!("{}_{name}", closing.name), title);
+            solved.push(self.rates(block, closing, &mut tangents, motion));
+        }
+        (tangents, solved)
+    }
+
+    /// The second rates of what all loops solve.
+    pub(super) fn driven_on(
+        &mut self,
+        closings: &[Closing],
+        solved: &[Solved],
+        tangents: &mut Tangents,
+        motion: &mut Motion,
+    ) {
+        for (closing, rates) in closings.iter().zip(solved) {
+            let title = format!("Second rates of the loop that {} close.", closing.place);
+            self.builder
+                .block(format!("{}_second_rates", closing.name), title);
+            self.second_rates(rates, tangents, motion);
+        }
     }
 
     fn link_rates(
@@ -151,10 +176,13 @@ impl Writer<'_> {
         let least = self.builder.constant(least);
         let size = self.builder.abs(det);
         let margin = self.builder.sub(size, least);
-        motion.margins.push(RateMargin {
-            place: closing.place.clone(),
-            margin,
-        });
+        // What several motors do to a loop hangs on the same determinant.
+        if motion.margins.iter().all(|other| other.margin != margin) {
+            motion.margins.push(RateMargin {
+                place: closing.place.clone(),
+                margin,
+            });
+        }
         for (unknown, solution) in solution.iter().enumerate() {
             let rate = match tied {
                 None => rates[unknown],

@@ -9,9 +9,21 @@ use crate::program::builder::Builder;
 use crate::program::node::{Op, Value};
 use std::collections::HashMap;
 
+/// What the motors do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Drive {
+    /// They move at the rates and second rates that are given.
+    Given,
+    /// They move at the rates that are given, and these do not change.
+    Coasting,
+    /// One of them moves, at a rate of one.
+    Alone(usize),
+}
+
 /// What is known about rates.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Tangents {
+    drive: Drive,
     /// Looked up only, never iterated: the program does not depend on its order.
     rates: HashMap<Value, Value>,
     /// The angular velocities of directions, given by cosine and sine.
@@ -29,6 +41,24 @@ struct Turned {
 }
 
 impl Tangents {
+    /// Nothing but what the motors do.
+    pub(super) fn new(drive: Drive) -> Self {
+        Self {
+            drive,
+            rates: HashMap::new(),
+            turning: HashMap::new(),
+            angles: HashMap::new(),
+        }
+    }
+
+    /// The rate of a motor.
+    fn of_motor(&self, builder: &mut Builder, motor: usize) -> Value {
+        match self.drive {
+            Drive::Given | Drive::Coasting => builder.make(Op::Rate(motor)),
+            Drive::Alone(other) => builder.constant(if motor == other { 1.0 } else { 0.0 }),
+        }
+    }
+
     /// Notes that a value is the angle from one direction to another.
     pub(super) fn is_angle(&mut self, angle: Value, [from, to]: [[Value; 2]; 2]) {
         self.angles.insert(angle, [from, to]);
@@ -75,8 +105,8 @@ impl Tangents {
     fn of_operation(&mut self, builder: &mut Builder, value: Value) -> Value {
         let zero = builder.constant(0.0);
         match builder.op(value) {
-            Op::Motor(motor) => builder.make(Op::Rate(motor)),
-            Op::Rate(motor) => builder.make(Op::Acceleration(motor)),
+            Op::Motor(motor) => self.of_motor(builder, motor),
+            Op::Rate(motor) if self.drive == Drive::Given => builder.make(Op::Acceleration(motor)),
             Op::Neg(a) => {
                 let a = self.of(builder, a);
                 builder.neg(a)
@@ -147,7 +177,9 @@ impl Tangents {
             | Op::Turned(..)
             | Op::Last(_)
             | Op::Round(_)
+            | Op::Rate(_)
             | Op::Acceleration(_)
+            | Op::Load(_)
             | Op::Unknown(..)
             | Op::Solved(..)
             | Op::Dense(..)

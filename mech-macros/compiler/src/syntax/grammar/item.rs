@@ -7,13 +7,13 @@ use super::tokens::{
     word,
 };
 use crate::model::AxisKind;
-use crate::syntax::ast::{Axis, Broken, Item, Outline, Pair, Read, Shape};
+use crate::syntax::ast::{Axis, Broken, Item, Matter, MatterKind, Outline, Pair, Read, Shape};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
 
 /// The words that an item may begin with.
-const BEGINNINGS: [&str; 4] = ["point", "line", "circle", "polygon"];
+const BEGINNINGS: [&str; 6] = ["point", "line", "circle", "polygon", "mass", "density"];
 
 /// Reads `{ ... }`.
 pub(super) fn items(input: ParseStream) -> Read<Vec<Item>> {
@@ -37,6 +37,8 @@ fn item(input: ParseStream) -> Item {
         "line" => axis(input, AxisKind::Line),
         "circle" => shape(input, keyword.span(), circle),
         "polygon" => shape(input, keyword.span(), polygon),
+        "mass" => matter(input, keyword.span(), mass),
+        "density" => matter(input, keyword.span(), density),
         _ => unknown(input, &keyword),
     }
 }
@@ -154,4 +156,25 @@ fn corners(input: ParseStream) -> Read<Vec<Pair>> {
         }
     }
     Ok(corners)
+}
+
+fn matter(input: ParseStream, keyword: Span, kind: fn(ParseStream) -> Read<MatterKind>) -> Item {
+    match to_semicolon(input, &BEGINNINGS, kind) {
+        Ok(kind) => Item::Matter(Box::new(Matter { keyword, kind })),
+        Err(error) => Item::Broken(Broken { error, name: None }),
+    }
+}
+
+/// Reads `0.4 at (0.1, 0) inertia 2e-3`.
+fn mass(input: ParseStream) -> Read<MatterKind> {
+    let mass = expression(input)?;
+    let at = take_word(input, "at").map(|_| pair(input)).transpose()?;
+    let inertia = take_word(input, "inertia")
+        .map(|_| expression(input))
+        .transpose()?;
+    Ok(MatterKind::Mass { mass, at, inertia })
+}
+
+fn density(input: ParseStream) -> Read<MatterKind> {
+    expression(input).map(MatterKind::Density)
 }

@@ -1,5 +1,6 @@
 //! From tokens to the tree of the text. What cannot be read is reported in the tree, and reading goes on after it.
 
+mod action;
 mod expression;
 mod header;
 mod item;

@@ -4,7 +4,7 @@ use super::expression::expression;
 use super::header::{self, Line};
 use super::recover::{at_beginning, or_skip, skip, to_semicolon};
 use super::tokens::{any_word, comes_word, name, symbol, take, take_tree, told, unexpected};
-use super::{item, joint, method, setting};
+use super::{action, item, joint, method, setting};
 use crate::syntax::ast::{Broken, Constant, Ground, Item, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
@@ -12,15 +12,15 @@ use syn::parse::ParseStream;
 use syn::{Attribute, token};
 
 /// The words that a statement may begin with.
-pub(super) const BEGINNINGS: [&str; 15] = [
+pub(super) const BEGINNINGS: [&str; 19] = [
     "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost", "at",
-    "allow", "effects", "show", "param", "certify",
+    "allow", "effects", "show", "param", "certify", "gravity", "spring", "damper", "load",
 ];
 
 /// Those of them that stand for something today.
-const SUPPORTED: [&str; 11] = [
+const SUPPORTED: [&str; 17] = [
     "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost", "at",
-    "allow",
+    "allow", "effects", "show", "gravity", "spring", "damper", "load",
 ];
 
 /// Reads everything.
@@ -128,6 +128,10 @@ fn statement(input: ParseStream) -> Statement {
         "at" => method::change_points(input, keyword.span()),
         "effects" => setting::effects(input, keyword.span()),
         "show" => setting::show(input, keyword.span()),
+        "gravity" => action::gravity(input, keyword.span()),
+        "spring" => action::spring(input),
+        "damper" => action::damper(input),
+        "load" => action::load(input),
         "allow" => setting::allow(input),
         "param" | "certify" => left_behind(input, not_yet(&keyword)),
         _ => left_behind(input, unknown(&keyword)),

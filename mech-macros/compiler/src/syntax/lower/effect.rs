@@ -6,9 +6,9 @@ use crate::syntax::ast::Read;
 use crate::syntax::{Place, spelling};
 use proc_macro2::{Ident, Span};
 
-const EFFECTS: [&str; 2] = ["velocity", "acceleration"];
+const EFFECTS: [&str; 4] = ["velocity", "acceleration", "force", "dynamics"];
 /// Effects that are to come.
-const TO_COME: [&str; 4] = ["force", "dynamics", "trace", "sensitivity"];
+const TO_COME: [&str; 2] = ["trace", "sensitivity"];
 
 impl Lowering {
     pub(super) fn lower_effects(&mut self, keyword: Span, effects: &[Read<Ident>]) {
@@ -41,6 +41,16 @@ impl Lowering {
             // Accelerations are made from velocities.
             "acceleration" => {
                 (effects.velocity, effects.acceleration) = (true, true);
+                return;
+            }
+            "force" => {
+                effects.force = true;
+                self.acting.force = Some(Place::at(effect.span()));
+                return;
+            }
+            "dynamics" => {
+                effects.dynamics = true;
+                self.acting.dynamics = Some(Place::at(effect.span()));
                 return;
             }
             word if TO_COME.contains(&word) => format!("effect `{text}` is not supported yet"),

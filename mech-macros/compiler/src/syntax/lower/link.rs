@@ -59,9 +59,11 @@ impl Lowering {
                 return self.names.lose_axis(link, None);
             }
         };
+        let mut massive = None;
         for item in items {
             self.report.next_item();
             match item {
+                Item::Matter(matter) => self.lower_matter(link, matter, &mut massive),
                 Item::Axis(axis) => self.lower_axis(link, axis),
                 Item::Shape(shape) => self.lower_shape(link, shape),
                 Item::Broken(broken) => {
@@ -73,6 +75,7 @@ impl Lowering {
                 }
             }
         }
+        self.weigh(link, massive);
     }
 
     /// Enters an axis, also one whose numbers are wrong: its name is known, and it is not to be missed elsewhere.
@@ -178,7 +181,7 @@ impl Lowering {
 fn error_of(item: &Item) -> Option<&crate::syntax::Message> {
     match item {
         Item::Axis(axis) => axis.value.as_ref().err(),
-        Item::Shape(_) => None,
+        Item::Shape(_) | Item::Matter(_) => None,
         Item::Broken(broken) => Some(&broken.error),
     }
 }

@@ -1,5 +1,6 @@
 //! From the tree of the text to the model: names get their meaning, numbers their value.
 
+mod action;
 mod constant;
 mod drawn;
 mod effect;
@@ -16,6 +17,7 @@ mod start;
 mod value;
 mod weld;
 
+use self::action::Acting;
 use self::constant::Constants;
 use self::motor::Ranged;
 use self::name::{Named, Names};
@@ -33,6 +35,7 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.pass(&text.statements, Lowering::set);
     lowering.pass(&text.statements, Lowering::begin);
     lowering.check_unlisted();
+    lowering.check_actions();
     lowering.claim_rate_methods();
     Parsed {
         motors: text.motors,
@@ -56,6 +59,8 @@ struct Lowering {
     singles: Vec<&'static str>,
     /// The ranges of the motors that have one.
     ranges: Vec<Ranged>,
+    /// Where gravity and the effects of forces stand.
+    acting: Acting,
 }
 
 impl Lowering {
@@ -85,6 +90,7 @@ impl Lowering {
             nameless: Vec::new(),
             singles: Vec::new(),
             ranges: Vec::new(),
+            acting: Acting::default(),
         }
     }
 
@@ -141,6 +147,10 @@ impl Lowering {
             Statement::ChangePoints { keyword, what } => self.lower_change_points(*keyword, *what),
             Statement::Effects { keyword, effects } => self.lower_effects(*keyword, effects),
             Statement::Allow(word) => self.lower_allow(word),
+            Statement::Gravity { keyword, value } => self.lower_gravity(*keyword, value),
+            Statement::Spring(spring) => self.lower_spring(spring),
+            Statement::Damper(damper) => self.lower_damper(damper),
+            Statement::Load(load) => self.lower_load(load),
             _ => {}
         }
     }

@@ -6,7 +6,20 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 24] = [
+const RESERVED: [&str; 37] = [
+    "hold_at",
+    "forces",
+    "torques",
+    "loads",
+    "advantages",
+    "transmission_angles",
+    "JOINTS",
+    "simulate",
+    "simulate_by",
+    "second_rates",
+    "energy",
+    "rates",
+    "set_rates",
     "RATES_COST",
     "new",
     "move_with",

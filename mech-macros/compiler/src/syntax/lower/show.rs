@@ -10,6 +10,10 @@ use proc_macro2::{Ident, Span};
 impl Lowering {
     pub(super) fn lower_show(&mut self, keyword: Span, what: &[End]) {
         self.single(keyword, "show", "put everything into the first");
+        if self.model.effects.needs_actions() {
+            let text = "forces come from everything that moves, shown or not; leave `show` out, or the effects `force` and `dynamics`";
+            return self.report.tell(Place::at(keyword), text);
+        }
         let mut shown: Vec<(Place, Shown)> = Vec::new();
         for end in what {
             self.report.next_item();

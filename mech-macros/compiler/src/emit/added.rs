@@ -1,0 +1,36 @@
+//! What effects add to the generated code; nothing without them.
+
+use proc_macro2::TokenStream;
+
+/// The parts of the generated code that an effect adds.
+#[derive(Default)]
+pub(super) struct Added {
+    /// Fields of the struct.
+    pub(super) fields: TokenStream,
+    /// The same in its constructor.
+    pub(super) at_rest: TokenStream,
+    /// What a move without rates leaves behind.
+    pub(super) rest: TokenStream,
+    /// The same for another instance.
+    pub(super) instance_rest: TokenStream,
+    /// Imports of the generated code.
+    pub(super) imports: TokenStream,
+    /// Methods.
+    pub(super) methods: TokenStream,
+    /// Steps that go on from positions.
+    pub(super) steps: TokenStream,
+}
+
+impl Added {
+    /// With what another effect adds.
+    pub(super) fn and(mut self, other: Self) -> Self {
+        self.fields.extend(other.fields);
+        self.at_rest.extend(other.at_rest);
+        self.rest.extend(other.rest);
+        self.instance_rest.extend(other.instance_rest);
+        self.imports.extend(other.imports);
+        self.methods.extend(other.methods);
+        self.steps.extend(other.steps);
+        self
+    }
+}

@@ -1,0 +1,105 @@
+//! What acts on links: gravity, springs, dampers and loads.
+
+use super::{AxisId, JointId, LinkId, Origin};
+
+/// Everything that acts on links.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Actions {
+    /// The acceleration of free fall, if there is gravity.
+    pub gravity: Option<[f64; 2]>,
+    /// All springs.
+    pub springs: Vec<Spring>,
+    /// All dampers.
+    pub dampers: Vec<Damper>,
+    /// All loads, in the order of their declaration.
+    pub loads: Vec<Load>,
+}
+
+/// What a spring or a damper lies between.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Between {
+    /// Two points of different links: it pulls and pushes along the way between them.
+    Points(AxisId, AxisId),
+    /// The two links of a revolute joint: it turns them against each other.
+    Joint(JointId),
+}
+
+/// A linear spring.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spring {
+    /// Its name.
+    pub name: String,
+    /// Where its name was declared.
+    pub origin: Origin,
+    /// What it lies between.
+    pub between: Between,
+    /// Force a unit of length, or torque a radian; not negative.
+    pub stiffness: f64,
+    /// The length or the coordinate at which it is at rest.
+    pub rest: f64,
+}
+
+/// A linear damper.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Damper {
+    /// Its name.
+    pub name: String,
+    /// Where its name was declared.
+    pub origin: Origin,
+    /// What it lies between.
+    pub between: Between,
+    /// Force a unit of the rate of its length, or torque a unit of angular velocity; not negative.
+    pub damping: f64,
+}
+
+/// A load that is set at run time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Load {
+    /// Its name.
+    pub name: String,
+    /// Where its name was declared.
+    pub origin: Origin,
+    /// What it acts on.
+    pub kind: LoadKind,
+}
+
+/// What a load acts on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoadKind {
+    /// A force at a point, in the directions of the scene.
+    Force(AxisId),
+    /// A torque on a link.
+    Torque(LinkId),
+}
+
+impl LoadKind {
+    /// How many numbers it has.
+    #[must_use]
+    pub fn numbers(self) -> usize {
+        match self {
+            Self::Force(_) => 2,
+            Self::Torque(_) => 1,
+        }
+    }
+}
+
+impl Actions {
+    /// What the numbers of all loads are called.
+    #[must_use]
+    pub fn load_names(&self) -> Vec<String> {
+        let names = |load: &Load| match load.kind {
+            LoadKind::Force(_) => vec![format!("{}_x", load.name), format!("{}_y", load.name)],
+            LoadKind::Torque(_) => vec![load.name.clone()],
+        };
+        self.loads.iter().flat_map(names).collect()
+    }
+
+    /// The loads, each with the position of its first number among those of all.
+    pub fn numbered_loads(&self) -> impl Iterator<Item = (usize, &Load)> {
+        self.loads.iter().scan(0, |next, load| {
+            let first = *next;
+            *next += load.kind.numbers();
+            Some((first, load))
+        })
+    }
+}

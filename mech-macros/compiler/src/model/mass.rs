@@ -1,0 +1,100 @@
+//! How mass is distributed in a link.
+
+use super::{Shape, ShapeKind};
+
+/// The mass of a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mass {
+    /// Its mass, not negative.
+    pub mass: f64,
+    /// Its centre of mass, in the frame of the link.
+    pub center: [f64; 2],
+    /// Its moment of inertia about its centre of mass, not negative.
+    pub inertia: f64,
+}
+
+impl Mass {
+    /// The mass of shapes of a density: mass a unit of area. Where shapes overlap, each counts.
+    #[must_use]
+    pub fn of_shapes(shapes: &[Shape], density: f64) -> Self {
+        let parts: Vec<Self> = shapes
+            .iter()
+            .map(|shape| Self::of_area(&shape.kind))
+            .collect();
+        let area: f64 = parts.iter().map(|part| part.mass).sum();
+        if area <= 0.0 {
+            return Self {
+                mass: 0.0,
+                center: [0.0, 0.0],
+                inertia: 0.0,
+            };
+        }
+        let along = |axis: usize| {
+            parts
+                .iter()
+                .map(|part| part.mass * part.center[axis])
+                .sum::<f64>()
+                / area
+        };
+        let center = [along(0), along(1)];
+        let about = |part: &Self| {
+            let [x, y] = [part.center[0] - center[0], part.center[1] - center[1]];
+            part.inertia + part.mass * (x * x + y * y)
+        };
+        let inertia: f64 = parts.iter().map(about).sum();
+        Self {
+            mass: density * area,
+            center,
+            inertia: density * inertia,
+        }
+    }
+
+    /// The area of a shape, as if that were its mass.
+    fn of_area(kind: &ShapeKind) -> Self {
+        match kind {
+            ShapeKind::Circle { center, radius } => {
+                let area = std::f64::consts::PI * radius * radius;
+                Self {
+                    mass: area,
+                    center: *center,
+                    inertia: 0.5 * area * radius * radius,
+                }
+            }
+            ShapeKind::Polygon(corners) => Self::of_polygon(corners),
+        }
+    }
+
+    /// By triangles between each edge and the first corner, so that what lies far from the origin is as exact as what is near.
+    fn of_polygon(corners: &[[f64; 2]]) -> Self {
+        let Some(&[x0, y0]) = corners.first() else {
+            return Self {
+                mass: 0.0,
+                center: [0.0, 0.0],
+                inertia: 0.0,
+            };
+        };
+        let [mut area, mut x, mut y, mut square] = [0.0; 4];
+        for pair in corners.windows(2) {
+            let [[ax, ay], [bx, by]] = [pair[0], pair[1]].map(|[x, y]| [x - x0, y - y0]);
+            let twice = ax * by - bx * ay;
+            area += twice / 2.0;
+            x += twice * (ax + bx) / 6.0;
+            y += twice * (ay + by) / 6.0;
+            square += twice * (ax * ax + ax * bx + bx * bx + ay * ay + ay * by + by * by) / 12.0;
+        }
+        if area == 0.0 {
+            return Self {
+                mass: 0.0,
+                center: [x0, y0],
+                inertia: 0.0,
+            };
+        }
+        let (cx, cy) = (x / area, y / area);
+        let inertia = square - area * (cx * cx + cy * cy);
+        Self {
+            mass: area.abs(),
+            center: [x0 + cx, y0 + cy],
+            inertia: inertia.abs(),
+        }
+    }
+}

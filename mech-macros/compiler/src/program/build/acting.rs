@@ -1,0 +1,375 @@
+//! What it takes to move in a given way: the equilibrium of each link, with what keeps it from being accelerated (d'Alembert), for
+//! the reactions in all joints and the torques of all motors.
+
+use super::Writer;
+use super::equilibrium::{Together, chosen};
+use super::rates::Solved;
+use super::reaction::{Along, Part, Place, Push, Unknown};
+use super::tangent::Drive;
+use super::wrench::{Velocities, Wrench};
+use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
+use crate::plan::Algebra;
+use crate::program::node::{Op, Value};
+use crate::program::{Acting, Forces, Motion, System};
+use crate::structure::Structure;
+
+/// About which point of its link moments are taken, and along which slide forces are summed, or along x and y.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    about: [f64; 2],
+    along: Option<JointId>,
+}
+
+/// The three equations of a link, written one way: what each unknown adds, and what is known.
+struct Rows {
+    unknown: [Vec<(usize, Value)>; 3],
+    known: [Value; 3],
+}
+
+impl Writer<'_> {
+    /// What it takes to move in a given way: no forces where equilibrium does not determine them.
+    pub(super) fn acting(&mut self, structure: &Structure) -> Motion {
+        let mut motion = Motion::default();
+        let closings = std::mem::take(&mut self.closings);
+        let mut influences = self.influences(&closings, &mut motion);
+        let (mut given, solved) = self.driven(&closings, Drive::Given, &mut motion);
+        self.driven_on(&closings, &solved, &mut given, &mut motion);
+        self.builder
+            .block("forces".to_owned(), "What acts.".to_owned());
+        let bodies = self.bodies();
+        let mut wrenches = self.wrenches(&bodies);
+        wrenches.extend(self.resistances(&mut Velocities::Given(&mut given)));
+        for body in &bodies {
+            wrenches.extend(self.inertial(body, &mut given));
+        }
+        self.builder.block(
+            "equilibrium".to_owned(),
+            "The equilibrium of each link.".to_owned(),
+        );
+        let unknowns = self.unknown_reactions(structure);
+        let Some(found) = self.equilibrium(&unknowns, &wrenches, &mut motion) else {
+            return motion;
+        };
+        let responses = influences
+            .iter_mut()
+            .map(|tangents| self.responses(tangents))
+            .collect();
+        let acting = Acting {
+            torques: self.drives(&unknowns, &found),
+            reactions: self.reactions(&unknowns, &found),
+            responses,
+            transmission: self.transmission(&solved),
+        };
+        motion.forces = Some(Forces::Acting(acting));
+        motion.loads = self.model.actions.load_names();
+        motion
+    }
+
+    /// The unknowns of the equilibrium of all links; none where it does not determine them, as in a loop of slides alone, which hold
+    /// each link's direction more than once.
+    fn equilibrium(
+        &mut self,
+        unknowns: &[Unknown],
+        wrenches: &[Wrench],
+        motion: &mut Motion,
+    ) -> Option<Vec<Value>> {
+        let links: Vec<LinkId> = self.model.moving_links().collect();
+        let mut written: Vec<Vec<Rows>> = Vec::new();
+        for &link in &links {
+            let ways = self.ways(link);
+            let rows = ways
+                .into_iter()
+                .map(|way| self.rows(link, way, unknowns, wrenches));
+            written.push(rows.collect());
+        }
+        let pattern: Vec<Vec<[Vec<usize>; 3]>> = written
+            .iter()
+            .map(|ways| ways.iter().map(Rows::pattern).collect())
+            .collect();
+        let zero = self.builder.constant(0.0);
+        let (choices, blocks) = chosen(&pattern, unknowns.len())?;
+        let rows: Vec<(&Vec<(usize, Value)>, Value)> = written
+            .iter()
+            .zip(choices)
+            .flat_map(|(ways, choice)| {
+                let Rows { unknown, known } = &ways[choice];
+                unknown.iter().zip(known.iter().copied())
+            })
+            .collect();
+        let mut found: Vec<Option<Value>> = vec![None; unknowns.len()];
+        for block in &blocks {
+            let values = self.solved_together(block, &rows, &found, motion);
+            for (&unknown, value) in block.unknowns.iter().zip(values) {
+                self.builder.name(value, unknowns[unknown].name.clone());
+                found[unknown] = Some(value);
+            }
+        }
+        let found = found.into_iter().map(|value| value.unwrap_or(zero));
+        Some(found.collect())
+    }
+
+    /// Solves a few equations, given what others have found.
+    fn solved_together(
+        &mut self,
+        block: &Together,
+        rows: &[(&Vec<(usize, Value)>, Value)],
+        found: &[Option<Value>],
+        motion: &mut Motion,
+    ) -> Vec<Value> {
+        let zero = self.builder.constant(0.0);
+        let mut columns = vec![vec![zero; block.equations.len()]; block.unknowns.len()];
+        let mut right = Vec::new();
+        for (row, &equation) in block.equations.iter().enumerate() {
+            let (parts, known) = rows[equation];
+            let mut sum = known;
+            for &(unknown, factor) in parts {
+                if let Some(column) = block.unknowns.iter().position(|&other| other == unknown) {
+                    columns[column][row] = factor;
+                } else if let Some(value) = found[unknown] {
+                    let share = self.builder.mul(factor, value);
+                    sum = self.builder.add(sum, share);
+                }
+            }
+            right.push(sum);
+        }
+        match (&columns[..], &right[..]) {
+            ([column], &[sum]) => {
+                let sum = self.builder.neg(sum);
+                vec![self.builder.div(sum, column[0])]
+            }
+            _ if columns.len() <= 3 => self.steps(self.builder.current(), &columns, &right).0,
+            _ => {
+                let system = motion.systems.len();
+                motion.systems.push(System {
+                    block: self.builder.current(),
+                    columns,
+                    right,
+                });
+                let unknowns = 0..block.unknowns.len();
+                unknowns
+                    .map(|index| self.builder.make(Op::Linear(system, index)))
+                    .collect()
+            }
+        }
+    }
+
+    /// The ways to write the equations of a link.
+    fn ways(&self, link: LinkId) -> Vec<Way> {
+        let mut points: Vec<[f64; 2]> = Vec::new();
+        let mut slides: Vec<Option<JointId>> = vec![None];
+        for joint in self.model.joint_ids() {
+            let (a, b) = self.model.ends(joint);
+            if a != link && b != link {
+                continue;
+            }
+            let own = |axis: AxisId| Some(self.model.axis(axis)).filter(|axis| axis.link == link);
+            match self.model.joint(joint).kind {
+                JointKind::Revolute(a, b) | JointKind::Weld(a, b) => {
+                    let at = own(a).or(own(b)).map(|axis| axis.at);
+                    points.extend(at.filter(|at| !points.contains(at)));
+                }
+                JointKind::Prismatic(..) => slides.push(Some(joint)),
+                _ => {}
+            }
+        }
+        if points.is_empty() {
+            let mut axes = self.model.axes.iter();
+            let line = axes.find(|axis| axis.link == link && axis.kind == AxisKind::Line);
+            points.push(line.map_or([0.0, 0.0], |axis| axis.at));
+        }
+        let ways = slides
+            .into_iter()
+            .flat_map(|along| points.iter().map(move |&about| Way { about, along }));
+        ways.collect()
+    }
+
+    /// The equations of a link, written one way.
+    fn rows(&mut self, link: LinkId, way: Way, unknowns: &[Unknown], wrenches: &[Wrench]) -> Rows {
+        let zero = self.builder.constant(0.0);
+        let mut rows = Rows {
+            unknown: Default::default(),
+            known: [zero; 3],
+        };
+        for (number, unknown) in unknowns.iter().enumerate() {
+            let mut sums = [zero; 3];
+            for push in &unknown.pushes {
+                let parts = match *push {
+                    Push::Force {
+                        link: pushed,
+                        at,
+                        along,
+                        back,
+                    } if pushed == link => {
+                        let mut parts = self.pushed(link, way, at, along);
+                        if back {
+                            parts = parts.map(|part| self.builder.neg(part));
+                        }
+                        parts
+                    }
+                    Push::Torque { link: pushed, size } if pushed == link => [zero, zero, size],
+                    _ => continue,
+                };
+                for (sum, part) in sums.iter_mut().zip(parts) {
+                    *sum = self.builder.add(*sum, part);
+                }
+            }
+            for (row, sum) in rows.unknown.iter_mut().zip(sums) {
+                if sum != zero {
+                    row.push((number, sum));
+                }
+            }
+        }
+        for wrench in wrenches {
+            let parts = match *wrench {
+                Wrench::Force {
+                    link: pushed,
+                    at,
+                    force,
+                } if pushed == link => {
+                    let arm = self.arm(link, way, Place::Scene(at));
+                    let [along, across] = self.resolved(way, force);
+                    [along, across, self.builder.cross(arm, force)]
+                }
+                Wrench::Torque {
+                    link: pushed,
+                    torque,
+                } if pushed == link => [zero, zero, torque],
+                _ => continue,
+            };
+            for (sum, part) in rows.known.iter_mut().zip(parts) {
+                *sum = self.builder.add(*sum, part);
+            }
+        }
+        rows
+    }
+
+    /// What a force of size one adds to the equations of a link.
+    fn pushed(&mut self, link: LinkId, way: Way, at: Place, along: Along) -> [Value; 3] {
+        let (zero, one) = (self.builder.constant(0.0), self.builder.constant(1.0));
+        let direction = self.direction(along);
+        let arm = self.arm(link, way, at);
+        let moment = self.builder.cross(arm, direction);
+        let [p, q] = match (along, way.along) {
+            (Along::Slide(joint), Some(own)) if joint == own => [one, zero],
+            (Along::Across(joint), Some(own)) if joint == own => [zero, one],
+            _ => self.resolved(way, direction),
+        };
+        [p, q, moment]
+    }
+
+    /// A direction in the scene.
+    pub(super) fn direction(&mut self, along: Along) -> [Value; 2] {
+        match along {
+            Along::Scene(direction) => direction,
+            Along::Slide(joint) => self.slide(joint),
+            Along::Across(joint) => {
+                let [x, y] = self.slide(joint);
+                [self.builder.neg(y), x]
+            }
+        }
+    }
+
+    /// The direction of a slide in the scene.
+    fn slide(&mut self, joint: JointId) -> [Value; 2] {
+        let JointKind::Prismatic(a, _) = self.model.joint(joint).kind else {
+            return self.builder.vector([1.0, 0.0]);
+        };
+        let axis = self.model.axis(a);
+        let pose = self.placement.pose(axis.link);
+        pose.turn(&mut self.builder, axis.direction)
+    }
+
+    /// A force along and across what the forces of a link are summed along.
+    fn resolved(&mut self, way: Way, force: [Value; 2]) -> [Value; 2] {
+        match way.along {
+            None => force,
+            Some(joint) => {
+                let along = self.slide(joint);
+                [
+                    self.builder.dot(along, force),
+                    self.builder.cross(along, force),
+                ]
+            }
+        }
+    }
+
+    /// From the point about which moments are taken to another.
+    fn arm(&mut self, link: LinkId, way: Way, at: Place) -> [Value; 2] {
+        let pose = self.placement.pose(link);
+        match at {
+            Place::Own([x, y]) => {
+                let [u, v] = way.about;
+                pose.turn(&mut self.builder, [x - u, y - v])
+            }
+            Place::Scene(at) => {
+                let about = pose.carry(&mut self.builder, way.about);
+                self.builder.minus(at, about)
+            }
+        }
+    }
+
+    /// The torques and forces of the motors.
+    fn drives(&self, unknowns: &[Unknown], found: &[Value]) -> Vec<Value> {
+        let drive = |motor| {
+            let mut unknowns = unknowns.iter().zip(found);
+            let own = unknowns.find(|(unknown, _)| self.is_drive(unknown, motor));
+            own.map(|(_, &value)| value)
+        };
+        self.model.motor_ids().filter_map(drive).collect()
+    }
+
+    /// The reactions in all joints that are told.
+    fn reactions(&mut self, unknowns: &[Unknown], found: &[Value]) -> Vec<[Value; 3]> {
+        let zero = self.builder.constant(0.0);
+        let mut reactions = Vec::new();
+        for joint in self.model.told_joints() {
+            let mut sums = [zero; 3];
+            for (unknown, &size) in unknowns.iter().zip(found) {
+                if unknown.joint != joint {
+                    continue;
+                }
+                let parts = match unknown.part {
+                    Part::Torque => [zero, zero, size],
+                    Part::Force(along) => {
+                        let direction = self.direction(along);
+                        let [x, y] = self.builder.scaled(size, direction);
+                        [x, y, zero]
+                    }
+                };
+                for (sum, part) in sums.iter_mut().zip(parts) {
+                    *sum = self.builder.add(*sum, part);
+                }
+            }
+            reactions.push(sums);
+        }
+        reactions
+    }
+
+    /// The transmission angles of dyads: between the directions in which the two unknowns of each move its closure.
+    fn transmission(&mut self, solved: &[Solved]) -> Vec<Value> {
+        let mut angles = Vec::new();
+        for solved in solved {
+            let [a, b] = &solved.columns[..] else {
+                continue;
+            };
+            let (&[p, q], &[r, s]) = (&a[..], &b[..]) else {
+                continue;
+            };
+            let (across, along) = (
+                self.builder.cross([p, q], [r, s]),
+                self.builder.dot([p, q], [r, s]),
+            );
+            let (across, along) = (self.builder.abs(across), self.builder.abs(along));
+            angles.push(self.builder.make(Op::Atan2(across, along)));
+        }
+        angles
+    }
+}
+
+impl Rows {
+    fn pattern(&self) -> [Vec<usize>; 3] {
+        self.unknown
+            .each_ref()
+            .map(|row| row.iter().map(|&(unknown, _)| unknown).collect())
+    }
+}

@@ -1,0 +1,350 @@
+//! Forces and torques on links: what gravity, springs, dampers and loads do.
+
+use super::Writer;
+use super::tangent::Tangents;
+use crate::model::{AxisId, Between, Damper, JointId, LinkId, LoadKind, Mass, Spring};
+use crate::plan::Algebra;
+use crate::program::builder::Builder;
+use crate::program::node::{Op, Value};
+
+/// A force at a point of a link, or a torque on it, in the scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Wrench {
+    Force {
+        link: LinkId,
+        at: [Value; 2],
+        force: [Value; 2],
+    },
+    Torque {
+        link: LinkId,
+        torque: Value,
+    },
+}
+
+/// A link that has a mass.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Body {
+    pub(super) link: LinkId,
+    pub(super) mass: Mass,
+    /// Its centre of mass in the scene.
+    pub(super) center: [Value; 2],
+    pub(super) direction: [Value; 2],
+}
+
+impl Writer<'_> {
+    /// All links that have a mass.
+    pub(super) fn bodies(&mut self) -> Vec<Body> {
+        let mut bodies = Vec::new();
+        for link in self.model.declared_links() {
+            let Some(mass) = self.model.link(link).mass else {
+                continue;
+            };
+            let pose = self.placement.pose(link);
+            let center = pose.carry(&mut self.builder, mass.center);
+            let name = format!("{}_center", self.name_of(link));
+            let center = self.builder.name_vector(center, &name);
+            bodies.push(Body {
+                link,
+                mass,
+                center,
+                direction: pose.direction,
+            });
+        }
+        bodies
+    }
+
+    /// What acts on links whatever their velocities.
+    pub(super) fn wrenches(&mut self, bodies: &[Body]) -> Vec<Wrench> {
+        let mut wrenches = Vec::new();
+        let actions = &self.model.actions;
+        if let Some(gravity) = actions.gravity {
+            for body in bodies {
+                let weight = gravity.map(|part| part * body.mass.mass);
+                wrenches.push(Wrench::Force {
+                    link: body.link,
+                    at: body.center,
+                    force: self.builder.vector(weight),
+                });
+            }
+        }
+        for spring in &actions.springs {
+            wrenches.extend(self.pull(spring));
+        }
+        for (number, load) in actions.numbered_loads() {
+            let mut given = |part: usize, what: &str| {
+                let value = self.builder.make(Op::Load(number + part));
+                self.builder.name(value, format!("{}{what}", load.name))
+            };
+            wrenches.push(match load.kind {
+                LoadKind::Torque(link) => Wrench::Torque {
+                    link,
+                    torque: given(0, ""),
+                },
+                LoadKind::Force(point) => {
+                    let force = [given(0, "_x"), given(1, "_y")];
+                    let (link, at) = self.point(point);
+                    Wrench::Force { link, at, force }
+                }
+            });
+        }
+        wrenches
+    }
+
+    /// What resists velocities.
+    pub(super) fn resistances(&mut self, velocities: &mut Velocities<'_>) -> Vec<Wrench> {
+        let mut wrenches = Vec::new();
+        for damper in &self.model.actions.dampers {
+            wrenches.extend(self.resist(damper, velocities));
+        }
+        wrenches
+    }
+
+    /// A point in the scene, and the link that it is fixed to.
+    pub(super) fn point(&mut self, point: AxisId) -> (LinkId, [Value; 2]) {
+        let axis = self.model.axis(point);
+        let at = self
+            .placement
+            .pose(axis.link)
+            .carry(&mut self.builder, axis.at);
+        (axis.link, at)
+    }
+
+    /// What a spring does to the links at its ends.
+    fn pull(&mut self, spring: &Spring) -> [Wrench; 2] {
+        let stiffness = self.builder.constant(spring.stiffness);
+        match spring.between {
+            Between::Points(a, b) => {
+                let ([first, second], way) = self.way(a, b);
+                let tension = if spring.rest == 0.0 {
+                    stiffness
+                } else {
+                    // Tension a unit of length: k (1 − rest / length).
+                    let inverse = self.inverse_length(way);
+                    let rest = self.builder.constant(spring.rest);
+                    let slack = self.builder.mul(rest, inverse);
+                    let one = self.builder.constant(1.0);
+                    let stretch = self.builder.sub(one, slack);
+                    self.builder.mul(stiffness, stretch)
+                };
+                let force = self.builder.scaled(tension, way);
+                let force = self.builder.name_vector(force, &spring.name);
+                self.opposed(first, second, force)
+            }
+            Between::Joint(joint) => {
+                let deflection = self.deflection(joint, spring.rest);
+                let torque = self.builder.mul(stiffness, deflection);
+                let torque = self.builder.name(torque, spring.name.clone());
+                self.twisted(joint, torque)
+            }
+        }
+    }
+
+    /// Twice the energy in a spring, divided by its stiffness: the square of how far it is from rest.
+    fn stretch_square(&mut self, spring: &Spring) -> Value {
+        match spring.between {
+            Between::Points(a, b) => {
+                let (_, way) = self.way(a, b);
+                let square = self.builder.dot(way, way);
+                if spring.rest == 0.0 {
+                    return square;
+                }
+                let length = self.builder.sqrt(square);
+                let rest = self.builder.constant(spring.rest);
+                let stretch = self.builder.sub(length, rest);
+                self.builder.mul(stretch, stretch)
+            }
+            Between::Joint(joint) => {
+                let deflection = self.deflection(joint, spring.rest);
+                self.builder.mul(deflection, deflection)
+            }
+        }
+    }
+
+    /// The potential energy of gravity and springs.
+    pub(super) fn potential(&mut self, bodies: &[Body]) -> Value {
+        let mut energy = self.builder.constant(0.0);
+        let actions = &self.model.actions;
+        if let Some(gravity) = actions.gravity {
+            for body in bodies {
+                let weight = self
+                    .builder
+                    .vector(gravity.map(|part| part * body.mass.mass));
+                let work = self.builder.dot(weight, body.center);
+                energy = self.builder.sub(energy, work);
+            }
+        }
+        for spring in &actions.springs {
+            let square = self.stretch_square(spring);
+            let half = self.builder.constant(spring.stiffness / 2.0);
+            let part = self.builder.mul(half, square);
+            energy = self.builder.add(energy, part);
+        }
+        energy
+    }
+
+    fn resist(&mut self, damper: &Damper, velocities: &mut Velocities<'_>) -> [Wrench; 2] {
+        let damping = self.builder.constant(damper.damping);
+        match damper.between {
+            Between::Points(a, b) => {
+                let ([first, second], way) = self.way(a, b);
+                let (from, to) = (
+                    velocities.of_point(&mut self.builder, first.1),
+                    velocities.of_point(&mut self.builder, second.1),
+                );
+                let apart = self.builder.minus(to, from);
+                let inverse = self.inverse_length(way);
+                let along = self.builder.scaled(inverse, way);
+                let lengthening = self.builder.dot(apart, along);
+                let tension = self.builder.mul(damping, lengthening);
+                let force = self.builder.scaled(tension, along);
+                let force = self.builder.name_vector(force, &damper.name);
+                self.opposed(first, second, force)
+            }
+            Between::Joint(joint) => {
+                let (a, b) = self.model.ends(joint);
+                let [from, to] = [a, b].map(|link| {
+                    let direction = self.placement.pose(link).direction;
+                    velocities.of_direction(&mut self.builder, direction)
+                });
+                let rate = self.builder.sub(to, from);
+                let torque = self.builder.mul(damping, rate);
+                let torque = self.builder.name(torque, damper.name.clone());
+                self.twisted(joint, torque)
+            }
+        }
+    }
+
+    /// Two points with their links, and the way from the first to the second.
+    #[expect(
+        clippy::type_complexity,
+        reason = "two ends, each a link and a point, and a vector"
+    )]
+    fn way(&mut self, a: AxisId, b: AxisId) -> ([(LinkId, [Value; 2]); 2], [Value; 2]) {
+        let (first, second) = (self.point(a), self.point(b));
+        let way = self.builder.minus(second.1, first.1);
+        ([first, second], way)
+    }
+
+    /// One over the length of a way; where that is zero, a large number, so that the way times it is still zero.
+    fn inverse_length(&mut self, way: [Value; 2]) -> Value {
+        let square = self.builder.dot(way, way);
+        let length = self.builder.sqrt(square);
+        let least = self.model.size() * self.model.precision.epsilon().sqrt();
+        let least = least.max(f64::from(f32::MIN_POSITIVE));
+        let least = self.builder.constant(least);
+        let length = self.builder.max(length, least);
+        let one = self.builder.constant(1.0);
+        self.builder.div(one, length)
+    }
+
+    /// A pull of one end towards the other, and of the other back.
+    fn opposed(
+        &mut self,
+        (first, at): (LinkId, [Value; 2]),
+        (second, there): (LinkId, [Value; 2]),
+        force: [Value; 2],
+    ) -> [Wrench; 2] {
+        let back = force.map(|part| self.builder.neg(part));
+        [
+            Wrench::Force {
+                link: first,
+                at,
+                force,
+            },
+            Wrench::Force {
+                link: second,
+                at: there,
+                force: back,
+            },
+        ]
+    }
+
+    /// A torque that turns the links of a joint back.
+    fn twisted(&mut self, joint: JointId, torque: Value) -> [Wrench; 2] {
+        let (first, second) = self.model.ends(joint);
+        let back = self.builder.neg(torque);
+        [
+            Wrench::Torque {
+                link: first,
+                torque,
+            },
+            Wrench::Torque {
+                link: second,
+                torque: back,
+            },
+        ]
+    }
+
+    /// How far a joint is turned from an angle: for a motor by any number of turns, else by less than half a turn.
+    fn deflection(&mut self, joint: JointId, rest: f64) -> Value {
+        if let Some(motor) = self.model.motor_of(joint) {
+            let value = self.builder.make(Op::Motor(motor.index()));
+            let turns = self.builder.make(Op::Turns(motor.index()));
+            let turn = self.builder.constant(std::f64::consts::TAU);
+            let whole = self.builder.mul(turn, turns);
+            let angle = self.builder.add(value, whole);
+            let rest = self.builder.constant(rest);
+            return self.builder.sub(angle, rest);
+        }
+        let crate::model::JointKind::Revolute(a, b) = self.model.joint(joint).kind else {
+            return self.builder.constant(0.0);
+        };
+        let direction = |writer: &mut Self, axis: AxisId, back: f64| {
+            let axis = writer.model.axis(axis);
+            let [x, y] = axis.direction;
+            let (sin, cos) = (libm::sin(back), libm::cos(back));
+            let turned = [cos * x - sin * y, sin * x + cos * y];
+            writer
+                .placement
+                .pose(axis.link)
+                .turn(&mut writer.builder, turned)
+        };
+        let (from, to) = (direction(self, a, rest), direction(self, b, 0.0));
+        let (sin, cos) = (self.builder.cross(from, to), self.builder.dot(from, to));
+        self.builder.make(Op::Atan2(sin, cos))
+    }
+}
+
+/// Where the velocities of points and links come from.
+pub(super) enum Velocities<'t> {
+    /// From rates that are given.
+    Given(&'t mut Tangents),
+    /// From what each motor does alone, and how fast it is.
+    Sum(&'t mut [Tangents]),
+}
+
+impl Velocities<'_> {
+    /// The velocity of a point.
+    pub(super) fn of_point(&mut self, builder: &mut Builder, at: [Value; 2]) -> [Value; 2] {
+        match self {
+            Self::Given(tangents) => tangents.of_vector(builder, at),
+            Self::Sum(alone) => {
+                let mut sum = builder.vector([0.0, 0.0]);
+                for (motor, tangents) in alone.iter_mut().enumerate() {
+                    let rate = builder.make(Op::Rate(motor));
+                    let part = tangents.of_vector(builder, at);
+                    let part = builder.scaled(rate, part);
+                    sum = builder.plus(sum, part);
+                }
+                sum
+            }
+        }
+    }
+
+    /// The angular velocity of a direction.
+    pub(super) fn of_direction(&mut self, builder: &mut Builder, direction: [Value; 2]) -> Value {
+        match self {
+            Self::Given(tangents) => tangents.turning(builder, direction),
+            Self::Sum(alone) => {
+                let mut sum = builder.constant(0.0);
+                for (motor, tangents) in alone.iter_mut().enumerate() {
+                    let rate = builder.make(Op::Rate(motor));
+                    let part = tangents.turning(builder, direction);
+                    let part = builder.mul(rate, part);
+                    sum = builder.add(sum, part);
+                }
+                sum
+            }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! What forces do: what extends a program if they were asked for.
+
+/// What forces do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Forces<V> {
+    /// The torques of the motors, or their forces, that hold everything at rest.
+    Holding(Vec<V>),
+    /// What it takes to move in a given way.
+    Acting(Acting<V>),
+    /// How everything moves under the torques of the motors.
+    Inertia(Inertia<V>),
+}
+
+/// What it takes to move in a given way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Acting<V> {
+    /// The torques of the motors, or their forces.
+    pub torques: Vec<V>,
+    /// For each joint what its first link does to its second: a force in the directions of the scene, and a torque about the
+    /// joint.
+    pub reactions: Vec<[V; 3]>,
+    /// For each motor how fast each number of the loads is followed, if it alone moves at a rate of one.
+    pub responses: Vec<Vec<V>>,
+    /// The transmission angles of the dyads, in the order in which they are closed.
+    pub transmission: Vec<V>,
+}
+
+/// Inertia and forces as the motors feel them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inertia<V> {
+    /// The reduced inertia: row by row, one for each motor.
+    pub matrix: Vec<Vec<V>>,
+    /// For each motor what accelerates it besides its own torque.
+    pub drive: Vec<V>,
+    /// The kinetic and the potential energy.
+    pub energy: [V; 2],
+}
+
+impl<V: Copy> Forces<V> {
+    /// What is asked for.
+    pub fn roots(&self) -> Vec<V> {
+        let mut roots = Vec::new();
+        self.map(|value| roots.push(value));
+        roots
+    }
+
+    /// The same of something else.
+    pub fn map<W>(&self, mut each: impl FnMut(V) -> W) -> Forces<W> {
+        let mut row =
+            |values: &Vec<V>| -> Vec<W> { values.iter().map(|&value| each(value)).collect() };
+        match self {
+            Self::Holding(torques) => Forces::Holding(row(torques)),
+            Self::Acting(acting) => Forces::Acting(Acting {
+                torques: row(&acting.torques),
+                responses: acting.responses.iter().map(&mut row).collect(),
+                transmission: row(&acting.transmission),
+                reactions: acting
+                    .reactions
+                    .iter()
+                    .map(|reaction| reaction.map(&mut each))
+                    .collect(),
+            }),
+            Self::Inertia(inertia) => Forces::Inertia(Inertia {
+                matrix: inertia.matrix.iter().map(&mut row).collect(),
+                drive: row(&inertia.drive),
+                energy: inertia.energy.map(each),
+            }),
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! A step of time under forces, by methods of Gauss.
+//!
+//! The second rates at the stages are found by iteration: each stage is a position of its own that is moved along, so that dead
+//! points and limits are noticed as in any move. The methods are those of Gauss for equations of second order (Hairer, Nørsett and
+//! Wanner, *Solving Ordinary Differential Equations I*, II.14): symmetric, of twice the order of their stages.
+
+use super::{Inertia, Motors, Position, Stop};
+use crate::{Blocked, Cause, Gauss, Real, Scalar};
+
+/// The most stages of a method.
+const STAGES: usize = 3;
+/// The most rounds until the second rates at the stages are settled.
+const ROUNDS: usize = 64;
+
+/// Where a step of time leads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Simulated<T, const MOTORS: usize, const LINKS: usize, const KEPT: usize> {
+    /// The new position.
+    pub position: Position<T, MOTORS, LINKS, KEPT>,
+    /// The rates of the motors there.
+    pub rates: [T; MOTORS],
+    /// Their second rates there.
+    pub accelerations: [T; MOTORS],
+}
+
+/// What is not in the position but moves it.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment<T: 'static, const MOTORS: usize> {
+    /// The rates of the motors.
+    pub rates: [T; MOTORS],
+    /// Their torques, which stay as they are during the step.
+    pub torques: [T; MOTORS],
+    /// How long the step is.
+    pub time: T,
+    /// What the motors are called.
+    pub names: &'static [&'static str; MOTORS],
+    /// Which of them turn, and may turn any number of times.
+    pub turning: &'static [bool; MOTORS],
+}
+
+/// A method: for each stage its time, its weight, and how much of each stage's second rate goes into its rate and its place.
+struct Tableau<T> {
+    times: [T; STAGES],
+    weights: [T; STAGES],
+    rates: [[T; STAGES]; STAGES],
+    count: usize,
+}
+
+impl<T: Scalar> Tableau<T> {
+    fn of(method: Gauss) -> Self {
+        let (count, times, weights, rates) = match method {
+            Gauss::Two => (
+                1,
+                [0.5, 0.0, 0.0],
+                [1.0, 0.0, 0.0],
+                [[0.5, 0.0, 0.0], [0.0; 3], [0.0; 3]],
+            ),
+            Gauss::Four => {
+                // √3 / 6
+                let part = 0.288_675_134_594_812_9;
+                (
+                    2,
+                    [0.5 - part, 0.5 + part, 0.0],
+                    [0.5, 0.5, 0.0],
+                    [[0.25, 0.25 - part, 0.0], [0.25 + part, 0.25, 0.0], [0.0; 3]],
+                )
+            }
+            Gauss::Six => {
+                // √15
+                let root = 3.872_983_346_207_417;
+                let (far, near) = (5.0 / 36.0, 2.0 / 9.0);
+                (
+                    3,
+                    [0.5 - root / 10.0, 0.5, 0.5 + root / 10.0],
+                    [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0],
+                    [
+                        [far, near - root / 15.0, far - root / 30.0],
+                        [far + root / 24.0, near, far - root / 24.0],
+                        [far + root / 30.0, near + root / 15.0, far],
+                    ],
+                )
+            }
+        };
+        let row = |row: [f64; STAGES]| row.map(|number| <T as Real>::from_f64(number));
+        Self {
+            times: row(times),
+            weights: row(weights),
+            rates: rates.map(row),
+            count,
+        }
+    }
+
+    /// How much of the second rate at a stage goes into the place at another: the square of the matrix of rates.
+    fn place(&self, stage: usize, of: usize) -> T {
+        let products =
+            (0..self.count).map(|between| self.rates[stage][between] * self.rates[between][of]);
+        products.fold(T::ZERO, |sum, product| sum + product)
+    }
+
+    /// How much of it goes into the place at the end.
+    fn end(&self, of: usize) -> T {
+        let products =
+            (0..self.count).map(|between| self.weights[between] * self.rates[between][of]);
+        products.fold(T::ZERO, |sum, product| sum + product)
+    }
+}
+
+/// Follows the motion for a step of time. `to` moves a position to motor values and gives the inertia there at these rates.
+///
+/// # Errors
+/// If something given is not a finite number, something is in the way, no mass resists a motor, or the step of time is too long.
+pub fn simulate<T, const M: usize, const L: usize, const K: usize>(
+    start: &Position<T, M, L, K>,
+    moment: &Moment<T, M>,
+    method: Gauss,
+    to: impl Fn(
+        &mut Position<T, M, L, K>,
+        Motors<T, M>,
+        [T; M],
+    ) -> Result<Inertia<T, M>, Blocked<[T; M]>>,
+) -> Result<Simulated<T, M, L, K>, Blocked<[T; M]>>
+where
+    T: Scalar,
+{
+    let refuse = |stop| start.refuse(stop);
+    let Moment {
+        rates,
+        torques,
+        time,
+        names,
+        turning,
+    } = *moment;
+    if !Real::is_finite(time) {
+        return Err(refuse(Stop::new("time", Cause::NotFinite)));
+    }
+    super::finite(torques, names).map_err(refuse)?;
+    let tableau = Tableau::<T>::of(method);
+    let mut position = *start;
+    let inertia = to(&mut position, start.motors, rates)?;
+    let first = inertia.accelerations(torques, names).map_err(refuse)?;
+    let mut stages = [first; STAGES];
+    let mut positions = [position; STAGES];
+    let near = <T as Real>::from_f64(1024.0 * T::EPSILON);
+    let mut before = T::ONE;
+    let mut settled = false;
+    for _ in 0..ROUNDS {
+        let mut next = stages;
+        for stage in 0..tableau.count {
+            let share = |of: usize| time * time * tableau.place(stage, of);
+            let way = way(
+                rates,
+                time * tableau.times[stage],
+                &stages,
+                share,
+                tableau.count,
+            );
+            let rate = |of: usize| time * tableau.rates[stage][of];
+            let speed = sum(rates, &stages, rate, tableau.count);
+            let inertia =
+                to(&mut positions[stage], moved(start.motors, way), speed).map_err(too_long)?;
+            next[stage] = inertia.accelerations(torques, names).map_err(refuse)?;
+        }
+        let change = change(
+            &stages[..tableau.count],
+            &next[..tableau.count],
+            rates,
+            time,
+        );
+        stages = next;
+        // To rounding, or as near to it as it comes.
+        if change <= <T as Real>::from_f64(T::EPSILON) || (change >= before && change <= near) {
+            settled = true;
+            break;
+        }
+        before = change;
+    }
+    if !settled {
+        return Err(refuse(Stop::new("", Cause::StepTooLong)));
+    }
+    let way = way(
+        rates,
+        time,
+        &stages,
+        |of| time * time * tableau.end(of),
+        tableau.count,
+    );
+    let speed = sum(
+        rates,
+        &stages,
+        |of| time * tableau.weights[of],
+        tableau.count,
+    );
+    let inertia = to(&mut position, moved(start.motors, way), speed)?;
+    let accelerations = inertia.accelerations(torques, names).map_err(refuse)?;
+    position.motors = position.motors.wrapped(turning);
+    Ok(Simulated {
+        position,
+        rates: speed,
+        accelerations,
+    })
+}
+
+/// What runs away while it is iterated is a step that is too long.
+fn too_long<M>(blocked: Blocked<M>) -> Blocked<M> {
+    match blocked.cause {
+        Cause::Overflow | Cause::TooFar => Blocked {
+            place: "",
+            cause: Cause::StepTooLong,
+            ..blocked
+        },
+        _ => blocked,
+    }
+}
+
+/// The way that rates and second rates make.
+fn way<T: Scalar, const M: usize>(
+    rates: [T; M],
+    time: T,
+    stages: &[[T; M]; STAGES],
+    share: impl Fn(usize) -> T,
+    count: usize,
+) -> [T; M] {
+    sum(rates.map(|rate| rate * time), stages, share, count)
+}
+
+/// A vector and shares of the second rates at the stages.
+fn sum<T: Scalar, const M: usize>(
+    first: [T; M],
+    stages: &[[T; M]; STAGES],
+    share: impl Fn(usize) -> T,
+    count: usize,
+) -> [T; M] {
+    let mut sum = first;
+    for (of, stage) in stages.iter().enumerate().take(count) {
+        let share = share(of);
+        for (sum, part) in sum.iter_mut().zip(stage) {
+            *sum += share * *part;
+        }
+    }
+    sum
+}
+
+fn moved<T: Scalar, const M: usize>(motors: Motors<T, M>, way: [T; M]) -> Motors<T, M> {
+    let mut motors = motors;
+    for (value, way) in motors.values.iter_mut().zip(way) {
+        *value += way;
+    }
+    motors
+}
+
+/// How much the second rates at the stages changed: by how much of the rates that they bring about.
+fn change<T: Scalar, const M: usize>(
+    stages: &[[T; M]],
+    next: &[[T; M]],
+    rates: [T; M],
+    time: T,
+) -> T {
+    let mut most = T::ZERO;
+    for (old, new) in stages.iter().zip(next) {
+        for motor in 0..M {
+            let brought = Real::abs(time * (new[motor] - old[motor]));
+            let whole = Real::abs(rates[motor]) + Real::abs(time * new[motor]);
+            if brought > T::ZERO {
+                let part = brought / whole;
+                if part > most {
+                    most = part;
+                }
+            }
+        }
+    }
+    most
+}

@@ -1,0 +1,123 @@
+//! What forces come to.
+
+use super::Stop;
+use super::rates::Rates;
+use crate::{Cause, Forces, Real, Scalar};
+
+/// The torques of the motors that hold everything at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Holding<T, const MOTORS: usize> {
+    /// In the order of the motors.
+    pub torques: [T; MOTORS],
+}
+
+impl<T: Scalar, const MOTORS: usize> Rates for Holding<T, MOTORS> {
+    #[inline]
+    fn is_finite(&self) -> bool {
+        all_finite(&self.torques)
+    }
+}
+
+impl<T: Scalar, const M: usize, const J: usize, const L: usize, const D: usize> Rates
+    for Forces<T, M, J, L, D>
+{
+    #[inline]
+    fn is_finite(&self) -> bool {
+        let reactions = self.reactions.iter();
+        all_finite(&self.torques)
+            && all_finite(&self.transmission)
+            && self.responses.iter().all(|row| all_finite(row))
+            && reactions
+                .map(|reaction| reaction.x + reaction.y + reaction.torque)
+                .all(Real::is_finite)
+    }
+}
+
+/// Inertia and forces as the motors feel them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia<T, const MOTORS: usize> {
+    /// The reduced inertia, symmetric.
+    pub matrix: [[T; MOTORS]; MOTORS],
+    /// What accelerates each motor besides its own torque.
+    pub drive: [T; MOTORS],
+    /// The kinetic energy.
+    pub kinetic: T,
+    /// The potential energy of gravity and springs.
+    pub potential: T,
+}
+
+impl<T: Scalar, const MOTORS: usize> Rates for Inertia<T, MOTORS> {
+    #[inline]
+    fn is_finite(&self) -> bool {
+        self.matrix.iter().all(|row| all_finite(row))
+            && all_finite(&self.drive)
+            && Real::is_finite(self.kinetic + self.potential)
+    }
+}
+
+impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
+    /// How the motors are accelerated by their own torques and everything else: by Cholesky's method.
+    ///
+    /// # Errors
+    /// The first motor that no mass resists there.
+    pub fn accelerations(
+        &self,
+        torques: [T; MOTORS],
+        names: &[&'static str; MOTORS],
+    ) -> Result<[T; MOTORS], Stop> {
+        let mut rows = self.matrix;
+        let mut sums: [T; MOTORS] =
+            core::array::from_fn(|motor| torques[motor] + self.drive[motor]);
+        for pivot in 0..MOTORS {
+            let mut square = rows[pivot][pivot];
+            for earlier in 0..pivot {
+                square -= rows[pivot][earlier] * rows[pivot][earlier];
+            }
+            // What rounding leaves of nothing is no mass.
+            let least = <T as Real>::from_f64(16.0 * T::EPSILON) * self.matrix[pivot][pivot];
+            let resists = square > least;
+            if !resists {
+                return Err(Stop::new(names[pivot], Cause::Massless));
+            }
+            let root = Real::sqrt(square);
+            rows[pivot][pivot] = root;
+            for row in pivot + 1..MOTORS {
+                let mut part = rows[row][pivot];
+                for earlier in 0..pivot {
+                    part -= rows[row][earlier] * rows[pivot][earlier];
+                }
+                rows[row][pivot] = part / root;
+            }
+            let mut sum = sums[pivot];
+            for earlier in 0..pivot {
+                sum -= rows[pivot][earlier] * sums[earlier];
+            }
+            sums[pivot] = sum / root;
+        }
+        for row in (0..MOTORS).rev() {
+            let mut sum = sums[row];
+            for later in row + 1..MOTORS {
+                sum -= rows[later][row] * sums[later];
+            }
+            sums[row] = sum / rows[row][row];
+        }
+        Ok(sums)
+    }
+}
+
+/// The message that something given is not a finite number.
+#[must_use]
+pub const fn not_finite(place: &'static str) -> Stop {
+    Stop::new(place, Cause::NotFinite)
+}
+
+/// The force with which a spring between two points pulls them together.
+#[must_use]
+pub fn pull<T: Scalar>(from: [T; 2], to: [T; 2], stiffness: T, rest: T) -> T {
+    let [x, y] = [to[0] - from[0], to[1] - from[1]];
+    stiffness * (Real::sqrt(x * x + y * y) - rest)
+}
+
+fn all_finite<T: Scalar>(numbers: &[T]) -> bool {
+    numbers.iter().all(|number| Real::is_finite(*number))
+}

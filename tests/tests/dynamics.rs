@@ -1,0 +1,320 @@
+//! Motion under forces, against numbers nobody here made and against what mechanics says: energy, exact periods, other ways to
+//! write the equations of motion.
+#![allow(
+    clippy::approx_constant,
+    clippy::excessive_precision,
+    reason = "numbers are as they were published"
+)]
+
+use mech_runtime::{Cause, Gauss, mechanism};
+use std::f64::consts::{PI, TAU};
+
+mechanism! {
+    /// Andrews' squeezer with its masses, its spring and no gravity.
+    struct Andrews;
+    const RR = 0.007; const D = 0.028; const SS = 0.035; const E = 0.02; const ZT = 0.04; const ZF = 0.02; const U = 0.04;
+    ground { point o = (0, 0); point a = (-0.06934, -0.00227); point b = (-0.03635, 0.03273); point c = (0.014, 0.072); }
+    link k1 { point o = (0, 0); point tip = (RR, 0); mass 0.04325 at (0.00092, 0) inertia 2.194e-6; }
+    link k2 { point tip = (0, 0); point e = (-D, 0); mass 0.00365 at (-0.0115, 0) inertia 4.410e-7; }
+    link k3 {
+        point b = (0, 0); point e = (0, -SS); point d = (0.02, -0.018);
+        mass 0.02373 at (0.01043, -0.01874) inertia 5.255e-6;
+    }
+    link k4 { point e = (0, -E); point knee = (0, 0); mass 0.00706 at (0, 0.01421 - E) inertia 5.667e-7; }
+    link k5 { point a = (0, 0); point knee = (ZT, 0); mass 0.07050 at (0.02308, 0.00916) inertia 1.169e-5; }
+    link k6 { point e = (ZF, 0); point knee = (0, 0); mass 0.00706 at (ZF - 0.01421, 0) inertia 5.667e-7; }
+    link k7 { point a = (0, 0); point knee = (0, -U); mass 0.05498 at (-0.00449, -0.01228) inertia 1.912e-5; }
+    joint beta = revolute(ground.o, k1.o);
+    joint theta = revolute(k1.tip, k2.tip);
+    joint gamma = revolute(ground.b, k3.b);
+    joint e3 = revolute(k2.e, k3.e);
+    joint delta = revolute(ground.a, k5.a);
+    joint phi = revolute(k5.knee, k4.knee);
+    joint e4 = revolute(k2.e, k4.e);
+    joint epsilon = revolute(ground.a, k7.a);
+    joint omega = revolute(k7.knee, k6.knee);
+    joint e6 = revolute(k2.e, k6.e);
+    motor beta;
+    start {
+        beta = -0.0617138900142764964;
+        k2 near -0.06; k5 near 0.49; k7 near 1.23;
+    }
+    spring coil = linear(k3.d, ground.c) stiffness 4530 rest 0.07785;
+    effects { dynamics; acceleration; }
+}
+
+#[test]
+fn andrews_squeezer_is_where_the_literature_says_after_three_hundredths_of_a_second() {
+    let mut squeezer = Andrews::new();
+    let first = squeezer.second_rates([0.033]).expect("regular")[0];
+    assert!(
+        (first / 14_222.443_919_954_138_7 - 1.0).abs() < 1e-9,
+        "{first}"
+    );
+    let steps = 6000;
+    for _ in 0..steps {
+        squeezer
+            .simulate_by(Gauss::Six, 0.03 / f64::from(steps), [0.033])
+            .expect("it turns");
+    }
+    let [beta] = squeezer.motors();
+    println!(
+        "beta {:e}, rate {:e}",
+        beta - 15.810_771_196_299_04,
+        squeezer.rates()[0] / 1_139.920_302_151_208 - 1.0
+    );
+    // The literature's own tolerance is 1e-7 relative for velocities and 1e-5 for accelerations.
+    assert!((beta - 15.810_771_196_299_04).abs() < 1e-7, "{beta}");
+    let relative = |found: f64, published: f64, tolerance: f64| {
+        assert!(
+            (found / published - 1.0).abs() < tolerance,
+            "{found}, not {published}"
+        );
+    };
+    relative(squeezer.beta_rate(), 1_139.920_302_151_208, 1e-7);
+    relative(squeezer.theta_rate(), -1_424.379_294_994_111, 1e-7);
+    relative(squeezer.gamma_rate(), 11.032_912_219_371_34, 1e-6);
+    relative(squeezer.delta_rate(), 0.573_569_928_479_080_8, 1e-5);
+    relative(squeezer.beta_acceleration(), -24_631.763_169_451_96, 1e-5);
+    relative(squeezer.phi_acceleration(), 566_749.364_517_621_3, 1e-5);
+}
+
+mechanism! {
+    /// A point on a string without weight.
+    struct Pendulum;
+    ground { point pivot = (0, 0); }
+    link bob { point pivot = (0, 0); mass 2 at (1.5, 0); }
+    joint swing = revolute(ground.pivot, bob.pivot);
+    motor swing;
+    start { swing = -90 deg; }
+    gravity (0, -9.81);
+    effects { dynamics; }
+}
+
+/// The complete elliptic integral of the first kind by the arithmetic-geometric mean of Gauss.
+fn quarter_period(modulus: f64) -> f64 {
+    let (mut a, mut b) = (1.0, (1.0 - modulus * modulus).sqrt());
+    while (a - b).abs() > 1e-15 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    PI / (2.0 * a)
+}
+
+#[test]
+fn a_pendulum_keeps_the_time_that_elliptic_integrals_tell() {
+    // From 120 degrees, let go; after a quarter of a period it is at the bottom.
+    let amplitude = TAU / 3.0;
+    let quarter = quarter_period((amplitude / 2.0).sin()) * (1.5_f64 / 9.81).sqrt();
+    for (method, tolerance) in [(Gauss::Two, 2e-4), (Gauss::Four, 1e-8), (Gauss::Six, 1e-12)] {
+        let mut pendulum = Pendulum::new();
+        pendulum.move_to([amplitude - PI / 2.0]).expect("free");
+        for _ in 0..200 {
+            pendulum
+                .simulate_by(method, quarter / 200.0, [0.0])
+                .expect("free");
+        }
+        let error = (pendulum.motors()[0] + PI / 2.0).abs();
+        println!("{method:?}: {error:e}");
+        assert!(error < tolerance, "{method:?}: {error:e}");
+    }
+}
+
+#[test]
+fn the_orders_of_the_methods_are_those_of_gauss() {
+    let after = |method, steps: i32| {
+        let mut pendulum = Pendulum::new();
+        pendulum.set_rates([3.0]).expect("finite");
+        for _ in 0..steps {
+            pendulum
+                .simulate_by(method, 2.0 / f64::from(steps), [0.5])
+                .expect("free");
+        }
+        pendulum.motors()[0]
+    };
+    let exact = after(Gauss::Six, 4000);
+    for (method, steps, order) in [
+        (Gauss::Two, 100, 2),
+        (Gauss::Four, 50, 4),
+        (Gauss::Six, 20, 6),
+    ] {
+        let [coarse, fine] = [steps, 2 * steps].map(|steps| (after(method, steps) - exact).abs());
+        let measured = (coarse / fine).log2();
+        println!("{method:?}: order {measured}");
+        assert!(
+            (measured - f64::from(order)).abs() < 0.2,
+            "{method:?}: {measured}"
+        );
+    }
+}
+
+mechanism! {
+    /// A four-bar whose crank turns right round, in gravity, with a spring.
+    struct CrankRocker;
+    ground { point o = (0, 0); point p = (4, 0); }
+    link crank { point shaft = (0, 0); point pin = (1, 0); mass 5 at (0.1, 0.05) inertia 2; }
+    link coupler { point left = (0, 0); point right = (4, 0); mass 1 at (2, 0.3) inertia 0.8; }
+    link rocker { point pin = (2.5, 0); point shaft = (0, 0); mass 0.5 at (1.2, 0) inertia 0.2; }
+    joint a = revolute(ground.o, crank.shaft);
+    joint b = revolute(crank.pin, coupler.left);
+    joint c = revolute(coupler.right, rocker.pin);
+    joint d = revolute(ground.p, rocker.shaft);
+    motor a;
+    start { coupler near 40 deg; }
+    gravity (0, -9.81);
+    spring soft = torsional(d) stiffness 3 rest 110 deg;
+    effects { dynamics; }
+}
+
+#[test]
+fn energy_does_not_drift_in_a_thousand_turns() {
+    let mut machine = CrankRocker::new();
+    machine.set_rates([8.0]).expect("finite");
+    let energy = |machine: &CrankRocker| machine.energy().expect("regular").iter().sum::<f64>();
+    let start = energy(&machine);
+    let mut worst: f64 = 0.0;
+    let mut steps = 0;
+    while machine.motors()[0] < 1000.0 * TAU {
+        machine.simulate(0.004, [0.0]).expect("it turns");
+        worst = worst.max((energy(&machine) - start).abs());
+        steps += 1;
+    }
+    let kinetic = machine.energy().expect("regular")[0];
+    println!("{steps} steps, energy {start}, kinetic {kinetic}, off by {worst:e}");
+    assert!(worst < 1e-6 * kinetic, "off by {worst:e} of {kinetic}");
+}
+
+#[test]
+fn power_is_the_change_of_energy() {
+    let mut machine = CrankRocker::new();
+    machine.set_rates([2.0]).expect("finite");
+    let energy = |machine: &CrankRocker| machine.energy().expect("regular").iter().sum::<f64>();
+    let start = energy(&machine);
+    // A constant torque does the work torque times angle.
+    for _ in 0..4000 {
+        machine
+            .simulate_by(Gauss::Six, 0.001, [1.75])
+            .expect("it turns");
+    }
+    let work = 1.75 * machine.motors()[0];
+    let gained = energy(&machine) - start;
+    assert!(
+        (work - gained).abs() < 1e-9 * work.abs(),
+        "{work} against {gained}"
+    );
+}
+
+mechanism! {
+    /// Two arms of one chain: the double pendulum, whose equations are in every book.
+    struct DoublePendulum;
+    ground { point o = (0, 0); }
+    link upper { point o = (0, 0); point elbow = (1.2, 0); mass 1.5 at (1.2, 0); }
+    link fore { point elbow = (0, 0); mass 0.7 at (0.9, 0); }
+    joint a = revolute(ground.o, upper.o);
+    joint b = revolute(upper.elbow, fore.elbow);
+    motor a;
+    motor b;
+    start { a = -50 deg; b = 20 deg; }
+    gravity (0, -9.81);
+    effects { dynamics; }
+}
+
+#[test]
+fn a_double_pendulum_is_accelerated_as_in_the_book() {
+    // Angles from the vertical, masses at the ends (Goldstein): solved for the second rates here.
+    let [m, n, l, k, g] = [1.5, 0.7, 1.2, 0.9, 9.81];
+    let mut pendulum = DoublePendulum::new();
+    for (angles, rates) in [
+        ([0.3, 0.4], [1.0, -2.0]),
+        ([-1.2, 2.5], [0.0, 3.0]),
+        ([2.0, -0.6], [-4.0, 0.5]),
+    ] {
+        pendulum.move_to(angles).expect("free");
+        pendulum.set_rates(rates).expect("finite");
+        let (p, q) = (angles[0] + PI / 2.0, angles[0] + angles[1] + PI / 2.0);
+        let (u, v) = (rates[0], rates[0] + rates[1]);
+        let (sin, cos) = (p - q).sin_cos();
+        let inertia =
+            nalgebra::Matrix2::new((m + n) * l * l, n * l * k * cos, n * l * k * cos, n * k * k);
+        let drive = nalgebra::Vector2::new(
+            -n * l * k * v * v * sin - (m + n) * g * l * p.sin(),
+            n * l * k * u * u * sin - n * g * k * q.sin(),
+        );
+        let second = inertia.lu().solve(&drive).expect("it has mass");
+        let found = pendulum.second_rates([0.0, 0.0]).expect("regular");
+        assert!(
+            (found[0] - second[0]).abs() < 1e-11 * second.norm(),
+            "{found:?}, {second}"
+        );
+        assert!(
+            (found[0] + found[1] - second[1]).abs() < 1e-11 * second.norm(),
+            "{found:?}, {second}"
+        );
+    }
+}
+
+mechanism! {
+    /// A five-bar that nobody drives, held up by a spring.
+    struct Bouncing;
+    ground { point o = (0, 0); point p = (3, 0); point hook = (1.5, 5.5); }
+    link left { point shaft = (0, 0); point knee = (2, 0); mass 1 at (1, 0) inertia 0.3; }
+    link right { point shaft = (0, 0); point knee = (2, 0); mass 1 at (1, 0) inertia 0.3; }
+    link reach { point knee = (0, 0); point tip = (2, 0); mass 0.6 at (1, 0) inertia 0.2; }
+    link brace { point knee = (0, 0); point tip = (2, 0); mass 0.6 at (1, 0) inertia 0.2; }
+    joint a = revolute(ground.o, left.shaft);
+    joint b = revolute(ground.p, right.shaft);
+    joint c = revolute(left.knee, reach.knee);
+    joint d = revolute(right.knee, brace.knee);
+    joint e = revolute(reach.tip, brace.tip);
+    motor a;
+    motor b;
+    start { a = 80 deg; b = 100 deg; reach near 55 deg; }
+    gravity (0, -9.81);
+    spring coil = linear(reach.tip, ground.hook) stiffness 60 rest 0.5;
+    damper oil = torsional(e) damping 0;
+    effects { dynamics; }
+}
+
+#[test]
+fn a_five_bar_that_nobody_drives_bounces_on_its_spring() {
+    let mut bouncing = Bouncing::new();
+    let energy = |machine: &Bouncing| machine.energy().expect("regular").iter().sum::<f64>();
+    let start = energy(&bouncing);
+    let (mut worst, mut most): (f64, f64) = (0.0, 0.0);
+    for _ in 0..5000 {
+        bouncing.simulate(0.002, [0.0, 0.0]).expect("it bounces");
+        worst = worst.max((energy(&bouncing) - start).abs());
+        most = most.max(bouncing.energy().expect("regular")[0]);
+    }
+    println!("kinetic up to {most}, energy off by {worst:e}");
+    assert!(most > 1.0, "it hardly moves: {most}");
+    assert!(worst < 1e-6 * most, "{worst:e} of {most}");
+}
+
+#[test]
+fn what_cannot_be_simulated_is_refused_and_leaves_everything_as_it_was() {
+    let mut machine = CrankRocker::new();
+    machine.set_rates([2.0]).expect("finite");
+    let before = machine;
+    let cause = |blocked: mech_runtime::Blocked<[f64; 1]>| (blocked.place, blocked.cause);
+    assert_eq!(
+        machine.simulate(f64::NAN, [0.0]).map_err(cause),
+        Err(("time", Cause::NotFinite))
+    );
+    assert_eq!(
+        machine.simulate(0.1, [f64::INFINITY]).map_err(cause),
+        Err(("a", Cause::NotFinite))
+    );
+    assert_eq!(
+        machine.set_rates([f64::NAN]).map_err(cause),
+        Err(("a", Cause::NotFinite))
+    );
+    assert_eq!(
+        machine
+            .simulate(1e3, [1.0])
+            .map_err(|blocked| blocked.cause),
+        Err(Cause::StepTooLong)
+    );
+    assert_eq!(machine, before);
+    machine.move_to([1.0]).expect("it turns");
+    assert_eq!(machine.rates(), [0.0]);
+}
