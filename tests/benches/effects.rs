@@ -1,4 +1,4 @@
-//! What velocities and accelerations cost beside positions alone: the same exact four-bar, one process, interleaved rounds,
+//! What velocities, accelerations and static torques cost beside positions alone: the same exact four-bar, one process, interleaved rounds,
 //! medians. `cargo bench -p mech-tests --bench effects`
 #![allow(clippy::cast_precision_loss, reason = "small numbers")]
 
@@ -15,9 +15,9 @@ macro_rules! four_bar {
             struct $name;
 
             ground { point crank_shaft = (0, 0); point rocker_shaft = (4, 0); }
-            link crank { point shaft = (0, 0); point pin = (1, 0); }
-            link coupler { point a = (0, 0); point b = (3.5, 0); }
-            link rocker { point shaft = (0, 0); point b = (3, 0); }
+            link crank { point shaft = (0, 0); point pin = (1, 0); mass 2 at (0.1, 0); }
+            link coupler { point a = (0, 0); point b = (3.5, 0); point tip = (2, 1); mass 1 at (1.7, 0.2); }
+            link rocker { point shaft = (0, 0); point b = (3, 0); mass 1.5 at (1.4, 0); }
 
             joint a = revolute(ground.crank_shaft, crank.shaft);
             joint b = revolute(crank.pin, coupler.a);
@@ -34,6 +34,7 @@ macro_rules! four_bar {
 four_bar!(Position,);
 four_bar!(Fast, effects { velocity; });
 four_bar!(Faster, effects { velocity; acceleration; });
+four_bar!(Held, load push = force(coupler.tip); gravity (0, -9.81); effects { force; });
 
 /// How much of the last position goes into the next angle in a dependent sequence: too little to be seen.
 const PART: f64 = 1e-18;
@@ -95,6 +96,27 @@ fn main() {
                     };
                     let angle = angle + PART * last;
                     assert!(mechanism.move_with([angle], [1.5], [0.7]).is_ok());
+                }
+            },
+            &mut alone,
+        );
+        let mut held = Held::new();
+        assert!(held.set_push([3.0, -2.0]).is_ok());
+        compare(
+            &format!("static torque to position alone, {how}"),
+            ["torque", "position"],
+            360.0,
+            Threshold::AtMost(2.4),
+            || {
+                for angle in black_box(&angles) {
+                    let mechanism = black_box(&mut held);
+                    let last = if dependent {
+                        mechanism.poses()[2].sin
+                    } else {
+                        0.0
+                    };
+                    let angle = angle + PART * last;
+                    assert!(black_box(mechanism.hold_at([angle])).is_ok());
                 }
             },
             &mut alone,

@@ -17,13 +17,13 @@ use std::{env, fs, io};
 /// How a page begins.
 const HEAD: &str = "# What effects cost\n\n\
     Written by `cargo run --release --example effects`, which measures everything on this page anew; do not edit it by hand.\n\n\
-    Each mechanism is compiled from one text, with nothing, with `effects { velocity; }` and with `effects { velocity; \
-    acceleration; }`; the last row shows one link only. What was not asked for is not there: the step to a position is the same, \
-    token for token, in all of them (`tests/tests/expand.rs` holds it to that).\n\n\
-    **Operations** are those of a position and, after the plus, what rates add. **Time** is that of one `move_to` or `move_with`, \
-    sine and cosine included, the next needing the last: the median of many rounds in which all take turns. **State** is the size \
-    of the struct. **Code** is the size of the functions that make such moves, without those that are only called when \
-    something is in the way.\n\n";
+    Each mechanism is compiled from one text, with its masses and gravity in it, with nothing asked of it and with one effect after \
+    another; the last row shows one link only. What was not asked for is not there: the step to a position is the same, token for \
+    token, in all of them (`tests/tests/expand.rs` holds it to that).\n\n\
+    **Operations** are those of a position and, after the plus, what the effect adds (to each of the about ten times that a step of \
+    time looks at its forces). **Time** is that of one such move, sine and cosine included, the next needing the last: the median of \
+    many rounds in which all take turns. **State** is the size of the struct. **Code** is the size of the functions that make such \
+    moves, without those that are only called when something is in the way.\n\n";
 
 fn main() -> ExitCode {
     match run(&env::args().skip(1).collect::<Vec<_>>()) {

@@ -9,17 +9,17 @@ fn angle(number: u32, last: f64) -> f64 {
     f64::from(number % 360).to_radians() * 0.25 + last * 1e-18
 }
 
-/// A module with a mechanism, and a function that moves it once, by these arguments.
+/// A module with a mechanism, and a function that moves it once.
 macro_rules! subject {
-    ($module:ident: { $($text:tt)* } ($motor:ident) => ($($argument:expr),*), $method:ident, $more:expr, $name:expr) => {
+    ($module:ident: { $($text:tt)* } ($mechanism:ident, $motor:ident) => $moved:expr, $more:expr, $name:expr) => {
         mod $module {
             use super::{Subject, angle, black_box, mechanism};
 
             mechanism! { struct Subject0; $($text)* }
 
             #[inline(never)]
-            fn moved(mechanism: &mut Subject0, $motor: f64) -> bool {
-                mechanism.$method($($argument),*).is_ok()
+            fn moved($mechanism: &mut Subject0, $motor: f64) -> bool {
+                $moved.is_ok()
             }
 
             fn run(moves: u32) -> f64 {
@@ -51,22 +51,31 @@ macro_rules! subject {
 
 /// All kinds of one mechanism.
 macro_rules! kinds {
-    ($position:ident, $velocity:ident, $acceleration:ident, $shown:ident, $show:tt: { $($text:tt)* }) => {
-        subject!($position: { $($text)* } (angle) => ([angle]), move_to, || None, "position");
-        subject!($velocity: { $($text)* effects { velocity; } } (angle) => ([angle], [1.5]), move_with,
+    ($position:ident, $velocity:ident, $acceleration:ident, $held:ident, $acted:ident, $driven:ident, $shown:ident, $show:tt: { $($text:tt)* }) => {
+        subject!($position: { $($text)* } (m, angle) => m.move_to([angle]), || None, "position");
+        subject!($velocity: { $($text)* effects { velocity; } } (m, angle) => m.move_with([angle], [1.5]),
             || Some(Subject0::RATES_COST), "velocity");
-        subject!($acceleration: { $($text)* effects { velocity; acceleration; } } (angle) => ([angle], [1.5], [0.5]), move_with,
+        subject!($acceleration: { $($text)* effects { velocity; acceleration; } }
+            (m, angle) => m.move_with([angle], [1.5], [0.5]),
             || Some(Subject0::RATES_COST), "velocity and acceleration");
-        subject!($shown: { $($text)* show $show; } (angle) => ([angle]), move_to, || None,
+        subject!($held: { $($text)* effects { force; } } (m, angle) => black_box(m.hold_at([angle])),
+            || Some(Subject0::TORQUES_COST), "torque at rest (`hold_at`)");
+        subject!($acted: { $($text)* effects { force; } }
+            (m, angle) => m.move_to([angle]).and_then(|()| black_box(m.forces([1.5], [0.5]))),
+            || Some(Subject0::FORCES_COST), "all forces in motion (`move_to`, then `forces`)");
+        subject!($driven: { $($text)* effects { dynamics; } } (m, angle) => m.simulate(1e-3, [angle * 1e-3]),
+            || Some(Subject0::INERTIA_COST), "a step of time under forces (`simulate`)");
+        subject!($shown: { $($text)* show $show; } (m, angle) => m.move_to([angle]), || None,
             concat!("position, `show ", stringify!($show), "`"));
     };
 }
 
-kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_shown, crank: {
+kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_held, four_bar_acted, four_bar_driven, four_bar_shown, crank: {
     ground { point a = (0, 0); point d = (4, 0); }
-    link crank { point a = (0, 0); point b = (1, 0); }
-    link coupler { point b = (0, 0); point c = (3.5, 0); }
-    link rocker { point d = (0, 0); point c = (3, 0); }
+    link crank { point a = (0, 0); point b = (1, 0); mass 2 at (0.1, 0) inertia 0.5; }
+    link coupler { point b = (0, 0); point c = (3.5, 0); mass 1 at (1.7, 0.2) inertia 1; }
+    link rocker { point d = (0, 0); point c = (3, 0); mass 1.5 at (1.4, 0) inertia 1; }
+    gravity (0, -9.81);
     joint ja = revolute(ground.a, crank.a);
     joint jb = revolute(crank.b, coupler.b);
     joint jc = revolute(coupler.c, rocker.c);
@@ -75,10 +84,11 @@ kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_shown, crank
     start { coupler near 50 deg; }
 });
 
-kinds!(slider, slider_velocity, slider_acceleration, slider_shown, crank: {
-    link crank;
-    link rod;
-    link block;
+kinds!(slider, slider_velocity, slider_acceleration, slider_held, slider_acted, slider_driven, slider_shown, crank: {
+    link crank { mass 1 at (0.1, 0) inertia 0.3; }
+    link rod { mass 0.5 at (2.5, 0.2) inertia 0.4; }
+    link block { mass 0.7 at (4, 0.5); }
+    gravity (0, -9.81);
     joint a = revolute(ground, crank) at (0, 0);
     joint b = revolute(crank, rod) at (1, 0);
     joint c = revolute(rod, block) at (4, 0.5);
@@ -86,14 +96,15 @@ kinds!(slider, slider_velocity, slider_acceleration, slider_shown, crank: {
     motor a;
 });
 
-kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_shown, upper: {
-    link crank;
-    link lift;
-    link drop;
-    link upper;
-    link knee;
-    link shin;
-    link foot;
+kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_held, jansen_acted, jansen_driven, jansen_shown, upper: {
+    link crank { mass 1 at (1, 1) inertia 200; }
+    link lift { mass 1 at (-13, 22) inertia 200; }
+    link drop { mass 1 at (-5, -15) inertia 200; }
+    link upper { mass 1 at (-50, 8) inertia 200; }
+    link knee { mass 1 at (-29, -25) inertia 200; }
+    link shin { mass 1 at (-67, -19) inertia 200; }
+    link foot { mass 1 at (-40, -60) inertia 200; }
+    gravity (0, -9.81);
     joint o = revolute(ground, crank) at (0, 0);
     joint u = revolute(crank, lift) at (9.61, 11.52);
     joint d = revolute(crank, drop) at (9.61, 11.52);
@@ -107,15 +118,16 @@ kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_shown, upper: {
     motor o;
 });
 
-kinds!(andrews, andrews_velocity, andrews_acceleration, andrews_shown, k3: {
+kinds!(andrews, andrews_velocity, andrews_acceleration, andrews_held, andrews_acted, andrews_driven, andrews_shown, k3: {
     ground { point o = (0, 0); point a = (-0.06934, -0.00227); point b = (-0.03635, 0.03273); }
-    link k1 { point o = (0, 0); point tip = (0.007, 0); }
-    link k2 { point tip = (0, 0); point e = (-0.028, 0); }
-    link k3 { point b = (0, 0); point e = (0, -0.035); }
-    link k4 { point e = (0, -0.02); point knee = (0, 0); }
-    link k5 { point a = (0, 0); point knee = (0.04, 0); }
-    link k6 { point e = (0.02, 0); point knee = (0, 0); }
-    link k7 { point a = (0, 0); point knee = (0, -0.04); }
+    link k1 { point o = (0, 0); point tip = (0.007, 0); mass 0.04325 at (0.00092, 0) inertia 2.194e-6; }
+    link k2 { point tip = (0, 0); point e = (-0.028, 0); mass 0.00365 at (-0.0115, 0) inertia 4.410e-7; }
+    link k3 { point b = (0, 0); point e = (0, -0.035); mass 0.02373 at (0.01043, -0.01874) inertia 5.255e-6; }
+    link k4 { point e = (0, -0.02); point knee = (0, 0); mass 0.00706 at (0, -0.00579) inertia 5.667e-7; }
+    link k5 { point a = (0, 0); point knee = (0.04, 0); mass 0.07050 at (0.02308, 0.00916) inertia 1.169e-5; }
+    link k6 { point e = (0.02, 0); point knee = (0, 0); mass 0.00706 at (0.00579, 0) inertia 5.667e-7; }
+    link k7 { point a = (0, 0); point knee = (0, -0.04); mass 0.05498 at (-0.00449, -0.01228) inertia 1.912e-5; }
+    gravity (0, -9.81);
     joint beta = revolute(ground.o, k1.o);
     joint theta = revolute(k1.tip, k2.tip);
     joint gamma = revolute(ground.b, k3.b);
@@ -139,6 +151,9 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 four_bar::subject(),
                 four_bar_velocity::subject(),
                 four_bar_acceleration::subject(),
+                four_bar_held::subject(),
+                four_bar_acted::subject(),
+                four_bar_driven::subject(),
                 four_bar_shown::subject(),
             ],
         ),
@@ -148,6 +163,9 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 slider::subject(),
                 slider_velocity::subject(),
                 slider_acceleration::subject(),
+                slider_held::subject(),
+                slider_acted::subject(),
+                slider_driven::subject(),
                 slider_shown::subject(),
             ],
         ),
@@ -157,6 +175,9 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 jansen::subject(),
                 jansen_velocity::subject(),
                 jansen_acceleration::subject(),
+                jansen_held::subject(),
+                jansen_acted::subject(),
+                jansen_driven::subject(),
                 jansen_shown::subject(),
             ],
         ),
@@ -166,6 +187,9 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 andrews::subject(),
                 andrews_velocity::subject(),
                 andrews_acceleration::subject(),
+                andrews_held::subject(),
+                andrews_acted::subject(),
+                andrews_driven::subject(),
                 andrews_shown::subject(),
             ],
         ),

@@ -106,6 +106,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     let found = report::Found {
         program: &program,
         moving: moving.as_ref(),
+        forced: &forced,
         loops: &loops,
         prediction: prediction.as_ref(),
         saved,

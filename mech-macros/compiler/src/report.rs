@@ -1,5 +1,6 @@
 //! The report: what the analysis found, in plain text, for the terminal, the docs and the gallery.
 
+use crate::Forced;
 use crate::accuracy::{Prediction, Solved};
 use crate::cost::{self, Cost};
 use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
@@ -15,6 +16,8 @@ pub struct Found<'f> {
     pub program: &'f Program,
     /// The same and those that go on to rates, if these were asked for.
     pub moving: Option<&'f Program>,
+    /// The same and those that go on to forces, as far as these were asked for.
+    pub forced: &'f Forced,
     /// How its loops are solved.
     pub loops: &'f [Solved],
     /// How exact it will be, if that was predicted.
@@ -42,6 +45,7 @@ fn write(
     let Found {
         program,
         moving,
+        forced,
         loops,
         prediction,
         saved,
@@ -99,6 +103,73 @@ fn write(
         };
         let more = cost::of_rates(program, moving);
         writeln!(text, "  effects   {kinds}: {more} more")?;
+    }
+    if model.effects.needs_actions() {
+        force_lines(text, model, program, forced)?;
+    }
+    Ok(())
+}
+
+/// What acts, and what it costs to find what that does.
+fn force_lines(
+    text: &mut String,
+    model: &Model,
+    program: &Program,
+    forced: &Forced,
+) -> std::fmt::Result {
+    let masses = model.links.iter().filter_map(|link| link.mass);
+    let (count, mass) = masses.fold((0, 0.0), |(count, sum), mass| (count + 1, sum + mass.mass));
+    let actions = &model.actions;
+    let mut parts = vec![format!(
+        "{count} of {} links weigh {mass:.6}",
+        model.declared_links().count()
+    )];
+    if actions.gravity.is_some() {
+        parts.push("gravity".to_owned());
+    }
+    let mut named = |what: &str, names: Vec<&str>| {
+        if !names.is_empty() {
+            let ending = if names.len() == 1 { "" } else { "s" };
+            parts.push(format!("{what}{ending} {}", names.join(", ")));
+        }
+    };
+    named(
+        "spring",
+        actions
+            .springs
+            .iter()
+            .map(|one| one.name.as_str())
+            .collect(),
+    );
+    named(
+        "damper",
+        actions
+            .dampers
+            .iter()
+            .map(|one| one.name.as_str())
+            .collect(),
+    );
+    named(
+        "load",
+        actions.loads.iter().map(|one| one.name.as_str()).collect(),
+    );
+    writeln!(text, "  acting    {}", parts.join("; "))?;
+    let programs = [
+        ("torques at rest", &forced.holding),
+        ("all forces", &forced.acting),
+        ("inertia", &forced.inertia),
+    ];
+    for (what, further) in programs {
+        if let Some(further) = further {
+            let more = cost::of_rates(program, further);
+            writeln!(text, "  effects   {what}: {more} more")?;
+        }
+    }
+    if model.effects.force && forced.acting.is_none() {
+        writeln!(
+            text,
+            "  reactions are not determined: joints hold links more than once"
+        )?;
     }
     Ok(())
 }

@@ -2,11 +2,13 @@
 
 use super::added::Added;
 use super::block::scalar;
+use super::costs::literal;
 use super::items::{pose, user_ident};
 use super::motion::{found, given, suffix};
 use super::scope::number;
 use super::step::{step, takes_sines};
 use crate::Forced;
+use crate::cost;
 use crate::model::{Between, JointKind, Load, LoadKind, Model};
 use crate::program::Program;
 use crate::syntax::Places;
@@ -69,10 +71,19 @@ pub(super) fn added(
     items.methods.extend(writer.springs());
     if let Some(holding) = &forced.holding {
         items.methods.extend(writer.holding(holding));
+        items.methods.extend(writer.cost(
+            krate,
+            holding,
+            "TORQUES_COST",
+            "the torques that hold it",
+        ));
         items.steps.extend(step(holding));
     }
     if let Some(acting) = &forced.acting {
         items.methods.extend(writer.acting(acting));
+        items
+            .methods
+            .extend(writer.cost(krate, acting, "FORCES_COST", "all forces in it"));
         items.steps.extend(step(acting));
     }
     if let Some(inertia) = &forced.inertia {
@@ -85,6 +96,12 @@ pub(super) fn added(
             .instance_rest
             .extend(quote!(instance.rates = [0.0; #motors];));
         items.methods.extend(writer.dynamics(inertia));
+        items.methods.extend(writer.cost(
+            krate,
+            inertia,
+            "INERTIA_COST",
+            "its inertia and what drives it",
+        ));
         items.steps.extend(step(inertia));
     }
     items
@@ -121,6 +138,17 @@ impl Writer<'_> {
             quote!(let loads = self.loads;)
         } else {
             TokenStream::new()
+        }
+    }
+
+    /// How many operations more something takes.
+    fn cost(&self, krate: &TokenStream, program: &Program, name: &str, what: &str) -> TokenStream {
+        let (visibility, name) = (self.visibility, format_ident!("{}", name));
+        let cost = literal(krate, cost::of_rates(self.program, program));
+        let doc = format!(" How many operations more it takes to find {what} with a position.");
+        quote! {
+            #[doc = #doc]
+            #visibility const #name: #krate::Cost = #cost;
         }
     }
 

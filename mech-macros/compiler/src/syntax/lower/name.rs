@@ -6,8 +6,11 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 37] = [
+const RESERVED: [&str; 40] = [
     "hold_at",
+    "TORQUES_COST",
+    "FORCES_COST",
+    "INERTIA_COST",
     "forces",
     "torques",
     "loads",
