@@ -31,7 +31,7 @@ use matched::Matched;
 use model::{JointId, JointKind, Model};
 use plan::Plan;
 use proc_macro2::{Span, TokenStream, TokenTree};
-use program::{Choice, Program};
+use program::{Choice, Program, Timing};
 use quote::quote;
 use structure::{Diagnosis, Structure};
 use syntax::{Message, Parsed, Place};
@@ -47,6 +47,8 @@ pub struct Compiled {
     pub program: Program,
     /// The operations that move it and go on to velocities, if these were asked for.
     pub moving: Option<Program>,
+    /// The laws of the motors, if any has one.
+    pub timing: Option<Timing>,
     /// How each loop is solved, in the order in which they are closed.
     pub loops: Vec<Solved>,
     /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
@@ -77,9 +79,11 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     });
     let loops = accuracy::solved(&program, prediction.as_ref());
     let saved = saved(model, &plan, &program, &choices);
+    let timing = program::build_timing(model);
     let found = report::Found {
         program: &program,
         moving: moving.as_ref(),
+        timing: timing.as_ref(),
         loops: &loops,
         prediction: prediction.as_ref(),
         saved,
@@ -90,6 +94,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         plan,
         program,
         moving,
+        timing,
         loops,
         prediction,
         saved,
@@ -341,6 +346,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         places,
         errors,
         motors,
+        has_laws,
     } = syntax::parse(body);
     let Some(header) = header else {
         return all_errors(&errors);
@@ -348,7 +354,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
     let fail = |messages: &[Message]| {
         let (errors, stub) = (
             all_errors(messages),
-            emit::stub(&krate, &header, &places, &model, motors),
+            emit::stub(&krate, &header, &places, &model, (motors, has_laws)),
         );
         quote!(#errors #stub)
     };
@@ -356,14 +362,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         return fail(&errors);
     }
     match compile(&model) {
-        Ok(compiled) => emit::items(
-            &krate,
-            &header,
-            &places,
-            &model,
-            (&compiled.plan, &compiled.program, compiled.moving.as_ref()),
-            &compiled.report,
-        ),
+        Ok(compiled) => emit::items(&krate, &header, &places, &model, &compiled),
         Err(diagnoses) => {
             let offers = repair::offers(&model, &diagnoses);
             fail(&reporter::messages(&diagnoses, &offers, &model, &places))

@@ -4,7 +4,7 @@ use crate::accuracy::{Prediction, Solved};
 use crate::cost::{self, Cost};
 use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
 use crate::plan::{ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
-use crate::program::{self, Program};
+use crate::program::{self, Program, Timing};
 use crate::structure::{Rolling, Structure};
 use std::fmt::Write;
 
@@ -15,6 +15,8 @@ pub struct Found<'f> {
     pub program: &'f Program,
     /// The same and those that go on to rates, if these were asked for.
     pub moving: Option<&'f Program>,
+    /// The laws of the motors, if any has one.
+    pub timing: Option<&'f Timing>,
     /// How its loops are solved.
     pub loops: &'f [Solved],
     /// How exact it will be, if that was predicted.
@@ -42,6 +44,7 @@ fn write(
     let Found {
         program,
         moving,
+        timing,
         loops,
         prediction,
         saved,
@@ -50,6 +53,10 @@ fn write(
     writeln!(text, "{}", model.name)?;
     writeln!(text, "  mobility  {}", mobility(model, structure))?;
     writeln!(text, "  motors    {}", joints(model, &motors))?;
+    for (motor, law) in model.lawful_motors() {
+        let joint = model.joint(model.motor(motor).joint);
+        writeln!(text, "  law       {} = {}", joint.name, law.written)?;
+    }
     writeln!(text, "  trunk     {}", joints(model, &structure.trunk))?;
     writeln!(text, "  arms      {}", joints(model, &structure.arms))?;
     if !structure.redundant.is_empty() {
@@ -99,6 +106,10 @@ fn write(
         };
         let more = cost::of_rates(program, moving);
         writeln!(text, "  effects   {kinds}: {more} more")?;
+    }
+    if let Some(timing) = timing {
+        let more = cost::of_program(&timing.program);
+        writeln!(text, "  at time   {more} more")?;
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
 };
 pub use coordinates::{
-    angle, atan2, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
+    angle, atan2, exp, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
 };
 pub use course::{Course, Watched, advance, approach};
 pub use loops::{closed, closes, determined, solve};

@@ -6,8 +6,8 @@ use super::rates::RateItems;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
+use crate::Compiled;
 use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
-use crate::plan::Plan;
 use crate::program::Program;
 use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -19,9 +19,9 @@ pub(crate) fn items(
     header: &Header,
     places: &Places,
     model: &Model,
-    (plan, program, moving): (&Plan, &Program, Option<&Program>),
-    report: &str,
+    compiled: &Compiled,
 ) -> TokenStream {
+    let (plan, program, report) = (&compiled.plan, &compiled.program, &compiled.report);
     let Header {
         attributes,
         visibility,
@@ -42,7 +42,7 @@ pub(crate) fn items(
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
     let course = course(program, plan);
-    let rates = RateItems::new(krate, places, model, program, moving, visibility);
+    let rates = RateItems::new(krate, places, model, compiled, visibility);
     let turn_to = turn_to(model, program, visibility, &rates.rest);
     let within = within(program, visibility, &rates.rest);
     let many = super::many::many(program, plan, visibility, &rates.instance_rest);
@@ -52,10 +52,10 @@ pub(crate) fn items(
         fields,
         at_rest,
         rest,
-        instance_rest: _,
         imports: rate_imports,
         methods: rate_methods,
         steps: rate_steps,
+        ..
     } = rates;
     let moves = moves(program, visibility, &rest);
     let implementation = implementation(krate, program, name);

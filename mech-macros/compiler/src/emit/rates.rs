@@ -6,6 +6,8 @@ use super::items::{coordinate_axes, named_points, pose, user_ident};
 use super::motion::given;
 use super::scope::number;
 use super::step::{step, takes_sines};
+use super::timing::TimeItems;
+use crate::Compiled;
 use crate::cost;
 use crate::model::{AxisId, LinkId, Model};
 use crate::program::Program;
@@ -13,7 +15,7 @@ use crate::syntax::Places;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The parts of the generated code that velocities add; nothing without them.
+/// The parts of the generated code that velocities add, and laws; nothing without them.
 #[derive(Default)]
 pub(super) struct RateItems {
     /// Fields of the struct.
@@ -30,6 +32,8 @@ pub(super) struct RateItems {
     pub(super) methods: TokenStream,
     /// The step that goes on to rates.
     pub(super) steps: TokenStream,
+    /// The statements that move it to the motors that they call `motors`, turns and all, at the rates that are given.
+    pub(super) advance_with: TokenStream,
 }
 
 /// What there is of rates.
@@ -42,16 +46,31 @@ struct Kinds<'p> {
 }
 
 impl RateItems {
-    /// What velocities add to a mechanism.
+    /// What velocities add to a mechanism, and laws.
     pub(super) fn new(
         krate: &TokenStream,
         places: &Places,
         model: &Model,
-        program: &Program,
-        moving: Option<&Program>,
+        compiled: &Compiled,
         visibility: &syn::Visibility,
     ) -> Self {
-        let Some(moving) = moving else {
+        let mut items = Self::of_velocities(krate, places, model, compiled, visibility);
+        let laws = TimeItems::new(krate, model, compiled, visibility, &items);
+        items.imports.extend(laws.imports);
+        items.methods.extend(laws.methods);
+        items.steps.extend(laws.functions);
+        items
+    }
+
+    fn of_velocities(
+        krate: &TokenStream,
+        places: &Places,
+        model: &Model,
+        compiled: &Compiled,
+        visibility: &syn::Visibility,
+    ) -> Self {
+        let program = &compiled.program;
+        let Some(moving) = &compiled.moving else {
             return Self::default();
         };
         let kinds = Kinds {
@@ -75,6 +94,7 @@ impl RateItems {
             },
             methods: methods(moving, &kinds, visibility),
             steps: step(moving),
+            advance_with: moved_with(moving, kinds.second, &quote!(motors)),
         };
         if kinds.second {
             let zero = quote!([Acceleration::ZERO; #links]);
@@ -102,6 +122,45 @@ impl RateItems {
     }
 }
 
+/// The statements that move it to these motors at the rates that are given.
+fn moved_with(moving: &Program, second: bool, motors: &TokenStream) -> TokenStream {
+    let [_, arguments] = given(moving);
+    let near_with = if takes_sines(moving) {
+        quote!(near_with)
+    } else {
+        quote!(step_with)
+    };
+    let checked = if second {
+        quote!([rates, accelerations])
+    } else {
+        quote!([rates])
+    };
+    let pattern = if second {
+        quote!((velocities, accelerations))
+    } else {
+        quote!(velocities)
+    };
+    let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
+    quote! {
+        for rates in #checked {
+            if let Err(stop) = finite(rates, &COURSE.names) {
+                return Err(self.position.refuse(stop));
+            }
+        }
+        let #pattern = advance_with(
+            &mut self.position,
+            #motors,
+            &COURSE,
+            |last, motors| #near_with(last, motors, #arguments),
+            |last, motors| step_with(last, motors, #arguments),
+            step,
+        )?;
+        self.velocities = velocities;
+        #keep_second
+        Ok(())
+    }
+}
+
 /// The methods that move it with rates.
 fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) -> TokenStream {
     let Kinds {
@@ -111,23 +170,8 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
         second,
         ..
     } = kinds;
-    let [parameters, arguments] = given(moving);
-    let near_with = if takes_sines(moving) {
-        quote!(near_with)
-    } else {
-        quote!(step_with)
-    };
-    let checked = if *second {
-        quote!([rates, accelerations])
-    } else {
-        quote!([rates])
-    };
-    let pattern = if *second {
-        quote!((velocities, accelerations))
-    } else {
-        quote!(velocities)
-    };
-    let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
+    let [parameters, _] = given(moving);
+    let moved = moved_with(moving, *second, &quote!(Motors::new(motors)));
     let still = second.then(|| quote!(, [0.0; #count]));
     let first = if *second { quote!(.0) } else { quote!() };
     let accelerations = second.then(|| {
@@ -158,22 +202,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
         #visibility fn move_with(&mut self, motors: [#scalar; #count], #parameters)
             -> Result<(), Blocked<[#scalar; #count]>>
         {
-            for rates in #checked {
-                if let Err(stop) = finite(rates, &COURSE.names) {
-                    return Err(self.position.refuse(stop));
-                }
-            }
-            let #pattern = advance_with(
-                &mut self.position,
-                Motors::new(motors),
-                &COURSE,
-                |last, motors| #near_with(last, motors, #arguments),
-                |last, motors| step_with(last, motors, #arguments),
-                step,
-            )?;
-            self.velocities = velocities;
-            #keep_second
-            Ok(())
+            #moved
         }
 
         /// The velocities of the moving links in the scene, in the order of their declaration.

@@ -2,6 +2,7 @@
 
 use super::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, LinkId, Model, Motor, MotorId, Shown, Start,
+    StartValue,
 };
 
 /// Changes to a mechanism. All ids are those of the mechanism that is changed, until [`Edit::finish`].
@@ -53,10 +54,19 @@ impl Edit {
         self.keeps_motor.push(true);
     }
 
-    /// Moves a motor to another joint; its start is forgotten.
+    /// Moves a motor to another joint; its start is forgotten, unless a law says where that is.
     pub fn move_motor(&mut self, id: MotorId, joint: JointId) {
         self.forget_start(self.model.motor(id).joint);
         self.model.motors[id.index()].joint = joint;
+        let Motor { law, origin, .. } = *self.model.motor(id);
+        if let Some(law) = law {
+            let value = self.model.law(law).at(0.0);
+            self.model.start.values.push(StartValue {
+                joint,
+                value,
+                origin,
+            });
+        }
     }
 
     /// Makes a revolute joint a pin in a slot: the line is fixed to the second link, through its point, in this direction.

@@ -1,6 +1,6 @@
 //! Joints and motors.
 
-use super::{AxisId, JointId, LinkId, Origin};
+use super::{AxisId, JointId, LawId, LinkId, Origin};
 
 /// A joint between two links.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,6 +92,8 @@ pub struct Motor {
     pub range: Option<Range>,
     /// The greatest difference between one value and the next, in radians or scene units, if one was declared: positive.
     pub step: Option<f64>,
+    /// Its coordinate as a function of the time, if it follows a law.
+    pub law: Option<LawId>,
 }
 
 /// The values that a motor may take, both ends among them.
@@ -106,7 +108,7 @@ pub struct Range {
 }
 
 impl Motor {
-    /// A motor without a declared range or step.
+    /// A motor without a declared range, step or law.
     #[must_use]
     pub fn new(joint: JointId, origin: Origin) -> Self {
         Self {
@@ -114,6 +116,7 @@ impl Motor {
             origin,
             range: None,
             step: None,
+            law: None,
         }
     }
 }

@@ -7,14 +7,16 @@ mod edit;
 mod effects;
 mod id;
 mod joint;
+mod law;
 mod link;
 mod show;
 mod start;
 
 pub use edit::Edit;
 pub use effects::Effects;
-pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
+pub use id::{AxisId, JointId, LawId, LinkId, MotorId, Origin};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
+pub use law::{Extreme, Function, Law, Term, TermId};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
 pub use show::Shown;
 pub use start::{Near, Start, StartValue};
@@ -102,6 +104,8 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// All motors, in the order in which `move_to` takes their values.
     pub motors: Vec<Motor>,
+    /// The laws that motors follow.
+    pub laws: Vec<Law>,
     /// How the mechanism is assembled.
     pub start: Start,
     /// How the loops are solved, if that was said; else `accuracy` decides, and without that the method is exact.
@@ -143,6 +147,7 @@ impl Model {
             axes: Vec::new(),
             joints: Vec::new(),
             motors: Vec::new(),
+            laws: Vec::new(),
             start: Start::default(),
             method: None,
             predictor: 0,
@@ -217,6 +222,18 @@ impl Model {
     #[must_use]
     pub fn motor(&self, id: MotorId) -> &Motor {
         &self.motors[id.index()]
+    }
+
+    /// The law with this id.
+    #[must_use]
+    pub fn law(&self, id: LawId) -> &Law {
+        &self.laws[id.index()]
+    }
+
+    /// The motors that follow laws, in the order of their declaration.
+    pub fn lawful_motors(&self) -> impl Iterator<Item = (MotorId, &Law)> {
+        self.motor_ids()
+            .filter_map(|id| Some((id, self.law(self.motor(id).law?))))
     }
 
     /// The motor that drives this joint, if one does.

@@ -6,12 +6,15 @@ mod builder;
 mod calibrate;
 mod choice;
 mod closed;
+mod law;
 mod live;
 mod motion;
+mod nesting;
 mod newton;
 mod node;
 mod real;
 mod stored;
+mod timing;
 mod watch;
 
 pub(crate) use build::needed;
@@ -23,6 +26,7 @@ pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
+pub use timing::{Timed, Timing, build_timing};
 pub use watch::Watch;
 
 use crate::model::{LinkId, Precision};
@@ -147,6 +151,13 @@ impl Program {
             BlockKind::Closed(closed) => Some(closed),
             BlockKind::Straight | BlockKind::Newton(_) => None,
         }
+    }
+
+    /// Whether there are powers of e in it.
+    #[must_use]
+    pub fn has_exponentials(&self) -> bool {
+        let exponential = |value| matches!(self.node(value).op, Op::Exp(_));
+        self.live_values().any(exponential)
     }
 
     /// The linear systems of the motion that something depends on.

@@ -13,6 +13,8 @@ mod triad;
 mod turning;
 mod watching;
 
+pub(super) use tangent::Tangents;
+
 use super::builder::Builder;
 use super::calibrate::calibrate;
 use super::live::live;
@@ -455,6 +457,7 @@ impl Writer<'_> {
         };
         program.forget_loops(idle);
         program.live = live(&program);
+        program.cut_chains();
         calibrate(&mut program);
         program
     }

@@ -11,7 +11,7 @@ use std::collections::HashMap;
 
 /// What is known about rates.
 #[derive(Debug, Default)]
-pub(super) struct Tangents {
+pub(in crate::program) struct Tangents {
     /// Looked up only, never iterated: the program does not depend on its order.
     rates: HashMap<Value, Value>,
     /// The angular velocities of directions, given by cosine and sine.
@@ -67,6 +67,26 @@ impl Tangents {
         rate
     }
 
+    /// The rate of a value at the end of a long chain: one after the other from its beginning, as the stack holds no long chain.
+    pub(in crate::program) fn of_all_up_to(
+        &mut self,
+        builder: &mut Builder,
+        value: Value,
+    ) -> Value {
+        let mut needed = vec![false; value.index() + 1];
+        let mut waiting = vec![value];
+        while let Some(one) = waiting.pop() {
+            if !std::mem::replace(&mut needed[one.index()], true) {
+                waiting.extend(builder.op(one).operands());
+            }
+        }
+        let needed = (0..).map(Value).zip(needed).filter(|(_, needed)| *needed);
+        for (one, _) in needed {
+            self.of(builder, one);
+        }
+        self.of(builder, value)
+    }
+
     /// The rates of both parts of a vector.
     pub(super) fn of_vector(&mut self, builder: &mut Builder, v: [Value; 2]) -> [Value; 2] {
         v.map(|part| self.of(builder, part))
@@ -77,6 +97,7 @@ impl Tangents {
         match builder.op(value) {
             Op::Motor(motor) => builder.make(Op::Rate(motor)),
             Op::Rate(motor) => builder.make(Op::Acceleration(motor)),
+            Op::Time => builder.constant(1.0),
             Op::Neg(a) => {
                 let a = self.of(builder, a);
                 builder.neg(a)
@@ -114,6 +135,10 @@ impl Tangents {
                 let (rate, sin) = (self.of(builder, angle), builder.make(Op::Sin(angle)));
                 let product = builder.mul(rate, sin);
                 builder.neg(product)
+            }
+            Op::Exp(a) => {
+                let rate = self.of(builder, a);
+                builder.mul(rate, value)
             }
             Op::Abs(a) => {
                 let (rate, one) = (self.of(builder, a), builder.constant(1.0));

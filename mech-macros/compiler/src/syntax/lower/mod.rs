@@ -4,6 +4,7 @@ mod constant;
 mod drawn;
 mod effect;
 mod joint;
+mod law;
 mod link;
 mod method;
 mod motor;
@@ -22,7 +23,7 @@ use self::name::{Named, Names};
 use self::report::Report;
 use super::ast::{Statement, Text};
 use super::{Parsed, Place, Places};
-use crate::model::{LinkId, Model, Origin};
+use crate::model::{JointId, LinkId, Model, Origin};
 use proc_macro2::{Ident, Span};
 
 /// Makes the model of a text.
@@ -32,10 +33,13 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.pass(&text.statements, Lowering::join);
     lowering.pass(&text.statements, Lowering::set);
     lowering.pass(&text.statements, Lowering::begin);
+    lowering.start_by_laws();
     lowering.check_unlisted();
     lowering.claim_rate_methods();
+    lowering.claim_time_method();
     Parsed {
         motors: text.motors,
+        has_laws: text.has_laws,
         header: text.header.map(|(header, _)| header),
         model: lowering.model,
         places: lowering.places,
@@ -56,6 +60,8 @@ struct Lowering {
     singles: Vec<&'static str>,
     /// The ranges of the motors that have one.
     ranges: Vec<Ranged>,
+    /// The joints whose motors follow laws, and the numbers of these motors' statements.
+    lawful: Vec<(JointId, usize)>,
 }
 
 impl Lowering {
@@ -85,6 +91,7 @@ impl Lowering {
             nameless: Vec::new(),
             singles: Vec::new(),
             ranges: Vec::new(),
+            lawful: Vec::new(),
         }
     }
 

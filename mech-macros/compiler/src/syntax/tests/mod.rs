@@ -2,6 +2,7 @@
 
 mod expression;
 mod joint;
+mod law;
 mod link;
 mod method;
 mod model;
