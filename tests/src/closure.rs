@@ -33,7 +33,10 @@ pub fn worst_gap(model: &Model, poses: &[[f64; 4]]) -> f64 {
             (to[0] - from[0]).hypot(to[1] - from[1]).max(askew.abs())
         }
         // What rolls is held to its ratio by tests of its own.
-        JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
+        JointKind::Gear { .. }
+        | JointKind::Belt { .. }
+        | JointKind::Rack { .. }
+        | JointKind::Cam { .. } => 0.0,
     };
     model
         .joints

@@ -3,7 +3,7 @@
 use crate::accuracy::{Prediction, Solved};
 use crate::cost::{self, Cost};
 use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
-use crate::plan::{ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
+use crate::plan::{Cam, ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
 use crate::program::{self, Program, Timing};
 use crate::structure::{Rolling, Structure};
 use std::fmt::Write;
@@ -73,6 +73,11 @@ fn write(
         }
     }) {
         writeln!(text, "  moved     {}", mesh_line(model, plan, mesh))?;
+    }
+    for step in &plan.steps {
+        if let Step::Cam(cam) = step {
+            writeln!(text, "  cam       {}", cam_line(model, cam))?;
+        }
     }
     for (index, closing) in plan.loops().enumerate() {
         writeln!(
@@ -178,7 +183,7 @@ fn mobility(model: &Model, structure: &Structure) -> String {
         )
     }) - 2 * slots;
     let welds = count(|joint| matches!(joint.kind, JointKind::Weld(..)));
-    let rolls = count(|joint| joint.kind.rolls());
+    let rolls = count(|joint| joint.kind.ties());
     let mut text = format!(
         "{} = 3·{} − 2·{pairs}",
         structure.mobility,
@@ -261,6 +266,26 @@ fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
     }
 }
 
+/// What a cam says.
+fn cam_line(model: &Model, cam: &Cam) -> String {
+    let joint = model.joint(cam.by);
+    let JointKind::Cam {
+        shaft,
+        follower,
+        law,
+    } = joint.kind
+    else {
+        return String::new();
+    };
+    format!(
+        "{}: {} = {}, q the coordinate of {}",
+        joint.name,
+        model.joint(follower).name,
+        model.law(law).written,
+        model.joint(shaft).name
+    )
+}
+
 fn loop_line(model: &Model, closing: &Loop) -> String {
     let unknowns = closing.connections().map(|connection| {
         let kind = match connection.kind {
@@ -307,6 +332,7 @@ fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
     let driven = plan.steps.iter().filter_map(|step| match step {
         Step::Drive(drive) => Some((drive.connection.joint, "motor", drive.connection.joint)),
         Step::Mesh(mesh) => Some((mesh.connection.joint, "rolling", mesh.by)),
+        Step::Cam(cam) => Some((cam.connection.joint, "cam", cam.by)),
         Step::Weld(_) | Step::Close(_) => None,
     });
     let mut words: Vec<String> = driven

@@ -47,7 +47,7 @@ pub(crate) fn items(
     let within = within(program, visibility, &rates.rest);
     let many = super::many::many(program, plan, visibility, &rates.instance_rest);
     let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
-    let imports = imports(krate, &scalar);
+    let imports = imports(krate, program);
     let RateItems {
         fields,
         at_rest,
@@ -211,8 +211,13 @@ pub(super) fn rested(moved: TokenStream, rest: &TokenStream) -> TokenStream {
 }
 
 /// What the generated code uses.
-fn imports(krate: &TokenStream, scalar: &TokenStream) -> TokenStream {
+fn imports(krate: &TokenStream, program: &Program) -> TokenStream {
+    let scalar = scalar(program);
+    let exp = program
+        .has_exponentials()
+        .then(|| quote!(use #krate::generated::exp;));
     quote! {
+            #exp
             use ::core::default::Default;
             use ::core::primitive::{#scalar, str};
             use ::core::option::Option::{self, None, Some};

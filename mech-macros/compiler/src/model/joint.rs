@@ -59,9 +59,24 @@ pub enum JointKind {
         /// The link that carries them, if it was said.
         on: Option<LinkId>,
     },
+    /// A cam: the coordinate of one joint is a function of that of another, with which it has a link in common.
+    Cam {
+        /// The joint that turns the cam, or slides it: revolute or prismatic.
+        shaft: JointId,
+        /// The joint by which the follower moves: revolute or prismatic.
+        follower: JointId,
+        /// The coordinate of the follower as a function of that of the shaft.
+        law: LawId,
+    },
 }
 
 impl JointKind {
+    /// Whether it ties two coordinates and has none of its own: something that rolls, or a cam.
+    #[must_use]
+    pub fn ties(self) -> bool {
+        self.rolls() || matches!(self, Self::Cam { .. })
+    }
+
     /// Whether it is a pair of wheels, or a wheel and a bar, that roll: it ties two coordinates and has none of its own.
     #[must_use]
     pub fn rolls(self) -> bool {

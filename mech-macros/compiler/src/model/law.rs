@@ -1,4 +1,4 @@
-//! Laws: functions of one variable, which a motor follows in time.
+//! Laws: functions of one variable, which a motor follows in time, or the follower of a cam.
 
 use super::Origin;
 
@@ -130,6 +130,77 @@ impl Law {
             values.push(value);
         }
         values.pop().unwrap_or_default()
+    }
+}
+
+/// How a term goes on when the variable has gone on by a whole turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Winding {
+    /// It is a number.
+    Fixed(f64),
+    /// It has gone on by so many whole turns.
+    By(f64),
+    /// Otherwise.
+    Else,
+}
+
+impl Winding {
+    fn by(self) -> Option<f64> {
+        match self {
+            Self::Fixed(_) => Some(0.0),
+            Self::By(turns) => Some(turns),
+            Self::Else => None,
+        }
+    }
+
+    /// What comes of two, if they go on by these.
+    fn joined(self, other: Self, turns: impl FnOnce(f64, f64) -> Option<f64>) -> Self {
+        let both = self.by().zip(other.by());
+        both.and_then(|(a, b)| turns(a, b))
+            .map_or(Self::Else, Self::By)
+    }
+}
+
+impl Law {
+    /// By how many whole turns its value goes on when the variable does by one: zero, if it is periodic. Nothing, if that depends
+    /// on where it is, or nobody can tell.
+    #[must_use]
+    pub fn winding(&self) -> Option<f64> {
+        let mut windings: Vec<Winding> = Vec::with_capacity(self.terms.len());
+        let still = |a: f64, b: f64| (a == 0.0 && b == 0.0).then_some(0.0);
+        for term in &self.terms {
+            let get = |id: TermId| windings.get(id.index()).copied().unwrap_or(Winding::Else);
+            let winding = match *term {
+                Term::Variable => Winding::By(1.0),
+                Term::Number(number) => Winding::Fixed(number),
+                Term::Negative(a) => get(a).joined(Winding::By(0.0), |a, _| Some(-a)),
+                Term::Sum(a, b) => get(a).joined(get(b), |a, b| Some(a + b)),
+                Term::Difference(a, b) => get(a).joined(get(b), |a, b| Some(a - b)),
+                Term::Product(a, b) => match (get(a), get(b)) {
+                    (Winding::Fixed(factor), Winding::By(turns))
+                    | (Winding::By(turns), Winding::Fixed(factor)) => Winding::By(factor * turns),
+                    (a, b) => a.joined(b, still),
+                },
+                Term::Quotient(a, b) => match (get(a), get(b)) {
+                    (Winding::By(turns), Winding::Fixed(divisor)) => Winding::By(turns / divisor),
+                    (a, b) => a.joined(b, still),
+                },
+                Term::Of(function, a) => {
+                    let waves = matches!(function, Function::Sin | Function::Cos | Function::Tan);
+                    let periodic = |turns: f64| turns == 0.0 || waves && turns.fract() == 0.0;
+                    get(a).joined(Winding::By(0.0), |a, _| periodic(a).then_some(0.0))
+                }
+                Term::Extreme(_, a, b) => get(a).joined(get(b), |a, b| (a == b).then_some(a)),
+            };
+            windings.push(winding);
+        }
+        windings.pop().unwrap_or(Winding::Fixed(0.0)).by()
+    }
+
+    /// Whether its variable is in it.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        self.terms.contains(&Term::Variable)
     }
 }
 

@@ -104,7 +104,7 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// All motors, in the order in which `move_to` takes their values.
     pub motors: Vec<Motor>,
-    /// The laws that motors follow.
+    /// The laws of motors and cams.
     pub laws: Vec<Law>,
     /// How the mechanism is assembled.
     pub start: Start,
@@ -255,7 +255,32 @@ impl Model {
             }
             JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => (a, b),
             JointKind::Rack { pinion, bar, .. } => (pinion, bar),
+            JointKind::Cam {
+                shaft, follower, ..
+            } => {
+                let (shaft, follower) = (self.ends(shaft), self.ends(follower));
+                let carrier = common(shaft, follower).unwrap_or(shaft.0);
+                (beside(shaft, carrier), beside(follower, carrier))
+            }
         }
+    }
+
+    /// The link that carries both the shaft and the follower of a cam: the one that both of these joints join to something.
+    #[must_use]
+    pub fn carrier_of_cam(&self, shaft: JointId, follower: JointId) -> Option<LinkId> {
+        common(self.ends(shaft), self.ends(follower))
+    }
+
+    /// The cams: the joint, its shaft, its follower and its law.
+    pub fn cams(&self) -> impl Iterator<Item = (JointId, JointId, JointId, &Law)> {
+        self.joint_ids().filter_map(|id| match self.joint(id).kind {
+            JointKind::Cam {
+                shaft,
+                follower,
+                law,
+            } => Some((id, shaft, follower, self.law(law))),
+            _ => None,
+        })
     }
 
     /// Joins a point of one link to a line of another: the pin turns and slides in the slot. This adds a die, which must come
@@ -321,4 +346,16 @@ impl Model {
     ) -> impl DoubleEndedIterator<Item = MotorId> + ExactSizeIterator + use<> {
         (0..self.motors.len()).map(MotorId::new)
     }
+}
+
+/// A link that two joints both join, by their ends.
+fn common(first: (LinkId, LinkId), second: (LinkId, LinkId)) -> Option<LinkId> {
+    [first.0, first.1]
+        .into_iter()
+        .find(|&link| link == second.0 || link == second.1)
+}
+
+/// The other end of a joint.
+fn beside((a, b): (LinkId, LinkId), link: LinkId) -> LinkId {
+    if a == link { b } else { a }
 }

@@ -62,6 +62,8 @@ pub struct Program {
     pub range: Option<Vec<[f64; 2]>>,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
+    /// Whether angles may be beyond the range of the polynomials of sine and cosine wherever the motors are: where laws make them.
+    pub curved: bool,
     /// The rates of everything, if this program goes on to them.
     pub motion: Option<Motion>,
     /// Which values anything depends on.

@@ -98,6 +98,7 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
         strides: None,
         range: None,
         overflows: false,
+        curved: true,
         motion: None,
         live: Vec::new(),
         start: Position::default(),

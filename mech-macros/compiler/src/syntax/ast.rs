@@ -149,6 +149,8 @@ pub(super) struct JointBody {
     pub ends: [End; 2],
     /// What rolls in it, where something does.
     pub rolling: Option<Rolling>,
+    /// The law of a cam, a function of the coordinate `q`.
+    pub law: Option<Expr>,
     /// Where it is in the drawing.
     pub at: Option<Clause>,
     /// Its direction in the drawing.
@@ -165,6 +167,7 @@ pub(super) enum JointWord {
     Rack,
     Belt,
     Weld,
+    Cam,
 }
 
 /// `at (x, y)` or `along (dx, dy)`
@@ -177,7 +180,7 @@ pub(super) struct Clause {
 
 /// A link, or something fixed to it: `crank` or `crank.pin`.
 pub(super) struct End {
-    /// The link (in `show`, possibly a joint).
+    /// The link (in `show` and in cams, possibly a joint).
     pub link: Ident,
     /// The point or line.
     pub axis: Option<Ident>,

@@ -9,7 +9,7 @@ impl Writer<'_> {
     /// the same, if a later step needs it: here, so that it is the same as in the whole program bit by bit.
     pub(super) fn leave_out(&mut self, step: &Step, sources: &[bool]) {
         match step {
-            Step::Weld(_) | Step::Drive(_) => {}
+            Step::Weld(_) | Step::Drive(_) | Step::Cam(_) => {}
             Step::Mesh(_) => self.meshes += 1,
             Step::Close(_) => self.loops += 1,
         }

@@ -1,5 +1,6 @@
 //! From the plan to the program.
 
+mod cam;
 mod closing;
 mod dyad;
 mod idle;
@@ -128,6 +129,7 @@ fn write(
         senses: None,
         steady: None,
         follows: false,
+        wanders: false,
         histories: Vec::new(),
         closings: Vec::new(),
         angles: Vec::new(),
@@ -142,6 +144,7 @@ fn write(
             Step::Weld(connection) => writer.weld(*connection),
             Step::Drive(drive) => writer.drive(drive),
             Step::Mesh(mesh) => writer.mesh(mesh),
+            Step::Cam(cam) => writer.cam(cam),
             Step::Close(ring) => writer.close(ring),
         }
     }
@@ -160,12 +163,13 @@ fn strides(model: &Model) -> Vec<f64> {
     model.motors.iter().map(stride).collect()
 }
 
-/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it.
+/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it, and what a law
+/// drives that may have no value.
 fn overflows(model: &Model) -> bool {
     let slides = |joint: &Joint| {
         matches!(
             joint.kind,
-            JointKind::Prismatic(..) | JointKind::Rack { .. }
+            JointKind::Prismatic(..) | JointKind::Rack { .. } | JointKind::Cam { .. }
         )
     };
     model.joints.iter().any(slides)
@@ -191,6 +195,8 @@ struct Writer<'m> {
     steady: Option<predictor::Steady>,
     /// Whether an angle is followed over whole turns.
     follows: bool,
+    /// Whether something follows a law that is not the same in every turn: nobody has looked at all of its ways.
+    wanders: bool,
     /// The loops that were closed.
     closings: Vec<rates::Closing>,
     /// Angles between two directions that are followed over any number of turns.
@@ -349,13 +355,7 @@ impl Writer<'_> {
 
     /// The angle between two links that loops have solved, followed over any number of turns.
     fn unwrapped(&mut self, from: LinkId, to: LinkId, start: f64) -> Value {
-        let (base, end) = (
-            self.placement.pose(from).direction,
-            self.placement.pose(to).direction,
-        );
-        let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
-        let principal = self.builder.make(Op::Atan2(sin, cos));
-        self.angles.push((principal, [base, end]));
+        let principal = self.principal(from, to);
         self.follows = true;
         let kept = self.kept.len();
         let last = self.keep(start);
@@ -369,6 +369,18 @@ impl Writer<'_> {
         self.builder.name(angle, name);
         self.kept[kept] = angle;
         angle
+    }
+
+    /// The angle between two links that loops have solved, between −π and π.
+    fn principal(&mut self, from: LinkId, to: LinkId) -> Value {
+        let (base, end) = (
+            self.placement.pose(from).direction,
+            self.placement.pose(to).direction,
+        );
+        let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
+        let principal = self.builder.make(Op::Atan2(sin, cos));
+        self.angles.push((principal, [base, end]));
+        principal
     }
 
     /// Names the poses of the links that were just placed.
@@ -418,6 +430,7 @@ impl Writer<'_> {
             watches,
             senses,
             follows,
+            wanders,
             idle,
             ..
         } = self;
@@ -427,7 +440,9 @@ impl Writer<'_> {
                 if newton.step.is_some() && matches!(newton.rounds, Rounds::UntilClosed(_)))
         };
         let ends = watches.iter().any(|watch| watch.at_zero == AtZero::Stay);
-        let follows = follows || ends || builder.blocks.iter().any(leaps);
+        let straight = |block: &Block| matches!(block.kind, BlockKind::Straight);
+        let wanders = wanders && !builder.blocks.iter().all(straight);
+        let follows = follows || ends || builder.blocks.iter().any(leaps) || wanders;
         let strides = follows.then(|| strides(model));
         let mut program = Program {
             name: model.name.clone(),
@@ -439,6 +454,7 @@ impl Writer<'_> {
             range: None,
             strides,
             overflows: overflows(model),
+            curved: model.cams().next().is_some(),
             motors: model
                 .motors
                 .iter()

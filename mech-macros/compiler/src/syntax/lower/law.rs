@@ -10,6 +10,9 @@ use std::f64::consts::PI;
 /// The time, in laws of motors.
 pub(super) const TIME: &str = "t";
 
+/// The coordinate of the shaft, in laws of cams.
+pub(super) const COORDINATE: &str = "q";
+
 /// More numbers and operations than this make no law that anybody could read.
 const MOST_TERMS: usize = 1000;
 

@@ -1,5 +1,6 @@
 //! From the tree of the text to the model: names get their meaning, numbers their value.
 
+mod cam;
 mod constant;
 mod drawn;
 mod effect;
@@ -31,6 +32,7 @@ pub(super) fn lower(text: Text) -> Parsed {
     let mut lowering = Lowering::new(&text);
     lowering.pass(&text.statements, Lowering::declare);
     lowering.pass(&text.statements, Lowering::join);
+    lowering.pass(&text.statements, Lowering::join_joints);
     lowering.pass(&text.statements, Lowering::set);
     lowering.pass(&text.statements, Lowering::begin);
     lowering.start_by_laws();
@@ -138,7 +140,14 @@ impl Lowering {
         }
     }
 
-    /// Third: what refers to joints.
+    /// Third: cams, which join joints.
+    fn join_joints(&mut self, statement: &Statement) {
+        if let Statement::Joint(joint) = statement {
+            self.lower_cam(joint);
+        }
+    }
+
+    /// Fourth: what refers to joints.
     fn set(&mut self, statement: &Statement) {
         match statement {
             Statement::Motor(motor) => self.lower_motor(motor),
@@ -152,7 +161,7 @@ impl Lowering {
         }
     }
 
-    /// Fourth: where it starts, which must be within the ranges of the motors; and what is shown, which they may give.
+    /// Fifth: where it starts, which must be within the ranges of the motors; and what is shown, which they may give.
     fn begin(&mut self, statement: &Statement) {
         match statement {
             Statement::Start(start) => self.lower_start(start),
