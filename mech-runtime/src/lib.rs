@@ -121,10 +121,16 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// | `gear(a, b, 20 : 40)` | two wheels roll on each other: teeth, or pitch radii; `20 : -60` is internal |
 /// | `belt(a, b, 1.0 : 3.0)` | the same with a belt: in the same sense |
 /// | `rack(pinion, bar, radius 0.5)` | a wheel rolls on a bar: the bar's coordinate grows by the radius for each radian; a negative radius is a bar on the other side |
+/// | `cam(shaft, follower, 0.2 * (1 - cos(q)))` | the coordinate of one joint is a law of that of another, `q`; both join something to one link |
 ///
 /// The first four may be placed in the drawing: `slot(a, b) at (x, y) along (dx, dy)`, `weld(a, b) at (x, y)`. What rolls is
 /// carried by the link in which both parts keep their place, directly or through a coaxial joint; where several links would do,
 /// `on LINK` after the ratio or radius says which.
+///
+/// A cam takes joints, revolute or prismatic, and goes one way: its shaft has to be known, from a motor or by loops, before its
+/// follower, which then may drive whatever it likes. Where the law is periodic, whole turns of the shaft do not matter at all; where
+/// it goes on with them (`0.001 * q` is a screw) they count, an angle that loops have solved beginning between −π and π. Where the
+/// law has no value a move is an error, [`Cause::Overflow`]. What laws are made of is said [below](#laws).
 ///
 /// `allow redundant;` lets a mechanism pass that moves only because its lengths match exactly; `allow coupled;` solves loops
 /// together that wait for each other.

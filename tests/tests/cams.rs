@@ -1,10 +1,13 @@
 //! Cams: followers are where the law of their shaft has them, at every rate.
 
 use mech_compiler::compile;
-use mech_compiler::model::Model;
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{Model, Shown};
+use mech_compiler::program::build;
 use mech_compiler::structure::{Diagnosis, RangeTrouble};
 use mech_compiler::syntax::parse;
 use mech_runtime::{Cause, Phase};
+use mech_tests::{Dice, add_cam, grow, with_ground, worst_gap};
 use proc_macro2::TokenStream;
 use std::f64::consts::{PI, TAU};
 
@@ -317,4 +320,64 @@ fn a_law_that_does_not_vary_holds_its_follower() {
         )),
         "{driven:?}"
     );
+}
+
+fn cases() -> u64 {
+    std::env::var("MECH_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(200)
+}
+
+/// Random mechanisms with random cams: each follower is where its law has it, and what is shown alone moves as in the whole.
+#[test]
+fn random_followers_are_where_their_laws_have_them() {
+    let (mut compiled, mut moved) = (0, 0);
+    for seed in 0..cases() {
+        let mut dice = Dice::new(seed);
+        let additions = 1 + dice.below(6);
+        let mut model = grow(&mut dice, additions).model;
+        let cams: Vec<_> = (0..1 + dice.below(3))
+            .filter_map(|_| add_cam(&mut model, &mut dice))
+            .collect();
+        let Some(&last) = cams.last() else { continue };
+        let whole = compile(&model).unwrap_or_else(|wrong| panic!("seed {seed}: {wrong:?}"));
+        compiled += 1;
+        let link = model.ends(last).1;
+        let mut part = model.clone();
+        part.show = Some(vec![Shown::Link(link)]);
+        assert!(compile(&part).is_ok(), "seed {seed}: a part is coherent");
+        // Every loop solved in the same way, whatever is left out.
+        let [whole, part] = [&model, &part].map(|one| build(one, &whole.plan));
+        let [place, own] = [&whole, &part].map(|one| one.place_of(link).expect("it is shown"));
+        let mut machine = Machine::<f64>::new(&whole);
+        let mut alone = Machine::<f64>::new(&part);
+        for _ in 0..20 {
+            let motors: Vec<f64> = machine
+                .position()
+                .motors
+                .iter()
+                .map(|motor| motor + dice.between(-0.5, 0.5))
+                .collect();
+            if machine.move_to(&motors).is_err() {
+                continue;
+            }
+            moved += 1;
+            let poses = with_ground(&model, &machine.position().poses);
+            let reach = poses
+                .iter()
+                .map(|pose| pose[2].hypot(pose[3]))
+                .fold(10.0, f64::max);
+            let gap = worst_gap(&model, &poses);
+            assert!(gap < 1e-11 * reach, "seed {seed}: {gap:e}");
+            alone.move_to(&motors).expect("less is in the way");
+            assert_eq!(
+                machine.position().poses[place],
+                alone.position().poses[own],
+                "seed {seed}"
+            );
+        }
+    }
+    println!("{compiled} compiled, {moved} moves");
+    assert!(compiled > cases() / 3 && moved > 3 * cases());
 }

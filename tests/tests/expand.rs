@@ -178,3 +178,21 @@ fn motors_that_follow_laws() {
             .expect("a function"),
     ));
 }
+
+#[test]
+fn a_cam_and_what_follows_it() {
+    let text = "struct Lifter;
+        ground { point o = (0, 0); line guide = (0, 1) -> (0, 1); }
+        link disk { point o = (0, 0); }
+        link valve { line stem = (0, 0) -> (0, 1); }
+        joint a = revolute(ground.o, disk.o);
+        joint h = prismatic(ground.guide, valve.stem);
+        joint c = cam(a, h, 0.2 * (1 - cos(q)) + max(0, 0.1 * sin(2 * q)));
+        motor a;
+        effects { velocity; }";
+    let all = expansion(text);
+    let start = all
+        .find("        /// The position at these motor values, and for each loop a margin")
+        .expect("a step");
+    insta::assert_snapshot!(all.split_at(start).1);
+}

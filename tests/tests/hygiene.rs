@@ -260,6 +260,19 @@ pub mod strict {
     }
 
     mech_runtime::mechanism! {
+        /// A cam, with everything that a law may be made of.
+        pub struct Lifter;
+
+        link disk;
+        link valve;
+        joint a = revolute(ground, disk) at (0.0, 0.0);
+        joint h = prismatic(ground, valve) at (0.0, 1.0) along (0.0, 1.0);
+        joint c = cam(a, h, exp(sin(q)) - 1.0 + max(0.0, atan(q) / (1.0 + abs(q))) + sqrt(4.0) - 2.0);
+        motor a;
+        effects { velocity; acceleration; }
+    }
+
+    mech_runtime::mechanism! {
         /// A law that does not depend on the time, in double precision.
         pub struct Still;
 
@@ -279,5 +292,6 @@ fn lints_find_nothing() {
     assert_eq!(strict::Machine::new(), strict::Machine::default());
     assert_eq!(strict::Slider::new(), strict::Slider::default());
     assert!(strict::Timed::new().at_time(0.5).is_ok());
+    assert!(strict::Lifter::new().move_to([0.5]).is_ok());
     assert!(strict::Still::new().at_time(0.5).is_ok());
 }

@@ -250,15 +250,15 @@ impl Model {
     #[must_use]
     pub fn ends(&self, id: JointId) -> (LinkId, LinkId) {
         match self.joint(id).kind {
-            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
-                (self.axis(a).link, self.axis(b).link)
+            JointKind::Revolute(..) | JointKind::Prismatic(..) | JointKind::Weld(..) => {
+                self.axes_of(id)
             }
             JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => (a, b),
             JointKind::Rack { pinion, bar, .. } => (pinion, bar),
             JointKind::Cam {
                 shaft, follower, ..
             } => {
-                let (shaft, follower) = (self.ends(shaft), self.ends(follower));
+                let (shaft, follower) = (self.axes_of(shaft), self.axes_of(follower));
                 let carrier = common(shaft, follower).unwrap_or(shaft.0);
                 (beside(shaft, carrier), beside(follower, carrier))
             }
@@ -268,7 +268,17 @@ impl Model {
     /// The link that carries both the shaft and the follower of a cam: the one that both of these joints join to something.
     #[must_use]
     pub fn carrier_of_cam(&self, shaft: JointId, follower: JointId) -> Option<LinkId> {
-        common(self.ends(shaft), self.ends(follower))
+        common(self.axes_of(shaft), self.axes_of(follower))
+    }
+
+    /// The links of the axes that a joint makes coincide; what has none joins the ground to itself.
+    fn axes_of(&self, id: JointId) -> (LinkId, LinkId) {
+        match self.joint(id).kind {
+            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
+                (self.axis(a).link, self.axis(b).link)
+            }
+            _ => (LinkId::GROUND, LinkId::GROUND),
+        }
     }
 
     /// The cams: the joint, its shaft, its follower and its law.

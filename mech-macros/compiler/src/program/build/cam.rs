@@ -53,7 +53,7 @@ impl Writer<'_> {
     fn part(&mut self, number: usize, exact: &Rational, in_one_turn: bool) -> Value {
         match self.plan.sources[number] {
             Source::Angle { from, to } if in_one_turn && exact.is_integer() => {
-                let angle = self.principal(from, to);
+                let angle = self.principal(number, [from, to]);
                 let factor = self.builder.constant(exact.to_f64().unwrap_or(0.0));
                 self.builder.mul(factor, angle)
             }

@@ -18,7 +18,15 @@ impl Writer<'_> {
             if sources[*number] && !is_motor && self.sources[*number].is_none() {
                 let title = "What gears are solved from.".to_owned();
                 self.builder.block("source".to_owned(), title);
-                self.source(*number);
+                match (step, self.plan.sources[*number]) {
+                    // It may be that nothing needs its whole turns.
+                    (Step::Cam(_), Source::Angle { from, to }) => {
+                        self.principal(*number, [from, to]);
+                    }
+                    _ => {
+                        self.source(*number);
+                    }
+                }
             }
         }
     }

@@ -135,6 +135,7 @@ fn write(
         angles: Vec::new(),
 
         sources: vec![None; plan.sources.len()],
+        principals: vec![None; plan.sources.len()],
         meshes: 0,
         loops: 0,
     };
@@ -189,6 +190,8 @@ struct Writer<'m> {
     senses: Option<usize>,
     /// The sources of gears, belts and racks that were needed so far.
     sources: Vec<Option<Value>>,
+    /// Those of them that are angles, between −π and π.
+    principals: Vec<Option<Value>>,
     meshes: usize,
     loops: usize,
     /// Whether the motors move by equal steps, once something asked.
@@ -342,7 +345,7 @@ impl Writer<'_> {
                     .get(number)
                     .copied()
                     .unwrap_or_default();
-                self.unwrapped(from, to, start)
+                self.unwrapped(number, [from, to], start)
             }
             Source::Way(joint) => {
                 let way = self.placement.way(&mut self.builder, joint);
@@ -354,8 +357,8 @@ impl Writer<'_> {
     }
 
     /// The angle between two links that loops have solved, followed over any number of turns.
-    fn unwrapped(&mut self, from: LinkId, to: LinkId, start: f64) -> Value {
-        let principal = self.principal(from, to);
+    fn unwrapped(&mut self, number: usize, [from, to]: [LinkId; 2], start: f64) -> Value {
+        let principal = self.principal(number, [from, to]);
         self.follows = true;
         let kept = self.kept.len();
         let last = self.keep(start);
@@ -371,8 +374,11 @@ impl Writer<'_> {
         angle
     }
 
-    /// The angle between two links that loops have solved, between −π and π.
-    fn principal(&mut self, from: LinkId, to: LinkId) -> Value {
+    /// The angle between two links that loops have solved, between −π and π: a source, by its number.
+    fn principal(&mut self, number: usize, [from, to]: [LinkId; 2]) -> Value {
+        if let Some(known) = self.principals[number] {
+            return known;
+        }
         let (base, end) = (
             self.placement.pose(from).direction,
             self.placement.pose(to).direction,
@@ -380,6 +386,7 @@ impl Writer<'_> {
         let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
         let principal = self.builder.make(Op::Atan2(sin, cos));
         self.angles.push((principal, [base, end]));
+        self.principals[number] = Some(principal);
         principal
     }
 

@@ -1,7 +1,7 @@
 //! Cams: a law between two joints.
 
 use super::Lowering;
-use super::law;
+use super::{law, rolling};
 use crate::model::{JointId, JointKind, LinkId};
 use crate::syntax::Place;
 use crate::syntax::ast::{End, Joint, JointBody};
@@ -40,31 +40,42 @@ impl Lowering {
 
     /// The joint of a shaft or a follower: one that has a coordinate.
     fn cam_end(&mut self, end: &End) -> Option<JointId> {
-        if let Some(axis) = &end.axis {
+        if end.axis.is_some() {
             let text = format!(
-                "`cam` takes joints: that of its shaft and that of its follower; `{end}` is no joint"
+                "a `cam` takes joints, that of its shaft and that of its follower; `{end}` is none"
             );
-            self.report
-                .tell(end.place().to(Place::at(axis.span())), text);
-            return None;
-        }
-        let joint = self.find_joint(&end.link)?;
-        if let Some(text) = self.no_coordinate(&end.link, joint, "name") {
             self.report.tell(end.place(), text);
             return None;
         }
+        let name = end.link.to_string();
+        let (joint, word) = if self.cams.contains(&name) {
+            (None, Some("cam"))
+        } else {
+            let joint = self.find_joint(&end.link)?;
+            (Some(joint), self.unfit_for_cam(joint))
+        };
+        if let Some(word) = word {
+            let text = format!(
+                "`{end}` is a {word}; a `cam` takes joints that are `revolute` or `prismatic`"
+            );
+            self.report.tell(end.place(), text);
+            return None;
+        }
+        joint
+    }
+
+    /// What a joint is called that cannot be the shaft or the follower of a cam.
+    fn unfit_for_cam(&self, joint: JointId) -> Option<&'static str> {
+        let kind = self.model.joint(joint).kind;
         let (a, b) = self.model.ends(joint);
-        if [a, b]
+        let on_die = [a, b]
             .iter()
-            .any(|&link| self.model.link(link).die.is_some())
-        {
-            let text = format!(
-                "`{end}` is a slot; a `cam` takes joints that are `revolute` or `prismatic`"
-            );
-            self.report.tell(end.place(), text);
-            return None;
+            .any(|&link| self.model.link(link).die.is_some());
+        match kind {
+            JointKind::Weld(..) => Some("weld"),
+            _ if on_die => Some("slot"),
+            _ => rolling::word_for(kind),
         }
-        Some(joint)
     }
 
     /// Complains about joints that have no link in common.

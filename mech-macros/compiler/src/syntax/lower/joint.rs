@@ -18,8 +18,10 @@ impl Lowering {
             self.names.enter(&joint.name, Named::Broken);
             self.nameless.push(self.report.statement());
         }
-        if let Err(error) = &joint.body {
-            self.report.pass_on(error.clone());
+        match &joint.body {
+            Ok(body) if body.kind == JointWord::Cam => self.cams.push(joint.name.to_string()),
+            Ok(_) => {}
+            Err(error) => self.report.pass_on(error.clone()),
         }
     }
 

@@ -62,6 +62,8 @@ struct Lowering {
     singles: Vec<&'static str>,
     /// The ranges of the motors that have one.
     ranges: Vec<Ranged>,
+    /// The names of the cams.
+    cams: Vec<String>,
     /// The joints whose motors follow laws, and the numbers of these motors' statements.
     lawful: Vec<(JointId, usize)>,
 }
@@ -93,6 +95,7 @@ impl Lowering {
             nameless: Vec::new(),
             singles: Vec::new(),
             ranges: Vec::new(),
+            cams: Vec::new(),
             lawful: Vec::new(),
         }
     }

@@ -1,5 +1,6 @@
 //! Texts, and what is understood of them or told about them.
 
+mod cam;
 mod expression;
 mod joint;
 mod law;
