@@ -34,7 +34,7 @@ pub enum Cause {
     OutOfRange,
     /// There is no room left in the columns.
     NoRoom,
-    /// A coordinate would be beyond the range of the scalar type.
+    /// A coordinate would be beyond the range of the scalar type, or a cam's law has no value there.
     Overflow,
     /// This loop is at a dead point or a change point, where rates are not determined by those of the motors.
     Singular,

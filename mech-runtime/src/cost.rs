@@ -27,7 +27,7 @@ pub struct Cost {
     pub square_roots: u32,
     /// Sines and cosines; both of one angle are one pair.
     pub sine_cosine_pairs: u32,
-    /// Arctangents.
+    /// Arctangents, and exponentials, which cost as much.
     pub arctangents: u32,
     /// Comparisons and what costs no more: absolute values, maxima, signs copied, choices, roundings.
     pub selections: u32,

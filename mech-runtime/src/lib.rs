@@ -54,7 +54,7 @@ pub use mech_macros::mechanism as expand_mechanism;
 ///     /// A piston driven through a pair of gears.
 ///     pub struct GearedPiston: f64;               // f32 or f64; f64 if left out
 ///
-///     const THROW = 1.0;                          // numbers: + - * / ( ), PI, sqrt, sin, cos, tan, `deg`
+///     const THROW = 1.0;                          // numbers: + - * / ( ), PI, functions such as sqrt, `deg`
 ///
 ///     ground {
 ///         point pinion_shaft = (-3.0, 0.0);       // an axis of rotation: origin, and a direction if wanted: -> (1, 0)
@@ -125,10 +125,16 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// | `gear(a, b, 20 : 40)` | two wheels roll on each other: teeth, or pitch radii; `20 : -60` is internal |
 /// | `belt(a, b, 1.0 : 3.0)` | the same with a belt: in the same sense |
 /// | `rack(pinion, bar, radius 0.5)` | a wheel rolls on a bar: the bar's coordinate grows by the radius for each radian; a negative radius is a bar on the other side |
+/// | `cam(shaft, follower, 0.2 * (1 - cos(q)))` | the coordinate of one joint is a law of that of another, `q`; both join something to one link |
 ///
 /// The first four may be placed in the drawing: `slot(a, b) at (x, y) along (dx, dy)`, `weld(a, b) at (x, y)`. What rolls is
 /// carried by the link in which both parts keep their place, directly or through a coaxial joint; where several links would do,
 /// `on LINK` after the ratio or radius says which.
+///
+/// A cam takes joints, revolute or prismatic, and goes one way: its shaft has to be known, from a motor or by loops, before its
+/// follower, which then may drive whatever it likes. Where the law is periodic, whole turns of the shaft do not matter at all; where
+/// it goes on with them (`0.001 * q` is a screw) they count, an angle that loops have solved beginning between −π and π. Where the
+/// law has no value a move is an error, [`Cause::Overflow`]. What laws are made of is said [below](#laws).
 ///
 /// `allow redundant;` lets a mechanism pass that moves only because its lengths match exactly; `allow coupled;` solves loops
 /// together that wait for each other.
@@ -170,6 +176,39 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// assert_eq!(wiper.motors(), [2.0]);
 /// assert!(wiper.move_to([7.0]).is_err()); // beyond its range
 /// ```
+///
+/// # Laws
+///
+/// A motor may follow a law, an expression in the time `t`, in whatever unit of time. Then `at_time(t)` moves it there; motors
+/// without a law stay where they are. It starts where its law has it at the time 0. Laws are differentiated symbolically: with effects
+/// `at_time` finds exact velocities and accelerations, as `move_with` does that is given the law's rates. The law does not bind
+/// `move_to` and the others, which take any values. Where a law or its rate has no value (the root of a negative number, a
+/// division by zero at that time) `at_time` is an error that names the motor, [`Cause::NotFinite`]. Laws are computed in double
+/// precision also where the mechanism is not, with whole turns apart.
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct Shaker;
+///     link crank; link rod; link block;
+///     joint a = revolute(ground, crank) at (0, 0);
+///     joint b = revolute(crank, rod) at (1, 0.5);
+///     joint c = revolute(rod, block) at (4, 0);
+///     joint x = prismatic(ground, block) at (4, 0) along (1, 0);
+///     motor a = 0.3 * sin(2 * PI * t) + max(0, t - 1);
+///     effects { acceleration; }
+/// }
+/// let mut shaker = Shaker::new();
+/// shaker.at_time(0.25)?;
+/// assert_eq!(shaker.a(), 0.3);
+/// assert!(shaker.a_rate().abs() < 1e-12);             // it turns back there
+/// assert!(shaker.a_acceleration() < -11.8);           // −0.3 (2π)²
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
+/// Numbers and laws are made of `+ - * / ( )`, `PI`, constants, `deg` after a number, `sqrt`, `sin`, `cos`, `tan`, `atan`, `exp`,
+/// `abs`, `min` and `max`.
+///
+/// # Many positions
 ///
 /// `solve_many` finds many positions at once, into [`Columns`].
 ///

@@ -1,6 +1,7 @@
 //! How well a position satisfies its joints, straight from their definition.
 
-use mech_compiler::model::{AxisId, JointKind, Model};
+use mech_compiler::model::{AxisId, JointId, JointKind, Law, Model};
+use std::f64::consts::TAU;
 
 /// Where an axis is in the scene, and where it points. `poses` are the cosine, sine, x and y of every link, the ground
 /// first.
@@ -13,7 +14,7 @@ fn placed(model: &Model, poses: &[[f64; 4]], id: AxisId) -> ([f64; 2], [f64; 2])
 }
 
 /// The greatest distance between axes that should coincide, in scene units; for sliding axes also the sine of the angle
-/// between them.
+/// between them; and how far the followers of cams are from where they should be.
 #[must_use]
 pub fn worst_gap(model: &Model, poses: &[[f64; 4]]) -> f64 {
     let gap = |kind: &JointKind| match *kind {
@@ -34,12 +35,55 @@ pub fn worst_gap(model: &Model, poses: &[[f64; 4]]) -> f64 {
         }
         // What rolls is held to its ratio by tests of its own.
         JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
+        JointKind::Cam {
+            shaft,
+            follower,
+            law,
+        } => off_cam(model, poses, [shaft, follower], model.law(law)),
     };
     model
         .joints
         .iter()
         .map(|joint| gap(&joint.kind))
         .fold(0.0, f64::max)
+}
+
+/// How far a follower is from where the law of its cam has it: angles less whole turns. A law that is another in every turn of
+/// its shaft is left to other tests.
+fn off_cam(model: &Model, poses: &[[f64; 4]], joints: [JointId; 2], law: &Law) -> f64 {
+    let [(shaft, turns), (follower, is_angle)] = joints.map(|id| coordinate(model, poses, id));
+    let winding = law.winding();
+    let same = if is_angle {
+        winding.is_some_and(|turns| turns.fract() == 0.0)
+    } else {
+        winding == Some(0.0)
+    };
+    if turns && !same {
+        return 0.0;
+    }
+    let off = follower - law.at(shaft);
+    if is_angle {
+        off - TAU * (off / TAU).round()
+    } else {
+        off
+    }
+    .abs()
+}
+
+/// The coordinate of a joint, and whether it is an angle: then between −π and π.
+fn coordinate(model: &Model, poses: &[[f64; 4]], id: JointId) -> (f64, bool) {
+    match model.joint(id).kind {
+        JointKind::Revolute(a, b) => {
+            let ((_, [c, s]), (_, [d, t])) = (placed(model, poses, a), placed(model, poses, b));
+            ((c * t - s * d).atan2(c * d + s * t), true)
+        }
+        JointKind::Prismatic(a, b) => {
+            let ((from, along), (to, _)) = (placed(model, poses, a), placed(model, poses, b));
+            let way = along[0] * (to[0] - from[0]) + along[1] * (to[1] - from[1]);
+            (way, false)
+        }
+        _ => (0.0, false),
+    }
 }
 
 /// The greatest error of a link's length: how far its direction is from a unit vector.

@@ -1,11 +1,13 @@
 //! What tests and benches of the whole house share.
 
+mod cam;
 mod chain;
 mod closure;
 mod dice;
 mod grow;
 mod source;
 
+pub use cam::{add_cam, law};
 pub use chain::{chain, chain_text};
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;

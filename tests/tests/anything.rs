@@ -2,12 +2,12 @@
 
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{
-    Allowances, Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor,
-    Origin, Ratio,
+    Allowances, Axis, AxisId, AxisKind, Joint, JointId, JointKind, Law, LawId, Link, LinkId, Model,
+    Motor, Origin, Ratio, Term,
 };
 use mech_compiler::structure::{Factor, RollingEnd};
 use mech_compiler::{Compiled, compile, reporter};
-use mech_tests::{Dice, with_ground, worst_gap};
+use mech_tests::{Dice, law, with_ground, worst_gap};
 use std::f64::consts::TAU;
 
 /// Coordinates on a coarse grid, so that axes coincide, lie in line and run parallel.
@@ -123,6 +123,59 @@ fn anything(dice: &mut Dice) -> Model {
     model
 }
 
+/// Cams between joints that have a coordinate and a link in common.
+fn put_cams(model: &mut Model, dice: &mut Dice) {
+    let moves = |id: &JointId| {
+        let joint = model.joint(*id);
+        let kinds = matches!(
+            joint.kind,
+            JointKind::Revolute(..) | JointKind::Prismatic(..)
+        );
+        kinds && !joint.hidden
+    };
+    let joints: Vec<JointId> = model.joint_ids().filter(moves).collect();
+    for number in 0..1 + dice.below(2) {
+        let (shaft, follower) = (*dice.pick(&joints), *dice.pick(&joints));
+        if shaft == follower || model.carrier_of_cam(shaft, follower).is_none() {
+            continue;
+        }
+        let text = *dice.pick(&[
+            "0.3 * sin(t)",
+            "0.2 * (1 - cos(2 * t))",
+            "t",
+            "0.5",
+            "1 / t",
+            "sqrt(0.2 - t) - sqrt(0.2)",
+            "max(0, 0.4 * sin(t))",
+            "exp(t) - 1",
+        ]);
+        let law = if text == "1 / t" {
+            reciprocal()
+        } else {
+            law(text)
+        };
+        model.laws.push(law);
+        model.joints.push(Joint {
+            name: format!("c{number}"),
+            origin: Origin::default(),
+            kind: JointKind::Cam {
+                shaft,
+                follower,
+                law: LawId::new(model.laws.len() - 1),
+            },
+            hidden: false,
+        });
+    }
+}
+
+/// The law 1 / t, which a motor cannot start with.
+fn reciprocal() -> Law {
+    let mut law = Law::new("1 / t".to_owned(), Origin::default());
+    let (variable, one) = (law.push(Term::Variable), law.push(Term::Number(1.0)));
+    law.push(Term::Quotient(one, variable));
+    law
+}
+
 /// After a small motion two wheels have turned by their ratio, seen from their carrier.
 fn no_slip(compiled: &Compiled, seed: u64) {
     let mut machine = Machine::<f64>::new(&compiled.program);
@@ -165,6 +218,27 @@ fn no_slip(compiled: &Compiled, seed: u64) {
 
 #[test]
 fn anything_at_all() {
+    try_all(anything);
+}
+
+#[test]
+fn anything_with_cams() {
+    try_all(|dice| {
+        let mut model = anything(dice);
+        if model.joints.iter().any(|joint| {
+            !joint.hidden
+                && matches!(
+                    joint.kind,
+                    JointKind::Revolute(..) | JointKind::Prismatic(..)
+                )
+        }) {
+            put_cams(&mut model, dice);
+        }
+        model
+    });
+}
+
+fn try_all(anything: impl Fn(&mut Dice) -> Model) {
     let cases = std::env::var("MECH_CASES")
         .ok()
         .and_then(|cases| cases.parse().ok())

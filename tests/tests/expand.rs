@@ -120,3 +120,79 @@ fn the_step_to_a_position_never_knew_of_effects() {
     assert_eq!(step("effects { velocity; }"), alone);
     assert_eq!(step("effects { velocity; acceleration; }"), alone);
 }
+
+/// The Rust compiler's stack does not hold thousands of brackets in one another.
+#[test]
+fn long_laws_are_not_deep() {
+    let law = vec!["t"; 490].join(" * ");
+    let text = format!(
+        "struct M; ground {{ point o = (0, 0); }} link a {{ point o = (0, 0); }}
+        joint j = revolute(ground.o, a.o); motor j = {law}; effects {{ acceleration; }}"
+    );
+    let text: TokenStream = text.parse().expect("tokens");
+    let tokens = mech_compiler::expand(quote::quote!(::mech_runtime; #text)).to_string();
+    let (mut depth, mut deepest) = (0, 0);
+    for character in tokens.chars() {
+        match character {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+        deepest = deepest.max(depth);
+    }
+    assert!(deepest < 100, "{deepest}");
+}
+
+#[test]
+fn motors_that_follow_laws() {
+    let text = "struct Swing: f32;
+        const SLOW = 0.5;
+        ground { point o = (0, 0); line rail = (0, 0) -> (0, 1); }
+        link arm { point shaft = (0, 0); point tip = (1, 0); }
+        link hand { point wrist = (0, 0); }
+        link cart { line rail = (0, 0) -> (0, 1); }
+        joint a = revolute(ground.o, arm.shaft);
+        joint b = revolute(arm.tip, hand.wrist);
+        joint c = prismatic(ground.rail, cart.rail);
+        motor a = 2 * PI * t;
+        motor b;
+        motor c = max(0, exp(-SLOW * t) * sin(3 * t)) / (1 + t);
+        effects { velocity; }";
+    let all = expansion(text);
+    let (method, function) = (
+        all.find("            /// Moves the motors that follow laws"),
+        all.find("        /// The motors at a time, by their laws."),
+    );
+    let end = |from: usize, mark: &str| {
+        all[from..]
+            .find(mark)
+            .map(|length| &all[from..from + length + mark.len()])
+    };
+    insta::assert_snapshot!(format!(
+        "{}\n{}",
+        method
+            .and_then(|from| end(from, "\n            }\n"))
+            .expect("a method"),
+        function
+            .and_then(|from| end(from, "\n        }\n"))
+            .expect("a function"),
+    ));
+}
+
+#[test]
+fn a_cam_and_what_follows_it() {
+    let text = "struct Lifter;
+        ground { point o = (0, 0); line guide = (0, 1) -> (0, 1); }
+        link disk { point o = (0, 0); }
+        link valve { line stem = (0, 0) -> (0, 1); }
+        joint a = revolute(ground.o, disk.o);
+        joint h = prismatic(ground.guide, valve.stem);
+        joint c = cam(a, h, 0.2 * (1 - cos(q)) + max(0, 0.1 * sin(2 * q)));
+        motor a;
+        effects { velocity; }";
+    let all = expansion(text);
+    let start = all
+        .find("        /// The position at these motor values, and for each loop a margin")
+        .expect("a step");
+    insta::assert_snapshot!(all.split_at(start).1);
+}

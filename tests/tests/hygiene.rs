@@ -85,10 +85,29 @@ mod shadowed {
 
         motor a;
     }
+
+    fn exp() {}
+    fn finite() {}
+    fn laws() {}
+
+    ::mech_runtime::mechanism! {
+        pub(crate) struct Timed: f32;
+
+        link t;
+        link laws;
+        joint exp = revolute(ground, t) at (0.0, 0.0);
+        joint rates = prismatic(t, laws) at (0.0, 0.0) along (1.0, 0.0);
+        motor exp = exp(t) - 1.0;
+        motor rates = sin(t);
+        effects { velocity; }
+    }
 }
 
 #[test]
 fn names_may_stand_for_other_things() {
+    let mut timed = shadowed::Timed::new();
+    timed.at_time(0.1).expect("it moves");
+    assert!(timed.rates_rate() > 0.9);
     let mut four_bar = shadowed::FourBar::new();
     four_bar.move_to([0.1]).expect("it moves");
     assert!(four_bar.d() > 0.0);
@@ -226,6 +245,44 @@ pub mod strict {
         joint a = prismatic(ground, piston) at (0.0, 0.0) along (1.0, 0.0);
         motor a;
     }
+
+    mech_runtime::mechanism! {
+        /// Motors that follow laws, in single precision.
+        pub struct Timed: f32;
+
+        link arm;
+        link hand;
+        joint a = revolute(ground, arm) at (0.0, 0.0);
+        joint b = revolute(arm, hand) at (1.0, 0.0);
+        motor a = 3.0 * t;
+        motor b = exp(-t) * sin(2.0 * t) + max(0.0, t - 1.0);
+        effects { velocity; acceleration; }
+    }
+
+    mech_runtime::mechanism! {
+        /// A cam, with everything that a law may be made of.
+        pub struct Lifter;
+
+        link disk;
+        link valve;
+        joint a = revolute(ground, disk) at (0.0, 0.0);
+        joint h = prismatic(ground, valve) at (0.0, 1.0) along (0.0, 1.0);
+        joint c = cam(a, h, exp(sin(q)) - 1.0 + max(0.0, atan(q) / (1.0 + abs(q))) + sqrt(4.0) - 2.0);
+        motor a;
+        effects { velocity; acceleration; }
+    }
+
+    mech_runtime::mechanism! {
+        /// A law that does not depend on the time, in double precision.
+        pub struct Still;
+
+        link arm;
+        link hand;
+        joint a = revolute(ground, arm) at (0.0, 0.0);
+        joint b = revolute(arm, hand) at (1.0, 0.0);
+        motor a = 0.0;
+        motor b;
+    }
 }
 
 #[test]
@@ -234,4 +291,7 @@ fn lints_find_nothing() {
     assert_eq!(strict::Small::new(), strict::Small::default());
     assert_eq!(strict::Machine::new(), strict::Machine::default());
     assert_eq!(strict::Slider::new(), strict::Slider::default());
+    assert!(strict::Timed::new().at_time(0.5).is_ok());
+    assert!(strict::Lifter::new().move_to([0.5]).is_ok());
+    assert!(strict::Still::new().at_time(0.5).is_ok());
 }

@@ -54,6 +54,15 @@ fn shuffled(model: &Model, dice: &mut Dice) -> Model {
                 radius,
                 on: on.map(link),
             },
+            JointKind::Cam {
+                shaft,
+                follower,
+                law,
+            } => JointKind::Cam {
+                shaft: JointId::new(joints[shaft.index()]),
+                follower: JointId::new(joints[follower.index()]),
+                law,
+            },
         };
         other.joints[joints[index]] = mech_compiler::model::Joint {
             kind,

@@ -6,7 +6,7 @@ use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{Effects, LinkId, Method, Model, Precision, Shown};
 use mech_compiler::program::{Position, Program};
 use mech_compiler::syntax::parse;
-use mech_tests::{Dice, bodies, grow, size};
+use mech_tests::{Dice, add_cam, bodies, grow, size};
 
 /// A step of the time, in which motors move about a unit a unit.
 const STEP: f64 = 1e-3;
@@ -165,6 +165,25 @@ fn rates_of_random_mechanisms_are_those_of_their_positions() {
             model.method = Some(Method::Newton);
         }
         compare(&model, &mut dice, 6, &mut seen);
+    }
+    println!("{seen:?}");
+    assert!(seen.compared > 20 * usize::try_from(cases()).unwrap_or(0));
+}
+
+#[test]
+fn rates_of_followers_are_those_of_their_positions() {
+    let mut seen = Seen::default();
+    for seed in 0..cases() {
+        let mut dice = Dice::new(seed);
+        let additions = 1 + dice.below(6);
+        let mut model = grow(&mut dice, additions).model;
+        with_effects(&mut model);
+        for _ in 0..1 + dice.below(3) {
+            add_cam(&mut model, &mut dice);
+        }
+        if model.cams().next().is_some() {
+            compare(&model, &mut dice, 4, &mut seen);
+        }
     }
     println!("{seen:?}");
     assert!(seen.compared > 20 * usize::try_from(cases()).unwrap_or(0));

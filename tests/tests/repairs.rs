@@ -136,7 +136,10 @@ fn add_link(model: &mut Model, ends: [LinkId; 2]) -> (LinkId, [LinkId; 2]) {
             JointKind::Rack {
                 pinion, bar, on, ..
             } => (*pinion, *bar, *on) = (moved(*pinion), moved(*bar), on.map(moved)),
-            JointKind::Revolute(..) | JointKind::Prismatic(..) | JointKind::Weld(..) => {}
+            JointKind::Revolute(..)
+            | JointKind::Prismatic(..)
+            | JointKind::Weld(..)
+            | JointKind::Cam { .. } => {}
         }
     }
     (at, ends.map(moved))

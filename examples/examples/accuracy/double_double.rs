@@ -204,6 +204,25 @@ impl Real for DoubleDouble {
         near + (self * cos - x * sin) / along
     }
 
+    fn exp(self) -> Self {
+        if self.high.abs() >= 750.0 || !self.is_finite() {
+            return self.high.exp().into();
+        }
+        // Of a small part of the power by Taylor's series, and that squared as often as the power was halved.
+        let mut halvings = 0;
+        let mut part = self;
+        while part.high.abs() > 1.0 {
+            part = part * Self::HALF;
+            halvings += 1;
+        }
+        let (mut sum, mut term) = (Self::ONE, Self::ONE);
+        for order in 1..=30 {
+            term = term * part / Self::from_i32(order);
+            sum = sum + term;
+        }
+        (0..halvings).fold(sum, |power, _| power * power)
+    }
+
     fn round(self) -> Self {
         let whole = self.high.round();
         if whole == self.high {
@@ -264,6 +283,19 @@ mod tests {
             let (sin, cos) = angle.sin_cos();
             near(sin.atan2(cos), angle.high, angle.low);
         }
+    }
+
+    #[test]
+    fn powers() {
+        let (e, small) = (std::f64::consts::E, 1.445_646_891_729_250_2e-16);
+        near(DoubleDouble::ONE.exp(), e, small);
+        near(
+            (-DoubleDouble::ONE).exp() * DoubleDouble::new(e, small),
+            1.0,
+            0.0,
+        );
+        near(DoubleDouble::ZERO.exp(), 1.0, 0.0);
+        assert_eq!(DoubleDouble::from(-1e9).exp(), DoubleDouble::ZERO);
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub struct Cost {
     pub square_roots: u32,
     /// Sines and cosines; both of one angle are one pair.
     pub sine_cosine_pairs: u32,
-    /// Arctangents.
+    /// Arctangents, and exponentials, which cost as much.
     pub arctangents: u32,
     /// Comparisons and what costs no more: absolute values, maxima, signs copied, choices, roundings.
     pub selections: u32,
@@ -114,6 +114,7 @@ impl Cost {
             | Op::Unknown(..)
             | Op::Solved(..)
             | Op::Dense(..)
+            | Op::Time
             | Op::Rate(_)
             | Op::Acceleration(_)
             | Op::Load(_)
@@ -129,7 +130,7 @@ impl Cost {
             Op::Sqrt(_) => cost.square_roots = 1,
             Op::Sin(_) => cost.sine_cosine_pairs = 1,
             Op::Cos(angle) => cost.sine_cosine_pairs = u32::from(!sine(angle)),
-            Op::Atan2(..) => cost.arctangents = 1,
+            Op::Atan2(..) | Op::Exp(_) => cost.arctangents = 1,
             Op::Abs(_) | Op::Max(..) | Op::CopySign(..) | Op::Choose(..) | Op::Round(_) => {
                 cost.selections = 1;
             }

@@ -1,6 +1,7 @@
 //! Runs a program now: for the studio, and to check the generated code against.
 
 mod run;
+mod timing;
 mod way;
 
 use crate::program::{BlockId, Forces, Position, Program};

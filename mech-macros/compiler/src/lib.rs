@@ -31,7 +31,7 @@ use matched::Matched;
 use model::{JointId, JointKind, Model, MotorId};
 use plan::Plan;
 use proc_macro2::{Span, TokenStream, TokenTree};
-use program::{Choice, Forces, Further, Number, Op, Program};
+use program::{Choice, Forces, Further, Number, Op, Program, Timing};
 use quote::quote;
 use structure::{Diagnosis, Structure};
 use syntax::{Message, Parsed, Place};
@@ -49,6 +49,8 @@ pub struct Compiled {
     pub moving: Option<Program>,
     /// The operations that go on to forces, if these were asked for.
     pub forced: Forced,
+    /// The laws of the motors, if any has one.
+    pub timing: Option<Timing>,
     /// How each loop is solved, in the order in which they are closed.
     pub loops: Vec<Solved>,
     /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
@@ -103,10 +105,12 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     }
     let loops = accuracy::solved(&program, prediction.as_ref());
     let saved = saved(model, &plan, &program, &choices);
+    let timing = program::build_timing(model);
     let found = report::Found {
         program: &program,
         moving: moving.as_ref(),
         forced: &forced,
+        timing: timing.as_ref(),
         loops: &loops,
         prediction: prediction.as_ref(),
         saved,
@@ -118,6 +122,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         program,
         moving,
         forced,
+        timing,
         loops,
         prediction,
         saved,
@@ -388,6 +393,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         places,
         errors,
         motors,
+        has_laws,
     } = syntax::parse(body);
     let Some(header) = header else {
         return all_errors(&errors);
@@ -395,7 +401,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
     let fail = |messages: &[Message]| {
         let (errors, stub) = (
             all_errors(messages),
-            emit::stub(&krate, &header, &places, &model, motors),
+            emit::stub(&krate, &header, &places, &model, (motors, has_laws)),
         );
         quote!(#errors #stub)
     };

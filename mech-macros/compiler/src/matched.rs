@@ -24,6 +24,10 @@ pub(crate) struct Matched {
 
 /// Tries to assemble and to move a mechanism whose joints hold each other more than once.
 pub(crate) fn matched(model: &Model) -> Option<Matched> {
+    // Nobody would see a cam slip.
+    if model.cams().next().is_some() {
+        return None;
+    }
     let lenient = Model {
         allow: Allowances {
             redundant: true,
@@ -163,7 +167,10 @@ impl<'m> Scene<'m> {
                 }
             }
             // What rolls is looked at apart.
-            JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 0.0,
+            JointKind::Gear { .. }
+            | JointKind::Belt { .. }
+            | JointKind::Rack { .. }
+            | JointKind::Cam { .. } => 0.0,
         };
         self.model.joints.iter().map(apart).fold(0.0, f64::max)
     }
@@ -212,10 +219,11 @@ fn too_many(model: &Model, plan: &Plan) -> Vec<JointId> {
             Step::Weld(connection) => vec![connection.joint],
             Step::Drive(drive) => vec![drive.connection.joint],
             Step::Mesh(mesh) => vec![mesh.connection.joint],
+            Step::Cam(cam) => vec![cam.connection.joint],
             Step::Close(closing) if closing.is_redundant() => Vec::new(),
             Step::Close(closing) => closing.unknowns(),
         })
         .collect();
-    let idle = |joint: &JointId| !needed.contains(joint) && !model.joint(*joint).kind.rolls();
+    let idle = |joint: &JointId| !needed.contains(joint) && !model.joint(*joint).kind.ties();
     model.joint_ids().filter(idle).collect()
 }

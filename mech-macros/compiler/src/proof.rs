@@ -19,6 +19,14 @@ pub(crate) fn proved(
     if model.motors.iter().all(|motor| motor.range.is_none()) {
         return Ok((program, choices));
     }
+    if let Some((joint, ..)) = model.cams().next() {
+        let ranged = model.motors.iter().position(|motor| motor.range.is_some());
+        return Err(Diagnosis::Range {
+            motor: MotorId::new(ranged.unwrap_or_default()),
+            unknowns: Vec::new(),
+            trouble: RangeTrouble::Cam(joint),
+        });
+    }
     if !program.has_loops() {
         // Nothing can be in the way.
         let program = Program {

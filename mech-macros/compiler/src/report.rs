@@ -4,8 +4,8 @@ use crate::Forced;
 use crate::accuracy::{Prediction, Solved};
 use crate::cost::{self, Cost};
 use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
-use crate::plan::{ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
-use crate::program::{self, Program};
+use crate::plan::{Cam, ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
+use crate::program::{self, Program, Timing};
 use crate::structure::{Rolling, Structure};
 use std::fmt::Write;
 
@@ -18,6 +18,8 @@ pub struct Found<'f> {
     pub moving: Option<&'f Program>,
     /// The same and those that go on to forces, as far as these were asked for.
     pub forced: &'f Forced,
+    /// The laws of the motors, if any has one.
+    pub timing: Option<&'f Timing>,
     /// How its loops are solved.
     pub loops: &'f [Solved],
     /// How exact it will be, if that was predicted.
@@ -46,6 +48,7 @@ fn write(
         program,
         moving,
         forced,
+        timing,
         loops,
         prediction,
         saved,
@@ -54,6 +57,10 @@ fn write(
     writeln!(text, "{}", model.name)?;
     writeln!(text, "  mobility  {}", mobility(model, structure))?;
     writeln!(text, "  motors    {}", joints(model, &motors))?;
+    for (motor, law) in model.lawful_motors() {
+        let joint = model.joint(model.motor(motor).joint);
+        writeln!(text, "  law       {} = {}", joint.name, law.written)?;
+    }
     writeln!(text, "  trunk     {}", joints(model, &structure.trunk))?;
     writeln!(text, "  arms      {}", joints(model, &structure.arms))?;
     if !structure.redundant.is_empty() {
@@ -70,6 +77,11 @@ fn write(
         }
     }) {
         writeln!(text, "  moved     {}", mesh_line(model, plan, mesh))?;
+    }
+    for step in &plan.steps {
+        if let Step::Cam(cam) = step {
+            writeln!(text, "  cam       {}", cam_line(model, cam))?;
+        }
     }
     for (index, closing) in plan.loops().enumerate() {
         writeln!(
@@ -103,6 +115,10 @@ fn write(
         };
         let more = cost::of_rates(program, moving);
         writeln!(text, "  effects   {kinds}: {more} more")?;
+    }
+    if let Some(timing) = timing {
+        let more = cost::of_program(&timing.program);
+        writeln!(text, "  at time   {more} more")?;
     }
     if model.effects.needs_actions() {
         force_lines(text, model, program, forced)?;
@@ -238,7 +254,7 @@ fn mobility(model: &Model, structure: &Structure) -> String {
         )
     }) - 2 * slots;
     let welds = count(|joint| matches!(joint.kind, JointKind::Weld(..)));
-    let rolls = count(|joint| joint.kind.rolls());
+    let rolls = count(|joint| joint.kind.ties());
     let mut text = format!(
         "{} = 3·{} − 2·{pairs}",
         structure.mobility,
@@ -321,6 +337,26 @@ fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
     }
 }
 
+/// What a cam says.
+fn cam_line(model: &Model, cam: &Cam) -> String {
+    let joint = model.joint(cam.by);
+    let JointKind::Cam {
+        shaft,
+        follower,
+        law,
+    } = joint.kind
+    else {
+        return String::new();
+    };
+    format!(
+        "{}: {} = {}, q the coordinate of {}",
+        joint.name,
+        model.joint(follower).name,
+        model.law(law).written,
+        model.joint(shaft).name
+    )
+}
+
 fn loop_line(model: &Model, closing: &Loop) -> String {
     let unknowns = closing.connections().map(|connection| {
         let kind = match connection.kind {
@@ -367,6 +403,7 @@ fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
     let driven = plan.steps.iter().filter_map(|step| match step {
         Step::Drive(drive) => Some((drive.connection.joint, "motor", drive.connection.joint)),
         Step::Mesh(mesh) => Some((mesh.connection.joint, "rolling", mesh.by)),
+        Step::Cam(cam) => Some((cam.connection.joint, "cam", cam.by)),
         Step::Weld(_) | Step::Close(_) => None,
     });
     let mut words: Vec<String> = driven

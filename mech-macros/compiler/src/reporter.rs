@@ -1,6 +1,7 @@
 //! Puts diagnoses, and what would mend them, into words and at their places.
 
 mod assembly;
+mod cam;
 mod carrier;
 mod exactness;
 mod held;
@@ -121,6 +122,10 @@ impl Words<'_> {
                 unknowns,
                 trouble,
             } => self.range(*motor, unknowns, trouble),
+            Diagnosis::CamNotDriven { joint } => {
+                (self.at_joint(Some(joint)), self.cam_not_driven(*joint))
+            }
+            Diagnosis::CamWithoutValue { joint, at } => self.cam_without_value(*joint, *at),
             Diagnosis::CannotClose { .. }
             | Diagnosis::DeadStart { .. }
             | Diagnosis::SeveralAssemblies { .. }

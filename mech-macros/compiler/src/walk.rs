@@ -87,11 +87,11 @@ fn together(model: &Model, walker: &mut impl FnMut(&Stretch) -> bool) {
 
 /// After so many turns of a motor everything behind gears has turned as a whole.
 fn turns_of(plan: &Plan) -> i64 {
-    let meshes = plan.steps.iter().filter_map(|step| match step {
-        Step::Mesh(mesh) => Some(mesh),
-        _ => None,
+    let parts = plan.steps.iter().flat_map(|step| match step {
+        Step::Mesh(mesh) => &mesh.parts[..],
+        Step::Cam(cam) => &cam.parts[..],
+        _ => &[],
     });
-    let parts = meshes.flat_map(|mesh| &mesh.parts);
     parts.fold(1, |turns, (_, part)| {
         let denominator = part.denom().to_i64().unwrap_or(MOST_TURNS);
         num_integer::lcm(turns, denominator.clamp(1, MOST_TURNS)).min(MOST_TURNS)

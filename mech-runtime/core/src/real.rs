@@ -50,6 +50,9 @@ pub trait Real:
     /// The angle of the vector (`x`, `self`), in radians.
     #[must_use]
     fn atan2(self, x: Self) -> Self;
+    /// e to this power.
+    #[must_use]
+    fn exp(self) -> Self;
     /// The nearest whole number, halves away from zero.
     #[must_use]
     fn round(self) -> Self;
@@ -58,7 +61,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($float:ident, $sin_cos:ident, $sqrt:ident, $atan2:ident, $round:ident, $split:ident) => {
+    ($float:ident, $sin_cos:ident, $sqrt:ident, $atan2:ident, $exp:ident, $round:ident, $split:ident) => {
         impl Real for $float {
             const EPSILON: f64 = $float::EPSILON as f64;
             const ZERO: Self = 0.0;
@@ -134,6 +137,11 @@ macro_rules! real {
             }
 
             #[inline]
+            fn exp(self) -> Self {
+                libm::$exp(self)
+            }
+
+            #[inline]
             fn round(self) -> Self {
                 libm::$round(self)
             }
@@ -146,5 +154,5 @@ macro_rules! real {
     };
 }
 
-real!(f32, sin_cos_f32, sqrtf, atan2f, roundf, split_f32);
-real!(f64, sin_cos_f64, sqrt, atan2, round, split_f64);
+real!(f32, sin_cos_f32, sqrtf, atan2f, expf, roundf, split_f32);
+real!(f64, sin_cos_f64, sqrt, atan2, exp, round, split_f64);

@@ -14,6 +14,12 @@ pub fn atan2<T: Scalar>(y: T, x: T) -> T {
     Real::atan2(y, x)
 }
 
+/// e to a power.
+#[inline]
+pub fn exp<T: Scalar>(power: T) -> T {
+    Real::exp(power)
+}
+
 /// The square root.
 #[inline]
 pub fn sqrt<T: Scalar>(value: T) -> T {

@@ -15,7 +15,7 @@ pub use crate::{
 };
 pub use crate::{Forces, Gauss, Reaction};
 pub use coordinates::{
-    angle, atan2, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
+    angle, atan2, exp, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
 };
 pub use course::{Course, Watched, advance, approach};
 pub use dynamics::{Moment, Simulated, simulate};

@@ -68,6 +68,45 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
         motors
     }
 
+    /// Gives a motor the value of its law.
+    ///
+    /// # Errors
+    /// If it is not a finite number of this type.
+    #[inline]
+    pub fn follow(&mut self, motor: usize, value: f64, name: &'static str) -> Result<(), Stop> {
+        let given = <T as Real>::from_f64(value);
+        let (Some(value), Some(turns)) = (self.values.get_mut(motor), self.turns.get_mut(motor))
+        else {
+            return Ok(());
+        };
+        if !Real::is_finite(given) {
+            return Err(Stop::new(name, Cause::NotFinite));
+        }
+        (*value, *turns) = (given, 0);
+        Ok(())
+    }
+
+    /// The same for a motor that turns, with whole turns apart from the rest: as exact after many of them.
+    ///
+    /// # Errors
+    /// If it is not a finite number, or beyond 2³¹ turns.
+    pub fn turn_by(&mut self, motor: usize, value: f64, name: &'static str) -> Result<(), Stop> {
+        let turns = Real::round(value / core::f64::consts::TAU);
+        if value.is_finite() && Real::abs(turns) > f64::from(i32::MAX) {
+            return Err(Stop::new(name, Cause::Overflow));
+        }
+        self.follow(motor, value - turns * core::f64::consts::TAU, name)?;
+        if let Some(whole) = self.turns.get_mut(motor) {
+            #[expect(
+                clippy::cast_possible_truncation,
+                reason = "a whole number of turns within range"
+            )]
+            let turns = turns as i32;
+            *whole = turns;
+        }
+        Ok(())
+    }
+
     /// How far it is from here to there.
     #[inline]
     pub(super) fn way_to(&self, target: &Self) -> [T; MOTORS] {

@@ -213,6 +213,32 @@ motor g;",
         edit: ("motor g;", "motor g;\nallow coupled;"),
     },
     Entry {
+        variant: "CamNotDriven",
+        example: "
+struct Lever;
+link disk;
+link lever;
+joint s = revolute(ground, disk) at (0, 0);
+joint f = revolute(ground, lever) at (3, 0);
+joint c = cam(s, f, 0.2 * sin(q));
+motor f;",
+        remedy: "Drive the shaft, or exchange shaft and follower.",
+        edit: ("motor f;", "motor s;"),
+    },
+    Entry {
+        variant: "CamWithoutValue",
+        example: "
+struct Lever;
+link disk;
+link lever;
+joint s = revolute(ground, disk) at (0, 0);
+joint f = revolute(ground, lever) at (3, 0);
+joint c = cam(s, f, sqrt(q - 1));
+motor s;",
+        remedy: "Write a law that has a value there.",
+        edit: ("sqrt(q - 1)", "sqrt(1 - q) - 1"),
+    },
+    Entry {
         variant: "CannotClose",
         example: "
 struct FourBar;
@@ -403,6 +429,19 @@ motor x;
 start { coupler near 50 deg; }",
         remedy: "Declare a range for the other motor too.",
         edit: ("motor x;", "motor x in -0.2 ..= 0.2;"),
+    },
+    Entry {
+        variant: "Range",
+        example: "
+struct Lever;
+link disk;
+link lever;
+joint s = revolute(ground, disk) at (0, 0);
+joint f = revolute(ground, lever) at (3, 0);
+joint c = cam(s, f, 0.2 * sin(q));
+motor s in 0 deg ..= 90 deg;",
+        remedy: "Leave the range out.",
+        edit: (" in 0 deg ..= 90 deg", ""),
     },
     Entry {
         variant: "TooLarge",

@@ -237,6 +237,15 @@ impl Interval {
         }
     }
 
+    /// e to these powers.
+    #[must_use]
+    pub fn exp(self) -> Self {
+        Self {
+            low: widened(libm::exp(self.low)).low.max(0.0),
+            high: widened(libm::exp(self.high)).high,
+        }
+    }
+
     /// The nearest whole numbers, halves away from zero.
     #[must_use]
     pub fn round(self) -> Self {

@@ -15,6 +15,7 @@ pub(super) fn natural(op: Op, get: impl Fn(Value) -> Interval) -> Option<Interva
         | Op::Unknown(..)
         | Op::Solved(..)
         | Op::Dense(..)
+        | Op::Time
         | Op::Rate(_)
         | Op::Acceleration(_)
         | Op::Load(_)
@@ -43,6 +44,7 @@ pub(super) fn natural(op: Op, get: impl Fn(Value) -> Interval) -> Option<Interva
         }
         Op::Atan2(a, b) => get(a).atan2(get(b)),
         Op::Round(a) => get(a).round(),
+        Op::Exp(a) => get(a).exp(),
     })
 }
 

@@ -271,6 +271,8 @@ impl<'p> Tape<'p> {
             }
             Op::Atan2(..)
             | Op::Round(_)
+            | Op::Exp(_)
+            | Op::Time
             | Op::Constant(_)
             | Op::Motor(_)
             | Op::Turns(_)

@@ -7,7 +7,7 @@ use super::moves::{course, near, turn_to, within};
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
-use super::{forces, rates};
+use super::{forces, rates, timing};
 use crate::Compiled;
 use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
 use crate::program::Program;
@@ -26,7 +26,6 @@ pub(crate) fn items(
     let Compiled {
         plan,
         program,
-        moving,
         forced,
         report,
         ..
@@ -51,7 +50,7 @@ pub(crate) fn items(
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
     let course = course(program, plan);
-    let rates = rates::added(krate, places, model, program, moving.as_ref(), visibility);
+    let rates = rates::added(krate, places, model, compiled, visibility);
     let forces = forces::added(
         krate,
         places,
@@ -61,11 +60,13 @@ pub(crate) fn items(
         &rates.rest,
     );
     let added = rates.and(forces);
+    let laws = timing::added(krate, model, compiled, visibility, &added.rest);
+    let added = added.and(laws);
     let turn_to = turn_to(model, program, visibility, &added.rest);
     let within = within(program, visibility, &added.rest);
     let many = super::many::many(program, plan, visibility, &added.instance_rest);
     let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
-    let imports = imports(krate, &scalar);
+    let imports = imports(krate, program);
     let Added {
         fields,
         at_rest,
@@ -229,8 +230,13 @@ pub(super) fn rested(moved: TokenStream, rest: &TokenStream) -> TokenStream {
 }
 
 /// What the generated code uses.
-fn imports(krate: &TokenStream, scalar: &TokenStream) -> TokenStream {
+fn imports(krate: &TokenStream, program: &Program) -> TokenStream {
+    let scalar = scalar(program);
+    let exp = program
+        .has_exponentials()
+        .then(|| quote!(use #krate::generated::exp;));
     quote! {
+            #exp
             use ::core::default::Default;
             use ::core::primitive::{#scalar, str};
             use ::core::option::Option::{self, None, Some};

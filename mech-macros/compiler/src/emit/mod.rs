@@ -15,6 +15,7 @@ mod scope;
 mod shapes;
 mod step;
 mod stub;
+mod timing;
 
 pub(crate) use items::items;
 pub(crate) use stub::stub;

@@ -7,8 +7,9 @@ use super::items::{coordinate_axes, named_points, pose, user_ident};
 use super::motion::given;
 use super::scope::number;
 use super::step::{step, takes_sines};
+use crate::Compiled;
 use crate::cost;
-use crate::model::{AxisId, LinkId, Model};
+use crate::model::{AxisId, Effects, LinkId, Model};
 use crate::program::Program;
 use crate::syntax::Places;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -21,8 +22,7 @@ struct Kinds<'p> {
     links: Literal,
     count: Literal,
     second: bool,
-    /// Whether the rates of the motors are kept.
-    dynamics: bool,
+    effects: Effects,
 }
 
 /// What velocities add to a mechanism.
@@ -30,11 +30,11 @@ pub(super) fn added(
     krate: &TokenStream,
     places: &Places,
     model: &Model,
-    program: &Program,
-    moving: Option<&Program>,
+    compiled: &Compiled,
     visibility: &syn::Visibility,
 ) -> Added {
-    let Some(moving) = moving else {
+    let program = &compiled.program;
+    let Some(moving) = &compiled.moving else {
         return Added::default();
     };
     let kinds = Kinds {
@@ -43,7 +43,7 @@ pub(super) fn added(
         links: Literal::usize_unsuffixed(program.links.len()),
         count: Literal::usize_unsuffixed(program.motors.len()),
         second: model.effects.acceleration,
-        dynamics: model.effects.dynamics,
+        effects: model.effects,
     };
     let Kinds { scalar, links, .. } = &kinds;
     let mut items = Added {
@@ -85,6 +85,48 @@ pub(super) fn added(
     items
 }
 
+/// The statements that move it to these motors at the rates that are given.
+pub(super) fn moved_with(moving: &Program, effects: Effects, motors: &TokenStream) -> TokenStream {
+    let second = effects.acceleration;
+    let [_, arguments] = given(moving);
+    let near_with = if takes_sines(moving) {
+        quote!(near_with)
+    } else {
+        quote!(step_with)
+    };
+    let checked = if second {
+        quote!([rates, accelerations])
+    } else {
+        quote!([rates])
+    };
+    let pattern = if second {
+        quote!((velocities, accelerations))
+    } else {
+        quote!(velocities)
+    };
+    let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
+    let keep_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
+    quote! {
+        for rates in #checked {
+            if let Err(stop) = finite(rates, &COURSE.names) {
+                return Err(self.position.refuse(stop));
+            }
+        }
+        let #pattern = advance_with(
+            &mut self.position,
+            #motors,
+            &COURSE,
+            |last, motors| #near_with(last, motors #arguments),
+            |last, motors| step_with(last, motors #arguments),
+            step,
+        )?;
+        self.velocities = velocities;
+        #keep_second
+        #keep_rates
+        Ok(())
+    }
+}
+
 /// The methods that move it with rates.
 fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) -> TokenStream {
     let Kinds {
@@ -94,24 +136,8 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
         second,
         ..
     } = kinds;
-    let [parameters, arguments] = given(moving);
-    let near_with = if takes_sines(moving) {
-        quote!(near_with)
-    } else {
-        quote!(step_with)
-    };
-    let checked = if *second {
-        quote!([rates, accelerations])
-    } else {
-        quote!([rates])
-    };
-    let pattern = if *second {
-        quote!((velocities, accelerations))
-    } else {
-        quote!(velocities)
-    };
-    let keep_rates = kinds.dynamics.then(|| quote!(self.rates = rates;));
-    let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
+    let [parameters, _] = given(moving);
+    let moved = moved_with(moving, kinds.effects, &quote!(Motors::new(motors)));
     let still = second.then(|| quote!(, [0.0; #count]));
     let first = if *second { quote!(.0) } else { quote!() };
     let accelerations = second.then(|| {
@@ -142,23 +168,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
         #visibility fn move_with(&mut self, motors: [#scalar; #count] #parameters)
             -> Result<(), Blocked<[#scalar; #count]>>
         {
-            for rates in #checked {
-                if let Err(stop) = finite(rates, &COURSE.names) {
-                    return Err(self.position.refuse(stop));
-                }
-            }
-            let #pattern = advance_with(
-                &mut self.position,
-                Motors::new(motors),
-                &COURSE,
-                |last, motors| #near_with(last, motors #arguments),
-                |last, motors| step_with(last, motors #arguments),
-                step,
-            )?;
-            self.velocities = velocities;
-            #keep_second
-            #keep_rates
-            Ok(())
+            #moved
         }
 
         /// The velocities of the moving links in the scene, in the order of their declaration.

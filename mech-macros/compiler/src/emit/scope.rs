@@ -46,7 +46,7 @@ enum Binding {
 }
 
 /// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 19] = [
+const OUTER: [&str; 20] = [
     "determined",
     "rates",
     "before",
@@ -61,6 +61,7 @@ const OUTER: [&str; 19] = [
     "atan2",
     "closed",
     "closes",
+    "exp",
     "position",
     "round",
     "sin_cos",
@@ -185,6 +186,7 @@ impl<'p> Scope<'p> {
             Op::Sqrt(a) => self.call(&quote!(sqrt), &[a]),
             Op::Atan2(a, b) => self.call(&quote!(atan2), &[a, b]),
             Op::Round(a) => self.call(&quote!(round), &[a]),
+            Op::Exp(a) => self.call(&quote!(exp), &[a]),
             Op::Choose(test, a, b) => {
                 let [test, a, b] = [test, a, b].map(|value| self.expression(value));
                 (quote!(if #test >= 0.0 { #a } else { #b }), Binding::Sum)
@@ -198,6 +200,7 @@ impl<'p> Scope<'p> {
             | Op::Unknown(..)
             | Op::Solved(..)
             | Op::Dense(..)
+            | Op::Time
             | Op::Rate(_)
             | Op::Acceleration(_)
             | Op::Load(_)

@@ -233,7 +233,7 @@ pub(super) fn in_lanes(program: &Program) -> bool {
 /// Whether the positions are written once for any place that sines and cosines are taken from: where all of those stand in one
 /// function.
 pub(super) fn takes_sines(program: &Program) -> bool {
-    program.is_closed() && straight_values(program) <= MOST_IN_PLACE
+    !program.curved && program.is_closed() && straight_values(program) <= MOST_IN_PLACE
 }
 
 fn straight_values(program: &Program) -> usize {

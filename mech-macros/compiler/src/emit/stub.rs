@@ -14,7 +14,7 @@ pub(crate) fn stub(
     header: &Header,
     places: &Places,
     model: &Model,
-    motors: usize,
+    (motors, has_laws): (usize, bool),
 ) -> TokenStream {
     let Header {
         attributes,
@@ -31,6 +31,7 @@ pub(crate) fn stub(
     let rates = rates(krate, model, visibility, (&scalar, &links, &motors));
     let forces = super::forces::stub(krate, places, model, visibility, (&scalar, &motors));
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
+    let at_time = at_time(krate, visibility, has_laws, (&scalar, &motors, &methods));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
     let implementation = implementation(krate, header, &scalar, &motors);
     quote! {
@@ -89,6 +90,7 @@ pub(crate) fn stub(
                 #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
                 #rates
                 #forces
+                #at_time
                 #(
                     #visibility fn #names(&self) -> #types {
                         loop {}
@@ -145,6 +147,25 @@ fn implementation(
                     &[]
                 }
             }
+    }
+}
+
+/// The method that laws add, unless something else is called so.
+fn at_time(
+    krate: &TokenStream,
+    visibility: &syn::Visibility,
+    has_laws: bool,
+    (scalar, motors, others): (&TokenStream, &Literal, &[(proc_macro2::Ident, TokenStream)]),
+) -> TokenStream {
+    if !has_laws || others.iter().any(|(name, _)| name == "at_time") {
+        return TokenStream::new();
+    }
+    quote! {
+        #visibility fn at_time(&mut self, t: ::core::primitive::f64)
+            -> ::core::result::Result<(), #krate::Blocked<[#scalar; #motors]>>
+        {
+            loop {}
+        }
     }
 }
 

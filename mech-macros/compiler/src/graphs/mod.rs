@@ -233,6 +233,7 @@ fn word(kind: JointKind) -> &'static str {
         JointKind::Gear { .. } => "gear",
         JointKind::Belt { .. } => "belt",
         JointKind::Rack { .. } => "rack",
+        JointKind::Cam { .. } => "cam",
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, LinkId, Model, Motor, MotorId, Shown, Start,
+    StartValue,
 };
 
 /// Changes to a mechanism. All ids are those of the mechanism that is changed, until [`Edit::finish`].
@@ -53,10 +54,19 @@ impl Edit {
         self.keeps_motor.push(true);
     }
 
-    /// Moves a motor to another joint; its start is forgotten.
+    /// Moves a motor to another joint; its start is forgotten, unless a law says where that is.
     pub fn move_motor(&mut self, id: MotorId, joint: JointId) {
         self.forget_start(self.model.motor(id).joint);
         self.model.motors[id.index()].joint = joint;
+        let Motor { law, origin, .. } = *self.model.motor(id);
+        if let Some(law) = law {
+            let value = self.model.law(law).at(0.0);
+            self.model.start.values.push(StartValue {
+                joint,
+                value,
+                origin,
+            });
+        }
     }
 
     /// Makes a revolute joint a pin in a slot: the line is fixed to the second link, through its point, in this direction.
@@ -128,7 +138,7 @@ impl Edit {
             one.link = link(one.link).unwrap_or(one.link);
         }
         for one in &mut model.joints {
-            renumber(&mut one.kind, link, axis);
+            renumber(&mut one.kind, link, axis, joint);
         }
         for one in &mut model.motors {
             one.joint = joint(one.joint).unwrap_or(one.joint);
@@ -174,6 +184,10 @@ impl Edit {
             let (a, b) = model.ends(id);
             self.keeps_joint[id.index()] &=
                 self.keeps_link[a.index()] && self.keeps_link[b.index()];
+        }
+        for (id, shaft, follower, _) in model.cams() {
+            self.keeps_joint[id.index()] &=
+                self.keeps_joint[shaft.index()] && self.keeps_joint[follower.index()];
         }
         for id in model.motor_ids() {
             self.keeps_motor[id.index()] &= self.keeps_joint[model.motor(id).joint.index()];
@@ -272,7 +286,10 @@ fn carrier_of(kind: &mut JointKind) -> Option<&mut Option<LinkId>> {
         JointKind::Gear { on, .. } | JointKind::Belt { on, .. } | JointKind::Rack { on, .. } => {
             Some(on)
         }
-        JointKind::Revolute(..) | JointKind::Prismatic(..) | JointKind::Weld(..) => None,
+        JointKind::Revolute(..)
+        | JointKind::Prismatic(..)
+        | JointKind::Weld(..)
+        | JointKind::Cam { .. } => None,
     }
 }
 
@@ -280,6 +297,7 @@ fn renumber(
     kind: &mut JointKind,
     link: impl Fn(LinkId) -> Option<LinkId>,
     axis: impl Fn(AxisId) -> Option<AxisId>,
+    joint: impl Fn(JointId) -> Option<JointId>,
 ) {
     // What is left has all its parts; only a named carrier may be gone.
     if let Some(on) = carrier_of(kind) {
@@ -297,6 +315,12 @@ fn renumber(
         JointKind::Rack { pinion, bar, .. } => {
             *pinion = link(*pinion).unwrap_or(*pinion);
             *bar = link(*bar).unwrap_or(*bar);
+        }
+        JointKind::Cam {
+            shaft, follower, ..
+        } => {
+            *shaft = joint(*shaft).unwrap_or(*shaft);
+            *follower = joint(*follower).unwrap_or(*follower);
         }
     }
 }

@@ -39,6 +39,10 @@ id! {
     /// A motor of a [`Model`](super::Model).
     MotorId
 }
+id! {
+    /// A law of a [`Model`](super::Model).
+    LawId
+}
 
 impl LinkId {
     /// The fixed link, which every mechanism has.

@@ -1,6 +1,6 @@
 //! Joints and motors.
 
-use super::{AxisId, JointId, LinkId, Origin};
+use super::{AxisId, JointId, LawId, LinkId, Origin};
 
 /// A joint between two links.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,9 +59,24 @@ pub enum JointKind {
         /// The link that carries them, if it was said.
         on: Option<LinkId>,
     },
+    /// A cam: the coordinate of one joint is a function of that of another, with which it has a link in common.
+    Cam {
+        /// The joint that turns the cam, or slides it: revolute or prismatic.
+        shaft: JointId,
+        /// The joint by which the follower moves: revolute or prismatic.
+        follower: JointId,
+        /// The coordinate of the follower as a function of that of the shaft.
+        law: LawId,
+    },
 }
 
 impl JointKind {
+    /// Whether it ties two coordinates and has none of its own: something that rolls, or a cam.
+    #[must_use]
+    pub fn ties(self) -> bool {
+        self.rolls() || matches!(self, Self::Cam { .. })
+    }
+
     /// Whether it is a pair of wheels, or a wheel and a bar, that roll: it ties two coordinates and has none of its own.
     #[must_use]
     pub fn rolls(self) -> bool {
@@ -92,6 +107,8 @@ pub struct Motor {
     pub range: Option<Range>,
     /// The greatest difference between one value and the next, in radians or scene units, if one was declared: positive.
     pub step: Option<f64>,
+    /// Its coordinate as a function of the time, if it follows a law.
+    pub law: Option<LawId>,
 }
 
 /// The values that a motor may take, both ends among them.
@@ -106,7 +123,7 @@ pub struct Range {
 }
 
 impl Motor {
-    /// A motor without a declared range or step.
+    /// A motor without a declared range, step or law.
     #[must_use]
     pub fn new(joint: JointId, origin: Origin) -> Self {
         Self {
@@ -114,6 +131,7 @@ impl Motor {
             origin,
             range: None,
             step: None,
+            law: None,
         }
     }
 }

@@ -8,6 +8,7 @@ mod edit;
 mod effects;
 mod id;
 mod joint;
+mod law;
 mod link;
 mod mass;
 mod show;
@@ -16,8 +17,9 @@ mod start;
 pub use action::{Actions, Between, Damper, Load, LoadKind, Spring};
 pub use edit::Edit;
 pub use effects::Effects;
-pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
+pub use id::{AxisId, JointId, LawId, LinkId, MotorId, Origin};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
+pub use law::{Extreme, Function, Law, Term, TermId};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
 pub use mass::Mass;
 pub use show::Shown;
@@ -106,6 +108,8 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// All motors, in the order in which `move_to` takes their values.
     pub motors: Vec<Motor>,
+    /// The laws of motors and cams.
+    pub laws: Vec<Law>,
     /// How the mechanism is assembled.
     pub start: Start,
     /// How the loops are solved, if that was said; else `accuracy` decides, and without that the method is exact.
@@ -149,6 +153,7 @@ impl Model {
             axes: Vec::new(),
             joints: Vec::new(),
             motors: Vec::new(),
+            laws: Vec::new(),
             start: Start::default(),
             method: None,
             predictor: 0,
@@ -226,6 +231,18 @@ impl Model {
         &self.motors[id.index()]
     }
 
+    /// The law with this id.
+    #[must_use]
+    pub fn law(&self, id: LawId) -> &Law {
+        &self.laws[id.index()]
+    }
+
+    /// The motors that follow laws, in the order of their declaration.
+    pub fn lawful_motors(&self) -> impl Iterator<Item = (MotorId, &Law)> {
+        self.motor_ids()
+            .filter_map(|id| Some((id, self.law(self.motor(id).law?))))
+    }
+
     /// The motor that drives this joint, if one does.
     #[must_use]
     pub fn motor_of(&self, joint: JointId) -> Option<MotorId> {
@@ -240,12 +257,47 @@ impl Model {
     #[must_use]
     pub fn ends(&self, id: JointId) -> (LinkId, LinkId) {
         match self.joint(id).kind {
-            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
-                (self.axis(a).link, self.axis(b).link)
+            JointKind::Revolute(..) | JointKind::Prismatic(..) | JointKind::Weld(..) => {
+                self.axes_of(id)
             }
             JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => (a, b),
             JointKind::Rack { pinion, bar, .. } => (pinion, bar),
+            JointKind::Cam {
+                shaft, follower, ..
+            } => {
+                let (shaft, follower) = (self.axes_of(shaft), self.axes_of(follower));
+                let carrier = common(shaft, follower).unwrap_or(shaft.0);
+                (beside(shaft, carrier), beside(follower, carrier))
+            }
         }
+    }
+
+    /// The link that carries both the shaft and the follower of a cam: the one that both of these joints join to something.
+    #[must_use]
+    pub fn carrier_of_cam(&self, shaft: JointId, follower: JointId) -> Option<LinkId> {
+        common(self.axes_of(shaft), self.axes_of(follower))
+    }
+
+    /// The links of the axes that a joint makes coincide; what has none joins the ground to itself.
+    fn axes_of(&self, id: JointId) -> (LinkId, LinkId) {
+        match self.joint(id).kind {
+            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
+                (self.axis(a).link, self.axis(b).link)
+            }
+            _ => (LinkId::GROUND, LinkId::GROUND),
+        }
+    }
+
+    /// The cams: the joint, its shaft, its follower and its law.
+    pub fn cams(&self) -> impl Iterator<Item = (JointId, JointId, JointId, &Law)> {
+        self.joint_ids().filter_map(|id| match self.joint(id).kind {
+            JointKind::Cam {
+                shaft,
+                follower,
+                law,
+            } => Some((id, shaft, follower, self.law(law))),
+            _ => None,
+        })
     }
 
     /// Joins a point of one link to a line of another: the pin turns and slides in the slot. This adds a die, which must come
@@ -316,4 +368,16 @@ impl Model {
     ) -> impl DoubleEndedIterator<Item = MotorId> + ExactSizeIterator + use<> {
         (0..self.motors.len()).map(MotorId::new)
     }
+}
+
+/// A link that two joints both join, by their ends.
+fn common(first: (LinkId, LinkId), second: (LinkId, LinkId)) -> Option<LinkId> {
+    [first.0, first.1]
+        .into_iter()
+        .find(|&link| link == second.0 || link == second.1)
+}
+
+/// The other end of a joint.
+fn beside((a, b): (LinkId, LinkId), link: LinkId) -> LinkId {
+    if a == link { b } else { a }
 }

@@ -5,8 +5,8 @@ use super::closed_form::{Closure, close};
 use super::equation::Equation;
 use super::placement::{Coordinate, Placement};
 use super::search::search;
-use super::step::{Connection, ConnectionKind, Loop, Source, Step};
-use crate::model::{LinkId, Model, Near};
+use super::step::{Cam, Connection, ConnectionKind, Loop, Source, Step};
+use crate::model::{JointId, JointKind, LinkId, Model, Near};
 use crate::structure::Diagnosis;
 
 /// With more assemblies than this still open the search stops and lists them.
@@ -21,8 +21,21 @@ pub struct Assembly {
     pub motors: Vec<f64>,
     /// For each mesh step, in order, the coordinate of the joint it moves.
     pub meshes: Vec<f64>,
-    /// The sources that gears, belts and racks are solved from.
+    /// For each cam step, in order, where it starts.
+    pub cams: Vec<CamStart>,
+    /// The sources that gears, belts, racks and cams are solved from.
     pub sources: Vec<f64>,
+}
+
+/// Where a cam starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CamStart {
+    /// The cam.
+    pub cam: JointId,
+    /// The coordinate of its shaft.
+    pub shaft: f64,
+    /// That of its follower.
+    pub follower: f64,
 }
 
 /// An assembly in the making.
@@ -30,6 +43,7 @@ pub struct Assembly {
 struct Draft<'m> {
     placement: Placement<'m, f64>,
     meshes: Vec<f64>,
+    cams: Vec<CamStart>,
 }
 
 /// Assembles a mechanism.
@@ -42,6 +56,7 @@ pub(super) fn assemble(
     let mut drafts = vec![Draft {
         placement: Placement::new(&mut Numbers, model),
         meshes: Vec::new(),
+        cams: Vec::new(),
     }];
     let mut wishes: Vec<Near> = model.start.near.clone();
     for step in steps {
@@ -64,6 +79,10 @@ pub(super) fn assemble(
                     .map(|draft| draft.mesh(mesh.connection, value))
                     .collect()
             }
+            Step::Cam(cam) => drafts
+                .into_iter()
+                .map(|draft| draft.cam(model, steps, cam))
+                .collect::<Result<_, _>>()?,
             Step::Close(closing) => closed(model, &drafts, closing)?,
         };
         drafts = as_drawn(model, drafts)?;
@@ -102,14 +121,14 @@ fn start_along(model: &Model, connection: Connection) -> f64 {
     if forwards { value } else { -value }
 }
 
-/// Only a motor or a gear, belt or rack leaves a joint's start to be chosen.
+/// Whether a joint's start may be chosen: only a motor or a gear, belt or rack leaves it open.
+fn is_free(model: &Model, steps: &[Step], joint: JointId) -> bool {
+    let meshed = |step: &Step| matches!(step, Step::Mesh(mesh) if mesh.connection.joint == joint);
+    model.motor_of(joint).is_some() || steps.iter().any(meshed)
+}
+
 fn start_is_free(model: &Model, steps: &[Step]) -> Result<(), Diagnosis> {
-    let meshed = |joint| {
-        steps
-            .iter()
-            .any(|step| matches!(step, Step::Mesh(mesh) if mesh.connection.joint == joint))
-    };
-    let free = |joint| model.motor_of(joint).is_some() || meshed(joint);
+    let free = |joint| is_free(model, steps, joint);
     match model.start.values.iter().find(|value| !free(value.joint)) {
         Some(value) => Err(Diagnosis::StartNotFree { joint: value.joint }),
         None => Ok(()),
@@ -131,6 +150,46 @@ impl Draft<'_> {
         self.put(connection, value)
     }
 
+    /// Puts a follower where the law of its cam has it.
+    fn cam(mut self, model: &Model, steps: &[Step], cam: &Cam) -> Result<Self, Diagnosis> {
+        let JointKind::Cam { shaft, law, .. } = model.joint(cam.by).kind else {
+            return Ok(self);
+        };
+        let shaft = self.coordinate(model, steps, shaft);
+        let follower = model.law(law).at(shaft);
+        if !model.precision.holds(follower) {
+            return Err(Diagnosis::CamWithoutValue {
+                joint: cam.by,
+                at: shaft,
+            });
+        }
+        self.cams.push(CamStart {
+            cam: cam.by,
+            shaft,
+            follower,
+        });
+        Ok(self.put(cam.connection, follower))
+    }
+
+    /// The coordinate of a joint whose links are in one cluster. Of an angle that nothing gives, that between −π and π.
+    fn coordinate(&self, model: &Model, steps: &[Step], joint: JointId) -> f64 {
+        let follows = |start: &&CamStart| matches!(model.joint(start.cam).kind, JointKind::Cam { follower, .. } if follower == joint);
+        if is_free(model, steps, joint) {
+            return model.start.value(joint);
+        }
+        if let Some(start) = self.cams.iter().find(follows) {
+            return start.follower;
+        }
+        match model.joint(joint).kind {
+            JointKind::Revolute(from, to) => {
+                let [a, b] = self.placement.heading(&mut Numbers, from);
+                let [c, d] = self.placement.heading(&mut Numbers, to);
+                (a * d - b * c).atan2(a * c + b * d)
+            }
+            _ => self.placement.way(&mut Numbers, joint).unwrap_or(0.0),
+        }
+    }
+
     fn finish(&self, model: &Model, sources: &[Source]) -> Assembly {
         Assembly {
             poses: model
@@ -143,6 +202,7 @@ impl Draft<'_> {
                 .map(|motor| model.start.value(motor.joint))
                 .collect(),
             meshes: self.meshes.clone(),
+            cams: self.cams.clone(),
             sources: sources
                 .iter()
                 .map(|source| self.source(model, *source))

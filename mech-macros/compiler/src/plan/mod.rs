@@ -16,12 +16,12 @@ mod sequence;
 mod step;
 
 pub(crate) use algebra::{Algebra, Pose};
-pub use assembly::Assembly;
+pub use assembly::{Assembly, CamStart};
 pub(crate) use equation::{Equation, Measure, Slide, Solution, Unknown};
 pub use ledger::Rational;
 pub use needed::Needed;
 pub(crate) use placement::{Coordinate, Placement};
-pub use step::{Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
+pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
 
 use crate::model::Model;
 use crate::structure::{Diagnosis, Structure};
@@ -31,7 +31,7 @@ use crate::structure::{Diagnosis, Structure};
 pub struct Plan {
     /// The steps, each of which needs only those before it.
     pub steps: Vec<Step>,
-    /// What gears, belts and racks are solved from.
+    /// What gears, belts, racks and cams are solved from.
     pub sources: Vec<Source>,
     /// Where everything is at the start.
     pub start: Assembly,

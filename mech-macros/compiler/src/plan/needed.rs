@@ -89,6 +89,7 @@ impl Step {
             Self::Weld(connection) => vec![*connection],
             Self::Drive(drive) => vec![drive.connection],
             Self::Mesh(mesh) => vec![mesh.connection],
+            Self::Cam(cam) => vec![cam.connection],
             Self::Close(closing) => {
                 let rings = closing.rings.iter().flatten();
                 rings.chain(&closing.tree).copied().collect()
@@ -100,6 +101,7 @@ impl Step {
     pub(crate) fn sources(&self) -> impl Iterator<Item = &(usize, Rational)> {
         let (mesh, ties) = match self {
             Self::Mesh(mesh) => (&mesh.parts[..], &[][..]),
+            Self::Cam(cam) => (&cam.parts[..], &[][..]),
             Self::Close(closing) => (&[][..], &closing.ties[..]),
             Self::Weld(_) | Self::Drive(_) => (&[][..], &[][..]),
         };

@@ -12,6 +12,8 @@ pub enum Step {
     Drive(Drive),
     /// Gears, belts or racks give the coordinate of a joint.
     Mesh(Mesh),
+    /// A cam gives the coordinate of its follower's joint.
+    Cam(Cam),
     /// Clusters joined in rings by joints of unknown coordinate.
     Close(Loop),
 }
@@ -33,6 +35,18 @@ pub struct Mesh {
     /// What is moved.
     pub connection: Connection,
     /// How far it has moved since the start: the sum of these parts of what the sources have moved, by their number in
+    /// [`Plan::sources`](super::Plan::sources).
+    pub parts: Vec<(usize, Rational)>,
+}
+
+/// A joint whose coordinate is a function of that of another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cam {
+    /// The cam.
+    pub by: JointId,
+    /// The follower, as its joint is declared.
+    pub connection: Connection,
+    /// How far the shaft has moved since the start: the sum of these parts of what the sources have moved, by their number in
     /// [`Plan::sources`](super::Plan::sources).
     pub parts: Vec<(usize, Rational)>,
 }

@@ -7,12 +7,15 @@ mod calibrate;
 mod choice;
 mod closed;
 mod forces;
+mod law;
 mod live;
 mod motion;
+mod nesting;
 mod newton;
 mod node;
 mod real;
 mod stored;
+mod timing;
 mod watch;
 
 pub(crate) use build::needed;
@@ -25,6 +28,7 @@ pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
+pub use timing::{Timed, Timing, build_timing};
 pub use watch::Watch;
 
 use crate::model::{LinkId, Precision};
@@ -60,6 +64,8 @@ pub struct Program {
     pub range: Option<Vec<[f64; 2]>>,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
+    /// Whether angles may be beyond the range of the polynomials of sine and cosine wherever the motors are: where laws make them.
+    pub curved: bool,
     /// The rates of everything, if this program goes on to them.
     pub motion: Option<Motion>,
     /// Which values anything depends on.
@@ -149,6 +155,13 @@ impl Program {
             BlockKind::Closed(closed) => Some(closed),
             BlockKind::Straight | BlockKind::Newton(_) => None,
         }
+    }
+
+    /// Whether there are powers of e in it.
+    #[must_use]
+    pub fn has_exponentials(&self) -> bool {
+        let exponential = |value| matches!(self.node(value).op, Op::Exp(_));
+        self.live_values().any(exponential)
     }
 
     /// The linear systems of the motion that something depends on.

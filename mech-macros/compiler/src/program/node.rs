@@ -95,6 +95,8 @@ pub enum Op {
     Solved(BlockId, usize),
     /// What a loop's dense system gives in a round: the steps of its unknowns, and after these its determinant.
     Dense(BlockId, usize),
+    /// The time, of which the laws of motors are functions.
+    Time,
     /// The rate given to a motor, by its number.
     Rate(usize),
     /// The second rate given to a motor, by its number.
@@ -131,6 +133,8 @@ pub enum Op {
     Atan2(Value, Value),
     /// The nearest whole number.
     Round(Value),
+    /// e to this power.
+    Exp(Value),
 }
 
 impl Op {
@@ -145,6 +149,7 @@ impl Op {
             | Self::Unknown(..)
             | Self::Solved(..)
             | Self::Dense(..)
+            | Self::Time
             | Self::Rate(_)
             | Self::Acceleration(_)
             | Self::Load(_)
@@ -154,7 +159,8 @@ impl Op {
             | Self::Sqrt(a)
             | Self::Sin(a)
             | Self::Cos(a)
-            | Self::Round(a) => [Some(a), None, None],
+            | Self::Round(a)
+            | Self::Exp(a) => [Some(a), None, None],
             Self::Choose(test, a, b) => [Some(test), Some(a), Some(b)],
             Self::Add(a, b)
             | Self::Sub(a, b)

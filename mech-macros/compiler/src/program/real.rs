@@ -15,6 +15,7 @@ impl Op {
             | Self::Unknown(..)
             | Self::Solved(..)
             | Self::Dense(..)
+            | Self::Time
             | Self::Rate(_)
             | Self::Acceleration(_)
             | Self::Load(_)
@@ -41,6 +42,7 @@ impl Op {
             }
             Self::Atan2(a, b) => get(a).atan2(get(b)),
             Self::Round(a) => get(a).round(),
+            Self::Exp(a) => get(a).exp(),
         })
     }
 }

@@ -68,7 +68,7 @@ impl Repair {
         match *self {
             Self::RemoveJoint(joint) => {
                 edit.remove_joint(joint);
-                !model.joint(joint).hidden
+                !model.joint(joint).hidden && !is_in_cam(model, joint)
             }
             Self::RemoveLink(link) => {
                 edit.remove_link(link);
@@ -77,7 +77,8 @@ impl Repair {
             Self::MakeSlot { joint, along } => {
                 edit.make_slot(joint, along);
                 let turns = matches!(model.joint(joint).kind, JointKind::Revolute(..));
-                turns && !model.joint(joint).hidden && model.motor_of(joint).is_none()
+                let is_free = model.motor_of(joint).is_none() && !is_in_cam(model, joint);
+                turns && !model.joint(joint).hidden && is_free
             }
             Self::Unweld(joint) => {
                 edit.unweld(joint);
@@ -134,14 +135,23 @@ fn drivable(model: &Model, joint: JointId) -> bool {
     moves && !model.joint(joint).hidden && model.motor_of(joint).is_none()
 }
 
-/// Whether a gear, belt or rack names this link as its carrier.
+/// Whether a gear, belt or rack names this link as its carrier, or a cam has it for one.
 fn carries(model: &Model, link: LinkId) -> bool {
     model.joints.iter().any(|joint| match joint.kind {
         JointKind::Gear { on, .. } | JointKind::Belt { on, .. } | JointKind::Rack { on, .. } => {
             on == Some(link)
         }
+        JointKind::Cam {
+            shaft, follower, ..
+        } => model.carrier_of_cam(shaft, follower) == Some(link),
         _ => false,
     })
+}
+
+/// Whether a cam names this joint.
+fn is_in_cam(model: &Model, joint: JointId) -> bool {
+    let mut cams = model.cams();
+    cams.any(|(_, shaft, follower, _)| shaft == joint || follower == joint)
 }
 
 fn start_at(model: &mut Model, motor: MotorId, value: f64) {

@@ -55,12 +55,12 @@ impl Words<'_> {
                     .iter()
                     .find(|value| value.joint == *joint);
                 let (_, end) = self.model.ends(*joint);
-                let text = format!(
+                let text = self.start_by_cam(*joint).unwrap_or_else(|| format!(
                     "joint {} has no motor and nothing that rolls drives it: where it starts follows from the others\nhelp: to pick one \
                      of several assemblies, write `{} near ANGLE;`",
                     self.joint(*joint),
                     self.model.link(end).name
-                );
+                ));
                 (value.map_or(self.model.origin, |value| value.origin), text)
             }
             _ => (self.model.origin, String::new()),

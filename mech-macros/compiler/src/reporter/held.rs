@@ -1,7 +1,7 @@
 //! There is less freedom than there are motors.
 
 use super::Words;
-use crate::model::{JointId, LinkId, MotorId};
+use crate::model::{JointId, JointKind, LinkId, MotorId};
 use crate::repair::{Offers, Repair};
 
 impl Words<'_> {
@@ -55,7 +55,10 @@ impl Words<'_> {
     ) -> String {
         let one = self.joint_names(joints).len() == 1;
         let rolls = |&joint: &JointId| self.model.joint(joint).kind.rolls();
-        let sizes = if joints.iter().all(rolls) {
+        let cam = |&joint: &JointId| matches!(self.model.joint(joint).kind, JointKind::Cam { .. });
+        let sizes = if joints.iter().any(cam) {
+            "lengths and laws"
+        } else if joints.iter().all(rolls) {
             "ratios"
         } else {
             "lengths"

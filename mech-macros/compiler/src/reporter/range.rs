@@ -46,6 +46,11 @@ impl Words<'_> {
                     self.value_before(motor, *limit, start)
                 )
             }
+            RangeTrouble::Cam(cam) => format!(
+                "it cannot be proved that motor {name} moves through its range: there is no proof for cams, and {} is one\nhelp: leave \
+                 the range out: then every move is tested when it is made",
+                self.joint(*cam)
+            ),
             RangeTrouble::Stops => format!(
                 "motor {name} cannot move through its range: {} at a change point in it, and `at change points stop` was declared\nhelp: \
                  narrow the range, or let it go on",

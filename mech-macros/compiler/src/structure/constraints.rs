@@ -69,6 +69,22 @@ impl<'m> Constraints<'m> {
                 let here = self.rollings.iter().filter(|rolling| rolling.joint == id);
                 here.map(|rolling| self.of_rolling(rolling)).collect()
             }
+            JointKind::Cam {
+                shaft,
+                follower,
+                law,
+            } => {
+                // At a random place a law has a random slope, unless it has none.
+                let slope = if self.model.law(law).varies() {
+                    p
+                } else {
+                    Element::ZERO
+                };
+                let mut row = self.rate(follower).unwrap_or_default();
+                let turning = self.rate(shaft).unwrap_or_default().into_iter();
+                row.extend(turning.map(|(column, value)| (column, -(slope * value))));
+                vec![row]
+            }
         }
     }
 

@@ -83,6 +83,18 @@ pub enum Diagnosis {
         /// The rings that they form, each by its unknown joints.
         rings: Vec<Vec<JointId>>,
     },
+    /// A cam is of no use: its shaft is not known before its follower.
+    CamNotDriven {
+        /// The cam.
+        joint: JointId,
+    },
+    /// The law of a cam has no value at the start, or one beyond the range of the scalar type.
+    CamWithoutValue {
+        /// The cam.
+        joint: JointId,
+        /// The coordinate of its shaft there.
+        at: f64,
+    },
     /// A loop does not close at the start.
     CannotClose {
         /// The joints of the loop whose coordinates are unknown.
@@ -162,4 +174,6 @@ pub enum RangeTrouble {
     Iterated,
     /// Another motor has a range, this one slides and has none: it would have to be free everywhere.
     Missing,
+    /// The mechanism has this cam, and there is no proof for cams.
+    Cam(JointId),
 }

@@ -88,7 +88,10 @@ pub fn mobility(model: &Model) -> i64 {
     let taken = |joint: &Joint| match joint.kind {
         JointKind::Weld(..) => 3,
         JointKind::Revolute(..) | JointKind::Prismatic(..) => 2,
-        JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => 1,
+        JointKind::Gear { .. }
+        | JointKind::Belt { .. }
+        | JointKind::Rack { .. }
+        | JointKind::Cam { .. } => 1,
     };
     let taken: usize = model.joints.iter().map(taken).sum();
     let given = 3 * (model.links.len() - 1);

@@ -185,6 +185,6 @@ fn slides_on(model: &Model, bar: LinkId, carrier: LinkId) -> Option<RollingEnd> 
 fn declared_between(model: &Model, a: LinkId, b: LinkId) -> bool {
     model.joint_ids().any(|joint| {
         let ends = model.ends(joint);
-        !model.joint(joint).kind.rolls() && (ends == (a, b) || ends == (b, a))
+        !model.joint(joint).kind.ties() && (ends == (a, b) || ends == (b, a))
     })
 }

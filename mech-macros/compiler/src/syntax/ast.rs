@@ -4,7 +4,7 @@
 //! the statement (above all its name) is still known, and messages stay in the order of the text.
 
 use super::{Header, Message, Place};
-use crate::model::{AtChangePoints, Precision};
+use crate::model::{AtChangePoints, Extreme, Function, Precision};
 use proc_macro2::{Ident, Span};
 use std::fmt;
 
@@ -20,6 +20,8 @@ pub(super) struct Text {
     pub statements: Vec<Statement>,
     /// How many of them begin with `motor`, readable or not.
     pub motors: usize,
+    /// Whether one of these goes on with a law, readable or not.
+    pub has_laws: bool,
 }
 
 /// A statement.
@@ -219,6 +221,8 @@ pub(super) struct JointBody {
     pub ends: [End; 2],
     /// What rolls in it, where something does.
     pub rolling: Option<Rolling>,
+    /// The law of a cam, a function of the coordinate `q`.
+    pub law: Option<Expr>,
     /// Where it is in the drawing.
     pub at: Option<Clause>,
     /// Its direction in the drawing.
@@ -235,6 +239,7 @@ pub(super) enum JointWord {
     Rack,
     Belt,
     Weld,
+    Cam,
 }
 
 /// `at (x, y)` or `along (dx, dy)`
@@ -247,7 +252,7 @@ pub(super) struct Clause {
 
 /// A link, or something fixed to it: `crank` or `crank.pin`.
 pub(super) struct End {
-    /// The link (in `show`, possibly a joint).
+    /// The link (in `show` and in cams, possibly a joint).
     pub link: Ident,
     /// The point or line.
     pub axis: Option<Ident>,
@@ -289,10 +294,12 @@ pub(super) enum Size {
     Radius(Expr),
 }
 
-/// `motor joint in low ..= high by step;`
+/// `motor joint = law in low ..= high by step;`
 pub(super) struct Motor {
     /// The joint it drives.
     pub joint: Ident,
+    /// The law after `=`, a function of the time `t`.
+    pub law: Option<Expr>,
     /// The range after `in`.
     pub range: Option<[Expr; 2]>,
     /// The step after `by`.
@@ -367,13 +374,6 @@ pub(super) enum ExprKind {
     Degrees(Box<Expr>),
     /// `sqrt(a)`
     Call(Function, Box<Expr>),
-}
-
-/// The functions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Function {
-    Sqrt,
-    Sin,
-    Cos,
-    Tan,
+    /// `min(a, b)`
+    Extreme(Extreme, Box<[Expr; 2]>),
 }

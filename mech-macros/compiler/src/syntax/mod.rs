@@ -23,6 +23,8 @@ pub struct Parsed {
     pub model: Model,
     /// How many motors the text has, those included that an error keeps out of the model.
     pub motors: usize,
+    /// Whether any of them is declared with a law, right or wrong.
+    pub has_laws: bool,
     /// Where everything in the model was declared.
     pub places: Places,
     /// Everything that is wrong with the text, in the order of the text.

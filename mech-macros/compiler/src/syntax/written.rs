@@ -1,6 +1,7 @@
 //! Numbers as they were written, for messages that offer them again.
 
-use super::ast::{Expr, ExprKind, Function};
+use super::ast::{Expr, ExprKind};
+use crate::model::{Extreme, Function};
 use std::fmt::{self, Display, Formatter};
 
 /// How tightly the parts of an expression hold together.
@@ -31,6 +32,14 @@ impl Display for Expr {
             }
             ExprKind::Call(function, argument) => {
                 write!(formatter, "{}({argument})", word_for(*function))
+            }
+            ExprKind::Extreme(extreme, parts) => {
+                let [a, b] = &**parts;
+                let word = match extreme {
+                    Extreme::Least => "min",
+                    Extreme::Greatest => "max",
+                };
+                write!(formatter, "{word}({a}, {b})")
             }
         }
     }
@@ -70,7 +79,8 @@ fn bond_of(expr: &Expr) -> Bond {
         | ExprKind::Decimal(_)
         | ExprKind::Pi
         | ExprKind::Constant(_)
-        | ExprKind::Call(..) => Bond::Whole,
+        | ExprKind::Call(..)
+        | ExprKind::Extreme(..) => Bond::Whole,
     }
 }
 
@@ -80,5 +90,8 @@ fn word_for(function: Function) -> &'static str {
         Function::Sin => "sin",
         Function::Cos => "cos",
         Function::Tan => "tan",
+        Function::Atan => "atan",
+        Function::Exp => "exp",
+        Function::Abs => "abs",
     }
 }

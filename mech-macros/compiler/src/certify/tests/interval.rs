@@ -112,6 +112,16 @@ proptest! {
     }
 
     #[test]
+    fn powers_are_inside((a, x) in inside()) {
+        let (by_library, of_system) = (libm::exp(x), x.exp());
+        let powers = a.exp();
+        prop_assert!(is_sound(powers) && powers.low() >= 0.0);
+        for power in [by_library, of_system] {
+            prop_assert!(powers.low() <= power && (power <= powers.high() || power == f64::INFINITY));
+        }
+    }
+
+    #[test]
     fn what_is_exact_is_inside((a, x) in inside(), (b, y) in inside()) {
         prop_assert!(holds(a.abs(), x.abs(), 0.0));
         prop_assert!(holds(-a, -x, 0.0));

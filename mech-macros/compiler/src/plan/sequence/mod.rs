@@ -3,6 +3,7 @@
 //!
 //! Merging only ever adds knowledge, so whether everything becomes known does not depend on the order.
 
+mod cam;
 mod rolling;
 
 use super::between::{Between, pivot, rings};
@@ -29,7 +30,10 @@ pub(super) fn sequence(model: &Model, structure: &Structure) -> Result<Sequence,
     for motor in model.motor_ids() {
         search.drive(motor);
     }
-    while search.mesh() || search.close() || search.tie() || search.couple() {}
+    while search.mesh() || search.cam() || search.close() || search.tie() || search.couple() {}
+    if let Some(joint) = search.idle_cam() {
+        return Err(Diagnosis::CamNotDriven { joint });
+    }
     if search.clusters.is_one() {
         return Ok(Sequence {
             steps: search.steps,
@@ -397,7 +401,7 @@ impl<'m> Search<'m> {
     fn way(&self, from: LinkId, to: LinkId) -> Vec<JointId> {
         self.graph.way(from, to, |joint| {
             let known = self.known[joint.index()].as_ref()?;
-            (!self.model.joint(joint).kind.rolls()).then_some(known.level)
+            (!self.model.joint(joint).kind.ties()).then_some(known.level)
         })
     }
 
@@ -405,7 +409,7 @@ impl<'m> Search<'m> {
     fn waiting(&self) -> Vec<JointId> {
         let apart = |joint: &JointId| {
             let (a, b) = self.model.ends(*joint);
-            !self.clusters.joined(a, b) && !self.model.joint(*joint).kind.rolls()
+            !self.clusters.joined(a, b) && !self.model.joint(*joint).kind.ties()
         };
         self.model.joint_ids().filter(apart).collect()
     }

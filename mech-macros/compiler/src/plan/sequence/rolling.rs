@@ -14,9 +14,14 @@ impl Search<'_> {
         !self.structure.rollings.is_empty()
     }
 
+    /// Whether anything is tied: by what rolls, or by cams.
+    fn keeps_ledger(&self) -> bool {
+        self.rolls() || self.model.cams().next().is_some()
+    }
+
     /// What slides and welds keep parallel, and what rolls on what.
     pub(super) fn open_ledger(&mut self) {
-        if !self.rolls() {
+        if !self.keeps_ledger() {
             return;
         }
         for joint in self.model.joint_ids() {
@@ -33,7 +38,7 @@ impl Search<'_> {
 
     /// Enters a known quantity into the ledger, unless it follows from others.
     pub(super) fn source(&mut self, source: Source, quantity: &Linear, behind: Knowledge) {
-        if self.rolls() && self.ledger.value(quantity).is_none() {
+        if self.keeps_ledger() && self.ledger.value(quantity).is_none() {
             let number = Linear::source(self.sources.len());
             self.ledger.relate(&quantity.clone().plus(&-one(), &number));
             self.sources.push(source);

@@ -5,7 +5,7 @@ use super::Writer;
 use super::equilibrium::{Together, chosen};
 use super::rates::Solved;
 use super::reaction::{Along, Part, Place, Push, Unknown};
-use super::tangent::Drive;
+use super::tangent::Seed;
 use super::wrench::{Velocities, Wrench};
 use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
 use crate::plan::Algebra;
@@ -32,7 +32,7 @@ impl Writer<'_> {
         let mut motion = Motion::default();
         let closings = std::mem::take(&mut self.closings);
         let mut influences = self.influences(&closings, &mut motion);
-        let (mut given, solved) = self.driven(&closings, Drive::Given, &mut motion);
+        let (mut given, solved) = self.driven(&closings, Seed::Given, &mut motion);
         self.driven_on(&closings, &solved, &mut given, &mut motion);
         self.builder
             .block("forces".to_owned(), "What acts.".to_owned());
@@ -198,13 +198,10 @@ impl Writer<'_> {
                         link: pushed,
                         at,
                         along,
-                        back,
+                        size,
                     } if pushed == link => {
-                        let mut parts = self.pushed(link, way, at, along);
-                        if back {
-                            parts = parts.map(|part| self.builder.neg(part));
-                        }
-                        parts
+                        let parts = self.pushed(link, way, at, along);
+                        parts.map(|part| self.builder.mul(size, part))
                     }
                     Push::Torque { link: pushed, size } if pushed == link => [zero, zero, size],
                     _ => continue,

@@ -9,7 +9,7 @@ impl Writer<'_> {
     /// the same, if a later step needs it: here, so that it is the same as in the whole program bit by bit.
     pub(super) fn leave_out(&mut self, step: &Step, sources: &[bool]) {
         match step {
-            Step::Weld(_) | Step::Drive(_) => {}
+            Step::Weld(_) | Step::Drive(_) | Step::Cam(_) => {}
             Step::Mesh(_) => self.meshes += 1,
             Step::Close(_) => self.loops += 1,
         }
@@ -18,7 +18,15 @@ impl Writer<'_> {
             if sources[*number] && !is_motor && self.sources[*number].is_none() {
                 let title = "What gears are solved from.".to_owned();
                 self.builder.block("source".to_owned(), title);
-                self.source(*number);
+                match (step, self.plan.sources[*number]) {
+                    // It may be that nothing needs its whole turns.
+                    (Step::Cam(_), Source::Angle { from, to }) => {
+                        self.principal(*number, [from, to]);
+                    }
+                    _ => {
+                        self.source(*number);
+                    }
+                }
             }
         }
     }

@@ -1,6 +1,7 @@
 //! From the plan to the program.
 
 mod acting;
+mod cam;
 mod closing;
 mod dyad;
 mod equilibrium;
@@ -17,6 +18,8 @@ mod turning;
 mod virtual_work;
 mod watching;
 mod wrench;
+
+pub(super) use tangent::{Seed, Tangents};
 
 use super::builder::Builder;
 use super::calibrate::calibrate;
@@ -149,11 +152,14 @@ fn write(
         senses: None,
         steady: None,
         follows: false,
+        wanders: false,
         histories: Vec::new(),
         closings: Vec::new(),
+        followed: Vec::new(),
         angles: Vec::new(),
 
         sources: vec![None; plan.sources.len()],
+        principals: vec![None; plan.sources.len()],
         meshes: 0,
         loops: 0,
     };
@@ -163,6 +169,7 @@ fn write(
             Step::Weld(connection) => writer.weld(*connection),
             Step::Drive(drive) => writer.drive(drive),
             Step::Mesh(mesh) => writer.mesh(mesh),
+            Step::Cam(cam) => writer.cam(cam),
             Step::Close(ring) => writer.close(ring),
         }
     }
@@ -181,12 +188,13 @@ fn strides(model: &Model) -> Vec<f64> {
     model.motors.iter().map(stride).collect()
 }
 
-/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it.
+/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it, and what a law
+/// drives that may have no value.
 fn overflows(model: &Model) -> bool {
     let slides = |joint: &Joint| {
         matches!(
             joint.kind,
-            JointKind::Prismatic(..) | JointKind::Rack { .. }
+            JointKind::Prismatic(..) | JointKind::Rack { .. } | JointKind::Cam { .. }
         )
     };
     model.joints.iter().any(slides)
@@ -206,14 +214,20 @@ struct Writer<'m> {
     senses: Option<usize>,
     /// The sources of gears, belts and racks that were needed so far.
     sources: Vec<Option<Value>>,
+    /// Those of them that are angles, between −π and π.
+    principals: Vec<Option<Value>>,
     meshes: usize,
     loops: usize,
     /// Whether the motors move by equal steps, once something asked.
     steady: Option<predictor::Steady>,
     /// Whether an angle is followed over whole turns.
     follows: bool,
+    /// Whether something follows a law that is not the same in every turn: nobody has looked at all of its ways.
+    wanders: bool,
     /// The loops that were closed.
     closings: Vec<rates::Closing>,
+    /// The followers of cams.
+    followed: Vec<cam::Followed>,
     /// Angles between two directions that are followed over any number of turns.
     angles: Vec<(Value, [[Value; 2]; 2])>,
     /// The histories of the present loop's unknowns, if its start is predicted.
@@ -357,7 +371,7 @@ impl Writer<'_> {
                     .get(number)
                     .copied()
                     .unwrap_or_default();
-                self.unwrapped(from, to, start)
+                self.unwrapped(number, [from, to], start)
             }
             Source::Way(joint) => {
                 let way = self.placement.way(&mut self.builder, joint);
@@ -369,14 +383,8 @@ impl Writer<'_> {
     }
 
     /// The angle between two links that loops have solved, followed over any number of turns.
-    fn unwrapped(&mut self, from: LinkId, to: LinkId, start: f64) -> Value {
-        let (base, end) = (
-            self.placement.pose(from).direction,
-            self.placement.pose(to).direction,
-        );
-        let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
-        let principal = self.builder.make(Op::Atan2(sin, cos));
-        self.angles.push((principal, [base, end]));
+    fn unwrapped(&mut self, number: usize, [from, to]: [LinkId; 2], start: f64) -> Value {
+        let principal = self.principal(number, [from, to]);
         self.follows = true;
         let kept = self.kept.len();
         let last = self.keep(start);
@@ -390,6 +398,22 @@ impl Writer<'_> {
         self.builder.name(angle, name);
         self.kept[kept] = angle;
         angle
+    }
+
+    /// The angle between two links that loops have solved, between −π and π: a source, by its number.
+    fn principal(&mut self, number: usize, [from, to]: [LinkId; 2]) -> Value {
+        if let Some(known) = self.principals[number] {
+            return known;
+        }
+        let (base, end) = (
+            self.placement.pose(from).direction,
+            self.placement.pose(to).direction,
+        );
+        let (sin, cos) = (self.builder.cross(base, end), self.builder.dot(base, end));
+        let principal = self.builder.make(Op::Atan2(sin, cos));
+        self.angles.push((principal, [base, end]));
+        self.principals[number] = Some(principal);
+        principal
     }
 
     /// Names the poses of the links that were just placed.
@@ -441,6 +465,7 @@ impl Writer<'_> {
             watches,
             senses,
             follows,
+            wanders,
             idle,
             ..
         } = self;
@@ -450,7 +475,9 @@ impl Writer<'_> {
                 if newton.step.is_some() && matches!(newton.rounds, Rounds::UntilClosed(_)))
         };
         let ends = watches.iter().any(|watch| watch.at_zero == AtZero::Stay);
-        let follows = follows || ends || builder.blocks.iter().any(leaps);
+        let straight = |block: &Block| matches!(block.kind, BlockKind::Straight);
+        let wanders = wanders && !builder.blocks.iter().all(straight);
+        let follows = follows || ends || builder.blocks.iter().any(leaps) || wanders;
         let strides = follows.then(|| strides(model));
         let mut program = Program {
             name: model.name.clone(),
@@ -462,6 +489,7 @@ impl Writer<'_> {
             range: None,
             strides,
             overflows: overflows(model),
+            curved: model.cams().next().is_some(),
             motors: model
                 .motors
                 .iter()
@@ -480,6 +508,7 @@ impl Writer<'_> {
         };
         program.forget_loops(idle);
         program.live = live(&program);
+        program.cut_chains();
         calibrate(&mut program);
         program
     }

@@ -4,7 +4,7 @@
 //! leaves in the place of the gap; their second rates solve it again.
 
 use super::Writer;
-use super::tangent::{Drive, Tangents};
+use super::tangent::{Seed, Tangents};
 use super::tied::Tied;
 use crate::plan::{Algebra, Equation, Solution, Unknown};
 use crate::program::node::{Op, Value};
@@ -47,7 +47,7 @@ impl Writer<'_> {
     pub(super) fn motion(&mut self, poses: &[[Value; 4]]) -> Motion {
         let mut motion = Motion::default();
         let closings = std::mem::take(&mut self.closings);
-        let (mut tangents, solved) = self.driven(&closings, Drive::Given, &mut motion);
+        let (mut tangents, solved) = self.driven(&closings, Seed::Given, &mut motion);
         motion.velocities = self.link_rates("velocities", poses, &mut tangents);
         if self.model.effects.acceleration {
             self.driven_on(&closings, &solved, &mut tangents, &mut motion);
@@ -68,18 +68,18 @@ impl Writer<'_> {
     pub(super) fn driven(
         &mut self,
         closings: &[Closing],
-        drive: Drive,
+        seed: Seed,
         motion: &mut Motion,
     ) -> (Tangents, Vec<Solved>) {
-        let mut tangents = Tangents::new(drive);
+        let mut tangents = Tangents::new(seed);
         for (angle, ends) in &self.angles {
             tangents.is_angle(*angle, *ends);
         }
         let mut solved = Vec::new();
         for closing in closings {
-            let (title, name) = match drive {
-                Drive::Given | Drive::Coasting => ("Rates of".to_owned(), "rates".to_owned()),
-                Drive::Alone(motor) => {
+            let (title, name) = match seed {
+                Seed::Given | Seed::Coasting => ("Rates of".to_owned(), "rates".to_owned()),
+                Seed::Alone(motor) => {
                     let motor = &self.model.joint(self.model.motors[motor].joint).name;
                     (
                         format!("What motor `{motor}` does to"),

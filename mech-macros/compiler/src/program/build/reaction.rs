@@ -29,12 +29,12 @@ pub(super) enum Along {
 /// What an unknown of size one does to a link.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Push {
-    /// A force, or the same force backwards.
+    /// A force of this size.
     Force {
         link: LinkId,
         at: Place,
         along: Along,
-        back: bool,
+        size: Value,
     },
     /// A torque of this size.
     Torque { link: LinkId, size: Value },
@@ -85,6 +85,9 @@ impl Writer<'_> {
                         unknowns.push(self.guided(joint, [a, b], Along::Slide(joint), "force"));
                     }
                 }
+                JointKind::Cam {
+                    shaft, follower, ..
+                } => unknowns.extend(self.cammed(joint, shaft, follower)),
                 JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => {
                     let mut rollings = structure.rollings.iter();
                     if let Some(rolling) = rollings.find(|rolling| rolling.joint == joint) {
@@ -125,22 +128,23 @@ impl Writer<'_> {
 
     /// A force on the second link of a joint, and back on the first.
     fn force(
-        &self,
+        &mut self,
         joint: JointId,
         name: &str,
         along: Along,
         [first, second]: [(LinkId, Place); 2],
     ) -> Unknown {
-        let push = |(link, at), back| Push::Force {
+        let push = |(link, at), size| Push::Force {
             link,
             at,
             along,
-            back,
+            size,
         };
+        let (one, back) = (self.builder.constant(1.0), self.builder.constant(-1.0));
         Unknown {
             joint,
             name: self.reaction_name(joint, name),
-            pushes: vec![push(second, false), push(first, true)],
+            pushes: vec![push(second, one), push(first, back)],
             part: Part::Force(along),
         }
     }
@@ -173,6 +177,52 @@ impl Writer<'_> {
                 },
             ],
             part: Part::Torque,
+        }
+    }
+
+    /// What a cam does: it pushes its follower, and is turned back by as much as the follower is faster than it.
+    fn cammed(&mut self, joint: JointId, shaft: JointId, follower: JointId) -> Option<Unknown> {
+        let slope = self.slope(joint)?;
+        let back = self.builder.neg(slope);
+        let one = self.builder.constant(1.0);
+        let mut pushes = self.driving(follower, one);
+        pushes.extend(self.driving(shaft, back));
+        let part = match self.model.joint(follower).kind {
+            JointKind::Prismatic(..) => Part::Force(Along::Slide(follower)),
+            _ => Part::Torque,
+        };
+        Some(Unknown {
+            joint,
+            name: self.reaction_name(joint, "push"),
+            pushes,
+            part,
+        })
+    }
+
+    /// What drives the coordinate of a joint: a torque, or a force along its slide.
+    fn driving(&mut self, joint: JointId, size: Value) -> Vec<Push> {
+        let back = self.builder.neg(size);
+        match self.model.joint(joint).kind {
+            JointKind::Prismatic(a, b) => {
+                let (along, (link, there)) = (Along::Slide(joint), self.point(b));
+                let push = |link, size| Push::Force {
+                    link,
+                    at: Place::Scene(there),
+                    along,
+                    size,
+                };
+                vec![push(link, size), push(self.model.axis(a).link, back)]
+            }
+            _ => {
+                let (a, b) = self.model.ends(joint);
+                vec![
+                    Push::Torque { link: b, size },
+                    Push::Torque {
+                        link: a,
+                        size: back,
+                    },
+                ]
+            }
         }
     }
 

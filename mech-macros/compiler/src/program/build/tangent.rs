@@ -11,7 +11,7 @@ use std::collections::HashMap;
 
 /// What the motors do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Drive {
+pub(in crate::program) enum Seed {
     /// They move at the rates and second rates that are given.
     Given,
     /// They move at the rates that are given, and these do not change.
@@ -22,8 +22,8 @@ pub(super) enum Drive {
 
 /// What is known about rates.
 #[derive(Debug)]
-pub(super) struct Tangents {
-    drive: Drive,
+pub(in crate::program) struct Tangents {
+    seed: Seed,
     /// Looked up only, never iterated: the program does not depend on its order.
     rates: HashMap<Value, Value>,
     /// The angular velocities of directions, given by cosine and sine.
@@ -42,9 +42,9 @@ struct Turned {
 
 impl Tangents {
     /// Nothing but what the motors do.
-    pub(super) fn new(drive: Drive) -> Self {
+    pub(in crate::program) fn new(seed: Seed) -> Self {
         Self {
-            drive,
+            seed,
             rates: HashMap::new(),
             turning: HashMap::new(),
             angles: HashMap::new(),
@@ -53,9 +53,9 @@ impl Tangents {
 
     /// The rate of a motor.
     fn of_motor(&self, builder: &mut Builder, motor: usize) -> Value {
-        match self.drive {
-            Drive::Given | Drive::Coasting => builder.make(Op::Rate(motor)),
-            Drive::Alone(other) => builder.constant(if motor == other { 1.0 } else { 0.0 }),
+        match self.seed {
+            Seed::Given | Seed::Coasting => builder.make(Op::Rate(motor)),
+            Seed::Alone(other) => builder.constant(if motor == other { 1.0 } else { 0.0 }),
         }
     }
 
@@ -97,6 +97,26 @@ impl Tangents {
         rate
     }
 
+    /// The rate of a value at the end of a long chain: one after the other from its beginning, as the stack holds no long chain.
+    pub(in crate::program) fn of_all_up_to(
+        &mut self,
+        builder: &mut Builder,
+        value: Value,
+    ) -> Value {
+        let mut needed = vec![false; value.index() + 1];
+        let mut waiting = vec![value];
+        while let Some(one) = waiting.pop() {
+            if !std::mem::replace(&mut needed[one.index()], true) {
+                waiting.extend(builder.op(one).operands());
+            }
+        }
+        let needed = (0..).map(Value).zip(needed).filter(|(_, needed)| *needed);
+        for (one, _) in needed {
+            self.of(builder, one);
+        }
+        self.of(builder, value)
+    }
+
     /// The rates of both parts of a vector.
     pub(super) fn of_vector(&mut self, builder: &mut Builder, v: [Value; 2]) -> [Value; 2] {
         v.map(|part| self.of(builder, part))
@@ -106,7 +126,8 @@ impl Tangents {
         let zero = builder.constant(0.0);
         match builder.op(value) {
             Op::Motor(motor) => self.of_motor(builder, motor),
-            Op::Rate(motor) if self.drive == Drive::Given => builder.make(Op::Acceleration(motor)),
+            Op::Rate(motor) if self.seed == Seed::Given => builder.make(Op::Acceleration(motor)),
+            Op::Time => builder.constant(1.0),
             Op::Neg(a) => {
                 let a = self.of(builder, a);
                 builder.neg(a)
@@ -144,6 +165,10 @@ impl Tangents {
                 let (rate, sin) = (self.of(builder, angle), builder.make(Op::Sin(angle)));
                 let product = builder.mul(rate, sin);
                 builder.neg(product)
+            }
+            Op::Exp(a) => {
+                let rate = self.of(builder, a);
+                builder.mul(rate, value)
             }
             Op::Abs(a) => {
                 let (rate, one) = (self.of(builder, a), builder.constant(1.0));

@@ -3,7 +3,7 @@
 
 use super::Writer;
 use super::rates::Closing;
-use super::tangent::{Drive, Tangents};
+use super::tangent::{Seed, Tangents};
 use super::wrench::{Body, Velocities, Wrench};
 use crate::model::LoadKind;
 use crate::plan::Algebra;
@@ -36,7 +36,7 @@ impl Writer<'_> {
         let mut motion = Motion::default();
         let closings = std::mem::take(&mut self.closings);
         let mut alone = self.influences(&closings, &mut motion);
-        let (mut coasting, solved) = self.driven(&closings, Drive::Coasting, &mut motion);
+        let (mut coasting, solved) = self.driven(&closings, Seed::Coasting, &mut motion);
         self.driven_on(&closings, &solved, &mut coasting, &mut motion);
         self.builder.block(
             "inertia".to_owned(),
@@ -73,7 +73,7 @@ impl Writer<'_> {
     ) -> Vec<Tangents> {
         let motors = 0..self.model.motors.len();
         motors
-            .map(|motor| self.driven(closings, Drive::Alone(motor), motion).0)
+            .map(|motor| self.driven(closings, Seed::Alone(motor), motion).0)
             .collect()
     }
 

@@ -3,7 +3,8 @@
 use super::tokens::{
     advance, any_word, comes, in_parens, name, run, symbol, take, take_word, unexpected,
 };
-use crate::syntax::ast::{Expr, ExprKind, Function, Pair, Read};
+use crate::model::{Extreme, Function};
+use crate::syntax::ast::{Expr, ExprKind, Pair, Read};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Delimiter, Ident, Span, TokenStream};
 use syn::parse::ParseStream;
@@ -12,11 +13,23 @@ use syn::{Lit, token};
 /// How many brackets may stand in one another: enough for anybody, and the stack holds it.
 const DEPTH: usize = 64;
 
-const FUNCTIONS: [(&str, Function); 4] = [
-    ("sqrt", Function::Sqrt),
-    ("sin", Function::Sin),
-    ("cos", Function::Cos),
-    ("tan", Function::Tan),
+/// What a function takes.
+#[derive(Clone, Copy)]
+enum Called {
+    One(Function),
+    Two(Extreme),
+}
+
+const FUNCTIONS: [(&str, Called); 9] = [
+    ("sqrt", Called::One(Function::Sqrt)),
+    ("sin", Called::One(Function::Sin)),
+    ("cos", Called::One(Function::Cos)),
+    ("tan", Called::One(Function::Tan)),
+    ("atan", Called::One(Function::Atan)),
+    ("exp", Called::One(Function::Exp)),
+    ("abs", Called::One(Function::Abs)),
+    ("min", Called::Two(Extreme::Least)),
+    ("max", Called::Two(Extreme::Greatest)),
 ];
 
 /// Reads a number.
@@ -209,7 +222,7 @@ fn named(input: ParseStream, depth: usize) -> Read<Expr> {
 
 fn call(input: ParseStream, ident: &Ident, depth: usize) -> Read<Expr> {
     let function = FUNCTIONS.iter().find(|(name, _)| ident == name);
-    let Some((_, function)) = function else {
+    let Some((_, called)) = function else {
         let names = FUNCTIONS.map(|(name, _)| name);
         let remedy = spelling::remedy(&ident.to_string(), &names);
         return Err(Message::new(
@@ -217,15 +230,23 @@ fn call(input: ParseStream, ident: &Ident, depth: usize) -> Read<Expr> {
             format!("unknown function `{ident}`{remedy}"),
         ));
     };
-    let (argument, place) = in_parens(input, "`(`", |input| sum(input, depth))?;
+    let (kind, place) = in_parens(input, "`(`", |input| {
+        let first = sum(input, depth)?;
+        Ok(match called {
+            Called::One(function) => ExprKind::Call(*function, Box::new(first)),
+            Called::Two(extreme) => {
+                symbol(input, ",")?;
+                let second = sum(input, depth)?;
+                take(input, ",");
+                ExprKind::Extreme(*extreme, Box::new([first, second]))
+            }
+        })
+    })?;
     let place = Place {
         start: ident.span(),
         end: place.end,
     };
-    Ok(Expr {
-        kind: ExprKind::Call(*function, Box::new(argument)),
-        place,
-    })
+    Ok(Expr { kind, place })
 }
 
 /// Takes a word that stands for one of several things.

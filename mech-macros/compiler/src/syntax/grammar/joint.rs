@@ -5,12 +5,12 @@ use super::recover::{at_beginning, to_semicolon};
 use super::statement::{BEGINNINGS, declared};
 use super::tokens::{in_parens, name, symbol, take, take_word, unexpected, word};
 use crate::syntax::ast::{
-    Clause, End, Joint, JointBody, JointWord, Read, Rolling, Size, Statement,
+    Clause, End, Expr, Joint, JointBody, JointWord, Read, Rolling, Size, Statement,
 };
 use proc_macro2::Ident;
 use syn::parse::ParseStream;
 
-const WORDS: [(&str, JointWord); 7] = [
+const WORDS: [(&str, JointWord); 8] = [
     ("revolute", JointWord::Revolute),
     ("prismatic", JointWord::Prismatic),
     ("gear", JointWord::Gear),
@@ -18,6 +18,7 @@ const WORDS: [(&str, JointWord); 7] = [
     ("rack", JointWord::Rack),
     ("belt", JointWord::Belt),
     ("weld", JointWord::Weld),
+    ("cam", JointWord::Cam),
 ];
 
 /// Reads a joint after its keyword.
@@ -31,7 +32,7 @@ pub(super) fn joint(input: ParseStream) -> Statement {
 fn body(input: ParseStream) -> Read<JointBody> {
     symbol(input, "=")?;
     let (word, kind) = one_of(input, "a kind of joint", &WORDS)?;
-    let ((ends, rolling), _) = in_parens(input, "`(`", |input| parts(input, kind))?;
+    let ((ends, (rolling, law)), _) = in_parens(input, "`(`", |input| parts(input, kind))?;
     let at = clause(input, "at")?;
     let along = clause(input, "along")?;
     Ok(JointBody {
@@ -39,19 +40,39 @@ fn body(input: ParseStream) -> Read<JointBody> {
         kind,
         ends,
         rolling,
+        law,
         at,
         along,
     })
 }
 
-fn parts(input: ParseStream, kind: JointWord) -> Read<([End; 2], Option<Rolling>)> {
+/// What stands in the brackets: the ends, what rolls, and a cam's law.
+type Parts = ([End; 2], (Option<Rolling>, Option<Expr>));
+
+fn parts(input: ParseStream, kind: JointWord) -> Read<Parts> {
     let first = end(input)?;
-    comma(input, "the second link")?;
+    let next = match kind {
+        JointWord::Cam => "the joint of the follower",
+        _ => "the second link",
+    };
+    comma(input, next)?;
     let second = end(input)?;
+    let law = match kind {
+        JointWord::Cam => {
+            let what = "the follower's coordinate by the shaft's, `q`, as `0.2 * (1 - cos(q))`";
+            comma(input, what)?;
+            Some(expression(input)?)
+        }
+        _ => None,
+    };
     let size = match kind {
         JointWord::Gear | JointWord::Belt => Some(ratio(input)?),
         JointWord::Rack => Some(radius(input)?),
-        JointWord::Revolute | JointWord::Prismatic | JointWord::Slot | JointWord::Weld => None,
+        JointWord::Revolute
+        | JointWord::Prismatic
+        | JointWord::Slot
+        | JointWord::Weld
+        | JointWord::Cam => None,
     };
     let rolling = match size {
         Some(size) => Some(Rolling {
@@ -61,7 +82,7 @@ fn parts(input: ParseStream, kind: JointWord) -> Read<([End; 2], Option<Rolling>
         None => None,
     };
     take(input, ",");
-    Ok(([first, second], rolling))
+    Ok(([first, second], (rolling, law)))
 }
 
 /// Reads `link` or `link.axis`.

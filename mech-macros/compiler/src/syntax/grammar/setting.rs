@@ -4,7 +4,7 @@ use super::expression::expression;
 use super::joint::end;
 use super::recover::{or_skip, to_semicolon};
 use super::statement::{BEGINNINGS, declared};
-use super::tokens::{any_word, in_braces, name, symbol, take, take_word, unexpected};
+use super::tokens::{any_word, comes, in_braces, name, symbol, take, take_word, unexpected};
 use crate::syntax::ast::{Broken, Expr, Motor, Read, Start, StartClause, Statement};
 use crate::syntax::{Message, Place};
 use proc_macro2::{Ident, Span};
@@ -20,16 +20,29 @@ pub(super) fn settled(
         .unwrap_or_else(|error| Statement::Broken(Broken { error, name: None }))
 }
 
-/// Reads `name in low ..= high by step;`.
+/// Whether a motor with a law comes next: `motor name =`.
+pub(super) fn law_comes(input: ParseStream) -> bool {
+    let mut words = input.cursor().ident().filter(|(word, _)| word == "motor");
+    words = words.and_then(|(_, rest)| rest.ident());
+    words.is_some_and(|(_, rest)| rest.punct().is_some_and(|(sign, _)| sign.as_char() == '='))
+}
+
+/// Reads `name = law in low ..= high by step;`.
 pub(super) fn motor(input: ParseStream) -> Statement {
     declared(input, "the name of a joint", |input, joint| {
         settled(input, |input| {
+            let law = take(input, "=").map(|_| expression(input)).transpose()?;
             let range = take_word(input, "in").map(|_| range(input)).transpose()?;
             let step = take_word(input, "by")
                 .map(|_| expression(input))
                 .transpose()?;
             after_step(input)?;
-            Ok(Statement::Motor(Motor { joint, range, step }))
+            Ok(Statement::Motor(Motor {
+                joint,
+                law,
+                range,
+                step,
+            }))
         })
     })
 }
@@ -46,6 +59,9 @@ fn after_step(input: ParseStream) -> Read<()> {
             Place::at(word),
             "`in` stands before `by`; swap the two",
         )),
+        None if comes(input, "=") => {
+            Err(unexpected(input, "`;` (a law stands before `in` and `by`)"))
+        }
         None => Ok(()),
     }
 }

@@ -52,6 +52,7 @@ pub(super) fn text(input: ParseStream) -> Text {
             text.statements.extend(stray(&attributes).map(broken));
             if !input.is_empty() {
                 text.motors += usize::from(comes_word(input, "motor"));
+                text.has_laws |= setting::law_comes(input);
                 text.statements.push(statement(input));
             }
         }

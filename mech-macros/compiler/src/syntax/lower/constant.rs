@@ -6,11 +6,17 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Names of the language that no constant may take.
-const BUILT_IN: [&str; 6] = ["PI", "deg", "sqrt", "sin", "cos", "tan"];
+const BUILT_IN: [&str; 11] = [
+    "PI", "deg", "sqrt", "sin", "cos", "tan", "atan", "exp", "abs", "min", "max",
+];
 
 /// All constants of the text.
 #[derive(Default)]
-pub(super) struct Constants(Vec<Entry>);
+pub(super) struct Constants {
+    entries: Vec<Entry>,
+    /// The variable of the law that is being read.
+    variable: Option<&'static str>,
+}
 
 struct Entry {
     name: String,
@@ -40,7 +46,7 @@ impl Constants {
     fn enter(&mut self, name: &Ident, statement: usize) {
         let name = name.to_string();
         if self.find(&name).is_none() {
-            self.0.push(Entry {
+            self.entries.push(Entry {
                 name,
                 statement,
                 value: None,
@@ -49,14 +55,24 @@ impl Constants {
     }
 
     fn find(&self, name: &str) -> Option<&Entry> {
-        self.0.iter().find(|entry| entry.name == name)
+        self.entries.iter().find(|entry| entry.name == name)
+    }
+
+    /// Names the variable that may stand among constants from here on, for messages.
+    pub(super) fn set_variable(&mut self, variable: Option<&'static str>) {
+        self.variable = variable;
+    }
+
+    /// Whether there is a constant of this name, anywhere in the text.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.find(name).is_some()
     }
 
     /// Gives a constant its value, at its declaration.
     pub(super) fn declare(&mut self, name: &Ident, value: Option<f64>, report: &mut Report) {
         let text = name.to_string();
         let here = report.statement();
-        let entry = self.0.iter_mut().find(|entry| entry.name == text);
+        let entry = self.entries.iter_mut().find(|entry| entry.name == text);
         if BUILT_IN.contains(&text.as_str()) {
             let message = format!("`{text}` belongs to the language; choose another name");
             report.tell(Place::at(name.span()), message);
@@ -87,10 +103,11 @@ impl Constants {
     }
 
     fn remedy(&self, text: &str, here: usize) -> String {
-        let known = self.0.iter().filter(|entry| entry.statement < here);
+        let known = self.entries.iter().filter(|entry| entry.statement < here);
         let known: Vec<_> = known
             .map(|entry| entry.name.as_str())
             .chain(["PI"])
+            .chain(self.variable)
             .collect();
         spelling::remedy(text, &known)
     }

@@ -79,6 +79,16 @@ impl Lowering {
         }
     }
 
+    /// The method that follows laws must not be called as others are.
+    pub(super) fn claim_time_method(&mut self) {
+        let first = self.model.lawful_motors().next().map(|(motor, _)| motor);
+        if let Some(motor) = first {
+            let place = self.places.get(self.model.motor(motor).origin);
+            let owner = "the method that moves motors by their laws".to_owned();
+            self.claim_method("at_time".to_owned(), owner, place);
+        }
+    }
+
     /// Everything that has a method of its own: its name, what it is, where it was declared, and what its rate is called.
     fn told(&self) -> Vec<(String, String, Origin, &'static str)> {
         let model = &self.model;

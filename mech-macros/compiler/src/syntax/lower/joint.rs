@@ -18,8 +18,10 @@ impl Lowering {
             self.names.enter(&joint.name, Named::Broken);
             self.nameless.push(self.report.statement());
         }
-        if let Err(error) = &joint.body {
-            self.report.pass_on(error.clone());
+        match &joint.body {
+            Ok(body) if body.kind == JointWord::Cam => self.cams.push(joint.name.to_string()),
+            Ok(_) => {}
+            Err(error) => self.report.pass_on(error.clone()),
         }
     }
 
@@ -28,7 +30,21 @@ impl Lowering {
         let Ok(body) = &joint.body else {
             return;
         };
+        // A cam refers to joints that may be declared after it.
+        if body.kind == JointWord::Cam {
+            return;
+        }
         if let Some(id) = self.enter_joint(joint, body) {
+            self.names.joint_is(&joint.name, id);
+        }
+    }
+
+    /// Enters a cam, if it can be understood.
+    pub(super) fn lower_cam(&mut self, joint: &Joint) {
+        if let Ok(body) = &joint.body
+            && body.kind == JointWord::Cam
+            && let Some(id) = self.enter_joint(joint, body)
+        {
             self.names.joint_is(&joint.name, id);
         }
     }
@@ -56,6 +72,7 @@ impl Lowering {
                 return named.then(|| self.model.add_slot(&name, origin, point, line));
             }
             JointWord::Gear | JointWord::Belt | JointWord::Rack => self.rolling(joint, body)?,
+            JointWord::Cam => self.cam(joint, body)?,
         };
         named.then(|| {
             let id = JointId::new(self.model.joints.len());

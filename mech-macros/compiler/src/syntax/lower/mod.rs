@@ -1,10 +1,12 @@
 //! From the tree of the text to the model: names get their meaning, numbers their value.
 
 mod action;
+mod cam;
 mod constant;
 mod drawn;
 mod effect;
 mod joint;
+mod law;
 mod link;
 mod method;
 mod motor;
@@ -24,7 +26,7 @@ use self::name::{Named, Names};
 use self::report::Report;
 use super::ast::{Statement, Text};
 use super::{Parsed, Place, Places};
-use crate::model::{LinkId, Model, Origin};
+use crate::model::{JointId, LinkId, Model, Origin};
 use proc_macro2::{Ident, Span};
 
 /// Makes the model of a text.
@@ -32,13 +34,17 @@ pub(super) fn lower(text: Text) -> Parsed {
     let mut lowering = Lowering::new(&text);
     lowering.pass(&text.statements, Lowering::declare);
     lowering.pass(&text.statements, Lowering::join);
+    lowering.pass(&text.statements, Lowering::join_joints);
     lowering.pass(&text.statements, Lowering::set);
     lowering.pass(&text.statements, Lowering::begin);
+    lowering.start_by_laws();
     lowering.check_unlisted();
     lowering.check_actions();
     lowering.claim_rate_methods();
+    lowering.claim_time_method();
     Parsed {
         motors: text.motors,
+        has_laws: text.has_laws,
         header: text.header.map(|(header, _)| header),
         model: lowering.model,
         places: lowering.places,
@@ -61,6 +67,10 @@ struct Lowering {
     ranges: Vec<Ranged>,
     /// Where gravity and the effects of forces stand.
     acting: Acting,
+    /// The names of the cams.
+    cams: Vec<String>,
+    /// The joints whose motors follow laws, and the numbers of these motors' statements.
+    lawful: Vec<(JointId, usize)>,
 }
 
 impl Lowering {
@@ -91,6 +101,8 @@ impl Lowering {
             singles: Vec::new(),
             ranges: Vec::new(),
             acting: Acting::default(),
+            cams: Vec::new(),
+            lawful: Vec::new(),
         }
     }
 
@@ -137,7 +149,14 @@ impl Lowering {
         }
     }
 
-    /// Third: what refers to joints.
+    /// Third: cams, which join joints.
+    fn join_joints(&mut self, statement: &Statement) {
+        if let Statement::Joint(joint) = statement {
+            self.lower_cam(joint);
+        }
+    }
+
+    /// Fourth: what refers to joints.
     fn set(&mut self, statement: &Statement) {
         match statement {
             Statement::Motor(motor) => self.lower_motor(motor),
@@ -155,7 +174,7 @@ impl Lowering {
         }
     }
 
-    /// Fourth: where it starts, which must be within the ranges of the motors; and what is shown, which they may give.
+    /// Fifth: where it starts, which must be within the ranges of the motors; and what is shown, which they may give.
     fn begin(&mut self, statement: &Statement) {
         match statement {
             Statement::Start(start) => self.lower_start(start),

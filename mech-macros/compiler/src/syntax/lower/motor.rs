@@ -1,7 +1,9 @@
 //! Motors, their ranges and steps.
 
 use super::Lowering;
+use super::law;
 use super::rolling;
+use super::value::shown;
 use crate::model::{self, JointId, JointKind, Range};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, Motor};
@@ -24,6 +26,8 @@ impl Lowering {
         let joint = self.driven(&motor.joint);
         let range = self.range(motor);
         let step = self.step(motor);
+        let law = motor.law.as_ref();
+        let law = law.and_then(|law| self.law(law, law::TIME));
         let Some(joint) = joint else {
             return;
         };
@@ -41,7 +45,11 @@ impl Lowering {
             origin,
             range,
             step,
+            law,
         });
+        if law.is_some() {
+            self.lawful.push((joint, self.report.statement()));
+        }
     }
 
     /// The joint of this name, if a motor can drive it.
@@ -117,6 +125,20 @@ impl Lowering {
             )
         };
         self.report.tell(expr.place, text);
+    }
+
+    /// Complains about a law that starts where its motor does not go.
+    pub(super) fn check_law_in_range(&mut self, name: &str, joint: JointId, value: f64) {
+        let ranged = self.ranges.iter().find(|ranged| ranged.joint == joint);
+        let Some(ranged) = ranged.filter(|ranged| !within(value, ranged.range)) else {
+            return;
+        };
+        let text = format!(
+            "motor `{name}` starts at {} by its law, outside its range; widen `{}`, or change the law",
+            shown(value),
+            ranged.written
+        );
+        self.report.tell(self.places.get(ranged.range.origin), text);
     }
 
     /// Complains about motors that start at zero because nothing else was said, and do not go there.

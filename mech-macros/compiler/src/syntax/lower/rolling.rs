@@ -6,12 +6,13 @@ use crate::syntax::Place;
 use crate::syntax::ast::{End, Expr, ExprKind, Joint, JointBody, JointWord, Size};
 use proc_macro2::Ident;
 
-/// What a joint that rolls is called; nothing for other joints.
+/// What a joint without a coordinate is called, one that rolls or a cam; nothing for other joints.
 pub(super) fn word_for(kind: JointKind) -> Option<&'static str> {
     match kind {
         JointKind::Gear { .. } => Some("gear"),
         JointKind::Belt { .. } => Some("belt"),
         JointKind::Rack { .. } => Some("rack"),
+        JointKind::Cam { .. } => Some("cam"),
         JointKind::Revolute(..) | JointKind::Prismatic(..) | JointKind::Weld(..) => None,
     }
 }
@@ -156,6 +157,9 @@ impl Lowering {
 
     /// Where the motor of a joint that rolls should be: on the joint by which one of its parts moves.
     pub(super) fn motor_remedy(&self, rolling: JointId) -> String {
+        if let JointKind::Cam { shaft, .. } = self.model.joint(rolling).kind {
+            return format!("put it on `{}`, its shaft", self.model.joint(shaft).name);
+        }
         let (a, b) = self.model.ends(rolling);
         let rack = matches!(self.model.joint(rolling).kind, JointKind::Rack { .. });
         let found = [(a, false), (b, rack)].into_iter().find_map(|(link, bar)| {

@@ -135,6 +135,13 @@ impl Lowering {
                 word,
                 format!("{verb} that of the joint of its pinion or its bar"),
             ),
+            (Some(word), JointKind::Cam { shaft, .. }) => (
+                word,
+                format!(
+                    "{verb} that of its shaft, `{}`",
+                    self.model.joint(shaft).name
+                ),
+            ),
             (Some(word), _) => (
                 word,
                 format!("{verb} that of the joint of one of its wheels"),

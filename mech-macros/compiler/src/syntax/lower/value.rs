@@ -2,8 +2,9 @@
 
 use super::Lowering;
 use super::report::Report;
+use crate::model::Function;
 use crate::syntax::Place;
-use crate::syntax::ast::{Expr, ExprKind, Function, Pair};
+use crate::syntax::ast::{Expr, ExprKind, Pair};
 use std::f64::consts::PI;
 
 impl Lowering {
@@ -17,13 +18,16 @@ impl Lowering {
             ExprKind::Constant(name) => self.constants.value(name, &mut self.report),
             ExprKind::Negative(inner) => self.value(inner).map(|value| -value),
             ExprKind::Degrees(inner) => self.value(inner).map(f64::to_radians),
-            ExprKind::Sum(terms) => self.chain(terms, |sum, term, minus| {
-                Ok(if minus { sum - term } else { sum + term })
-            }),
+            ExprKind::Sum(terms) => self.chain(terms, |sum, term, minus| Ok(add(sum, term, minus))),
             ExprKind::Product(factors) => self.chain(factors, multiply),
             ExprKind::Call(function, argument) => {
                 let argument = self.value(argument)?;
                 self.call(*function, argument, expr.place)
+            }
+            ExprKind::Extreme(extreme, parts) => {
+                let [a, b] = &**parts;
+                let (a, b) = (self.value(a), self.value(b));
+                Some(extreme.of(a?, b?))
             }
         }
     }
@@ -57,22 +61,15 @@ impl Lowering {
         Some(result)
     }
 
-    fn call(&mut self, function: Function, argument: f64, place: Place) -> Option<f64> {
-        let value = match function {
-            Function::Sqrt if argument < 0.0 => {
-                self.report.tell(
-                    place,
-                    format!("{} has no square root; it is negative", shown(argument)),
-                );
-                return None;
-            }
-            // Not those of the system: what is compiled here must not depend on the machine.
-            Function::Sqrt => libm::sqrt(argument),
-            Function::Sin => libm::sin(argument),
-            Function::Cos => libm::cos(argument),
-            Function::Tan => libm::tan(argument),
-        };
-        finite(value, place, &mut self.report)
+    pub(super) fn call(&mut self, function: Function, argument: f64, place: Place) -> Option<f64> {
+        if function == Function::Sqrt && argument < 0.0 {
+            self.report.tell(
+                place,
+                format!("{} has no square root; it is negative", shown(argument)),
+            );
+            return None;
+        }
+        finite(function.at(argument), place, &mut self.report)
     }
 
     /// The values of a pair. Both are looked at, so that the errors of both are reported.
@@ -130,7 +127,11 @@ impl Lowering {
     }
 }
 
-fn multiply(product: f64, factor: f64, divide: bool) -> Result<f64, &'static str> {
+pub(super) fn add(sum: f64, term: f64, minus: bool) -> f64 {
+    if minus { sum - term } else { sum + term }
+}
+
+pub(super) fn multiply(product: f64, factor: f64, divide: bool) -> Result<f64, &'static str> {
     match (divide, factor) {
         (true, 0.0) => Err("division by zero"),
         (true, _) => Ok(product / factor),
@@ -139,7 +140,7 @@ fn multiply(product: f64, factor: f64, divide: bool) -> Result<f64, &'static str
 }
 
 /// A number for people: without a row of zeros.
-fn shown(value: f64) -> String {
+pub(super) fn shown(value: f64) -> String {
     if value == 0.0 || (1e-4..1e15).contains(&value.abs()) {
         format!("{value}")
     } else {
@@ -147,7 +148,7 @@ fn shown(value: f64) -> String {
     }
 }
 
-fn finite(value: f64, place: Place, report: &mut Report) -> Option<f64> {
+pub(super) fn finite(value: f64, place: Place, report: &mut Report) -> Option<f64> {
     if value.is_finite() {
         return Some(value);
     }

@@ -38,6 +38,9 @@ fn numbers_are_computed() {
         ("A deg", 3_f64.to_radians()),
         ("2 * 90 deg", PI),
         ("sqrt(8100) deg", PI / 2.0),
+        ("atan(1)", PI / 4.0),
+        ("exp(0) + abs(-A)", 4.0),
+        ("min(A, B_2) - max(-1, -2,)", 4.0),
     ] {
         assert_eq!(value(text), expected, "{text}");
     }
@@ -70,6 +73,7 @@ fn a_number_must_be_finite() {
         "const Z = 1 - 1; const A = «2 * 3 / Z» + 1;",
         &["division by zero"],
     );
+    told("const A = «exp(1000)»;", &[large]);
     told(
         "const A = 1 + «sqrt(-1)»;",
         &["-1 has no square root; it is negative"],
@@ -163,7 +167,9 @@ fn what_is_no_number_is_told() {
     );
     told(
         "const A = «log»(2);",
-        &["unknown function `log`; there are `sqrt`, `sin`, `cos`, `tan`"],
+        &[
+            "unknown function `log`; there are `sqrt`, `sin`, `cos`, `tan`, `atan`, `exp`, `abs`, `min`, `max`",
+        ],
     );
     told("const A = sin(1 «2»);", &["expected `)`, found `2`"]);
     told("const A = 2 «PI»;", &["expected `;`, found `PI`"]);

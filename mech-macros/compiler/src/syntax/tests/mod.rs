@@ -1,7 +1,9 @@
 //! Texts, and what is understood of them or told about them.
 
+mod cam;
 mod expression;
 mod joint;
+mod law;
 mod link;
 mod method;
 mod model;

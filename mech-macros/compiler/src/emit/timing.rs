@@ -1,0 +1,209 @@
+//! What the struct of a mechanism has more if motors follow laws.
+
+use super::added::Added;
+use super::block::{binding, scalar};
+use super::items::rested;
+use super::moves::near;
+use super::rates::moved_with;
+use super::scope::{Scope, uses};
+use crate::Compiled;
+use crate::model::{JointKind, Model, Precision};
+use crate::program::{Program, Timed, Timing, Value};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use std::collections::BTreeMap;
+
+/// What laws add to a mechanism. `rest` is what rates leave behind after a move without them.
+pub(super) fn added(
+    krate: &TokenStream,
+    model: &Model,
+    compiled: &Compiled,
+    visibility: &syn::Visibility,
+    rest: &TokenStream,
+) -> Added {
+    let Some(timing) = &compiled.timing else {
+        return Added::default();
+    };
+    Added {
+        imports: imports(krate, &compiled.program, timing),
+        methods: at_time(krate, model, compiled, visibility, rest),
+        steps: laws(model, &compiled.program, timing),
+        ..Added::default()
+    }
+}
+
+/// What laws use beyond what is there anyway.
+fn imports(krate: &TokenStream, program: &Program, timing: &Timing) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    if timing.program.has_exponentials() && !program.has_exponentials() {
+        tokens.extend(quote!(use #krate::generated::exp;));
+    }
+    if program.precision == Precision::F32 {
+        tokens.extend(quote!(
+            use ::core::primitive::f64;
+        ));
+    }
+    tokens
+}
+
+/// The method that moves the motors by their laws.
+fn at_time(
+    krate: &TokenStream,
+    model: &Model,
+    compiled: &Compiled,
+    visibility: &syn::Visibility,
+    rest: &TokenStream,
+) -> TokenStream {
+    let program = &compiled.program;
+    let (scalar, near) = (scalar(program), near(program));
+    let count = Literal::usize_unsuffixed(program.motors.len());
+    let written = model.lawful_motors().map(|(motor, law)| {
+        let joint = &model.joint(model.motor(motor).joint).name;
+        format!("`{joint} = {}`", law.written)
+    });
+    let written: Vec<String> = written.collect();
+    let doc = format!(
+        " Moves the motors that follow laws to where these have them at a time, and everything accordingly: {}.",
+        written.join(", ")
+    );
+    let others = if written.len() < program.motors.len() {
+        quote!(#[doc = " The other motors stay where they are."])
+    } else {
+        TokenStream::new()
+    };
+    let first = model.lawful_motors().next();
+    let first = first.map_or("", |(motor, _)| program.motors[motor.index()].as_str());
+    let effects = model.effects;
+    let found = match (effects.velocity, effects.acceleration) {
+        (false, _) => quote!(motors),
+        (true, false) => quote!((motors, rates)),
+        (true, true) => quote!((motors, rates, accelerations)),
+    };
+    let moved = match &compiled.moving {
+        Some(moving) => moved_with(moving, effects, &quote!(motors)),
+        None => rested(
+            quote!(advance(&mut self.position, motors, &COURSE, #near, step)),
+            rest,
+        ),
+    };
+    let dead = if effects.velocity {
+        quote! {
+            #[doc = " If the time, or the value or a rate of a law at it, is not a finite number, a loop cannot be closed on the"]
+            #[doc = " way there, or it is at a dead point or a change point there, where rates are not determined; the mechanism"]
+            #[doc = " then stays where it was."]
+        }
+    } else {
+        quote! {
+            #[doc = " If the time, or the value of a law at it, is not a finite number, or a loop cannot be closed on the way"]
+            #[doc = " there; the mechanism then stays where it was."]
+        }
+    };
+    quote! {
+        #[doc = #doc]
+        #others
+        ///
+        /// # Errors
+        #dead
+        #visibility fn at_time(&mut self, t: f64) -> Result<(), Blocked<[#scalar; #count]>> {
+            let there = #krate::generated::finite([t], &[#first])
+                .and_then(|()| laws(self.position.motors, t));
+            let #found = match there {
+                Ok(there) => there,
+                Err(stop) => return Err(self.position.refuse(stop)),
+            };
+            #moved
+        }
+    }
+}
+
+/// The laws as a function.
+fn laws(model: &Model, program: &Program, timing: &Timing) -> TokenStream {
+    let mut scope = Scope::new(&timing.program, all_uses(timing));
+    let time = scope.fresh("t");
+    let used = timing.time();
+    if let Some(value) = used {
+        scope.alias(value, time.clone());
+    }
+    let mut body = TokenStream::new();
+    for value in timing.program.live_values() {
+        if !scope.is_bound(value) && scope.deserves_name(value) {
+            body.extend(binding(&timing.program, value, &mut scope));
+        }
+    }
+    let scalar = scalar(program);
+    let count = Literal::usize_unsuffixed(program.motors.len());
+    for timed in &timing.motors {
+        body.extend(follow(model, program, timed, &scope));
+    }
+    let rates = |part: fn(&Timed) -> Option<Value>| {
+        let rate = |motor: usize| {
+            let mut timed = timing.motors.iter();
+            let timed = timed.find(|timed| timed.motor.index() == motor);
+            match (timed.and_then(part), program.precision) {
+                (None, _) => quote!(0.0),
+                (Some(rate), Precision::F64) => scope.expression(rate),
+                (Some(rate), Precision::F32) => {
+                    let rate = scope.expression(rate);
+                    quote!(<f32 as Real>::from_f64(#rate))
+                }
+            }
+        };
+        let rates = (0..program.motors.len()).map(rate);
+        quote!([#(#rates),*])
+    };
+    let [first, second] = [rates(|timed| timed.rate), rates(|timed| timed.second)];
+    let motors = quote!(Motors<#scalar, #count>);
+    let given = quote!([#scalar; #count]);
+    let (kind, result) = match (model.effects.velocity, model.effects.acceleration) {
+        (false, _) => (motors.clone(), quote!(motors)),
+        (true, false) => (quote!((#motors, #given)), quote!((motors, #first))),
+        (true, true) => (
+            quote!((#motors, #given, #given)),
+            quote!((motors, #first, #second)),
+        ),
+    };
+    let time = used.map_or_else(|| quote!(_), |_| quote!(#time));
+    quote! {
+        /// The motors at a time, by their laws.
+        #[inline]
+        fn laws(mut motors: #motors, #time: f64) -> Result<#kind, Stop> {
+            #body
+            Ok(#result)
+        }
+    }
+}
+
+/// The statement that gives a motor the value of its law.
+fn follow(model: &Model, program: &Program, timed: &Timed, scope: &Scope<'_>) -> TokenStream {
+    let motor = timed.motor;
+    let (index, name) = (
+        Literal::usize_unsuffixed(motor.index()),
+        &program.motors[motor.index()],
+    );
+    let value = scope.expression(timed.value);
+    let turns = matches!(
+        model.joint(model.motor(motor).joint).kind,
+        JointKind::Revolute(..)
+    );
+    // Single precision has no digits for many turns and a part of one.
+    if turns && program.precision == Precision::F32 {
+        quote!(motors.turn_by(#index, #value, #name)?;)
+    } else {
+        quote!(motors.follow(#index, #value, #name)?;)
+    }
+}
+
+/// How often each value is used by others, and how often it is given.
+fn all_uses(timing: &Timing) -> BTreeMap<Value, usize> {
+    let program = &timing.program;
+    let mut all: BTreeMap<Value, usize> = BTreeMap::new();
+    for block in program.block_ids() {
+        for (value, count) in uses(program, block) {
+            *all.entry(value).or_insert(0) += count;
+        }
+    }
+    for value in &program.kept {
+        *all.entry(*value).or_insert(0) += 1;
+    }
+    all
+}

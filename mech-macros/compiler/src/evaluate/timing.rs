@@ -1,0 +1,27 @@
+//! The laws of motors, at a time.
+
+use crate::program::{Op, Timing, Value};
+
+impl Timing {
+    /// For each motor that has a law its value, its rate and its second rate at a time, as far as they were asked for, else zero:
+    /// the same bits as the generated code.
+    #[must_use]
+    pub fn at(&self, time: f64) -> Vec<[f64; 3]> {
+        let program = &self.program;
+        let mut values = vec![0.0; program.nodes.len()];
+        for value in program.live_values() {
+            let op = program.node(value).op;
+            let found = match op {
+                Op::Time => Some(time),
+                op => op.apply(|value: Value| values[value.index()]),
+            };
+            values[value.index()] = found.unwrap_or_default();
+        }
+        let get = |value: Value| values[value.index()];
+        let timed = self.motors.iter().map(|timed| {
+            let rates = [timed.rate, timed.second].map(|rate| rate.map_or(0.0, get));
+            [get(timed.value), rates[0], rates[1]]
+        });
+        timed.collect()
+    }
+}

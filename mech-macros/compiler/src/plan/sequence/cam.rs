@@ -1,0 +1,80 @@
+//! What cams add to the search: joints whose coordinates are functions of others.
+
+use super::Search;
+use super::rolling::coordinate;
+use crate::model::{JointId, JointKind};
+use crate::plan::coupled;
+use crate::plan::knowledge::Knowledge;
+use crate::plan::step::{Cam, Connection, ConnectionKind, Source, Step};
+
+impl Search<'_> {
+    /// Finds one follower that a cam moves whose shaft is known.
+    pub(super) fn cam(&mut self) -> bool {
+        // Of several the name decides which comes first, which no reordering changes.
+        let name = |cam: &Cam| self.model.joint(cam.by).name.clone();
+        let cams = self.model.cams();
+        let found = cams.filter_map(|(by, shaft, follower, _)| self.driven(by, shaft, follower));
+        let Some(cam) = found.min_by_key(name) else {
+            return false;
+        };
+        let how = Knowledge::of(cam.parts.iter().map(|(source, _)| &self.behind[*source]));
+        let (from, to) = self.link_of(cam.connection);
+        let source = match cam.connection.kind {
+            ConnectionKind::Revolute => Source::Angle { from, to },
+            ConnectionKind::Prismatic => Source::Way(cam.connection.joint),
+        };
+        self.source(source, &coordinate(cam.connection, (from, to)), how.clone());
+        self.merge(&[from, to], &how);
+        self.steps.push(Step::Cam(cam));
+        true
+    }
+
+    /// How a cam moves its follower, if its shaft is known and the follower is not.
+    fn driven(&self, by: JointId, shaft: JointId, follower: JointId) -> Option<Cam> {
+        let (shaft, follower) = (self.declared(shaft)?, self.declared(follower)?);
+        let parts = self.ledger.value(&coordinate(shaft, self.link_of(shaft)))?;
+        let (from, to) = self.link_of(follower);
+        let turns = follower.kind == ConnectionKind::Revolute;
+        let held = turns && self.aligned.equiv(from.index(), to.index());
+        if held || self.clusters.joined(from, to) {
+            return None;
+        }
+        Some(Cam {
+            by,
+            connection: follower,
+            parts,
+        })
+    }
+
+    /// A joint with a coordinate, as it is declared.
+    fn declared(&self, joint: JointId) -> Option<Connection> {
+        let (kind, from, to) = match self.model.joint(joint).kind {
+            JointKind::Revolute(from, to) => (ConnectionKind::Revolute, from, to),
+            JointKind::Prismatic(from, to) => (ConnectionKind::Prismatic, from, to),
+            _ => return None,
+        };
+        Some(Connection {
+            kind,
+            from,
+            to,
+            joint,
+        })
+    }
+
+    /// A cam that was of no use, unless loops that wait for each other are why.
+    pub(super) fn idle_cam(&self) -> Option<JointId> {
+        let used = |cam: JointId| {
+            let mut steps = self.steps.iter();
+            steps.any(|step| matches!(step, Step::Cam(step) if step.by == cam))
+        };
+        let idle = self
+            .model
+            .cams()
+            .map(|(cam, ..)| cam)
+            .find(|&cam| !used(cam))?;
+        let waits = coupled::block(&self.connections())
+            .map(|block| self.described(block))
+            .is_some_and(|found| self.is_square(&found));
+        (!waits).then_some(idle)
+    }
+}

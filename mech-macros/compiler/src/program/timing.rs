@@ -1,0 +1,109 @@
+//! What motors do in time: their laws as a program of their own, in double precision whatever the mechanism is computed in.
+
+use super::build::{Seed, Tangents};
+use super::builder::Builder;
+use super::live::live;
+use super::node::{Op, Value};
+use super::{Position, Program};
+use crate::model::{Model, MotorId, Precision};
+
+/// The laws of all motors that have one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Timing {
+    /// The operations: one straight block.
+    pub program: Program,
+    /// What each of these motors is given, in the order of their declaration.
+    pub motors: Vec<Timed>,
+}
+
+/// What a motor is given at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Timed {
+    /// The motor.
+    pub motor: MotorId,
+    /// Its value, in radians or scene units.
+    pub value: Value,
+    /// Its rate, if velocities are asked for.
+    pub rate: Option<Value>,
+    /// Its second rate, if accelerations are asked for.
+    pub second: Option<Value>,
+}
+
+impl Timed {
+    /// All that it is given.
+    fn values(&self) -> impl Iterator<Item = Value> {
+        [Some(self.value), self.rate, self.second]
+            .into_iter()
+            .flatten()
+    }
+}
+
+impl Timing {
+    /// The value of the time, if any law depends on it.
+    #[must_use]
+    pub fn time(&self) -> Option<Value> {
+        let mut live = self.program.live_values();
+        live.find(|&value| self.program.node(value).op == Op::Time)
+    }
+}
+
+/// Writes the laws of the motors, and their rates as far as effects ask for them; nothing, if no motor has a law.
+#[must_use]
+pub fn build_timing(model: &Model) -> Option<Timing> {
+    model.lawful_motors().next()?;
+    let mut builder = Builder::new(Position::default());
+    builder.block(
+        "laws".to_owned(),
+        "What the laws of the motors say.".to_owned(),
+    );
+    let time = builder.make(Op::Time);
+    let mut tangents = Tangents::new(Seed::Given);
+    let mut motors = Vec::new();
+    for (motor, law) in model.lawful_motors() {
+        let name = &model.joint(model.motor(motor).joint).name;
+        let value = builder.law(law, time);
+        if value != time {
+            builder.name(value, name);
+        }
+        let mut differentiate = |value: Value, name: String| {
+            let rate = tangents.of_all_up_to(&mut builder, value);
+            builder.name(rate, name)
+        };
+        let effects = model.effects;
+        let rate = effects
+            .velocity
+            .then(|| differentiate(value, format!("{name}_rate")));
+        let second = rate
+            .filter(|_| effects.acceleration)
+            .map(|rate| differentiate(rate, format!("{name}_acceleration")));
+        motors.push(Timed {
+            motor,
+            value,
+            rate,
+            second,
+        });
+    }
+    let mut program = Program {
+        name: model.name.clone(),
+        precision: Precision::F64,
+        nodes: builder.nodes,
+        blocks: builder.blocks,
+        motors: Vec::new(),
+        stored: Vec::new(),
+        links: Vec::new(),
+        poses: Vec::new(),
+        kept: motors.iter().flat_map(Timed::values).collect(),
+        watches: Vec::new(),
+        senses: None,
+        strides: None,
+        range: None,
+        overflows: false,
+        curved: true,
+        motion: None,
+        live: Vec::new(),
+        start: Position::default(),
+    };
+    program.live = live(&program);
+    program.cut_chains();
+    Some(Timing { program, motors })
+}

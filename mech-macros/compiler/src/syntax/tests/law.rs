@@ -1,0 +1,163 @@
+//! Laws of motors.
+
+use super::{good, told};
+use crate::model::Law;
+
+/// A mechanism whose motor follows a law, with something before it.
+fn with_law(before: &str, law: &str) -> String {
+    format!(
+        "{before} ground {{ point o = (0, 0); }} link crank {{ point o = (0, 0); }}
+        joint a = revolute(ground.o, crank.o); motor a = {law};"
+    )
+}
+
+fn law(text: &str) -> Law {
+    let text = format!("struct M; {}", with_law("const A = 3;", text));
+    let model = good(&text).model;
+    let law = model.motors[0].law.expect("the motor has a law");
+    model.law(law).clone()
+}
+
+#[test]
+fn laws_are_functions_of_the_time() {
+    for (text, time, expected) in [
+        ("t", 0.5, 0.5),
+        ("7", 0.5, 7.0),
+        ("A * t - t / A", 1.5, 4.0),
+        ("2 * 3 * t / 2 / 3", 5.0, 5.0),
+        ("-t", 2.0, -2.0),
+        ("t deg", 180.0, std::f64::consts::PI),
+        ("sqrt(t) + abs(-t)", 4.0, 6.0),
+        ("sin(0 * t) + cos(0 * t) + tan(0 * t)", 1.0, 1.0),
+        ("atan(t) + exp(t)", 0.0, 1.0),
+        ("min(t, 2) - max(2, t)", 5.0, -3.0),
+        ("min(t, t * t)", 0.5, 0.25),
+        ("1 / (t - A + 4)", 3.0, 0.25),
+    ] {
+        assert_eq!(law(text).at(time), expected, "{text}");
+    }
+}
+
+#[test]
+fn a_law_is_kept_as_it_was_written() {
+    assert_eq!(law("A*(t-1) deg").written, "A * (t - 1) deg");
+    assert_eq!(law("max(0,-t)").written, "max(0, -t)");
+}
+
+#[test]
+fn a_motor_starts_where_its_law_has_it() {
+    let model = good(&format!("struct M; {}", with_law("", "cos(t) + t"))).model;
+    let joint = model.motors[0].joint;
+    assert_eq!(model.start.value(joint), 1.0);
+    let text = format!(
+        "struct M; {} start {{ a = 90 deg; }}",
+        with_law("", "PI / 2 + t")
+    );
+    assert_eq!(good(&text).model.start.values.len(), 1);
+}
+
+#[test]
+fn what_is_wrong_with_a_law_is_told_where_it_is() {
+    let cases = [
+        ("2 * «w» * t", "unknown constant `w`; there are `PI`, `t`"),
+        ("«2 / 0» * t", "division by zero"),
+        ("t + «t / (1 - 1)»", "division by zero"),
+        ("t * «sqrt(-1)»", "-1 has no square root; it is negative"),
+        (
+            "1 + «1e300 * 1e300» * t",
+            "this number is too large; the largest is about 1.8e308",
+        ),
+        ("t * «si»(t)", "unknown function `si`; did you mean `sin`?"),
+        ("min(t«)»", "expected `,`"),
+        ("min(t, 1, «2»)", "expected `)`, found `2`"),
+        (
+            "«sqrt(t - 1)»",
+            "motor `a` starts where its law has it when the time is 0, but `sqrt(t - 1)` has no value there; change it so that it has one",
+        ),
+        (
+            "«1 / t»",
+            "motor `a` starts where its law has it when the time is 0, but `1 / t` has no value there; change it so that it has one",
+        ),
+    ];
+    for (law, message) in cases {
+        told(&with_law("", law), &[message]);
+    }
+}
+
+#[test]
+fn all_errors_of_a_law_are_told() {
+    let law = "«u» * t + sin(«v») / t";
+    let unknown = |name| format!("unknown constant `{name}`; there are `PI`, `t`");
+    told(&with_law("", law), &[&unknown("u"), &unknown("v")]);
+}
+
+#[test]
+fn the_time_is_nothing_outside_of_laws() {
+    told(
+        "const A = «t»;",
+        &["unknown constant `t`; there is only `PI`"],
+    );
+    let text = with_law("const t = 3;", "2 * «t»");
+    let message =
+        "`t` is the variable of this law, and a constant too; give the constant another name";
+    told(&text, &[message]);
+    // Who does not ask for the time may call a constant so.
+    good(&format!("struct M; {}", with_law("const t = 3;", "2")));
+}
+
+#[test]
+fn a_start_must_be_that_of_the_law() {
+    let text = format!("{} start {{ «a = 0.25»; }}", with_law("", "0.5 + t"));
+    let message =
+        "motor `a` starts at 0.5 by its law, not at 0.25; leave this out, or change one of the two";
+    told(&text, &[message]);
+}
+
+#[test]
+fn what_is_drawn_starts_at_zero() {
+    let text = "link crank; joint a = revolute(ground, crank) at (0, 0); motor a = «cos(t)»;";
+    let message = "joint `a` is placed in the drawing, where its coordinate is 0, but its law starts at 1; \
+        make the law 0 when `t` is 0, or draw its links as they are to start";
+    told(text, &[message]);
+    let text =
+        "struct M; link crank; joint a = revolute(ground, crank) at (0, 0); motor a = sin(t + PI);";
+    assert_eq!(good(text).model.start.values[0].value, 0.0);
+}
+
+#[test]
+fn a_law_may_have_a_range_and_a_step() {
+    let model = good(&format!(
+        "struct M; {}",
+        with_law("", "sin(t) in -1 ..= 1 by 1 deg")
+    ))
+    .model;
+    assert!(model.motors[0].range.is_some() && model.motors[0].step.is_some());
+    let text = with_law("", "2 + t in «-1 ..= 1»");
+    let message =
+        "motor `a` starts at 2 by its law, outside its range; widen `-1 ..= 1`, or change the law";
+    told(&text, &[message]);
+    let text = "ground { point o = (0, 0); } link crank { point o = (0, 0); }
+        joint a = revolute(ground.o, crank.o); motor a by 1 «=» t;";
+    told(
+        text,
+        &["expected `;` (a law stands before `in` and `by`), found `=`"],
+    );
+}
+
+#[test]
+fn nothing_else_may_be_called_as_the_method_that_follows_laws() {
+    let text = "ground { point o = (0, 0); } link at { point time = (0, 0); }
+        joint a = revolute(ground.o, at.time); motor «a» = t;";
+    let message = "the method that moves motors by their laws and point `at.time` would both be the method `at_time`; \
+        rename one of them";
+    told(text, &[message]);
+}
+
+#[test]
+fn very_long_laws_are_none() {
+    let law = vec!["t"; 1001].join(" + ");
+    told(
+        &with_law("", &format!("«{law}»")),
+        &["a law has 1000 numbers and operations at most; this one has more"],
+    );
+}

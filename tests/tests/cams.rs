@@ -1,0 +1,383 @@
+//! Cams: followers are where the law of their shaft has them, at every rate.
+
+use mech_compiler::compile;
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{Model, Shown};
+use mech_compiler::program::build;
+use mech_compiler::structure::{Diagnosis, RangeTrouble};
+use mech_compiler::syntax::parse;
+use mech_runtime::{Cause, Phase};
+use mech_tests::{Dice, add_cam, grow, with_ground, worst_gap};
+use proc_macro2::TokenStream;
+use std::f64::consts::{PI, TAU};
+
+mod generated {
+    use mech_runtime::mechanism;
+
+    mechanism! {
+        /// A cam lifts a slider: harmonically, with a dwell.
+        pub struct Lifter;
+        const LIFT = 0.2;
+        ground { point shaft = (0, 0); line guide = (0, 1) -> (0, 1); }
+        link disk { point shaft = (0, 0); point mark = (0.3, 0); }
+        link valve { line stem = (0, 0) -> (0, 1); point top = (0, 0.5); }
+        joint a = revolute(ground.shaft, disk.shaft);
+        joint h = prismatic(ground.guide, valve.stem);
+        joint c = cam(a, h, LIFT * (1 - cos(q)) + max(0, 0.1 * sin(2 * q)));
+        motor a;
+        effects { velocity; acceleration; }
+    }
+
+    mechanism! {
+        /// A gear drives a cam, that an oscillating lever, that a slider by a rod: `c` is declared before its joints.
+        pub struct Train;
+        ground { point m = (-3, 0); point o = (0, 0); point p = (2, 0); line rail = (0, 3) -> (1, 0); }
+        link pinion { point o = (0, 0); }
+        link disk { point o = (0, 0); }
+        link lever { point p = (0, 0); point end = (0, 2); }
+        link rod { point first = (0, 0); point last = (2.5, 0); }
+        link block { point pin = (0, 0); line rail = (0, 0) -> (1, 0); }
+        joint c = cam(s, l, 0.4 * sin(q) * sin(q) - 0.1 * cos(3 * q));
+        joint m = revolute(ground.m, pinion.o);
+        joint s = revolute(ground.o, disk.o);
+        joint mesh = gear(pinion, disk, 20 : 30);
+        joint l = revolute(ground.p, lever.p);
+        joint x = revolute(lever.end, rod.first);
+        joint y = revolute(rod.last, block.pin);
+        joint z = prismatic(ground.rail, block.rail);
+        motor m;
+        start { rod near 20 deg; }
+        effects { velocity; acceleration; }
+    }
+
+    mechanism! {
+        /// The rocker of a four-bar turns the cam: its angle comes from a loop.
+        pub struct Rocking;
+        link crank; link coupler; link rocker; link follower;
+        joint a = revolute(ground, crank) at (0, 0);
+        joint b = revolute(crank, coupler) at (0.8, 0.6);
+        joint c = revolute(coupler, rocker) at (3.3, 2.9);
+        joint d = revolute(ground, rocker) at (4, 0);
+        joint f = prismatic(ground, follower) at (6, 0) along (0, 1);
+        joint k = cam(d, f, q * q + 0.3 * q);
+        motor a;
+        effects { velocity; acceleration; }
+    }
+
+    mechanism! {
+        /// A screw: the law is linear and goes on for ever; and a wheel that turns by it twice as fast.
+        pub struct Screw;
+        ground { point o = (0, 0); line rail = (0, 0) -> (1, 0); point p = (0, 2); point r = (0, 4); }
+        link nut { line rail = (0, 0) -> (1, 0); }
+        link spindle { point o = (0, 0); }
+        link twice { point o = (0, 0); }
+        link wave { line rail = (0, 0) -> (1, 0); }
+        joint a = revolute(ground.o, spindle.o);
+        joint n = prismatic(ground.rail, nut.rail);
+        joint t = revolute(ground.p, twice.o);
+        joint w = prismatic(ground.rail, wave.rail);
+        joint thread = cam(a, n, 0.001 * q);
+        joint double = cam(a, t, 2 * q + 0.25 * sin(q));
+        joint waving = cam(n, w, sin(1000 * q) / 2);
+        motor a;
+        effects { velocity; }
+    }
+
+    mechanism! {
+        /// A law that ends.
+        pub struct Ending: f32;
+        ground { point o = (0, 0); line rail = (0, 0) -> (1, 0); }
+        link disk { point o = (0, 0); }
+        link block { line rail = (0, 0) -> (1, 0); }
+        joint a = revolute(ground.o, disk.o);
+        joint x = prismatic(ground.rail, block.rail);
+        joint c = cam(a, x, sqrt(1 - q) + exp(q) / (q - 3));
+        motor a;
+    }
+
+    mechanism! {
+        /// A rack on a follower, which counts the turns of a pinion from its way, and a cam in time.
+        pub struct Counting;
+        ground { point o = (0, 0); line rail = (0, 0) -> (1, 0); point p = (0, 3); }
+        link disk { point o = (0, 0); }
+        link bar { line rail = (0, 0) -> (1, 0); }
+        link pinion { point o = (0, 0); }
+        joint a = revolute(ground.o, disk.o);
+        joint x = prismatic(ground.rail, bar.rail);
+        joint p = revolute(ground.p, pinion.o);
+        joint c = cam(a, x, 3 * sin(q));
+        joint r = rack(pinion, bar, radius 0.1);
+        motor a = 2 * PI * t;
+        effects { velocity; acceleration; }
+    }
+}
+
+/// First and second differences of fourth order of a function round a place.
+fn differences(at: impl Fn(f64) -> f64, place: f64) -> [f64; 2] {
+    const STEP: f64 = 1e-3;
+    let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|number| at(place + number * STEP));
+    [
+        (a - 8.0 * b + 8.0 * d - e) / (12.0 * STEP),
+        (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * STEP * STEP),
+    ]
+}
+
+#[test]
+fn a_follower_is_where_its_law_has_it() {
+    let law = |q: f64| 0.2 * (1.0 - q.cos()) + (0.1 * (2.0 * q).sin()).max(0.0);
+    let mut lifter = generated::Lifter::new();
+    for step in -400..400 {
+        let angle = 0.037 * f64::from(step);
+        lifter.move_with([angle], [1.5], [0.7]).expect("it moves");
+        assert!((lifter.h() - law(angle)).abs() < 1e-14);
+        assert!((lifter.valve_top().y - (1.5 + law(angle))).abs() < 1e-14);
+        // Not where it has a corner.
+        if (2.0 * angle).sin().abs() < 0.02 {
+            continue;
+        }
+        let [first, second] = differences(law, angle);
+        assert!((lifter.h_rate() - 1.5 * first).abs() < 1e-10, "{angle}");
+        let expected = 2.25 * second + 0.7 * first;
+        assert!((lifter.h_acceleration() - expected).abs() < 1e-7, "{angle}");
+    }
+}
+
+#[test]
+fn a_cam_drives_what_hangs_on_its_follower() {
+    let law = |q: f64| 0.4 * q.sin() * q.sin() - 0.1 * (3.0 * q).cos();
+    let at = |m: f64| {
+        let mut train = generated::Train::new();
+        train.move_to([m]).expect("it moves");
+        train
+    };
+    let mut train = generated::Train::new();
+    for step in 0..300 {
+        let m = 0.05 * f64::from(step) - 3.0;
+        train.move_with([m], [1.0], [0.0]).expect("it moves");
+        let lever = law(-m * 2.0 / 3.0);
+        assert!((train.l() - lever).abs() < 1e-13, "{m}");
+        // The slider-crank that the lever makes with the rod, by hand.
+        let (pin_x, pin_y) = (2.0 - 2.0 * lever.sin(), 2.0 * lever.cos());
+        let slide = pin_x + (2.5_f64.powi(2) - (3.0 - pin_y).powi(2)).sqrt();
+        assert!(
+            (train.z() - slide).abs() < 1e-12,
+            "{m}: {} {slide}",
+            train.z()
+        );
+        let [first, second] = differences(|m| at(m).z(), m);
+        assert!((train.z_rate() - first).abs() < 1e-9, "{m}");
+        assert!((train.z_acceleration() - second).abs() < 1e-7, "{m}");
+    }
+}
+
+#[test]
+fn a_loop_may_turn_the_shaft() {
+    let mut rocking = generated::Rocking::new();
+    for step in 0..400 {
+        let a = 0.05 * f64::from(step);
+        rocking.move_with([a], [1.0], [0.0]).expect("it moves");
+        let q = rocking.d();
+        assert!((rocking.f() - (q * q + 0.3 * q)).abs() < 1e-13);
+        let (rate, second) = (rocking.d_rate(), rocking.d_acceleration());
+        let slope = 2.0 * q + 0.3;
+        assert!((rocking.f_rate() - slope * rate).abs() < 1e-12);
+        let expected = slope * second + 2.0 * rate * rate;
+        assert!((rocking.f_acceleration() - expected).abs() < 1e-11);
+    }
+}
+
+#[test]
+fn a_million_turns_do_not_matter() {
+    let mut screw = generated::Screw::new();
+    let turned = Phase::new(1_000_000, 1 << 62);
+    screw.turn_to(turned).expect("it turns");
+    let angle = TAU * 1_000_000.25;
+    assert!((screw.n() - 0.001 * angle).abs() < 1e-11);
+    // Twice a quarter turn, and the wave in it: exact, since whole turns are not in it.
+    let double = PI + 0.25;
+    let off = screw.t() - (double - TAU);
+    assert!(off.abs() < 1e-14, "{off:e}");
+    // The wave of the nut is as exact as its way is: sixteen digits of a million turns.
+    assert!((screw.w() - angle.sin() / 2.0).abs() < 1e-8);
+    let mut lifter = generated::Lifter::new();
+    lifter.turn_to(turned).expect("it turns");
+    assert!((lifter.h() - 0.2).abs() < 1e-15);
+    lifter.move_to([TAU * 1e7 + 0.5]).expect("it turns");
+    let expected = 0.2 * (1.0 - 0.5_f64.cos()) + 0.1 * 1.0_f64.sin();
+    assert!((lifter.h() - expected).abs() < 1e-7);
+}
+
+#[test]
+fn where_the_law_ends_the_mechanism_stays() {
+    let mut ending = generated::Ending::new();
+    ending.move_to([0.75]).expect("it moves");
+    let there = ending;
+    let blocked = ending.move_to([1.5]).expect_err("there is no root");
+    assert_eq!(blocked.cause, Cause::Overflow);
+    assert_eq!(ending, there);
+    assert!(ending.move_to([f32::NAN]).is_err());
+    assert_eq!(ending, there);
+    let x = 0.5 + 0.75_f32.exp() / (0.75 - 3.0);
+    assert!((ending.x() - x).abs() < 1e-6);
+}
+
+#[test]
+fn what_rolls_may_hang_on_a_follower() {
+    let mut counting = generated::Counting::new();
+    for step in 0..200 {
+        let time = 0.007 * f64::from(step);
+        counting.at_time(time).expect("it moves");
+        let way = 3.0 * (TAU * time).sin();
+        assert!((counting.x() - way).abs() < 1e-12);
+        let angle = (way / 0.1).rem_euclid(TAU);
+        let off = (counting.p() - angle).rem_euclid(TAU);
+        assert!(off.min(TAU - off) < 1e-10, "{time}: {off}");
+        let rate = TAU * 30.0 * (TAU * time).cos();
+        assert!((counting.p_rate() - rate).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn the_report_tells_of_cams() {
+    let report = generated::Train::REPORT;
+    let line =
+        "  cam       c: l = 0.4 * sin(q) * sin(q) - 0.1 * cos(3 * q), q the coordinate of s\n";
+    assert!(report.contains(line), "{report}");
+    assert!(report.contains("mobility  1 = 3·5 − 2·6 − 2"), "{report}");
+    assert!(report.contains("driven by cam c"), "{report}");
+}
+
+fn model(text: &str) -> Model {
+    let parsed = parse(text.parse::<TokenStream>().expect("tokens"));
+    let errors: Vec<_> = parsed.errors.iter().map(|error| &error.text).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    parsed.model
+}
+
+const PARTS: &str = "struct M;
+    ground { point o = (0, 0); point p = (3, 0); line rail = (0, 1) -> (1, 0); }
+    link disk { point o = (0, 0); }
+    link lever { point p = (0, 0); }
+    joint s = revolute(ground.o, disk.o);
+    joint f = revolute(ground.p, lever.p);";
+
+fn diagnosed(rest: &str) -> Vec<Diagnosis> {
+    compile(&model(&format!("{PARTS} {rest}"))).expect_err("it is wrong")
+}
+
+#[test]
+fn what_cannot_be_followed_is_told() {
+    let backwards = diagnosed("joint c = cam(s, f, 0.1 * sin(q)); motor f;");
+    assert!(
+        matches!(backwards[..], [Diagnosis::CamNotDriven { .. }]),
+        "{backwards:?}"
+    );
+    let nowhere = diagnosed("joint c = cam(s, f, 1 / q); motor s;");
+    assert!(
+        matches!(nowhere[..], [Diagnosis::CamWithoutValue { .. }]),
+        "{nowhere:?}"
+    );
+    let started = diagnosed("joint c = cam(s, f, q); motor s; start { f = 1; }");
+    assert!(
+        matches!(started[..], [Diagnosis::StartNotFree { .. }]),
+        "{started:?}"
+    );
+    let ranged = diagnosed("joint c = cam(s, f, q); motor s in -1 ..= 1;");
+    let trouble = RangeTrouble::Cam(mech_compiler::model::JointId::new(2));
+    assert!(
+        matches!(&ranged[..], [Diagnosis::Range { trouble: found, .. }] if *found == trouble),
+        "{ranged:?}"
+    );
+    let twice = diagnosed("joint c = cam(s, f, q); joint d = cam(s, f, sin(q)); motor s;");
+    assert!(
+        matches!(
+            twice[..],
+            [Diagnosis::Overdetermined { .. } | Diagnosis::Blocked { .. }]
+        ),
+        "{twice:?}"
+    );
+    let free = diagnosed("joint c = cam(s, f, q);");
+    assert!(
+        matches!(free[..], [Diagnosis::NoMotor { freedom: 1, .. }]),
+        "{free:?}"
+    );
+    let both = diagnosed("joint c = cam(s, f, q); motor s; motor f;");
+    assert!(
+        matches!(both[..], [Diagnosis::TooManyMotors { .. }]),
+        "{both:?}"
+    );
+}
+
+#[test]
+fn a_law_that_does_not_vary_holds_its_follower() {
+    let held = format!("{PARTS} joint c = cam(s, f, 0.5); motor s;");
+    assert!(compile(&model(&held)).is_ok());
+    let driven = diagnosed("joint c = cam(s, f, 0.5); motor f;");
+    assert!(
+        driven.iter().any(|one| matches!(
+            one,
+            Diagnosis::Blocked { .. } | Diagnosis::TooManyMotors { .. }
+        )),
+        "{driven:?}"
+    );
+}
+
+fn cases() -> u64 {
+    std::env::var("MECH_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(200)
+}
+
+/// Random mechanisms with random cams: each follower is where its law has it, and what is shown alone moves as in the whole.
+#[test]
+fn random_followers_are_where_their_laws_have_them() {
+    let (mut compiled, mut moved) = (0, 0);
+    for seed in 0..cases() {
+        let mut dice = Dice::new(seed);
+        let additions = 1 + dice.below(6);
+        let mut model = grow(&mut dice, additions).model;
+        let cams: Vec<_> = (0..1 + dice.below(3))
+            .filter_map(|_| add_cam(&mut model, &mut dice))
+            .collect();
+        let Some(&last) = cams.last() else { continue };
+        let whole = compile(&model).unwrap_or_else(|wrong| panic!("seed {seed}: {wrong:?}"));
+        compiled += 1;
+        let link = model.ends(last).1;
+        let mut part = model.clone();
+        part.show = Some(vec![Shown::Link(link)]);
+        assert!(compile(&part).is_ok(), "seed {seed}: a part is coherent");
+        // Every loop solved in the same way, whatever is left out.
+        let [whole, part] = [&model, &part].map(|one| build(one, &whole.plan));
+        let [place, own] = [&whole, &part].map(|one| one.place_of(link).expect("it is shown"));
+        let mut machine = Machine::<f64>::new(&whole);
+        let mut alone = Machine::<f64>::new(&part);
+        for _ in 0..20 {
+            let motors: Vec<f64> = machine
+                .position()
+                .motors
+                .iter()
+                .map(|motor| motor + dice.between(-0.5, 0.5))
+                .collect();
+            if machine.move_to(&motors).is_err() {
+                continue;
+            }
+            moved += 1;
+            let poses = with_ground(&model, &machine.position().poses);
+            let reach = poses
+                .iter()
+                .map(|pose| pose[2].hypot(pose[3]))
+                .fold(10.0, f64::max);
+            let gap = worst_gap(&model, &poses);
+            assert!(gap < 1e-11 * reach, "seed {seed}: {gap:e}");
+            alone.move_to(&motors).expect("less is in the way");
+            assert_eq!(
+                machine.position().poses[place],
+                alone.position().poses[own],
+                "seed {seed}"
+            );
+        }
+    }
+    println!("{compiled} compiled, {moved} moves");
+    assert!(compiled > cases() / 3 && moved > 3 * cases());
+}

@@ -1,0 +1,13 @@
+mech_runtime::mechanism! {
+    struct Crank;
+    ground { point o = (0, 0); }
+    link crank { point shaft = (0, 0); }
+    joint a = revolute(ground.o, crank.shaft);
+    motor a = 0.5 + t;
+    start { a = 90 deg; }
+}
+
+fn main() {
+    // The method is there all the same.
+    let _ = Crank::new().at_time(1.0);
+}
