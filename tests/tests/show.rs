@@ -63,6 +63,7 @@ impl Carried {
                 Step::Weld(connection) => (vec![*connection], Vec::new(), None),
                 Step::Drive(drive) => (vec![drive.connection], Vec::new(), None),
                 Step::Mesh(mesh) => (vec![mesh.connection], mesh.parts.clone(), None),
+                Step::Cam(cam) => (vec![cam.connection], cam.parts.clone(), None),
                 Step::Close(closing) => {
                     let ties = closing.ties.iter().flat_map(|tie| tie.sources.clone());
                     let rings = closing.rings.concat();
