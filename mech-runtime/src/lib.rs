@@ -24,6 +24,7 @@ pub mod raster;
 mod rate;
 mod scalar;
 mod shape;
+mod trace;
 
 pub use blocked::{Blocked, Cause, Reached};
 pub use columns::{BlockedAt, Columns};
@@ -37,6 +38,7 @@ pub use raster::{Canvas, Frame, Palette, View};
 pub use rate::{Acceleration, Velocity};
 pub use scalar::Scalar;
 pub use shape::{Outline, Shape};
+pub use trace::Trace;
 
 #[doc(hidden)]
 pub use mech_macros::mechanism as expand_mechanism;
@@ -229,6 +231,35 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// crank.move_with([0.0], [3.0], [0.0])?; // its value, its rate, its second rate
 /// assert_eq!(crank.crank_pin_velocity().y, 6.0);
 /// assert_eq!(crank.crank_pin_acceleration().x, -18.0); // towards the shaft
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
+/// ## Traces
+///
+/// `trace LINK.POINT LENGTH;` keeps the last places of a named point, one for each move that succeeds, in the struct itself: a
+/// [`Trace`], told by `rod_middle_trace()` and forgotten by `clear_traces()`. At the start it is empty. The point's link is solved
+/// even if `show` leaves it out. `draw` paints it as a line of 1.5 pixels, behind all links; `on plane 1` says otherwise (in that plane
+/// it lies above the ground and below the links), `color 5` chooses another colour than ink.
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct SliderCrank;
+///     link crank;
+///     link rod { point middle = (2.5, 0.25); }
+///     link block;
+///     joint a = revolute(ground, crank) at (0, 0);
+///     joint b = revolute(crank, rod) at (1, 0.5);
+///     joint c = revolute(rod, block) at (4, 0);
+///     joint x = prismatic(ground, block) at (4, 0) along (1, 0);
+///     motor a;
+///     effects { trace rod.middle 64; }
+/// }
+/// let mut slider_crank = SliderCrank::new();
+/// for step in 0..100 {
+///     slider_crank.move_to([f64::from(step) * 0.1])?;
+/// }
+/// assert_eq!(slider_crank.rod_middle_trace().len(), 64);
+/// assert_eq!(slider_crank.rod_middle_trace().iter().next_back(), Some(slider_crank.rod_middle()));
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///

@@ -49,20 +49,29 @@ macro_rules! subject {
     };
 }
 
+/// One with the path of a point.
+macro_rules! traced {
+    ($module:ident ($link:ident.$point:ident): { $($text:tt)* }) => {
+        subject!($module: { $($text)* effects { trace $link.$point 256; } } (angle) => ([angle]), move_to, || None,
+            concat!("position, `trace ", stringify!($link), ".", stringify!($point), " 256`"));
+    };
+}
+
 /// All kinds of one mechanism.
 macro_rules! kinds {
-    ($position:ident, $velocity:ident, $acceleration:ident, $shown:ident, $show:tt: { $($text:tt)* }) => {
+    ($position:ident, $velocity:ident, $acceleration:ident, $traced:ident $trace:tt, $shown:ident, $show:tt: { $($text:tt)* }) => {
         subject!($position: { $($text)* } (angle) => ([angle]), move_to, || None, "position");
         subject!($velocity: { $($text)* effects { velocity; } } (angle) => ([angle], [1.5]), move_with,
             || Some(Subject0::RATES_COST), "velocity");
         subject!($acceleration: { $($text)* effects { velocity; acceleration; } } (angle) => ([angle], [1.5], [0.5]), move_with,
             || Some(Subject0::RATES_COST), "velocity and acceleration");
+        traced!($traced $trace: { $($text)* });
         subject!($shown: { $($text)* show $show; } (angle) => ([angle]), move_to, || None,
             concat!("position, `show ", stringify!($show), "`"));
     };
 }
 
-kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_shown, crank: {
+kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_traced (coupler.c), four_bar_shown, crank: {
     ground { point a = (0, 0); point d = (4, 0); }
     link crank { point a = (0, 0); point b = (1, 0); }
     link coupler { point b = (0, 0); point c = (3.5, 0); }
@@ -75,9 +84,9 @@ kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_shown, crank
     start { coupler near 50 deg; }
 });
 
-kinds!(slider, slider_velocity, slider_acceleration, slider_shown, crank: {
+kinds!(slider, slider_velocity, slider_acceleration, slider_traced (rod.middle), slider_shown, crank: {
     link crank;
-    link rod;
+    link rod { point middle = (2.5, 0.25); }
     link block;
     joint a = revolute(ground, crank) at (0, 0);
     joint b = revolute(crank, rod) at (1, 0);
@@ -86,14 +95,14 @@ kinds!(slider, slider_velocity, slider_acceleration, slider_shown, crank: {
     motor a;
 });
 
-kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_shown, upper: {
+kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_traced (foot.toe), jansen_shown, upper: {
     link crank;
     link lift;
     link drop;
     link upper;
     link knee;
     link shin;
-    link foot;
+    link foot { point toe = (-22.6, -83.8); }
     joint o = revolute(ground, crank) at (0, 0);
     joint u = revolute(crank, lift) at (9.61, 11.52);
     joint d = revolute(crank, drop) at (9.61, 11.52);
@@ -107,7 +116,7 @@ kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_shown, upper: {
     motor o;
 });
 
-kinds!(andrews, andrews_velocity, andrews_acceleration, andrews_shown, k3: {
+kinds!(andrews, andrews_velocity, andrews_acceleration, andrews_traced (k2.e), andrews_shown, k3: {
     ground { point o = (0, 0); point a = (-0.06934, -0.00227); point b = (-0.03635, 0.03273); }
     link k1 { point o = (0, 0); point tip = (0.007, 0); }
     link k2 { point tip = (0, 0); point e = (-0.028, 0); }
@@ -139,6 +148,7 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 four_bar::subject(),
                 four_bar_velocity::subject(),
                 four_bar_acceleration::subject(),
+                four_bar_traced::subject(),
                 four_bar_shown::subject(),
             ],
         ),
@@ -148,6 +158,7 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 slider::subject(),
                 slider_velocity::subject(),
                 slider_acceleration::subject(),
+                slider_traced::subject(),
                 slider_shown::subject(),
             ],
         ),
@@ -157,6 +168,7 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 jansen::subject(),
                 jansen_velocity::subject(),
                 jansen_acceleration::subject(),
+                jansen_traced::subject(),
                 jansen_shown::subject(),
             ],
         ),
@@ -166,6 +178,7 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 andrews::subject(),
                 andrews_velocity::subject(),
                 andrews_acceleration::subject(),
+                andrews_traced::subject(),
                 andrews_shown::subject(),
             ],
         ),

@@ -7,7 +7,7 @@ mod many;
 mod position;
 mod rates;
 
-pub use crate::{Acceleration, BlockedAt, Columns, InRange, Vector2, Velocity};
+pub use crate::{Acceleration, BlockedAt, Columns, InRange, Trace, Vector2, Velocity};
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
 };
@@ -16,7 +16,7 @@ pub use coordinates::{
 };
 pub use course::{Course, Watched, advance, approach};
 pub use loops::{closed, closes, determined, solve};
-pub use many::{Anywhere, Sines, Within, least, move_many, solve_many};
+pub use many::{Anywhere, Sines, Within, least, move_many, move_many_then, solve_many};
 pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::AtZero;

@@ -6,6 +6,7 @@ use super::rates::RateItems;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
+use super::traces::{TraceItems, painting};
 use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
 use crate::plan::Plan;
 use crate::program::Program;
@@ -42,23 +43,40 @@ pub(crate) fn items(
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
     let course = course(program, plan);
-    let rates = RateItems::new(krate, places, model, program, moving, visibility);
-    let turn_to = turn_to(model, program, visibility, &rates.rest);
-    let within = within(program, visibility, &rates.rest);
-    let many = super::many::many(program, plan, visibility, &rates.instance_rest);
+    let TraceItems {
+        fields: trace_fields,
+        empty,
+        record,
+        instance_record,
+        recording,
+        methods: trace_methods,
+        trait_methods,
+    } = TraceItems::new(krate, places, model, program, visibility);
+    let painting = painting(places, model, program);
+    let rates = RateItems::new(krate, places, model, program, moving, visibility, &record);
+    let many = super::many::many(
+        program,
+        plan,
+        visibility,
+        &rates.instance_rest,
+        &instance_record,
+    );
     let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
     let imports = imports(krate, &scalar);
     let RateItems {
         fields,
         at_rest,
-        rest,
+        mut rest,
         instance_rest: _,
         imports: rate_imports,
         methods: rate_methods,
         steps: rate_steps,
     } = rates;
+    rest.extend(record);
     let moves = moves(program, visibility, &rest);
-    let implementation = implementation(krate, program, name);
+    let turn_to = turn_to(model, program, visibility, &rest);
+    let within = within(program, visibility, &rest);
+    let implementation = implementation(krate, program, name, &trait_methods);
     quote! {
         #(#attributes)*
         #[doc = #doc]
@@ -68,6 +86,7 @@ pub(crate) fn items(
         #visibility struct #name {
             position: #krate::generated::Position<::core::primitive::#scalar, #(#sizes),*>,
             #fields
+            #trace_fields
         }
 
         const _: () = {
@@ -86,6 +105,7 @@ pub(crate) fn items(
             const _: () = {
             #imports
             #rate_imports
+            #recording
 
             #shapes
 
@@ -107,7 +127,7 @@ pub(crate) fn items(
                 /// The mechanism as it was assembled at compile time.
                 #[must_use]
                 #visibility const fn new() -> Self {
-                    Self { position: START, #at_rest }
+                    Self { position: START, #at_rest #empty }
                 }
 
                 #moves
@@ -120,6 +140,8 @@ pub(crate) fn items(
 
                 #rate_methods
 
+                #trace_methods
+
                 /// The poses of the moving links in the scene, in the order of their declaration.
                 #[must_use]
                 #visibility const fn poses(&self) -> &[Pose<#scalar>; #links] {
@@ -128,7 +150,7 @@ pub(crate) fn items(
 
                 /// Paints every shape, from the plane farthest from the eye to the nearest.
                 #visibility fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
-                    paint(SHAPES, &self.position.poses, canvas);
+                    #painting
                 }
 
                 #accessors
@@ -198,7 +220,7 @@ fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) ->
     }
 }
 
-/// A move; after it everything rests, if there are rates.
+/// A move, and what it ends with: everything rests, if there are rates; points are traced.
 pub(super) fn rested(moved: TokenStream, rest: &TokenStream) -> TokenStream {
     if rest.is_empty() {
         return moved;
@@ -227,7 +249,12 @@ fn imports(krate: &TokenStream, scalar: &TokenStream) -> TokenStream {
 }
 
 /// The trait, by way of the inherent methods.
-fn implementation(krate: &TokenStream, program: &Program, name: &Ident) -> TokenStream {
+fn implementation(
+    krate: &TokenStream,
+    program: &Program,
+    name: &Ident,
+    trait_methods: &TokenStream,
+) -> TokenStream {
     let scalar = scalar(program);
     let (motor_names, link_names) = (&program.motors, &program.links);
     let motors = Literal::usize_unsuffixed(program.motors.len());
@@ -265,6 +292,8 @@ fn implementation(krate: &TokenStream, program: &Program, name: &Ident) -> Token
                 fn poses(&self) -> &[Pose<#scalar>] {
                     self.poses()
                 }
+
+                #trait_methods
             }
     }
 }

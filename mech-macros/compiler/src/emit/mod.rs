@@ -13,6 +13,7 @@ mod scope;
 mod shapes;
 mod step;
 mod stub;
+mod traces;
 
 pub(crate) use items::items;
 pub(crate) use stub::stub;

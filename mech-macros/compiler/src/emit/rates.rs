@@ -50,6 +50,7 @@ impl RateItems {
         program: &Program,
         moving: Option<&Program>,
         visibility: &syn::Visibility,
+        record: &TokenStream,
     ) -> Self {
         let Some(moving) = moving else {
             return Self::default();
@@ -73,7 +74,7 @@ impl RateItems {
                     Vector2, Velocity, advance_with, determined, finite, rates_at, slide_acceleration, slide_rate,
                 };
             },
-            methods: methods(moving, &kinds, visibility),
+            methods: methods(moving, &kinds, visibility, record),
             steps: step(moving),
         };
         if kinds.second {
@@ -103,7 +104,12 @@ impl RateItems {
 }
 
 /// The methods that move it with rates.
-fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) -> TokenStream {
+fn methods(
+    moving: &Program,
+    kinds: &Kinds<'_>,
+    visibility: &syn::Visibility,
+    record: &TokenStream,
+) -> TokenStream {
     let Kinds {
         scalar,
         links,
@@ -173,6 +179,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
             )?;
             self.velocities = velocities;
             #keep_second
+            #record
             Ok(())
         }
 

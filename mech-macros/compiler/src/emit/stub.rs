@@ -29,6 +29,7 @@ pub(crate) fn stub(
     let links = Literal::usize_unsuffixed(model.asked_links().len());
     let methods = accessors(krate, places, model, &scalar);
     let rates = rates(krate, model, visibility, (&scalar, &links, &motors));
+    let traces = super::traces::stub(krate, places, model, visibility);
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
     let implementation = implementation(krate, header, &scalar, &motors);
@@ -87,6 +88,7 @@ pub(crate) fn stub(
                 }
                 #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
                 #rates
+                #traces
                 #(
                     #visibility fn #names(&self) -> #types {
                         loop {}

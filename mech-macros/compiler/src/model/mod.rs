@@ -10,6 +10,7 @@ mod joint;
 mod link;
 mod show;
 mod start;
+mod trace;
 
 pub use edit::Edit;
 pub use effects::Effects;
@@ -18,6 +19,7 @@ pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
 pub use show::Shown;
 pub use start::{Near, Start, StartValue};
+pub use trace::Trace;
 
 /// The scalar type of the generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -120,6 +122,8 @@ pub struct Model {
     pub allow: Allowances,
     /// What is computed beyond positions.
     pub effects: Effects,
+    /// The points whose paths are kept.
+    pub traces: Vec<Trace>,
 }
 
 /// What is let pass that is otherwise an error.
@@ -152,6 +156,7 @@ impl Model {
             show: None,
             allow: Allowances::default(),
             effects: Effects::default(),
+            traces: Vec::new(),
         }
     }
 

@@ -13,6 +13,7 @@ mod rolling;
 mod setting;
 mod show;
 mod start;
+mod trace;
 mod value;
 mod weld;
 
@@ -34,6 +35,7 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.pass(&text.statements, Lowering::begin);
     lowering.check_unlisted();
     lowering.claim_rate_methods();
+    lowering.claim_trace_methods();
     Parsed {
         motors: text.motors,
         header: text.header.map(|(header, _)| header),

@@ -6,13 +6,14 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 24] = [
+const RESERVED: [&str; 25] = [
     "RATES_COST",
     "new",
     "move_with",
     "velocities",
     "accelerations",
     "influences",
+    "clear_traces",
     "move_to",
     "move_toward",
     "move_within",

@@ -13,6 +13,7 @@ mod rolling;
 mod setting;
 mod slot;
 mod statement;
+mod trace;
 mod weld;
 mod written;
 

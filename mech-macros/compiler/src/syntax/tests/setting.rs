@@ -118,7 +118,7 @@ fn accelerations_bring_velocities_with_them() {
         "effects { velocity; «velocity»; «speed»; }",
         &[
             "`velocity` is listed already; remove one of the two",
-            "unknown effect `speed`; there are `velocity`, `acceleration`",
+            "unknown effect `speed`; there are `velocity`, `acceleration`, `trace`",
         ],
     );
 }
