@@ -18,6 +18,7 @@ mod cost;
 #[doc(hidden)]
 pub mod generated;
 mod mechanism;
+pub mod overlay;
 mod pose;
 mod range;
 pub mod raster;
@@ -32,6 +33,7 @@ pub use cost::Cost;
 pub use mech_core::{Phase, Real};
 pub use mechanism::Mechanism;
 pub use nalgebra::{Isometry2, Point2, Vector2};
+pub use overlay::Overlay;
 pub use pose::Pose;
 pub use range::InRange;
 pub use raster::{Canvas, Frame, Palette, View};

@@ -114,6 +114,11 @@ fn what_a_trace_adds() {
     insta::assert_snapshot!(added("effects { trace coupler.c 256; }"));
 }
 
+#[test]
+fn what_an_overlay_adds() {
+    insta::assert_snapshot!(added("effects { overlay; }"));
+}
+
 /// What nobody asked for costs nothing: the step to a position is the same, token for token, whatever effects there are.
 #[test]
 fn the_step_to_a_position_never_knew_of_effects() {

@@ -21,6 +21,7 @@ pub mod report;
 pub mod reporter;
 pub mod structure;
 mod survey;
+pub mod symbols;
 pub mod syntax;
 mod walk;
 
@@ -361,7 +362,8 @@ pub fn expand(input: TokenStream) -> TokenStream {
             &header,
             &places,
             &model,
-            (&compiled.plan, &compiled.program, compiled.moving.as_ref()),
+            (&compiled.structure, &compiled.plan),
+            (&compiled.program, compiled.moving.as_ref()),
             &compiled.report,
         ),
         Err(diagnoses) => {

@@ -1,5 +1,6 @@
 //! What generated code calls. Not for use by hand: it changes without notice.
 
+mod arrows;
 mod coordinates;
 mod course;
 mod loops;
@@ -7,10 +8,12 @@ mod many;
 mod position;
 mod rates;
 
+pub use crate::overlay::{Arrows, Overlay, Spot, Symbol};
 pub use crate::{Acceleration, BlockedAt, Columns, InRange, Trace, Vector2, Velocity};
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
 };
+pub use arrows::{draw_accelerations, draw_velocities};
 pub use coordinates::{
     angle, atan2, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
 };

@@ -2,6 +2,7 @@
 
 use super::block::scalar;
 use super::moves::{course, near, turn_to, within};
+use super::overlay::OverlayItems;
 use super::rates::RateItems;
 use super::scope::number;
 use super::shapes::shapes;
@@ -10,6 +11,7 @@ use super::traces::{TraceItems, painting};
 use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
 use crate::plan::Plan;
 use crate::program::Program;
+use crate::structure::Structure;
 use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -20,7 +22,8 @@ pub(crate) fn items(
     header: &Header,
     places: &Places,
     model: &Model,
-    (plan, program, moving): (&Plan, &Program, Option<&Program>),
+    (structure, plan): (&Structure, &Plan),
+    (program, moving): (&Program, Option<&Program>),
     report: &str,
 ) -> TokenStream {
     let Header {
@@ -52,6 +55,11 @@ pub(crate) fn items(
         methods: trace_methods,
         trait_methods,
     } = TraceItems::new(krate, places, model, program, visibility);
+    let overlay = OverlayItems::new(krate, model, structure, program, visibility);
+    let OverlayItems {
+        tables,
+        methods: overlay_methods,
+    } = overlay;
     let painting = painting(places, model, program);
     let rates = RateItems::new(krate, places, model, program, moving, visibility, &record);
     let many = super::many::many(
@@ -106,6 +114,7 @@ pub(crate) fn items(
             #imports
             #rate_imports
             #recording
+            #tables
 
             #shapes
 
@@ -141,6 +150,8 @@ pub(crate) fn items(
                 #rate_methods
 
                 #trace_methods
+
+                #overlay_methods
 
                 /// The poses of the moving links in the scene, in the order of their declaration.
                 #[must_use]

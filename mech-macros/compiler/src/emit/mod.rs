@@ -8,6 +8,7 @@ mod iteration;
 mod many;
 mod motion;
 mod moves;
+mod overlay;
 mod rates;
 mod scope;
 mod shapes;

@@ -30,6 +30,7 @@ pub(crate) fn stub(
     let methods = accessors(krate, places, model, &scalar);
     let rates = rates(krate, model, visibility, (&scalar, &links, &motors));
     let traces = super::traces::stub(krate, places, model, visibility);
+    let overlay = super::overlay::stub(krate, model, visibility, &scalar);
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
     let implementation = implementation(krate, header, &scalar, &motors);
@@ -89,6 +90,7 @@ pub(crate) fn stub(
                 #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
                 #rates
                 #traces
+                #overlay
                 #(
                     #visibility fn #names(&self) -> #types {
                         loop {}

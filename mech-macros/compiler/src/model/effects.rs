@@ -7,4 +7,6 @@ pub struct Effects {
     pub velocity: bool,
     /// Their accelerations; only with velocities.
     pub acceleration: bool,
+    /// The diagram: joint symbols, arrows.
+    pub overlay: bool,
 }

@@ -6,7 +6,7 @@ use crate::syntax::ast::{Effect, Read};
 use crate::syntax::{Place, spelling};
 use proc_macro2::{Ident, Span};
 
-const EFFECTS: [&str; 3] = ["velocity", "acceleration", "trace"];
+const EFFECTS: [&str; 4] = ["velocity", "acceleration", "trace", "overlay"];
 /// Effects that are to come.
 const TO_COME: [&str; 3] = ["force", "dynamics", "sensitivity"];
 
@@ -42,6 +42,10 @@ impl Lowering {
             // Accelerations are made from velocities.
             "acceleration" => {
                 (effects.velocity, effects.acceleration) = (true, true);
+                return;
+            }
+            "overlay" => {
+                effects.overlay = true;
                 return;
             }
             word if TO_COME.contains(&word) => format!("effect `{text}` is not supported yet"),

@@ -6,7 +6,7 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 25] = [
+const RESERVED: [&str; 28] = [
     "RATES_COST",
     "new",
     "move_with",
@@ -28,6 +28,9 @@ const RESERVED: [&str; 25] = [
     "motors",
     "poses",
     "draw",
+    "draw_overlay",
+    "draw_velocities",
+    "draw_accelerations",
     "clone",
     "default",
     "fmt",
