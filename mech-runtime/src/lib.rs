@@ -265,6 +265,13 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///
+/// ## Diagrams
+///
+/// `overlay;` adds `draw_overlay`, which draws what a textbook draws: joint symbols, motors, and if the [`Overlay`] wants it links as
+/// bars with pitch circles, and axes. With `velocity` and `acceleration` there are `draw_velocities` and `draw_accelerations` too: an
+/// arrow at every named point and every revolute joint that moves. All of it goes to any [`Canvas`], in sizes given in pixels; what lies
+/// on links that `show` leaves out is left out. The symbols are listed in [`overlay`].
+///
 /// # What is checked
 ///
 /// Names, kinds of axes and numbers; that everything is connected to the ground; that the motors take exactly the freedom

@@ -216,8 +216,7 @@ impl Diagram<'_> {
             .iter()
             .filter_map(|pin| pin.axis_of(link));
         let slides = self.model.joints.iter().flat_map(|joint| match joint.kind {
-            JointKind::Prismatic(a, b) => vec![a, b],
-            JointKind::Weld(a, b) => vec![a, b],
+            JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => vec![a, b],
             _ => Vec::new(),
         });
         let slides = slides.filter(on_it);

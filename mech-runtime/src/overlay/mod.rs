@@ -51,14 +51,13 @@ pub use symbol::{Spot, Symbol};
 
 use crate::{Canvas, Palette, Pose, Scalar};
 use pen::Pen;
+use symbol::Kind;
 
 /// What is drawn over a mechanism, and how large.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlay {
-    links: bool,
-    joints: bool,
-    motors: bool,
-    axes: bool,
+    /// For each kind of symbol whether it is drawn.
+    wanted: [bool; 4],
     size: f32,
     ink: u8,
     paper: u8,
@@ -69,38 +68,42 @@ impl Overlay {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            links: false,
-            joints: true,
-            motors: true,
-            axes: false,
+            wanted: [false; 4],
             size: 1.0,
             ink: Palette::INK,
             paper: Palette::EYE,
         }
+        .joints(true)
+        .motors(true)
     }
 
     /// Whether links are drawn as bars between their joints, gears as pitch circles: for a diagram without shapes.
     #[must_use]
     pub const fn links(self, links: bool) -> Self {
-        Self { links, ..self }
+        self.with(Kind::Link, links)
     }
 
     /// Whether the symbols of joints are drawn.
     #[must_use]
     pub const fn joints(self, joints: bool) -> Self {
-        Self { joints, ..self }
+        self.with(Kind::Joint, joints)
     }
 
     /// Whether motors are drawn as arrows.
     #[must_use]
     pub const fn motors(self, motors: bool) -> Self {
-        Self { motors, ..self }
+        self.with(Kind::Motor, motors)
     }
 
     /// Whether the declared points and lines are drawn as crosses and chain lines.
     #[must_use]
     pub const fn axes(self, axes: bool) -> Self {
-        Self { axes, ..self }
+        self.with(Kind::Axis, axes)
+    }
+
+    const fn with(mut self, kind: Kind, wanted: bool) -> Self {
+        self.wanted[kind as usize] = wanted;
+        self
     }
 
     /// How many times as large as usual everything is drawn: 1 unless it is said. What is not finite and positive is taken as 1.
@@ -125,17 +128,7 @@ impl Overlay {
     ) {
         let pen = Pen::new(canvas, self.size, self.ink, self.paper);
         for symbol in symbols {
-            let wanted = match symbol {
-                Symbol::Bar { .. }
-                | Symbol::Mark(_)
-                | Symbol::Wheel { .. }
-                | Symbol::Belt { .. }
-                | Symbol::Rack { .. } => self.links,
-                Symbol::Slide { .. } | Symbol::Weld(_) | Symbol::Pivot(_) => self.joints,
-                Symbol::Turned(_) | Symbol::Pushed { .. } => self.motors,
-                Symbol::Line { .. } | Symbol::Point(_) => self.axes,
-            };
-            if wanted {
+            if self.wanted[symbol.kind() as usize] {
                 // What lies on a link whose pose is not known is left out.
                 let _ = symbol.draw(poses, &pen, canvas);
             }

@@ -85,6 +85,15 @@ pub enum Symbol<T> {
     },
 }
 
+/// The kinds of symbols that are drawn or left out together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind {
+    Link,
+    Joint,
+    Motor,
+    Axis,
+}
+
 /// The radius of a revolute joint, in pixels.
 const PIVOT: f32 = 4.7;
 /// A fixed pivot's stand: how high it is, and half as wide; half the width of its base.
@@ -125,6 +134,20 @@ fn turned<T: Scalar>(pose: Pose<T>, [u, v]: [T; 2]) -> [T; 2] {
 }
 
 impl<T: Scalar> Symbol<T> {
+    /// What kind of thing it is.
+    pub(super) const fn kind(&self) -> Kind {
+        match self {
+            Self::Bar { .. }
+            | Self::Mark(_)
+            | Self::Wheel { .. }
+            | Self::Belt { .. }
+            | Self::Rack { .. } => Kind::Link,
+            Self::Slide { .. } | Self::Weld(_) | Self::Pivot(_) => Kind::Joint,
+            Self::Turned(_) | Self::Pushed { .. } => Kind::Motor,
+            Self::Line { .. } | Self::Point(_) => Kind::Axis,
+        }
+    }
+
     /// Draws it, if the poses of its links are known.
     pub(super) fn draw(
         &self,
@@ -289,11 +312,8 @@ fn belt<T: Scalar>(
     let length = Real::sqrt(x * x + y * y);
     let sine = (radii[0] - radii[1]) / length;
     let rest = T::ONE - sine * sine;
-    // Where one wheel is within the other, there is no tangent.
-    if !(rest > T::ZERO) {
-        return;
-    }
     let [u, v] = [x / length, y / length];
+    // Where one wheel is within the other, there is no tangent: what is not a number is not drawn.
     let cosine = Real::sqrt(rest);
     for side in [cosine, -cosine] {
         let normal = [sine * u - side * v, sine * v + side * u];

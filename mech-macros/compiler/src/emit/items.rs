@@ -1,13 +1,12 @@
 //! The struct and its methods.
 
 use super::block::scalar;
+use super::effects::EffectItems;
+use super::many::many;
 use super::moves::{course, near, turn_to, within};
-use super::overlay::OverlayItems;
-use super::rates::RateItems;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
-use super::traces::{TraceItems, painting};
 use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
 use crate::plan::Plan;
 use crate::program::Program;
@@ -39,51 +38,39 @@ pub(crate) fn items(
         program.kept.len(),
     ]
     .map(Literal::usize_unsuffixed);
-    let links = &sizes[1];
     let doc = format!("\n```text\n{report}```");
     let start = start(program);
     let step = step(program);
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
     let course = course(program, plan);
-    let TraceItems {
-        fields: trace_fields,
-        empty,
-        record,
-        instance_record,
-        recording,
-        methods: trace_methods,
+    let EffectItems {
+        fields,
+        initial,
+        end,
+        instance,
+        imports: effect_imports,
+        methods: effect_methods,
         trait_methods,
-    } = TraceItems::new(krate, places, model, program, visibility);
-    let overlay = OverlayItems::new(krate, model, structure, program, visibility);
-    let OverlayItems {
-        tables,
-        methods: overlay_methods,
-    } = overlay;
-    let painting = painting(places, model, program);
-    let rates = RateItems::new(krate, places, model, program, moving, visibility, &record);
-    let many = super::many::many(
-        program,
-        plan,
+        painting,
+        steps: effect_steps,
+    } = EffectItems::new(
+        krate,
+        places,
+        model,
+        structure,
+        (program, moving),
         visibility,
-        &rates.instance_rest,
-        &instance_record,
     );
     let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
     let imports = imports(krate, &scalar);
-    let RateItems {
-        fields,
-        at_rest,
-        mut rest,
-        instance_rest: _,
-        imports: rate_imports,
-        methods: rate_methods,
-        steps: rate_steps,
-    } = rates;
-    rest.extend(record);
-    let moves = moves(program, visibility, &rest);
-    let turn_to = turn_to(model, program, visibility, &rest);
-    let within = within(program, visibility, &rest);
+    let seen = seen(program, visibility, &painting);
+    let moves = [
+        moves(program, visibility, &end),
+        turn_to(model, program, visibility, &end),
+        within(program, visibility, &end),
+        many(program, plan, visibility, &instance),
+    ];
     let implementation = implementation(krate, program, name, &trait_methods);
     quote! {
         #(#attributes)*
@@ -94,7 +81,6 @@ pub(crate) fn items(
         #visibility struct #name {
             position: #krate::generated::Position<::core::primitive::#scalar, #(#sizes),*>,
             #fields
-            #trace_fields
         }
 
         const _: () = {
@@ -112,9 +98,7 @@ pub(crate) fn items(
             )]
             const _: () = {
             #imports
-            #rate_imports
-            #recording
-            #tables
+            #effect_imports
 
             #shapes
 
@@ -136,33 +120,14 @@ pub(crate) fn items(
                 /// The mechanism as it was assembled at compile time.
                 #[must_use]
                 #visibility const fn new() -> Self {
-                    Self { position: START, #at_rest #empty }
+                    Self { position: START, #initial }
                 }
 
-                #moves
+                #(#moves)*
 
-                #turn_to
+                #effect_methods
 
-                #within
-
-                #many
-
-                #rate_methods
-
-                #trace_methods
-
-                #overlay_methods
-
-                /// The poses of the moving links in the scene, in the order of their declaration.
-                #[must_use]
-                #visibility const fn poses(&self) -> &[Pose<#scalar>; #links] {
-                    &self.position.poses
-                }
-
-                /// Paints every shape, from the plane farthest from the eye to the nearest.
-                #visibility fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
-                    #painting
-                }
+                #seen
 
                 #accessors
             }
@@ -177,9 +142,27 @@ pub(crate) fn items(
 
             #step
 
-            #rate_steps
+            #effect_steps
             };
         };
+    }
+}
+
+/// The methods that tell and paint where everything is.
+fn seen(program: &Program, visibility: &syn::Visibility, painting: &TokenStream) -> TokenStream {
+    let scalar = scalar(program);
+    let links = Literal::usize_unsuffixed(program.poses.len());
+    quote! {
+                /// The poses of the moving links in the scene, in the order of their declaration.
+                #[must_use]
+                #visibility const fn poses(&self) -> &[Pose<#scalar>; #links] {
+                    &self.position.poses
+                }
+
+                /// Paints every shape, from the plane farthest from the eye to the nearest.
+                #visibility fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
+                    #painting
+                }
     }
 }
 

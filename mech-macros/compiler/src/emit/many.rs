@@ -15,8 +15,7 @@ pub(super) fn many(
     program: &Program,
     plan: &Plan,
     visibility: &syn::Visibility,
-    rest: &TokenStream,
-    record: &TokenStream,
+    [rest, record]: &[TokenStream; 2],
 ) -> TokenStream {
     let (scalar, near) = (scalar(program), super::moves::near(program));
     let [motors, links] =

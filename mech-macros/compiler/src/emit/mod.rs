@@ -2,6 +2,7 @@
 
 mod block;
 mod costs;
+mod effects;
 mod flow;
 mod items;
 mod iteration;

@@ -29,7 +29,8 @@ pub(crate) fn stub(
     let links = Literal::usize_unsuffixed(model.asked_links().len());
     let methods = accessors(krate, places, model, &scalar);
     let rates = rates(krate, model, visibility, (&scalar, &links, &motors));
-    let traces = super::traces::stub(krate, places, model, visibility);
+    let clear_traces =
+        (!model.traces.is_empty()).then(|| quote!(#visibility fn clear_traces(&mut self) {}));
     let overlay = super::overlay::stub(krate, model, visibility, &scalar);
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
@@ -89,7 +90,7 @@ pub(crate) fn stub(
                 }
                 #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
                 #rates
-                #traces
+                #clear_traces
                 #overlay
                 #(
                     #visibility fn #names(&self) -> #types {
@@ -235,6 +236,7 @@ fn accessors(
         let kinds = [scalar.clone(), scalar.clone(), scalar.clone()];
         tell(&joint.name, joint.origin, kinds, "rate");
     }
+    methods.extend(super::traces::told(krate, places, model));
     // What was declared twice is reported elsewhere: here each name may stand only once.
     let mut seen = Vec::new();
     methods.retain(|(name, _)| {

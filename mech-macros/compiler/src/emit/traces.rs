@@ -93,30 +93,19 @@ impl TraceItems {
     }
 }
 
-/// The signatures of the methods, for a mechanism that does not compile.
-pub(super) fn stub(
+/// The methods that tell traces, with what they give, for a mechanism that does not compile.
+pub(super) fn told(
     krate: &TokenStream,
     places: &Places,
     model: &Model,
-    visibility: &syn::Visibility,
-) -> TokenStream {
-    if model.traces.is_empty() {
-        return TokenStream::new();
-    }
+) -> impl Iterator<Item = (Ident, TokenStream)> {
     let scalar = scalar_of(model.precision);
-    let traces = model.traces.iter().map(|trace| {
+    model.traces.iter().map(move |trace| {
         let (_, method) = names(places, model, trace);
         let length = Literal::usize_unsuffixed(trace.length);
-        quote! {
-            #visibility fn #method(&self) -> &#krate::Trace<::core::primitive::#scalar, #length> {
-                loop {}
-            }
-        }
-    });
-    quote! {
-        #(#traces)*
-        #visibility fn clear_traces(&mut self) {}
-    }
+        let given = quote!(&#krate::Trace<::core::primitive::#scalar, #length>);
+        (method, given)
+    })
 }
 
 /// What a trace is of, and what it is called.
