@@ -55,6 +55,13 @@ impl Easel {
         })
     }
 
+    /// How many pixels of a picture are a scene unit.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "four")]
+    pub const fn scale(&self) -> f64 {
+        self.view.scale() / FINE as f64
+    }
+
     /// Paints with other colours.
     pub fn set_palette(&mut self, palette: Palette) {
         self.strip.set_palette(palette);

@@ -1,7 +1,7 @@
 //! A mechanism and what it is to do.
 
-use crate::{Film, Graphs, Stuck};
-use mech_runtime::Mechanism;
+use crate::{Easel, Film, Graphs, Scene, Stuck};
+use mech_runtime::{Blocked, Mechanism};
 
 /// Frames in most films: enough for one turn of a crank to look smooth.
 pub const FRAMES: usize = 90;
@@ -94,13 +94,38 @@ impl<M: Mechanism<Scalar = f64>> Exhibit for Showcase<M> {
     }
 
     fn film(&self) -> Result<Film, Stuck> {
+        let draw = |mechanism: &M, scene: &mut Scene| mechanism.draw(scene);
+        self.filmed(M::move_to, draw)
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> Showcase<M> {
+    /// The film of its motion, moved and painted in this way.
+    pub(crate) fn filmed(
+        &self,
+        move_to: impl Fn(&mut M, M::Motors) -> Result<(), Blocked<M::Motors>>,
+        paint: impl Fn(&M, &mut Scene),
+    ) -> Result<Film, Stuck> {
+        // Once to find out how much there is to be seen, and once as it will be seen.
+        let rehearsal = self.filmed_at(f64::INFINITY, &move_to, &paint)?;
+        let scale = Easel::for_film(&rehearsal).map_or(1.0, |easel| easel.scale());
+        self.filmed_at(scale, &move_to, &paint)
+    }
+
+    /// The same, with so many pixels to a scene unit.
+    fn filmed_at(
+        &self,
+        scale: f64,
+        move_to: &impl Fn(&mut M, M::Motors) -> Result<(), Blocked<M::Motors>>,
+        paint: &impl Fn(&M, &mut Scene),
+    ) -> Result<Film, Stuck> {
         let mut mechanism = M::new();
-        let mut film = Film::default();
+        let mut film = Film::new(scale);
         for step in 0..self.frames * STEPS {
             #[expect(clippy::cast_precision_loss, reason = "a film is not that long")]
             let phase = step as f64 / (self.frames * STEPS) as f64;
             let motors = (self.motion)(phase);
-            mechanism.move_to(motors).map_err(|blocked| Stuck {
+            move_to(&mut mechanism, motors).map_err(|blocked| Stuck {
                 frame: step / STEPS,
                 frames: self.frames,
                 motors: M::MOTORS
@@ -111,7 +136,7 @@ impl<M: Mechanism<Scalar = f64>> Exhibit for Showcase<M> {
                 blocked: blocked.map(|motors| motors.as_ref().to_vec()),
             })?;
             if step % STEPS == 0 {
-                film.take(&mechanism);
+                film.add(|scene| paint(&mechanism, scene));
             }
         }
         Ok(film)

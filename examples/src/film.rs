@@ -1,19 +1,56 @@
 //! A motion, scene by scene, free of the type of its mechanism.
 
-use mech_runtime::{Blocked, Canvas, Mechanism, Outline, Pose, Shape};
+use mech_runtime::{Blocked, Canvas, Outline, Pose, Shape};
 use std::fmt;
 
 /// All that is seen at one moment, from back to front.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Scene {
-    shapes: Vec<(Shape<f64>, Pose<f64>)>,
+    spots: Vec<Spot>,
+    /// Pixels to a scene unit.
+    scale: f64,
+}
+
+/// Something that is seen.
+#[derive(Clone, Debug)]
+enum Spot {
+    /// A shape, and where it is.
+    Shape(Shape<f64>, Pose<f64>),
+    /// A polygon in the scene.
+    Polygon(Vec<[f64; 2]>, u8),
+}
+
+impl Spot {
+    /// The smallest upright box around it.
+    fn bounds(&self) -> [[f64; 2]; 2] {
+        match self {
+            Self::Shape(shape, pose) => {
+                let (low, high) = shape.bounds(*pose);
+                [low, high]
+            }
+            Self::Polygon(corners, _) => {
+                let corners = corners.iter().map(|&corner| [corner; 2]);
+                corners.reduce(around).unwrap_or([[f64::NAN; 2]; 2])
+            }
+        }
+    }
 }
 
 impl Scene {
+    /// An empty scene that is to be seen with so many pixels to a scene unit.
+    #[must_use]
+    pub const fn new(scale: f64) -> Self {
+        let spots = Vec::new();
+        Self { spots, scale }
+    }
+
     /// Paints it.
     pub fn draw(&self, canvas: &mut impl Canvas<f64>) {
-        for &(shape, pose) in &self.shapes {
-            canvas.fill(shape.outline, pose, shape.color);
+        for spot in &self.spots {
+            match spot {
+                Spot::Shape(shape, pose) => canvas.fill(shape.outline, *pose, shape.color),
+                Spot::Polygon(corners, color) => canvas.fill_polygon(corners, *color),
+            }
         }
     }
 }
@@ -21,28 +58,44 @@ impl Scene {
 impl Canvas<f64> for Scene {
     fn fill(&mut self, outline: Outline<f64>, pose: Pose<f64>, color: u8) {
         let link = 0; // the pose says where it is
-        self.shapes.push((
-            Shape {
-                link,
-                outline,
-                color,
-            },
-            pose,
-        ));
+        let shape = Shape {
+            link,
+            outline,
+            color,
+        };
+        self.spots.push(Spot::Shape(shape, pose));
+    }
+
+    fn fill_polygon(&mut self, corners: &[[f64; 2]], color: u8) {
+        self.spots.push(Spot::Polygon(corners.to_vec(), color));
+    }
+
+    fn scale(&self) -> f64 {
+        self.scale
     }
 }
 
 /// One full motion of a mechanism.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Film {
     scenes: Vec<Scene>,
+    /// Pixels to a scene unit.
+    scale: f64,
 }
 
 impl Film {
-    /// Adds the mechanism as it stands now.
-    pub fn take<M: Mechanism<Scalar = f64>>(&mut self, mechanism: &M) {
-        let mut scene = Scene::default();
-        mechanism.draw(&mut scene);
+    /// An empty film that is to be seen with so many pixels to a scene unit. Infinitely many will do to find out how much there is
+    /// to be seen: then what has a size in pixels takes no room.
+    #[must_use]
+    pub const fn new(scale: f64) -> Self {
+        let scenes = Vec::new();
+        Self { scenes, scale }
+    }
+
+    /// Adds a scene that is painted now.
+    pub fn add(&mut self, paint: impl FnOnce(&mut Scene)) {
+        let mut scene = Scene::new(self.scale);
+        paint(&mut scene);
         self.scenes.push(scene);
     }
 
@@ -55,17 +108,19 @@ impl Film {
     /// The smallest upright box around everything that is ever seen; `None` if nothing is.
     #[must_use]
     pub fn bounds(&self) -> Option<[[f64; 2]; 2]> {
-        let all = self.scenes.iter().flat_map(|scene| &scene.shapes);
-        all.map(|(shape, pose)| shape.bounds(*pose))
-            .filter(|(low, high)| low.iter().chain(high).all(|c| c.is_finite()))
-            .map(|(low, high)| [low, high])
-            .reduce(|[low, high], [other_low, other_high]| {
-                [
-                    [low[0].min(other_low[0]), low[1].min(other_low[1])],
-                    [high[0].max(other_high[0]), high[1].max(other_high[1])],
-                ]
-            })
+        let all = self.scenes.iter().flat_map(|scene| &scene.spots);
+        all.map(Spot::bounds)
+            .filter(|bounds| bounds.as_flattened().iter().all(|c| c.is_finite()))
+            .reduce(around)
     }
+}
+
+/// The smallest box around two others, each given by its lower left and upper right corner.
+fn around([low, high]: [[f64; 2]; 2], [other_low, other_high]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    [
+        [low[0].min(other_low[0]), low[1].min(other_low[1])],
+        [high[0].max(other_high[0]), high[1].max(other_high[1])],
+    ]
 }
 
 /// A mechanism that could not go on with its motion.

@@ -6,6 +6,7 @@
 
 mod animation;
 mod curator;
+mod diagram;
 mod easel;
 mod error;
 mod exhibit;
@@ -20,6 +21,7 @@ mod swatches;
 
 pub use animation::animation;
 pub use curator::Curator;
+pub use diagram::{Diagram, Move};
 pub use easel::Easel;
 pub use error::Error;
 pub use exhibit::{Exhibit, FRAMES, Showcase};

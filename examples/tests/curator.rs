@@ -199,7 +199,7 @@ fn a_picture_that_does_not_change_keeps_its_time() {
 
 #[test]
 fn nothing_to_show() {
-    assert!(Easel::for_film(&mech_examples::Film::default()).is_none());
+    assert!(Easel::for_film(&mech_examples::Film::new(1.0)).is_none());
     let empty = animation(&[]).expect("an empty GIF");
     assert!(empty.starts_with(b"GIF89a"));
     let torn = Picture {

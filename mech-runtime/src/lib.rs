@@ -20,12 +20,14 @@ mod gauss;
 #[doc(hidden)]
 pub mod generated;
 mod mechanism;
+pub mod overlay;
 mod pose;
 mod range;
 pub mod raster;
 mod rate;
 mod scalar;
 mod shape;
+mod trace;
 
 pub use blocked::{Blocked, Cause, Reached};
 pub use columns::{BlockedAt, Columns};
@@ -35,12 +37,14 @@ pub use gauss::Gauss;
 pub use mech_core::{Phase, Real};
 pub use mechanism::Mechanism;
 pub use nalgebra::{Isometry2, Point2, Vector2};
+pub use overlay::Overlay;
 pub use pose::Pose;
 pub use range::InRange;
 pub use raster::{Canvas, Frame, Palette, View};
 pub use rate::{Acceleration, Velocity};
 pub use scalar::Scalar;
 pub use shape::{Outline, Shape};
+pub use trace::Trace;
 
 #[doc(hidden)]
 pub use mech_macros::mechanism as expand_mechanism;
@@ -274,6 +278,42 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// assert_eq!(crank.crank_pin_acceleration().x, -18.0); // towards the shaft
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
+///
+/// ## Traces
+///
+/// `trace LINK.POINT LENGTH;` keeps the last places of a named point, one for each move that succeeds, in the struct itself: a
+/// [`Trace`], told by `rod_middle_trace()` and forgotten by `clear_traces()`. At the start it is empty. The point's link is solved
+/// even if `show` leaves it out. `draw` paints it as a line of 1.5 pixels, behind all links; `on plane 1` says otherwise (in that plane
+/// it lies above the ground and below the links), `color 5` chooses another colour than ink.
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct SliderCrank;
+///     link crank;
+///     link rod { point middle = (2.5, 0.25); }
+///     link block;
+///     joint a = revolute(ground, crank) at (0, 0);
+///     joint b = revolute(crank, rod) at (1, 0.5);
+///     joint c = revolute(rod, block) at (4, 0);
+///     joint x = prismatic(ground, block) at (4, 0) along (1, 0);
+///     motor a;
+///     effects { trace rod.middle 64; }
+/// }
+/// let mut slider_crank = SliderCrank::new();
+/// for step in 0..100 {
+///     slider_crank.move_to([f64::from(step) * 0.1])?;
+/// }
+/// assert_eq!(slider_crank.rod_middle_trace().len(), 64);
+/// assert_eq!(slider_crank.rod_middle_trace().iter().next_back(), Some(slider_crank.rod_middle()));
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
+/// ## Diagrams
+///
+/// `overlay;` adds `draw_overlay`, which draws what a textbook draws: joint symbols, motors, and if the [`Overlay`] wants it links as
+/// bars with pitch circles, and axes. With `velocity` and `acceleration` there are `draw_velocities` and `draw_accelerations` too: an
+/// arrow at every named point and every revolute joint that moves. All of it goes to any [`Canvas`], in sizes given in pixels; what lies
+/// on links that `show` leaves out is left out. The symbols are listed in [`overlay`].
 ///
 /// # What is checked
 ///

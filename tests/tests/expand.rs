@@ -100,6 +100,25 @@ fn velocities_and_accelerations() {
     insta::assert_snapshot!(all.split_at(start).1);
 }
 
+/// The lines that are there with effects and not without.
+fn added(effects: &str) -> String {
+    let without = expansion(FOUR_BAR);
+    let lines: Vec<&str> = without.lines().collect();
+    let all = expansion(&format!("{FOUR_BAR} {effects}"));
+    let added = all.lines().filter(|line| !lines.contains(line));
+    added.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn what_a_trace_adds() {
+    insta::assert_snapshot!(added("effects { trace coupler.c 256; }"));
+}
+
+#[test]
+fn what_an_overlay_adds() {
+    insta::assert_snapshot!(added("effects { overlay; }"));
+}
+
 /// What nobody asked for costs nothing: the step to a position is the same, token for token, whatever effects there are.
 #[test]
 fn the_step_to_a_position_never_knew_of_effects() {

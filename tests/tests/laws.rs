@@ -53,6 +53,7 @@ fn cornered(dice: &mut Dice, depth: u32) -> String {
 const EFFECTS: Effects = Effects {
     force: false,
     dynamics: false,
+    overlay: false,
     velocity: true,
     acceleration: true,
 };

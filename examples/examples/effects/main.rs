@@ -18,7 +18,7 @@ use std::{env, fs, io};
 const HEAD: &str = "# What effects cost\n\n\
     Written by `cargo run --release --example effects`, which measures everything on this page anew; do not edit it by hand.\n\n\
     Each mechanism is compiled from one text, with its masses and gravity in it, with nothing asked of it and with one effect after \
-    another; the last row shows one link only. What was not asked for is not there: the step to a position is the same, token for \
+    another (`trace` keeps the last 256 places of a point); the last row shows one link only. What was not asked for is not there: the step to a position is the same, token for \
     token, in all of them (`tests/tests/expand.rs` holds it to that).\n\n\
     **Operations** are those of a position and, after the plus, what the effect adds (to each of the about ten times that a step of \
     time looks at its forces). **Time** is that of one such move, sine and cosine included, the next needing the last: the median of \

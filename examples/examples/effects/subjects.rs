@@ -49,9 +49,17 @@ macro_rules! subject {
     };
 }
 
+/// One with the path of a point.
+macro_rules! traced {
+    ($module:ident ($link:ident.$point:ident): { $($text:tt)* }) => {
+        subject!($module: { $($text)* effects { trace $link.$point 256; } } (m, angle) => m.move_to([angle]), || None,
+            concat!("position, `trace ", stringify!($link), ".", stringify!($point), " 256`"));
+    };
+}
+
 /// All kinds of one mechanism.
 macro_rules! kinds {
-    ($position:ident, $velocity:ident, $acceleration:ident, $held:ident, $acted:ident, $driven:ident, $shown:ident, $show:tt: { $($text:tt)* }) => {
+    ($position:ident, $velocity:ident, $acceleration:ident, $held:ident, $acted:ident, $driven:ident, $traced:ident $trace:tt, $shown:ident, $show:tt: { $($text:tt)* }) => {
         subject!($position: { $($text)* } (m, angle) => m.move_to([angle]), || None, "position");
         subject!($velocity: { $($text)* effects { velocity; } } (m, angle) => m.move_with([angle], [1.5]),
             || Some(Subject0::RATES_COST), "velocity");
@@ -65,12 +73,13 @@ macro_rules! kinds {
             || Some(Subject0::FORCES_COST), "all forces in motion (`move_to`, then `forces`)");
         subject!($driven: { $($text)* effects { dynamics; } } (m, angle) => m.simulate(1e-3, [angle * 1e-3]),
             || Some(Subject0::INERTIA_COST), "a step of time under forces (`simulate`)");
+        traced!($traced $trace: { $($text)* });
         subject!($shown: { $($text)* show $show; } (m, angle) => m.move_to([angle]), || None,
             concat!("position, `show ", stringify!($show), "`"));
     };
 }
 
-kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_held, four_bar_acted, four_bar_driven, four_bar_shown, crank: {
+kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_held, four_bar_acted, four_bar_driven, four_bar_traced (coupler.c), four_bar_shown, crank: {
     ground { point a = (0, 0); point d = (4, 0); }
     link crank { point a = (0, 0); point b = (1, 0); mass 2 at (0.1, 0) inertia 0.5; }
     link coupler { point b = (0, 0); point c = (3.5, 0); mass 1 at (1.7, 0.2) inertia 1; }
@@ -84,9 +93,9 @@ kinds!(four_bar, four_bar_velocity, four_bar_acceleration, four_bar_held, four_b
     start { coupler near 50 deg; }
 });
 
-kinds!(slider, slider_velocity, slider_acceleration, slider_held, slider_acted, slider_driven, slider_shown, crank: {
+kinds!(slider, slider_velocity, slider_acceleration, slider_held, slider_acted, slider_driven, slider_traced (rod.middle), slider_shown, crank: {
     link crank { mass 1 at (0.1, 0) inertia 0.3; }
-    link rod { mass 0.5 at (2.5, 0.2) inertia 0.4; }
+    link rod { point middle = (2.5, 0.25); mass 0.5 at (2.5, 0.2) inertia 0.4; }
     link block { mass 0.7 at (4, 0.5); }
     gravity (0, -9.81);
     joint a = revolute(ground, crank) at (0, 0);
@@ -96,14 +105,14 @@ kinds!(slider, slider_velocity, slider_acceleration, slider_held, slider_acted, 
     motor a;
 });
 
-kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_held, jansen_acted, jansen_driven, jansen_shown, upper: {
+kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_held, jansen_acted, jansen_driven, jansen_traced (foot.toe), jansen_shown, upper: {
     link crank { mass 1 at (1, 1) inertia 200; }
     link lift { mass 1 at (-13, 22) inertia 200; }
     link drop { mass 1 at (-5, -15) inertia 200; }
     link upper { mass 1 at (-50, 8) inertia 200; }
     link knee { mass 1 at (-29, -25) inertia 200; }
     link shin { mass 1 at (-67, -19) inertia 200; }
-    link foot { mass 1 at (-40, -60) inertia 200; }
+    link foot { point toe = (-22.6, -83.8); mass 1 at (-40, -60) inertia 200; }
     gravity (0, -9.81);
     joint o = revolute(ground, crank) at (0, 0);
     joint u = revolute(crank, lift) at (9.61, 11.52);
@@ -118,7 +127,7 @@ kinds!(jansen, jansen_velocity, jansen_acceleration, jansen_held, jansen_acted, 
     motor o;
 });
 
-kinds!(andrews, andrews_velocity, andrews_acceleration, andrews_held, andrews_acted, andrews_driven, andrews_shown, k3: {
+kinds!(andrews, andrews_velocity, andrews_acceleration, andrews_held, andrews_acted, andrews_driven, andrews_traced (k2.e), andrews_shown, k3: {
     ground { point o = (0, 0); point a = (-0.06934, -0.00227); point b = (-0.03635, 0.03273); }
     link k1 { point o = (0, 0); point tip = (0.007, 0); mass 0.04325 at (0.00092, 0) inertia 2.194e-6; }
     link k2 { point tip = (0, 0); point e = (-0.028, 0); mass 0.00365 at (-0.0115, 0) inertia 4.410e-7; }
@@ -154,6 +163,7 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 four_bar_held::subject(),
                 four_bar_acted::subject(),
                 four_bar_driven::subject(),
+                four_bar_traced::subject(),
                 four_bar_shown::subject(),
             ],
         ),
@@ -166,6 +176,7 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 slider_held::subject(),
                 slider_acted::subject(),
                 slider_driven::subject(),
+                slider_traced::subject(),
                 slider_shown::subject(),
             ],
         ),
@@ -178,6 +189,7 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 jansen_held::subject(),
                 jansen_acted::subject(),
                 jansen_driven::subject(),
+                jansen_traced::subject(),
                 jansen_shown::subject(),
             ],
         ),
@@ -190,6 +202,7 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 andrews_held::subject(),
                 andrews_acted::subject(),
                 andrews_driven::subject(),
+                andrews_traced::subject(),
                 andrews_shown::subject(),
             ],
         ),

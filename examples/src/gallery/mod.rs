@@ -1,10 +1,12 @@
 //! The exhibits.
 
 pub mod andrews;
+pub mod diagram;
 pub mod four_bar;
 pub mod geared_piston;
 pub mod jansen;
 pub mod rocker_arm;
+pub mod velocities;
 pub mod watt;
 
 use crate::Exhibit;
@@ -14,7 +16,9 @@ use crate::Exhibit;
 pub fn exhibits() -> Vec<Box<dyn Exhibit>> {
     vec![
         geared_piston::exhibit(),
+        diagram::exhibit(),
         four_bar::exhibit(),
+        velocities::exhibit(),
         watt::exhibit(),
         andrews::exhibit(),
         jansen::exhibit(),

@@ -21,6 +21,7 @@ pub mod report;
 pub mod reporter;
 pub mod structure;
 mod survey;
+pub mod symbols;
 pub mod syntax;
 mod walk;
 

@@ -3,7 +3,7 @@
 use crate::Forced;
 use crate::accuracy::{Prediction, Solved};
 use crate::cost::{self, Cost};
-use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Ratio};
+use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Precision, Ratio, Trace};
 use crate::plan::{Cam, ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
 use crate::program::{self, Program, Timing};
 use crate::structure::{Rolling, Structure};
@@ -120,6 +120,9 @@ fn write(
         let more = cost::of_program(&timing.program);
         writeln!(text, "  at time   {more} more")?;
     }
+    for trace in &model.traces {
+        writeln!(text, "  trace     {}", trace_line(model, trace))?;
+    }
     if model.effects.needs_actions() {
         force_lines(text, model, program, forced)?;
     }
@@ -188,6 +191,25 @@ fn force_lines(
         )?;
     }
     Ok(())
+}
+
+/// How much of a path is kept.
+fn trace_line(model: &Model, trace: &Trace) -> String {
+    let axis = model.axis(trace.point);
+    let number = match model.precision {
+        Precision::F32 => 4,
+        Precision::F64 => 8,
+    };
+    let places = match trace.length {
+        1 => "place".to_owned(),
+        length => format!("{length} places"),
+    };
+    format!(
+        "{}.{}: the last {places}, {} bytes",
+        name(model, axis.link),
+        axis.name.as_deref().unwrap_or_default(),
+        trace.length * 2 * number
+    )
 }
 
 /// What nothing that is shown depends on.

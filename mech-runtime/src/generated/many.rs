@@ -162,6 +162,30 @@ pub fn move_many<
     kernel: impl Fn([T; M]) -> ([Pose<T>; L], T),
     one: impl Fn(&mut I, [T; M]) -> Result<(), Blocked<[T; M]>>,
 ) -> Result<(), BlockedAt<[T; M]>> {
+    move_many_then::<_, _, _, _, _, LANES>(instances, motors, reach, position, kernel, |_| (), one)
+}
+
+/// The same, and then this with each that `kernel` has moved: `one` does it by itself.
+///
+/// # Errors
+/// As [`move_many`].
+#[inline]
+pub fn move_many_then<
+    I,
+    T: Scalar,
+    const M: usize,
+    const L: usize,
+    const K: usize,
+    const LANES: usize,
+>(
+    instances: &mut [I],
+    motors: &[[T; M]],
+    reach: T,
+    position: impl Fn(&mut I) -> &mut Position<T, M, L, K>,
+    kernel: impl Fn([T; M]) -> ([Pose<T>; L], T),
+    then: impl Fn(&mut I),
+    one: impl Fn(&mut I, [T; M]) -> Result<(), Blocked<[T; M]>>,
+) -> Result<(), BlockedAt<[T; M]>> {
     let mut first = 0;
     for (instances, chunk) in instances.chunks_mut(LANES).zip(motors.chunks(LANES)) {
         let found = <&[[T; M]; LANES]>::try_from(chunk)
@@ -177,6 +201,7 @@ pub fn move_many<
                         let [cos, sin, x, y] = [0, 1, 2, 3].map(|part: usize| lanes[part][lane]);
                         *pose = Pose { cos, sin, x, y };
                     }
+                    then(instance);
                 }
             }
             None => {

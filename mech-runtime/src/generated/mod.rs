@@ -1,5 +1,6 @@
 //! What generated code calls. Not for use by hand: it changes without notice.
 
+mod arrows;
 mod coordinates;
 mod course;
 mod dynamics;
@@ -9,11 +10,13 @@ mod many;
 mod position;
 mod rates;
 
-pub use crate::{Acceleration, BlockedAt, Columns, InRange, Vector2, Velocity};
+pub use crate::overlay::{Arrows, Overlay, Spot, Symbol};
+pub use crate::{Acceleration, BlockedAt, Columns, InRange, Trace, Vector2, Velocity};
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
 };
 pub use crate::{Forces, Gauss, Reaction};
+pub use arrows::{draw_accelerations, draw_force, draw_reactions, draw_velocities};
 pub use coordinates::{
     angle, atan2, exp, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
 };
@@ -21,7 +24,7 @@ pub use course::{Course, Watched, advance, approach};
 pub use dynamics::{Moment, Simulated, simulate};
 pub use forces::{Holding, Inertia, not_finite, pull};
 pub use loops::{closed, closes, determined, solve};
-pub use many::{Anywhere, Sines, Within, least, move_many, solve_many};
+pub use many::{Anywhere, Sines, Within, least, move_many, move_many_then, solve_many};
 pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::AtZero;

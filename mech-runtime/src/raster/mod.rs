@@ -19,11 +19,13 @@ mod canvas;
 mod circle;
 mod frame;
 mod grid;
+mod line;
 mod palette;
 mod polygon;
 mod view;
 
 pub use canvas::Canvas;
 pub use frame::Frame;
+pub use line::line;
 pub use palette::Palette;
 pub use view::View;

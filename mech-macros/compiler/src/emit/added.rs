@@ -13,10 +13,16 @@ pub(super) struct Added {
     pub(super) rest: TokenStream,
     /// The same for another instance.
     pub(super) instance_rest: TokenStream,
-    /// Imports of the generated code.
+    /// What every move ends with.
+    pub(super) record: TokenStream,
+    /// The same for another instance.
+    pub(super) instance_record: TokenStream,
+    /// Imports of the generated code, tables and functions.
     pub(super) imports: TokenStream,
     /// Methods.
     pub(super) methods: TokenStream,
+    /// Methods of the trait.
+    pub(super) trait_methods: TokenStream,
     /// Steps that go on from positions.
     pub(super) steps: TokenStream,
 }
@@ -28,6 +34,9 @@ impl Added {
         self.at_rest.extend(other.at_rest);
         self.rest.extend(other.rest);
         self.instance_rest.extend(other.instance_rest);
+        self.record.extend(other.record);
+        self.instance_record.extend(other.instance_record);
+        self.trait_methods.extend(other.trait_methods);
         self.imports.extend(other.imports);
         self.methods.extend(other.methods);
         self.steps.extend(other.steps);

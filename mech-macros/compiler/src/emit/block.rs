@@ -149,7 +149,12 @@ pub(super) fn function(
 
 /// The scalar type that is emitted.
 pub(super) fn scalar(program: &Program) -> TokenStream {
-    match program.precision {
+    scalar_of(program.precision)
+}
+
+/// The scalar type of a precision.
+pub(super) fn scalar_of(precision: crate::model::Precision) -> TokenStream {
+    match precision {
         crate::model::Precision::F32 => quote!(f32),
         crate::model::Precision::F64 => quote!(f64),
     }

@@ -26,6 +26,8 @@ struct Writer<'w> {
     has_loads: bool,
     /// What a move without rates leaves behind.
     rest: TokenStream,
+    /// What every move ends with.
+    record: &'w TokenStream,
 }
 
 /// What forces add to a mechanism. `rest` is what velocities leave behind when it is held.
@@ -35,7 +37,7 @@ pub(super) fn added(
     model: &Model,
     (program, forced): (&Program, &Forced),
     visibility: &syn::Visibility,
-    rest: &TokenStream,
+    (rest, record): (&TokenStream, &TokenStream),
 ) -> Added {
     if !model.effects.needs_actions() {
         return Added::default();
@@ -55,7 +57,8 @@ pub(super) fn added(
         scalar: scalar(program),
         motors,
         has_loads: loads > 0,
-        rest: quote!(#rest #unmoved),
+        rest: quote!(#rest #unmoved #record),
+        record,
     };
     let mut items = Added {
         imports: imports(krate, model),
@@ -415,7 +418,7 @@ impl Writer<'_> {
             let turns = matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..));
             turns && motor.range.is_none()
         });
-        let velocities = self.velocities();
+        let (velocities, record) = (self.velocities(), self.record);
         quote! {
             /// The rates of the motors: how fast they move, in radians or scene units a unit of time.
             #[must_use]
@@ -503,6 +506,7 @@ impl Writer<'_> {
                 #velocities
                 self.position = simulated.position;
                 self.rates = simulated.rates;
+                #record
                 Ok(())
             }
         }

@@ -2,12 +2,13 @@
 
 use super::added::Added;
 use super::block::scalar;
+use super::effects;
+use super::many::many;
 use super::moves::{course, near, turn_to, within};
-
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
-use super::{forces, rates, timing};
+use super::traces::painting;
 use crate::Compiled;
 use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
 use crate::program::Program;
@@ -26,7 +27,6 @@ pub(crate) fn items(
     let Compiled {
         plan,
         program,
-        forced,
         report,
         ..
     } = compiled;
@@ -43,41 +43,35 @@ pub(crate) fn items(
         program.kept.len(),
     ]
     .map(Literal::usize_unsuffixed);
-    let links = &sizes[1];
     let doc = format!("\n```text\n{report}```");
     let start = start(program);
     let step = step(program);
     let shapes = shapes(model, program);
     let accessors = accessors(places, model, program, visibility);
     let course = course(program, plan);
-    let rates = rates::added(krate, places, model, compiled, visibility);
-    let forces = forces::added(
-        krate,
-        places,
-        model,
-        (program, forced),
-        visibility,
-        &rates.rest,
-    );
-    let added = rates.and(forces);
-    let laws = timing::added(krate, model, compiled, visibility, &added.rest);
-    let added = added.and(laws);
-    let turn_to = turn_to(model, program, visibility, &added.rest);
-    let within = within(program, visibility, &added.rest);
-    let many = super::many::many(program, plan, visibility, &added.instance_rest);
-    let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
-    let imports = imports(krate, program);
     let Added {
         fields,
         at_rest,
         rest,
-        instance_rest: _,
+        instance_rest,
+        record,
+        instance_record,
         imports: more_imports,
         methods: more_methods,
+        trait_methods,
         steps: more_steps,
-    } = added;
-    let moves = moves(program, visibility, &rest);
-    let implementation = implementation(krate, program, name);
+    } = effects::added(krate, places, model, compiled, visibility);
+    let end = quote!(#rest #record);
+    let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
+    let imports = imports(krate, program);
+    let seen = seen(program, visibility, &painting(places, model, program));
+    let moves = [
+        moves(program, visibility, &end),
+        turn_to(model, program, visibility, &end),
+        within(program, visibility, &end),
+        many(program, plan, visibility, &[instance_rest, instance_record]),
+    ];
+    let implementation = implementation(krate, program, name, &trait_methods);
     quote! {
         #(#attributes)*
         #[doc = #doc]
@@ -129,26 +123,11 @@ pub(crate) fn items(
                     Self { position: START, #at_rest }
                 }
 
-                #moves
-
-                #turn_to
-
-                #within
-
-                #many
+                #(#moves)*
 
                 #more_methods
 
-                /// The poses of the moving links in the scene, in the order of their declaration.
-                #[must_use]
-                #visibility const fn poses(&self) -> &[Pose<#scalar>; #links] {
-                    &self.position.poses
-                }
-
-                /// Paints every shape, from the plane farthest from the eye to the nearest.
-                #visibility fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
-                    paint(SHAPES, &self.position.poses, canvas);
-                }
+                #seen
 
                 #accessors
             }
@@ -166,6 +145,24 @@ pub(crate) fn items(
             #more_steps
             };
         };
+    }
+}
+
+/// The methods that tell and paint where everything is.
+fn seen(program: &Program, visibility: &syn::Visibility, painting: &TokenStream) -> TokenStream {
+    let scalar = scalar(program);
+    let links = Literal::usize_unsuffixed(program.poses.len());
+    quote! {
+                /// The poses of the moving links in the scene, in the order of their declaration.
+                #[must_use]
+                #visibility const fn poses(&self) -> &[Pose<#scalar>; #links] {
+                    &self.position.poses
+                }
+
+                /// Paints every shape, from the plane farthest from the eye to the nearest.
+                #visibility fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
+                    #painting
+                }
     }
 }
 
@@ -217,7 +214,7 @@ fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) ->
     }
 }
 
-/// A move; after it everything rests, if there are rates.
+/// A move, and what it ends with: everything rests, if there are rates; points are traced.
 pub(super) fn rested(moved: TokenStream, rest: &TokenStream) -> TokenStream {
     if rest.is_empty() {
         return moved;
@@ -251,7 +248,12 @@ fn imports(krate: &TokenStream, program: &Program) -> TokenStream {
 }
 
 /// The trait, by way of the inherent methods.
-fn implementation(krate: &TokenStream, program: &Program, name: &Ident) -> TokenStream {
+fn implementation(
+    krate: &TokenStream,
+    program: &Program,
+    name: &Ident,
+    trait_methods: &TokenStream,
+) -> TokenStream {
     let scalar = scalar(program);
     let (motor_names, link_names) = (&program.motors, &program.links);
     let motors = Literal::usize_unsuffixed(program.motors.len());
@@ -289,6 +291,8 @@ fn implementation(krate: &TokenStream, program: &Program, name: &Ident) -> Token
                 fn poses(&self) -> &[Pose<#scalar>] {
                     self.poses()
                 }
+
+                #trait_methods
             }
     }
 }

@@ -15,7 +15,7 @@ pub(super) fn many(
     program: &Program,
     plan: &Plan,
     visibility: &syn::Visibility,
-    rest: &TokenStream,
+    [rest, record]: &[TokenStream; 2],
 ) -> TokenStream {
     let (scalar, near) = (scalar(program), super::moves::near(program));
     let [motors, links] =
@@ -56,6 +56,11 @@ pub(super) fn many(
             }
         }
     };
+    let (move_many, then) = if record.is_empty() {
+        (quote!(move_many), TokenStream::new())
+    } else {
+        (quote!(move_many_then), quote!(|instance| #record,))
+    };
     quote! {
         /// The poses of the links at many values of the motors, each as if it were moved there from where it is. Where
         /// positions depend on nothing but the motors, several are computed at once.
@@ -83,12 +88,13 @@ pub(super) fn many(
             instances: &mut [Self],
             motors: &[[#scalar; #motors]],
         ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
-            move_many::<_, _, _, _, _, #lanes>(
+            #move_many::<_, _, _, _, _, #lanes>(
                 instances,
                 motors,
                 #reach,
                 |instance| #instance,
                 #kernel,
+                #then
                 |instance, motors| instance.move_to(motors),
             )
         }

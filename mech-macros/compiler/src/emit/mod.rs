@@ -3,6 +3,7 @@
 mod added;
 mod block;
 mod costs;
+mod effects;
 mod flow;
 mod forces;
 mod items;
@@ -10,12 +11,14 @@ mod iteration;
 mod many;
 mod motion;
 mod moves;
+mod overlay;
 mod rates;
 mod scope;
 mod shapes;
 mod step;
 mod stub;
 mod timing;
+mod traces;
 
 pub(crate) use items::items;
 pub(crate) use stub::stub;

@@ -32,6 +32,7 @@ pub(super) fn added(
     model: &Model,
     compiled: &Compiled,
     visibility: &syn::Visibility,
+    record: &TokenStream,
 ) -> Added {
     let program = &compiled.program;
     let Some(moving) = &compiled.moving else {
@@ -57,8 +58,9 @@ pub(super) fn added(
                 Vector2, Velocity, advance_with, determined, finite, rates_at, slide_acceleration, slide_rate,
             };
         },
-        methods: methods(moving, &kinds, visibility),
+        methods: methods(moving, &kinds, visibility, record),
         steps: step(moving),
+        ..Added::default()
     };
     if kinds.second {
         let zero = quote!([Acceleration::ZERO; #links]);
@@ -86,7 +88,12 @@ pub(super) fn added(
 }
 
 /// The statements that move it to these motors at the rates that are given.
-pub(super) fn moved_with(moving: &Program, effects: Effects, motors: &TokenStream) -> TokenStream {
+pub(super) fn moved_with(
+    moving: &Program,
+    effects: Effects,
+    motors: &TokenStream,
+    record: &TokenStream,
+) -> TokenStream {
     let second = effects.acceleration;
     let [_, arguments] = given(moving);
     let near_with = if takes_sines(moving) {
@@ -123,12 +130,18 @@ pub(super) fn moved_with(moving: &Program, effects: Effects, motors: &TokenStrea
         self.velocities = velocities;
         #keep_second
         #keep_rates
+        #record
         Ok(())
     }
 }
 
 /// The methods that move it with rates.
-fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) -> TokenStream {
+fn methods(
+    moving: &Program,
+    kinds: &Kinds<'_>,
+    visibility: &syn::Visibility,
+    record: &TokenStream,
+) -> TokenStream {
     let Kinds {
         scalar,
         links,
@@ -137,7 +150,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
         ..
     } = kinds;
     let [parameters, _] = given(moving);
-    let moved = moved_with(moving, kinds.effects, &quote!(Motors::new(motors)));
+    let moved = moved_with(moving, kinds.effects, &quote!(Motors::new(motors)), record);
     let still = second.then(|| quote!(, [0.0; #count]));
     let first = if *second { quote!(.0) } else { quote!() };
     let accelerations = second.then(|| {

@@ -30,6 +30,9 @@ pub(crate) fn stub(
     let methods = accessors(krate, places, model, &scalar);
     let rates = rates(krate, model, visibility, (&scalar, &links, &motors));
     let forces = super::forces::stub(krate, places, model, visibility, (&scalar, &motors));
+    let clear_traces =
+        (!model.traces.is_empty()).then(|| quote!(#visibility fn clear_traces(&mut self) {}));
+    let overlay = super::overlay::stub(krate, model, visibility, &scalar);
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let at_time = at_time(krate, visibility, has_laws, (&scalar, &motors, &methods));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
@@ -91,6 +94,8 @@ pub(crate) fn stub(
                 #rates
                 #forces
                 #at_time
+                #clear_traces
+                #overlay
                 #(
                     #visibility fn #names(&self) -> #types {
                         loop {}
@@ -254,6 +259,7 @@ fn accessors(
         let kinds = [scalar.clone(), scalar.clone(), scalar.clone()];
         tell(&joint.name, joint.origin, kinds, "rate");
     }
+    methods.extend(super::traces::told(krate, places, model));
     // What was declared twice is reported elsewhere: here each name may stand only once.
     let mut seen = Vec::new();
     methods.retain(|(name, _)| {

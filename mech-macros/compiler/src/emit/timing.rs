@@ -19,14 +19,14 @@ pub(super) fn added(
     model: &Model,
     compiled: &Compiled,
     visibility: &syn::Visibility,
-    rest: &TokenStream,
+    (rest, record): (&TokenStream, &TokenStream),
 ) -> Added {
     let Some(timing) = &compiled.timing else {
         return Added::default();
     };
     Added {
         imports: imports(krate, &compiled.program, timing),
-        methods: at_time(krate, model, compiled, visibility, rest),
+        methods: at_time(krate, model, compiled, visibility, (rest, record)),
         steps: laws(model, &compiled.program, timing),
         ..Added::default()
     }
@@ -52,7 +52,7 @@ fn at_time(
     model: &Model,
     compiled: &Compiled,
     visibility: &syn::Visibility,
-    rest: &TokenStream,
+    (rest, record): (&TokenStream, &TokenStream),
 ) -> TokenStream {
     let program = &compiled.program;
     let (scalar, near) = (scalar(program), near(program));
@@ -80,10 +80,10 @@ fn at_time(
         (true, true) => quote!((motors, rates, accelerations)),
     };
     let moved = match &compiled.moving {
-        Some(moving) => moved_with(moving, effects, &quote!(motors)),
+        Some(moving) => moved_with(moving, effects, &quote!(motors), record),
         None => rested(
             quote!(advance(&mut self.position, motors, &COURSE, #near, step)),
-            rest,
+            &quote!(#rest #record),
         ),
     };
     let dead = if effects.velocity {

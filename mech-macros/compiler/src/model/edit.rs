@@ -166,6 +166,12 @@ impl Edit {
         if let Some(shown) = &mut model.show {
             *shown = shown.iter().copied().filter_map(still).collect();
         }
+        model.traces.retain_mut(|trace| {
+            axis(trace.point).is_some_and(|id| {
+                trace.point = id;
+                true
+            })
+        });
         model
     }
 

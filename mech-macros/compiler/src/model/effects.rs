@@ -11,6 +11,8 @@ pub struct Effects {
     pub force: bool,
     /// Motion under the torques of the motors.
     pub dynamics: bool,
+    /// The diagram: joint symbols, arrows.
+    pub overlay: bool,
 }
 
 impl Effects {

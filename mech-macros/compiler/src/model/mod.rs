@@ -13,6 +13,7 @@ mod link;
 mod mass;
 mod show;
 mod start;
+mod trace;
 
 pub use action::{Actions, Between, Damper, Load, LoadKind, Spring};
 pub use edit::Edit;
@@ -24,6 +25,7 @@ pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
 pub use mass::Mass;
 pub use show::Shown;
 pub use start::{Near, Start, StartValue};
+pub use trace::Trace;
 
 /// The scalar type of the generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -130,6 +132,8 @@ pub struct Model {
     pub effects: Effects,
     /// What acts on links.
     pub actions: Actions,
+    /// The points whose paths are kept.
+    pub traces: Vec<Trace>,
 }
 
 /// What is let pass that is otherwise an error.
@@ -164,6 +168,7 @@ impl Model {
             allow: Allowances::default(),
             effects: Effects::default(),
             actions: Actions::default(),
+            traces: Vec::new(),
         }
     }
 

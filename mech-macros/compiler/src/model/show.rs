@@ -23,6 +23,7 @@ impl Model {
         let mut links: Vec<LinkId> = shown
             .iter()
             .flat_map(|shown| self.told_by(*shown))
+            .chain(self.traced_links())
             .filter(|link| *link != LinkId::GROUND)
             .collect();
         links.sort_unstable();

@@ -49,7 +49,7 @@ pub(super) enum Statement {
     /// `effects { ... }`
     Effects {
         keyword: Span,
-        effects: Vec<Read<Ident>>,
+        effects: Vec<Read<Effect>>,
     },
     /// `gravity (0, -9.81);`
     Gravity { keyword: Span, value: Pair },
@@ -322,6 +322,26 @@ pub(super) struct StartClause {
     pub near: bool,
     /// The coordinate or angle.
     pub value: Expr,
+}
+
+/// One of the effects.
+pub(super) enum Effect {
+    /// `velocity;`
+    Plain(Ident),
+    /// `trace a.b 256;`
+    Trace(Trace),
+}
+
+/// `trace link.point length on plane n color c;`
+pub(super) struct Trace {
+    /// The point.
+    pub point: End,
+    /// How many places are kept.
+    pub length: Expr,
+    /// Its plane, if given.
+    pub plane: Option<Expr>,
+    /// Its colour, if given.
+    pub color: Option<Expr>,
 }
 
 /// `method newton(2);`

@@ -7,7 +7,9 @@ use super::tokens::{
     word,
 };
 use crate::model::AxisKind;
-use crate::syntax::ast::{Axis, Broken, Item, Matter, MatterKind, Outline, Pair, Read, Shape};
+use crate::syntax::ast::{
+    Axis, Broken, Expr, Item, Matter, MatterKind, Outline, Pair, Read, Shape,
+};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
@@ -97,11 +99,7 @@ fn axis_value(input: ParseStream, kind: AxisKind) -> Read<(Pair, Option<Pair>)> 
 fn shape(input: ParseStream, keyword: Span, outline: fn(ParseStream) -> Read<Outline>) -> Item {
     let shape = to_semicolon(input, &BEGINNINGS, |input| {
         let outline = outline(input)?;
-        let plane = plane(input)?;
-        let color = take_word(input, "color")
-            .map(|_| expression(input))
-            .transpose()?;
-        after_color(input)?;
+        let (plane, color) = look(input)?;
         Ok(Shape {
             keyword,
             outline,
@@ -115,7 +113,17 @@ fn shape(input: ParseStream, keyword: Span, outline: fn(ParseStream) -> Read<Out
     }
 }
 
-fn plane(input: ParseStream) -> Read<Option<crate::syntax::ast::Expr>> {
+/// Reads `on plane n color c`, each of which may be left out.
+pub(super) fn look(input: ParseStream) -> Read<(Option<Expr>, Option<Expr>)> {
+    let plane = plane(input)?;
+    let color = take_word(input, "color")
+        .map(|_| expression(input))
+        .transpose()?;
+    after_color(input)?;
+    Ok((plane, color))
+}
+
+fn plane(input: ParseStream) -> Read<Option<Expr>> {
     if take_word(input, "on").is_none() {
         return Ok(None);
     }

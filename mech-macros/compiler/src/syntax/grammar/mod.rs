@@ -10,6 +10,7 @@ mod recover;
 mod setting;
 mod statement;
 mod tokens;
+mod trace;
 
 use super::ast::Text;
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};

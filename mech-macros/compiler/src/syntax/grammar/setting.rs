@@ -5,9 +5,10 @@ use super::joint::end;
 use super::recover::{or_skip, to_semicolon};
 use super::statement::{BEGINNINGS, declared};
 use super::tokens::{any_word, comes, in_braces, name, symbol, take, take_word, unexpected};
-use crate::syntax::ast::{Broken, Expr, Motor, Read, Start, StartClause, Statement};
+use super::trace::trace;
+use crate::syntax::ast::{Broken, Effect, Expr, Motor, Read, Start, StartClause, Statement};
 use crate::syntax::{Message, Place};
-use proc_macro2::{Ident, Span};
+use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::token;
 
@@ -92,7 +93,7 @@ fn clause(input: ParseStream) -> Read<StartClause> {
     })
 }
 
-/// Reads `{ velocity; acceleration; }`.
+/// Reads `{ velocity; trace a.b 256; }`.
 pub(super) fn effects(input: ParseStream, keyword: Span) -> Statement {
     match or_skip(input, &BEGINNINGS, |input| in_braces(input, "`{`", effect)) {
         Ok(effects) => Statement::Effects { keyword, effects },
@@ -100,8 +101,13 @@ pub(super) fn effects(input: ParseStream, keyword: Span) -> Statement {
     }
 }
 
-fn effect(input: ParseStream) -> Read<Ident> {
-    to_semicolon(input, &[], |input| name(input, "the name of an effect"))
+fn effect(input: ParseStream) -> Read<Effect> {
+    to_semicolon(input, &[], |input| {
+        if take_word(input, "trace").is_some() {
+            return trace(input).map(Effect::Trace);
+        }
+        name(input, "the name of an effect").map(Effect::Plain)
+    })
 }
 
 /// Reads `a, b.c;`.

@@ -323,8 +323,50 @@ impl Lowering {
     }
 }
 
+/// The methods that forces add, those that motion under forces adds, and those that both add to pictures.
+const FORCE_METHODS: [&str; 6] = [
+    "hold_at",
+    "torques",
+    "forces",
+    "TORQUES_COST",
+    "FORCES_COST",
+    "JOINTS",
+];
+const DYNAMICS_METHODS: [&str; 7] = [
+    "rates",
+    "set_rates",
+    "second_rates",
+    "energy",
+    "simulate",
+    "simulate_by",
+    "INERTIA_COST",
+];
+const PICTURE_METHODS: [&str; 2] = ["draw_loads", "draw_reactions"];
+
+impl Lowering {
+    /// The methods that forces add must not be called as others are.
+    pub(super) fn claim_force_methods(&mut self) {
+        let Acting {
+            force, dynamics, ..
+        } = self.acting;
+        let picture = force.filter(|_| self.model.effects.overlay);
+        let lists = [
+            (force, &FORCE_METHODS[..], "force"),
+            (dynamics, &DYNAMICS_METHODS[..], "dynamics"),
+            (picture, &PICTURE_METHODS[..], "overlay"),
+        ];
+        for (place, methods, effect) in lists {
+            for method in methods {
+                if let Some(place) = place {
+                    self.claim_method((*method).to_owned(), format!("effect `{effect}`"), place);
+                }
+            }
+        }
+    }
+}
+
 /// Where something acts, for messages.
-#[derive(Default)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Acting {
     pub(super) gravity: Option<Place>,
     pub(super) force: Option<Place>,

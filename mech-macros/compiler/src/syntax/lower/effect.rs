@@ -2,26 +2,34 @@
 
 use super::Lowering;
 use crate::model::{AxisKind, JointKind, LinkId, Origin};
-use crate::syntax::ast::Read;
+use crate::syntax::ast::{Effect, Read};
 use crate::syntax::{Place, spelling};
 use proc_macro2::{Ident, Span};
 
-const EFFECTS: [&str; 4] = ["velocity", "acceleration", "force", "dynamics"];
+const EFFECTS: [&str; 6] = [
+    "velocity",
+    "acceleration",
+    "force",
+    "dynamics",
+    "trace",
+    "overlay",
+];
 /// Effects that are to come.
-const TO_COME: [&str; 2] = ["trace", "sensitivity"];
+const TO_COME: [&str; 1] = ["sensitivity"];
 
 impl Lowering {
-    pub(super) fn lower_effects(&mut self, keyword: Span, effects: &[Read<Ident>]) {
+    pub(super) fn lower_effects(&mut self, keyword: Span, effects: &[Read<Effect>]) {
         self.single(keyword, "effects", "put everything into the first");
         let mut listed: Vec<&Ident> = Vec::new();
         for effect in effects {
             self.report.next_item();
             match effect {
-                Ok(effect) if listed.contains(&effect) => {
+                Ok(Effect::Trace(trace)) => self.lower_trace(trace),
+                Ok(Effect::Plain(effect)) if listed.contains(&effect) => {
                     let text = format!("`{effect}` is listed already; remove one of the two");
                     self.report.tell(Place::at(effect.span()), text);
                 }
-                Ok(effect) => {
+                Ok(Effect::Plain(effect)) => {
                     listed.push(effect);
                     self.lower_effect(effect);
                 }
@@ -51,6 +59,10 @@ impl Lowering {
             "dynamics" => {
                 effects.dynamics = true;
                 self.acting.dynamics = Some(Place::at(effect.span()));
+                return;
+            }
+            "overlay" => {
+                effects.overlay = true;
                 return;
             }
             word if TO_COME.contains(&word) => format!("effect `{text}` is not supported yet"),

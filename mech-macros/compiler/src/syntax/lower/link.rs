@@ -4,7 +4,7 @@ use super::Lowering;
 use super::name::{Named, word_for};
 use crate::model::{self, LinkId, ShapeKind};
 use crate::syntax::Place;
-use crate::syntax::ast::{Axis, Ground, Item, Link, Outline, Pair, Read, Shape};
+use crate::syntax::ast::{Axis, Expr, Ground, Item, Link, Outline, Pair, Read, Shape};
 
 /// Where shapes go that do not say: the ground has the first colour after the background, and each link the next.
 const GROUND_COLOR: u8 = 1;
@@ -128,13 +128,11 @@ impl Lowering {
             Outline::Polygon { corners, place } => self.polygon(corners, *place),
         };
         let plane = match &shape.plane {
-            Some(plane) => self.whole(plane, "a plane", [i32::MIN, i32::MAX]),
+            Some(plane) => self.plane(plane),
             None => Some(0),
         };
         let color = match &shape.color {
-            Some(color) => self
-                .whole(color, "a color", [0, 255])
-                .and_then(|color| u8::try_from(color).ok()),
+            Some(color) => self.color(color),
             None => Some(color_of(link)),
         };
         let (Some(kind), Some(plane), Some(color)) = (kind, plane, color) else {
@@ -151,7 +149,18 @@ impl Lowering {
         }
     }
 
-    fn circle(&mut self, center: &Pair, radius: &crate::syntax::ast::Expr) -> Option<ShapeKind> {
+    /// The number of a plane.
+    pub(super) fn plane(&mut self, plane: &Expr) -> Option<i32> {
+        self.whole(plane, "a plane", [i32::MIN, i32::MAX])
+    }
+
+    /// An entry of the palette.
+    pub(super) fn color(&mut self, color: &Expr) -> Option<u8> {
+        self.whole(color, "a color", [0, 255])
+            .and_then(|color| u8::try_from(color).ok())
+    }
+
+    fn circle(&mut self, center: &Pair, radius: &Expr) -> Option<ShapeKind> {
         let center = self.pair(center);
         let radius = self.positive(radius, "a radius");
         Some(ShapeKind::Circle {

@@ -16,6 +16,7 @@ mod rolling;
 mod setting;
 mod show;
 mod start;
+mod trace;
 mod value;
 mod weld;
 
@@ -41,7 +42,9 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.check_unlisted();
     lowering.check_actions();
     lowering.claim_rate_methods();
+    lowering.claim_force_methods();
     lowering.claim_time_method();
+    lowering.claim_trace_methods();
     Parsed {
         motors: text.motors,
         has_laws: text.has_laws,

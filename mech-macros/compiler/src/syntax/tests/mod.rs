@@ -15,6 +15,7 @@ mod rolling;
 mod setting;
 mod slot;
 mod statement;
+mod trace;
 mod weld;
 mod written;
 

@@ -108,6 +108,7 @@ fn accelerations_bring_velocities_with_them() {
         let Effects {
             velocity,
             acceleration,
+            ..
         } = told(text, &[]).model.effects;
         [velocity, acceleration]
     };
@@ -118,7 +119,7 @@ fn accelerations_bring_velocities_with_them() {
         "effects { velocity; «velocity»; «speed»; }",
         &[
             "`velocity` is listed already; remove one of the two",
-            "unknown effect `speed`; there are `velocity`, `acceleration`",
+            "unknown effect `speed`; there are `velocity`, `acceleration`, `trace`, `overlay`",
         ],
     );
 }

@@ -1,0 +1,48 @@
+//! A mechanism with what a textbook draws over it.
+
+use crate::{Exhibit, Film, Graphs, Scene, Showcase, Stuck};
+use mech_runtime::{Blocked, Mechanism};
+
+/// A showcase that is moved and painted in a way of its own: with rates, with an overlay.
+pub struct Diagram<M: Mechanism<Scalar = f64>> {
+    /// The mechanism and what it is to do.
+    pub showcase: Showcase<M>,
+    /// Moves it to these values of its motors.
+    pub move_to: Move<M>,
+    /// Paints it.
+    pub paint: fn(&M, &mut Scene),
+}
+
+/// How a mechanism is moved to values of its motors.
+pub type Move<M> =
+    fn(&mut M, <M as Mechanism>::Motors) -> Result<(), Blocked<<M as Mechanism>::Motors>>;
+
+impl<M: Mechanism<Scalar = f64>> Exhibit for Diagram<M> {
+    fn slug(&self) -> &'static str {
+        self.showcase.slug()
+    }
+
+    fn title(&self) -> &'static str {
+        self.showcase.title()
+    }
+
+    fn caption(&self) -> &'static str {
+        self.showcase.caption()
+    }
+
+    fn report(&self) -> &'static str {
+        self.showcase.report()
+    }
+
+    fn graphs(&self) -> Option<Graphs> {
+        self.showcase.graphs()
+    }
+
+    fn still(&self) -> f64 {
+        self.showcase.still()
+    }
+
+    fn film(&self) -> Result<Film, Stuck> {
+        self.showcase.filmed(self.move_to, self.paint)
+    }
+}

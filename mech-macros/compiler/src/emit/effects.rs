@@ -1,0 +1,36 @@
+//! What the struct of a mechanism has more for its effects.
+
+use super::added::Added;
+use super::{forces, overlay, rates, timing, traces};
+use crate::Compiled;
+use crate::model::Model;
+use crate::syntax::Places;
+use proc_macro2::TokenStream;
+
+/// What the effects of a mechanism add to it; of each nothing without it.
+pub(super) fn added(
+    krate: &TokenStream,
+    places: &Places,
+    model: &Model,
+    compiled: &Compiled,
+    visibility: &syn::Visibility,
+) -> Added {
+    let Compiled {
+        program, forced, ..
+    } = compiled;
+    let traces = traces::added(krate, places, model, program, visibility);
+    let record = traces.record.clone();
+    let rates = rates::added(krate, places, model, compiled, visibility, &record);
+    let forces = forces::added(
+        krate,
+        places,
+        model,
+        (program, forced),
+        visibility,
+        (&rates.rest, &record),
+    );
+    let moved = rates.and(forces);
+    let laws = timing::added(krate, model, compiled, visibility, (&moved.rest, &record));
+    let overlay = overlay::added(krate, model, compiled, visibility);
+    moved.and(laws).and(traces).and(overlay)
+}

@@ -1,0 +1,301 @@
+//! What the struct of a mechanism has more if it can draw its diagram.
+
+use super::added::Added;
+use super::block::scalar;
+use super::motion::found;
+use super::scope::number;
+use crate::Compiled;
+use crate::model::{JointId, JointKind, LinkId, Load, LoadKind, Model, Precision};
+use crate::program::Program;
+use crate::symbols::{self, Spot, Symbol};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// What overlays add to a mechanism.
+pub(super) fn added(
+    krate: &TokenStream,
+    model: &Model,
+    compiled: &Compiled,
+    visibility: &syn::Visibility,
+) -> Added {
+    let Compiled {
+        structure,
+        program,
+        forced,
+        ..
+    } = compiled;
+    if !model.effects.overlay {
+        return Added::default();
+    }
+    let scalar = scalar(program);
+    let is_kept = |link| program.place_of(link).is_some();
+    let writer = Writer { program };
+    let symbols = symbols::symbols(model, structure, is_kept);
+    let symbols = symbols.iter().map(|symbol| writer.symbol(symbol));
+    let mut items = Added {
+        imports: quote! {
+            #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
+            use #krate::generated::{Overlay, Spot, Symbol};
+
+            /// What is drawn of joints, links, motors and axes.
+            const SYMBOLS: &[Symbol<#scalar>] = &[#(#symbols),*];
+        },
+        methods: quote! {
+            /// Draws joints, motors and whatever else the overlay wants, as textbooks do.
+            #visibility fn draw_overlay(&self, canvas: &mut impl Canvas<#scalar>, overlay: &Overlay) {
+                overlay.draw(SYMBOLS, &self.position.poses, canvas);
+            }
+        },
+        ..Added::default()
+    };
+    if model.effects.velocity {
+        let points = symbols::moving_points(model, structure, is_kept);
+        let points = points.iter().map(|&point| writer.spot(point));
+        items.imports.extend(quote! {
+            use #krate::generated::{Arrows, draw_velocities};
+
+            /// The points whose velocities are drawn.
+            const MOVING_POINTS: &[Spot<#scalar>] = &[#(#points),*];
+        });
+        items.methods.extend(quote! {
+            /// Draws the velocities of all named points and revolute joints that move.
+            #visibility fn draw_velocities(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>) {
+                draw_velocities(MOVING_POINTS, &self.position.poses, &self.velocities, arrows, canvas);
+            }
+        });
+    }
+    if model.effects.acceleration {
+        items
+            .imports
+            .extend(quote!(use #krate::generated::draw_accelerations;));
+        items.methods.extend(quote! {
+            /// Draws the accelerations of all named points and revolute joints that move.
+            #visibility fn draw_accelerations(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>) {
+                let rates = (&self.velocities, &self.accelerations);
+                draw_accelerations(MOVING_POINTS, &self.position.poses, rates, arrows, canvas);
+            }
+        });
+    }
+    if let Some(acting) = &forced.acting {
+        items = items.and(forces(krate, model, (program, acting), visibility));
+    }
+    items
+}
+
+/// The arrows of forces.
+fn forces(
+    krate: &TokenStream,
+    model: &Model,
+    (program, acting): (&Program, &Program),
+    visibility: &syn::Visibility,
+) -> Added {
+    let scalar = scalar(program);
+    let writer = Writer { program };
+    let points = model
+        .told_joints()
+        .map(|joint| match writer.place_of(model, joint) {
+            None => quote!(None),
+            Some(point) => {
+                let point = writer.spot(point);
+                quote!(Some(#point))
+            }
+        });
+    let points: Vec<TokenStream> = points.collect();
+    let count = Literal::usize_unsuffixed(points.len());
+    let (found, _) = found(acting);
+    let loads = model.actions.numbered_loads().filter_map(|(first, load)| {
+        let LoadKind::Force(point) = load.kind else {
+            return None;
+        };
+        let axis = model.axis(point);
+        let point = writer.spot(symbols::Spot {
+            link: axis.link,
+            at: axis.at,
+        });
+        let [x, y] = [first, first + 1].map(Literal::usize_unsuffixed);
+        Some(quote!(draw_force(&#point, &self.position.poses, [self.loads[#x], self.loads[#y]], arrows, canvas);))
+    });
+    let loads: Vec<TokenStream> = loads.collect();
+    let draw_loads = (!loads.is_empty()).then(|| {
+        quote! {
+            /// Draws the loads that are forces.
+            #visibility fn draw_loads(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>) {
+                #(#loads)*
+            }
+        }
+    });
+    let velocity = model.effects.velocity;
+    let arrows = (!velocity).then(|| quote!(use #krate::generated::Arrows;));
+    Added {
+        imports: quote! {
+            #arrows
+            #[allow(unused_imports, reason = "not every mechanism has loads that are forces")]
+            use #krate::generated::{draw_force, draw_reactions};
+
+            /// Where the reactions are drawn.
+            const REACTION_POINTS: [Option<Spot<#scalar>>; #count] = [#(#points),*];
+        },
+        methods: quote! {
+            /// Draws the forces that the first link of each joint exerts on the second, as `forces` found them.
+            #visibility fn draw_reactions(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>, forces: &#found) {
+                draw_reactions(&REACTION_POINTS, &self.position.poses, &forces.reactions, arrows, canvas);
+            }
+
+            #draw_loads
+        },
+        ..Added::default()
+    }
+}
+
+/// The signatures of the methods, for a mechanism that does not compile.
+pub(super) fn stub(
+    krate: &TokenStream,
+    model: &Model,
+    visibility: &syn::Visibility,
+    scalar: &TokenStream,
+) -> TokenStream {
+    let effects = model.effects;
+    if !effects.overlay {
+        return TokenStream::new();
+    }
+    let is_force = |load: &Load| matches!(load.kind, LoadKind::Force(_));
+    let draws_loads = effects.force && model.actions.loads.iter().any(is_force);
+    let reactions = effects.force.then(|| {
+        quote! {
+            #visibility fn draw_reactions<F>(&self, canvas: &mut impl #krate::Canvas<#scalar>, arrows: &#krate::overlay::Arrows<#scalar>, forces: &F) {}
+        }
+    });
+    let arrows = [
+        ("draw_loads", draws_loads),
+        ("draw_velocities", effects.velocity),
+        ("draw_accelerations", effects.acceleration),
+    ];
+    let arrows = arrows.into_iter().filter(|(_, wanted)| *wanted);
+    let arrows = arrows.map(|(name, _)| {
+        let name = quote::format_ident!("{}", name);
+        quote! {
+            #visibility fn #name(&self, canvas: &mut impl #krate::Canvas<#scalar>, arrows: &#krate::overlay::Arrows<#scalar>) {}
+        }
+    });
+    quote! {
+        #visibility fn draw_overlay(&self, canvas: &mut impl #krate::Canvas<#scalar>, overlay: &#krate::Overlay) {}
+        #(#arrows)*
+        #reactions
+    }
+}
+
+/// Writes symbols as Rust.
+struct Writer<'p> {
+    program: &'p Program,
+}
+
+impl Writer<'_> {
+    /// Where a joint is; what rolls has no place of its own.
+    fn place_of(&self, model: &Model, joint: JointId) -> Option<symbols::Spot> {
+        let axis = match model.joint(joint).kind {
+            JointKind::Revolute(a, _) | JointKind::Weld(a, _) => a,
+            JointKind::Prismatic(_, b) => b,
+            _ => return None,
+        };
+        let axis = model.axis(model.seen_axis(axis));
+        let is_kept = axis.link == LinkId::GROUND || self.program.place_of(axis.link).is_some();
+        is_kept.then_some(symbols::Spot {
+            link: axis.link,
+            at: axis.at,
+        })
+    }
+
+    fn precision(&self) -> Precision {
+        self.program.precision
+    }
+
+    fn number(&self, value: f64) -> TokenStream {
+        number(self.precision(), value)
+    }
+
+    fn pair(&self, [x, y]: [f64; 2]) -> TokenStream {
+        let (x, y) = (self.number(x), self.number(y));
+        quote!([#x, #y])
+    }
+
+    /// The number of a link in a table: that of its pose and one, or 0 for the ground.
+    fn link(&self, link: LinkId) -> Literal {
+        let place = self.program.place_of(link);
+        Literal::usize_unsuffixed(place.map_or(0, |place| place + 1))
+    }
+
+    fn spot(&self, spot: Spot) -> TokenStream {
+        let (link, at) = (self.link(spot.link), self.pair(spot.at));
+        quote!(Spot { link: #link, at: #at })
+    }
+
+    fn symbol(&self, symbol: &Symbol) -> TokenStream {
+        match *symbol {
+            Symbol::Bar { link, ends } => {
+                let (link, [from, to]) = (self.link(link), ends.map(|end| self.pair(end)));
+                quote!(Symbol::Bar { link: #link, ends: [#from, #to] })
+            }
+            Symbol::Mark(spot) => {
+                let spot = self.spot(spot);
+                quote!(Symbol::Mark(#spot))
+            }
+            Symbol::Wheel { center, radius } => {
+                let (center, radius) = (self.spot(center), self.number(radius));
+                quote!(Symbol::Wheel { center: #center, radius: #radius })
+            }
+            Symbol::Belt { centers, radii } => {
+                let [a, b] = centers.map(|center| self.spot(center));
+                let radii = self.pair(radii);
+                quote!(Symbol::Belt { centers: [#a, #b], radii: #radii })
+            }
+            Symbol::Rack {
+                pinion,
+                radius,
+                bar,
+                along,
+            } => {
+                let (pinion, bar) = (self.spot(pinion), self.spot(bar));
+                let (radius, along) = (self.number(radius), self.pair(along));
+                quote!(Symbol::Rack { pinion: #pinion, radius: #radius, bar: #bar, along: #along })
+            }
+            Symbol::Line { at, along } => {
+                let (at, along) = (self.spot(at), self.pair(along));
+                quote!(Symbol::Line { at: #at, along: #along })
+            }
+            Symbol::Point(spot) => {
+                let spot = self.spot(spot);
+                quote!(Symbol::Point(#spot))
+            }
+            Symbol::Slide {
+                guide,
+                along,
+                block,
+            } => {
+                let (guide, along) = (self.spot(guide), self.pair(along));
+                let block = self.spot(block);
+                quote!(Symbol::Slide { guide: #guide, along: #along, block: #block })
+            }
+            Symbol::Weld(spot) => {
+                let spot = self.spot(spot);
+                quote!(Symbol::Weld(#spot))
+            }
+            Symbol::Pivot(spot) => {
+                let spot = self.spot(spot);
+                quote!(Symbol::Pivot(#spot))
+            }
+            Symbol::Turned(spot) => {
+                let spot = self.spot(spot);
+                quote!(Symbol::Turned(#spot))
+            }
+            Symbol::Pushed {
+                block,
+                guide,
+                along,
+            } => {
+                let (block, guide) = (self.spot(block), self.link(guide));
+                let along = self.pair(along);
+                quote!(Symbol::Pushed { block: #block, guide: #guide, along: #along })
+            }
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! What the struct of a mechanism has more if points are traced.
+
+use super::added::Added;
+use super::block::{scalar, scalar_of};
+use super::items::user_ident;
+use super::scope::number;
+use crate::model::{Model, Trace};
+use crate::program::Program;
+use crate::syntax::Places;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+/// What traces add to a mechanism.
+pub(super) fn added(
+    krate: &TokenStream,
+    places: &Places,
+    model: &Model,
+    program: &Program,
+    visibility: &syn::Visibility,
+) -> Added {
+    if model.traces.is_empty() {
+        return Added::default();
+    }
+    let scalar = scalar(program);
+    let mut items = Added {
+        record: quote!(record_traces(self);),
+        instance_record: quote!(record_traces(instance)),
+        trait_methods: quote! {
+            fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
+                self.draw(canvas);
+            }
+        },
+        ..Added::default()
+    };
+    let (mut pushes, mut clears) = (TokenStream::new(), TokenStream::new());
+    for trace in &model.traces {
+        let (name, field) = names(places, model, trace);
+        let length = Literal::usize_unsuffixed(trace.length);
+        let place = place(model, program, trace);
+        let doc = format!(
+            " The last places of point `{name}` in the scene, {} at most: one for each move.",
+            trace.length
+        );
+        items.fields.extend(quote! {
+            #field: #krate::Trace<::core::primitive::#scalar, #length>,
+        });
+        items.at_rest.extend(quote!(#field: Trace::new(),));
+        pushes.extend(quote!(mechanism.#field.push(#place);));
+        clears.extend(quote!(self.#field.clear();));
+        items.methods.extend(quote! {
+            #[doc = #doc]
+            #[must_use]
+            #visibility const fn #field(&self) -> &Trace<#scalar, #length> {
+                &self.#field
+            }
+        });
+    }
+    items.methods.extend(quote! {
+        /// Forgets where the traced points have been.
+        #visibility const fn clear_traces(&mut self) {
+            #clears
+        }
+    });
+    items.imports = quote! {
+        use #krate::generated::{Trace, move_many_then};
+
+        /// Notes where the traced points are.
+        #[inline]
+        fn record_traces(mechanism: &mut Itself) {
+            #pushes
+        }
+    };
+    items
+}
+
+/// The methods that tell traces, with what they give, for a mechanism that does not compile.
+pub(super) fn told(
+    krate: &TokenStream,
+    places: &Places,
+    model: &Model,
+) -> impl Iterator<Item = (Ident, TokenStream)> {
+    let scalar = scalar_of(model.precision);
+    model.traces.iter().map(move |trace| {
+        let (_, method) = names(places, model, trace);
+        let length = Literal::usize_unsuffixed(trace.length);
+        let given = quote!(&#krate::Trace<::core::primitive::#scalar, #length>);
+        (method, given)
+    })
+}
+
+/// What a trace is of, and what it is called.
+fn names(places: &Places, model: &Model, trace: &Trace) -> (String, Ident) {
+    let axis = model.axis(trace.point);
+    let (link, point) = (
+        &model.link(axis.link).name,
+        axis.name.as_deref().unwrap_or_default(),
+    );
+    let field = user_ident(&format!("{link}_{point}_trace"), places, axis.origin);
+    (format!("{link}.{point}"), field)
+}
+
+/// Where a traced point is.
+fn place(model: &Model, program: &Program, trace: &Trace) -> TokenStream {
+    let axis = model.axis(trace.point);
+    let [x, y] = axis.at.map(|value| number(program.precision, value));
+    let index = Literal::usize_unsuffixed(program.place_of(axis.link).unwrap_or_default());
+    quote!(mechanism.position.poses[#index].apply([#x, #y]))
+}
+
+/// The painting of all shapes and traces, from the plane farthest from the eye to the nearest.
+pub(super) fn painting(places: &Places, model: &Model, program: &Program) -> TokenStream {
+    let shapes = super::shapes::in_order(model, program);
+    let behind = |trace: &Trace| -> usize {
+        let before = |(place, plane): (usize, i32)| match trace.plane {
+            Some(own) => plane < own || (plane == own && place == 0),
+            // Behind all links: the first of their shapes is the limit.
+            None => place == 0,
+        };
+        let all = shapes.iter().map(|(place, shape)| (*place, shape.plane));
+        all.take_while(|shape| before(*shape)).count()
+    };
+    let mut traces: Vec<(usize, &Trace)> = model
+        .traces
+        .iter()
+        .map(|trace| (behind(trace), trace))
+        .collect();
+    traces.sort_by_key(|(behind, _)| *behind);
+    let mut tokens = TokenStream::new();
+    let mut painted = 0;
+    let paint = |shapes: TokenStream| quote!(paint(#shapes, &self.position.poses, canvas););
+    for (behind, trace) in traces {
+        if behind > painted {
+            let [from, to] = [painted, behind].map(Literal::usize_unsuffixed);
+            tokens.extend(paint(quote!(SHAPES.get(#from..#to).unwrap_or_default())));
+            painted = behind;
+        }
+        let (_, field) = names(places, model, trace);
+        let color = Literal::u8_unsuffixed(trace.color);
+        tokens.extend(quote!(self.#field.draw(canvas, #color);));
+    }
+    if painted == 0 {
+        tokens.extend(paint(quote!(SHAPES)));
+    } else if painted < shapes.len() {
+        let from = Literal::usize_unsuffixed(painted);
+        tokens.extend(paint(quote!(SHAPES.get(#from..).unwrap_or_default())));
+    }
+    tokens
+}

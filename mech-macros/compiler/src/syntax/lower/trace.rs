@@ -1,0 +1,101 @@
+//! The points whose paths are kept.
+
+use super::Lowering;
+use super::name::Named;
+use crate::model::{AxisId, AxisKind, LinkId, Trace};
+use crate::syntax::Place;
+use crate::syntax::ast::{self, End};
+
+/// Lines are drawn in ink.
+const INK: u8 = 14;
+
+impl Lowering {
+    pub(super) fn lower_trace(&mut self, trace: &ast::Trace) {
+        let point = self.traced(&trace.point);
+        let length = self.whole(&trace.length, "the length of a trace", [1, Trace::LONGEST]);
+        // Each is looked at, so that the errors of all are reported.
+        let plane = trace.plane.as_ref().map(|plane| self.plane(plane));
+        let color = trace
+            .color
+            .as_ref()
+            .map_or(Some(INK), |color| self.color(color));
+        let (Some(point), Some(length), Some(color)) = (point, length, color) else {
+            return;
+        };
+        let Ok(length) = usize::try_from(length) else {
+            return;
+        };
+        let origin = self.places.note(trace.point.place());
+        self.model.traces.push(Trace {
+            point,
+            length,
+            plane: plane.flatten(),
+            color,
+            origin,
+        });
+    }
+
+    /// The point that is to be traced, if it can be.
+    fn traced(&mut self, end: &End) -> Option<AxisId> {
+        let Some(name) = &end.axis else {
+            self.tell_no_point(end);
+            return None;
+        };
+        let link = self.find_link(&end.link)?;
+        let point = self.find_axis(link, name, Some(AxisKind::Point))?;
+        let text = if self.model.axis(point).kind == AxisKind::Line {
+            let remedy = self.one_of_its_points(link);
+            let text = format!("`{end}` is a line; a trace is of a point{remedy}");
+            self.report.tell(Place::at(name.span()), text);
+            return None;
+        } else if link == LinkId::GROUND {
+            format!("`{end}` does not move: it has no path; trace a point of a moving link")
+        } else if self.model.traces.iter().any(|trace| trace.point == point) {
+            format!("`{end}` is traced already; remove one of the two")
+        } else {
+            return Some(point);
+        };
+        self.report.tell(end.place(), text);
+        None
+    }
+
+    /// Complains about a trace of something that is not a point.
+    fn tell_no_point(&mut self, end: &End) {
+        match self.names.look_up(&end.link) {
+            Some(Named::Broken) => {}
+            Some(Named::Joint(_)) => {
+                let text = format!("`{end}` is a joint; a trace is of a point: `link.point`");
+                self.report.tell(end.place(), text);
+            }
+            Some(Named::Link(link)) => {
+                let remedy = self.one_of_its_points(link);
+                let text = format!("`{end}` is a link; a trace is of a point{remedy}");
+                self.report.tell(end.place(), text);
+            }
+            None => self.unknown(&end.link),
+        }
+    }
+
+    /// What of a link could be traced.
+    fn one_of_its_points(&self, link: LinkId) -> String {
+        let name = &self.model.link(link).name;
+        match self.axes_of(link, Some(AxisKind::Point)).first() {
+            Some(point) if link != LinkId::GROUND => format!(", such as `{name}.{point}`"),
+            _ if link == LinkId::GROUND => " of a moving link".to_owned(),
+            _ => format!("; declare one in `{name}`"),
+        }
+    }
+
+    /// The methods that tell traces must not be called as others are.
+    pub(super) fn claim_trace_methods(&mut self) {
+        for trace in self.model.traces.clone() {
+            let axis = self.model.axis(trace.point);
+            let link = &self.model.link(axis.link).name;
+            let point = axis.name.clone().unwrap_or_default();
+            let method = format!("{link}_{point}_trace");
+            let owner = format!("the trace of `{link}.{point}`");
+            let place = self.places.get(trace.origin);
+            self.claim_method(method, owner, place);
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Arrows for whatever has a direction.
+
+use super::pen::{BOLD, MEDIUM, Pen, Spot};
+use super::usable;
+use crate::{Canvas, Palette, Real, Scalar};
+
+/// How long an arrow's head is, and half as wide, in pixels.
+const HEAD: [f32; 2] = [10.0, 3.6];
+
+/// How vectors of one kind are drawn: velocities, accelerations, forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrows<T> {
+    length: T,
+    color: u8,
+    size: f32,
+}
+
+impl<T: Scalar> Arrows<T> {
+    /// Arrows of this entry of the palette, `length` scene units long for a vector of length one.
+    #[must_use]
+    pub const fn new(length: T, color: u8) -> Self {
+        let size = 1.0;
+        Self {
+            length,
+            color,
+            size,
+        }
+    }
+
+    /// How many times as thick as usual they are drawn: 1 unless it is said. What is not finite and positive is taken as 1.
+    #[must_use]
+    pub const fn size(self, size: f32) -> Self {
+        let size = usable(size);
+        Self { size, ..self }
+    }
+
+    /// Draws a vector at a place in the scene. One shorter than a pixel, or not finite, is left out.
+    pub fn draw(&self, canvas: &mut impl Canvas<T>, [x, y]: [T; 2], [u, v]: [T; 2]) {
+        let tip = [x + self.length * u, y + self.length * v];
+        arrow(canvas, [[x, y], tip], self.size, self.color);
+    }
+}
+
+/// Draws an arrow from one place in the scene to another, with entry `color` of the palette, `size` times as thick as usual. One
+/// shorter than a pixel, or not finite, is left out.
+pub fn arrow<T: Scalar>(
+    canvas: &mut impl Canvas<T>,
+    [tail, tip]: [[T; 2]; 2],
+    size: f32,
+    color: u8,
+) {
+    let pen = Pen::new(canvas, usable(size), color, Palette::EYE);
+    let [x, y] = [tip[0] - tail[0], tip[1] - tail[1]];
+    let length = Real::sqrt(x * x + y * y);
+    if !(Real::is_finite(length) && length > T::ZERO && pen.in_pixels(length) > 1.0) {
+        return;
+    }
+    let along = [x / length, y / length];
+    let spot = Spot { at: tip, along };
+    // A head longer than the arrow would point from behind.
+    let share = (pen.in_pixels(length) / HEAD[0]).min(1.0);
+    let neck = spot.go(-pen.pixels(0.8 * share * HEAD[0]), T::ZERO);
+    pen.line(canvas, [tail, neck], BOLD);
+    head(&pen, canvas, spot, share);
+}
+
+/// Draws a curved arrow around a place in the scene, `radius` pixels from it, with entry `color` of the palette, `size` times as
+/// thick as usual: to the left (counter-clockwise), or to the right. It is open below.
+pub fn moment<T: Scalar>(
+    canvas: &mut impl Canvas<T>,
+    center: [T; 2],
+    to_the_left: bool,
+    radius: f32,
+    size: f32,
+    color: u8,
+) {
+    let pen = Pen::new(canvas, usable(size), color, Palette::EYE);
+    turn(&pen, canvas, center, to_the_left, radius);
+}
+
+/// The same with a pen.
+pub(super) fn turn<T: Scalar>(
+    pen: &Pen<T>,
+    canvas: &mut impl Canvas<T>,
+    center: [T; 2],
+    to_the_left: bool,
+    radius: f32,
+) {
+    // From a little below on the one side to a little below on the other; a unit vector, and the angle between.
+    const LOW: f64 = -0.35;
+    let (sin, cos) = Real::sin_cos(<T as Real>::from_f64(LOW));
+    let side = if to_the_left { T::ONE } else { -T::ONE };
+    let far = pen.pixels(radius);
+    let start = [center[0] + side * far * cos, center[1] + far * sin];
+    let end = [center[0] - side * far * cos, center[1] + far * sin];
+    let angle = side * <T as Real>::from_f64(core::f64::consts::PI - 2.0 * LOW);
+    // The arc ends within the head, which is as long as the chord it stands for.
+    let shorter = side * <T as Real>::from_f64(f64::from(0.8 * HEAD[0] / radius));
+    pen.arc(canvas, center, start, angle - shorter, MEDIUM);
+    // A tangent at the end would point out of the circle: half of the head's angle is taken back.
+    let (sin, cos) = Real::sin_cos(<T as Real>::from_f64(
+        LOW + 0.5 * f64::from(HEAD[0] / radius),
+    ));
+    let along = [side * sin, -cos];
+    head(pen, canvas, Spot { at: end, along }, 1.0);
+}
+
+/// The head of an arrow whose tip is at a spot.
+pub(super) fn head<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, tip: Spot<T>, share: f32) {
+    let [length, half] = HEAD.map(|pixels| share * pixels);
+    let corners = [[0.0, 0.0], [-length, half], [-length, -half]];
+    pen.fill(canvas, tip, corners, pen.ink());
+}

@@ -1,0 +1,152 @@
+//! What textbooks draw over a mechanism: joint symbols, links as bars, pitch circles, motors, axes; arrows for velocities,
+//! accelerations, forces.
+//!
+//! A mechanism with `effects { overlay; }` has the method `draw_overlay`, one with `effects { overlay; velocity; }` also
+//! `draw_velocities`, and so on. Everything goes to any [`Canvas`](crate::Canvas); lines and symbols have their sizes in pixels,
+//! however large the scene is seen.
+//!
+//! ```
+//! use mech_runtime::{Frame, Overlay, Palette, View, mechanism, overlay::Arrows};
+//!
+//! mechanism! {
+//!     struct SliderCrank;
+//!     link crank; link rod; link block;
+//!     joint a = revolute(ground, crank) at (0, 0);
+//!     joint b = revolute(crank, rod) at (1, 0.5);
+//!     joint c = revolute(rod, block) at (4, 0);
+//!     joint x = prismatic(ground, block) at (4, 0) along (1, 0);
+//!     motor a;
+//!     effects { velocity; overlay; }
+//! }
+//! let mut slider_crank = SliderCrank::new();
+//! slider_crank.move_with([0.4], [1.0])?;
+//! let mut frame = Frame::<320, 200>::new();
+//! frame.look_at(View::fit([-1.5, -1.5], [5.5, 1.5], 320, 200, 20.0));
+//! slider_crank.draw_overlay(&mut frame, &Overlay::new().links(true));
+//! slider_crank.draw_velocities(&mut frame, &Arrows::new(0.5, Palette::BLUE));
+//! assert!(frame.pixels().as_flattened().contains(&Palette::BLUE));
+//! # Ok::<(), mech_runtime::Blocked>(())
+//! ```
+//!
+//! | symbol | stands for |
+//! |---|---|
+//! | small circle | a revolute joint |
+//! | the same on a triangle with a hatched base | a fixed pivot |
+//! | block on a hatched rail | a prismatic joint on the ground |
+//! | block on a line | a prismatic joint between moving links; with a circle in it, a pin in a slot |
+//! | thin circles that touch, each with a tick | the pitch circles of gears; of a belt, with its strands; of a pinion, with the rack's pitch line |
+//! | full square | a weld |
+//! | curved arrow, double arrow | a motor that turns, one that slides |
+//! | line, triangle, polygon | a link |
+//! | full dot | a named point of a link, where no joint is |
+//! | small cross, chain line | the axes: points and lines as declared |
+//! | arrow | a velocity, an acceleration, a force |
+
+mod arrow;
+mod pen;
+mod symbol;
+
+pub use arrow::{Arrows, arrow, moment};
+pub use symbol::{Spot, Symbol};
+
+use crate::{Canvas, Palette, Pose, Scalar};
+use pen::Pen;
+use symbol::Kind;
+
+/// What is drawn over a mechanism, and how large.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overlay {
+    /// For each kind of symbol whether it is drawn.
+    wanted: [bool; 4],
+    size: f32,
+    ink: u8,
+    paper: u8,
+}
+
+impl Overlay {
+    /// The symbols of joints and motors, in ink, for a mechanism whose links are seen as shapes.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            wanted: [false; 4],
+            size: 1.0,
+            ink: Palette::INK,
+            paper: Palette::EYE,
+        }
+        .joints(true)
+        .motors(true)
+    }
+
+    /// Whether links are drawn as bars between their joints, gears as pitch circles: for a diagram without shapes.
+    #[must_use]
+    pub const fn links(self, links: bool) -> Self {
+        self.with(Kind::Link, links)
+    }
+
+    /// Whether the symbols of joints are drawn.
+    #[must_use]
+    pub const fn joints(self, joints: bool) -> Self {
+        self.with(Kind::Joint, joints)
+    }
+
+    /// Whether motors are drawn as arrows.
+    #[must_use]
+    pub const fn motors(self, motors: bool) -> Self {
+        self.with(Kind::Motor, motors)
+    }
+
+    /// Whether the declared points and lines are drawn as crosses and chain lines.
+    #[must_use]
+    pub const fn axes(self, axes: bool) -> Self {
+        self.with(Kind::Axis, axes)
+    }
+
+    const fn with(mut self, kind: Kind, wanted: bool) -> Self {
+        self.wanted[kind as usize] = wanted;
+        self
+    }
+
+    /// How many times as large as usual everything is drawn: 1 unless it is said. What is not finite and positive is taken as 1.
+    #[must_use]
+    pub const fn size(self, size: f32) -> Self {
+        let size = usable(size);
+        Self { size, ..self }
+    }
+
+    /// The entries of the palette for lines, and for what is within symbols: [`Palette::INK`] and [`Palette::EYE`] unless it is said.
+    #[must_use]
+    pub const fn colors(self, ink: u8, paper: u8) -> Self {
+        Self { ink, paper, ..self }
+    }
+
+    /// Draws the symbols that are wanted, of links at these poses.
+    pub fn draw<T: Scalar>(
+        &self,
+        symbols: &[Symbol<T>],
+        poses: &[Pose<T>],
+        canvas: &mut impl Canvas<T>,
+    ) {
+        let pen = Pen::new(canvas, self.size, self.ink, self.paper);
+        for symbol in symbols {
+            if self.wanted[symbol.kind() as usize] {
+                // What lies on a link whose pose is not known is left out.
+                let _ = symbol.draw(poses, &pen, canvas);
+            }
+        }
+    }
+}
+
+impl Default for Overlay {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// A factor that can be used.
+const fn usable(size: f32) -> f32 {
+    if size.is_finite() && size > 0.0 {
+        size
+    } else {
+        1.0
+    }
+}

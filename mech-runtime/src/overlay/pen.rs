@@ -1,0 +1,180 @@
+//! Lines and figures whose sizes are in pixels.
+
+use crate::raster::line;
+use crate::{Canvas, Outline, Pose, Real, Scalar};
+use nalgebra::{convert, convert_unchecked};
+
+/// How wide lines are, in pixels.
+pub(super) const BOLD: f32 = 2.0;
+pub(super) const MEDIUM: f32 = 1.5;
+pub(super) const THIN: f32 = 1.0;
+
+/// What symbols are drawn with.
+#[derive(Clone, Copy)]
+pub(super) struct Pen<T> {
+    /// The size of a pixel, in scene units, times how large everything is drawn.
+    pixel: T,
+    size: T,
+    ink: u8,
+    pub(super) paper: u8,
+}
+
+/// A place in the scene and a direction there.
+#[derive(Clone, Copy)]
+pub(super) struct Spot<T> {
+    pub(super) at: [T; 2],
+    /// Of length one.
+    pub(super) along: [T; 2],
+}
+
+impl<T: Scalar> Spot<T> {
+    /// A place, upright.
+    pub(super) fn upright(at: [T; 2]) -> Self {
+        let along = [T::ONE, T::ZERO];
+        Self { at, along }
+    }
+
+    /// The place so far ahead and to the left.
+    pub(super) fn go(&self, ahead: T, left: T) -> [T; 2] {
+        let [u, v] = self.along;
+        [
+            self.at[0] + ahead * u - left * v,
+            self.at[1] + ahead * v + left * u,
+        ]
+    }
+}
+
+impl<T: Scalar> Pen<T> {
+    pub(super) fn new(canvas: &impl Canvas<T>, size: f32, ink: u8, paper: u8) -> Self {
+        let size = convert::<f32, T>(size);
+        Self {
+            pixel: size / canvas.scale(),
+            size,
+            ink,
+            paper,
+        }
+    }
+
+    /// From pixels to scene units.
+    pub(super) fn pixels(&self, pixels: f32) -> T {
+        self.pixel * convert::<f32, T>(pixels)
+    }
+
+    /// From scene units to pixels.
+    pub(super) fn in_pixels(&self, length: T) -> f32 {
+        convert_unchecked::<T, f32>(length / self.pixel)
+    }
+
+    /// A line between two places in the scene.
+    pub(super) fn line(&self, canvas: &mut impl Canvas<T>, ends: [[T; 2]; 2], width: f32) {
+        line(canvas, ends, self.size * convert::<f32, T>(width), self.ink);
+    }
+
+    /// A line, in pixels from a spot.
+    pub(super) fn stroke(
+        &self,
+        canvas: &mut impl Canvas<T>,
+        spot: Spot<T>,
+        ends: [[f32; 2]; 2],
+        width: f32,
+    ) {
+        let ends = ends.map(|[x, y]| spot.go(self.pixels(x), self.pixels(y)));
+        self.line(canvas, ends, width);
+    }
+
+    /// A filled polygon, in pixels from a spot.
+    pub(super) fn fill<const N: usize>(
+        &self,
+        canvas: &mut impl Canvas<T>,
+        spot: Spot<T>,
+        corners: [[f32; 2]; N],
+        color: u8,
+    ) {
+        let corners = corners.map(|[x, y]| spot.go(self.pixels(x), self.pixels(y)));
+        canvas.fill_polygon(&corners, color);
+    }
+
+    /// A polygon of paper with an edge, in pixels from a spot.
+    pub(super) fn figure<const N: usize>(
+        &self,
+        canvas: &mut impl Canvas<T>,
+        spot: Spot<T>,
+        corners: [[f32; 2]; N],
+    ) {
+        self.fill(canvas, spot, corners, self.paper);
+        let mut last = corners.last().copied();
+        for corner in corners {
+            if let Some(last) = last.replace(corner) {
+                self.stroke(canvas, spot, [last, corner], MEDIUM);
+            }
+        }
+    }
+
+    /// A full dot of a radius in pixels.
+    pub(super) fn dot(&self, canvas: &mut impl Canvas<T>, center: [T; 2], radius: f32) {
+        self.disc(canvas, center, radius, self.ink);
+    }
+
+    /// A small circle of paper with an edge, of a radius in pixels.
+    pub(super) fn eye(&self, canvas: &mut impl Canvas<T>, center: [T; 2], radius: f32) {
+        self.disc(canvas, center, radius, self.ink);
+        self.disc(canvas, center, radius - MEDIUM, self.paper);
+    }
+
+    fn disc(&self, canvas: &mut impl Canvas<T>, center: [T; 2], radius: f32, color: u8) {
+        let radius = self.pixels(radius);
+        canvas.fill(Outline::Circle { center, radius }, Pose::identity(), color);
+    }
+
+    /// A row of short strokes beneath a line along a spot: from `from` to `to` pixels ahead of it, `step` apart.
+    pub(super) fn hatch(
+        &self,
+        canvas: &mut impl Canvas<T>,
+        spot: Spot<T>,
+        (from, to, step): (f32, f32, f32),
+        side: f32,
+    ) {
+        const LENGTH: f32 = 5.0;
+        let mut ahead = from;
+        while ahead <= to {
+            let ends = [[ahead, 0.0], [ahead - LENGTH, side * LENGTH]];
+            self.stroke(canvas, spot, ends, THIN);
+            ahead += step;
+        }
+    }
+
+    /// An arc about a centre, through so many radians to the left.
+    pub(super) fn arc(
+        &self,
+        canvas: &mut impl Canvas<T>,
+        center: [T; 2],
+        start: [T; 2],
+        angle: T,
+        width: f32,
+    ) {
+        let [mut x, mut y] = [start[0] - center[0], start[1] - center[1]];
+        let sides = self.sides(Real::sqrt(x * x + y * y));
+        let (sin, cos) = Real::sin_cos(angle / <T as Real>::from_i32(sides));
+        for _ in 0..sides {
+            let from = [center[0] + x, center[1] + y];
+            [x, y] = [cos * x - sin * y, sin * x + cos * y];
+            self.line(canvas, [from, [center[0] + x, center[1] + y]], width);
+        }
+    }
+
+    /// Of how many straight lines a circle consists, so that it looks round.
+    fn sides(&self, radius: T) -> i32 {
+        let root = nalgebra::ComplexField::sqrt(self.in_pixels(radius));
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "whatever it is, a usable number comes out of it"
+        )]
+        let sides = (8.0 * root) as i32;
+        sides.clamp(16, 256)
+    }
+
+    /// The entry of the palette that it draws with.
+    pub(super) fn ink(&self) -> u8 {
+        self.ink
+    }
+}

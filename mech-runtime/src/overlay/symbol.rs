@@ -1,0 +1,365 @@
+//! The symbols of a mechanism, and how each is drawn.
+
+use super::arrow::{head, turn};
+use super::pen::{self, BOLD, MEDIUM, Pen, THIN};
+use crate::{Canvas, Pose, Real, Scalar};
+
+/// A place on a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot<T> {
+    /// The link: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`.
+    pub link: usize,
+    /// Where, in its frame, in scene units.
+    pub at: [T; 2],
+}
+
+/// What is drawn of a mechanism besides its shapes. Lengths are in scene units, directions of length one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Symbol<T> {
+    /// A side of a link, from one of its joints to the next.
+    Bar {
+        /// The link, numbered as in [`Spot`].
+        link: usize,
+        /// Both ends, in its frame.
+        ends: [[T; 2]; 2],
+    },
+    /// A named point of a link, where no joint is.
+    Mark(Spot<T>),
+    /// The pitch circle of a wheel.
+    Wheel {
+        /// Its centre.
+        center: Spot<T>,
+        /// Its radius.
+        radius: T,
+    },
+    /// The strands of a belt between two wheels.
+    Belt {
+        /// The centres of the wheels.
+        centers: [Spot<T>; 2],
+        /// Their radii.
+        radii: [T; 2],
+    },
+    /// The pitch line of a toothed bar.
+    Rack {
+        /// The centre of the pinion.
+        pinion: Spot<T>,
+        /// The pinion's pitch radius; negative if the bar is on its other side.
+        radius: T,
+        /// The bar, at the origin of the line along which it slides.
+        bar: Spot<T>,
+        /// The direction of that line, in the bar's frame.
+        along: [T; 2],
+    },
+    /// A line along which something slides.
+    Line {
+        /// Its origin.
+        at: Spot<T>,
+        /// Its direction, in the link's frame.
+        along: [T; 2],
+    },
+    /// A point about which something turns.
+    Point(Spot<T>),
+    /// A prismatic joint, or that of a slot.
+    Slide {
+        /// The part with the guide, at the origin of its line.
+        guide: Spot<T>,
+        /// The direction of the guide, in its link's frame.
+        along: [T; 2],
+        /// The part that slides.
+        block: Spot<T>,
+    },
+    /// A weld.
+    Weld(Spot<T>),
+    /// A revolute joint; on the ground, a fixed pivot.
+    Pivot(Spot<T>),
+    /// A motor that turns.
+    Turned(Spot<T>),
+    /// A motor that slides.
+    Pushed {
+        /// What it slides.
+        block: Spot<T>,
+        /// The link with the guide, numbered as in [`Spot`].
+        guide: usize,
+        /// The guide's direction, in that link's frame.
+        along: [T; 2],
+    },
+}
+
+/// The kinds of symbols that are drawn or left out together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind {
+    Link,
+    Joint,
+    Motor,
+    Axis,
+}
+
+/// The radius of a revolute joint, in pixels.
+const PIVOT: f32 = 4.7;
+/// A fixed pivot's stand: how high it is, and half as wide; half the width of its base.
+const STAND: [f32; 3] = [14.0, 8.0, 13.0];
+/// A block: half its length and half its height.
+const BLOCK: [f32; 2] = [13.0, 7.0];
+/// Half the length of a rail.
+const RAIL: f32 = 36.0;
+/// From one stroke of hatching to the next.
+const HATCH: f32 = 5.0;
+
+/// The pose of a link, if it is kept.
+fn pose<T: Scalar>(poses: &[Pose<T>], link: usize) -> Option<Pose<T>> {
+    match link.checked_sub(1) {
+        None => Some(Pose::identity()),
+        Some(index) => poses.get(index).copied(),
+    }
+}
+
+impl<T: Scalar> Spot<T> {
+    /// Where it is in the scene.
+    fn place(self, poses: &[Pose<T>]) -> Option<[T; 2]> {
+        Some(pose(poses, self.link)?.apply(self.at))
+    }
+
+    /// The same with a direction of its link.
+    fn with(self, along: [T; 2], poses: &[Pose<T>]) -> Option<pen::Spot<T>> {
+        let pose = pose(poses, self.link)?;
+        let at = pose.apply(self.at);
+        let along = turned(pose, along);
+        Some(pen::Spot { at, along })
+    }
+}
+
+/// A direction of a link, in the scene.
+fn turned<T: Scalar>(pose: Pose<T>, [u, v]: [T; 2]) -> [T; 2] {
+    [pose.cos * u - pose.sin * v, pose.sin * u + pose.cos * v]
+}
+
+impl<T: Scalar> Symbol<T> {
+    /// What kind of thing it is.
+    pub(super) const fn kind(&self) -> Kind {
+        match self {
+            Self::Bar { .. }
+            | Self::Mark(_)
+            | Self::Wheel { .. }
+            | Self::Belt { .. }
+            | Self::Rack { .. } => Kind::Link,
+            Self::Slide { .. } | Self::Weld(_) | Self::Pivot(_) => Kind::Joint,
+            Self::Turned(_) | Self::Pushed { .. } => Kind::Motor,
+            Self::Line { .. } | Self::Point(_) => Kind::Axis,
+        }
+    }
+
+    /// Draws it, if the poses of its links are known.
+    pub(super) fn draw(
+        &self,
+        poses: &[Pose<T>],
+        pen: &Pen<T>,
+        canvas: &mut impl Canvas<T>,
+    ) -> Option<()> {
+        match *self {
+            Self::Bar { link, ends } => {
+                let pose = pose(poses, link)?;
+                pen.line(canvas, ends.map(|end| pose.apply(end)), BOLD);
+            }
+            Self::Mark(spot) => pen.dot(canvas, spot.place(poses)?, 3.0),
+            Self::Wheel { center, radius } => {
+                let spot = center.with([T::ONE, T::ZERO], poses)?;
+                wheel(pen, canvas, spot, radius);
+            }
+            Self::Belt { centers, radii } => {
+                let [a, b] = centers;
+                belt(pen, canvas, [a.place(poses)?, b.place(poses)?], radii);
+            }
+            Self::Rack {
+                pinion,
+                radius,
+                bar,
+                along,
+            } => {
+                let bar = bar.with(along, poses)?;
+                rack(pen, canvas, pinion.place(poses)?, radius, bar);
+            }
+            Self::Line { at, along } => {
+                let spot = at.with(along, poses)?;
+                for dash in [-34.0_f32, -19.0, -4.0, 11.0, 26.0] {
+                    pen.stroke(canvas, spot, [[dash, 0.0], [dash + 8.0, 0.0]], THIN);
+                }
+                for dot in [-22.5_f32, -7.5, 7.5, 22.5] {
+                    pen.stroke(canvas, spot, [[dot, 0.0], [dot, 0.0]], THIN);
+                }
+            }
+            Self::Point(spot) => {
+                let spot = pen::Spot::upright(spot.place(poses)?);
+                pen.stroke(canvas, spot, [[-7.0, 0.0], [7.0, 0.0]], THIN);
+                pen.stroke(canvas, spot, [[0.0, -7.0], [0.0, 7.0]], THIN);
+            }
+            Self::Slide {
+                guide,
+                along,
+                block,
+            } => {
+                let (rail, at) = (guide.with(along, poses)?, block.place(poses)?);
+                slide(pen, canvas, rail, at, guide.link == 0);
+            }
+            Self::Weld(spot) => {
+                let spot = spot.with([T::ONE, T::ZERO], poses)?;
+                let corners = [[-4.5, -4.5], [4.5, -4.5], [4.5, 4.5], [-4.5, 4.5]];
+                pen.fill(canvas, spot, corners, pen.ink());
+            }
+            Self::Pivot(spot) => {
+                let at = spot.place(poses)?;
+                if spot.link == 0 {
+                    stand(pen, canvas, at);
+                }
+                pen.eye(canvas, at, PIVOT);
+            }
+            Self::Turned(spot) => turn(pen, canvas, spot.place(poses)?, true, 16.0),
+            Self::Pushed {
+                block,
+                guide,
+                along,
+            } => {
+                let along = turned(pose(poses, guide)?, along);
+                let at = block.place(poses)?;
+                pushed(pen, canvas, pen::Spot { at, along });
+            }
+        }
+        Some(())
+    }
+}
+
+/// The triangle and the hatched base of a fixed pivot.
+fn stand<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, at: [T; 2]) {
+    let [height, half, base] = STAND;
+    let spot = pen::Spot::upright(at);
+    pen.figure(
+        canvas,
+        spot,
+        [[0.0, 0.0], [half, -height], [-half, -height]],
+    );
+    pen.stroke(canvas, spot, [[-base, -height], [base, -height]], MEDIUM);
+    let floor = pen::Spot::upright(spot.go(T::ZERO, -pen.pixels(height)));
+    pen.hatch(canvas, floor, (HATCH - base, base, HATCH), -1.0);
+}
+
+/// A block on its rail, or on the line of a moving link.
+fn slide<T: Scalar>(
+    pen: &Pen<T>,
+    canvas: &mut impl Canvas<T>,
+    guide: pen::Spot<T>,
+    at: [T; 2],
+    is_fixed: bool,
+) {
+    let along = guide.along;
+    let block = pen::Spot { at, along };
+    let [half, height] = BLOCK;
+    let way = (at[0] - guide.at[0]) * along[0] + (at[1] - guide.at[1]) * along[1];
+    if is_fixed {
+        // The rail lies below, or to the right where it is upright.
+        let is_below = along[0] > T::ZERO || (along[0] >= T::ZERO && along[1] > T::ZERO);
+        let side = if is_below { -1.0 } else { 1.0 };
+        let depth = height + 1.0;
+        let ends = [-RAIL, RAIL].map(|end| [end, side * depth]);
+        pen.stroke(canvas, block, ends, MEDIUM);
+        // The hatching stays where it is while the block slides by.
+        let rest = HATCH * fraction(way / pen.pixels(HATCH));
+        let floor = pen::Spot {
+            at: block.go(T::ZERO, pen.pixels(side * depth)),
+            along,
+        };
+        pen.hatch(canvas, floor, (HATCH - RAIL - rest, RAIL, HATCH), side);
+    } else {
+        let reach = pen.pixels(2.0 * half);
+        let least = if way < reach { way - reach } else { T::ZERO };
+        let most = if way > -reach { way + reach } else { T::ZERO };
+        let ends = [guide.go(least, T::ZERO), guide.go(most, T::ZERO)];
+        pen.line(canvas, ends, BOLD);
+    }
+    let corners = [
+        [-half, -height],
+        [half, -height],
+        [half, height],
+        [-half, height],
+    ];
+    pen.figure(canvas, block, corners);
+}
+
+/// What is left of a number when the whole below it is taken away; of one that is not finite, nothing.
+fn fraction<T: Scalar>(number: T) -> f32 {
+    let rest = number - nalgebra::ComplexField::floor(number);
+    if Real::is_finite(rest) {
+        nalgebra::convert_unchecked::<T, f32>(rest)
+    } else {
+        0.0
+    }
+}
+
+/// A pitch circle, with a tick by which it is seen to turn.
+fn wheel<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, hub: pen::Spot<T>, radius: T) {
+    let rim = hub.go(radius, T::ZERO);
+    pen.arc(canvas, hub.at, rim, <T as Real>::TURN, THIN);
+    let inner = hub.go(radius - pen.pixels(7.0), T::ZERO);
+    pen.line(canvas, [inner, rim], MEDIUM);
+}
+
+/// The two strands of a belt: the outer tangents of its wheels.
+fn belt<T: Scalar>(
+    pen: &Pen<T>,
+    canvas: &mut impl Canvas<T>,
+    [from, to]: [[T; 2]; 2],
+    radii: [T; 2],
+) {
+    let [x, y] = [to[0] - from[0], to[1] - from[1]];
+    let length = Real::sqrt(x * x + y * y);
+    let sine = (radii[0] - radii[1]) / length;
+    let rest = T::ONE - sine * sine;
+    let [u, v] = [x / length, y / length];
+    // Where one wheel is within the other, there is no tangent: what is not a number is not drawn.
+    let cosine = Real::sqrt(rest);
+    for side in [cosine, -cosine] {
+        let normal = [sine * u - side * v, sine * v + side * u];
+        let touching = |[x, y]: [T; 2], radius: T| [x + radius * normal[0], y + radius * normal[1]];
+        let ends = [touching(from, radii[0]), touching(to, radii[1])];
+        pen.line(canvas, ends, THIN);
+    }
+}
+
+/// The pitch line of a rack where its pinion touches it, with ticks that move with it.
+fn rack<T: Scalar>(
+    pen: &Pen<T>,
+    canvas: &mut impl Canvas<T>,
+    pinion: [T; 2],
+    radius: T,
+    bar: pen::Spot<T>,
+) {
+    let [u, v] = bar.along;
+    let at = [pinion[0] + radius * v, pinion[1] - radius * u];
+    let contact = pen::Spot { at, ..bar };
+    let reach = Real::abs(radius) + Real::abs(radius);
+    let ends = [contact.go(-reach, T::ZERO), contact.go(reach, T::ZERO)];
+    pen.line(canvas, ends, THIN);
+    // Ticks half a radius apart, on the side away from the pinion.
+    let apart = <T as Real>::HALF * Real::abs(radius);
+    let way = (at[0] - bar.at[0]) * u + (at[1] - bar.at[1]) * v;
+    let rest = apart * nalgebra::convert::<f32, T>(fraction(way / apart));
+    let away = pen.pixels(if radius > T::ZERO { -5.0 } else { 5.0 });
+    for number in -3..=4 {
+        let ahead = apart * <T as Real>::from_i32(number) - rest;
+        let tick = [contact.go(ahead, T::ZERO), contact.go(ahead, away)];
+        pen.line(canvas, tick, THIN);
+    }
+}
+
+/// A double arrow beside what a motor slides.
+fn pushed<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, block: pen::Spot<T>) {
+    // On the side where the rail is not.
+    let [u, v] = block.along;
+    let is_above = u > T::ZERO || (u >= T::ZERO && v > T::ZERO);
+    let beside = if is_above { 14.0 } else { -14.0 };
+    pen.stroke(canvas, block, [[-12.0, beside], [12.0, beside]], MEDIUM);
+    let beside = pen.pixels(beside);
+    for ahead in [18.0, -18.0] {
+        let at = block.go(pen.pixels(ahead), beside);
+        let along = if ahead > 0.0 { [u, v] } else { [-u, -v] };
+        head(pen, canvas, pen::Spot { at, along }, 1.0);
+    }
+}

@@ -1,0 +1,34 @@
+//! Symbols and arrows: what they look like, and what is true of all of them.
+
+mod pictures;
+mod properties;
+
+use mech_runtime::overlay::Spot;
+use mech_runtime::{Frame, Palette, Pose};
+
+/// That of link 1 everywhere.
+const TURNED: Pose<f64> = Pose {
+    cos: 0.8,
+    sin: 0.6,
+    x: 0.0,
+    y: 0.0,
+};
+
+/// A picture in which a scene unit is a pixel and the origin is in the middle.
+fn picture<const W: usize, const H: usize>(paint: impl FnOnce(&mut Frame<W, H>)) -> String {
+    let mut frame = Frame::<W, H>::new();
+    paint(&mut frame);
+    let rows = frame.pixels().iter().map(|row| {
+        let row = row.iter().map(|&pixel| match pixel {
+            Palette::PAPER => '.',
+            Palette::EYE => 'o',
+            _ => '#',
+        });
+        row.collect::<String>()
+    });
+    rows.collect::<Vec<_>>().join("\n")
+}
+
+const fn on(link: usize, at: [f64; 2]) -> Spot<f64> {
+    Spot { link, at }
+}
