@@ -134,7 +134,7 @@ fn put_cams(model: &mut Model, dice: &mut Dice) {
         kinds && !joint.hidden
     };
     let joints: Vec<JointId> = model.joint_ids().filter(moves).collect();
-    for number in 0..1 + dice.below(2) {
+    for number in 0..=dice.below(2) {
         let (shaft, follower) = (*dice.pick(&joints), *dice.pick(&joints));
         if shaft == follower || model.carrier_of_cam(shaft, follower).is_none() {
             continue;

@@ -337,7 +337,7 @@ fn random_followers_are_where_their_laws_have_them() {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(6);
         let mut model = grow(&mut dice, additions).model;
-        let cams: Vec<_> = (0..1 + dice.below(3))
+        let cams: Vec<_> = (0..=dice.below(3))
             .filter_map(|_| add_cam(&mut model, &mut dice))
             .collect();
         let Some(&last) = cams.last() else { continue };

@@ -106,6 +106,7 @@ fn load_up(model: &mut Model, dice: &mut Dice) {
         acceleration: true,
         force: true,
         dynamics: true,
+        overlay: false,
     };
     model.show = None;
 }

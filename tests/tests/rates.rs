@@ -178,7 +178,7 @@ fn rates_of_followers_are_those_of_their_positions() {
         let additions = 1 + dice.below(6);
         let mut model = grow(&mut dice, additions).model;
         with_effects(&mut model);
-        for _ in 0..1 + dice.below(3) {
+        for _ in 0..=dice.below(3) {
             add_cam(&mut model, &mut dice);
         }
         if model.cams().next().is_some() {
