@@ -47,6 +47,8 @@ pub struct Compiled {
     pub program: Program,
     /// The operations that move it and go on to velocities, if these were asked for.
     pub moving: Option<Program>,
+    /// The operations that tell how everything follows the params, if that was asked for.
+    pub sensitive: Option<Program>,
     /// How each loop is solved, in the order in which they are closed.
     pub loops: Vec<Solved>,
     /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
@@ -75,11 +77,17 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         range: program.range.clone(),
         ..moving
     });
+    let sensitive = program::build_sensitive(model, &plan, &choices, &program);
+    let sensitive = sensitive.map(|sensitive| Program {
+        start: program.start.clone(),
+        ..sensitive
+    });
     let loops = accuracy::solved(&program, prediction.as_ref());
     let saved = saved(model, &plan, &program, &choices);
     let found = report::Found {
         program: &program,
         moving: moving.as_ref(),
+        sensitive: sensitive.as_ref(),
         loops: &loops,
         prediction: prediction.as_ref(),
         saved,
@@ -90,6 +98,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         plan,
         program,
         moving,
+        sensitive,
         loops,
         prediction,
         saved,
@@ -361,7 +370,12 @@ pub fn expand(input: TokenStream) -> TokenStream {
             &header,
             &places,
             &model,
-            (&compiled.plan, &compiled.program, compiled.moving.as_ref()),
+            (
+                &compiled.plan,
+                &compiled.program,
+                compiled.moving.as_ref(),
+                compiled.sensitive.as_ref(),
+            ),
             &compiled.report,
         ),
         Err(diagnoses) => {

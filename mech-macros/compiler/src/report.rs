@@ -15,6 +15,8 @@ pub struct Found<'f> {
     pub program: &'f Program,
     /// The same and those that go on to rates, if these were asked for.
     pub moving: Option<&'f Program>,
+    /// Those that tell how everything follows the params, if that was asked for.
+    pub sensitive: Option<&'f Program>,
     /// How its loops are solved.
     pub loops: &'f [Solved],
     /// How exact it will be, if that was predicted.
@@ -42,6 +44,7 @@ fn write(
     let Found {
         program,
         moving,
+        sensitive,
         loops,
         prediction,
         saved,
@@ -50,6 +53,13 @@ fn write(
     writeln!(text, "{}", model.name)?;
     writeln!(text, "  mobility  {}", mobility(model, structure))?;
     writeln!(text, "  motors    {}", joints(model, &motors))?;
+    let params = model.params.all().iter();
+    let params: Vec<String> = params
+        .map(|param| format!("`{}` = {}", param.name, param.value))
+        .collect();
+    if !params.is_empty() {
+        writeln!(text, "  params    {}", params.join(", "))?;
+    }
     writeln!(text, "  trunk     {}", joints(model, &structure.trunk))?;
     writeln!(text, "  arms      {}", joints(model, &structure.arms))?;
     if !structure.redundant.is_empty() {
@@ -99,6 +109,10 @@ fn write(
         };
         let more = cost::of_rates(program, moving);
         writeln!(text, "  effects   {kinds}: {more} more")?;
+    }
+    if let Some(sensitive) = sensitive {
+        let more = cost::of_program(sensitive);
+        writeln!(text, "  effects   sensitivity to the params: {more}")?;
     }
     Ok(())
 }

@@ -2,11 +2,12 @@
 
 use super::block::scalar;
 use super::moves::{course, near, turn_to, within};
+use super::params;
 use super::rates::RateItems;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
-use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
+use crate::model::{Axis, AxisId, AxisKind, JointKind, LinkId, Model, Origin};
 use crate::plan::Plan;
 use crate::program::Program;
 use crate::syntax::{Header, Places};
@@ -19,7 +20,7 @@ pub(crate) fn items(
     header: &Header,
     places: &Places,
     model: &Model,
-    (plan, program, moving): (&Plan, &Program, Option<&Program>),
+    (plan, program, moving, sensitive): (&Plan, &Program, Option<&Program>, Option<&Program>),
     report: &str,
 ) -> TokenStream {
     let Header {
@@ -29,12 +30,8 @@ pub(crate) fn items(
     } = header;
     let scalar = scalar(program);
     let position = position(program);
-    let sizes = [
-        program.motors.len(),
-        program.poses.len(),
-        program.kept.len(),
-    ]
-    .map(Literal::usize_unsuffixed);
+    let sizes =
+        [program.inputs(), program.poses.len(), program.kept.len()].map(Literal::usize_unsuffixed);
     let links = &sizes[1];
     let doc = format!("\n```text\n{report}```");
     let start = start(program);
@@ -58,6 +55,11 @@ pub(crate) fn items(
         steps: rate_steps,
     } = rates;
     let moves = moves(program, visibility, &rest);
+    let param_imports = params::imports(krate, program, moving.is_some());
+    let params = params::methods(places, model, program, visibility, &rest);
+    let sensitivity = sensitive
+        .map(|sensitive| super::sensitivity::methods(krate, places, model, sensitive, visibility));
+    let sensitivity_steps = super::sensitivity::steps(sensitive);
     let implementation = implementation(krate, program, name);
     quote! {
         #(#attributes)*
@@ -86,6 +88,7 @@ pub(crate) fn items(
             const _: () = {
             #imports
             #rate_imports
+            #param_imports
 
             #shapes
 
@@ -120,6 +123,10 @@ pub(crate) fn items(
 
                 #rate_methods
 
+                #params
+
+                #sensitivity
+
                 /// The poses of the moving links in the scene, in the order of their declaration.
                 #[must_use]
                 #visibility const fn poses(&self) -> &[Pose<#scalar>; #links] {
@@ -145,6 +152,8 @@ pub(crate) fn items(
             #step
 
             #rate_steps
+
+            #sensitivity_steps
             };
         };
     }
@@ -154,24 +163,20 @@ pub(crate) fn items(
 fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) -> TokenStream {
     let (scalar, near) = (scalar(program), near(program));
     let motors = Literal::usize_unsuffixed(program.motors.len());
-    let move_to = rested(
-        quote!(advance(&mut self.position, Motors::new(motors), &COURSE, #near, step)),
-        rest,
-    );
-    let move_toward = rested(
-        quote!(approach(
-            &mut self.position,
-            Motors::new(motors),
-            &COURSE,
-            step
-        )),
-        rest,
-    );
+    let target = params::target(program, &quote!(self.position));
+    let move_to = quote!(advance(&mut self.position, #target, &COURSE, #near, step));
+    let move_to = rested(params::told(program, move_to), rest);
+    let mut move_toward = quote!(approach(&mut self.position, #target, &COURSE, step));
+    if !program.params.is_empty() {
+        move_toward.extend(quote!(.map(reached_by_motors)));
+    }
+    let move_toward = rested(params::told(program, move_toward), rest);
+    let values = params::motors(program);
     quote! {
                 /// The present values of the motors, in the order of their declaration, in radians or scene units.
                 #[must_use]
                 #visibility fn motors(&self) -> [#scalar; #motors] {
-                    self.position.motors.total()
+                    #values
                 }
 
                 /// Gives the motors these values, in the order of their declaration, in radians or scene units, and moves
@@ -310,13 +315,13 @@ fn accessors(
             }
         });
     }
-    for (link, point, origin, [x, y]) in named_points(model) {
+    for (link, point, origin, axis) in named_points(model) {
         let name = user_ident(
             &format!("{}_{point}", model.link(link).name),
             places,
             origin,
         );
-        let (x, y) = (number(program.precision, x), number(program.precision, y));
+        let at = params::place(model, axis);
         let pose = pose(program, link);
         let doc = format!(
             " Point `{point}` of link `{}`, in the scene.",
@@ -326,7 +331,7 @@ fn accessors(
             #[doc = #doc]
             #[must_use]
             #visibility fn #name(&self) -> Point2<#scalar> {
-                let [x, y] = #pose.apply([#x, #y]);
+                let [x, y] = #pose.apply(#at);
                 Point2::new(x, y)
             }
         });
@@ -348,16 +353,14 @@ fn accessors(
     tokens
 }
 
-/// The named points of the moving links that are shown: link, name, place, and where it is in the link.
-pub(super) fn named_points(
-    model: &Model,
-) -> impl Iterator<Item = (LinkId, &str, Origin, [f64; 2])> {
+/// The named points of the moving links that are shown: link, name, place, and the axis.
+pub(super) fn named_points(model: &Model) -> impl Iterator<Item = (LinkId, &str, Origin, &Axis)> {
     let axes = (0..).map(AxisId::new).zip(&model.axes);
     let points = axes.filter(|(id, axis)| {
         axis.kind == AxisKind::Point && axis.link != LinkId::GROUND && model.shows_point(*id)
     });
     let points = points.map(|(_, axis)| axis);
-    points.filter_map(|axis| Some((axis.link, axis.name.as_deref()?, axis.origin, axis.at)))
+    points.filter_map(|axis| Some((axis.link, axis.name.as_deref()?, axis.origin, axis)))
 }
 
 /// The expression of the pose of a link, which is kept unless it is the ground.
@@ -405,10 +408,10 @@ fn coordinate(
     }
     let axis = |id: AxisId| {
         let axis = model.axis(id);
-        let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
-            .map(|value| number(program.precision, value));
+        let at = params::place(model, axis);
+        let [along, across] = axis.direction.map(|value| number(program.precision, value));
         let pose = pose(program, axis.link);
-        quote!((#pose, [#x, #y], [#along, #across]))
+        quote!((#pose, #at, [#along, #across]))
     };
     let (a, b) = (axis(a), axis(b));
     Some((unit, quote!(#function(#a, #b))))

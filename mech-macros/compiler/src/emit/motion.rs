@@ -11,8 +11,8 @@ use quote::quote;
 pub(super) struct Moved {
     /// The rates of all links.
     result: TokenStream,
-    margins: Vec<TokenStream>,
-    places: Vec<String>,
+    pub(super) margins: Vec<TokenStream>,
+    pub(super) places: Vec<String>,
 }
 
 /// What a step finds of rates, in its own words.
@@ -125,7 +125,7 @@ pub(super) fn step_with(
     } = moved;
     let (position, scalar, found) = (position(program), scalar(program), rates_type(program));
     let [parameters, arguments] = given(program);
-    let count = Literal::usize_unsuffixed(program.motors.len());
+    let count = Literal::usize_unsuffixed(program.inputs());
     if !program.is_closed() {
         return quote! {
             /// The position at these motor values, close to the last one, and the rates of all links.

@@ -4,6 +4,7 @@ use super::block::scalar;
 use super::costs::literal;
 use super::items::{coordinate_axes, named_points, pose, user_ident};
 use super::motion::given;
+use super::params;
 use super::scope::number;
 use super::step::{step, takes_sines};
 use crate::cost;
@@ -130,6 +131,27 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
     let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
     let still = second.then(|| quote!(, [0.0; #count]));
     let first = if *second { quote!(.0) } else { quote!() };
+    let refused = params::refused(moving);
+    let target = params::target(moving, &quote!(self.position));
+    let names = if moving.params.is_empty() {
+        quote!(&COURSE.names)
+    } else {
+        let names = &moving.motors;
+        quote!(&[#(#names),*])
+    };
+    let moved = params::told(
+        moving,
+        quote! {
+            advance_with(
+                &mut self.position,
+                #target,
+                &COURSE,
+                |last, motors| #near_with(last, motors, #arguments),
+                |last, motors| step_with(last, motors, #arguments),
+                step,
+            )
+        },
+    );
     let accelerations = second.then(|| {
         quote! {
             /// The accelerations of the moving links in the scene, in the order of their declaration.
@@ -159,18 +181,11 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
             -> Result<(), Blocked<[#scalar; #count]>>
         {
             for rates in #checked {
-                if let Err(stop) = finite(rates, &COURSE.names) {
-                    return Err(self.position.refuse(stop));
+                if let Err(stop) = finite(rates, #names) {
+                    return Err(#refused);
                 }
             }
-            let #pattern = advance_with(
-                &mut self.position,
-                Motors::new(motors),
-                &COURSE,
-                |last, motors| #near_with(last, motors, #arguments),
-                |last, motors| step_with(last, motors, #arguments),
-                step,
-            )?;
+            let #pattern = #moved?;
             self.velocities = velocities;
             #keep_second
             Ok(())
@@ -198,7 +213,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
                 let found = rates_at(&self.position, |last, motors| step_with(last, motors, rates #still));
                 match found {
                     Ok(found) => *influence = found #first,
-                    Err(stop) => return Err(self.position.refuse(stop)),
+                    Err(stop) => return Err(#refused),
                 }
             }
             Ok(influences)
@@ -215,7 +230,6 @@ fn accessors(
 ) -> TokenStream {
     let mut tokens = TokenStream::new();
     let scalar = &kinds.scalar;
-    let n = |value: f64| number(model.precision, value);
     for id in model.declared_links().filter(|&id| model.shows_link(id)) {
         let (link, index) = (model.link(id), index(kinds.program, id));
         let name = &link.name;
@@ -239,10 +253,10 @@ fn accessors(
             );
         }
     }
-    for (id, point, origin, [x, y]) in named_points(model) {
+    for (id, point, origin, axis) in named_points(model) {
         let (name, index) = (&model.link(id).name, index(kinds.program, id));
         let pose = pose(kinds.program, id);
-        let at = [n(x), n(y)];
+        let at = params::place(model, axis);
         let mut tell = |what: &str, value: TokenStream| {
             let method = user_ident(&format!("{name}_{point}_{what}"), places, origin);
             let doc = format!(" The {what} of point `{point}` of link `{name}` in the scene.");
@@ -255,14 +269,13 @@ fn accessors(
                 }
             });
         };
-        let [u, v] = &at;
         tell(
             "velocity",
-            quote!(self.velocities[#index].of_point(#pose, [#u, #v])),
+            quote!(self.velocities[#index].of_point(#pose, #at)),
         );
         if kinds.second {
             let value = quote! {
-                self.accelerations[#index].of_point(#pose, self.velocities[#index].angular, [#u, #v])
+                self.accelerations[#index].of_point(#pose, self.velocities[#index].angular, #at)
             };
             tell("acceleration", value);
         }
@@ -325,8 +338,8 @@ fn joint_rate(
     let end = |axis: AxisId| {
         let id = link(axis);
         let (axis, pose) = (model.axis(axis), pose(program, id));
-        let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
-            .map(|value| number(model.precision, value));
+        let at = params::place(model, axis);
+        let [along, across] = axis.direction.map(|value| number(model.precision, value));
         let (velocity, acceleration) = if id == LinkId::GROUND {
             (quote!(Velocity::ZERO), quote!(Acceleration::ZERO))
         } else {
@@ -341,7 +354,7 @@ fn joint_rate(
         } else {
             velocity
         };
-        quote!((#pose, [#x, #y], [#along, #across]), #rates)
+        quote!((#pose, #at, [#along, #across]), #rates)
     };
     let function = if second {
         quote!(slide_acceleration)

@@ -42,17 +42,8 @@ impl<'p> Runner<'p> {
         rates: [&[T]; 2],
     ) -> Result<Moved<T>, Stop> {
         let motion = self.program.motion.as_ref().ok_or(Stop::Unasked)?;
-        let values = self.values(at, (&at.motors, &at.turns), rates);
-        // What closed where it is and does not once more is at its limit.
-        let values = values.map_err(|stop| match stop {
-            Stop::Open(block) | Stop::DeadPoint(block) => Stop::Singular(self.number(block)),
-            other => other,
-        })?;
+        let values = self.determined(at, rates)?;
         let get = |value: &Value| values[value.index()];
-        let regular = |margin: &RateMargin| get(&margin.margin) >= T::ZERO;
-        if let Some(first) = motion.margins.iter().position(|margin| !regular(margin)) {
-            return Err(Stop::Singular(first));
-        }
         let all = |rates: &Vec<[Value; 3]>| -> Vec<[T; 3]> {
             rates
                 .iter()
@@ -72,6 +63,30 @@ impl<'p> Runner<'p> {
             Ok(moved)
         } else {
             Err(Stop::Overflow)
+        }
+    }
+
+    /// All values of the program where it is, if rates are determined there.
+    pub(super) fn determined<T: Real>(
+        &self,
+        at: &Position<T>,
+        rates: [&[T]; 2],
+    ) -> Result<Vec<T>, Stop> {
+        let values = self.values(at, (&at.motors, &at.turns), rates);
+        // What closed where it is and does not once more is at its limit.
+        let values = values.map_err(|stop| match stop {
+            Stop::Open(block) | Stop::DeadPoint(block) => Stop::Singular(self.number(block)),
+            other => other,
+        })?;
+        let mut margins = self
+            .program
+            .motion
+            .iter()
+            .flat_map(|motion| &motion.margins);
+        let regular = |margin: &RateMargin| values[margin.margin.index()] >= T::ZERO;
+        match margins.position(|margin| !regular(margin)) {
+            None => Ok(values),
+            Some(first) => Err(Stop::Singular(first)),
         }
     }
 

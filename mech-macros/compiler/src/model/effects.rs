@@ -7,4 +7,6 @@ pub struct Effects {
     pub velocity: bool,
     /// Their accelerations; only with velocities.
     pub acceleration: bool,
+    /// How links, points and joints follow the params.
+    pub sensitivity: bool,
 }

@@ -39,6 +39,14 @@ id! {
     /// A motor of a [`Model`](super::Model).
     MotorId
 }
+id! {
+    /// A param of a [`Model`](super::Model).
+    ParamId
+}
+id! {
+    /// A formula of a [`Model`](super::Model).
+    FormulaId
+}
 
 impl LinkId {
     /// The fixed link, which every mechanism has.

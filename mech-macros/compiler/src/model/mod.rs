@@ -8,14 +8,16 @@ mod effects;
 mod id;
 mod joint;
 mod link;
+mod param;
 mod show;
 mod start;
 
 pub use edit::Edit;
 pub use effects::Effects;
-pub use id::{AxisId, JointId, LinkId, MotorId, Origin};
+pub use id::{AxisId, FormulaId, JointId, LinkId, MotorId, Origin, ParamId};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
+pub use param::{Arithmetic, Formula, Param, Params};
 pub use show::Shown;
 pub use start::{Near, Start, StartValue};
 
@@ -102,6 +104,8 @@ pub struct Model {
     pub joints: Vec<Joint>,
     /// All motors, in the order in which `move_to` takes their values.
     pub motors: Vec<Motor>,
+    /// The numbers that may be changed while it runs.
+    pub params: Params,
     /// How the mechanism is assembled.
     pub start: Start,
     /// How the loops are solved, if that was said; else `accuracy` decides, and without that the method is exact.
@@ -143,6 +147,7 @@ impl Model {
             axes: Vec::new(),
             joints: Vec::new(),
             motors: Vec::new(),
+            params: Params::default(),
             start: Start::default(),
             method: None,
             predictor: 0,
@@ -186,6 +191,10 @@ impl Model {
             && shapes.into_iter().all(in_shape)
             && self.axes.iter().all(in_axis)
             && self.start.values.iter().all(in_start)
+            && self
+                .params
+                .values()
+                .all(|value| self.precision.holds(value))
     }
 
     /// How large it is: the greatest distance of an axis from the origin of its link.
@@ -256,6 +265,7 @@ impl Model {
                 origin,
                 kind,
                 at,
+                formulas: [None; 2],
                 direction,
             });
             AxisId::new(self.axes.len() - 1)

@@ -6,16 +6,18 @@ mod builder;
 mod calibrate;
 mod choice;
 mod closed;
+mod formula;
 mod live;
 mod motion;
 mod newton;
 mod node;
 mod real;
+mod sensitivity;
 mod stored;
 mod watch;
 
 pub(crate) use build::needed;
-pub use build::{build, build_as, build_moving};
+pub use build::{build, build_as, build_moving, build_sensitive};
 pub use choice::{Choice, Solver, Watching};
 pub use closed::Closed;
 pub use mech_core::Real;
@@ -23,6 +25,7 @@ pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
+pub use sensitivity::{Rates, Sensitivity};
 pub use watch::Watch;
 
 use crate::model::{LinkId, Precision};
@@ -40,6 +43,8 @@ pub struct Program {
     pub blocks: Vec<Block>,
     /// The names of the motors' joints.
     pub motors: Vec<String>,
+    /// The names of the params: they are given after the motors, by the same operation.
+    pub params: Vec<String>,
     /// The moving links whose poses are kept, in the order of their declaration: without a `show` all.
     pub stored: Vec<LinkId>,
     /// Their names.
@@ -50,9 +55,9 @@ pub struct Program {
     pub kept: Vec<Value>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
-    /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor.
+    /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor and param.
     pub senses: Option<usize>,
-    /// How far each motor may go in one piece, where an angle is followed over whole turns, loops are coupled or have dead points.
+    /// How far each motor and param may go in one piece, where an angle is followed over whole turns, loops are coupled or have dead points.
     pub strides: Option<Vec<f64>>,
     /// The least and the greatest value of each motor, if any has a declared range: it was proved that it moves through.
     pub range: Option<Vec<[f64; 2]>>,
@@ -60,6 +65,8 @@ pub struct Program {
     pub overflows: bool,
     /// The rates of everything, if this program goes on to them.
     pub motion: Option<Motion>,
+    /// How everything follows the params, if this program tells that.
+    pub sensitivity: Option<Sensitivity>,
     /// Which values anything depends on.
     pub live: Vec<bool>,
     /// The position in which the mechanism is assembled.
@@ -91,7 +98,7 @@ pub enum BlockKind {
 /// A position of a mechanism: everything that is carried from one move to the next.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Position<T> {
-    /// The values of the motors.
+    /// The values of the motors, and after them those of the params.
     pub motors: Vec<T>,
     /// Whole turns of the motors besides.
     pub turns: Vec<i32>,
@@ -114,6 +121,17 @@ impl Program {
             .copied()
             .chain(constants)
             .all(|number| self.precision.holds(number))
+    }
+
+    /// How many numbers are given from outside: the values of the motors, and after these those of the params.
+    #[must_use]
+    pub fn inputs(&self) -> usize {
+        self.motors.len() + self.params.len()
+    }
+
+    /// The names of all of them.
+    pub fn input_names(&self) -> impl Iterator<Item = &String> {
+        self.motors.iter().chain(&self.params)
     }
 
     /// The node that makes a value.

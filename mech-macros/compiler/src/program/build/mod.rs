@@ -7,6 +7,8 @@ mod left_out;
 mod linear;
 mod predictor;
 mod rates;
+mod sensitivity;
+mod size;
 mod tangent;
 mod tied;
 mod triad;
@@ -67,16 +69,37 @@ pub fn build_moving(
     choices: &[Choice],
     positions: &Program,
 ) -> Option<Program> {
-    if !model.effects.velocity {
-        return None;
-    }
+    let asked = model.effects.velocity;
+    asked.then(|| go_on(model, plan, choices, positions, Reach::Rates))
+}
+
+/// Writes the program that tells how everything follows the params, if that was asked for.
+#[must_use]
+pub fn build_sensitive(
+    model: &Model,
+    plan: &Plan,
+    choices: &[Choice],
+    positions: &Program,
+) -> Option<Program> {
+    let asked = model.effects.sensitivity;
+    asked.then(|| go_on(model, plan, choices, positions, Reach::Sensitivity))
+}
+
+/// Writes a program of the same links and loops that goes farther.
+fn go_on(
+    model: &Model,
+    plan: &Plan,
+    choices: &[Choice],
+    positions: &Program,
+    reach: Reach,
+) -> Program {
     let solved = positions.solved_loops();
     let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
     let idle: Vec<usize> = idle.collect();
     let parts = (&positions.stored[..], &idle[..]);
-    let mut program = write(model, plan, choices, parts, Reach::Rates);
+    let mut program = write(model, plan, choices, parts, reach);
     program.number_stored();
-    Some(program)
+    program
 }
 
 /// How far a program goes.
@@ -84,6 +107,7 @@ pub fn build_moving(
 enum Reach {
     Positions,
     Rates,
+    Sensitivity,
 }
 
 /// The steps that something that is shown depends on.
@@ -106,13 +130,15 @@ fn write(
 ) -> Program {
     let needed = needed(model, plan, links);
     let all = model.declared_links();
+    let motors = plan.start.motors.iter().copied();
     let mut builder = Builder::new(Position {
-        motors: plan.start.motors.clone(),
-        turns: vec![0; plan.start.motors.len()],
+        motors: motors.chain(model.params.values()).collect(),
+        turns: vec![0; model.inputs()],
         poses: all.map(|link| plan.start.poses[link.index()]).collect(),
         kept: Vec::new(),
     });
     builder.block("start".to_owned(), String::new());
+    builder.write_formulas(model);
     let placement = Placement::new(&mut builder, model);
     let mut writer = Writer {
         model,
@@ -155,10 +181,16 @@ fn strides(model: &Model) -> Vec<f64> {
         JointKind::Revolute(..) => 0.25,
         _ => 0.02 * size.max(f64::MIN_POSITIVE),
     };
-    model.motors.iter().map(stride).collect()
+    // Nor may a param go so far that lengths change by much.
+    let params = model.params.ids().map(|param| {
+        let scale = model.param_scale(param);
+        scale.map_or(1.0, |scale| 0.02 * scale)
+    });
+    model.motors.iter().map(stride).chain(params).collect()
 }
 
-/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it.
+/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it; and what is as
+/// long as a param.
 fn overflows(model: &Model) -> bool {
     let slides = |joint: &Joint| {
         matches!(
@@ -166,7 +198,7 @@ fn overflows(model: &Model) -> bool {
             JointKind::Prismatic(..) | JointKind::Rack { .. }
         )
     };
-    model.joints.iter().any(slides)
+    model.joints.iter().any(slides) || !model.params.is_empty()
 }
 
 struct Writer<'m> {
@@ -391,7 +423,7 @@ impl Writer<'_> {
             return;
         }
         self.senses = Some(self.kept.len());
-        for _ in &self.model.motors {
+        for _ in 0..self.model.inputs() {
             self.keep(1.0);
         }
     }
@@ -405,9 +437,20 @@ impl Writer<'_> {
             [cos, sin, x, y]
         };
         let poses: Vec<[Value; 4]> = stored.iter().map(pose).collect();
-        let motion = match reach {
-            Reach::Positions => None,
-            Reach::Rates => self.motion(&poses),
+        let (motion, sensitivity) = match reach {
+            Reach::Positions => (None, None),
+            Reach::Rates => (self.motion(&poses), None),
+            Reach::Sensitivity => {
+                let (motion, sensitivity) = self.sensitivity(&poses);
+                // It tells nothing else.
+                self.kept.clear();
+                (Some(motion), Some(sensitivity))
+            }
+        };
+        let poses = if reach == Reach::Sensitivity {
+            Vec::new()
+        } else {
+            poses
         };
         let Self {
             model,
@@ -425,7 +468,8 @@ impl Writer<'_> {
                 if newton.step.is_some() && matches!(newton.rounds, Rounds::UntilClosed(_)))
         };
         let ends = watches.iter().any(|watch| watch.at_zero == AtZero::Stay);
-        let follows = follows || ends || builder.blocks.iter().any(leaps);
+        let varies = !model.params.is_empty();
+        let follows = follows || ends || varies || builder.blocks.iter().any(leaps);
         let strides = follows.then(|| strides(model));
         let mut program = Program {
             name: model.name.clone(),
@@ -442,6 +486,12 @@ impl Writer<'_> {
                 .iter()
                 .map(|motor| model.joint(motor.joint).name.clone())
                 .collect(),
+            params: model
+                .params
+                .all()
+                .iter()
+                .map(|param| param.name.clone())
+                .collect(),
             stored: stored.to_vec(),
             links: stored
                 .iter()
@@ -450,6 +500,7 @@ impl Writer<'_> {
             poses,
             kept,
             motion,
+            sensitivity,
             live: Vec::new(),
             start,
         };

@@ -4,6 +4,7 @@
 //! leaves in the place of the gap; their second rates solve it again.
 
 use super::Writer;
+use super::size::Size;
 use super::tangent::Tangents;
 use super::tied::Tied;
 use crate::plan::{Algebra, Equation, Solution, Unknown};
@@ -27,7 +28,7 @@ pub(super) struct Closing {
 }
 
 /// The linear system for the rates of a loop.
-struct Solved {
+pub(super) struct Solved {
     block: BlockId,
     columns: Vec<Vec<Value>>,
     /// What the columns times the rates must add to zero.
@@ -49,7 +50,7 @@ impl Writer<'_> {
         if !effects.velocity {
             return None;
         }
-        let mut tangents = Tangents::default();
+        let mut tangents = Tangents::of_motors(self.model.motors.len());
         for (angle, ends) in &self.angles {
             tangents.is_angle(*angle, *ends);
         }
@@ -87,7 +88,7 @@ impl Writer<'_> {
         Some(motion)
     }
 
-    fn link_rates(
+    pub(super) fn link_rates(
         &mut self,
         name: &str,
         poses: &[[Value; 4]],
@@ -107,7 +108,7 @@ impl Writer<'_> {
     }
 
     /// The rates of what a loop solves.
-    fn rates(
+    pub(super) fn rates(
         &mut self,
         block: BlockId,
         closing: &Closing,
@@ -146,9 +147,8 @@ impl Writer<'_> {
         };
         let (rates, det) = self.solved_rates(block, (&columns, &gap), motion);
         self.builder.name(det, "det");
-        let most: f64 = columns.iter().map(|column| self.length(column)).product();
-        let least = 16.0 * self.model.precision.epsilon().sqrt() * most;
-        let least = self.builder.constant(least);
+        let most = self.greatest_det(&columns);
+        let least = self.part_of(16.0 * self.model.precision.epsilon().sqrt(), most);
         let size = self.builder.abs(det);
         let margin = self.builder.sub(size, least);
         motion.margins.push(RateMargin {
@@ -236,6 +236,19 @@ impl Writer<'_> {
             self.builder.name(rate, "rate")
         });
         (rates.collect(), self.builder.make(linear(columns.len())))
+    }
+
+    /// The product of the columns' lengths: the determinant is at most this.
+    fn greatest_det(&mut self, columns: &[Vec<Value>]) -> Size {
+        if !columns.iter().any(|column| self.any_varies(column)) {
+            return Size::Fixed(columns.iter().map(|column| self.length(column)).product());
+        }
+        let mut most = self.builder.constant(1.0);
+        for column in columns {
+            let length = self.about(column);
+            most = self.builder.mul(most, length);
+        }
+        Size::Varying(most)
     }
 
     /// How long a column is at the start.

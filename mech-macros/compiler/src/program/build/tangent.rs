@@ -4,14 +4,25 @@
 //! linear system, and are known here beforehand. Where something turns, its rate is the angular velocity times what is across
 //! it: cheaper than the rule of products, and exact.
 
+use crate::model::ParamId;
 use crate::plan::Algebra;
 use crate::program::builder::Builder;
 use crate::program::node::{Op, Value};
 use std::collections::HashMap;
 
+/// What is given whose rates everything follows.
+#[derive(Clone, Copy, Debug)]
+enum Given {
+    /// So many motors; what is given after them rests.
+    Motors(usize),
+    /// What is given under this number, at a rate of one; everything else rests.
+    One(usize),
+}
+
 /// What is known about rates.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Tangents {
+    given: Given,
     /// Looked up only, never iterated: the program does not depend on its order.
     rates: HashMap<Value, Value>,
     /// The angular velocities of directions, given by cosine and sine.
@@ -29,6 +40,25 @@ struct Turned {
 }
 
 impl Tangents {
+    /// Nothing but that the motors, so many, move at their rates.
+    pub(super) fn of_motors(motors: usize) -> Self {
+        Self::of_given(Given::Motors(motors))
+    }
+
+    /// Nothing but that a param, given after so many motors, changes at a rate of one.
+    pub(super) fn of_param(motors: usize, param: ParamId) -> Self {
+        Self::of_given(Given::One(motors + param.index()))
+    }
+
+    fn of_given(given: Given) -> Self {
+        Self {
+            given,
+            rates: HashMap::new(),
+            turning: HashMap::new(),
+            angles: HashMap::new(),
+        }
+    }
+
     /// Notes that a value is the angle from one direction to another.
     pub(super) fn is_angle(&mut self, angle: Value, [from, to]: [[Value; 2]; 2]) {
         self.angles.insert(angle, [from, to]);
@@ -75,7 +105,11 @@ impl Tangents {
     fn of_operation(&mut self, builder: &mut Builder, value: Value) -> Value {
         let zero = builder.constant(0.0);
         match builder.op(value) {
-            Op::Motor(motor) => builder.make(Op::Rate(motor)),
+            Op::Motor(input) => match self.given {
+                Given::Motors(motors) if input < motors => builder.make(Op::Rate(input)),
+                Given::One(one) if input == one => builder.constant(1.0),
+                Given::Motors(_) | Given::One(_) => zero,
+            },
             Op::Rate(motor) => builder.make(Op::Acceleration(motor)),
             Op::Neg(a) => {
                 let a = self.of(builder, a);

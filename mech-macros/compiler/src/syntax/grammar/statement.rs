@@ -18,9 +18,9 @@ pub(super) const BEGINNINGS: [&str; 15] = [
 ];
 
 /// Those of them that stand for something today.
-const SUPPORTED: [&str; 11] = [
-    "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost", "at",
-    "allow",
+const SUPPORTED: [&str; 12] = [
+    "const", "param", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost",
+    "at", "allow",
 ];
 
 /// Reads everything.
@@ -116,7 +116,8 @@ fn statement(input: ParseStream) -> Statement {
         return broken(otherwise);
     };
     match keyword.to_string().as_str() {
-        "const" => constant(input),
+        "const" => constant(input, "the name of a constant", Statement::Constant),
+        "param" => constant(input, "the name of a param", Statement::Param),
         "ground" => ground(input, keyword.span()),
         "link" => link(input),
         "joint" => joint::joint(input),
@@ -129,7 +130,7 @@ fn statement(input: ParseStream) -> Statement {
         "effects" => setting::effects(input, keyword.span()),
         "show" => setting::show(input, keyword.span()),
         "allow" => setting::allow(input),
-        "param" | "certify" => left_behind(input, not_yet(&keyword)),
+        "certify" => left_behind(input, not_yet(&keyword)),
         _ => left_behind(input, unknown(&keyword)),
     }
 }
@@ -179,13 +180,14 @@ pub(super) fn declared(
     }
 }
 
-fn constant(input: ParseStream) -> Statement {
-    declared(input, "the name of a constant", |input, name| {
+/// Reads `NAME = value;`.
+fn constant(input: ParseStream, what: &str, kind: fn(Constant) -> Statement) -> Statement {
+    declared(input, what, |input, name| {
         let value = to_semicolon(input, &BEGINNINGS, |input| {
             symbol(input, "=")?;
             expression(input)
         });
-        Statement::Constant(Constant { name, value })
+        kind(Constant { name, value })
     })
 }
 

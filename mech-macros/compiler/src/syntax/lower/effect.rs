@@ -1,14 +1,14 @@
 //! What is computed beyond positions, and the methods that tell it.
 
 use super::Lowering;
-use crate::model::{AxisKind, JointKind, LinkId, Origin};
+use crate::model::{AxisKind, Effects, JointKind, LinkId, Origin};
 use crate::syntax::ast::Read;
 use crate::syntax::{Place, spelling};
 use proc_macro2::{Ident, Span};
 
-const EFFECTS: [&str; 2] = ["velocity", "acceleration"];
+const EFFECTS: [&str; 3] = ["velocity", "acceleration", "sensitivity"];
 /// Effects that are to come.
-const TO_COME: [&str; 4] = ["force", "dynamics", "trace", "sensitivity"];
+const TO_COME: [&str; 3] = ["force", "dynamics", "trace"];
 
 impl Lowering {
     pub(super) fn lower_effects(&mut self, keyword: Span, effects: &[Read<Ident>]) {
@@ -43,6 +43,15 @@ impl Lowering {
                 (effects.velocity, effects.acceleration) = (true, true);
                 return;
             }
+            "sensitivity" if self.has_params => {
+                effects.sensitivity = true;
+                return;
+            }
+            "sensitivity" => {
+                "`sensitivity` tells how everything follows the params, and there is none; write \
+                 `param name = ...;` for a number that points depend on, or leave this out"
+                    .to_owned()
+            }
             word if TO_COME.contains(&word) => format!("effect `{text}` is not supported yet"),
             _ => format!(
                 "unknown effect `{text}`{}",
@@ -54,10 +63,17 @@ impl Lowering {
 
     /// The methods that tell rates must not be called as others are.
     pub(super) fn claim_rate_methods(&mut self) {
-        let (velocity, acceleration) =
-            (self.model.effects.velocity, self.model.effects.acceleration);
+        let Effects {
+            velocity,
+            acceleration,
+            sensitivity,
+        } = self.model.effects;
         for (name, owner, origin, rate) in self.told() {
-            let rates = [(velocity, rate), (acceleration, "acceleration")];
+            let rates = [
+                (velocity, rate),
+                (acceleration, "acceleration"),
+                (sensitivity, "sensitivity"),
+            ];
             for (_, what) in rates.into_iter().filter(|(wanted, _)| *wanted) {
                 let place = self.places.get(origin);
                 self.claim_method(

@@ -8,6 +8,7 @@ mod link;
 mod method;
 mod motor;
 mod name;
+mod param;
 mod report;
 mod rolling;
 mod setting;
@@ -34,6 +35,7 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.pass(&text.statements, Lowering::begin);
     lowering.check_unlisted();
     lowering.claim_rate_methods();
+    lowering.refuse_ranges_with_params();
     Parsed {
         motors: text.motors,
         header: text.header.map(|(header, _)| header),
@@ -56,6 +58,8 @@ struct Lowering {
     singles: Vec<&'static str>,
     /// The ranges of the motors that have one.
     ranges: Vec<Ranged>,
+    /// Whether the text declares params, readable or not.
+    has_params: bool,
 }
 
 impl Lowering {
@@ -85,6 +89,7 @@ impl Lowering {
             nameless: Vec::new(),
             singles: Vec::new(),
             ranges: Vec::new(),
+            has_params: false,
         }
     }
 
@@ -101,15 +106,16 @@ impl Lowering {
         match statement {
             Statement::Constant(constant) => {
                 let value = match &constant.value {
-                    Ok(expr) => self.value(expr),
+                    Ok(expr) => self.quantity(expr),
                     Err(error) => {
                         self.report.pass_on(error.clone());
                         None
                     }
                 };
                 self.constants
-                    .declare(&constant.name, value, &mut self.report);
+                    .declare(&constant.name, value, "constant", &mut self.report);
             }
+            Statement::Param(param) => self.declare_param(param),
             Statement::Ground(ground) => self.declare_ground(ground),
             Statement::Link(link) => self.declare_link(link),
             Statement::Joint(joint) => self.declare_joint(joint),
