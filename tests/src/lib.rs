@@ -5,12 +5,14 @@ mod closure;
 mod dice;
 mod grow;
 mod source;
+mod varied;
 
 pub use chain::{chain, chain_text};
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
 pub use grow::{Grown, grow, in_own_frames};
 pub use source::{bodies, mechanisms};
+pub use varied::{place, scale, vary, with_params};
 
 use std::time::Instant;
 

@@ -34,6 +34,8 @@ struct Found {
     rates: Vec<f64>,
     /// Whether a param has a part in it: then it may have dead points and change points that it has not at the start.
     varies: bool,
+    /// Whether its dyad has two sides to lie on.
+    sided: bool,
     /// Whether it fails to close somewhere.
     ends: bool,
     /// Whether it comes to zero and closes on both sides.
@@ -47,6 +49,7 @@ pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Ch
     let none = Found {
         rates: vec![0.0; model.inputs()],
         varies: false,
+        sided: false,
         ends: false,
         crosses: false,
         least_distance_square: f64::INFINITY,
@@ -60,6 +63,9 @@ pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Ch
         }
         for number in program.dependent_loops() {
             found[number].varies = true;
+        }
+        for (_, closed) in program.all_closed() {
+            found[closed.number].sided = closed.sided;
         }
         let crossings = |found: &[Found]| found.iter().filter(|found| found.crosses).count();
         let before = crossings(&found);
@@ -106,7 +112,10 @@ fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> 
     let unseen: Vec<f64> = unseen_rates(model);
     let decide = |(choice, found): (Choice, &Found)| {
         // With other params it may pass change points, whatever it does now.
-        let at_zero = match (found.crosses || found.varies, model.change_points) {
+        let at_zero = match (
+            found.crosses || found.varies && found.sided,
+            model.change_points,
+        ) {
             (true, AtChangePoints::GoOn) => Some(AtZero::GoOver),
             (true, AtChangePoints::Stop) => Some(AtZero::Stop),
             (true, AtChangePoints::KeepBranch) | (false, _) => {

@@ -95,7 +95,7 @@ pub(crate) fn walk_params(model: &Model, walker: &mut impl FnMut(&Stretch) -> bo
         .collect();
     let motors = model.motors.len();
     for (param, scale) in scales.iter().enumerate().filter(|(_, scale)| **scale > 0.0) {
-        for part in [1.0, -0.75] {
+        for part in [1.0, -0.5] {
             let mut ways = vec![0.0; model.inputs()];
             ways[motors + param] = part * scale;
             walker(&Stretch { ways, pieces: 1 });

@@ -88,6 +88,7 @@ impl Writer<'_> {
             margin: self.builder.name(margin, "margin"),
             sine: found.sine,
             tiny_square: found.tiny_square,
+            sided: !matches!(first, Unknown::Slide(_)),
             found: Vec::new(),
         };
         Some((closed, found.solution))
