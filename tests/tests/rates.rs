@@ -148,6 +148,7 @@ fn with_effects(model: &mut Model) {
     model.effects = Effects {
         velocity: true,
         acceleration: true,
+        ..Effects::default()
     };
 }
 

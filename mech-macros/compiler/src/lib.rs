@@ -283,6 +283,13 @@ fn special(
                 structure.redundant.dedup();
             }
             let joints = structure.redundant.clone();
+            if let Some(param) = model
+                .params
+                .ids()
+                .find(|&id| model.param_scale(id).is_some())
+            {
+                return Err(vec![Diagnosis::MatchedOnly { joints, param }]);
+            }
             if model.allow.redundant {
                 written(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis])
             } else {

@@ -6,6 +6,7 @@ mod exactness;
 mod held;
 mod names;
 mod order;
+mod params;
 mod range;
 mod repairs;
 mod wording;
@@ -86,6 +87,10 @@ impl Words<'_> {
             Diagnosis::Overdetermined { joints, matched } => (
                 self.at_joint(joints.first()),
                 self.overdetermined(joints, *matched, offers),
+            ),
+            Diagnosis::MatchedOnly { joints, param } => (
+                self.at_joint(joints.first()),
+                self.matched_only(joints, *param),
             ),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
             Diagnosis::TooAccurate { accuracy, best } => {

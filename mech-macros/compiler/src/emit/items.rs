@@ -7,7 +7,7 @@ use super::rates::RateItems;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
-use crate::model::{Axis, AxisId, AxisKind, JointKind, LinkId, Model, Origin};
+use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
 use crate::plan::Plan;
 use crate::program::Program;
 use crate::syntax::{Header, Places};
@@ -163,7 +163,7 @@ pub(crate) fn items(
 fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) -> TokenStream {
     let (scalar, near) = (scalar(program), near(program));
     let motors = Literal::usize_unsuffixed(program.motors.len());
-    let target = params::target(program, &quote!(self.position));
+    let [target, given] = params::target(program, &quote!(self.position));
     let move_to = quote!(advance(&mut self.position, #target, &COURSE, #near, step));
     let move_to = rested(params::told(program, move_to), rest);
     let mut move_toward = quote!(approach(&mut self.position, #target, &COURSE, step));
@@ -186,6 +186,7 @@ fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) ->
                 /// If a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it was.
                 #[inline]
                 #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
+                    #given
                     #move_to
                 }
 
@@ -197,6 +198,7 @@ fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) ->
                 #visibility fn move_toward(&mut self, motors: [#scalar; #motors])
                     -> Result<Reached<[#scalar; #motors]>, Blocked<[#scalar; #motors]>>
                 {
+                    #given
                     #move_toward
                 }
 
@@ -321,7 +323,7 @@ fn accessors(
             places,
             origin,
         );
-        let at = params::place(model, axis);
+        let at = params::place(model, program, axis);
         let pose = pose(program, link);
         let doc = format!(
             " Point `{point}` of link `{}`, in the scene.",
@@ -353,14 +355,13 @@ fn accessors(
     tokens
 }
 
-/// The named points of the moving links that are shown: link, name, place, and the axis.
-pub(super) fn named_points(model: &Model) -> impl Iterator<Item = (LinkId, &str, Origin, &Axis)> {
+/// The named points of the moving links that are shown: link, name, place, and which axis it is.
+pub(super) fn named_points(model: &Model) -> impl Iterator<Item = (LinkId, &str, Origin, AxisId)> {
     let axes = (0..).map(AxisId::new).zip(&model.axes);
     let points = axes.filter(|(id, axis)| {
         axis.kind == AxisKind::Point && axis.link != LinkId::GROUND && model.shows_point(*id)
     });
-    let points = points.map(|(_, axis)| axis);
-    points.filter_map(|axis| Some((axis.link, axis.name.as_deref()?, axis.origin, axis)))
+    points.filter_map(|(id, axis)| Some((axis.link, axis.name.as_deref()?, axis.origin, id)))
 }
 
 /// The expression of the pose of a link, which is kept unless it is the ground.
@@ -408,7 +409,7 @@ fn coordinate(
     }
     let axis = |id: AxisId| {
         let axis = model.axis(id);
-        let at = params::place(model, axis);
+        let at = params::place(model, program, id);
         let [along, across] = axis.direction.map(|value| number(program.precision, value));
         let pose = pose(program, axis.link);
         quote!((#pose, #at, [#along, #across]))

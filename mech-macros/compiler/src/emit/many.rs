@@ -57,7 +57,7 @@ pub(super) fn many(
             }
         }
     };
-    let target = params::target(program, &quote!(there));
+    let [target, given] = params::target(program, &quote!(there));
     let one = quote!(advance(&mut there, #target, &COURSE, #near, step));
     let one = params::told(program, one);
     let all = if program.params.is_empty() {
@@ -94,6 +94,7 @@ pub(super) fn many(
         ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
             solve_many::<_, _, _, #lanes>(motors, columns, #reach, #kernel, |motors| {
                 let mut there = self.position;
+                #given
                 #one?;
                 Ok(there.poses)
             })

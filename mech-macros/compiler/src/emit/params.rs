@@ -4,19 +4,22 @@
 use super::block::scalar;
 use super::items::{rested, user_ident};
 use super::moves::near;
-use super::scope::{ident, number};
-use crate::model::{Axis, Formula, FormulaId, Model};
+use super::scope::number;
+use crate::model::{AxisId, Model};
 use crate::program::Program;
 use crate::syntax::Places;
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
-/// The target of a move to values of the motors, with the params as they are at this position.
-pub(super) fn target(program: &Program, position: &TokenStream) -> TokenStream {
+/// The target of a move to values of the motors, with the params as they are at this position, and what stands before the move.
+pub(super) fn target(program: &Program, position: &TokenStream) -> [TokenStream; 2] {
     if program.params.is_empty() {
-        quote!(Motors::new(motors))
+        [quote!(Motors::new(motors)), TokenStream::new()]
     } else {
-        quote!(inputs(motors, &#position.motors))
+        [
+            quote!(motors),
+            quote!(let motors = inputs(motors, &#position.motors);),
+        ]
     }
 }
 
@@ -146,96 +149,63 @@ pub(super) fn methods(
     tokens
 }
 
-/// Where an axis is in its link, as an array: an expression inside a method.
-pub(super) fn place(model: &Model, axis: &Axis) -> TokenStream {
-    let n = |value: f64| number(model.precision, value);
-    if !axis.varies() {
-        let [x, y] = axis.at.map(n);
-        return quote!([#x, #y]);
+/// The same methods of a mechanism that does not compile, never run.
+pub(super) fn stub(
+    krate: &TokenStream,
+    places: &Places,
+    model: &Model,
+    visibility: &syn::Visibility,
+    (scalar, links, motors): (&TokenStream, &Literal, &Literal),
+) -> TokenStream {
+    let params = model.params.all();
+    if params.is_empty() {
+        return TokenStream::new();
     }
-    let wanted: Vec<FormulaId> = axis.formulas.iter().flatten().copied().collect();
-    let formulas = model.params.needed(&wanted);
-    let used = |name: &Ident, param: usize| {
-        let reads = |(_, formula): &(FormulaId, Formula)| matches!(formula, Formula::Param(id) if id.index() == param);
-        if formulas.iter().any(reads) {
-            quote!(#name)
-        } else {
-            quote!(_)
+    let count = Literal::usize_unsuffixed(params.len());
+    let method = |name: &str, origin| user_ident(name, places, origin);
+    let get = params.iter().map(|param| method(&param.name, param.origin));
+    let set = params
+        .iter()
+        .map(|param| method(&format!("set_{}", param.name), param.origin));
+    let sensitivities = model.effects.sensitivity.then(|| {
+        quote! {
+            #visibility fn sensitivities(&self)
+                -> ::core::result::Result<[[#krate::Velocity<#scalar>; #links]; #count], #krate::Blocked<[#scalar; #motors]>>
+            {
+                loop {}
+            }
         }
-    };
-    let names: Vec<Ident> = model
-        .params
-        .all()
-        .iter()
-        .map(|param| ident(&param.name))
-        .collect();
-    let params = names
-        .iter()
-        .enumerate()
-        .map(|(param, name)| used(name, param));
-    let mut known: Vec<(FormulaId, TokenStream)> = Vec::new();
-    let mut lets = TokenStream::new();
-    for (id, formula) in formulas.iter().copied() {
-        let get = |id: FormulaId| {
-            let found = known.iter().find(|(known, _)| *known == id);
-            found.map_or_else(TokenStream::new, |(_, tokens)| tokens.clone())
-        };
-        let made = match formula {
-            Formula::Constant(value) => {
-                let value = n(value);
-                known.push((id, value));
-                continue;
-            }
-            Formula::Param(param) => {
-                let name = &names[param.index()];
-                known.push((id, quote!(#name)));
-                continue;
-            }
-            Formula::Neg(a) => {
-                let a = get(a);
-                quote!(-#a)
-            }
-            Formula::Add(a, b) => infix(&get(a), &quote!(+), &get(b)),
-            Formula::Sub(a, b) => infix(&get(a), &quote!(-), &get(b)),
-            Formula::Mul(a, b) => infix(&get(a), &quote!(*), &get(b)),
-            Formula::Div(a, b) => infix(&get(a), &quote!(/), &get(b)),
-            Formula::Sqrt(a) => {
-                let a = get(a);
-                quote!(sqrt(#a))
-            }
-            Formula::Sin(a) => {
-                let a = get(a);
-                quote!(sin_cos(#a).0)
-            }
-            Formula::Cos(a) => {
-                let a = get(a);
-                quote!(sin_cos(#a).1)
-            }
-        };
-        let name = part_name(&names, known.len());
-        lets.extend(quote!(let #name = #made;));
-        known.push((id, quote!(#name)));
-    }
-    let [x, y] = [0, 1].map(|part| {
-        let found = axis.formulas[part].and_then(|id| known.iter().find(|(known, _)| *known == id));
-        found.map_or_else(|| n(axis.at[part]), |(_, tokens)| tokens.clone())
     });
-    quote!({
-        let [#(#params),*] = self.params();
-        #lets
-        [#x, #y]
-    })
-}
-
-fn infix(a: &TokenStream, sign: &TokenStream, b: &TokenStream) -> TokenStream {
-    quote!(#a #sign #b)
-}
-
-/// A name that no param has.
-fn part_name(params: &[Ident], number: usize) -> Ident {
-    let mut name = format_ident!("part_{}", number, span = proc_macro2::Span::mixed_site());
-    while params.iter().any(|param| *param == name) {
-        name = format_ident!("{}_", name, span = proc_macro2::Span::mixed_site());
+    quote! {
+        #visibility fn params(&self) -> [#scalar; #count] {
+            loop {}
+        }
+        #visibility fn set_params<const PARAMS: usize>(&mut self, params: [#scalar; PARAMS])
+            -> ::core::result::Result<(), #krate::Blocked<[#scalar; PARAMS]>>
+        {
+            loop {}
+        }
+        #(
+            #visibility fn #get(&self) -> #scalar {
+                loop {}
+            }
+            #visibility fn #set(&mut self, value: #scalar) -> ::core::result::Result<(), #krate::Blocked<#scalar>> {
+                loop {}
+            }
+        )*
+        #sensitivities
     }
-    name
+}
+
+/// Where an axis is in its link, as an array: an expression inside a method.
+pub(super) fn place(model: &Model, program: &Program, id: AxisId) -> TokenStream {
+    let axis = model.axis(id);
+    let [x, y] = [0, 1].map(|part| match program.kept_place(id, part) {
+        None => number(program.precision, axis.at[part]),
+        Some(kept) => {
+            let kept = Literal::usize_unsuffixed(kept);
+            quote!(self.position.kept[#kept])
+        }
+    });
+    quote!([#x, #y])
 }

@@ -132,7 +132,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
     let still = second.then(|| quote!(, [0.0; #count]));
     let first = if *second { quote!(.0) } else { quote!() };
     let refused = params::refused(moving);
-    let target = params::target(moving, &quote!(self.position));
+    let [target, given_motors] = params::target(moving, &quote!(self.position));
     let names = if moving.params.is_empty() {
         quote!(&COURSE.names)
     } else {
@@ -185,6 +185,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
                     return Err(#refused);
                 }
             }
+            #given_motors
             let #pattern = #moved?;
             self.velocities = velocities;
             #keep_second
@@ -256,7 +257,7 @@ fn accessors(
     for (id, point, origin, axis) in named_points(model) {
         let (name, index) = (&model.link(id).name, index(kinds.program, id));
         let pose = pose(kinds.program, id);
-        let at = params::place(model, axis);
+        let at = params::place(model, kinds.program, axis);
         let mut tell = |what: &str, value: TokenStream| {
             let method = user_ident(&format!("{name}_{point}_{what}"), places, origin);
             let doc = format!(" The {what} of point `{point}` of link `{name}` in the scene.");
@@ -335,10 +336,10 @@ fn joint_rate(
         let (from, to) = (angular(link(from)), angular(link(to)));
         return quote!(#to - #from);
     }
-    let end = |axis: AxisId| {
-        let id = link(axis);
-        let (axis, pose) = (model.axis(axis), pose(program, id));
-        let at = params::place(model, axis);
+    let end = |end: AxisId| {
+        let id = link(end);
+        let (axis, pose) = (model.axis(end), pose(program, id));
+        let at = params::place(model, program, end);
         let [along, across] = axis.direction.map(|value| number(model.precision, value));
         let (velocity, acceleration) = if id == LinkId::GROUND {
             (quote!(Velocity::ZERO), quote!(Acceleration::ZERO))

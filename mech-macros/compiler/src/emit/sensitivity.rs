@@ -68,9 +68,10 @@ pub(super) fn sensitivity_step(
     let (position, scalar) = (position(program), scalar(program));
     let found = followed_type(program, sensitivity);
     let count = Literal::usize_unsuffixed(program.inputs());
-    let closes = program
-        .is_closed()
+    let closes = (program.is_closed() && !margins.is_empty())
         .then(|| quote!(closes([#(#margins),*], [#(#places),*])?;));
+    let determined =
+        (!regular.is_empty()).then(|| quote!(determined([#(#regular),*], [#(#rate_places),*])?;));
     let (sines, anywhere) = if takes_sines(program) {
         (quote!(<S: Sines<#scalar>>), quote!(::<Anywhere>))
     } else {
@@ -83,7 +84,7 @@ pub(super) fn sensitivity_step(
             #motors
             #body
             #closes
-            determined([#(#regular),*], [#(#rate_places),*])?;
+            #determined
             Ok(#result)
         }
 

@@ -38,20 +38,6 @@ pub enum Formula {
     Cos(FormulaId),
 }
 
-impl Formula {
-    /// The formulas it is made from.
-    fn operands(self) -> impl Iterator<Item = FormulaId> {
-        let pair = match self {
-            Self::Constant(_) | Self::Param(_) => [None, None],
-            Self::Neg(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => [Some(a), None],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => {
-                [Some(a), Some(b)]
-            }
-        };
-        pair.into_iter().flatten()
-    }
-}
-
 /// The params of a mechanism, and every number that is computed from them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Params {
@@ -129,29 +115,6 @@ impl Params {
     /// The values of all params at the start.
     pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
         self.all.iter().map(|param| param.value)
-    }
-
-    /// The formulas that these need, themselves among them, each after those it is made from.
-    #[must_use]
-    pub fn needed(&self, wanted: &[FormulaId]) -> Vec<(FormulaId, Formula)> {
-        let mut needed = vec![false; self.formulas.len()];
-        for id in wanted {
-            if let Some(entry) = needed.get_mut(id.index()) {
-                *entry = true;
-            }
-        }
-        for (index, formula) in self.formulas.iter().enumerate().rev() {
-            if needed[index] {
-                for operand in formula.operands() {
-                    needed[operand.index()] = true;
-                }
-            }
-        }
-        let all = self.formulas.iter().copied().enumerate();
-        let needed = all.filter(|(index, _)| needed[*index]);
-        needed
-            .map(|(index, formula)| (FormulaId::new(index), formula))
-            .collect()
     }
 
     /// All formulas, each evaluated once, by their numbers.

@@ -11,6 +11,7 @@ mod live;
 mod motion;
 mod newton;
 mod node;
+mod place;
 mod real;
 mod sensitivity;
 mod stored;
@@ -25,6 +26,7 @@ pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
+pub use place::Place;
 pub use sensitivity::{Rates, Sensitivity};
 pub use watch::Watch;
 
@@ -53,6 +55,8 @@ pub struct Program {
     pub poses: Vec<[Value; 4]>,
     /// The new values of what is carried from position to position.
     pub kept: Vec<Value>,
+    /// Of what is told where it is in its link, the coordinates that depend on params.
+    pub places: Vec<Place>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
     /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor and param.

@@ -5,6 +5,7 @@ mod dyad;
 mod idle;
 mod left_out;
 mod linear;
+mod places;
 mod predictor;
 mod rates;
 mod sensitivity;
@@ -19,7 +20,7 @@ use super::builder::Builder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::{Op, Value};
-use super::{Block, BlockKind, Choice, Position, Program, Rounds, Watch};
+use super::{Block, BlockKind, Choice, Place, Position, Program, Rounds, Watch};
 use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
     Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Needed, Placement, Plan, Pose,
@@ -150,6 +151,7 @@ fn write(
         kept: Vec::new(),
         watches: Vec::new(),
         senses: None,
+        places: Vec::new(),
         steady: None,
         follows: false,
         histories: Vec::new(),
@@ -170,6 +172,7 @@ fn write(
         }
     }
     writer.keep_senses();
+    writer.keep_places();
     writer.finish(links, reach)
 }
 
@@ -213,6 +216,7 @@ struct Writer<'m> {
     kept: Vec<Value>,
     watches: Vec<Watch>,
     senses: Option<usize>,
+    places: Vec<Place>,
     /// The sources of gears, belts and racks that were needed so far.
     sources: Vec<Option<Value>>,
     meshes: usize,
@@ -458,6 +462,7 @@ impl Writer<'_> {
             kept,
             watches,
             senses,
+            places,
             follows,
             idle,
             ..
@@ -468,7 +473,11 @@ impl Writer<'_> {
                 if newton.step.is_some() && matches!(newton.rounds, Rounds::UntilClosed(_)))
         };
         let ends = watches.iter().any(|watch| watch.at_zero == AtZero::Stay);
-        let varies = !model.params.is_empty();
+        let loops = builder
+            .blocks
+            .iter()
+            .any(|block| !matches!(block.kind, BlockKind::Straight));
+        let varies = !model.params.is_empty() && loops;
         let follows = follows || ends || varies || builder.blocks.iter().any(leaps);
         let strides = follows.then(|| strides(model));
         let mut program = Program {
@@ -476,6 +485,7 @@ impl Writer<'_> {
             precision: model.precision,
             nodes: builder.nodes,
             blocks: builder.blocks,
+            places,
             watches,
             senses,
             range: None,

@@ -84,7 +84,7 @@ impl Writer<'_> {
     }
 
     /// The points that have a method.
-    fn told_points(&self) -> Vec<AxisId> {
+    pub(super) fn told_points(&self) -> Vec<AxisId> {
         let all = (0..self.model.axes.len()).map(AxisId::new);
         let told = all.filter(|&id| {
             let axis = self.model.axis(id);
