@@ -3,11 +3,12 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::{Followed, Machine, Stop, sensitivities};
-use mech_compiler::model::{AxisId, JointId, JointKind, Method, Model};
+use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, Method, Model};
 use mech_compiler::program::{Position, Program};
+use mech_compiler::syntax::parse;
 use mech_tests::{
-    Dice, grow, in_own_frames, place, scale, size, vary, with_ground, with_params, worst_gap,
-    worst_stretch,
+    Dice, bodies, grow, in_own_frames, place, scale, size, vary, with_ground, with_params,
+    worst_gap, worst_stretch,
 };
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -418,4 +419,98 @@ fn tolerances_follow_the_size() {
     println!("{compared} compared; open and apart: {worst:?}");
     assert!(compared > cases(), "{compared}");
     assert!(worst[0] < 1e-13 && worst[1] < 1e-9, "{worst:?}");
+}
+
+/// However loops are solved, and however change points are passed: those that a param has a part in close exactly.
+#[test]
+fn params_go_with_every_method() {
+    let methods = [Method::Linear, Method::NewtonSteps(2), Method::Newton];
+    let passing = [AtChangePoints::KeepBranch, AtChangePoints::Stop];
+    let (mut changed, mut worst) = (0, 0.0_f64);
+    for seed in 0..u64::from(cases()) {
+        let (mut model, mut dice) = varied(seed);
+        match dice.below(4) {
+            3 => {
+                model.method = None;
+                model.accuracy = Some(1e-5);
+                for motor in &mut model.motors {
+                    motor.step = Some(0.01);
+                }
+            }
+            method => {
+                model.method = Some(methods[method]);
+                model.predictor = if method == 2 { 0 } else { 2 };
+            }
+        }
+        if dice.once_in(3) {
+            model.change_points = *dice.pick(&passing);
+        }
+        let Ok(compiled) = compile(&model) else {
+            continue;
+        };
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        for round in 0..12 {
+            let motors: Vec<f64> = machine.position().motors[..model.motors.len()]
+                .iter()
+                .map(|motor| motor + dice.between(-0.01, 0.01))
+                .collect();
+            let _ = machine.move_to(&motors);
+            let params: Vec<f64> = machine.params().to_vec();
+            let wanted: Vec<f64> = params
+                .iter()
+                .map(|value| value * dice.between(0.98, 1.02))
+                .collect();
+            if round % 2 == 0 && machine.set_params(&wanted).is_ok() {
+                changed += 1;
+            }
+            let there = with_params(&model, machine.params());
+            let poses = with_ground(&there, &machine.position().poses);
+            let extent = size(&there)
+                + poses
+                    .iter()
+                    .fold(0.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+            worst = worst.max(worst_gap(&there, &poses) / extent);
+        }
+    }
+    println!("{changed} changes, open by {worst:e}");
+    assert!(changed > 4 * cases(), "{changed}");
+    // What one linear step of a small move leaves open.
+    assert!(worst < 1e-4, "{worst:e}");
+}
+
+/// Mechanisms that are compiled by text: coupled and tied loops follow params too.
+#[test]
+fn sensitivities_of_special_mechanisms_are_those_of_their_positions() {
+    let sources = [
+        include_str!("../../examples/src/gallery/andrews.rs"),
+        include_str!("../../examples/src/gallery/geared_piston.rs"),
+        include_str!("../../examples/src/gallery/jansen.rs"),
+        include_str!("../../examples/src/gallery/rocker_arm.rs"),
+        include_str!("../../examples/src/gallery/watt.rs"),
+        include_str!("zoo/rolling.rs"),
+        include_str!("zoo/special.rs"),
+        include_str!("changed/zoo.rs"),
+    ];
+    let mut seen = Seen::default();
+    let (mut dice, mut refused) = (Dice::new(7), 0);
+    for model in sources.into_iter().flat_map(bodies) {
+        let mut model = parse(model).model;
+        for motor in &mut model.motors {
+            motor.range = None;
+        }
+        if model.params.is_empty() {
+            scale(&mut model);
+        }
+        model.show = None;
+        model.effects.sensitivity = true;
+        for _ in 0..4 {
+            match compare(&model, &mut dice, &mut seen) {
+                Ok(()) => {}
+                Err(TestCaseError::Reject(_)) => refused += 1,
+                Err(TestCaseError::Fail(reason)) => panic!("{}: {reason}", model.name),
+            }
+        }
+    }
+    println!("{seen:?}, {refused} refused");
+    assert!(seen.compared > 1000, "{seen:?}");
 }

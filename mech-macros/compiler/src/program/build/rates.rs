@@ -172,7 +172,7 @@ impl Writer<'_> {
                 Solution::Direction(direction) => {
                     tangents.set_turning(&mut self.builder, direction, rate);
                 }
-                Solution::Slide(way) => tangents.set(way, rate),
+                Solution::Slide(way) => tangents.set(&mut self.builder, way, rate),
             }
         }
         Solved {
@@ -209,7 +209,7 @@ impl Writer<'_> {
                 if let Some(name) = name {
                     self.builder.name(second, name);
                 }
-                tangents.set(rate, second);
+                tangents.set(&mut self.builder, rate, second);
             }
         }
     }

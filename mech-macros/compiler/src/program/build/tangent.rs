@@ -64,9 +64,13 @@ impl Tangents {
         self.angles.insert(angle, [from, to]);
     }
 
-    /// Notes the rate of a value that a loop solves.
-    pub(super) fn set(&mut self, value: Value, rate: Value) {
+    /// Notes the rate of a value that a loop solves. What is made from a value with its sign turned is made from the value itself.
+    pub(super) fn set(&mut self, builder: &mut Builder, value: Value, rate: Value) {
         self.rates.insert(value, rate);
+        if let Op::Neg(inner) = builder.op(value) {
+            let back = builder.neg(rate);
+            self.rates.insert(inner, back);
+        }
     }
 
     /// Notes the angular velocity of a direction that a loop solves.
@@ -80,8 +84,8 @@ impl Tangents {
         let [cos, sin] = direction;
         let (along, back) = (builder.mul(rate, cos), builder.mul(rate, sin));
         let back = builder.neg(back);
-        self.rates.insert(cos, back);
-        self.rates.insert(sin, along);
+        self.set(builder, cos, back);
+        self.set(builder, sin, along);
     }
 
     /// The rate of a value.
@@ -132,13 +136,13 @@ impl Tangents {
                 let [above, below] = self.of_vector(builder, [a, b]);
                 let lost = builder.mul(value, below);
                 let rest = builder.sub(above, lost);
-                builder.div(rest, b)
+                part(builder, rest, b)
             }
             Op::Sqrt(a) => {
                 let rate = self.of(builder, a);
                 let two = builder.constant(2.0);
                 let twice = builder.mul(two, value);
-                builder.div(rate, twice)
+                part(builder, rate, twice)
             }
             Op::Sin(angle) => {
                 let (rate, cos) = (self.of(builder, angle), builder.make(Op::Cos(angle)));
@@ -307,4 +311,12 @@ impl Tangents {
         }
         None
     }
+}
+
+/// One value through another; what rests does so whatever it is divided by.
+fn part(builder: &mut Builder, a: Value, b: Value) -> Value {
+    if builder.number(a) == Some(0.0) {
+        return a;
+    }
+    builder.div(a, b)
 }
