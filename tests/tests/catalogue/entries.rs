@@ -389,6 +389,18 @@ method newton;",
     Entry {
         variant: "Range",
         example: "
+struct Arm;
+param length = 2;
+ground { point shaft = (0, 0); }
+link arm { point shaft = (0, 0); point tip = (length, 0); }
+joint a = revolute(ground.shaft, arm.shaft);
+motor a in 0 deg ..= 90 deg;",
+        remedy: "Let the length be a constant, or have moves tested when they are made.",
+        edit: ("motor a in 0 deg ..= 90 deg;", "motor a;"),
+    },
+    Entry {
+        variant: "Range",
+        example: "
 struct Sliding;
 ground { point a = (0, 0); line rail = (4, 0) -> (1, 0); }
 link crank { point shaft = (0, 0); point pin = (1, 0); }

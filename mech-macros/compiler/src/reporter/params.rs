@@ -4,11 +4,16 @@ use super::{Words, wording};
 use crate::model::{JointId, ParamId};
 
 impl Words<'_> {
-    pub(super) fn matched_only(&self, joints: &[JointId], param: ParamId) -> String {
+    /// The name of a param.
+    pub(super) fn param(&self, param: ParamId) -> &str {
         let params = self.model.params.all();
-        let param = params
+        params
             .get(param.index())
-            .map_or("", |param| param.name.as_str());
+            .map_or("", |param| param.name.as_str())
+    }
+
+    pub(super) fn matched_only(&self, joints: &[JointId], param: ParamId) -> String {
+        let param = self.param(param);
         let names: Vec<String> = joints.iter().map(|&joint| self.joint(joint)).collect();
         let some = wording::one_of(&names);
         format!(

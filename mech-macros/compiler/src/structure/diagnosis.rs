@@ -162,6 +162,11 @@ pub enum RangeTrouble {
     },
     /// The loop is solved by iteration, for which there is no proof.
     Iterated,
+    /// What is proved holds for one shape of the mechanism, and this param may change it.
+    Varies {
+        /// The param.
+        param: ParamId,
+    },
     /// Another motor has a range, this one slides and has none: it would have to be free everywhere.
     Missing,
 }

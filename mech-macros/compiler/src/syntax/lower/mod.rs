@@ -35,7 +35,6 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.pass(&text.statements, Lowering::begin);
     lowering.check_unlisted();
     lowering.claim_rate_methods();
-    lowering.refuse_ranges_with_params();
     Parsed {
         motors: text.motors,
         header: text.header.map(|(header, _)| header),

@@ -2,7 +2,7 @@
 
 use super::Lowering;
 use super::rolling;
-use crate::model::{self, JointId, JointKind, Origin, Range};
+use crate::model::{self, JointId, JointKind, Range};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, Motor};
 use proc_macro2::Ident;
@@ -143,15 +143,6 @@ impl Lowering {
             self.report.enter(ranged.statement);
             self.report.tell(self.places.get(ranged.range.origin), text);
         }
-    }
-
-    /// The motors that have a range: the number of its statement, where it stands, and the motor's name.
-    pub(super) fn ranged_motors(&self) -> Vec<(usize, Origin, String)> {
-        let ranged = self.ranges.iter().map(|ranged| {
-            let name = self.model.joint(ranged.joint).name.clone();
-            (ranged.statement, ranged.range.origin, name)
-        });
-        ranged.collect()
     }
 
     fn outside_as_drawn(&self, ranged: &Ranged) -> String {

@@ -121,20 +121,4 @@ impl Lowering {
             ExprKind::Integer(_) | ExprKind::Decimal(_) | ExprKind::Pi => None,
         }
     }
-
-    /// What is proved about a range holds for one shape of the mechanism only.
-    pub(super) fn refuse_ranges_with_params(&mut self) {
-        let Some(param) = self.model.params.all().first() else {
-            return;
-        };
-        let param = param.name.clone();
-        for (statement, origin, motor) in self.ranged_motors() {
-            self.report.enter(statement);
-            let text = format!(
-                "the range of motor `{motor}` is proved for one shape of the mechanism, which param `{param}` may change; \
-                 leave the range out, or write `const {param}`"
-            );
-            self.report.tell(self.places.get(origin), text);
-        }
-    }
 }

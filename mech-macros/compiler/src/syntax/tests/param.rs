@@ -144,19 +144,6 @@ fn its_value_is_computed_where_it_stands() {
 }
 
 #[test]
-fn a_range_is_proved_for_one_shape_only() {
-    told(
-        "ground { point o = (0, 0); } link l { point o = (0, 0); } joint a = revolute(ground.o, l.o);
-        param length = 1;
-        motor a in «0 ..= 1»;",
-        &[
-            "the range of motor `a` is proved for one shape of the mechanism, which param `length` may change; leave the \
-             range out, or write `const length`",
-        ],
-    );
-}
-
-#[test]
 fn what_follows_no_param_has_no_sensitivity() {
     told(
         "effects { «sensitivity»; }",
