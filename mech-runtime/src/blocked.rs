@@ -6,12 +6,14 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Blocked<M = [f64; 1]> {
-    /// The motor or the loop at which it stopped: the name of the motor's joint, or the loop's joints of unknown coordinate.
+    /// The motor, the param or the loop at which it stopped: the name of the motor's joint or of the param, or the loop's joints of
+    /// unknown coordinate.
     pub place: &'static str,
     /// What stopped it.
     pub cause: Cause,
     /// The values of the motors up to which it could have gone on the straight way to those it was told, in radians or scene
-    /// units. [`move_toward`](crate::Mechanism::move_toward) goes there.
+    /// units. [`move_toward`](crate::Mechanism::move_toward) goes there. Of a param that could not be set, the value up to which it
+    /// could have been changed.
     pub reached: M,
 }
 
@@ -19,7 +21,7 @@ pub struct Blocked<M = [f64; 1]> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Cause {
-    /// The value or rate given to this motor is not a finite number.
+    /// The value or rate given to this motor or param is not a finite number.
     NotFinite,
     /// This loop does not close beyond the motor values reached: there is a dead point, or, where a fixed number of Newton
     /// steps was chosen, the step is too long for it.

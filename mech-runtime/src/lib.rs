@@ -315,6 +315,51 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// arrow at every named point and every revolute joint that moves. All of it goes to any [`Canvas`], in sizes given in pixels; what lies
 /// on links that `show` leaves out is left out. The symbols are listed in [`overlay`].
 ///
+/// # Params
+///
+/// `param rod_length = 4.0;` is a number that can be changed at run time. The places of points, lines and drawn joints may depend on
+/// it, also through constants (`const HALF = rod_length / 2;`); everything else (directions, shapes, ratios, ranges, starts) may
+/// not, and a mechanism with params has no declared ranges, because what is proved holds for one shape only. It is analysed and
+/// assembled with the values that are declared.
+///
+/// `rod_length()` tells it, `set_rod_length(value)` changes it, `params()` and `set_params([…])` all of them. The motors keep their
+/// values, and everything is assembled anew by a continuous change: change points are passed and wheels roll on as in a move. What
+/// does not close on the way is [`Blocked`], with the value up to which the param could have been changed, and leaves everything as
+/// it was; so does what is not a number, such as the root of a length that became negative. Changes by more than about a thousand
+/// times the size are to be made in steps ([`Cause::TooFar`]).
+///
+/// With `effects { sensitivity; }` the mechanism tells how everything follows the params where it is: `coupler_tip_sensitivity()` of
+/// a named point gives for each param the rate of its place if that param alone changes, at a rate of one; so do
+/// `coupler_sensitivity()` of a link and `d_sensitivity()` of the coordinate of a joint that no motor drives; `sensitivities()` are
+/// those of all links. They are derivatives, exact to rounding. At a dead point or a change point they are not determined:
+/// [`Cause::Singular`].
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct FourBar;
+///     param rod_length = 3.5;
+///     ground { point a = (0, 0); point d = (4, 0); }
+///     link crank { point a = (0, 0); point b = (1, 0); }
+///     link rod { point b = (0, 0); point c = (rod_length, 0); point tip = (rod_length / 2, 1); }
+///     link rocker { point d = (0, 0); point c = (3, 0); }
+///     joint a = revolute(ground.a, crank.a);
+///     joint b = revolute(crank.b, rod.b);
+///     joint c = revolute(rod.c, rocker.c);
+///     joint d = revolute(ground.d, rocker.d);
+///     motor a;
+///     start { rod near 50 deg; }
+///     effects { sensitivity; }
+/// }
+/// let mut four_bar = FourBar::new();
+/// four_bar.move_to([0.7])?;
+/// let (tip, [slope]) = (four_bar.rod_tip(), four_bar.rod_tip_sensitivity()?);
+/// four_bar.set_rod_length(3.5001).expect("it closes");
+/// assert!((four_bar.rod_tip() - tip - slope * 0.0001).norm() < 1e-8);
+/// assert!(four_bar.set_rod_length(0.1).is_err()); // too short to reach the rocker
+/// assert_eq!(four_bar.rod_length(), 3.5001);      // and it is as it was
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
 /// # What is checked
 ///
 /// Names, kinds of axes and numbers; that everything is connected to the ground; that the motors take exactly the freedom

@@ -80,6 +80,7 @@ fn revolute(model: &mut Model, a: LinkId, b: LinkId, at: [f64; 2]) {
             origin,
             kind,
             at,
+            formulas: [None; 2],
             direction,
         });
         AxisId::new(model.axes.len() - 1)

@@ -80,6 +80,7 @@ impl Grown {
             origin: Origin::default(),
             kind,
             at,
+            formulas: [None; 2],
             direction,
         });
         AxisId::new(self.model.axes.len() - 1)

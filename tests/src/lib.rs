@@ -6,6 +6,7 @@ mod closure;
 mod dice;
 mod grow;
 mod source;
+mod varied;
 
 pub use cam::{add_cam, law};
 pub use chain::{chain, chain_text};
@@ -13,6 +14,7 @@ pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
 pub use grow::{Grown, grow, in_own_frames};
 pub use source::{bodies, mechanisms};
+pub use varied::{place, scale, vary, with_params};
 
 use std::time::Instant;
 

@@ -29,6 +29,7 @@ fn axis(
         origin: Origin::default(),
         kind,
         at,
+        formulas: [None; 2],
         direction,
     });
     AxisId::new(model.axes.len() - 1)

@@ -119,6 +119,27 @@ fn what_an_overlay_adds() {
     insta::assert_snapshot!(added("effects { overlay; }"));
 }
 
+#[test]
+fn a_param_and_what_follows_it() {
+    insta::assert_snapshot!(expansion(
+        "struct FourBar;
+        param rod = 3.5;
+        const HALF = rod / 2;
+        ground { point a = (0, 0); point d = (4, 0); }
+        link crank { point a = (0, 0); point b = (1, 0); }
+        link coupler { point b = (0, 0); point c = (rod, 0); point tip = (HALF, 1); }
+        link rocker { point d = (0, 0); point c = (3, 0); }
+        joint ja = revolute(ground.a, crank.a);
+        joint jb = revolute(crank.b, coupler.b);
+        joint jc = revolute(coupler.c, rocker.c);
+        joint jd = revolute(ground.d, rocker.d);
+        motor ja;
+        start { coupler near 50 deg; }
+        effects { sensitivity; }
+        show coupler.tip, jd;"
+    ));
+}
+
 /// What nobody asked for costs nothing: the step to a position is the same, token for token, whatever effects there are.
 #[test]
 fn the_step_to_a_position_never_knew_of_effects() {

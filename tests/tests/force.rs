@@ -107,6 +107,7 @@ fn load_up(model: &mut Model, dice: &mut Dice) {
         force: true,
         dynamics: true,
         overlay: false,
+        sensitivity: false,
     };
     model.show = None;
 }

@@ -54,6 +54,7 @@ const EFFECTS: Effects = Effects {
     force: false,
     dynamics: false,
     overlay: false,
+    sensitivity: false,
     velocity: true,
     acceleration: true,
 };

@@ -252,6 +252,7 @@ fn rates_of_the_zoo_and_the_gallery_are_those_of_their_positions() {
         include_str!("../../examples/src/gallery/watt.rs"),
         include_str!("zoo/rolling.rs"),
         include_str!("zoo/special.rs"),
+        include_str!("changed/zoo.rs"),
     ];
     let mut seen = Seen::default();
     let mut dice = Dice::new(5);

@@ -157,6 +157,7 @@ fn brace(model: &mut Model, dice: &mut Dice, [a, b]: [LinkId; 2]) -> LinkId {
                 origin: Origin::default(),
                 kind: AxisKind::Point,
                 at,
+                formulas: [None; 2],
                 direction: [1.0, 0.0],
             });
             AxisId::new(model.axes.len() - 1)

@@ -1,6 +1,7 @@
 //! Runs a program now: for the studio, and to check the generated code against.
 
 mod run;
+mod sensitivity;
 mod timing;
 mod way;
 
@@ -10,12 +11,14 @@ use mech_core::{Phase, Real};
 use run::{Given, Runner};
 use way::Way;
 
+pub use sensitivity::{Followed, sensitivities};
+
 /// Why a mechanism did not go where it was told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// There are not as many values as motors.
+    /// There are not as many values as motors (and params, if these are given).
     MotorCount,
-    /// The value for this motor is not a finite number.
+    /// The value for this motor, or for a param by its number after the motors, is not a finite number.
     NotFinite(usize),
     /// The loop of this block does not close.
     Open(BlockId),
@@ -82,13 +85,39 @@ impl<'p, T: Real> Machine<'p, T> {
         self.position = position;
     }
 
-    /// Gives the motors these values, one for each in order of declaration, in radians or scene units.
+    /// Gives the motors these values, one for each in order of declaration, in radians or scene units. The values of all params may
+    /// follow; else these stay as they are.
     ///
     /// # Errors
     /// The reason why it cannot go there; it then stays where it was.
     pub fn move_to(&mut self, motors: &[T]) -> Result<(), Stop> {
         self.go(motors, &vec![0; motors.len()])
             .map_err(|halt| halt.stop)
+    }
+
+    /// Gives the params these values, one for each in order of declaration; the motors stay where they are.
+    ///
+    /// # Errors
+    /// The reason why it cannot be assembled so by a continuous change from where it is; it then stays where it was.
+    pub fn set_params(&mut self, params: &[T]) -> Result<(), Stop> {
+        let mut inputs = self.position.motors.clone();
+        let motors = self.runner.program.motors.len();
+        if params.len() != inputs.len() - motors {
+            return Err(Stop::MotorCount);
+        }
+        inputs.truncate(motors);
+        inputs.extend_from_slice(params);
+        let turns = self.position.turns.clone();
+        self.go(&inputs, &turns).map_err(|halt| halt.stop)
+    }
+
+    /// The values of the params, in order of declaration.
+    #[must_use]
+    pub fn params(&self) -> &[T] {
+        self.position
+            .motors
+            .get(self.runner.program.motors.len()..)
+            .unwrap_or_default()
     }
 
     /// Gives the motors these phases; all of them have to turn.
@@ -150,7 +179,7 @@ impl<'p, T: Real> Machine<'p, T> {
         accelerations: &'g [T],
         loads: &'g [T],
     ) -> Result<Given<'g, T>, Stop> {
-        let count = self.position.motors.len();
+        let count = self.runner.program.motors.len();
         if rates.len() != count || accelerations.len() != count {
             return Err(Stop::MotorCount);
         }
@@ -179,9 +208,14 @@ impl<'p, T: Real> Machine<'p, T> {
             part: T::ZERO,
             stop,
         };
-        if motors.len() != self.position.motors.len() {
+        let (all, own) = (self.position.motors.len(), self.runner.program.motors.len());
+        if motors.len() != all && motors.len() != own || turns.len() != motors.len() {
             return Err(refuse(Stop::MotorCount));
         }
+        let rest = motors.len()..;
+        let params = self.position.motors.get(rest).unwrap_or_default();
+        let motors = &[motors, params].concat()[..];
+        let turns = &[turns, &vec![0; params.len()]].concat()[..];
         if let Some(motor) = motors.iter().position(|value| !value.is_finite()) {
             return Err(refuse(Stop::NotFinite(motor)));
         }

@@ -52,6 +52,8 @@ pub struct Compiled {
     pub forced: Forced,
     /// The laws of the motors, if any has one.
     pub timing: Option<Timing>,
+    /// The operations that tell how everything follows the params, if that was asked for.
+    pub sensitive: Option<Program>,
     /// How each loop is solved, in the order in which they are closed.
     pub loops: Vec<Solved>,
     /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
@@ -104,6 +106,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     if !massless.is_empty() {
         return Err(vec![Diagnosis::Massless { motors: massless }]);
     }
+    let sensitive = further(Further::Sensitivity);
     let loops = accuracy::solved(&program, prediction.as_ref());
     let saved = saved(model, &plan, &program, &choices);
     let timing = program::build_timing(model);
@@ -112,6 +115,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         moving: moving.as_ref(),
         forced: &forced,
         timing: timing.as_ref(),
+        sensitive: sensitive.as_ref(),
         loops: &loops,
         prediction: prediction.as_ref(),
         saved,
@@ -124,6 +128,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         moving,
         forced,
         timing,
+        sensitive,
         loops,
         prediction,
         saved,
@@ -327,6 +332,13 @@ fn special(
                 structure.redundant.dedup();
             }
             let joints = structure.redundant.clone();
+            if let Some(param) = model
+                .params
+                .ids()
+                .find(|&id| model.param_scale(id).is_some())
+            {
+                return Err(vec![Diagnosis::MatchedOnly { joints, param }]);
+            }
             if model.allow.redundant {
                 written(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis])
             } else {

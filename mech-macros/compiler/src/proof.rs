@@ -16,8 +16,15 @@ pub(crate) fn proved(
     choices: Vec<Choice>,
     program: Program,
 ) -> Result<(Program, Vec<Choice>), Diagnosis> {
-    if model.motors.iter().all(|motor| motor.range.is_none()) {
+    let Some(ranged) = model.motors.iter().position(|motor| motor.range.is_some()) else {
         return Ok((program, choices));
+    };
+    if let Some(param) = model.params.ids().next() {
+        return Err(Diagnosis::Range {
+            motor: MotorId::new(ranged),
+            unknowns: Vec::new(),
+            trouble: RangeTrouble::Varies { param },
+        });
     }
     if let Some((joint, ..)) = model.cams().next() {
         let ranged = model.motors.iter().position(|motor| motor.range.is_some());
@@ -45,8 +52,6 @@ pub(crate) fn proved(
         unknowns: unknowns(block),
         trouble,
     };
-    let ranged = model.motors.iter().position(|motor| motor.range.is_some());
-    let ranged = ranged.unwrap_or_default();
     let touching = match certify(&program, &ranges) {
         Verdict::Proved { touching } => touching,
         Verdict::Blocked(blocked) => {

@@ -20,6 +20,8 @@ pub struct Found<'f> {
     pub forced: &'f Forced,
     /// The laws of the motors, if any has one.
     pub timing: Option<&'f Timing>,
+    /// Those that tell how everything follows the params, if that was asked for.
+    pub sensitive: Option<&'f Program>,
     /// How its loops are solved.
     pub loops: &'f [Solved],
     /// How exact it will be, if that was predicted.
@@ -49,6 +51,7 @@ fn write(
         moving,
         forced,
         timing,
+        sensitive,
         loops,
         prediction,
         saved,
@@ -60,6 +63,13 @@ fn write(
     for (motor, law) in model.lawful_motors() {
         let joint = model.joint(model.motor(motor).joint);
         writeln!(text, "  law       {} = {}", joint.name, law.written)?;
+    }
+    let params = model.params.all().iter();
+    let params: Vec<String> = params
+        .map(|param| format!("`{}` = {}", param.name, param.value))
+        .collect();
+    if !params.is_empty() {
+        writeln!(text, "  params    {}", params.join(", "))?;
     }
     writeln!(text, "  trunk     {}", joints(model, &structure.trunk))?;
     writeln!(text, "  arms      {}", joints(model, &structure.arms))?;
@@ -122,6 +132,10 @@ fn write(
     }
     for trace in &model.traces {
         writeln!(text, "  trace     {}", trace_line(model, trace))?;
+    }
+    if let Some(sensitive) = sensitive {
+        let more = cost::of_program(sensitive);
+        writeln!(text, "  effects   sensitivity to the params: {more}")?;
     }
     if model.effects.needs_actions() {
         force_lines(text, model, program, forced)?;

@@ -7,6 +7,7 @@ mod exactness;
 mod held;
 mod names;
 mod order;
+mod params;
 mod range;
 mod repairs;
 mod wording;
@@ -89,6 +90,10 @@ impl Words<'_> {
                 self.overdetermined(joints, *matched, offers),
             ),
             Diagnosis::Massless { motors } => return self.massless(motors),
+            Diagnosis::MatchedOnly { joints, param } => (
+                self.at_joint(joints.first()),
+                self.matched_only(joints, *param),
+            ),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
             Diagnosis::TooAccurate { accuracy, best } => {
                 (self.model.origin, self.too_accurate(*accuracy, *best))

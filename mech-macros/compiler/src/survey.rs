@@ -8,10 +8,12 @@ use crate::evaluate::{Machine, Stop};
 use crate::model::{AtChangePoints, Model};
 use crate::plan::Plan;
 use crate::program::{AtZero, Choice, Position, Program, Solver, Watching, build_as};
-use crate::walk::{Stretch, at, walk};
+use crate::walk::{Stretch, at, walk, walk_params};
 
 /// How many operations a survey may cost.
 const BUDGET: usize = 1_200_000;
+/// How fast the square of a sine changes with a param, over its scale, where that could not be seen.
+const UNSEEN: f64 = 4.0;
 /// Samples in a turn.
 const SAMPLES: [usize; 2] = [24, 360];
 /// Where several motors move a loop, most of its positions were never seen.
@@ -28,8 +30,12 @@ const NEAR: f64 = 0.1;
 /// What was found about a loop in closed form.
 #[derive(Clone, Debug)]
 struct Found {
-    /// By how much the square of its sine changes with each motor.
+    /// By how much the square of its sine changes with each motor and param.
     rates: Vec<f64>,
+    /// Whether a param has a part in it: then it may have dead points and change points that it has not at the start.
+    varies: bool,
+    /// Whether its dyad has two sides to lie on.
+    sided: bool,
     /// Whether it fails to close somewhere.
     ends: bool,
     /// Whether it comes to zero and closes on both sides.
@@ -41,7 +47,9 @@ struct Found {
 /// Decides for every loop how it is watched; how it is solved is decided already.
 pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Choice> {
     let none = Found {
-        rates: vec![0.0; model.motors.len()],
+        rates: vec![0.0; model.inputs()],
+        varies: false,
+        sided: false,
         ends: false,
         crosses: false,
         least_distance_square: f64::INFINITY,
@@ -53,6 +61,12 @@ pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Ch
         if program.watches.is_empty() {
             return choices;
         }
+        for number in program.dependent_loops() {
+            found[number].varies = true;
+        }
+        for (_, closed) in program.all_closed() {
+            found[closed.number].sided = closed.sided;
+        }
         let crossings = |found: &[Found]| found.iter().filter(|found| found.crosses).count();
         let before = crossings(&found);
         let mut walker = Walker {
@@ -60,6 +74,9 @@ pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Ch
             found: &mut found,
         };
         walk(model, plan, |stretch| walker.straight(stretch));
+        if !model.params.is_empty() {
+            walk_params(model, &mut |stretch| walker.straight(stretch));
+        }
         if crossings(&found) == before {
             break;
         }
@@ -77,7 +94,7 @@ fn watched(model: &Model, choices: &[Choice], found: &[Found]) -> Vec<Choice> {
             }
         } else {
             Watching {
-                rates: vec![0.0; model.motors.len()],
+                rates: vec![0.0; model.inputs()],
                 at_zero: AtZero::Stay,
             }
         }),
@@ -92,26 +109,39 @@ fn watched(model: &Model, choices: &[Choice], found: &[Found]) -> Vec<Choice> {
 
 /// What follows for each loop.
 fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> {
+    let unseen: Vec<f64> = unseen_rates(model);
     let decide = |(choice, found): (Choice, &Found)| {
-        let at_zero = match (found.crosses, model.change_points) {
+        // With other params it may pass change points, whatever it does now.
+        let at_zero = match (
+            found.crosses || found.varies && found.sided,
+            model.change_points,
+        ) {
             (true, AtChangePoints::GoOn) => Some(AtZero::GoOver),
             (true, AtChangePoints::Stop) => Some(AtZero::Stop),
             (true, AtChangePoints::KeepBranch) | (false, _) => {
                 let movers = found.rates.iter().filter(|rate| **rate > 0.0).count();
-                (found.ends || movers > 1).then_some(AtZero::Stay)
+                (found.ends || found.varies || movers > 1).then_some(AtZero::Stay)
             }
         };
         // An iteration fails where its equations are singular: a loop that comes to dead points or change points is solved in
         // closed form whatever was wished.
-        let solver = if found.crosses || found.ends {
+        let solver = if found.crosses || found.ends || found.varies {
             Solver::ClosedForm
         } else {
             choice.solver
         };
         let movers = found.rates.iter().filter(|rate| **rate > 0.0).count();
-        let safety = if movers > 1 { WIDE_SAFETY } else { SAFETY };
+        let safety = if movers > 1 || found.varies {
+            WIDE_SAFETY
+        } else {
+            SAFETY
+        };
+        let rates = found.rates.iter().zip(&unseen).map(|(rate, unseen)| {
+            let least = if found.varies { *unseen } else { 0.0 };
+            (safety * rate).max(least)
+        });
         let watching = at_zero.map(|at_zero| Watching {
-            rates: found.rates.iter().map(|rate| safety * rate).collect(),
+            rates: rates.collect(),
             at_zero,
         });
         Choice {
@@ -124,6 +154,16 @@ fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> 
         }
     };
     choices.into_iter().zip(found).map(decide).collect()
+}
+
+/// How fast the square of a sine is taken to change with each motor and param, if a loop varies with params, at least.
+fn unseen_rates(model: &Model) -> Vec<f64> {
+    let motors = model.motors.iter().map(|_| 0.0);
+    let params = model.params.ids().map(|param| {
+        let scale = model.param_scale(param);
+        scale.map_or(0.0, |scale| UNSEEN / scale)
+    });
+    motors.chain(params).collect()
 }
 
 /// A walk through the motions of a program.

@@ -12,7 +12,7 @@ const MOST_TURNS: i64 = 8;
 /// A straight way from the start.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stretch {
-    /// How far each motor goes on it.
+    /// How far each motor goes on it, and each param.
     pub(crate) ways: Vec<f64>,
     /// How many times as many samples as a single turn it is worth.
     pub(crate) pieces: usize,
@@ -40,7 +40,7 @@ fn alone(model: &Model, plan: &Plan, motor: MotorId, walker: &mut impl FnMut(&St
     let index = motor.index();
     let start = plan.start.motors[index];
     let along = |way: f64, pieces: usize| {
-        let mut ways = vec![0.0; model.motors.len()];
+        let mut ways = vec![0.0; model.inputs()];
         ways[index] = way;
         Stretch { ways, pieces }
     };
@@ -78,8 +78,44 @@ fn together(model: &Model, walker: &mut impl FnMut(&Stretch) -> bool) {
             };
             part * whole
         });
+        let rests = model.params.ids().map(|_| 0.0);
         walker(&Stretch {
-            ways: ways.collect(),
+            ways: ways.chain(rests).collect(),
+            pieces: 1,
+        });
+    }
+}
+
+/// Walks the ways on which params change: each alone to both sides, and all of them while the motors go both ways.
+pub(crate) fn walk_params(model: &Model, walker: &mut impl FnMut(&Stretch) -> bool) {
+    let scales: Vec<f64> = model
+        .params
+        .ids()
+        .map(|param| model.param_scale(param).unwrap_or_default())
+        .collect();
+    let motors = model.motors.len();
+    for (param, scale) in scales.iter().enumerate().filter(|(_, scale)| **scale > 0.0) {
+        for part in [1.0, -0.5] {
+            let mut ways = vec![0.0; model.inputs()];
+            ways[motors + param] = part * scale;
+            walker(&Stretch { ways, pieces: 1 });
+        }
+    }
+    for round in 0_u32..4 {
+        let sign = if round % 2 == 0 { 1.0 } else { -1.0 };
+        let turned = model.motors.iter().map(|motor| {
+            let whole = match model.joint(motor.joint).kind {
+                JointKind::Revolute(..) => TAU,
+                _ => model.size(),
+            };
+            sign * whole
+        });
+        let changed = (0_u32..).zip(&scales).map(|(param, scale)| {
+            let part = f64::from((round / 2 + 2 * param) % 4) / 4.0 - 0.375;
+            part * scale
+        });
+        walker(&Stretch {
+            ways: turned.chain(changed).collect(),
             pieces: 1,
         });
     }

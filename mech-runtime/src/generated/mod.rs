@@ -7,6 +7,7 @@ mod dynamics;
 mod forces;
 mod loops;
 mod many;
+mod params;
 mod position;
 mod rates;
 
@@ -29,6 +30,7 @@ pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::AtZero;
 pub use mech_core::motors::turned;
+pub use params::{followed, inputs, motors_of, params_of, reached_by_motors, told};
 pub use position::{Motors, Position, finite};
 pub use rates::{Rates, advance_with, rates_at};
 

@@ -157,6 +157,26 @@ motor a;",
         edit: ("motor a;", "motor a;\nallow redundant;"),
     },
     Entry {
+        variant: "MatchedOnly",
+        example: "
+struct Rails;
+param third_foot = 2;
+link first;
+link second;
+link third;
+link rail;
+joint a = revolute(ground, first) at (0, 0);
+joint b = revolute(ground, second) at (4, 0);
+joint c = revolute(ground, third) at (third_foot, 0);
+joint d = revolute(first, rail) at (0.5, 1);
+joint e = revolute(second, rail) at (4.5, 1);
+joint f = revolute(third, rail) at (2.5, 1);
+motor a;
+allow redundant;",
+        remedy: "Let the lengths be constants, or take away what is too many.",
+        edit: ("param third_foot = 2;", "const third_foot = 2;"),
+    },
+    Entry {
         variant: "NoMotor",
         example: "
 struct Arm;
@@ -409,6 +429,18 @@ start { coupler near 50 deg; }
 method newton;",
         remedy: "Solve it exactly, or leave the range out.",
         edit: ("method newton;", "method exact;"),
+    },
+    Entry {
+        variant: "Range",
+        example: "
+struct Arm;
+param length = 2;
+ground { point shaft = (0, 0); }
+link arm { point shaft = (0, 0); point tip = (length, 0); }
+joint a = revolute(ground.shaft, arm.shaft);
+motor a in 0 deg ..= 90 deg;",
+        remedy: "Let the length be a constant, or have moves tested when they are made.",
+        edit: ("motor a in 0 deg ..= 90 deg;", "motor a;"),
     },
     Entry {
         variant: "Range",

@@ -19,7 +19,6 @@ mechanism! {
     start { a = 60 deg; coupler near 30 deg; }
     effects { dynamics; }
     certify;
-    param length = 1.0 in 0.5 ..= 2.0;
 }
 
 fn main() {}

@@ -36,7 +36,7 @@ impl Influence {
 
     fn on(program: &Program, loops: usize, mut waiting: Vec<Value>) -> Self {
         let mut influence = Self {
-            motors: vec![false; program.motors.len()],
+            motors: vec![false; program.inputs()],
             loops: vec![false; loops],
         };
         let mut seen = vec![false; program.nodes.len()];

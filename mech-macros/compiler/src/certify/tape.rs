@@ -47,7 +47,7 @@ impl<'p> Tape<'p> {
     /// they are among `turned`, on the other.
     pub(super) fn new(program: &'p Program, turned: &[BlockId]) -> Self {
         let count = program.nodes.len();
-        let motors = program.motors.len();
+        let motors = program.inputs();
         let mut tape = Self {
             program,
             motors,

@@ -1,11 +1,12 @@
 //! What the struct of a mechanism has more for its effects.
 
 use super::added::Added;
-use super::{forces, overlay, rates, timing, traces};
+use super::{forces, overlay, params, rates, timing, traces};
 use crate::Compiled;
 use crate::model::Model;
 use crate::syntax::Places;
 use proc_macro2::TokenStream;
+use quote::quote;
 
 /// What the effects of a mechanism add to it; of each nothing without it.
 pub(super) fn added(
@@ -32,5 +33,8 @@ pub(super) fn added(
     let moved = rates.and(forces);
     let laws = timing::added(krate, model, compiled, visibility, (&moved.rest, &record));
     let overlay = overlay::added(krate, model, compiled, visibility);
-    moved.and(laws).and(traces).and(overlay)
+    let rest = &moved.rest;
+    let end = quote!(#rest #record);
+    let params = params::added(krate, places, model, compiled, visibility, &end);
+    moved.and(laws).and(traces).and(overlay).and(params)
 }

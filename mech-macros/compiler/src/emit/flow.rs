@@ -1,6 +1,6 @@
 //! What flows between blocks: which values each takes from earlier ones and gives to later ones.
 
-use crate::program::{BlockId, Motion, Op, Program, Slot, Value};
+use crate::program::{BlockId, Motion, Op, Program, Sensitivity, Slot, Value};
 use std::collections::BTreeSet;
 
 /// What a block takes and gives.
@@ -80,7 +80,9 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
         needed.for_each(|&value| read(value, system.block));
     }
     let margins = program.margins().map(|(_, closed)| &closed.margin);
-    let rates: Vec<Value> = program.motion.iter().flat_map(Motion::roots).collect();
+    let rates = program.motion.iter().flat_map(Motion::roots);
+    let followed = program.sensitivity.iter().flat_map(Sensitivity::roots);
+    let rates: Vec<Value> = rates.chain(followed).collect();
     for value in program
         .poses
         .iter()

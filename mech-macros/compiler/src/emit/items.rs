@@ -5,6 +5,7 @@ use super::block::scalar;
 use super::effects;
 use super::many::many;
 use super::moves::{course, near, turn_to, within};
+use super::params;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::{position, step};
@@ -37,12 +38,8 @@ pub(crate) fn items(
     } = header;
     let scalar = scalar(program);
     let position = position(program);
-    let sizes = [
-        program.motors.len(),
-        program.poses.len(),
-        program.kept.len(),
-    ]
-    .map(Literal::usize_unsuffixed);
+    let sizes =
+        [program.inputs(), program.poses.len(), program.kept.len()].map(Literal::usize_unsuffixed);
     let doc = format!("\n```text\n{report}```");
     let start = start(program);
     let step = step(program);
@@ -170,24 +167,20 @@ fn seen(program: &Program, visibility: &syn::Visibility, painting: &TokenStream)
 fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) -> TokenStream {
     let (scalar, near) = (scalar(program), near(program));
     let motors = Literal::usize_unsuffixed(program.motors.len());
-    let move_to = rested(
-        quote!(advance(&mut self.position, Motors::new(motors), &COURSE, #near, step)),
-        rest,
-    );
-    let move_toward = rested(
-        quote!(approach(
-            &mut self.position,
-            Motors::new(motors),
-            &COURSE,
-            step
-        )),
-        rest,
-    );
+    let [target, given] = params::target(program, &quote!(self.position));
+    let move_to = quote!(advance(&mut self.position, #target, &COURSE, #near, step));
+    let move_to = rested(params::told(program, move_to), rest);
+    let mut move_toward = quote!(approach(&mut self.position, #target, &COURSE, step));
+    if !program.params.is_empty() {
+        move_toward.extend(quote!(.map(reached_by_motors)));
+    }
+    let move_toward = rested(params::told(program, move_toward), rest);
+    let values = params::motors(program);
     quote! {
                 /// The present values of the motors, in the order of their declaration, in radians or scene units.
                 #[must_use]
                 #visibility fn motors(&self) -> [#scalar; #motors] {
-                    self.position.motors.total()
+                    #values
                 }
 
                 /// Gives the motors these values, in the order of their declaration, in radians or scene units, and moves
@@ -197,6 +190,7 @@ fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) ->
                 /// If a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it was.
                 #[inline]
                 #visibility fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
+                    #given
                     #move_to
                 }
 
@@ -208,6 +202,7 @@ fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) ->
                 #visibility fn move_toward(&mut self, motors: [#scalar; #motors])
                     -> Result<Reached<[#scalar; #motors]>, Blocked<[#scalar; #motors]>>
                 {
+                    #given
                     #move_toward
                 }
 
@@ -338,13 +333,13 @@ fn accessors(
             }
         });
     }
-    for (link, point, origin, [x, y]) in named_points(model) {
+    for (link, point, origin, axis) in named_points(model) {
         let name = user_ident(
             &format!("{}_{point}", model.link(link).name),
             places,
             origin,
         );
-        let (x, y) = (number(program.precision, x), number(program.precision, y));
+        let at = params::place(model, program, axis);
         let pose = pose(program, link);
         let doc = format!(
             " Point `{point}` of link `{}`, in the scene.",
@@ -354,7 +349,7 @@ fn accessors(
             #[doc = #doc]
             #[must_use]
             #visibility fn #name(&self) -> Point2<#scalar> {
-                let [x, y] = #pose.apply([#x, #y]);
+                let [x, y] = #pose.apply(#at);
                 Point2::new(x, y)
             }
         });
@@ -376,16 +371,13 @@ fn accessors(
     tokens
 }
 
-/// The named points of the moving links that are shown: link, name, place, and where it is in the link.
-pub(super) fn named_points(
-    model: &Model,
-) -> impl Iterator<Item = (LinkId, &str, Origin, [f64; 2])> {
+/// The named points of the moving links that are shown: link, name, place, and which axis it is.
+pub(super) fn named_points(model: &Model) -> impl Iterator<Item = (LinkId, &str, Origin, AxisId)> {
     let axes = (0..).map(AxisId::new).zip(&model.axes);
     let points = axes.filter(|(id, axis)| {
         axis.kind == AxisKind::Point && axis.link != LinkId::GROUND && model.shows_point(*id)
     });
-    let points = points.map(|(_, axis)| axis);
-    points.filter_map(|axis| Some((axis.link, axis.name.as_deref()?, axis.origin, axis.at)))
+    points.filter_map(|(id, axis)| Some((axis.link, axis.name.as_deref()?, axis.origin, id)))
 }
 
 /// The expression of the pose of a link, which is kept unless it is the ground.
@@ -433,10 +425,10 @@ fn coordinate(
     }
     let axis = |id: AxisId| {
         let axis = model.axis(id);
-        let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
-            .map(|value| number(program.precision, value));
+        let at = params::place(model, program, id);
+        let [along, across] = axis.direction.map(|value| number(program.precision, value));
         let pose = pose(program, axis.link);
-        quote!((#pose, [#x, #y], [#along, #across]))
+        quote!((#pose, #at, [#along, #across]))
     };
     let (a, b) = (axis(a), axis(b));
     Some((unit, quote!(#function(#a, #b))))

@@ -1,6 +1,7 @@
 //! Many positions at once.
 
 use super::block::scalar;
+use super::params;
 use super::scope::number;
 use super::step::in_lanes;
 use crate::model::Precision;
@@ -61,6 +62,31 @@ pub(super) fn many(
     } else {
         (quote!(move_many_then), quote!(|instance| #record,))
     };
+    let [target, given] = params::target(program, &quote!(there));
+    let one = quote!(advance(&mut there, #target, &COURSE, #near, step));
+    let one = params::told(program, one);
+    let all = if program.params.is_empty() {
+        quote! {
+            #move_many::<_, _, _, _, _, #lanes>(
+                instances,
+                motors,
+                #reach,
+                |instance| #instance,
+                #kernel,
+                #then
+                |instance, motors| instance.move_to(motors),
+            )
+        }
+    } else {
+        quote! {
+            for (index, (instance, motors)) in instances.iter_mut().zip(motors).enumerate() {
+                if let Err(blocked) = instance.move_to(*motors) {
+                    return Err(BlockedAt { index, blocked });
+                }
+            }
+            Ok(())
+        }
+    };
     quote! {
         /// The poses of the links at many values of the motors, each as if it were moved there from where it is. Where
         /// positions depend on nothing but the motors, several are computed at once.
@@ -74,7 +100,8 @@ pub(super) fn many(
         ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
             solve_many::<_, _, _, #lanes>(motors, columns, #reach, #kernel, |motors| {
                 let mut there = self.position;
-                advance(&mut there, Motors::new(motors), &COURSE, #near, step)?;
+                #given
+                #one?;
                 Ok(there.poses)
             })
         }
@@ -88,15 +115,7 @@ pub(super) fn many(
             instances: &mut [Self],
             motors: &[[#scalar; #motors]],
         ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
-            #move_many::<_, _, _, _, _, #lanes>(
-                instances,
-                motors,
-                #reach,
-                |instance| #instance,
-                #kernel,
-                #then
-                |instance, motors| instance.move_to(motors),
-            )
+            #all
         }
     }
 }

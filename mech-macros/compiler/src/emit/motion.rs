@@ -11,8 +11,8 @@ use quote::{format_ident, quote};
 pub(super) struct Moved {
     /// The rates of all links.
     result: TokenStream,
-    margins: Vec<TokenStream>,
-    places: Vec<String>,
+    pub(super) margins: Vec<TokenStream>,
+    pub(super) places: Vec<String>,
 }
 
 /// What a step finds of rates or forces, in its own words.
@@ -106,7 +106,11 @@ impl Given {
 
 /// What a step is given besides the motors' values.
 fn all_given(program: &Program) -> Vec<Given> {
-    let Some(motion) = &program.motion else {
+    let Some(motion) = program
+        .motion
+        .as_ref()
+        .filter(|_| program.sensitivity.is_none())
+    else {
         return Vec::new();
     };
     let of_motors = |what: &str| -> Vec<String> {
@@ -162,6 +166,9 @@ pub(super) fn given(program: &Program) -> [TokenStream; 2] {
 
 /// What distinguishes the functions of a program from those that only find positions.
 pub(super) fn suffix(program: &Program) -> &'static str {
+    if program.sensitivity.is_some() {
+        return "_sensitivity";
+    }
     match program.motion.as_ref().map(|motion| &motion.forces) {
         None => "",
         Some(None) => "_with",
@@ -231,7 +238,7 @@ pub(super) fn step_with(
         ["step", "near", "position"].map(|name| format_ident!("{}{}", name, suffix(program)));
     let [step_with, near_with, position_with] = &names;
     let [parameters, arguments] = given(program);
-    let count = Literal::usize_unsuffixed(program.motors.len());
+    let count = Literal::usize_unsuffixed(program.inputs());
     if !program.is_closed() {
         let doc =
             format!(" The position at these motor values, close to the last one, and {what}.");

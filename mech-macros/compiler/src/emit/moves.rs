@@ -3,6 +3,7 @@
 use super::block::scalar;
 use super::items::rested;
 use super::many::reach;
+use super::params;
 use super::scope::{ident, number};
 use super::step::takes_sines;
 use crate::model::{JointKind, Model, Motor, Precision};
@@ -24,7 +25,7 @@ pub(super) fn near(program: &Program) -> TokenStream {
 pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
     let scalar = scalar(program);
     let n = |value: &f64| number(program.precision, *value);
-    let names = &program.motors;
+    let names: Vec<&String> = program.input_names().collect();
     let watched = program.watches.iter().map(|watch| {
         let kept = Literal::usize_unsuffixed(watch.kept);
         let rates = watch.rates.iter().map(n);
@@ -152,7 +153,7 @@ pub(super) fn turn_to(
     if !model.motors.iter().any(turns) {
         return TokenStream::new();
     }
-    let near = near(program);
+    let (near, refused) = (near(program), params::refused(program));
     let scalar = scalar(program);
     let count = Literal::usize_unsuffixed(program.motors.len());
     let mut parameters = TokenStream::new();
@@ -165,7 +166,7 @@ pub(super) fn turn_to(
             parameters.extend(quote!(#variable: Phase,));
             phases.extend(quote! {
                 if let Err(stop) = motors.turn(#index, #variable, #name) {
-                    return Err(self.position.refuse(stop));
+                    return Err(#refused);
                 }
             });
             values.push(quote!(0.0));
@@ -174,10 +175,16 @@ pub(super) fn turn_to(
             values.push(quote!(#variable));
         }
     }
-    let advance = rested(
+    let told = params::told(
+        program,
         quote!(advance(&mut self.position, motors, &COURSE, #near, step)),
-        rest,
     );
+    let advance = rested(told, rest);
+    let start = if program.params.is_empty() {
+        quote!(Motors::new([#(#values),*]))
+    } else {
+        quote!(inputs([#(#values),*], &self.position.motors))
+    };
     let many = (program.motors.len() > 6).then(|| {
         quote!(#[allow(clippy::too_many_arguments, reason = "a mechanism has as many motors as it has")])
     });
@@ -189,7 +196,7 @@ pub(super) fn turn_to(
         /// then stays where it was.
         #many
         #visibility fn turn_to(&mut self, #parameters) -> Result<(), Blocked<[#scalar; #count]>> {
-            let mut motors = Motors::new([#(#values),*]);
+            let mut motors = #start;
             #phases
             #advance
         }

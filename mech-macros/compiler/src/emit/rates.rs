@@ -5,6 +5,7 @@ use super::block::scalar;
 use super::costs::literal;
 use super::items::{coordinate_axes, named_points, pose, user_ident};
 use super::motion::given;
+use super::params;
 use super::scope::number;
 use super::step::{step, takes_sines};
 use crate::Compiled;
@@ -113,20 +114,33 @@ pub(super) fn moved_with(
     };
     let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
     let keep_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
+    let refused = params::refused(moving);
+    let names = if moving.params.is_empty() {
+        quote!(&COURSE.names)
+    } else {
+        let names = &moving.motors;
+        quote!(&[#(#names),*])
+    };
+    let moved = params::told(
+        moving,
+        quote! {
+            advance_with(
+                &mut self.position,
+                #motors,
+                &COURSE,
+                |last, motors| #near_with(last, motors #arguments),
+                |last, motors| step_with(last, motors #arguments),
+                step,
+            )
+        },
+    );
     quote! {
         for rates in #checked {
-            if let Err(stop) = finite(rates, &COURSE.names) {
-                return Err(self.position.refuse(stop));
+            if let Err(stop) = finite(rates, #names) {
+                return Err(#refused);
             }
         }
-        let #pattern = advance_with(
-            &mut self.position,
-            #motors,
-            &COURSE,
-            |last, motors| #near_with(last, motors #arguments),
-            |last, motors| step_with(last, motors #arguments),
-            step,
-        )?;
+        let #pattern = #moved?;
         self.velocities = velocities;
         #keep_second
         #keep_rates
@@ -150,7 +164,9 @@ fn methods(
         ..
     } = kinds;
     let [parameters, _] = given(moving);
-    let moved = moved_with(moving, kinds.effects, &quote!(Motors::new(motors)), record);
+    let [target, given_motors] = params::target(moving, &quote!(self.position));
+    let moved = moved_with(moving, kinds.effects, &target, record);
+    let refused = params::refused(moving);
     let still = second.then(|| quote!(, [0.0; #count]));
     let first = if *second { quote!(.0) } else { quote!() };
     let accelerations = second.then(|| {
@@ -181,6 +197,7 @@ fn methods(
         #visibility fn move_with(&mut self, motors: [#scalar; #count] #parameters)
             -> Result<(), Blocked<[#scalar; #count]>>
         {
+            #given_motors
             #moved
         }
 
@@ -206,7 +223,7 @@ fn methods(
                 let found = rates_at(&self.position, |last, motors| step_with(last, motors, rates #still));
                 match found {
                     Ok(found) => *influence = found #first,
-                    Err(stop) => return Err(self.position.refuse(stop)),
+                    Err(stop) => return Err(#refused),
                 }
             }
             Ok(influences)
@@ -223,7 +240,6 @@ fn accessors(
 ) -> TokenStream {
     let mut tokens = TokenStream::new();
     let scalar = &kinds.scalar;
-    let n = |value: f64| number(model.precision, value);
     for id in model.declared_links().filter(|&id| model.shows_link(id)) {
         let (link, index) = (model.link(id), index(kinds.program, id));
         let name = &link.name;
@@ -247,10 +263,10 @@ fn accessors(
             );
         }
     }
-    for (id, point, origin, [x, y]) in named_points(model) {
+    for (id, point, origin, axis) in named_points(model) {
         let (name, index) = (&model.link(id).name, index(kinds.program, id));
         let pose = pose(kinds.program, id);
-        let at = [n(x), n(y)];
+        let at = params::place(model, kinds.program, axis);
         let mut tell = |what: &str, value: TokenStream| {
             let method = user_ident(&format!("{name}_{point}_{what}"), places, origin);
             let doc = format!(" The {what} of point `{point}` of link `{name}` in the scene.");
@@ -263,14 +279,13 @@ fn accessors(
                 }
             });
         };
-        let [u, v] = &at;
         tell(
             "velocity",
-            quote!(self.velocities[#index].of_point(#pose, [#u, #v])),
+            quote!(self.velocities[#index].of_point(#pose, #at)),
         );
         if kinds.second {
             let value = quote! {
-                self.accelerations[#index].of_point(#pose, self.velocities[#index].angular, [#u, #v])
+                self.accelerations[#index].of_point(#pose, self.velocities[#index].angular, #at)
             };
             tell("acceleration", value);
         }
@@ -330,11 +345,11 @@ fn joint_rate(
         let (from, to) = (angular(link(from)), angular(link(to)));
         return quote!(#to - #from);
     }
-    let end = |axis: AxisId| {
-        let id = link(axis);
-        let (axis, pose) = (model.axis(axis), pose(program, id));
-        let [x, y, along, across] = [axis.at[0], axis.at[1], axis.direction[0], axis.direction[1]]
-            .map(|value| number(model.precision, value));
+    let end = |end: AxisId| {
+        let id = link(end);
+        let (axis, pose) = (model.axis(end), pose(program, id));
+        let at = params::place(model, program, end);
+        let [along, across] = axis.direction.map(|value| number(model.precision, value));
         let (velocity, acceleration) = if id == LinkId::GROUND {
             (quote!(Velocity::ZERO), quote!(Acceleration::ZERO))
         } else {
@@ -349,7 +364,7 @@ fn joint_rate(
         } else {
             velocity
         };
-        quote!((#pose, [#x, #y], [#along, #across]), #rates)
+        quote!((#pose, #at, [#along, #across]), #rates)
     };
     let function = if second {
         quote!(slide_acceleration)

@@ -4,7 +4,8 @@ use super::block::{function, scalar, statements};
 use super::flow::flows;
 use super::motion::{given_rates, moved, step_with, suffix};
 use super::scope::{Scope, ident, uses};
-use crate::program::{BlockId, BlockKind, Motion, Op, Program, Value};
+use super::sensitivity::{followed, sensitivity_step};
+use crate::program::{BlockId, BlockKind, Motion, Op, Program, Sensitivity, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
@@ -90,7 +91,10 @@ pub(super) fn step(program: &Program) -> TokenStream {
         result,
         margins,
     };
-    let steps = if let Some(moved) = moved {
+    let steps = if let (Some(sensitivity), Some(moved)) = (&program.sensitivity, &moved) {
+        let followed = followed(sensitivity, &scope);
+        sensitivity_step(program, &written, &places, (moved, &followed))
+    } else if let Some(moved) = moved {
         step_with(program, &written, &places, &moved)
     } else if program.is_closed() {
         closed_step(program, &written, &places)
@@ -121,7 +125,7 @@ fn closed_step(program: &Program, written: &Written, places: &[&String]) -> Toke
         margins,
     } = written;
     let (position, scalar) = (position(program), scalar(program));
-    let [count, loops] = [program.motors.len(), margins.len()].map(Literal::usize_unsuffixed);
+    let [count, loops] = [program.inputs(), margins.len()].map(Literal::usize_unsuffixed);
     let (sines, anywhere, near) = if takes_sines(program) {
         let near = quote! {
             /// The same, where all angles are within the range of the polynomials of sine and cosine.
@@ -167,7 +171,7 @@ fn iterated_step(program: &Program, written: &Written) -> TokenStream {
         ..
     } = written;
     let (position, scalar) = (position(program), scalar(program));
-    let count = Literal::usize_unsuffixed(program.motors.len());
+    let count = Literal::usize_unsuffixed(program.inputs());
     quote! {
         /// The position at these motor values, close to the last one.
         fn step(#last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
@@ -182,9 +186,9 @@ fn iterated_step(program: &Program, written: &Written) -> TokenStream {
 pub(super) fn position(program: &Program) -> TokenStream {
     let scalar = scalar(program);
     let sizes = [
-        program.motors.len(),
-        program.poses.len(),
-        program.kept.len(),
+        program.inputs(),
+        program.start.poses.len(),
+        program.start.kept.len(),
     ]
     .map(Literal::usize_unsuffixed);
     quote!(Position<#scalar, #(#sizes),*>)
@@ -201,7 +205,7 @@ fn motors(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
         Some(value) => scope.bind(value),
         None => scope.fresh(&format!("_{name}")),
     };
-    let variables: Vec<Ident> = program.motors.iter().enumerate().map(variable).collect();
+    let variables: Vec<Ident> = program.input_names().enumerate().map(variable).collect();
     let mut tokens = quote!(let [#(#variables),*] = motors.values;);
     for value in program.live_values() {
         let made = match program.node(value).op {
@@ -227,13 +231,30 @@ fn motors(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
 
 /// Whether many positions are computed in lanes: where each is a function of the motors, and not too long.
 pub(super) fn in_lanes(program: &Program) -> bool {
-    program.is_function() && takes_sines(program) && program.blocks.len() <= MOST_BLOCKS
+    let of_motors_alone = program.is_function() && program.params.is_empty();
+    of_motors_alone && takes_sines(program) && program.blocks.len() <= MOST_BLOCKS
 }
 
 /// Whether the positions are written once for any place that sines and cosines are taken from: where all of those stand in one
-/// function.
+/// function, and none is of an angle that a param may make as large as it likes.
 pub(super) fn takes_sines(program: &Program) -> bool {
-    !program.curved && program.is_closed() && straight_values(program) <= MOST_IN_PLACE
+    !program.curved
+        && program.is_closed()
+        && straight_values(program) <= MOST_IN_PLACE
+        && !turns_by_params(program)
+}
+
+/// Whether a sine or cosine is of something that depends on a param.
+fn turns_by_params(program: &Program) -> bool {
+    if program.params.is_empty() {
+        return false;
+    }
+    let dependent = program.dependent();
+    let is_dependent = |value: Value| match program.node(value).op {
+        Op::Sin(angle) | Op::Cos(angle) => dependent[angle.index()],
+        _ => false,
+    };
+    program.live_values().any(is_dependent)
 }
 
 fn straight_values(program: &Program) -> usize {
@@ -261,6 +282,7 @@ fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
         .chain(program.margins().map(|(_, closed)| &closed.margin))
         .copied()
         .chain(program.motion.iter().flat_map(Motion::roots))
+        .chain(program.sensitivity.iter().flat_map(Sensitivity::roots))
         .for_each(|value| *all.entry(value).or_insert(0) += 1);
     all
 }

@@ -27,12 +27,13 @@ pub(crate) fn stub(
     };
     let motors = Literal::usize_unsuffixed(motors);
     let links = Literal::usize_unsuffixed(model.asked_links().len());
-    let methods = accessors(krate, places, model, &scalar);
+    let methods = accessors(krate, places, model, (&scalar, &motors));
     let rates = rates(krate, model, visibility, (&scalar, &links, &motors));
     let forces = super::forces::stub(krate, places, model, visibility, (&scalar, &motors));
     let clear_traces =
         (!model.traces.is_empty()).then(|| quote!(#visibility fn clear_traces(&mut self) {}));
     let overlay = super::overlay::stub(krate, model, visibility, &scalar);
+    let params = super::params::stub(krate, places, model, visibility, (&scalar, &links, &motors));
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let at_time = at_time(krate, visibility, has_laws, (&scalar, &motors, &methods));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
@@ -96,6 +97,7 @@ pub(crate) fn stub(
                 #at_time
                 #clear_traces
                 #overlay
+                #params
                 #(
                     #visibility fn #names(&self) -> #types {
                         loop {}
@@ -219,8 +221,9 @@ fn accessors(
     krate: &TokenStream,
     places: &Places,
     model: &Model,
-    scalar: &TokenStream,
+    (scalar, motors): (&TokenStream, &Literal),
 ) -> Vec<(proc_macro2::Ident, TokenStream)> {
+    let params = Literal::usize_unsuffixed(model.params.len());
     let isometry = quote!(#krate::Isometry2<#scalar>);
     let point = quote!(#krate::Point2<#scalar>);
     let vector = quote!(#krate::Vector2<#scalar>);
@@ -230,6 +233,11 @@ fn accessors(
     let mut tell = |name: &str, origin, kinds: [TokenStream; 3], rate: &str| {
         let [value, velocity, acceleration] = kinds;
         methods.push((user_ident(name, places, origin), value));
+        if model.effects.sensitivity {
+            let name = format!("{name}_sensitivity");
+            let found = quote!(::core::result::Result<[#velocity; #params], #krate::Blocked<[#scalar; #motors]>>);
+            methods.push((user_ident(&name, places, origin), found));
+        }
         if model.effects.velocity {
             let name = format!("{name}_{rate}");
             methods.push((user_ident(&name, places, origin), velocity));

@@ -105,18 +105,31 @@ impl<'p> Runner<'p> {
         if given.loads.len() != motion.loads.len() {
             return Err(Stop::MotorCount);
         }
+        Ok((motion, self.determined(at, given)?))
+    }
+
+    /// All values of the program where it is, if rates are determined there.
+    pub(super) fn determined<T: Real>(
+        &self,
+        at: &Position<T>,
+        given: Given<'_, T>,
+    ) -> Result<Vec<T>, Stop> {
         let values = self.values(at, (&at.motors, &at.turns), given);
         // What closed where it is and does not once more is at its limit.
         let values = values.map_err(|stop| match stop {
             Stop::Open(block) | Stop::DeadPoint(block) => Stop::Singular(self.number(block)),
             other => other,
         })?;
-        let get = |value: &Value| values[value.index()];
-        let regular = |margin: &RateMargin| get(&margin.margin) >= T::ZERO;
-        if let Some(first) = motion.margins.iter().position(|margin| !regular(margin)) {
-            return Err(Stop::Singular(first));
+        let mut margins = self
+            .program
+            .motion
+            .iter()
+            .flat_map(|motion| &motion.margins);
+        let regular = |margin: &RateMargin| values[margin.margin.index()] >= T::ZERO;
+        match margins.position(|margin| !regular(margin)) {
+            None => Ok(values),
+            Some(first) => Err(Stop::Singular(first)),
         }
-        Ok((motion, values))
     }
 
     /// Which loop a block closes.

@@ -13,6 +13,8 @@ pub struct Effects {
     pub dynamics: bool,
     /// The diagram: joint symbols, arrows.
     pub overlay: bool,
+    /// How links, points and joints follow the params.
+    pub sensitivity: bool,
 }
 
 impl Effects {

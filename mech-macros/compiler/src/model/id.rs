@@ -43,6 +43,14 @@ id! {
     /// A law of a [`Model`](super::Model).
     LawId
 }
+id! {
+    /// A param of a [`Model`](super::Model).
+    ParamId
+}
+id! {
+    /// A formula of a [`Model`](super::Model).
+    FormulaId
+}
 
 impl LinkId {
     /// The fixed link, which every mechanism has.

@@ -1,6 +1,6 @@
 //! Links, and what is rigidly fixed to them.
 
-use super::{AxisId, LinkId, Mass, Origin};
+use super::{AxisId, FormulaId, LinkId, Mass, Origin};
 
 /// A rigid body that moves in planes parallel to the screen.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,8 +46,10 @@ pub struct Axis {
     pub origin: Origin,
     /// Rotation or sliding.
     pub kind: AxisKind,
-    /// Its origin, in the frame of the link.
+    /// Its origin, in the frame of the link: at the start, if it depends on params.
     pub at: [f64; 2],
+    /// How each coordinate of its origin is computed that depends on params.
+    pub formulas: [Option<FormulaId>; 2],
     /// Its direction, of length one, in the frame of the link.
     pub direction: [f64; 2],
 }

@@ -11,6 +11,7 @@ mod joint;
 mod law;
 mod link;
 mod mass;
+mod param;
 mod show;
 mod start;
 mod trace;
@@ -18,11 +19,12 @@ mod trace;
 pub use action::{Actions, Between, Damper, Load, LoadKind, Spring};
 pub use edit::Edit;
 pub use effects::Effects;
-pub use id::{AxisId, JointId, LawId, LinkId, MotorId, Origin};
+pub use id::{AxisId, FormulaId, JointId, LawId, LinkId, MotorId, Origin, ParamId};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use law::{Extreme, Function, Law, Term, TermId};
 pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
 pub use mass::Mass;
+pub use param::{Arithmetic, Formula, Param, Params};
 pub use show::Shown;
 pub use start::{Near, Start, StartValue};
 pub use trace::Trace;
@@ -112,6 +114,8 @@ pub struct Model {
     pub motors: Vec<Motor>,
     /// The laws of motors and cams.
     pub laws: Vec<Law>,
+    /// The numbers that may be changed while it runs.
+    pub params: Params,
     /// How the mechanism is assembled.
     pub start: Start,
     /// How the loops are solved, if that was said; else `accuracy` decides, and without that the method is exact.
@@ -158,6 +162,7 @@ impl Model {
             joints: Vec::new(),
             motors: Vec::new(),
             laws: Vec::new(),
+            params: Params::default(),
             start: Start::default(),
             method: None,
             predictor: 0,
@@ -203,6 +208,10 @@ impl Model {
             && shapes.into_iter().all(in_shape)
             && self.axes.iter().all(in_axis)
             && self.start.values.iter().all(in_start)
+            && self
+                .params
+                .values()
+                .all(|value| self.precision.holds(value))
     }
 
     /// How large it is: the greatest distance of an axis from the origin of its link.
@@ -320,6 +329,7 @@ impl Model {
                 origin,
                 kind,
                 at,
+                formulas: [None; 2],
                 direction,
             });
             AxisId::new(self.axes.len() - 1)

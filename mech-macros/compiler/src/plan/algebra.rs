@@ -1,6 +1,8 @@
 //! The arithmetic that geometry is written in: with numbers to assemble a mechanism now, with symbols to write the
 //! program that moves it later. The formulas stand only once.
 
+use crate::model::Axis;
+
 /// Scalars and what can be done with them.
 pub(crate) trait Algebra {
     /// A scalar.
@@ -14,6 +16,16 @@ pub(crate) trait Algebra {
 
     fn vector(&mut self, [x, y]: [f64; 2]) -> [Self::Scalar; 2] {
         [self.constant(x), self.constant(y)]
+    }
+
+    /// Where an axis is in its link: with numbers, at the start.
+    fn place(&mut self, axis: &Axis) -> [Self::Scalar; 2] {
+        self.vector(axis.at)
+    }
+
+    /// The way from one axis of a link to another, in the link.
+    fn between(&mut self, from: &Axis, to: &Axis) -> [Self::Scalar; 2] {
+        self.vector([to.at[0] - from.at[0], to.at[1] - from.at[1]])
     }
 
     fn plus(&mut self, a: [Self::Scalar; 2], b: [Self::Scalar; 2]) -> [Self::Scalar; 2] {
@@ -94,10 +106,20 @@ impl<S: Copy> Pose<S> {
         }
     }
 
-    /// Where a point of the link is.
-    pub(crate) fn carry<A: Algebra<Scalar = S>>(self, algebra: &mut A, point: [f64; 2]) -> [S; 2] {
-        let point = algebra.vector(point);
+    /// Where an axis of the link is.
+    pub(crate) fn carry<A: Algebra<Scalar = S>>(self, algebra: &mut A, axis: &Axis) -> [S; 2] {
+        let point = algebra.place(axis);
         let turned = algebra.turned(self.direction, point);
+        algebra.plus(self.origin, turned)
+    }
+
+    /// Where a point of the link is that no param moves.
+    pub(crate) fn carry_point<A: Algebra<Scalar = S>>(
+        self,
+        algebra: &mut A,
+        point: [f64; 2],
+    ) -> [S; 2] {
+        let turned = self.turn(algebra, point);
         algebra.plus(self.origin, turned)
     }
 

@@ -65,7 +65,7 @@ impl<'m, S: Copy> Placement<'m, S> {
     /// The origin of an axis, relative to the base of its cluster.
     pub(crate) fn spot<A: Algebra<Scalar = S>>(&self, algebra: &mut A, id: AxisId) -> [S; 2] {
         let axis = self.axis(id);
-        self.pose(axis.link).carry(algebra, axis.at)
+        self.pose(axis.link).carry(algebra, axis)
     }
 
     /// The direction of an axis, relative to the base of its cluster.
@@ -83,10 +83,9 @@ impl<'m, S: Copy> Placement<'m, S> {
     ) -> [S; 2] {
         let (start, end) = (self.axis(from), self.axis(to));
         if start.link == end.link {
-            // Constant in the link: only to be turned.
-            return self
-                .pose(start.link)
-                .turn(algebra, [end.at[0] - start.at[0], end.at[1] - start.at[1]]);
+            // Only to be turned: it is what it is in the link.
+            let span = algebra.between(start, end);
+            return algebra.turned(self.pose(start.link).direction, span);
         }
         let (start, end) = (self.spot(algebra, from), self.spot(algebra, to));
         algebra.minus(end, start)
@@ -123,7 +122,7 @@ impl<'m, S: Copy> Placement<'m, S> {
         direction: [S; 2],
     ) {
         let to = self.axis(connection.to);
-        let at = algebra.vector(to.at);
+        let at = algebra.place(to);
         let arm = algebra.turned(direction, at);
         let origin = algebra.minus(meeting, arm);
         self.put(

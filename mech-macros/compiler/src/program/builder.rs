@@ -2,6 +2,7 @@
 
 use super::node::{BlockId, Node, Number, Op, Slot, Value};
 use super::{Block, BlockKind, Position};
+use crate::model::Axis;
 use crate::plan::Algebra;
 use std::collections::HashMap;
 
@@ -18,6 +19,12 @@ pub(super) struct Builder {
     at_start: Vec<f64>,
     /// Where the mechanism is at the start.
     start: Position<f64>,
+    /// How many motors there are: what is given after them are params.
+    pub(super) motors: usize,
+    /// Whether a value is made from a param.
+    varies: Vec<bool>,
+    /// What is computed from params, by the numbers of the model's formulas.
+    pub(super) formulas: Vec<Value>,
 }
 
 impl Builder {
@@ -27,6 +34,11 @@ impl Builder {
             start,
             ..Self::default()
         }
+    }
+
+    /// Whether a value is made from a param: what is constant otherwise has another size then.
+    pub(super) fn varies(&self, value: Value) -> bool {
+        self.varies[value.index()]
     }
 
     /// What a value is at the start.
@@ -103,6 +115,11 @@ impl Builder {
             && (matches!(op, Op::Unknown(..) | Op::Dense(..)) || op.operands().any(depends));
         let value = Value(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
         self.at_start.push(self.measured(op));
+        let varies = match op {
+            Op::Motor(input) => input >= self.motors,
+            op => op.operands().any(|operand| self.varies(operand)),
+        };
+        self.varies.push(varies);
         self.nodes.push(Node {
             op,
             block,
@@ -232,6 +249,24 @@ impl Algebra for Builder {
             (Some(a), _) => self.sub(b, a),
             _ => self.make(Op::Add(a.min(b), a.max(b))),
         }
+    }
+
+    fn place(&mut self, axis: &Axis) -> [Value; 2] {
+        [0, 1].map(|part| {
+            let formula = axis.formulas[part].and_then(|id| self.formulas.get(id.index()));
+            match formula.copied() {
+                Some(value) => value,
+                None => self.constant(axis.at[part]),
+            }
+        })
+    }
+
+    fn between(&mut self, from: &Axis, to: &Axis) -> [Value; 2] {
+        if !from.varies() && !to.varies() {
+            return self.vector([to.at[0] - from.at[0], to.at[1] - from.at[1]]);
+        }
+        let (from, to) = (self.place(from), self.place(to));
+        self.minus(to, from)
     }
 
     fn sub(&mut self, a: Value, b: Value) -> Value {

@@ -19,6 +19,8 @@ pub struct Closed {
     pub sine: Value,
     /// The square of a sine below which rounding hides its sign.
     pub tiny_square: Value,
+    /// Whether its dyad has two sides to lie on: where two lines cut each other it has none.
+    pub sided: bool,
     /// The unknowns, when they are found.
     pub found: Vec<Value>,
 }

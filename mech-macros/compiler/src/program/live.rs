@@ -18,6 +18,12 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
         .copied()
         .chain(margins)
         .chain(program.motion.iter().flat_map(super::Motion::roots))
+        .chain(
+            program
+                .sensitivity
+                .iter()
+                .flat_map(super::Sensitivity::roots),
+        )
         .collect();
     while let Some(value) = waiting.pop() {
         if std::mem::replace(&mut live[value.index()], true) {

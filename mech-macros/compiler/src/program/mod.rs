@@ -7,13 +7,16 @@ mod calibrate;
 mod choice;
 mod closed;
 mod forces;
+mod formula;
 mod law;
 mod live;
 mod motion;
 mod nesting;
 mod newton;
 mod node;
+mod place;
 mod real;
+mod sensitivity;
 mod stored;
 mod timing;
 mod watch;
@@ -28,6 +31,8 @@ pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
+pub use place::Place;
+pub use sensitivity::{Rates, Sensitivity};
 pub use timing::{Timed, Timing, build_timing};
 pub use watch::Watch;
 
@@ -46,6 +51,8 @@ pub struct Program {
     pub blocks: Vec<Block>,
     /// The names of the motors' joints.
     pub motors: Vec<String>,
+    /// The names of the params: they are given after the motors, by the same operation.
+    pub params: Vec<String>,
     /// The moving links whose poses are kept, in the order of their declaration: without a `show` all.
     pub stored: Vec<LinkId>,
     /// Their names.
@@ -54,11 +61,13 @@ pub struct Program {
     pub poses: Vec<[Value; 4]>,
     /// The new values of what is carried from position to position.
     pub kept: Vec<Value>,
+    /// Of what is told where it is in its link, the coordinates that depend on params.
+    pub places: Vec<Place>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
-    /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor.
+    /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor and param.
     pub senses: Option<usize>,
-    /// How far each motor may go in one piece, where an angle is followed over whole turns, loops are coupled or have dead points.
+    /// How far each motor and param may go in one piece, where an angle is followed over whole turns, loops are coupled or have dead points.
     pub strides: Option<Vec<f64>>,
     /// The least and the greatest value of each motor, if any has a declared range: it was proved that it moves through.
     pub range: Option<Vec<[f64; 2]>>,
@@ -68,6 +77,8 @@ pub struct Program {
     pub curved: bool,
     /// The rates of everything, if this program goes on to them.
     pub motion: Option<Motion>,
+    /// How everything follows the params, if this program tells that.
+    pub sensitivity: Option<Sensitivity>,
     /// Which values anything depends on.
     pub live: Vec<bool>,
     /// The position in which the mechanism is assembled.
@@ -99,7 +110,7 @@ pub enum BlockKind {
 /// A position of a mechanism: everything that is carried from one move to the next.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Position<T> {
-    /// The values of the motors.
+    /// The values of the motors, and after them those of the params.
     pub motors: Vec<T>,
     /// Whole turns of the motors besides.
     pub turns: Vec<i32>,
@@ -122,6 +133,17 @@ impl Program {
             .copied()
             .chain(constants)
             .all(|number| self.precision.holds(number))
+    }
+
+    /// How many numbers are given from outside: the values of the motors, and after these those of the params.
+    #[must_use]
+    pub fn inputs(&self) -> usize {
+        self.motors.len() + self.params.len()
+    }
+
+    /// The names of all of them.
+    pub fn input_names(&self) -> impl Iterator<Item = &String> {
+        self.motors.iter().chain(&self.params)
     }
 
     /// The node that makes a value.

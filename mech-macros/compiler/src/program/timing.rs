@@ -57,7 +57,7 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
         "What the laws of the motors say.".to_owned(),
     );
     let time = builder.make(Op::Time);
-    let mut tangents = Tangents::new(Seed::Given);
+    let mut tangents = Tangents::new(Seed::Given, 0);
     let mut motors = Vec::new();
     for (motor, law) in model.lawful_motors() {
         let name = &model.joint(model.motor(motor).joint).name;
@@ -89,6 +89,8 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
         nodes: builder.nodes,
         blocks: builder.blocks,
         motors: Vec::new(),
+        params: Vec::new(),
+        places: Vec::new(),
         stored: Vec::new(),
         links: Vec::new(),
         poses: Vec::new(),
@@ -100,6 +102,7 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
         overflows: false,
         curved: true,
         motion: None,
+        sensitivity: None,
         live: Vec::new(),
         start: Position::default(),
     };

@@ -76,6 +76,13 @@ impl Words<'_> {
                     ""
                 }
             ),
+            RangeTrouble::Varies { param } => {
+                let param = self.param(*param);
+                format!(
+                    "the range of motor {name} is proved for one shape of the mechanism, which param `{param}` may change\nhelp: \
+                     leave the range out: then every move is tested when it is made; or write `const {param}`"
+                )
+            }
             RangeTrouble::Missing => format!(
                 "motor {name} slides and has no range, though another motor has one: that it moves wherever it is told cannot be \
                  proved\nhelp: declare a range for {name} too, as `motor {} in LOW ..= HIGH`",

@@ -1,6 +1,6 @@
 //! What can be wrong with a mechanism, as data: tests match it, the reporter puts it into words.
 
-use crate::model::{AxisId, JointId, LinkId, MotorId};
+use crate::model::{AxisId, JointId, LinkId, MotorId, ParamId};
 
 /// Something that keeps a mechanism from moving as a mechanism should.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,6 +57,13 @@ pub enum Diagnosis {
         joints: Vec<JointId>,
         /// Whether it can be assembled and moves all the same, because its lengths match exactly.
         matched: bool,
+    },
+    /// Joints hold a part more than once, so that it moves only as long as its lengths match; but params may change lengths.
+    MatchedOnly {
+        /// The joints among which some are too many.
+        joints: Vec<JointId>,
+        /// A param that lengths depend on.
+        param: ParamId,
     },
     /// There is no motor at all.
     NoMotor {
@@ -172,6 +179,11 @@ pub enum RangeTrouble {
     },
     /// The loop is solved by iteration, for which there is no proof.
     Iterated,
+    /// What is proved holds for one shape of the mechanism, and this param may change it.
+    Varies {
+        /// The param.
+        param: ParamId,
+    },
     /// Another motor has a range, this one slides and has none: it would have to be free everywhere.
     Missing,
     /// The mechanism has this cam, and there is no proof for cams.

@@ -36,7 +36,10 @@ pub(super) fn pins(model: &Model) -> Vec<Pin> {
     for (index, axis) in model.axes.iter().enumerate() {
         let same = |other: &Axis| {
             let point = axis.kind == AxisKind::Point && other.kind == AxisKind::Point;
-            point && other.link == axis.link && other.at == axis.at
+            point
+                && other.link == axis.link
+                && other.at == axis.at
+                && other.formulas == axis.formulas
         };
         if let Some(first) = model.axes[..index].iter().position(same) {
             classes.union(first, index);

@@ -28,6 +28,8 @@ pub(super) struct Text {
 pub(super) enum Statement {
     /// `const NAME = value;`
     Constant(Constant),
+    /// `param name = value;`
+    Param(Constant),
     /// `ground { ... }`
     Ground(Ground),
     /// `link name { ... }` or `link name;`
@@ -75,7 +77,7 @@ pub(super) struct Broken {
     pub name: Option<Ident>,
 }
 
-/// `const NAME = value;`
+/// `const NAME = value;` or `param name = value;`
 pub(super) struct Constant {
     /// Its name.
     pub name: Ident,

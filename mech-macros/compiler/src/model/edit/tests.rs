@@ -25,6 +25,7 @@ fn axis(model: &mut Model, dice: &mut Dice, kind: AxisKind) -> AxisId {
         origin: Origin::default(),
         kind,
         at: [1.0, 2.0],
+        formulas: [None; 2],
         direction: [1.0, 0.0],
     });
     AxisId::new(number)

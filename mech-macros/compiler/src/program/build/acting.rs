@@ -299,7 +299,7 @@ impl Writer<'_> {
                 pose.turn(&mut self.builder, [x - u, y - v])
             }
             Place::Scene(at) => {
-                let about = pose.carry(&mut self.builder, way.about);
+                let about = pose.carry_point(&mut self.builder, way.about);
                 self.builder.minus(at, about)
             }
         }

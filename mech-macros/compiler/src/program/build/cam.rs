@@ -22,9 +22,9 @@ impl Writer<'_> {
         let followed = self.followed.iter().find(|followed| followed.cam == cam)?;
         let (shaft, value) = (followed.shaft, followed.value);
         // No motor moves but what turns the shaft.
-        let mut tangents = Tangents::new(Seed::Alone(usize::MAX));
+        let mut tangents = Tangents::new(Seed::Alone(usize::MAX), self.model.motors.len());
         let one = self.builder.constant(1.0);
-        tangents.set(shaft, one);
+        tangents.set(&mut self.builder, shaft, one);
         Some(tangents.of_all_up_to(&mut self.builder, value))
     }
 

@@ -154,7 +154,7 @@ impl Writer<'_> {
                 .iter()
                 .flat_map(|connection| [connection.from, connection.to])
             {
-                spots.push(self.builder.vector(self.model.axis(axis).at));
+                spots.push(self.builder.place(self.model.axis(axis)));
             }
             let ends = ring.first().map(|connection| connection.from).into_iter();
             for axis in ends.chain(ring.last().map(|connection| connection.to)) {
@@ -171,8 +171,9 @@ impl Writer<'_> {
         now: &[Solution<Value>],
     ) -> Option<Value> {
         let slides = |joint: &Joint| matches!(joint.kind, JointKind::Prismatic(..));
+        let varying = self.varying_extent(equation);
         if !self.model.joints.iter().any(slides) {
-            return None;
+            return varying;
         }
         let ways = now.iter().filter_map(|solution| match solution {
             Solution::Slide(way) => Some(*way),
@@ -183,6 +184,9 @@ impl Writer<'_> {
             let length = self.builder.abs(length);
             extent = self.builder.add(extent, length);
         }
+        if let Some(varying) = varying {
+            extent = self.builder.add(extent, varying);
+        }
         Some(self.builder.name(extent, "extent"))
     }
 
@@ -190,7 +194,7 @@ impl Writer<'_> {
     pub(super) fn last_pose(&mut self, link: LinkId) -> Pose<Value> {
         if let Some((pin, guide)) = self.model.link(link).die {
             let (pin, guide) = (self.model.axis(pin), self.model.axis(guide));
-            let origin = self.last_pose(pin.link).carry(&mut self.builder, pin.at);
+            let origin = self.last_pose(pin.link).carry(&mut self.builder, pin);
             let direction = self
                 .last_pose(guide.link)
                 .turn(&mut self.builder, guide.direction);
@@ -228,8 +232,8 @@ impl Writer<'_> {
                         let (from, to) = (self.model.axis(from), self.model.axis(to));
                         let (start, end) = (self.last_pose(from.link), self.last_pose(to.link));
                         let heading = start.turn(&mut self.builder, from.direction);
-                        let start = start.carry(&mut self.builder, from.at);
-                        let end = end.carry(&mut self.builder, to.at);
+                        let start = start.carry(&mut self.builder, from);
+                        let end = end.carry(&mut self.builder, to);
                         let way = self.builder.minus(end, start);
                         self.builder.dot(heading, way)
                     }

@@ -5,6 +5,7 @@
 //! lose half of all digits where lengths differ much.
 
 use super::Writer;
+use super::size::Size;
 use crate::plan::{Algebra, Equation, Loop, Slide, Solution, Unknown};
 use crate::program::choice::Choice;
 use crate::program::closed::Closed;
@@ -87,6 +88,7 @@ impl Writer<'_> {
             margin: self.builder.name(margin, "margin"),
             sine: found.sine,
             tiny_square: found.tiny_square,
+            sided: !matches!(first, Unknown::Slide(_)),
             found: Vec::new(),
         };
         Some((closed, found.solution))
@@ -136,8 +138,14 @@ impl Writer<'_> {
         let signed = self.on_side(root, side);
         let [long, short, wide] =
             [a_length, b_length, product].map(|value| self.builder.at_start(value));
-        let size = long + short;
-        let pins_meet = choice.goes_over() && (long - short).abs() <= 1e-9 * size;
+        let varies = self.any_varies(&[sum]);
+        let size = if varies {
+            Size::Varying(sum)
+        } else {
+            Size::Fixed(long + short)
+        };
+        let alike = varies || (long - short).abs() <= 1e-9 * (long + short);
+        let pins_meet = choice.goes_over() && alike;
         let aside = if pins_meet {
             self.nearest_side(goal, a, square, size, (root, signed), firsts[0])
         } else {
@@ -189,7 +197,11 @@ impl Writer<'_> {
                 self.unless_pins_meet(square, size, directions[1], Solution::Direction(follows));
         }
         let shift = self.builder.div(square, product);
-        let tiny_square = self.tiny_square(shift, size * size / wide);
+        let rounded = match size {
+            Size::Fixed(size) => Size::Fixed(size * size / wide),
+            Size::Varying(_) => Size::Varying(self.builder.div(outer, product)),
+        };
+        let tiny_square = self.tiny_square(shift, rounded);
         Found {
             solution: directions.map(Solution::Direction).to_vec(),
             slack,
@@ -206,7 +218,7 @@ impl Writer<'_> {
         goal: Vector,
         arm: Vector,
         square: Value,
-        size: f64,
+        size: Size,
         (root, signed): (Value, Value),
         last: Solution<Value>,
     ) -> Value {
@@ -214,8 +226,7 @@ impl Writer<'_> {
             return signed;
         };
         let rounded = self.rounded();
-        let scale = 4.0 * self.model.precision.epsilon() * size;
-        let scale = self.builder.constant(scale);
+        let scale = self.part_of(4.0 * self.model.precision.epsilon(), size);
         let near = self.builder.mul(scale, rounded);
         let near = self.builder.mul(near, near);
         let beyond = self.builder.sub(square, near);
@@ -272,8 +283,8 @@ impl Writer<'_> {
         let (below, above) = (builder.sub(radius, height), builder.add(radius, height));
         let slack = builder.mul(below, above);
         let slack = builder.name(slack, "discriminant");
-        let size = self.size_at_start(&[goal, arm]);
-        let floor = self.rounding(2.0 * size, radius);
+        let size = self.size(&[goal, arm]);
+        let floor = self.rounding(size, radius);
         let root = self.root(slack, choice);
         let root = self.on_side(root, side);
         let builder = &mut self.builder;
@@ -288,15 +299,21 @@ impl Writer<'_> {
         let conjugate = builder.scaled(inverse, conjugate);
         let direction = builder.turned(tip, conjugate);
         let sine = builder.div(root, radius);
-        let long = builder.constant(size);
-        let shift = builder.div(long, radius);
-        let tiny_square = self.tiny_square(shift, size / self.builder.at_start(radius));
-        let direction =
-            if choice.watching.is_some() || size > FAR_APART * self.builder.at_start(radius) {
-                self.normalised(direction, "closed")
-            } else {
-                direction
-            };
+        let long = self.part_of(1.0, size);
+        let shift = self.builder.div(long, radius);
+        let (rounded, far) = match size {
+            Size::Fixed(size) => {
+                let radius = self.builder.at_start(radius);
+                (Size::Fixed(size / radius), size > FAR_APART * radius)
+            }
+            Size::Varying(_) => (Size::Varying(shift), true),
+        };
+        let tiny_square = self.tiny_square(shift, rounded);
+        let direction = if choice.watching.is_some() || far {
+            self.normalised(direction, "closed")
+        } else {
+            direction
+        };
         Found {
             solution: vec![Solution::Direction(direction), Solution::Slide(way)],
             slack,
@@ -331,9 +348,9 @@ impl Writer<'_> {
         let height_square = builder.mul(height, height);
         let slack = builder.sub(square, height_square);
         let slack = builder.name(slack, "discriminant");
-        let size = self.size_at_start(&[goal, arm]);
+        let size = self.size(&[goal, arm]);
         let height_size = self.builder.abs(height);
-        let floor = self.rounding(2.0 * size, height_size);
+        let floor = self.rounding(size, height_size);
         let root = self.root(slack, choice);
         let root = self.on_side(root, side);
         let builder = &mut self.builder;
@@ -352,14 +369,17 @@ impl Writer<'_> {
         } else {
             direction
         };
+        let scale = self.inverse_of(size);
         let builder = &mut self.builder;
-        let scale = builder.constant(1.0 / size);
         let sine = builder.mul(scale, root);
         let part = builder.mul(scale, height);
         let shift = builder.mul(part, part);
-        let tiny_square = self.tiny_square(shift, 1.0);
-        let direction = if choice.goes_over() && self.builder.at_start(height).abs() <= 1e-9 * size
-        {
+        let tiny_square = self.tiny_square(shift, Size::Fixed(1.0));
+        let through = match size {
+            Size::Fixed(size) => self.builder.at_start(height).abs() <= 1e-9 * size,
+            Size::Varying(_) => true,
+        };
+        let direction = if choice.goes_over() && through {
             self.unless_pins_meet(square, size, direction, firsts[0])
         } else {
             direction
@@ -432,10 +452,10 @@ impl Writer<'_> {
 
     /// The square of a sine below which rounding hides its sign: where rounding shifts the square of the sine by this part of
     /// epsilon, and not less than what rounding of lengths does to the sine itself.
-    fn tiny_square(&mut self, shift: Value, sine: f64) -> Value {
+    fn tiny_square(&mut self, shift: Value, sine: Size) -> Value {
         let epsilon = self.model.precision.epsilon();
         let rounded = self.rounded();
-        let least = self.builder.constant(epsilon * sine);
+        let least = self.part_of(epsilon, sine);
         let least = self.builder.mul(least, rounded);
         let least = self.builder.mul(least, least);
         let shift_by = self.builder.constant(16.0 * epsilon);
@@ -447,15 +467,21 @@ impl Writer<'_> {
     fn unless_pins_meet(
         &mut self,
         square: Value,
-        size: f64,
+        size: Size,
         direction: Vector,
         last: Solution<Value>,
     ) -> Vector {
         let Solution::Direction(last) = last else {
             return direction;
         };
-        let least = (0.5 * TOLERANCE * self.model.precision.epsilon() * size).powi(2);
-        let least = self.builder.constant(least);
+        let part = 0.5 * TOLERANCE * self.model.precision.epsilon();
+        let least = match size {
+            Size::Fixed(size) => self.builder.constant((part * size).powi(2)),
+            Size::Varying(_) => {
+                let least = self.part_of(part, size);
+                self.builder.mul(least, least)
+            }
+        };
         let apart = self.builder.sub(square, least);
         let apart = self.builder.name(apart, "apart");
         [0, 1].map(|part| {
@@ -473,10 +499,9 @@ impl Writer<'_> {
         sides.iter().map(length).sum()
     }
 
-    /// The tolerance of a difference of squares: so much rounding, times a length.
-    fn rounding(&mut self, size: f64, length: Value) -> Value {
-        let tolerance = TOLERANCE * self.model.precision.epsilon() * size;
-        let tolerance = self.builder.constant(tolerance);
+    /// The tolerance of a difference of squares: so much rounding of twice a size, times a length.
+    fn rounding(&mut self, size: Size, length: Value) -> Value {
+        let tolerance = self.part_of(2.0 * TOLERANCE * self.model.precision.epsilon(), size);
         self.builder.mul(tolerance, length)
     }
 }

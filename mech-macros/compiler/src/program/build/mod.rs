@@ -8,9 +8,12 @@ mod equilibrium;
 mod idle;
 mod left_out;
 mod linear;
+mod places;
 mod predictor;
 mod rates;
 mod reaction;
+mod sensitivity;
+mod size;
 mod tangent;
 mod tied;
 mod triad;
@@ -25,7 +28,7 @@ use super::builder::Builder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::{Op, Value};
-use super::{Block, BlockKind, Choice, Position, Program, Rounds, Watch};
+use super::{Block, BlockKind, Choice, Place, Position, Program, Rounds, Watch};
 use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
     Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Needed, Placement, Plan, Pose,
@@ -81,6 +84,7 @@ pub fn build_further(
         Further::Holding => model.effects.force,
         Further::Acting(structure) => model.effects.force && structure.redundant.is_empty(),
         Further::Inertia => model.effects.dynamics,
+        Further::Sensitivity => model.effects.sensitivity,
     };
     if !wanted {
         return None;
@@ -91,7 +95,8 @@ pub fn build_further(
     let parts = (&positions.stored[..], &idle[..]);
     let mut program = write(model, plan, choices, parts, Some(further));
     program.number_stored();
-    let undetermined = further != Further::Rates
+    // Where joints hold links more than once, equilibrium does not determine what they do.
+    let undetermined = matches!(further, Further::Acting(_))
         && program
             .motion
             .as_ref()
@@ -110,6 +115,8 @@ pub enum Further<'s> {
     Acting(&'s Structure),
     /// How it moves under the torques of its motors.
     Inertia,
+    /// How everything follows the params.
+    Sensitivity,
 }
 
 /// The steps that something that is shown depends on.
@@ -132,13 +139,15 @@ fn write(
 ) -> Program {
     let needed = needed(model, plan, links);
     let all = model.declared_links();
+    let motors = plan.start.motors.iter().copied();
     let mut builder = Builder::new(Position {
-        motors: plan.start.motors.clone(),
-        turns: vec![0; plan.start.motors.len()],
+        motors: motors.chain(model.params.values()).collect(),
+        turns: vec![0; model.inputs()],
         poses: all.map(|link| plan.start.poses[link.index()]).collect(),
         kept: Vec::new(),
     });
     builder.block("start".to_owned(), String::new());
+    builder.write_formulas(model);
     let placement = Placement::new(&mut builder, model);
     let mut writer = Writer {
         model,
@@ -150,6 +159,7 @@ fn write(
         kept: Vec::new(),
         watches: Vec::new(),
         senses: None,
+        places: Vec::new(),
         steady: None,
         follows: false,
         wanders: false,
@@ -174,6 +184,7 @@ fn write(
         }
     }
     writer.keep_senses();
+    writer.keep_places();
     writer.finish(links, further)
 }
 
@@ -185,11 +196,16 @@ fn strides(model: &Model) -> Vec<f64> {
         JointKind::Revolute(..) => 0.25,
         _ => 0.02 * size.max(f64::MIN_POSITIVE),
     };
-    model.motors.iter().map(stride).collect()
+    // Nor may a param go so far that lengths change by much.
+    let params = model.params.ids().map(|param| {
+        let scale = model.param_scale(param);
+        scale.map_or(1.0, |scale| 0.02 * scale)
+    });
+    model.motors.iter().map(stride).chain(params).collect()
 }
 
-/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it, and what a law
-/// drives that may have no value.
+/// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it; what a law drives
+/// that may have no value; and what is as long as a param.
 fn overflows(model: &Model) -> bool {
     let slides = |joint: &Joint| {
         matches!(
@@ -197,7 +213,7 @@ fn overflows(model: &Model) -> bool {
             JointKind::Prismatic(..) | JointKind::Rack { .. } | JointKind::Cam { .. }
         )
     };
-    model.joints.iter().any(slides)
+    model.joints.iter().any(slides) || !model.params.is_empty()
 }
 
 struct Writer<'m> {
@@ -212,6 +228,7 @@ struct Writer<'m> {
     kept: Vec<Value>,
     watches: Vec<Watch>,
     senses: Option<usize>,
+    places: Vec<Place>,
     /// The sources of gears, belts and racks that were needed so far.
     sources: Vec<Option<Value>>,
     /// Those of them that are angles, between −π and π.
@@ -438,7 +455,7 @@ impl Writer<'_> {
             return;
         }
         self.senses = Some(self.kept.len());
-        for _ in &self.model.motors {
+        for _ in 0..self.model.inputs() {
             self.keep(1.0);
         }
     }
@@ -452,18 +469,32 @@ impl Writer<'_> {
             [cos, sin, x, y]
         };
         let poses: Vec<[Value; 4]> = stored.iter().map(pose).collect();
+        let mut sensitivity = None;
         let motion = further.map(|further| match further {
             Further::Rates => self.motion(&poses),
             Further::Holding => self.holding(),
             Further::Acting(structure) => self.acting(structure),
             Further::Inertia => self.inertia(),
+            Further::Sensitivity => {
+                let (motion, found) = self.sensitivity(&poses);
+                sensitivity = Some(found);
+                // It tells nothing else.
+                self.kept.clear();
+                motion
+            }
         });
+        let poses = if sensitivity.is_some() {
+            Vec::new()
+        } else {
+            poses
+        };
         let Self {
             model,
             builder,
             kept,
             watches,
             senses,
+            places,
             follows,
             wanders,
             idle,
@@ -476,14 +507,16 @@ impl Writer<'_> {
         };
         let ends = watches.iter().any(|watch| watch.at_zero == AtZero::Stay);
         let straight = |block: &Block| matches!(block.kind, BlockKind::Straight);
-        let wanders = wanders && !builder.blocks.iter().all(straight);
-        let follows = follows || ends || builder.blocks.iter().any(leaps) || wanders;
+        let loops = !builder.blocks.iter().all(straight);
+        let varies = (wanders || !model.params.is_empty()) && loops;
+        let follows = follows || ends || builder.blocks.iter().any(leaps) || varies;
         let strides = follows.then(|| strides(model));
         let mut program = Program {
             name: model.name.clone(),
             precision: model.precision,
             nodes: builder.nodes,
             blocks: builder.blocks,
+            places,
             watches,
             senses,
             range: None,
@@ -495,6 +528,12 @@ impl Writer<'_> {
                 .iter()
                 .map(|motor| model.joint(motor.joint).name.clone())
                 .collect(),
+            params: model
+                .params
+                .all()
+                .iter()
+                .map(|param| param.name.clone())
+                .collect(),
             stored: stored.to_vec(),
             links: stored
                 .iter()
@@ -503,6 +542,7 @@ impl Writer<'_> {
             poses,
             kept,
             motion,
+            sensitivity,
             live: Vec::new(),
             start,
         };

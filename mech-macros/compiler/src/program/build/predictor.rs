@@ -166,15 +166,17 @@ impl Writer<'_> {
             return steady;
         }
         let mut now: Option<Value> = None;
-        for motor in self.model.motor_ids() {
-            let start = self.plan.start.motors[motor.index()];
-            let joint = self.model.joint(self.model.motor(motor).joint).kind;
-            let value = self.builder.make(Op::Motor(motor.index()));
-            let before = self.keep(start);
+        for input in 0..self.model.inputs() {
+            let motor = self.model.motors.get(input);
+            let turns = motor.is_some_and(|motor| {
+                matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..))
+            });
+            let value = self.builder.make(Op::Motor(input));
+            let before = self.keep(self.builder.at_start(value));
             self.put_last(value);
             let mut step = self.builder.sub(value, before);
-            if matches!(joint, JointKind::Revolute(..)) {
-                let turns = self.builder.make(Op::Turns(motor.index()));
+            if turns {
+                let turns = self.builder.make(Op::Turns(input));
                 let before = self.keep(0.0);
                 self.put_last(turns);
                 let turns = self.builder.sub(turns, before);

@@ -4,6 +4,7 @@
 //! leaves in the place of the gap; their second rates solve it again.
 
 use super::Writer;
+use super::size::Size;
 use super::tangent::{Seed, Tangents};
 use super::tied::Tied;
 use crate::plan::{Algebra, Equation, Solution, Unknown};
@@ -71,7 +72,7 @@ impl Writer<'_> {
         seed: Seed,
         motion: &mut Motion,
     ) -> (Tangents, Vec<Solved>) {
-        let mut tangents = Tangents::new(seed);
+        let mut tangents = Tangents::new(seed, self.model.motors.len());
         for (angle, ends) in &self.angles {
             tangents.is_angle(*angle, *ends);
         }
@@ -79,12 +80,9 @@ impl Writer<'_> {
         for closing in closings {
             let (title, name) = match seed {
                 Seed::Given | Seed::Coasting => ("Rates of".to_owned(), "rates".to_owned()),
-                Seed::Alone(motor) => {
-                    let motor = &self.model.joint(self.model.motors[motor].joint).name;
-                    (
-                        format!("What motor `{motor}` does to"),
-                        format!("follows_{motor}"),
-                    )
+                Seed::Alone(given) => {
+                    let name = self.given_name(given);
+                    (format!("What `{name}` does to"), format!("follows_{name}"))
                 }
             };
             let title = format!("{title} the loop that {} close.", closing.place);
@@ -94,6 +92,17 @@ impl Writer<'_> {
             solved.push(self.rates(block, closing, &mut tangents, motion));
         }
         (tangents, solved)
+    }
+
+    /// What a motor, or a param after them, is called.
+    fn given_name(&self, given: usize) -> &str {
+        let (motors, params) = (&self.model.motors, self.model.params.all());
+        match motors.get(given) {
+            Some(motor) => &self.model.joint(motor.joint).name,
+            None => params
+                .get(given.saturating_sub(motors.len()))
+                .map_or("", |param| param.name.as_str()),
+        }
     }
 
     /// The second rates of what all loops solve.
@@ -112,7 +121,7 @@ impl Writer<'_> {
         }
     }
 
-    fn link_rates(
+    pub(super) fn link_rates(
         &mut self,
         name: &str,
         poses: &[[Value; 4]],
@@ -132,7 +141,7 @@ impl Writer<'_> {
     }
 
     /// The rates of what a loop solves.
-    fn rates(
+    pub(super) fn rates(
         &mut self,
         block: BlockId,
         closing: &Closing,
@@ -171,9 +180,8 @@ impl Writer<'_> {
         };
         let (rates, det) = self.solved_rates(block, (&columns, &gap), motion);
         self.builder.name(det, "det");
-        let most: f64 = columns.iter().map(|column| self.length(column)).product();
-        let least = 16.0 * self.model.precision.epsilon().sqrt() * most;
-        let least = self.builder.constant(least);
+        let most = self.greatest_det(&columns);
+        let least = self.part_of(16.0 * self.model.precision.epsilon().sqrt(), most);
         let size = self.builder.abs(det);
         let margin = self.builder.sub(size, least);
         // What several motors do to a loop hangs on the same determinant.
@@ -200,7 +208,7 @@ impl Writer<'_> {
                 Solution::Direction(direction) => {
                     tangents.set_turning(&mut self.builder, direction, rate);
                 }
-                Solution::Slide(way) => tangents.set(way, rate),
+                Solution::Slide(way) => tangents.set(&mut self.builder, way, rate),
             }
         }
         Solved {
@@ -237,7 +245,7 @@ impl Writer<'_> {
                 if let Some(name) = name {
                     self.builder.name(second, name);
                 }
-                tangents.set(rate, second);
+                tangents.set(&mut self.builder, rate, second);
             }
         }
     }
@@ -264,6 +272,19 @@ impl Writer<'_> {
             self.builder.name(rate, "rate")
         });
         (rates.collect(), self.builder.make(linear(columns.len())))
+    }
+
+    /// The product of the columns' lengths: the determinant is at most this.
+    fn greatest_det(&mut self, columns: &[Vec<Value>]) -> Size {
+        if !columns.iter().any(|column| self.any_varies(column)) {
+            return Size::Fixed(columns.iter().map(|column| self.length(column)).product());
+        }
+        let mut most = self.builder.constant(1.0);
+        for column in columns {
+            let length = self.about(column);
+            most = self.builder.mul(most, length);
+        }
+        Size::Varying(most)
     }
 
     /// How long a column is at the start.

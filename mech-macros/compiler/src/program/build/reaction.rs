@@ -278,7 +278,7 @@ impl Writer<'_> {
             from[0] + part * (to[0] - from[0]),
             from[1] + part * (to[1] - from[1]),
         ];
-        let at = pose.carry(&mut self.builder, touch);
+        let at = pose.carry_point(&mut self.builder, touch);
         let along = pose.turn(&mut self.builder, [-unit[1], unit[0]]);
         Some((at, Along::Scene(along)))
     }
@@ -302,7 +302,7 @@ impl Writer<'_> {
         let center = self.model.axis(center).at;
         let touch = [center[0] + radius * y, center[1] - radius * x];
         let pose = self.placement.pose(rolling.carrier);
-        let at = pose.carry(&mut self.builder, touch);
+        let at = pose.carry_point(&mut self.builder, touch);
         let along = pose.turn(&mut self.builder, [x, y]);
         Some((at, Along::Scene(along)))
     }

@@ -16,7 +16,7 @@ pub(in crate::program) enum Seed {
     Given,
     /// They move at the rates that are given, and these do not change.
     Coasting,
-    /// One of them moves, at a rate of one.
+    /// What is given under this number alone moves, at a rate of one: a motor, or a param after them.
     Alone(usize),
 }
 
@@ -24,6 +24,8 @@ pub(in crate::program) enum Seed {
 #[derive(Debug)]
 pub(in crate::program) struct Tangents {
     seed: Seed,
+    /// How many of what is given are motors; params, after them, rest.
+    motors: usize,
     /// Looked up only, never iterated: the program does not depend on its order.
     rates: HashMap<Value, Value>,
     /// The angular velocities of directions, given by cosine and sine.
@@ -41,21 +43,23 @@ struct Turned {
 }
 
 impl Tangents {
-    /// Nothing but what the motors do.
-    pub(in crate::program) fn new(seed: Seed) -> Self {
+    /// Nothing but what is given: so many motors, and params after them.
+    pub(in crate::program) fn new(seed: Seed, motors: usize) -> Self {
         Self {
             seed,
+            motors,
             rates: HashMap::new(),
             turning: HashMap::new(),
             angles: HashMap::new(),
         }
     }
 
-    /// The rate of a motor.
-    fn of_motor(&self, builder: &mut Builder, motor: usize) -> Value {
+    /// The rate of a motor or param.
+    fn of_given(&self, builder: &mut Builder, given: usize) -> Value {
         match self.seed {
-            Seed::Given | Seed::Coasting => builder.make(Op::Rate(motor)),
-            Seed::Alone(other) => builder.constant(if motor == other { 1.0 } else { 0.0 }),
+            Seed::Given | Seed::Coasting if given < self.motors => builder.make(Op::Rate(given)),
+            Seed::Given | Seed::Coasting => builder.constant(0.0),
+            Seed::Alone(other) => builder.constant(if given == other { 1.0 } else { 0.0 }),
         }
     }
 
@@ -64,9 +68,13 @@ impl Tangents {
         self.angles.insert(angle, [from, to]);
     }
 
-    /// Notes the rate of a value that a loop solves.
-    pub(super) fn set(&mut self, value: Value, rate: Value) {
+    /// Notes the rate of a value that a loop solves. What is made from a value with its sign turned is made from the value itself.
+    pub(super) fn set(&mut self, builder: &mut Builder, value: Value, rate: Value) {
         self.rates.insert(value, rate);
+        if let Op::Neg(inner) = builder.op(value) {
+            let back = builder.neg(rate);
+            self.rates.insert(inner, back);
+        }
     }
 
     /// Notes the angular velocity of a direction that a loop solves.
@@ -80,8 +88,8 @@ impl Tangents {
         let [cos, sin] = direction;
         let (along, back) = (builder.mul(rate, cos), builder.mul(rate, sin));
         let back = builder.neg(back);
-        self.rates.insert(cos, back);
-        self.rates.insert(sin, along);
+        self.set(builder, cos, back);
+        self.set(builder, sin, along);
     }
 
     /// The rate of a value.
@@ -125,7 +133,7 @@ impl Tangents {
     fn of_operation(&mut self, builder: &mut Builder, value: Value) -> Value {
         let zero = builder.constant(0.0);
         match builder.op(value) {
-            Op::Motor(motor) => self.of_motor(builder, motor),
+            Op::Motor(given) => self.of_given(builder, given),
             Op::Rate(motor) if self.seed == Seed::Given => builder.make(Op::Acceleration(motor)),
             Op::Time => builder.constant(1.0),
             Op::Neg(a) => {
@@ -149,13 +157,13 @@ impl Tangents {
                 let [above, below] = self.of_vector(builder, [a, b]);
                 let lost = builder.mul(value, below);
                 let rest = builder.sub(above, lost);
-                builder.div(rest, b)
+                part(builder, rest, b)
             }
             Op::Sqrt(a) => {
                 let rate = self.of(builder, a);
                 let two = builder.constant(2.0);
                 let twice = builder.mul(two, value);
-                builder.div(rate, twice)
+                part(builder, rate, twice)
             }
             Op::Sin(angle) => {
                 let (rate, cos) = (self.of(builder, angle), builder.make(Op::Cos(angle)));
@@ -330,4 +338,12 @@ impl Tangents {
         }
         None
     }
+}
+
+/// One value through another; what rests does so whatever it is divided by.
+fn part(builder: &mut Builder, a: Value, b: Value) -> Value {
+    if builder.number(a) == Some(0.0) {
+        return a;
+    }
+    builder.div(a, b)
 }

@@ -40,7 +40,7 @@ impl Writer<'_> {
                 continue;
             };
             let pose = self.placement.pose(link);
-            let center = pose.carry(&mut self.builder, mass.center);
+            let center = pose.carry_point(&mut self.builder, mass.center);
             let name = format!("{}_center", self.name_of(link));
             let center = self.builder.name_vector(center, &name);
             bodies.push(Body {
@@ -105,7 +105,7 @@ impl Writer<'_> {
         let at = self
             .placement
             .pose(axis.link)
-            .carry(&mut self.builder, axis.at);
+            .carry(&mut self.builder, axis);
         (axis.link, at)
     }
 

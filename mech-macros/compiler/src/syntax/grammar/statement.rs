@@ -18,9 +18,9 @@ pub(super) const BEGINNINGS: [&str; 19] = [
 ];
 
 /// Those of them that stand for something today.
-const SUPPORTED: [&str; 17] = [
-    "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost", "at",
-    "allow", "effects", "show", "gravity", "spring", "damper", "load",
+const SUPPORTED: [&str; 18] = [
+    "const", "param", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost",
+    "at", "allow", "effects", "show", "gravity", "spring", "damper", "load",
 ];
 
 /// Reads everything.
@@ -117,7 +117,8 @@ fn statement(input: ParseStream) -> Statement {
         return broken(otherwise);
     };
     match keyword.to_string().as_str() {
-        "const" => constant(input),
+        "const" => constant(input, "the name of a constant", Statement::Constant),
+        "param" => constant(input, "the name of a param", Statement::Param),
         "ground" => ground(input, keyword.span()),
         "link" => link(input),
         "joint" => joint::joint(input),
@@ -134,7 +135,7 @@ fn statement(input: ParseStream) -> Statement {
         "damper" => action::damper(input),
         "load" => action::load(input),
         "allow" => setting::allow(input),
-        "param" | "certify" => left_behind(input, not_yet(&keyword)),
+        "certify" => left_behind(input, not_yet(&keyword)),
         _ => left_behind(input, unknown(&keyword)),
     }
 }
@@ -184,13 +185,14 @@ pub(super) fn declared(
     }
 }
 
-fn constant(input: ParseStream) -> Statement {
-    declared(input, "the name of a constant", |input, name| {
+/// Reads `NAME = value;`.
+fn constant(input: ParseStream, what: &str, kind: fn(Constant) -> Statement) -> Statement {
+    declared(input, what, |input, name| {
         let value = to_semicolon(input, &BEGINNINGS, |input| {
             symbol(input, "=")?;
             expression(input)
         });
-        Statement::Constant(Constant { name, value })
+        kind(Constant { name, value })
     })
 }
 

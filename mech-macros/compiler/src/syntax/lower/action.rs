@@ -303,6 +303,19 @@ impl Lowering {
                 "nothing has a mass that would keep it moving; give links `mass` or `density`";
             return self.report.tell(place, text);
         }
+        if let Some(place) = self.acting.dynamics.or(self.acting.force)
+            && !self.model.params.is_empty()
+        {
+            let text = "forces beside params are not supported yet; make every `param` a `const`, or leave this effect out";
+            return self.report.tell(place, text);
+        }
+        if let Some((motor, _)) = self.model.lawful_motors().next()
+            && !self.model.params.is_empty()
+        {
+            let text = "laws of motors beside params are not supported yet; make every `param` a `const`, or leave this law out";
+            let place = self.places.get(self.model.motor(motor).origin);
+            return self.report.tell(place, text);
+        }
         let nothing =
             actions.springs.is_empty() && actions.dampers.is_empty() && actions.loads.is_empty();
         if let Some(place) = self.acting.force

@@ -1,11 +1,12 @@
-//! The constants, and where in the text each may be used.
+//! The constants and params, and where in the text each may be used.
 
+use super::param::Quantity;
 use super::report::Report;
 use crate::syntax::ast::Statement;
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
-/// Names of the language that no constant may take.
+/// Names of the language that no constant or param may take.
 const BUILT_IN: [&str; 11] = [
     "PI", "deg", "sqrt", "sin", "cos", "tan", "atan", "exp", "abs", "min", "max",
 ];
@@ -23,7 +24,9 @@ struct Entry {
     /// The number of the statement that declares it.
     statement: usize,
     /// None before it is computed, or if it could not be: then whoever uses it is not to blame.
-    value: Option<f64>,
+    value: Option<Quantity>,
+    /// What it is called in messages: a constant, or a param.
+    word: &'static str,
 }
 
 impl Constants {
@@ -32,10 +35,14 @@ impl Constants {
         let mut constants = Self::default();
         for (statement, content) in (1..).zip(statements) {
             match content {
-                Statement::Constant(constant) => constants.enter(&constant.name, statement),
+                Statement::Constant(constant) => {
+                    constants.enter(&constant.name, statement, "constant");
+                }
+                Statement::Param(param) => constants.enter(&param.name, statement, "param"),
                 // Something that could not be read counts as declared before everything else.
                 Statement::Broken(broken) => {
-                    broken.name.iter().for_each(|name| constants.enter(name, 0));
+                    let names = broken.name.iter();
+                    names.for_each(|name| constants.enter(name, 0, "constant"));
                 }
                 _ => {}
             }
@@ -43,13 +50,14 @@ impl Constants {
         constants
     }
 
-    fn enter(&mut self, name: &Ident, statement: usize) {
+    fn enter(&mut self, name: &Ident, statement: usize, word: &'static str) {
         let name = name.to_string();
         if self.find(&name).is_none() {
             self.entries.push(Entry {
                 name,
                 statement,
                 value: None,
+                word,
             });
         }
     }
@@ -68,34 +76,74 @@ impl Constants {
         self.find(name).is_some()
     }
 
-    /// Gives a constant its value, at its declaration.
-    pub(super) fn declare(&mut self, name: &Ident, value: Option<f64>, report: &mut Report) {
+    /// Whether this stands for a number that depends on a param.
+    pub(super) fn depends(&self, name: &Ident) -> bool {
+        let value = self.find(&name.to_string()).and_then(|entry| entry.value);
+        value.is_some_and(|value| value.formula.is_some())
+    }
+
+    /// What this is called in messages: a constant, or a param.
+    pub(super) fn word_for(&self, name: &Ident) -> &'static str {
+        self.find(&name.to_string())
+            .map_or("constant", |entry| entry.word)
+    }
+
+    /// Gives a constant or param (`what`) its value, at its declaration: whether this is its declaration.
+    pub(super) fn declare(
+        &mut self,
+        name: &Ident,
+        value: Option<Quantity>,
+        what: &str,
+        report: &mut Report,
+    ) -> bool {
         let text = name.to_string();
         let here = report.statement();
         let entry = self.entries.iter_mut().find(|entry| entry.name == text);
-        if BUILT_IN.contains(&text.as_str()) {
-            let message = format!("`{text}` belongs to the language; choose another name");
-            report.tell(Place::at(name.span()), message);
-        } else if let Some(entry) = entry {
-            if entry.statement == here {
-                entry.value = value;
-            } else if entry.statement != 0 {
-                let message = format!("there is a constant `{text}` already; choose another name");
-                report.tell(Place::at(name.span()), message);
+        let message = match entry {
+            _ if BUILT_IN.contains(&text.as_str()) => {
+                format!("`{text}` belongs to the language; choose another name")
             }
+            Some(entry) if entry.statement == here => {
+                entry.value = value;
+                return true;
+            }
+            Some(entry) if entry.statement != 0 => match (entry.word, what) {
+                ("constant", "constant") => {
+                    format!("there is a constant `{text}` already; choose another name")
+                }
+                (word, what) => {
+                    format!(
+                        "there is a {word} `{text}` already; choose another name for this {what}"
+                    )
+                }
+            },
+            _ => return false,
+        };
+        report.tell(Place::at(name.span()), message);
+        false
+    }
+
+    /// Gives a param its value, after its declaration.
+    pub(super) fn assign(&mut self, name: &Ident, value: Quantity) {
+        let text = name.to_string();
+        if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == text) {
+            entry.value = Some(value);
         }
     }
 
     /// The value of a constant where the report is.
-    pub(super) fn value(&self, name: &Ident, report: &mut Report) -> Option<f64> {
+    pub(super) fn value(&self, name: &Ident, report: &mut Report) -> Option<Quantity> {
         let text = name.to_string();
         let here = report.statement();
         let trouble = match self.find(&text) {
             Some(entry) if entry.statement < here => return entry.value,
             Some(entry) if entry.statement == here => {
-                format!("constant `{text}` cannot be computed from itself")
+                format!("{} `{text}` cannot be computed from itself", entry.word)
             }
-            Some(_) => format!("constant `{text}` is declared further down; move its line up"),
+            Some(entry) => {
+                let word = entry.word;
+                format!("{word} `{text}` is declared further down; move its line up")
+            }
             None => format!("unknown constant `{text}`{}", self.remedy(&text, here)),
         };
         report.tell(Place::at(name.span()), trouble);

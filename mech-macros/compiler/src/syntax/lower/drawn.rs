@@ -1,6 +1,7 @@
 //! Joints placed in the drawing, and the unnamed axes that they make.
 
 use super::Lowering;
+use super::param::Spot;
 use crate::model::{self, AxisId, AxisKind, LinkId, Origin};
 use crate::syntax::Place;
 use crate::syntax::ast::{Clause, End, Joint, JointBody, JointWord};
@@ -19,7 +20,7 @@ impl Lowering {
         origin: Origin,
     ) -> Option<[AxisId; 2]> {
         let links = body.ends.each_ref().map(|end| self.drawn_link(end));
-        let at = self.pair(&at.value);
+        let at = self.spot(&at.value);
         let direction = self.drawn_direction(body, kinds);
         let links = [links[0]?, links[1]?];
         self.check_apart(joint, body, links)?;
@@ -77,7 +78,7 @@ impl Lowering {
 
     /// The axis at the origin of a link's frame.
     pub(super) fn frame_axis(&mut self, link: LinkId, origin: Origin) -> AxisId {
-        self.unnamed_axis(link, AxisKind::Point, [0.0, 0.0], FORWARD, origin)
+        self.unnamed_axis(link, AxisKind::Point, Spot::default(), FORWARD, origin)
     }
 
     /// An axis that no text names. Joints on one spot share it.
@@ -85,13 +86,14 @@ impl Lowering {
         &mut self,
         link: LinkId,
         kind: AxisKind,
-        at: [f64; 2],
+        (at, formulas): Spot,
         direction: [f64; 2],
         origin: Origin,
     ) -> AxisId {
         let same = |axis: &model::Axis| {
             let unnamed = axis.name.is_none() && axis.link == link;
-            unnamed && axis.kind == kind && axis.at == at && axis.direction == direction
+            let there = axis.at == at && axis.formulas == formulas;
+            unnamed && axis.kind == kind && there && axis.direction == direction
         };
         if let Some(index) = self.model.axes.iter().position(same) {
             return AxisId::new(index);
@@ -103,6 +105,7 @@ impl Lowering {
             origin,
             kind,
             at,
+            formulas,
             direction,
         });
         id

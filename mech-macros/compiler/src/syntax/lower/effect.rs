@@ -1,21 +1,20 @@
 //! What is computed beyond positions, and the methods that tell it.
 
 use super::Lowering;
-use crate::model::{AxisKind, JointKind, LinkId, Origin};
+use crate::model::{AxisKind, Effects, JointKind, LinkId, Origin};
 use crate::syntax::ast::{Effect, Read};
 use crate::syntax::{Place, spelling};
 use proc_macro2::{Ident, Span};
 
-const EFFECTS: [&str; 6] = [
+const EFFECTS: [&str; 7] = [
     "velocity",
     "acceleration",
     "force",
     "dynamics",
     "trace",
     "overlay",
+    "sensitivity",
 ];
-/// Effects that are to come.
-const TO_COME: [&str; 1] = ["sensitivity"];
 
 impl Lowering {
     pub(super) fn lower_effects(&mut self, keyword: Span, effects: &[Read<Effect>]) {
@@ -65,7 +64,15 @@ impl Lowering {
                 effects.overlay = true;
                 return;
             }
-            word if TO_COME.contains(&word) => format!("effect `{text}` is not supported yet"),
+            "sensitivity" if self.has_params => {
+                effects.sensitivity = true;
+                return;
+            }
+            "sensitivity" => {
+                "`sensitivity` tells how everything follows the params, and there is none; write \
+                 `param name = ...;` for a number that points depend on, or leave this out"
+                    .to_owned()
+            }
             _ => format!(
                 "unknown effect `{text}`{}",
                 spelling::remedy(&text, &EFFECTS)
@@ -76,10 +83,18 @@ impl Lowering {
 
     /// The methods that tell rates must not be called as others are.
     pub(super) fn claim_rate_methods(&mut self) {
-        let (velocity, acceleration) =
-            (self.model.effects.velocity, self.model.effects.acceleration);
+        let Effects {
+            velocity,
+            acceleration,
+            sensitivity,
+            ..
+        } = self.model.effects;
         for (name, owner, origin, rate) in self.told() {
-            let rates = [(velocity, rate), (acceleration, "acceleration")];
+            let rates = [
+                (velocity, rate),
+                (acceleration, "acceleration"),
+                (sensitivity, "sensitivity"),
+            ];
             for (_, what) in rates.into_iter().filter(|(wanted, _)| *wanted) {
                 let place = self.places.get(origin);
                 self.claim_method(

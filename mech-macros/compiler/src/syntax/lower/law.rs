@@ -1,6 +1,7 @@
 //! Laws: expressions with a variable. What does not depend on it is computed here, exactly as constants are.
 
 use super::Lowering;
+use super::param::Quantity;
 use super::value::{add, finite, multiply, shown};
 use crate::model::{Extreme, Function, JointId, Law, LawId, StartValue, Term, TermId};
 use crate::syntax::Place;
@@ -192,7 +193,10 @@ impl Lowering {
         (place, draft): (Place, &mut Draft),
     ) -> Option<Part> {
         match argument {
-            Part::Number(number) => self.call(function, number, place).map(Part::Number),
+            Part::Number(number) => {
+                let found = self.call(function, Quantity::fixed(number), place)?;
+                Some(Part::Number(found.value))
+            }
             Part::Term(term) => Some(Part::Term(draft.law.push(Term::Of(function, term)))),
         }
     }

@@ -83,7 +83,7 @@ impl Lowering {
         let kept = self.claim_axis(link, axis);
         let (at, direction) = match &axis.value {
             Ok((at, direction)) => (
-                self.pair(at),
+                self.spot(at),
                 direction.as_ref().and_then(|pair| self.direction(pair)),
             ),
             Err(error) => {
@@ -95,12 +95,14 @@ impl Lowering {
             return;
         }
         let origin = self.note(&axis.name);
+        let (at, formulas) = at.unwrap_or_default();
         self.model.axes.push(model::Axis {
             link,
             name: Some(axis.name.to_string()),
             origin,
             kind: axis.kind,
-            at: at.unwrap_or_default(),
+            at,
+            formulas,
             direction: direction.unwrap_or([1.0, 0.0]),
         });
     }

@@ -11,6 +11,7 @@ mod link;
 mod method;
 mod motor;
 mod name;
+mod param;
 mod report;
 mod rolling;
 mod setting;
@@ -74,6 +75,8 @@ struct Lowering {
     cams: Vec<String>,
     /// The joints whose motors follow laws, and the numbers of these motors' statements.
     lawful: Vec<(JointId, usize)>,
+    /// Whether the text declares params, readable or not.
+    has_params: bool,
 }
 
 impl Lowering {
@@ -106,6 +109,7 @@ impl Lowering {
             acting: Acting::default(),
             cams: Vec::new(),
             lawful: Vec::new(),
+            has_params: false,
         }
     }
 
@@ -122,15 +126,16 @@ impl Lowering {
         match statement {
             Statement::Constant(constant) => {
                 let value = match &constant.value {
-                    Ok(expr) => self.value(expr),
+                    Ok(expr) => self.quantity(expr),
                     Err(error) => {
                         self.report.pass_on(error.clone());
                         None
                     }
                 };
                 self.constants
-                    .declare(&constant.name, value, &mut self.report);
+                    .declare(&constant.name, value, "constant", &mut self.report);
             }
+            Statement::Param(param) => self.declare_param(param),
             Statement::Ground(ground) => self.declare_ground(ground),
             Statement::Link(link) => self.declare_link(link),
             Statement::Joint(joint) => self.declare_joint(joint),

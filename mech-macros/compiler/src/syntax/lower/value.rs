@@ -1,33 +1,53 @@
 //! Computing numbers. What is wrong with one is reported where it is wrong, and there is no value then.
 
 use super::Lowering;
+use super::param::Quantity;
 use super::report::Report;
-use crate::model::Function;
+use crate::model::{Formula, FormulaId, Function};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, ExprKind, Pair};
 use std::f64::consts::PI;
 
 impl Lowering {
-    /// The value of an expression: a finite number.
-    pub(super) fn value(&mut self, expr: &Expr) -> Option<f64> {
+    /// The value of an expression: a finite number, and how it follows from params.
+    pub(super) fn quantity(&mut self, expr: &Expr) -> Option<Quantity> {
         match &expr.kind {
             ExprKind::Integer(digits) | ExprKind::Decimal(digits) => {
-                self.literal(digits, expr.place)
+                self.literal(digits, expr.place).map(Quantity::fixed)
             }
-            ExprKind::Pi => Some(PI),
+            ExprKind::Pi => Some(Quantity::fixed(PI)),
             ExprKind::Constant(name) => self.constants.value(name, &mut self.report),
-            ExprKind::Negative(inner) => self.value(inner).map(|value| -value),
-            ExprKind::Degrees(inner) => self.value(inner).map(f64::to_radians),
-            ExprKind::Sum(terms) => self.chain(terms, |sum, term, minus| Ok(add(sum, term, minus))),
-            ExprKind::Product(factors) => self.chain(factors, multiply),
+            ExprKind::Negative(inner) => {
+                let inner = self.quantity(inner)?;
+                let params = &mut self.model.params;
+                Some(Quantity {
+                    value: -inner.value,
+                    formula: inner
+                        .formula
+                        .map(|inner| params.formula(Formula::Neg(inner))),
+                })
+            }
+            ExprKind::Degrees(inner) => {
+                let inner = self.quantity(inner)?;
+                let degree = self.formula(Quantity::fixed(PI / 180.0), inner);
+                let formula = inner.formula.zip(degree);
+                let params = &mut self.model.params;
+                Some(Quantity {
+                    value: inner.value.to_radians(),
+                    formula: formula
+                        .map(|(inner, degree)| params.formula(Formula::Mul(inner, degree))),
+                })
+            }
+            ExprKind::Sum(terms) => self.chain(terms, Chain::Sum),
+            ExprKind::Product(factors) => self.chain(factors, Chain::Product),
             ExprKind::Call(function, argument) => {
-                let argument = self.value(argument)?;
+                let argument = self.quantity(argument)?;
                 self.call(*function, argument, expr.place)
             }
             ExprKind::Extreme(extreme, parts) => {
                 let [a, b] = &**parts;
                 let (a, b) = (self.value(a), self.value(b));
-                Some(extreme.of(a?, b?))
+                Some(Quantity::fixed(extreme.of(a?, b?)))
             }
         }
     }
@@ -38,20 +58,34 @@ impl Lowering {
         finite(value, place, &mut self.report)
     }
 
+    /// The formula of a number; none unless something beside it depends on a param.
+    fn formula(&mut self, quantity: Quantity, beside: Quantity) -> Option<FormulaId> {
+        beside.formula.or(quantity.formula)?;
+        let params = &mut self.model.params;
+        let constant = Formula::Constant(quantity.value);
+        Some(quantity.formula.unwrap_or_else(|| params.formula(constant)))
+    }
+
     /// Computes from left to right. All parts are looked at, so that all of their errors are reported.
-    fn chain(
-        &mut self,
-        parts: &[(bool, Expr)],
-        combine: fn(f64, f64, bool) -> Result<f64, &'static str>,
-    ) -> Option<f64> {
-        let values: Vec<_> = parts.iter().map(|(_, part)| self.value(part)).collect();
+    fn chain(&mut self, parts: &[(bool, Expr)], chain: Chain) -> Option<Quantity> {
+        let values: Vec<_> = parts.iter().map(|(_, part)| self.quantity(part)).collect();
         let mut parts = parts.iter().zip(values);
         let ((_, first), value) = parts.next()?;
         let mut result = value?;
         for ((inverse, part), value) in parts {
             let place = first.place.to(part.place);
-            match combine(result, value?, *inverse) {
-                Ok(value) => result = finite(value, place, &mut self.report)?,
+            let value = value?;
+            match chain.combine(result.value, value.value, *inverse) {
+                Ok(combined) => {
+                    let combined = finite(combined, place, &mut self.report)?;
+                    let (a, b) = (self.formula(result, value), self.formula(value, result));
+                    let both = a.zip(b);
+                    let formula = both.map(|(a, b)| chain.formula(a, b, *inverse));
+                    result = Quantity {
+                        value: combined,
+                        formula: formula.map(|formula| self.model.params.formula(formula)),
+                    };
+                }
                 Err(trouble) => {
                     self.report.tell(place, trouble);
                     return None;
@@ -61,7 +95,16 @@ impl Lowering {
         Some(result)
     }
 
-    pub(super) fn call(&mut self, function: Function, argument: f64, place: Place) -> Option<f64> {
+    pub(super) fn call(
+        &mut self,
+        function: Function,
+        argument: Quantity,
+        place: Place,
+    ) -> Option<Quantity> {
+        let Quantity {
+            value: argument,
+            formula,
+        } = argument;
         if function == Function::Sqrt && argument < 0.0 {
             self.report.tell(
                 place,
@@ -69,13 +112,27 @@ impl Lowering {
             );
             return None;
         }
-        finite(function.at(argument), place, &mut self.report)
-    }
-
-    /// The values of a pair. Both are looked at, so that the errors of both are reported.
-    pub(super) fn pair(&mut self, pair: &Pair) -> Option<[f64; 2]> {
-        let (x, y) = (self.value(&pair.x), self.value(&pair.y));
-        Some([x?, y?])
+        if formula.is_some() && matches!(function, Function::Atan | Function::Exp | Function::Abs) {
+            let text = "of what depends on a param there are only `sqrt`, `sin`, `cos` and `tan` yet; use a `const`";
+            self.report.tell(place, text);
+            return None;
+        }
+        let value = function.at(argument);
+        let value = finite(value, place, &mut self.report)?;
+        let params = &mut self.model.params;
+        let formula = formula.map(|argument| match function {
+            Function::Sqrt => params.formula(Formula::Sqrt(argument)),
+            Function::Sin => params.formula(Formula::Sin(argument)),
+            Function::Cos => params.formula(Formula::Cos(argument)),
+            Function::Tan => {
+                let sin = params.formula(Formula::Sin(argument));
+                let cos = params.formula(Formula::Cos(argument));
+                params.formula(Formula::Div(sin, cos))
+            }
+            // Refused above.
+            Function::Atan | Function::Exp | Function::Abs => argument,
+        });
+        Some(Quantity { value, formula })
     }
 
     /// A pair as a direction of length one.
@@ -136,6 +193,31 @@ pub(super) fn multiply(product: f64, factor: f64, divide: bool) -> Result<f64, &
         (true, 0.0) => Err("division by zero"),
         (true, _) => Ok(product / factor),
         (false, _) => Ok(product * factor),
+    }
+}
+
+/// What a chain of numbers is.
+#[derive(Clone, Copy)]
+enum Chain {
+    Sum,
+    Product,
+}
+
+impl Chain {
+    fn combine(self, a: f64, b: f64, inverse: bool) -> Result<f64, &'static str> {
+        match (self, inverse) {
+            (Self::Sum, inverse) => Ok(add(a, b, inverse)),
+            (Self::Product, inverse) => multiply(a, b, inverse),
+        }
+    }
+
+    fn formula(self, a: FormulaId, b: FormulaId, inverse: bool) -> Formula {
+        match (self, inverse) {
+            (Self::Sum, false) => Formula::Add(a, b),
+            (Self::Sum, true) => Formula::Sub(a, b),
+            (Self::Product, false) => Formula::Mul(a, b),
+            (Self::Product, true) => Formula::Div(a, b),
+        }
     }
 }
 

@@ -146,8 +146,8 @@ fn whoever_uses_a_bad_constant_is_not_to_blame() {
         &["expected a number, found `;`"],
     );
     told(
-        "«param» A = 1; const B = A;",
-        &["`param` is not supported yet"],
+        "param A = «1 / 0»; const B = A; link l { point p = (A, B); }",
+        &["division by zero"],
     );
 }
 

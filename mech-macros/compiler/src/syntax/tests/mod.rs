@@ -9,6 +9,7 @@ mod method;
 mod model;
 mod motor;
 mod name;
+mod param;
 mod recovery;
 mod robust;
 mod rolling;

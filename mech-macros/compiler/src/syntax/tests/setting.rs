@@ -95,10 +95,6 @@ fn some_settings_are_to_come() {
         ],
     );
     told("«certify»;", &["`certify` is not supported yet"]);
-    told(
-        "«param» r = 1 in 0 ..= 2;",
-        &["`param` is not supported yet"],
-    );
 }
 
 #[test]
@@ -119,7 +115,7 @@ fn accelerations_bring_velocities_with_them() {
         "effects { velocity; «velocity»; «speed»; }",
         &[
             "`velocity` is listed already; remove one of the two",
-            "unknown effect `speed`; there are `velocity`, `acceleration`, `trace`, `overlay`",
+            "unknown effect `speed`; there are `velocity`, `acceleration`, `force`, `dynamics`, `trace`, `overlay`, `sensitivity`",
         ],
     );
 }

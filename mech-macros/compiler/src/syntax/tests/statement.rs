@@ -70,7 +70,7 @@ fn unknown_statements_have_a_remedy() {
     told(
         "«spring» s;",
         &[
-            "unknown statement `spring`; a statement begins with one of `const`, `ground`, `link`, `joint`, `motor`, \
+            "unknown statement `spring`; a statement begins with one of `const`, `param`, `ground`, `link`, `joint`, `motor`, \
            `start`, `method`, `accuracy`, `cost`, `at`, `allow`",
         ],
     );

@@ -1,0 +1,243 @@
+//! What params add: the methods that tell and set them, and where points are that depend on them. Inside, a param is an input after
+//! the motors; outside, motors and params are apart.
+
+use super::added::Added;
+use super::block::scalar;
+use super::items::{rested, user_ident};
+use super::moves::near;
+use super::scope::number;
+use super::sensitivity;
+use crate::Compiled;
+use crate::model::{AxisId, Model};
+use crate::program::Program;
+use crate::syntax::Places;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// The target of a move to values of the motors, with the params as they are at this position, and what stands before the move.
+pub(super) fn target(program: &Program, position: &TokenStream) -> [TokenStream; 2] {
+    if program.params.is_empty() {
+        [quote!(Motors::new(motors)), TokenStream::new()]
+    } else {
+        [
+            quote!(motors),
+            quote!(let motors = inputs(motors, &#position.motors);),
+        ]
+    }
+}
+
+/// The result of a move, as it is told outside.
+pub(super) fn told(program: &Program, result: TokenStream) -> TokenStream {
+    if program.params.is_empty() {
+        result
+    } else {
+        quote!(#result.map_err(told))
+    }
+}
+
+/// The message that a mechanism stays where it is, as it is told outside.
+pub(super) fn refused(program: &Program) -> TokenStream {
+    if program.params.is_empty() {
+        quote!(self.position.refuse(stop))
+    } else {
+        quote!(told(self.position.refuse(stop)))
+    }
+}
+
+/// The values of the motors among all that is given.
+pub(super) fn motors(program: &Program) -> TokenStream {
+    if program.params.is_empty() {
+        quote!(self.position.motors.total())
+    } else {
+        quote!(motors_of(self.position.motors.total()))
+    }
+}
+
+/// What params and the sensitivity to them add to a mechanism. `end` is what every move that has no rates ends with.
+pub(super) fn added(
+    krate: &TokenStream,
+    places: &Places,
+    model: &Model,
+    compiled: &Compiled,
+    visibility: &syn::Visibility,
+    end: &TokenStream,
+) -> Added {
+    let Compiled {
+        program,
+        moving,
+        sensitive,
+        ..
+    } = compiled;
+    let mut methods = methods(places, model, program, visibility, end);
+    if let Some(sensitive) = sensitive {
+        methods.extend(sensitivity::methods(
+            krate, places, model, sensitive, visibility,
+        ));
+    }
+    Added {
+        imports: imports(krate, program, moving.is_some()),
+        methods,
+        steps: sensitivity::steps(sensitive.as_ref()),
+        ..Added::default()
+    }
+}
+
+/// What the generated code uses besides.
+fn imports(krate: &TokenStream, program: &Program, rates: bool) -> TokenStream {
+    if program.params.is_empty() {
+        return TokenStream::new();
+    }
+    // Velocities bring these with them.
+    let of_rates = (!rates).then(|| quote!(Vector2, Velocity, determined,));
+    quote! {
+        #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
+        use #krate::generated::{
+            #of_rates followed, inputs, motors_of, params_of, reached_by_motors, told,
+        };
+    }
+}
+
+/// The methods that tell and set params; nothing without any.
+fn methods(
+    places: &Places,
+    model: &Model,
+    program: &Program,
+    visibility: &syn::Visibility,
+    rest: &TokenStream,
+) -> TokenStream {
+    if program.params.is_empty() {
+        return TokenStream::new();
+    }
+    let (scalar, near) = (scalar(program), near(program));
+    let (motors, names) = (program.motors.len(), &program.params);
+    let count = Literal::usize_unsuffixed(names.len());
+    let index = |param: usize| Literal::usize_unsuffixed(motors + param);
+    let set = rested(
+        quote!(advance(&mut self.position, target, &COURSE, #near, step).map_err(|blocked| blocked.map(params_of))),
+        rest,
+    );
+    let given = (0..names.len()).map(|param| {
+        let (place, param) = (index(param), Literal::usize_unsuffixed(param));
+        quote!(target.values[#place] = params[#param];)
+    });
+    let mut tokens = quote! {
+        /// The names of the params, in the order of their declaration.
+        #visibility const PARAMS: [&'static str; #count] = [#(#names),*];
+
+        /// The present values of the params, in the order of their declaration.
+        #[must_use]
+        #visibility fn params(&self) -> [#scalar; #count] {
+            params_of(self.position.motors.values)
+        }
+
+        /// Gives the params these values, in the order of their declaration, and assembles everything anew by a continuous change
+        /// from where it is; the motors stay where they are.
+        ///
+        /// # Errors
+        /// If a value is not finite, or a loop cannot be closed on the way there: then with the params up to which it could have
+        /// gone. The mechanism then stays as it was.
+        #visibility fn set_params(&mut self, params: [#scalar; #count]) -> Result<(), Blocked<[#scalar; #count]>> {
+            let mut target = self.position.motors;
+            #(#given)*
+            #set
+        }
+    };
+    for (number, param) in model.params.all().iter().enumerate() {
+        let index = index(number);
+        let get = user_ident(&param.name, places, param.origin);
+        let set = user_ident(&format!("set_{}", param.name), places, param.origin);
+        let told = format!(" The present value of param `{}`.", param.name);
+        let sets = format!(
+            " Gives param `{}` this value and assembles everything anew by a continuous change from where it is; the motors stay \
+             where they are.",
+            param.name
+        );
+        let moved = rested(
+            quote! {
+                advance(&mut self.position, target, &COURSE, #near, step)
+                    .map_err(|blocked| blocked.map(|reached| reached[#index]))
+            },
+            rest,
+        );
+        tokens.extend(quote! {
+            #[doc = #told]
+            #[must_use]
+            #visibility const fn #get(&self) -> #scalar {
+                self.position.motors.values[#index]
+            }
+
+            #[doc = #sets]
+            ///
+            /// # Errors
+            /// If the value is not finite, or a loop cannot be closed on the way there: then with the value up to which it could
+            /// have gone. The mechanism then stays as it was.
+            #visibility fn #set(&mut self, value: #scalar) -> Result<(), Blocked<#scalar>> {
+                let mut target = self.position.motors;
+                target.values[#index] = value;
+                #moved
+            }
+        });
+    }
+    tokens
+}
+
+/// The same methods of a mechanism that does not compile, never run.
+pub(super) fn stub(
+    krate: &TokenStream,
+    places: &Places,
+    model: &Model,
+    visibility: &syn::Visibility,
+    (scalar, links, motors): (&TokenStream, &Literal, &Literal),
+) -> TokenStream {
+    let params = model.params.all();
+    if params.is_empty() {
+        return TokenStream::new();
+    }
+    let count = Literal::usize_unsuffixed(params.len());
+    let method = |name: &str, origin| user_ident(name, places, origin);
+    let get = params.iter().map(|param| method(&param.name, param.origin));
+    let set = params
+        .iter()
+        .map(|param| method(&format!("set_{}", param.name), param.origin));
+    let sensitivities = model.effects.sensitivity.then(|| {
+        quote! {
+            #visibility fn sensitivities(&self)
+                -> ::core::result::Result<[[#krate::Velocity<#scalar>; #links]; #count], #krate::Blocked<[#scalar; #motors]>>
+            {
+                loop {}
+            }
+        }
+    });
+    quote! {
+        #visibility fn params(&self) -> [#scalar; #count] {
+            loop {}
+        }
+        #visibility fn set_params<const PARAMS: usize>(&mut self, params: [#scalar; PARAMS])
+            -> ::core::result::Result<(), #krate::Blocked<[#scalar; PARAMS]>>
+        {
+            loop {}
+        }
+        #(
+            #visibility fn #get(&self) -> #scalar {
+                loop {}
+            }
+            #visibility fn #set(&mut self, value: #scalar) -> ::core::result::Result<(), #krate::Blocked<#scalar>> {
+                loop {}
+            }
+        )*
+        #sensitivities
+    }
+}
+
+/// Where an axis is in its link, as an array: an expression inside a method.
+pub(super) fn place(model: &Model, program: &Program, id: AxisId) -> TokenStream {
+    let axis = model.axis(id);
+    let [x, y] = [0, 1].map(|part| match program.kept_place(id, part) {
+        None => number(program.precision, axis.at[part]),
+        Some(kept) => {
+            let kept = Literal::usize_unsuffixed(kept);
+            quote!(self.position.kept[#kept])
+        }
+    });
+    quote!([#x, #y])
+}

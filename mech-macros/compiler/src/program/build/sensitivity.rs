@@ -1,0 +1,93 @@
+//! How everything follows the params: each is an input like a motor, and these are its influence coefficients. All params share the
+//! loops' linear systems and differ only in what stands on the right of them.
+
+use super::Writer;
+use super::tangent::{Seed, Tangents};
+use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
+use crate::plan::Algebra;
+use crate::program::Motion;
+use crate::program::node::Value;
+use crate::program::sensitivity::{Rates, Sensitivity};
+
+impl Writer<'_> {
+    /// Extends the program by the rates of everything with each param.
+    pub(super) fn sensitivity(&mut self, poses: &[[Value; 4]]) -> (Motion, Sensitivity) {
+        let mut motion = Motion::default();
+        let (points, joints) = (self.told_points(), self.told_joints());
+        let closings = std::mem::take(&mut self.closings);
+        let mut of_params = Vec::new();
+        let motors = self.model.motors.len();
+        for (number, param) in self.model.params.all().iter().enumerate() {
+            let seed = Seed::Alone(motors + number);
+            let (mut tangents, _) = self.driven(&closings, seed, &mut motion);
+            let links = self.link_rates(&format!("{}_rates", param.name), poses, &mut tangents);
+            of_params.push(Rates {
+                links,
+                points: self.point_rates(&points, &mut tangents),
+                joints: self.joint_rates(&joints, &mut tangents),
+            });
+        }
+        let sensitivity = Sensitivity {
+            points,
+            joints,
+            of_params,
+        };
+        (motion, sensitivity)
+    }
+
+    fn point_rates(&mut self, points: &[AxisId], tangents: &mut Tangents) -> Vec<[Value; 2]> {
+        let rates = points.iter().map(|&point| {
+            let spot = self.placement.spot(&mut self.builder, point);
+            tangents.of_vector(&mut self.builder, spot)
+        });
+        rates.collect()
+    }
+
+    fn joint_rates(&mut self, joints: &[JointId], tangents: &mut Tangents) -> Vec<Value> {
+        let rates = joints.iter().map(|&joint| {
+            let (a, b, turns) = match self.model.joint(joint).kind {
+                JointKind::Revolute(a, b) => (a, b, true),
+                JointKind::Prismatic(a, b) => (a, b, false),
+                _ => return self.builder.constant(0.0),
+            };
+            let [a, b] = [a, b].map(|axis| self.model.seen_axis(axis));
+            if turns {
+                let [a, b] = [a, b].map(|axis| {
+                    let direction = self.placement.pose(self.link_of(axis)).direction;
+                    tangents.turning(&mut self.builder, direction)
+                });
+                return self.builder.sub(b, a);
+            }
+            let heading = self.placement.heading(&mut self.builder, a);
+            let span = self.placement.span(&mut self.builder, a, b);
+            let way = self.builder.dot(heading, span);
+            tangents.of(&mut self.builder, way)
+        });
+        rates.collect()
+    }
+
+    /// The points that have a method.
+    pub(super) fn told_points(&self) -> Vec<AxisId> {
+        let all = (0..self.model.axes.len()).map(AxisId::new);
+        let told = all.filter(|&id| {
+            let axis = self.model.axis(id);
+            let moves = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
+            moves && axis.name.is_some() && self.model.shows_point(id)
+        });
+        told.collect()
+    }
+
+    /// The joints that have a method and do not only do what they are told.
+    fn told_joints(&self) -> Vec<JointId> {
+        let told = self.model.joint_ids().filter(|&id| {
+            let joint = self.model.joint(id);
+            let moves = matches!(
+                joint.kind,
+                JointKind::Revolute(..) | JointKind::Prismatic(..)
+            );
+            let follows = moves && !joint.hidden && self.model.motor_of(id).is_none();
+            follows && self.model.shows_joint(id)
+        });
+        told.collect()
+    }
+}

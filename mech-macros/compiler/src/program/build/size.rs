@@ -1,0 +1,80 @@
+//! How large a loop is, which tolerances are relative to: what it is at the start, unless params change it.
+
+use super::Writer;
+use crate::plan::{Algebra, Equation};
+use crate::program::node::Value;
+
+/// A length that tolerances are relative to.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Size {
+    /// What it is at the start.
+    Fixed(f64),
+    /// What it is now: a param has a part in it.
+    Varying(Value),
+}
+
+impl Writer<'_> {
+    /// A part of a size.
+    pub(super) fn part_of(&mut self, part: f64, size: Size) -> Value {
+        match size {
+            Size::Fixed(size) => self.builder.constant(part * size),
+            Size::Varying(size) => {
+                let part = self.builder.constant(part);
+                self.builder.mul(part, size)
+            }
+        }
+    }
+
+    /// One through a size.
+    pub(super) fn inverse_of(&mut self, size: Size) -> Value {
+        match size {
+            Size::Fixed(size) => self.builder.constant(1.0 / size),
+            Size::Varying(size) => {
+                let one = self.builder.constant(1.0);
+                self.builder.div(one, size)
+            }
+        }
+    }
+
+    /// Whether a param has a part in one of these.
+    pub(super) fn any_varies(&self, values: &[Value]) -> bool {
+        values.iter().any(|&value| self.builder.varies(value))
+    }
+
+    /// The lengths of what a loop is made of, added.
+    pub(super) fn size(&mut self, sides: &[[Value; 2]]) -> Size {
+        if !self.any_varies(sides.as_flattened()) {
+            return Size::Fixed(self.size_at_start(sides));
+        }
+        let mut size = self.builder.constant(0.0);
+        for side in sides {
+            let length = self.about(side);
+            size = self.builder.add(size, length);
+        }
+        Size::Varying(self.builder.name(size, "size"))
+    }
+
+    /// How long a vector is, without a root: at most twice as long as this many numbers may make it.
+    pub(super) fn about(&mut self, vector: &[Value]) -> Value {
+        let mut sum = self.builder.constant(0.0);
+        for &part in vector {
+            let part = self.builder.abs(part);
+            sum = self.builder.add(sum, part);
+        }
+        sum
+    }
+
+    /// By how much params may have made the way round a loop longer than it is at the start; none if they have no part in it.
+    pub(super) fn varying_extent(&mut self, equation: &Equation<Value>) -> Option<Value> {
+        let arms = equation
+            .rings
+            .iter()
+            .flat_map(|ring| ring.arms.iter().flatten());
+        let offsets = equation.rings.iter().map(|ring| &ring.offset);
+        let sides: Vec<[Value; 2]> = arms.chain(offsets).copied().collect();
+        match self.size(&sides) {
+            Size::Fixed(_) => None,
+            Size::Varying(size) => Some(size),
+        }
+    }
+}

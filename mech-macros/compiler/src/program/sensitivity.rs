@@ -1,0 +1,80 @@
+//! How a mechanism follows its params: what a program tells if that was asked for.
+
+use super::node::{Op, Value};
+use super::{BlockKind, Program};
+use crate::model::{AxisId, JointId};
+use crate::program::live::iteration;
+
+/// For each param, the rates of everything if it alone changes, at a rate of one: as a motor's influence coefficients.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensitivity {
+    /// The points that are shown and have a name.
+    pub points: Vec<AxisId>,
+    /// The joints that are shown.
+    pub joints: Vec<JointId>,
+    /// One for each param.
+    pub of_params: Vec<Rates>,
+}
+
+/// The rates of everything with one param.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rates {
+    /// For each moving link whose pose is kept its angular velocity, and the rates of x and y.
+    pub links: Vec<[Value; 3]>,
+    /// For each point the rates of its place in the scene, which may also move in its link.
+    pub points: Vec<[Value; 2]>,
+    /// For each joint the rate of its coordinate.
+    pub joints: Vec<Value>,
+}
+
+impl Sensitivity {
+    /// What is asked for.
+    pub fn roots(&self) -> impl Iterator<Item = Value> + '_ {
+        self.of_params.iter().flat_map(|rates| {
+            let links = rates.links.iter().flatten();
+            let points = rates.points.iter().flatten();
+            links.chain(points).chain(&rates.joints).copied()
+        })
+    }
+}
+
+impl Program {
+    /// For each value whether it depends on a param, through whatever is between.
+    #[must_use]
+    pub fn dependent(&self) -> Vec<bool> {
+        let mut dependent: Vec<bool> = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            let depends = |value: Value| dependent.get(value.index()).copied().unwrap_or(false);
+            let is = match node.op {
+                Op::Motor(input) => input >= self.motors.len(),
+                Op::Solved(block, _) => iteration(&self.blocks, block).into_iter().any(depends),
+                op => op.operands().any(depends),
+            };
+            dependent.push(is);
+        }
+        dependent
+    }
+
+    /// The loops, by number, that a param has a part in.
+    #[must_use]
+    pub fn dependent_loops(&self) -> Vec<usize> {
+        if self.params.is_empty() {
+            return Vec::new();
+        }
+        let dependent = self.dependent();
+        let any = |values: Vec<Value>| values.iter().any(|value| dependent[value.index()]);
+        let loops = self.block_ids().filter_map(|block| {
+            let (values, number) = match &self.blocks[block.index()].kind {
+                BlockKind::Straight => return None,
+                BlockKind::Closed(closed) => {
+                    let found = closed.found.iter().copied();
+                    let values = found.chain([closed.slack, closed.sine]);
+                    (values.collect(), closed.number)
+                }
+                BlockKind::Newton(newton) => (iteration(&self.blocks, block), newton.number),
+            };
+            any(values).then_some(number)
+        });
+        loops.collect()
+    }
+}

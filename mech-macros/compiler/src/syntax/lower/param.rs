@@ -1,0 +1,125 @@
+//! Params: numbers that may be changed at run time, and what is computed from them.
+
+use super::Lowering;
+use crate::model::{Formula, FormulaId, Param};
+use crate::syntax::Place;
+use crate::syntax::ast::{Constant, Expr, ExprKind, Pair};
+use proc_macro2::Ident;
+
+/// A number, as it is at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Quantity {
+    pub(super) value: f64,
+    /// How it is computed, if it depends on a param.
+    pub(super) formula: Option<FormulaId>,
+}
+
+impl Quantity {
+    /// A number that never changes.
+    pub(super) fn fixed(value: f64) -> Self {
+        Self {
+            value,
+            formula: None,
+        }
+    }
+}
+
+/// A pair of numbers, and how each is computed that depends on a param.
+pub(super) type Spot = ([f64; 2], [Option<FormulaId>; 2]);
+
+impl Lowering {
+    pub(super) fn declare_param(&mut self, param: &Constant) {
+        let is_new = self
+            .constants
+            .declare(&param.name, None, "param", &mut self.report);
+        let claimed = is_new && self.claim(&param.name, "param") && self.claim_setters(&param.name);
+        let value = match &param.value {
+            Ok(expr) => self.value(expr),
+            Err(error) => {
+                self.report.pass_on(error.clone());
+                None
+            }
+        };
+        if let (true, Some(value)) = (claimed, value) {
+            let origin = self.note(&param.name);
+            let id = self.model.params.add(Param {
+                name: param.name.to_string(),
+                origin,
+                value,
+            });
+            let formula = Some(self.model.params.formula(Formula::Param(id)));
+            self.constants
+                .assign(&param.name, Quantity { value, formula });
+        }
+    }
+
+    /// Takes the method that sets a param and, with the first, those of all: whether it can have them.
+    fn claim_setters(&mut self, name: &Ident) -> bool {
+        let place = Place::at(name.span());
+        if !std::mem::replace(&mut self.has_params, true) {
+            for method in ["params", "set_params", "PARAMS", "sensitivities"] {
+                let owner = "a mechanism with params".to_owned();
+                if !self.claim_method(method.to_owned(), owner, place) {
+                    return false;
+                }
+            }
+        }
+        let owner = format!("changing param `{name}`");
+        self.claim_method(format!("set_{name}"), owner, place)
+    }
+
+    /// The value of a number that may not depend on a param.
+    pub(super) fn value(&mut self, expr: &Expr) -> Option<f64> {
+        let Quantity { value, formula } = self.quantity(expr)?;
+        if formula.is_none() {
+            return Some(value);
+        }
+        self.refuse_param(expr);
+        None
+    }
+
+    /// The values of a pair that may not depend on a param. Both are looked at, so that the errors of both are reported.
+    pub(super) fn pair(&mut self, pair: &Pair) -> Option<[f64; 2]> {
+        let (x, y) = (self.value(&pair.x), self.value(&pair.y));
+        Some([x?, y?])
+    }
+
+    /// A place in a link, which may depend on params.
+    pub(super) fn spot(&mut self, pair: &Pair) -> Option<Spot> {
+        let (x, y) = (self.quantity(&pair.x), self.quantity(&pair.y));
+        let (x, y) = (x?, y?);
+        Some(([x.value, y.value], [x.formula, y.formula]))
+    }
+
+    /// Complains about a number that would change with a param where none may.
+    fn refuse_param(&mut self, expr: &Expr) {
+        let Some(name) = self.first_dependent(expr) else {
+            return;
+        };
+        let what = match self.constants.word_for(name) {
+            "param" => format!("`{name}` is a param: it may change while the mechanism runs"),
+            _ => {
+                format!("`{name}` is computed from a param: it may change while the mechanism runs")
+            }
+        };
+        let text = format!(
+            "{what}; only the places of points, lines and joints may depend on one; use a `const` here"
+        );
+        self.report.tell(Place::at(name.span()), text);
+    }
+
+    /// The first name in an expression that stands for something that depends on a param.
+    fn first_dependent<'e>(&self, expr: &'e Expr) -> Option<&'e Ident> {
+        match &expr.kind {
+            ExprKind::Constant(name) => self.constants.depends(name).then_some(name),
+            ExprKind::Negative(inner) | ExprKind::Degrees(inner) | ExprKind::Call(_, inner) => {
+                self.first_dependent(inner)
+            }
+            ExprKind::Sum(parts) | ExprKind::Product(parts) => parts
+                .iter()
+                .find_map(|(_, part)| self.first_dependent(part)),
+            ExprKind::Extreme(_, parts) => parts.iter().find_map(|part| self.first_dependent(part)),
+            ExprKind::Integer(_) | ExprKind::Decimal(_) | ExprKind::Pi => None,
+        }
+    }
+}

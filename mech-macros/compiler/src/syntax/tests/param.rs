@@ -1,0 +1,166 @@
+//! Params: what they are, where they may stand, and what is told where they may not.
+
+use super::{good, told};
+use crate::model::{Axis, Model};
+
+const ONLY: &str =
+    "only the places of points, lines and joints may depend on one; use a `const` here";
+
+fn refused(what: &str) -> String {
+    format!("{what}: it may change while the mechanism runs; {ONLY}")
+}
+
+fn axis<'m>(model: &'m Model, name: &str) -> &'m Axis {
+    let mut axes = model.axes.iter();
+    axes.find(|axis| axis.name.as_deref() == Some(name))
+        .expect("it was declared")
+}
+
+#[test]
+fn a_place_may_depend_on_params() {
+    let text = "struct M; param length = 3 + 1; param angle = 30 deg; const HALF = length / 2; const FIXED = 2 * 3;
+        link l { point a = (length, -HALF); point b = (FIXED, 1); point c = (cos(angle) * length, tan(angle) * 2); }";
+    let model = good(text).model;
+    let names: Vec<(&str, f64)> = model
+        .params
+        .all()
+        .iter()
+        .map(|param| (param.name.as_str(), param.value))
+        .collect();
+    assert_eq!(names, [("length", 4.0), ("angle", 30.0_f64.to_radians())]);
+    assert_eq!(axis(&model, "a").at, [4.0, -2.0]);
+    assert!(axis(&model, "a").formulas.iter().all(Option::is_some));
+    assert!(!axis(&model, "b").varies());
+    let (sin, cos) = (
+        libm::sin(30.0_f64.to_radians()),
+        libm::cos(30.0_f64.to_radians()),
+    );
+    assert_eq!(axis(&model, "c").at[0], cos * 4.0);
+    assert!((axis(&model, "c").at[1] - 2.0 * sin / cos).abs() < 1e-15);
+}
+
+#[test]
+fn joints_of_a_drawing_may_depend_on_params() {
+    let text = "struct M; param x = 3; link a; link b;
+        joint j = revolute(a, b) at (x, 0);
+        joint k = prismatic(ground, b) at (x, 1) along (1, 0);";
+    let model = good(text).model;
+    assert_eq!(model.axes.iter().filter(|axis| axis.varies()).count(), 4);
+    // Axes on one spot are one only as long as they stay there together.
+    let text = "struct M; param x = 3; link a; link b; link c;
+        joint j = revolute(a, b) at (x, 0); joint k = revolute(a, c) at (3, 0); joint l = revolute(a, c) at (x, 0);";
+    assert_eq!(good(text).model.axes.len(), 5);
+}
+
+#[test]
+fn equal_formulas_are_one() {
+    let text = "struct M; param x = 3; link l { point a = (x * 2, 0); point b = (x * 2, 1); }";
+    let model = good(text).model;
+    assert_eq!(axis(&model, "a").formulas[0], axis(&model, "b").formulas[0]);
+}
+
+#[test]
+fn everything_else_stays_as_it_is() {
+    told(
+        "param r = 1; const R = 2 * r;
+        ground { point o = (0, 0) -> («r», 1); line l = (0, 0) -> (1, «R»); circle (0, 0) radius «r» on plane «r» color «r»;
+            polygon [(0, 0), («R», 0), (0, 1)]; }
+        link a { point o = (r, R); line l = (r, 0) -> (1, 0); }
+        joint j = revolute(ground.o, a.o);
+        joint k = gear(ground, a, «r» : 2);
+        motor j in 0 ..= «R» by «r»;
+        start { j = «r»; a near 2 * «R»; }
+        method newton(«r»);",
+        &[
+            &refused("`r` is a param"),
+            &refused("`R` is computed from a param"),
+            &refused("`r` is a param"),
+            &refused("`r` is a param"),
+            &refused("`r` is a param"),
+            &refused("`R` is computed from a param"),
+            &refused("`r` is a param"),
+            &refused("`R` is computed from a param"),
+            &refused("`r` is a param"),
+            &refused("`r` is a param"),
+            &refused("`R` is computed from a param"),
+            &refused("`r` is a param"),
+        ],
+    );
+    told("param r = 1; accuracy «r»;", &[&refused("`r` is a param")]);
+    told(
+        "param a = 1; param b = «a» + 1;",
+        &[&refused("`a` is a param")],
+    );
+}
+
+#[test]
+fn its_name_is_a_method() {
+    told(
+        "param crank = 1; link «crank»;",
+        &["link `crank` and param `crank` would both be the method `crank`; rename one of them"],
+    );
+    told(
+        "link crank; param «crank» = 1;",
+        &["there is a link `crank` already; choose another name for this param"],
+    );
+    told(
+        "param new_length = 1; param «poses» = 1;",
+        &["`poses` is a method of every mechanism; choose another name for this param"],
+    );
+    told(
+        "param length = 1; param «length» = 2; const «length» = 3;",
+        &[
+            "there is a param `length` already; choose another name for this param",
+            "there is a param `length` already; choose another name for this constant",
+        ],
+    );
+    told(
+        "param length = 1; link «set_length»; link «params»;",
+        &[
+            "link `set_length` and changing param `length` would both be the method `set_length`; rename one of them",
+            "link `params` and a mechanism with params would both be the method `params`; rename one of them",
+        ],
+    );
+    told(
+        "param «PI» = 3;",
+        &["`PI` belongs to the language; choose another name"],
+    );
+}
+
+#[test]
+fn its_value_is_computed_where_it_stands() {
+    told(
+        "param a = «b»; param b = 1;",
+        &["param `b` is declared further down; move its line up"],
+    );
+    told(
+        "param a = 1 + «a»;",
+        &["param `a` cannot be computed from itself"],
+    );
+    told(
+        "param a = 1; link l { point p = («sqrt(-a)», «1 / (a - 1)»); }",
+        &["-1 has no square root; it is negative", "division by zero"],
+    );
+}
+
+#[test]
+fn what_follows_no_param_has_no_sensitivity() {
+    told(
+        "effects { «sensitivity»; }",
+        &[
+            "`sensitivity` tells how everything follows the params, and there is none; write `param name = ...;` for a \
+             number that points depend on, or leave this out",
+        ],
+    );
+    let effects = good("struct M; param a = 1; effects { sensitivity; }")
+        .model
+        .effects;
+    assert!(effects.sensitivity && !effects.velocity);
+    told(
+        "param a = 1; link l { point «p» = (0, 0); point p_sensitivity = (1, 0); } effects { sensitivity; }",
+        &[
+            "the sensitivity of point `l.p` and point `l.p_sensitivity` would both be the method `l_p_sensitivity`; rename \
+             one of them",
+        ],
+    );
+}

@@ -1,0 +1,516 @@
+//! Params: what they change, held against mechanisms in which they are numbers; and how everything follows them, held against
+//! differences of high order, on random mechanisms and on some that are compiled.
+
+use mech_compiler::compile;
+use mech_compiler::evaluate::{Followed, Machine, Stop, sensitivities};
+use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, Method, Model};
+use mech_compiler::program::{Position, Program};
+use mech_compiler::syntax::parse;
+use mech_tests::{
+    Dice, bodies, grow, in_own_frames, place, scale, size, vary, with_ground, with_params,
+    worst_gap, worst_stretch,
+};
+use proptest::prelude::*;
+use std::f64::consts::TAU;
+
+/// How many random mechanisms.
+fn cases() -> u32 {
+    std::env::var("MECH_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(200)
+}
+
+/// A random mechanism with params.
+fn varied(seed: u64) -> (Model, Dice) {
+    let mut dice = Dice::new(seed);
+    let additions = 1 + dice.below(8);
+    let mut model = grow(&mut dice, additions).model;
+    let params = 1 + dice.below(2);
+    vary(&mut model, &mut dice, params);
+    model.effects.sensitivity = true;
+    if seed.is_multiple_of(3) {
+        model.method = Some(Method::Newton);
+    }
+    (model, dice)
+}
+
+/// Moves the motors somewhere.
+fn wander(machine: &mut Machine<'_, f64>, program: &Program, dice: &mut Dice) {
+    let motors: Vec<f64> = machine.position().motors[..program.motors.len()]
+        .iter()
+        .map(|motor| motor + dice.between(-0.7, 0.7))
+        .collect();
+    let _ = machine.move_toward(&motors);
+}
+
+/// Where everything is that may be told: the angle, x and y of each link, the places of points, the coordinates of joints.
+struct Told {
+    links: Vec<[f64; 3]>,
+    points: Vec<[f64; 2]>,
+    joints: Vec<f64>,
+}
+
+/// By the definitions, from poses and params alone.
+fn told(
+    model: &Model,
+    program: &Program,
+    at: &Position<f64>,
+    what: &(Vec<AxisId>, Vec<JointId>),
+) -> Told {
+    let params = &at.motors[program.motors.len()..];
+    let poses = with_ground(model, &at.poses);
+    let scene = |id: AxisId| {
+        let axis = model.axis(id);
+        let [cos, sin, x, y] = poses[axis.link.index()];
+        let turned = |[a, b]: [f64; 2]| [cos * a - sin * b, sin * a + cos * b];
+        let [u, v] = turned(place(model, axis, params));
+        ([x + u, y + v], turned(axis.direction))
+    };
+    let (points, joints) = what;
+    let coordinate = |&joint: &JointId| match model.joint(joint).kind {
+        JointKind::Revolute(a, b) => {
+            let ((_, [a, b]), (_, [c, d])) = (scene(a), scene(b));
+            (a * d - b * c).atan2(a * c + b * d)
+        }
+        JointKind::Prismatic(a, b) => {
+            let (([a, b], [x, y]), ([c, d], _)) = (scene(a), scene(model.seen_axis(b)));
+            (c - a) * x + (d - b) * y
+        }
+        _ => 0.0,
+    };
+    Told {
+        links: at
+            .poses
+            .iter()
+            .map(|[cos, sin, x, y]| [sin.atan2(*cos), *x, *y])
+            .collect(),
+        points: points.iter().map(|&point| scene(point).0).collect(),
+        joints: joints.iter().map(coordinate).collect(),
+    }
+}
+
+/// All numbers in a row; of angles it is told that they are.
+fn row(told: &Told, model: &Model, joints: &[JointId]) -> Vec<(f64, bool)> {
+    let links = told
+        .links
+        .iter()
+        .flat_map(|[angle, x, y]| [(*angle, true), (*x, false), (*y, false)]);
+    let points = told.points.iter().flatten().map(|&number| (number, false));
+    let turns = |joint: &JointId| matches!(model.joint(*joint).kind, JointKind::Revolute(..));
+    let joints = told
+        .joints
+        .iter()
+        .zip(joints)
+        .map(|(&number, joint)| (number, turns(joint)));
+    links.chain(points).chain(joints).collect()
+}
+
+fn rates_in_a_row(followed: &Followed<f64>) -> Vec<f64> {
+    let links = followed.links.iter().flatten();
+    let points = followed.points.iter().flatten();
+    links
+        .chain(points)
+        .chain(&followed.joints)
+        .copied()
+        .collect()
+}
+
+/// First differences of fourth order; angles are followed over whole turns.
+fn difference(f: [(f64, bool); 5], step: f64) -> f64 {
+    let middle = f[2].0;
+    let [a, b, _, d, e] = f.map(|(value, is_angle)| {
+        let turns = if is_angle {
+            ((value - middle) / TAU).round()
+        } else {
+            0.0
+        };
+        value - TAU * turns
+    });
+    (a - 8.0 * b + 8.0 * d - e) / (12.0 * step)
+}
+
+/// What was compared.
+#[derive(Debug, Default)]
+struct Seen {
+    compared: usize,
+    singular: usize,
+    blocked: usize,
+    /// The greatest error, as a part of what the differences explain.
+    worst: f64,
+}
+
+/// Compares sensitivities with differences of assembled positions.
+fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCaseError> {
+    let Ok(compiled) = compile(model) else {
+        return Err(TestCaseError::reject("it does not compile"));
+    };
+    let sensitive = compiled.sensitive.expect("it was asked for");
+    let program = &compiled.program;
+    let known = sensitive.sensitivity.as_ref().expect("it was asked for");
+    let what = (known.points.clone(), known.joints.clone());
+    let mut machine = Machine::<f64>::new(program);
+    for _ in 0..3 {
+        wander(&mut machine, program, dice);
+        let at = machine.position().clone();
+        let exact = match sensitivities(&sensitive, &at) {
+            Ok(exact) => exact,
+            Err(Stop::Singular(_)) => {
+                seen.singular += 1;
+                continue;
+            }
+            Err(stop) => panic!("{stop:?}"),
+        };
+        let params = machine.params().to_vec();
+        for (param, followed) in exact.iter().enumerate() {
+            let five = |step: f64| -> Option<[Vec<(f64, bool)>; 5]> {
+                let found = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|part: f64| {
+                    let mut params = params.clone();
+                    params[param] += part * step;
+                    let mut machine = Machine::new(program);
+                    machine.put_back(at.clone());
+                    machine.set_params(&params).ok()?;
+                    let told = told(model, program, machine.position(), &what);
+                    Some(row(&told, model, &what.1))
+                });
+                let [Some(a), Some(b), Some(c), Some(d), Some(e)] = found else {
+                    return None;
+                };
+                Some([a, b, c, d, e])
+            };
+            const STEP: f64 = 1e-3;
+            let (Some(fine), Some(coarse)) = (five(STEP), five(2.0 * STEP)) else {
+                // It is too near a limit to be changed both ways.
+                seen.blocked += 1;
+                continue;
+            };
+            let extent = size(model)
+                + fine[2]
+                    .iter()
+                    .fold(1.0, |most: f64, (number, _)| most.max(number.abs()));
+            for (index, exact) in rates_in_a_row(followed).into_iter().enumerate() {
+                let near = difference(fine.each_ref().map(|row| row[index]), STEP);
+                let far = difference(coarse.each_ref().map(|row| row[index]), 2.0 * STEP);
+                let most = (near - far).abs() + 1e-12 * extent / STEP;
+                let off = (near - exact).abs();
+                prop_assert!(
+                    off <= most,
+                    "param {param}, number {index}: {exact} exact, {near} by differences, off by {off:e}, explained {most:e}"
+                );
+                seen.worst = seen.worst.max(off / most);
+                seen.compared += 1;
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn sensitivities_of_random_mechanisms_are_those_of_their_positions() {
+    let seen = std::cell::RefCell::new(Seen::default());
+    let config = ProptestConfig {
+        max_global_rejects: 10 * cases(),
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(cases())
+    };
+    proptest!(config, |(seed in any::<u64>())| {
+        let (model, mut dice) = varied(seed);
+        compare(&model, &mut dice, &mut seen.borrow_mut())?;
+    });
+    println!("{seen:?}");
+    assert!(seen.borrow().compared > 20 * usize::try_from(cases()).unwrap_or(0));
+}
+
+/// The greatest difference of two rows of poses.
+fn apart(a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
+    let pairs = a.iter().flatten().zip(b.iter().flatten());
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// A mechanism goes the same ways as one in which the params are numbers, closes as well, and comes back to where it was.
+#[test]
+fn params_are_numbers_that_may_be_changed() {
+    let (mut moved, mut changed, mut blocked) = (0, 0, 0);
+    let mut worst = [0.0_f64; 3];
+    for seed in 0..u64::from(cases()) {
+        let (model, mut dice) = varied(seed);
+        let (Ok(with), Ok(without)) = (
+            compile(&model),
+            compile(&with_params(
+                &model,
+                &model.params.values().collect::<Vec<_>>(),
+            )),
+        ) else {
+            continue;
+        };
+        let (mut own, mut other) = (
+            Machine::<f64>::new(&with.program),
+            Machine::<f64>::new(&without.program),
+        );
+        let count = with.program.motors.len();
+        for _ in 0..6 {
+            let motors: Vec<f64> = own.position().motors[..count]
+                .iter()
+                .map(|motor| motor + dice.between(-0.3, 0.3))
+                .collect();
+            if other.move_to(&motors).is_err() {
+                break;
+            }
+            if let Err(stop) = own.move_to(&motors) {
+                panic!("{seed}: {stop:?} where a number is none in the way");
+            }
+            let extent = size(&model)
+                + own
+                    .position()
+                    .poses
+                    .iter()
+                    .fold(0.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+            worst[0] = worst[0].max(apart(&own.position().poses, &other.position().poses) / extent);
+            moved += 1;
+        }
+        let before = own.position().clone();
+        let params = own.params().to_vec();
+        let wanted: Vec<f64> = params
+            .iter()
+            .map(|value| value * dice.between(0.7, 1.4))
+            .collect();
+        if own.set_params(&wanted).is_err() {
+            assert_eq!(*own.position(), before, "what fails leaves it as it was");
+            blocked += 1;
+            continue;
+        }
+        let there = with_params(&model, &wanted);
+        let poses = with_ground(&there, &own.position().poses);
+        let extent = size(&there)
+            + poses
+                .iter()
+                .fold(0.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+        worst[1] = worst[1]
+            .max(worst_gap(&there, &poses) / extent)
+            .max(worst_stretch(&poses));
+        if own.set_params(&params).is_ok() {
+            worst[2] = worst[2].max(apart(&own.position().poses, &before.poses) / extent);
+            changed += 1;
+        }
+    }
+    println!(
+        "{moved} moves, {changed} changes, {blocked} blocked; apart, open and not back: {worst:?}"
+    );
+    assert!(
+        moved > cases() && changed > cases() / 2,
+        "{moved} {changed}"
+    );
+    assert!(
+        worst[0] < 1e-11 && worst[1] < 1e-13 && worst[2] < 1e-11,
+        "{worst:?}"
+    );
+}
+
+/// A value that is set is as good as one that is declared.
+#[test]
+fn what_is_set_might_have_been_declared() {
+    let mut compared = 0;
+    let mut worst = 0.0_f64;
+    for seed in 0..u64::from(cases()) {
+        let (drawn, mut dice) = varied(seed);
+        let mut model = {
+            let mut plain = drawn.clone();
+            plain.params = mech_compiler::model::Params::default();
+            for axis in &mut plain.axes {
+                axis.formulas = [None; 2];
+            }
+            plain.effects.sensitivity = false;
+            in_own_frames(&plain, &mut dice).0
+        };
+        // What rolls on while a param changes does not begin where it would have begun.
+        if model.joints.iter().any(|joint| joint.kind.rolls()) {
+            continue;
+        }
+        vary(&mut model, &mut dice, 1);
+        let Ok(compiled) = compile(&model) else {
+            continue;
+        };
+        let wanted = [model.params.all()[0].value * dice.between(0.95, 1.05)];
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        let Ok(declared) = compile(&with_params(&model, &wanted)) else {
+            continue;
+        };
+        if machine.set_params(&wanted).is_err() {
+            continue;
+        }
+        let other = Machine::<f64>::new(&declared.program);
+        let off = apart(&machine.position().poses, &other.position().poses);
+        // Another assembly may be nearer to the one that is described.
+        if off > 0.5 {
+            continue;
+        }
+        worst = worst.max(off / size(&model));
+        compared += 1;
+    }
+    println!("{compared} compared, {worst:e} apart");
+    assert!(compared > cases() / 4, "{compared}");
+    assert!(worst < 1e-11, "{worst:e}");
+}
+
+/// Ten times as large or a tenth, a mechanism is the same mechanism: tolerances follow its size.
+#[test]
+fn tolerances_follow_the_size() {
+    let mut compared = 0;
+    let mut worst = [0.0_f64; 2];
+    for seed in 0..u64::from(cases()) {
+        let mut dice = Dice::new(seed);
+        let additions = 1 + dice.below(8);
+        let mut model = grow(&mut dice, additions).model;
+        let turns = |model: &Model| {
+            let joints = model
+                .motors
+                .iter()
+                .map(|motor| model.joint(motor.joint).kind);
+            joints
+                .into_iter()
+                .all(|kind| matches!(kind, JointKind::Revolute(..)))
+        };
+        if !turns(&model) {
+            continue;
+        }
+        scale(&mut model);
+        let Ok(compiled) = compile(&model) else {
+            continue;
+        };
+        for factor in [0.1, 0.5, 2.0, 10.0] {
+            let mut own = Machine::<f64>::new(&compiled.program);
+            let mut large = Machine::<f64>::new(&compiled.program);
+            large
+                .set_params(&[factor])
+                .unwrap_or_else(|stop| panic!("{seed}, {factor}: {stop:?}"));
+            let there = with_params(&model, &[factor]);
+            for _ in 0..8 {
+                let motors: Vec<f64> = own.position().motors[..model.motors.len()]
+                    .iter()
+                    .map(|motor| motor + dice.between(-1.5, 1.5))
+                    .collect();
+                let outcomes = [own.move_toward(&motors), large.move_toward(&motors)];
+                assert!(outcomes.iter().all(Result::is_ok), "{outcomes:?}");
+                let stopped = outcomes.map(|outcome| outcome.is_ok_and(|stop| stop.is_some()));
+                assert_eq!(stopped[0], stopped[1], "{seed}, {factor}");
+                if stopped[0] {
+                    // At a limit rounding is magnified.
+                    break;
+                }
+                let poses = with_ground(&there, &large.position().poses);
+                let extent = size(&there)
+                    + poses
+                        .iter()
+                        .fold(0.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+                worst[0] = worst[0]
+                    .max(worst_gap(&there, &poses) / extent)
+                    .max(worst_stretch(&poses));
+                let same: Vec<[f64; 4]> = own
+                    .position()
+                    .poses
+                    .iter()
+                    .map(|[cos, sin, x, y]| [*cos, *sin, factor * x, factor * y])
+                    .collect();
+                worst[1] = worst[1].max(apart(&same, &large.position().poses) / extent);
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} compared; open and apart: {worst:?}");
+    assert!(compared > cases(), "{compared}");
+    assert!(worst[0] < 1e-13 && worst[1] < 1e-9, "{worst:?}");
+}
+
+/// However loops are solved, and however change points are passed: those that a param has a part in close exactly.
+#[test]
+fn params_go_with_every_method() {
+    let methods = [Method::Linear, Method::NewtonSteps(2), Method::Newton];
+    let passing = [AtChangePoints::KeepBranch, AtChangePoints::Stop];
+    let (mut changed, mut worst) = (0, 0.0_f64);
+    for seed in 0..u64::from(cases()) {
+        let (mut model, mut dice) = varied(seed);
+        match dice.below(4) {
+            3 => {
+                model.method = None;
+                model.accuracy = Some(1e-5);
+                for motor in &mut model.motors {
+                    motor.step = Some(0.01);
+                }
+            }
+            method => {
+                model.method = Some(methods[method]);
+                model.predictor = if method == 2 { 0 } else { 2 };
+            }
+        }
+        if dice.once_in(3) {
+            model.change_points = *dice.pick(&passing);
+        }
+        let Ok(compiled) = compile(&model) else {
+            continue;
+        };
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        for round in 0..12 {
+            let motors: Vec<f64> = machine.position().motors[..model.motors.len()]
+                .iter()
+                .map(|motor| motor + dice.between(-0.01, 0.01))
+                .collect();
+            let _ = machine.move_to(&motors);
+            let params: Vec<f64> = machine.params().to_vec();
+            let wanted: Vec<f64> = params
+                .iter()
+                .map(|value| value * dice.between(0.98, 1.02))
+                .collect();
+            if round % 2 == 0 && machine.set_params(&wanted).is_ok() {
+                changed += 1;
+            }
+            let there = with_params(&model, machine.params());
+            let poses = with_ground(&there, &machine.position().poses);
+            let extent = size(&there)
+                + poses
+                    .iter()
+                    .fold(0.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+            worst = worst.max(worst_gap(&there, &poses) / extent);
+        }
+    }
+    println!("{changed} changes, open by {worst:e}");
+    assert!(changed > 4 * cases(), "{changed}");
+    // What one linear step of a small move leaves open.
+    assert!(worst < 1e-4, "{worst:e}");
+}
+
+/// Mechanisms that are compiled by text: coupled and tied loops follow params too.
+#[test]
+fn sensitivities_of_special_mechanisms_are_those_of_their_positions() {
+    let sources = [
+        include_str!("../../examples/src/gallery/andrews.rs"),
+        include_str!("../../examples/src/gallery/geared_piston.rs"),
+        include_str!("../../examples/src/gallery/jansen.rs"),
+        include_str!("../../examples/src/gallery/rocker_arm.rs"),
+        include_str!("../../examples/src/gallery/watt.rs"),
+        include_str!("zoo/rolling.rs"),
+        include_str!("zoo/special.rs"),
+        include_str!("changed/zoo.rs"),
+    ];
+    let mut seen = Seen::default();
+    let (mut dice, mut refused) = (Dice::new(7), 0);
+    for model in sources.into_iter().flat_map(bodies) {
+        let mut model = parse(model).model;
+        for motor in &mut model.motors {
+            motor.range = None;
+        }
+        if model.params.is_empty() {
+            scale(&mut model);
+        }
+        model.show = None;
+        model.effects.sensitivity = true;
+        for _ in 0..4 {
+            match compare(&model, &mut dice, &mut seen) {
+                Ok(()) => {}
+                Err(TestCaseError::Reject(_)) => refused += 1,
+                Err(TestCaseError::Fail(reason)) => panic!("{}: {reason}", model.name),
+            }
+        }
+    }
+    println!("{seen:?}, {refused} refused");
+    assert!(seen.compared > 1000, "{seen:?}");
+}
