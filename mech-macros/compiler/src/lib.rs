@@ -377,8 +377,8 @@ pub fn expand(input: TokenStream) -> TokenStream {
             &header,
             &places,
             &model,
+            &compiled.plan,
             (
-                &compiled.plan,
                 &compiled.program,
                 compiled.moving.as_ref(),
                 compiled.sensitive.as_ref(),

@@ -14,13 +14,17 @@ use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+/// What moves a mechanism; what goes on to rates, and what tells how everything follows the params, if that was asked for.
+pub(crate) type Programs<'p> = (&'p Program, Option<&'p Program>, Option<&'p Program>);
+
 /// Everything that a coherent mechanism becomes.
 pub(crate) fn items(
     krate: &TokenStream,
     header: &Header,
     places: &Places,
     model: &Model,
-    (plan, program, moving, sensitive): (&Plan, &Program, Option<&Program>, Option<&Program>),
+    plan: &Plan,
+    programs @ (program, moving, _): Programs<'_>,
     report: &str,
 ) -> TokenStream {
     let Header {
@@ -55,11 +59,8 @@ pub(crate) fn items(
         steps: rate_steps,
     } = rates;
     let moves = moves(program, visibility, &rest);
-    let param_imports = params::imports(krate, program, moving.is_some());
-    let params = params::methods(places, model, program, visibility, &rest);
-    let sensitivity = sensitive
-        .map(|sensitive| super::sensitivity::methods(krate, places, model, sensitive, visibility));
-    let sensitivity_steps = super::sensitivity::steps(sensitive);
+    let [param_imports, param_methods, param_steps] =
+        params::items(krate, (places, model), programs, visibility, &rest);
     let implementation = implementation(krate, program, name);
     quote! {
         #(#attributes)*
@@ -123,9 +124,7 @@ pub(crate) fn items(
 
                 #rate_methods
 
-                #params
-
-                #sensitivity
+                #param_methods
 
                 /// The poses of the moving links in the scene, in the order of their declaration.
                 #[must_use]
@@ -153,7 +152,7 @@ pub(crate) fn items(
 
             #rate_steps
 
-            #sensitivity_steps
+            #param_steps
             };
         };
     }

@@ -2,9 +2,11 @@
 //! the motors; outside, motors and params are apart.
 
 use super::block::scalar;
-use super::items::{rested, user_ident};
+use super::items::{Programs, rested, user_ident};
 use super::moves::near;
 use super::scope::number;
+use super::sensitivity;
+use super::step::step;
 use crate::model::{AxisId, Model};
 use crate::program::Program;
 use crate::syntax::Places;
@@ -50,8 +52,37 @@ pub(super) fn motors(program: &Program) -> TokenStream {
     }
 }
 
+/// The names of the motors, for messages.
+pub(super) fn motor_names(program: &Program) -> TokenStream {
+    if program.params.is_empty() {
+        quote!(&COURSE.names)
+    } else {
+        let names = &program.motors;
+        quote!(&[#(#names),*])
+    }
+}
+
+/// What params add to a mechanism: imports, methods, and steps.
+pub(super) fn items(
+    krate: &TokenStream,
+    (places, model): (&Places, &Model),
+    (program, moving, sensitive): Programs<'_>,
+    visibility: &syn::Visibility,
+    rest: &TokenStream,
+) -> [TokenStream; 3] {
+    let mut methods = methods(places, model, program, visibility, rest);
+    let followed =
+        sensitive.map(|program| sensitivity::methods(krate, places, model, program, visibility));
+    methods.extend(followed);
+    [
+        imports(krate, program, moving.is_some()),
+        methods,
+        sensitive.map(step).unwrap_or_default(),
+    ]
+}
+
 /// What the generated code uses besides.
-pub(super) fn imports(krate: &TokenStream, program: &Program, rates: bool) -> TokenStream {
+fn imports(krate: &TokenStream, program: &Program, rates: bool) -> TokenStream {
     if program.params.is_empty() {
         return TokenStream::new();
     }
@@ -66,7 +97,7 @@ pub(super) fn imports(krate: &TokenStream, program: &Program, rates: bool) -> To
 }
 
 /// The methods that tell and set params; nothing without any.
-pub(super) fn methods(
+fn methods(
     places: &Places,
     model: &Model,
     program: &Program,

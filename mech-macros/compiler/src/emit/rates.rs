@@ -133,12 +133,7 @@ fn methods(moving: &Program, kinds: &Kinds<'_>, visibility: &syn::Visibility) ->
     let first = if *second { quote!(.0) } else { quote!() };
     let refused = params::refused(moving);
     let [target, given_motors] = params::target(moving, &quote!(self.position));
-    let names = if moving.params.is_empty() {
-        quote!(&COURSE.names)
-    } else {
-        let names = &moving.motors;
-        quote!(&[#(#names),*])
-    };
+    let names = params::motor_names(moving);
     let moved = params::told(
         moving,
         quote! {
