@@ -13,6 +13,9 @@ use mech_tests::{
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
+/// A step of a param.
+const STEP: f64 = 1e-3;
+
 /// How many random mechanisms.
 fn cases() -> u32 {
     std::env::var("MECH_CASES")
@@ -178,7 +181,6 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
                 };
                 Some([a, b, c, d, e])
             };
-            const STEP: f64 = 1e-3;
             let (Some(fine), Some(coarse)) = (five(STEP), five(2.0 * STEP)) else {
                 // It is too near a limit to be changed both ways.
                 seen.blocked += 1;

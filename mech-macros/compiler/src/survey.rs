@@ -27,15 +27,24 @@ const NEAR_PINS: f64 = 0.1;
 /// Squares of sines above this are far from zero.
 const NEAR: f64 = 0.1;
 
+/// Whether a param has a part in a loop: then it may have dead points and change points that it has not at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Varying {
+    /// None has.
+    Never,
+    /// One has, but there is only one way in which the loop can close.
+    OneSided,
+    /// One has, and there are two sides on which its dyad may lie.
+    TwoSided,
+}
+
 /// What was found about a loop in closed form.
 #[derive(Clone, Debug)]
 struct Found {
     /// By how much the square of its sine changes with each motor and param.
     rates: Vec<f64>,
-    /// Whether a param has a part in it: then it may have dead points and change points that it has not at the start.
-    varies: bool,
-    /// Whether its dyad has two sides to lie on.
-    sided: bool,
+    /// Whether a param has a part in it.
+    varying: Varying,
     /// Whether it fails to close somewhere.
     ends: bool,
     /// Whether it comes to zero and closes on both sides.
@@ -48,8 +57,7 @@ struct Found {
 pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Choice> {
     let none = Found {
         rates: vec![0.0; model.inputs()],
-        varies: false,
-        sided: false,
+        varying: Varying::Never,
         ends: false,
         crosses: false,
         least_distance_square: f64::INFINITY,
@@ -62,10 +70,14 @@ pub(crate) fn survey(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Vec<Ch
             return choices;
         }
         for number in program.dependent_loops() {
-            found[number].varies = true;
-        }
-        for (_, closed) in program.all_closed() {
-            found[closed.number].sided = closed.sided;
+            let sided = program
+                .all_closed()
+                .any(|(_, closed)| closed.number == number && closed.sided);
+            found[number].varying = if sided {
+                Varying::TwoSided
+            } else {
+                Varying::OneSided
+            };
         }
         let crossings = |found: &[Found]| found.iter().filter(|found| found.crosses).count();
         let before = crossings(&found);
@@ -111,33 +123,34 @@ fn watched(model: &Model, choices: &[Choice], found: &[Found]) -> Vec<Choice> {
 fn decided(model: &Model, choices: Vec<Choice>, found: &[Found]) -> Vec<Choice> {
     let unseen: Vec<f64> = unseen_rates(model);
     let decide = |(choice, found): (Choice, &Found)| {
+        let varies = found.varying != Varying::Never;
         // With other params it may pass change points, whatever it does now.
         let at_zero = match (
-            found.crosses || found.varies && found.sided,
+            found.crosses || found.varying == Varying::TwoSided,
             model.change_points,
         ) {
             (true, AtChangePoints::GoOn) => Some(AtZero::GoOver),
             (true, AtChangePoints::Stop) => Some(AtZero::Stop),
             (true, AtChangePoints::KeepBranch) | (false, _) => {
                 let movers = found.rates.iter().filter(|rate| **rate > 0.0).count();
-                (found.ends || found.varies || movers > 1).then_some(AtZero::Stay)
+                (found.ends || varies || movers > 1).then_some(AtZero::Stay)
             }
         };
         // An iteration fails where its equations are singular: a loop that comes to dead points or change points is solved in
         // closed form whatever was wished.
-        let solver = if found.crosses || found.ends || found.varies {
+        let solver = if found.crosses || found.ends || varies {
             Solver::ClosedForm
         } else {
             choice.solver
         };
         let movers = found.rates.iter().filter(|rate| **rate > 0.0).count();
-        let safety = if movers > 1 || found.varies {
+        let safety = if movers > 1 || varies {
             WIDE_SAFETY
         } else {
             SAFETY
         };
         let rates = found.rates.iter().zip(&unseen).map(|(rate, unseen)| {
-            let least = if found.varies { *unseen } else { 0.0 };
+            let least = if varies { *unseen } else { 0.0 };
             (safety * rate).max(least)
         });
         let watching = at_zero.map(|at_zero| Watching {

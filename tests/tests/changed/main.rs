@@ -81,7 +81,7 @@ where
     for round in 0..60 {
         let mut motors = mechanism.motors();
         for (motor, way) in motors.as_mut().iter_mut().zip(ways) {
-            *motor = *motor + <M::Scalar as Real>::from_f64(*way);
+            *motor += <M::Scalar as Real>::from_f64(*way);
         }
         assert_eq!(
             mechanism.move_to(motors).is_ok(),
@@ -178,7 +178,7 @@ fn what_is_set_might_have_been_declared() {
             assert!(
                 (a - b).abs() < 1e-13 * (1.0 + a.abs()),
                 "{a} {b} at {degrees}°"
-            )
+            );
         };
         near(set.coupler_tip().x, declared.coupler_tip().x);
         near(set.coupler_tip().y, declared.coupler_tip().y);

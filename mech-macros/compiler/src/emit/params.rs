@@ -7,6 +7,7 @@ use super::items::{rested, user_ident};
 use super::moves::near;
 use super::scope::number;
 use super::sensitivity;
+use super::step::step;
 use crate::Compiled;
 use crate::model::{AxisId, Model};
 use crate::program::Program;
@@ -53,6 +54,16 @@ pub(super) fn motors(program: &Program) -> TokenStream {
     }
 }
 
+/// The names of the motors, for messages.
+pub(super) fn motor_names(program: &Program) -> TokenStream {
+    if program.params.is_empty() {
+        quote!(&COURSE.names)
+    } else {
+        let names = &program.motors;
+        quote!(&[#(#names),*])
+    }
+}
+
 /// What params and the sensitivity to them add to a mechanism. `end` is what every move that has no rates ends with.
 pub(super) fn added(
     krate: &TokenStream,
@@ -77,7 +88,7 @@ pub(super) fn added(
     Added {
         imports: imports(krate, program, moving.is_some()),
         methods,
-        steps: sensitivity::steps(sensitive.as_ref()),
+        steps: sensitive.as_ref().map(step).unwrap_or_default(),
         ..Added::default()
     }
 }

@@ -115,12 +115,7 @@ pub(super) fn moved_with(
     let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
     let keep_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
     let refused = params::refused(moving);
-    let names = if moving.params.is_empty() {
-        quote!(&COURSE.names)
-    } else {
-        let names = &moving.motors;
-        quote!(&[#(#names),*])
-    };
+    let names = params::motor_names(moving);
     let moved = params::told(
         moving,
         quote! {

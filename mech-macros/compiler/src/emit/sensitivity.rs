@@ -5,7 +5,7 @@ use super::costs::literal;
 use super::items::user_ident;
 use super::motion::Moved;
 use super::scope::Scope;
-use super::step::{Written, position, step, takes_sines};
+use super::step::{Written, position, takes_sines};
 use crate::cost;
 use crate::model::{AxisId, LinkId, Model};
 use crate::program::{Program, Sensitivity};
@@ -182,11 +182,6 @@ pub(super) fn methods(
         tell(&joint.name, &what, joint.origin, &quote!(#scalar), &value);
     }
     tokens
-}
-
-/// The function that finds it, and those it calls.
-pub(super) fn steps(program: Option<&Program>) -> TokenStream {
-    program.map(step).unwrap_or_default()
 }
 
 /// Where the rates of a link are.

@@ -138,13 +138,8 @@ impl Writer<'_> {
         let signed = self.on_side(root, side);
         let [long, short, wide] =
             [a_length, b_length, product].map(|value| self.builder.at_start(value));
-        let varies = self.any_varies(&[sum]);
-        let size = if varies {
-            Size::Varying(sum)
-        } else {
-            Size::Fixed(long + short)
-        };
-        let alike = varies || (long - short).abs() <= 1e-9 * (long + short);
+        let size = self.size_or(sum, long + short);
+        let alike = size.varies() || (long - short).abs() <= 1e-9 * (long + short);
         let pins_meet = choice.goes_over() && alike;
         let aside = if pins_meet {
             self.nearest_side(goal, a, square, size, (root, signed), firsts[0])

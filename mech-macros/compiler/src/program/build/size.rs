@@ -13,7 +13,23 @@ pub(super) enum Size {
     Varying(Value),
 }
 
+impl Size {
+    /// Whether a param has a part in it.
+    pub(super) fn varies(self) -> bool {
+        matches!(self, Self::Varying(_))
+    }
+}
+
 impl Writer<'_> {
+    /// A length, if a param has a part in it; else what it is at the start.
+    pub(super) fn size_or(&self, length: Value, at_start: f64) -> Size {
+        if self.any_varies(&[length]) {
+            Size::Varying(length)
+        } else {
+            Size::Fixed(at_start)
+        }
+    }
+
     /// A part of a size.
     pub(super) fn part_of(&mut self, part: f64, size: Size) -> Value {
         match size {
