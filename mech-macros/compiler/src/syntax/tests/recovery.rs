@@ -23,7 +23,7 @@ fn every_bad_statement_is_told_in_the_order_of_the_text() {
              `start`, `method`, `accuracy`, `cost`, `at`, `allow`",
             "`rod` has no point `eey`; did you mean `eye`?",
             "expected a kind of joint, found `hinge`; there are `revolute`, `prismatic`, `gear`, `slot`, `rack`, \
-             `belt`, `weld`",
+             `belt`, `weld`, `cam`",
             "unknown joint `c`; there are `a`, `b`",
             "unknown joint `c`; there are `a`, `b`",
             "unknown constant `sqrt`; there are `A`, `PI`",
