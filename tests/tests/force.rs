@@ -2,7 +2,7 @@
 //! Newton and Euler, and torques at rest must be the slope of the energy: on random mechanisms with random masses, springs, dampers
 //! and loads, and on those of the zoo.
 
-use mech_compiler::evaluate::{Machine, Stop};
+use mech_compiler::evaluate::{Machine, Moved, Stop};
 use mech_compiler::model::{
     Actions, AxisId, AxisKind, Between, Damper, Effects, JointKind, LinkId, Load, LoadKind, Mass,
     Model, Origin, Spring,
@@ -180,19 +180,8 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
         ) else {
             panic!("{}: some forces are found and some are not", model.name);
         };
-        // How large the forces are that cancel: near a dead point they are larger than what is left of them.
-        let reach = size(model)
-            + at.poses
-                .iter()
-                .map(|pose| pose[2].hypot(pose[3]))
-                .fold(0.0, f64::max);
-        let largest = |acting: &Acting<f64>| {
-            let reactions = acting
-                .reactions
-                .iter()
-                .map(|[x, y, torque]| (x.hypot(*y)) * reach + torque.abs());
-            reactions.fold(1.0, f64::max)
-        };
+        let reach = reach(model, &at);
+        let largest = |acting: &Acting<f64>| largest(acting, reach);
         if largest(&moving).max(largest(&resting)) > 1e6 * reach {
             // So near a dead point that what is left of them is rounding.
             seen.singular += 1;
@@ -237,6 +226,19 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
             seen,
         );
     }
+}
+
+/// How far everything reaches.
+fn reach(model: &Model, at: &Position) -> f64 {
+    let far = at.poses.iter().map(|pose| pose[2].hypot(pose[3]));
+    size(model) + far.fold(0.0, f64::max)
+}
+
+/// How large the forces are that cancel: near a dead point they are larger than what is left of them.
+fn largest(acting: &Acting<f64>, reach: f64) -> f64 {
+    let reactions = acting.reactions.iter();
+    let reactions = reactions.map(|[x, y, torque]| x.hypot(*y) * reach + torque.abs());
+    reactions.fold(1.0, f64::max)
 }
 
 /// What the motors have to do by their reduced inertia.
@@ -286,18 +288,50 @@ fn newton_and_euler(
         .motion(&given.rates, &given.seconds)
         .expect("it is regular");
     let accelerations = moved.accelerations.as_ref().expect("asked for");
-    let velocity = |axis: AxisId| {
-        let (point, link) = (place(model, at, axis), model.axis(axis).link);
-        match link.index().checked_sub(1) {
-            None => [0.0, 0.0],
-            Some(index) => {
-                let ([turning, x, y], [_, _, u, v]) = (moved.velocities[index], at.poses[index]);
-                [x - turning * (point[1] - v), y + turning * (point[0] - u)]
-            }
+    let (mut acts, rolls) = by_joints(model, at, acting);
+    acts.extend(by_actions(model, (at, given), &moved));
+    for (index, link) in model.declared_links().enumerate() {
+        let mass = model.link(link).mass.expect("all have one");
+        let center = carried(at, link, mass.center);
+        let [_, _, u, v] = at.poses[index];
+        let ([turning, ..], [change, x, y]) = (moved.velocities[index], accelerations[index]);
+        let arm = [center[0] - u, center[1] - v];
+        let acceleration = [
+            x - change * arm[1] - turning * turning * arm[0],
+            y + change * arm[0] - turning * turning * arm[1],
+        ];
+        let gravity = model.actions.gravity.unwrap_or_default();
+        let mut sums = [
+            mass.mass * (gravity[0] - acceleration[0]),
+            mass.mass * (gravity[1] - acceleration[1]),
+            -mass.inertia * change,
+        ];
+        for (_, point, force, torque) in acts.iter().filter(|(on, ..)| *on == link) {
+            let arm = [point[0] - center[0], point[1] - center[1]];
+            sums[0] += force[0];
+            sums[1] += force[1];
+            sums[2] += arm[0] * force[1] - arm[1] * force[0] + torque;
         }
-    };
-    // Everything that acts: link, point, force, torque.
-    let mut acts: Vec<(LinkId, [f64; 2], [f64; 2], f64)> = Vec::new();
+        let told = if rolls.contains(&link) { 2 } else { 3 };
+        let scale = [scale / size(model), scale / size(model), scale];
+        for (sum, scale) in sums.iter().zip(scale).take(told) {
+            assert!(
+                sum.abs() <= 1e-10 * scale.max(scale * size(model)),
+                "{}, link {}: {sums:?} of {scale}",
+                model.name,
+                model.link(link).name
+            );
+            seen.links += 1;
+        }
+    }
+}
+
+/// What acts on a link: a force at a point, and a torque.
+type Act = (LinkId, [f64; 2], [f64; 2], f64);
+
+/// What joints do to links, and the links of which not all of that is told.
+fn by_joints(model: &Model, at: &Position, acting: &Acting<f64>) -> (Vec<Act>, Vec<LinkId>) {
+    let mut acts: Vec<Act> = Vec::new();
     let mut rolls: Vec<LinkId> = Vec::new();
     for (joint, &[x, y, torque]) in model.told_joints().zip(&acting.reactions) {
         let (mut first, mut second) = model.ends(joint);
@@ -323,6 +357,22 @@ fn newton_and_euler(
         acts.push((second, point, [x, y], torque));
         acts.push((first, point, [-x, -y], -torque));
     }
+    (acts, rolls)
+}
+
+/// What springs, dampers and loads do to links.
+fn by_actions(model: &Model, (at, given): (&Position, &Given), moved: &Moved<f64>) -> Vec<Act> {
+    let mut acts: Vec<Act> = Vec::new();
+    let velocity = |axis: AxisId| {
+        let (point, link) = (place(model, at, axis), model.axis(axis).link);
+        match link.index().checked_sub(1) {
+            None => [0.0, 0.0],
+            Some(index) => {
+                let ([turning, x, y], [_, _, u, v]) = (moved.velocities[index], at.poses[index]);
+                [x - turning * (point[1] - v), y + turning * (point[0] - u)]
+            }
+        }
+    };
     for (between, stiffness, rest, damping) in model
         .actions
         .springs
@@ -386,40 +436,7 @@ fn newton_and_euler(
             LoadKind::Torque(link) => acts.push((link, [0.0; 2], [0.0; 2], given.loads[first])),
         }
     }
-    for (index, link) in model.declared_links().enumerate() {
-        let mass = model.link(link).mass.expect("all have one");
-        let center = carried(at, link, mass.center);
-        let [_, _, u, v] = at.poses[index];
-        let ([turning, ..], [change, x, y]) = (moved.velocities[index], accelerations[index]);
-        let arm = [center[0] - u, center[1] - v];
-        let acceleration = [
-            x - change * arm[1] - turning * turning * arm[0],
-            y + change * arm[0] - turning * turning * arm[1],
-        ];
-        let gravity = model.actions.gravity.unwrap_or_default();
-        let mut sums = [
-            mass.mass * (gravity[0] - acceleration[0]),
-            mass.mass * (gravity[1] - acceleration[1]),
-            -mass.inertia * change,
-        ];
-        for (_, point, force, torque) in acts.iter().filter(|(on, ..)| *on == link) {
-            let arm = [point[0] - center[0], point[1] - center[1]];
-            sums[0] += force[0];
-            sums[1] += force[1];
-            sums[2] += arm[0] * force[1] - arm[1] * force[0] + torque;
-        }
-        let told = if rolls.contains(&link) { 2 } else { 3 };
-        let scale = [scale / size(model), scale / size(model), scale];
-        for (sum, scale) in sums.iter().zip(scale).take(told) {
-            assert!(
-                sum.abs() <= 1e-10 * scale.max(scale * size(model)),
-                "{}, link {}: {sums:?} of {scale}",
-                model.name,
-                model.link(link).name
-            );
-            seen.links += 1;
-        }
-    }
+    acts
 }
 
 /// Without loads, torques at rest are the slope of the potential energy.

@@ -69,10 +69,8 @@ impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
         let mut sums: [T; MOTORS] =
             core::array::from_fn(|motor| torques[motor] + self.drive[motor]);
         for pivot in 0..MOTORS {
-            let mut square = rows[pivot][pivot];
-            for earlier in 0..pivot {
-                square -= rows[pivot][earlier] * rows[pivot][earlier];
-            }
+            let own = rows[pivot];
+            let square = own[pivot] - products(&own[..pivot], &own[..pivot]);
             // What rounding leaves of nothing is no mass.
             let least = <T as Real>::from_f64(16.0 * T::EPSILON) * self.matrix[pivot][pivot];
             let resists = square > least;
@@ -81,25 +79,17 @@ impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
             }
             let root = Real::sqrt(square);
             rows[pivot][pivot] = root;
-            for row in pivot + 1..MOTORS {
-                let mut part = rows[row][pivot];
-                for earlier in 0..pivot {
-                    part -= rows[row][earlier] * rows[pivot][earlier];
-                }
-                rows[row][pivot] = part / root;
+            for row in &mut rows[pivot + 1..] {
+                row[pivot] = (row[pivot] - products(&row[..pivot], &own[..pivot])) / root;
             }
-            let mut sum = sums[pivot];
-            for earlier in 0..pivot {
-                sum -= rows[pivot][earlier] * sums[earlier];
-            }
-            sums[pivot] = sum / root;
+            sums[pivot] = (sums[pivot] - products(&own[..pivot], &sums[..pivot])) / root;
         }
-        for row in (0..MOTORS).rev() {
-            let mut sum = sums[row];
-            for later in row + 1..MOTORS {
-                sum -= rows[later][row] * sums[later];
+        for pivot in (0..MOTORS).rev() {
+            let mut sum = sums[pivot];
+            for (row, solved) in rows.iter().zip(sums).skip(pivot + 1) {
+                sum -= row[pivot] * solved;
             }
-            sums[row] = sum / rows[row][row];
+            sums[pivot] = sum / rows[pivot][pivot];
         }
         Ok(sums)
     }
@@ -116,6 +106,12 @@ pub const fn not_finite(place: &'static str) -> Stop {
 pub fn pull<T: Scalar>(from: [T; 2], to: [T; 2], stiffness: T, rest: T) -> T {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     stiffness * (Real::sqrt(x * x + y * y) - rest)
+}
+
+/// The sum of products of numbers in turn.
+fn products<T: Scalar>(a: &[T], b: &[T]) -> T {
+    let products = a.iter().zip(b).map(|(a, b)| *a * *b);
+    products.fold(T::ZERO, |sum, product| sum + product)
 }
 
 fn all_finite<T: Scalar>(numbers: &[T]) -> bool {

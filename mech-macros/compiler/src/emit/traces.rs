@@ -102,7 +102,13 @@ fn names(places: &Places, model: &Model, trace: &Trace) -> (String, Ident) {
 /// Where a traced point is.
 fn place(model: &Model, program: &Program, trace: &Trace) -> TokenStream {
     let axis = model.axis(trace.point);
-    let [x, y] = axis.at.map(|value| number(program.precision, value));
+    let [x, y] = [0, 1].map(|part| match program.kept_place(trace.point, part) {
+        None => number(program.precision, axis.at[part]),
+        Some(kept) => {
+            let kept = Literal::usize_unsuffixed(kept);
+            quote!(mechanism.position.kept[#kept])
+        }
+    });
     let index = Literal::usize_unsuffixed(program.place_of(axis.link).unwrap_or_default());
     quote!(mechanism.position.poses[#index].apply([#x, #y]))
 }

@@ -2,6 +2,10 @@
 
 /// The effects that were asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each effect is asked for or not, whatever the others"
+)]
 pub struct Effects {
     /// Velocities of links, points and joints.
     pub velocity: bool,

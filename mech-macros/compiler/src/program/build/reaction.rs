@@ -202,28 +202,24 @@ impl Writer<'_> {
     /// What drives the coordinate of a joint: a torque, or a force along its slide.
     fn driving(&mut self, joint: JointId, size: Value) -> Vec<Push> {
         let back = self.builder.neg(size);
-        match self.model.joint(joint).kind {
-            JointKind::Prismatic(a, b) => {
-                let (along, (link, there)) = (Along::Slide(joint), self.point(b));
-                let push = |link, size| Push::Force {
-                    link,
-                    at: Place::Scene(there),
-                    along,
-                    size,
-                };
-                vec![push(link, size), push(self.model.axis(a).link, back)]
-            }
-            _ => {
-                let (a, b) = self.model.ends(joint);
-                vec![
-                    Push::Torque { link: b, size },
-                    Push::Torque {
-                        link: a,
-                        size: back,
-                    },
-                ]
-            }
+        if let JointKind::Prismatic(a, b) = self.model.joint(joint).kind {
+            let (along, (link, there)) = (Along::Slide(joint), self.point(b));
+            let push = |link, size| Push::Force {
+                link,
+                at: Place::Scene(there),
+                along,
+                size,
+            };
+            return vec![push(link, size), push(self.model.axis(a).link, back)];
         }
+        let (a, b) = self.model.ends(joint);
+        vec![
+            Push::Torque { link: b, size },
+            Push::Torque {
+                link: a,
+                size: back,
+            },
+        ]
     }
 
     /// What rolls: a force where the pitch circles touch, or, where they do not, torques alone.

@@ -215,10 +215,6 @@ impl Writer<'_> {
     }
 
     /// Two points with their links, and the way from the first to the second.
-    #[expect(
-        clippy::type_complexity,
-        reason = "two ends, each a link and a point, and a vector"
-    )]
     fn way(&mut self, a: AxisId, b: AxisId) -> ([(LinkId, [Value; 2]); 2], [Value; 2]) {
         let (first, second) = (self.point(a), self.point(b));
         let way = self.builder.minus(second.1, first.1);

@@ -203,16 +203,14 @@ impl Lowering {
     /// The joint of this name, if it turns.
     fn turning(&mut self, name: &Ident, what: &str) -> Option<JointId> {
         let joint = self.find_joint(name)?;
-        match self.model.joint(joint).kind {
-            JointKind::Revolute(..) => Some(joint),
-            _ => {
-                let text = format!(
-                    "joint `{name}` is not a revolute; a {what} at a joint turns its links, one between points is `linear(a.p, b.q)`"
-                );
-                self.report.tell(Place::at(name.span()), text);
-                None
-            }
+        if let JointKind::Revolute(..) = self.model.joint(joint).kind {
+            return Some(joint);
         }
+        let text = format!(
+            "joint `{name}` is not a revolute; a {what} at a joint turns its links, one between points is `linear(a.p, b.q)`"
+        );
+        self.report.tell(Place::at(name.span()), text);
+        None
     }
 
     /// The point at which something is fixed.
@@ -309,6 +307,12 @@ impl Lowering {
             let text = "forces beside params are not supported yet; make every `param` a `const`, or leave this effect out";
             return self.report.tell(place, text);
         }
+        if let Some(place) = self.acting.overlay
+            && !self.model.params.is_empty()
+        {
+            let text = "an overlay beside params is not supported yet; make every `param` a `const`, or leave this effect out";
+            return self.report.tell(place, text);
+        }
         if let Some((motor, _)) = self.model.lawful_motors().next()
             && !self.model.params.is_empty()
         {
@@ -378,10 +382,11 @@ impl Lowering {
     }
 }
 
-/// Where something acts, for messages.
+/// Where gravity and effects stand, for messages.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Acting {
     pub(super) gravity: Option<Place>,
     pub(super) force: Option<Place>,
     pub(super) dynamics: Option<Place>,
+    pub(super) overlay: Option<Place>,
 }
