@@ -279,6 +279,75 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///
+/// ## Forces
+///
+/// A link has a mass if it is said: `mass 0.4 at (0.1, 0) inertia 2e-3;` (its centre in the link's frame, at its origin if left out;
+/// the moment of inertia about that, zero if left out) or `density 7.8;`, mass a unit of area, by its shapes. What acts is declared
+/// beside links and joints: `gravity (0, -9.81);`, `spring s = linear(a.p, b.q) stiffness 40 rest 0.5;` and `torsional(JOINT)`,
+/// `damper d = … damping 0.1;`, and loads that are set at run time: `load push = force(rod.small_end);` and `load twist =
+/// torque(crank);`. None of it costs anything by itself.
+///
+/// With `effects { force; }` there are `hold_at`, which moves as `move_to` does and gives the torques of the motors (the forces of
+/// those that slide) that hold it there at rest, by virtual work; `torques()`, the same where it is; and `forces(rates, second rates)`:
+/// what it takes to move in that way from where it is, by the equilibrium of each link, with the reaction in every joint ([`Forces`]) and
+/// the transmission angles. `push_advantage(direction)` is the mechanical advantage over a load. Teeth push across the line of
+/// centres, without a pressure angle; a belt only passes its torque on, since its pull hangs on how it was tensioned. Where joints hold
+/// links more than once, reactions are not determined and `forces` is not there; the report says so.
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct Press;
+///     ground { point shaft = (0, 0); line bed = (0, 0) -> (1, 0); }
+///     link crank { point shaft = (0, 0); point pin = (0.5, 0); }
+///     link rod { point big = (0, 0); point small = (2, 0); }
+///     link ram { point pin = (0, 0); line axis = (0, 0) -> (1, 0); }
+///     joint turn = revolute(ground.shaft, crank.shaft);
+///     joint big = revolute(crank.pin, rod.big);
+///     joint small = revolute(rod.small, ram.pin);
+///     joint bed = prismatic(ground.bed, ram.axis);
+///     motor turn;
+///     start { turn = 60 deg; rod near -10 deg; }
+///     load work = force(ram.pin);
+///     effects { force; }
+/// }
+/// let mut press = Press::new();
+/// press.set_work([-100.0, 0.0])?;
+/// let [torque] = press.hold_at([1.0])?;
+/// let [advantage] = press.work_advantage([1.0, 0.0])?;
+/// assert!((advantage * torque + 100.0).abs() < 1e-9);
+/// let forces = press.forces([0.0], [0.0])?;        // rates and second rates of the motor
+/// assert!((forces.torques[0] - torque).abs() < 1e-9);
+/// assert_eq!(Press::JOINTS[2], "small");           // of which forces.reactions[2] tells
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
+/// ## Motion under forces
+///
+/// With `effects { dynamics; }` the mechanism has rates, and `simulate(time, torques)` lets it move for a step of time under torques of
+/// its motors, which may be zero, and everything that acts. `simulate_by` takes a method ([`Gauss`]): what is more exact takes longer.
+/// Each is symmetric in time, so that energy does not drift. `energy()` is kinetic and potential, `second_rates(torques)` how the
+/// motors are accelerated. A step that is blocked or too long is an error, and leaves everything as it was.
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct Pendulum;
+///     ground { point pivot = (0, 0); }
+///     link bob { point pivot = (0, 0); mass 2 at (1.5, 0); }
+///     joint swing = revolute(ground.pivot, bob.pivot);
+///     motor swing;
+///     gravity (0, -9.81);
+///     effects { dynamics; }
+/// }
+/// let mut pendulum = Pendulum::new();
+/// let before = pendulum.energy()?;
+/// for _ in 0..1000 {
+///     pendulum.simulate(0.01, [0.0])?;
+/// }
+/// let after = pendulum.energy()?;
+/// assert!((after[0] + after[1] - before[0] - before[1]).abs() < 1e-6);
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
 /// ## Traces
 ///
 /// `trace LINK.POINT LENGTH;` keeps the last places of a named point, one for each move that succeeds, in the struct itself: a

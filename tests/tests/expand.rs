@@ -159,6 +159,38 @@ fn the_step_to_a_position_never_knew_of_effects() {
     assert!(alone.contains("fn near("));
     assert_eq!(step("effects { velocity; }"), alone);
     assert_eq!(step("effects { velocity; acceleration; }"), alone);
+    let others = [
+        "effects { trace coupler.c 64; }",
+        "effects { overlay; }",
+        "load push = force(coupler.c); effects { force; }",
+        "load push = force(coupler.c); spring s = torsional(jd) stiffness 2; effects { velocity; acceleration; force; overlay; }",
+    ];
+    for effects in others {
+        let all = solving(&format!("{FOUR_BAR} {effects}"));
+        assert!(all.contains(&alone), "{effects}");
+    }
+    // What acts costs nothing as long as nobody asks what it does.
+    let heavy = FOUR_BAR.replace("point b = (1, 0);", "point b = (1, 0); mass 2 at (0.5, 0);");
+    assert_ne!(heavy, FOUR_BAR);
+    assert_eq!(
+        expansion(&format!(
+            "{heavy} gravity (0, -9.81); spring s = torsional(jd) stiffness 2;"
+        )),
+        expansion(FOUR_BAR)
+    );
+}
+
+#[test]
+fn what_torques_at_rest_add() {
+    let all = expansion(&format!(
+        "{FOUR_BAR} load push = force(coupler.c); effects {{ force; }}"
+    ));
+    let (from, to) = (
+        all.find("        /// The position at these motor values, what holds it there"),
+        all.find("        fn near_held"),
+    );
+    let part = from.zip(to).map(|(from, to)| &all[from..to]);
+    insta::assert_snapshot!(part.expect("a step that goes on to torques"));
 }
 
 /// The Rust compiler's stack does not hold thousands of brackets in one another.

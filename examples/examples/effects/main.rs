@@ -5,6 +5,7 @@
 
 mod code;
 mod measure;
+mod motion;
 mod subjects;
 
 use measure::{Row, measured};
@@ -47,6 +48,7 @@ fn run(arguments: &[String]) -> Result<(), String> {
         let rows = measured(&subjects, rounds)?;
         table += &section(title, &rows);
     }
+    table += &motion::section(if quick { 20 } else { 1000 })?;
     writeln!(io::stdout(), "{table}").map_err(|error| error.to_string())?;
     if quick {
         return Ok(());

@@ -11,7 +11,7 @@ mechanism! {
     joint a_rate = revolute(ground.o, crank.velocity);
 
     motor a;
-    effects { velocitiy; velocity; velocity; force; }
+    effects { velocitiy; velocity; velocity; heat; }
     effects { acceleration; }
 }
 

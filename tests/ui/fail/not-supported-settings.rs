@@ -17,7 +17,6 @@ mechanism! {
 
     motor a;
     start { a = 60 deg; coupler near 30 deg; }
-    effects { dynamics; }
     certify;
 }
 

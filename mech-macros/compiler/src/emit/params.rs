@@ -100,7 +100,14 @@ fn imports(krate: &TokenStream, program: &Program, rates: bool) -> TokenStream {
     }
     // Velocities bring these with them.
     let of_rates = (!rates).then(|| quote!(Vector2, Velocity, determined,));
+    // Velocities bring this too.
+    let iterator = (!rates).then(|| {
+        quote!(
+            use ::core::iter::Iterator as _;
+        )
+    });
     quote! {
+        #iterator
         #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
         use #krate::generated::{
             #of_rates followed, inputs, motors_of, params_of, reached_by_motors, told,
