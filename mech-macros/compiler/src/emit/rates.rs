@@ -69,6 +69,7 @@ impl RateItems {
             rest: quote!(self.velocities = [Velocity::ZERO; #links];),
             instance_rest: quote!(instance.velocities = [Velocity::ZERO; #links];),
             imports: quote! {
+                use ::core::iter::Iterator as _;
                 #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
                 use #krate::generated::{
                     Vector2, Velocity, advance_with, determined, finite, rates_at, slide_acceleration, slide_rate,
