@@ -2,7 +2,7 @@
 //! accelerations, forces.
 //!
 //! A mechanism with `effects { overlay; }` has the method `draw_overlay`, one with `effects { overlay; velocity; }` also
-//! `draw_velocities`, and so on. Everything goes to any [`Canvas`](crate::Canvas); lines and symbols have their sizes in pixels,
+//! `draw_velocities`, and so on. Everything goes to any [`Canvas`]; lines and symbols have their sizes in pixels,
 //! however large the scene is seen.
 //!
 //! ```

@@ -6,6 +6,7 @@
 extern crate std;
 
 use ::core::assert_eq;
+use ::core::iter::DoubleEndedIterator;
 use ::mech_runtime::overlay::Arrows;
 use ::mech_runtime::{Frame, Overlay, Palette};
 use ::std::option::Option::Some;
