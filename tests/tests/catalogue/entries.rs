@@ -291,24 +291,6 @@ motor d;",
         edit: ("at (1, 0);", "at (0.8, 0.6);"),
     },
     Entry {
-        variant: "Massless",
-        example: "
-struct Arm;
-ground { point o = (0, 0); }
-link upper { point shoulder = (0, 0); point elbow = (1, 0); mass 2 at (0.5, 0); }
-link fore { point elbow = (0, 0); }
-joint a = revolute(ground.o, upper.shoulder);
-joint b = revolute(upper.elbow, fore.elbow);
-motor a;
-motor b;
-effects { dynamics; }",
-        remedy: "Give a link that the motor moves a mass.",
-        edit: (
-            "link fore { point elbow = (0, 0); }",
-            "link fore { point elbow = (0, 0); mass 1 at (0.5, 0); }",
-        ),
-    },
-    Entry {
         variant: "SeveralAssemblies",
         example: "
 struct FourBar;
@@ -474,6 +456,24 @@ joint c = cam(s, f, 0.2 * sin(q));
 motor s in 0 deg ..= 90 deg;",
         remedy: "Leave the range out.",
         edit: (" in 0 deg ..= 90 deg", ""),
+    },
+    Entry {
+        variant: "Massless",
+        example: "
+struct Arm;
+ground { point o = (0, 0); }
+link upper { point shoulder = (0, 0); point elbow = (1, 0); mass 2 at (0.5, 0); }
+link fore { point elbow = (0, 0); }
+joint a = revolute(ground.o, upper.shoulder);
+joint b = revolute(upper.elbow, fore.elbow);
+motor a;
+motor b;
+effects { dynamics; }",
+        remedy: "Give a link that the motor moves a mass.",
+        edit: (
+            "link fore { point elbow = (0, 0); }",
+            "link fore { point elbow = (0, 0); mass 1 at (0.5, 0); }",
+        ),
     },
     Entry {
         variant: "TooLarge",

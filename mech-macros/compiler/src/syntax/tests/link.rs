@@ -107,7 +107,7 @@ fn other_items_are_unknown() {
     told(
         "link a { «square» (0, 0); }",
         &[
-            "unknown item `square`; what is fixed to a link begins with one of `point`, `line`, `circle`, `polygon`",
+            "unknown item `square`; what is fixed to a link begins with one of `point`, `line`, `circle`, `polygon`, `mass`, `density`",
         ],
     );
     told(

@@ -20,7 +20,7 @@ fn every_bad_statement_is_told_in_the_order_of_the_text() {
             "expected a number, found `;`",
             "unknown item `circl`; did you mean `circle`?",
             "unknown statement `foo`; a statement begins with one of `const`, `param`, `ground`, `link`, `joint`, `motor`, \
-             `start`, `method`, `accuracy`, `cost`, `at`, `allow`",
+             `start`, `method`, `accuracy`, `cost`, `at`, `allow`, …",
             "`rod` has no point `eey`; did you mean `eye`?",
             "expected a kind of joint, found `hinge`; there are `revolute`, `prismatic`, `gear`, `slot`, `rack`, \
              `belt`, `weld`, `cam`",

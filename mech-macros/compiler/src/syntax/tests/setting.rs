@@ -87,13 +87,6 @@ fn a_drawn_joint_starts_at_zero() {
 
 #[test]
 fn some_settings_are_to_come() {
-    told(
-        "effects { «dynamics»; «force»; }",
-        &[
-            "effect `dynamics` is not supported yet",
-            "effect `force` is not supported yet",
-        ],
-    );
     told("«certify»;", &["`certify` is not supported yet"]);
 }
 

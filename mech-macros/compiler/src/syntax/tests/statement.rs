@@ -68,10 +68,10 @@ fn unknown_statements_have_a_remedy() {
         &["unknown statement `jiont`; did you mean `joint`?"],
     );
     told(
-        "«spring» s;",
+        "«wind» s;",
         &[
-            "unknown statement `spring`; a statement begins with one of `const`, `param`, `ground`, `link`, `joint`, `motor`, \
-           `start`, `method`, `accuracy`, `cost`, `at`, `allow`",
+            "unknown statement `wind`; a statement begins with one of `const`, `param`, `ground`, `link`, `joint`, `motor`, \
+           `start`, `method`, `accuracy`, `cost`, `at`, `allow`, …",
         ],
     );
     told("link a { }«;»", &["expected a statement, found `;`"]);

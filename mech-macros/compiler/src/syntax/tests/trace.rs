@@ -139,7 +139,7 @@ fn every_error_of_a_trace_is_told_at_once_and_others_after_it() {
             "`crank` has no point `pim`; did you mean `pin`?",
             "the length of a trace is a whole number from 1 to 16384, not 0",
             "a color is a whole number from 0 to 255, not -1",
-            "unknown effect `speed`; there are `velocity`, `acceleration`, `trace`, `overlay`",
+            "unknown effect `speed`; there are `velocity`, `acceleration`, `force`, `dynamics`, `trace`, `overlay`, `sensitivity`",
         ],
     );
 }
