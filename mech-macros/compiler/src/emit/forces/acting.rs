@@ -1,0 +1,157 @@
+//! The methods that tell what it takes to hold a mechanism at rest, and to move it.
+
+use super::Writer;
+use crate::emit::items::user_ident;
+use crate::emit::motion::{found, given};
+use crate::model::{Load, LoadKind};
+use crate::program::Program;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+impl Writer<'_> {
+    /// The methods that tell what holds it at rest.
+    pub(super) fn holding(&self, holding: &Program) -> TokenStream {
+        let Self {
+            scalar,
+            motors,
+            visibility,
+            rest,
+            ..
+        } = self;
+        let [_, arguments] = given(holding);
+        let ([near, far], loads, blocked) =
+            (self.steps(holding), self.given_loads(), self.blocked());
+        quote! {
+            /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide) that hold it
+            /// there at rest, in the order of their declaration: against gravity, springs and loads.
+            ///
+            /// # Errors
+            /// If a value is not finite, a loop cannot be closed on the way there, or it is at a dead point or a change point
+            /// there, where torques are not determined; the mechanism then stays where it was.
+            #[inline]
+            #visibility fn hold_at(&mut self, motors: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
+                #loads
+                let held = advance_with(
+                    &mut self.position,
+                    Motors::new(motors),
+                    &COURSE,
+                    |last, motors| #near(last, motors #arguments),
+                    |last, motors| #far(last, motors #arguments),
+                    step,
+                )?;
+                #rest
+                Ok(held.torques)
+            }
+
+            /// The torques of the motors (the forces of those that slide) that hold it at rest where it is.
+            ///
+            /// # Errors
+            /// If the mechanism is at a dead point or a change point, where these are not determined.
+            #visibility fn torques(&self) -> Result<[#scalar; #motors], #blocked> {
+                #loads
+                match rates_at(&self.position, |last, motors| #far(last, motors #arguments)) {
+                    Ok(held) => Ok(held.torques),
+                    Err(stop) => Err(self.position.refuse(stop)),
+                }
+            }
+        }
+    }
+
+    /// The methods that tell what it takes to move.
+    pub(super) fn acting(&self, acting: &Program) -> TokenStream {
+        let Self {
+            scalar,
+            motors,
+            visibility,
+            model,
+            ..
+        } = self;
+        let [_, arguments] = given(acting);
+        let ([_, far], loads, blocked) = (self.steps(acting), self.given_loads(), self.blocked());
+        let names: Vec<&String> = model
+            .told_joints()
+            .map(|joint| &model.joint(joint).name)
+            .collect();
+        let (found, _) = found(acting);
+        let joints = Literal::usize_unsuffixed(names.len());
+        let mut tokens = quote! {
+            /// The joints, in the order in which `forces` tells their reactions.
+            #visibility const JOINTS: [&'static str; #joints] = [#(#names),*];
+
+            /// What it takes to move at these rates and second rates of the motors from where it is: the torques of the motors,
+            /// the reaction in each joint, the transmission angles.
+            ///
+            /// # Errors
+            /// If a rate is not finite, or the mechanism is at a dead point or a change point, where forces are not determined.
+            #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> Result<#found, #blocked> {
+                #loads
+                let found = finite(rates, &COURSE.names)
+                    .and_then(|()| finite(accelerations, &COURSE.names))
+                    .and_then(|()| rates_at(&self.position, |last, motors| #far(last, motors #arguments)));
+                match found {
+                    Ok(forces) => Ok(forces),
+                    Err(stop) => Err(self.position.refuse(stop)),
+                }
+            }
+        };
+        for (first, load) in model.actions.numbered_loads() {
+            tokens.extend(self.advantage(first, load));
+        }
+        tokens
+    }
+
+    /// The method that tells the mechanical advantage over a load.
+    fn advantage(&self, first: usize, load: &Load) -> TokenStream {
+        let Self {
+            scalar,
+            motors,
+            visibility,
+            ..
+        } = self;
+        let name = user_ident(
+            &format!("{}_advantage", load.name),
+            self.places,
+            load.origin,
+        );
+        let blocked = self.blocked();
+        let index = Literal::usize_unsuffixed(first);
+        let (direction, test, follows) = match load.kind {
+            LoadKind::Torque(_) => (quote!(), quote!(), quote!(response[#index])),
+            LoadKind::Force(_) => {
+                let (next, place) = (Literal::usize_unsuffixed(first + 1), &load.name);
+                (
+                    quote!(, along: [#scalar; 2]),
+                    quote! {
+                        let [x, y] = along;
+                        let length = sqrt(x * x + y * y);
+                        let is_direction = length > 0.0 && Real::is_finite(length);
+                        if !is_direction {
+                            return Err(self.position.refuse(not_finite(#place)));
+                        }
+                    },
+                    quote!((response[#index] * x + response[#next] * y) / length),
+                )
+            }
+        };
+        let what = match load.kind {
+            LoadKind::Torque(_) => "",
+            LoadKind::Force(_) => ", for forces in this direction",
+        };
+        let doc = format!(
+            " The mechanical advantage of each motor over load `{}`{what}: how much of it a torque of one (a force, where it slides)",
+            load.name
+        );
+        quote! {
+            #[doc = #doc]
+            /// balances, if there is nothing else. It is infinite where the load stands still while the motor moves.
+            ///
+            /// # Errors
+            /// If the mechanism is at a dead point or a change point, where this is not determined, or a direction is zero.
+            #visibility fn #name(&self #direction) -> Result<[#scalar; #motors], #blocked> {
+                #test
+                let forces = self.forces([0.0; #motors], [0.0; #motors])?;
+                Ok(forces.responses.map(|response| -1.0 / (#follows)))
+            }
+        }
+    }
+}

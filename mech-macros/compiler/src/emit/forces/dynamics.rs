@@ -1,0 +1,149 @@
+//! The methods that move a mechanism by forces.
+
+use super::Writer;
+use crate::emit::motion::given;
+use crate::model::JointKind;
+use crate::program::Program;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+impl Writer<'_> {
+    /// The methods that move it by forces.
+    pub(super) fn dynamics(&self, inertia: &Program) -> TokenStream {
+        let Self {
+            scalar,
+            motors,
+            visibility,
+            ..
+        } = self;
+        let [_, arguments] = given(inertia);
+        let ([near, far], loads, blocked) =
+            (self.steps(inertia), self.given_loads(), self.blocked());
+        let turning = self.model.motors.iter().map(|motor| {
+            let turns = matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..));
+            turns && motor.range.is_none()
+        });
+        let (velocities, record) = (self.velocities(), self.record);
+        quote! {
+            /// The rates of the motors: how fast they move, in radians or scene units a unit of time.
+            #[must_use]
+            #visibility const fn rates(&self) -> [#scalar; #motors] {
+                self.rates
+            }
+
+            /// Sets how fast the motors move.
+            ///
+            /// # Errors
+            /// If a rate is not finite; all of them then stay what they were.
+            #visibility fn set_rates(&mut self, rates: [#scalar; #motors]) -> Result<(), #blocked> {
+                match finite(rates, &COURSE.names) {
+                    Ok(()) => {
+                        self.rates = rates;
+                        Ok(())
+                    }
+                    Err(stop) => Err(self.position.refuse(stop)),
+                }
+            }
+
+            /// The second rates of the motors under these torques (forces for those that slide), gravity, springs, dampers and
+            /// loads.
+            ///
+            /// # Errors
+            /// If a torque is not finite, no mass resists a motor, or the mechanism is at a dead point or a change point.
+            #visibility fn second_rates(&self, torques: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
+                #loads
+                let rates = self.rates;
+                let found = finite(torques, &COURSE.names)
+                    .and_then(|()| rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
+                    .and_then(|inertia| inertia.accelerations(torques, &COURSE.names));
+                match found {
+                    Ok(accelerations) => Ok(accelerations),
+                    Err(stop) => Err(self.position.refuse(stop)),
+                }
+            }
+
+            /// The kinetic energy, and the potential energy of gravity and springs.
+            ///
+            /// # Errors
+            /// If the mechanism is at a dead point or a change point, where velocities are not determined.
+            #visibility fn energy(&self) -> Result<[#scalar; 2], #blocked> {
+                #loads
+                let rates = self.rates;
+                match rates_at(&self.position, |last, motors| #far(last, motors #arguments)) {
+                    Ok(inertia) => Ok([inertia.kinetic, inertia.potential]),
+                    Err(stop) => Err(self.position.refuse(stop)),
+                }
+            }
+
+            /// Lets it move for a step of time under these torques of the motors (forces for those that slide): a step of
+            /// [`Gauss::default`].
+            ///
+            /// # Errors
+            /// As for `simulate_by`.
+            #visibility fn simulate(&mut self, time: #scalar, torques: [#scalar; #motors]) -> Result<(), #blocked> {
+                self.simulate_by(Gauss::Four, time, torques)
+            }
+
+            /// The same by a method of one's choice: what is more exact takes longer.
+            ///
+            /// # Errors
+            /// If something given is not finite, a loop cannot be closed on the way, the mechanism is at a dead point or a change
+            /// point, no mass resists a motor, or the step is too long to be followed; everything then stays as it was.
+            #visibility fn simulate_by(&mut self, method: Gauss, time: #scalar, torques: [#scalar; #motors]) -> Result<(), #blocked> {
+                #loads
+                let moment = Moment {
+                    rates: self.rates,
+                    torques,
+                    time,
+                    names: &COURSE.names,
+                    turning: &[#(#turning),*],
+                };
+                let simulated = simulate(&self.position, &moment, method, |position, motors, rates| {
+                    advance_with(
+                        position,
+                        motors,
+                        &COURSE,
+                        |last, motors| #near(last, motors #arguments),
+                        |last, motors| #far(last, motors #arguments),
+                        step,
+                    )
+                })?;
+                #velocities
+                self.position = simulated.position;
+                self.rates = simulated.rates;
+                #record
+                Ok(())
+            }
+        }
+    }
+
+    /// What velocities are after a step of time, if they were asked for.
+    fn velocities(&self) -> TokenStream {
+        let effects = self.model.effects;
+        if !effects.velocity {
+            return TokenStream::new();
+        }
+        let (given, found, keep) = if effects.acceleration {
+            (
+                quote!(, simulated.rates, simulated.accelerations),
+                quote!((velocities, accelerations)),
+                quote!(self.accelerations = accelerations;),
+            )
+        } else {
+            (
+                quote!(, simulated.rates),
+                quote!(velocities),
+                TokenStream::new(),
+            )
+        };
+        quote! {
+            match rates_at(&simulated.position, |last, motors| step_with(last, motors #given)) {
+                Ok(#found) => {
+                    self.velocities = velocities;
+                    #keep
+                }
+                Err(stop) => return Err(self.position.refuse(stop)),
+            }
+        }
+    }
+}

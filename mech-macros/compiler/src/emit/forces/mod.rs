@@ -1,0 +1,167 @@
+//! What the struct of a mechanism has more if forces were asked for.
+
+mod acting;
+mod actions;
+mod dynamics;
+mod stub;
+
+pub(super) use stub::stub;
+
+use super::added::Added;
+use super::block::scalar;
+use super::costs::literal;
+use super::motion::suffix;
+use super::step::{step, takes_sines};
+use crate::Forced;
+use crate::cost;
+use crate::model::Model;
+use crate::program::Program;
+use crate::syntax::Places;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// What there is to write it with.
+struct Writer<'w> {
+    places: &'w Places,
+    model: &'w Model,
+    program: &'w Program,
+    visibility: &'w syn::Visibility,
+    scalar: TokenStream,
+    motors: Literal,
+    has_loads: bool,
+    /// What a move without rates leaves behind.
+    rest: TokenStream,
+    /// What every move ends with.
+    record: &'w TokenStream,
+}
+
+/// What forces add to a mechanism. `rest` is what velocities leave behind when it is held.
+pub(super) fn added(
+    krate: &TokenStream,
+    places: &Places,
+    model: &Model,
+    (program, forced): (&Program, &Forced),
+    visibility: &syn::Visibility,
+    (rest, record): (&TokenStream, &TokenStream),
+) -> Added {
+    if !model.effects.needs_actions() {
+        return Added::default();
+    }
+    let motors = Literal::usize_unsuffixed(program.motors.len());
+    let unmoved = if model.effects.dynamics {
+        quote!(self.rates = [0.0; #motors];)
+    } else {
+        TokenStream::new()
+    };
+    let loads = model.actions.load_names().len();
+    let writer = Writer {
+        places,
+        model,
+        program,
+        visibility,
+        scalar: scalar(program),
+        motors,
+        has_loads: loads > 0,
+        rest: quote!(#rest #unmoved #record),
+        record,
+    };
+    let mut items = Added {
+        imports: imports(krate, model),
+        ..Added::default()
+    };
+    let Writer { scalar, motors, .. } = &writer;
+    if loads > 0 {
+        let count = Literal::usize_unsuffixed(loads);
+        items.fields = quote!(loads: [::core::primitive::#scalar; #count],);
+        items.at_rest = quote!(loads: [0.0; #count],);
+        items.methods.extend(writer.loads());
+    }
+    items.methods.extend(writer.springs());
+    if let Some(holding) = &forced.holding {
+        items.methods.extend(writer.holding(holding));
+        items.methods.extend(writer.cost(
+            krate,
+            holding,
+            "TORQUES_COST",
+            "the torques that hold it",
+        ));
+        items.steps.extend(step(holding));
+    }
+    if let Some(acting) = &forced.acting {
+        items.methods.extend(writer.acting(acting));
+        items
+            .methods
+            .extend(writer.cost(krate, acting, "FORCES_COST", "all forces in it"));
+        items.steps.extend(step(acting));
+    }
+    if let Some(inertia) = &forced.inertia {
+        items
+            .fields
+            .extend(quote!(rates: [::core::primitive::#scalar; #motors],));
+        items.at_rest.extend(quote!(rates: [0.0; #motors],));
+        items.rest = unmoved;
+        items
+            .instance_rest
+            .extend(quote!(instance.rates = [0.0; #motors];));
+        items.methods.extend(writer.dynamics(inertia));
+        items.methods.extend(writer.cost(
+            krate,
+            inertia,
+            "INERTIA_COST",
+            "its inertia and what drives it",
+        ));
+        items.steps.extend(step(inertia));
+    }
+    items
+}
+
+/// What they use, besides what velocities import already.
+fn imports(krate: &TokenStream, model: &Model) -> TokenStream {
+    let shared = if model.effects.velocity {
+        TokenStream::new()
+    } else {
+        quote!(advance_with, determined, finite, rates_at,)
+    };
+    quote! {
+        #[allow(unused_imports, reason = "which of them a mechanism needs depends on its effects")]
+        use #krate::generated::{Forces, Gauss, Holding, Inertia, Moment, Reaction, not_finite, pull, simulate, #shared};
+    }
+}
+
+impl Writer<'_> {
+    /// The functions of a program for motor values within reach, and for any.
+    fn steps(&self, program: &Program) -> [Ident; 2] {
+        let suffix = suffix(program);
+        let near = if takes_sines(self.program) && takes_sines(program) {
+            "near"
+        } else {
+            "step"
+        };
+        [near, "step"].map(|name| format_ident!("{}{}", name, suffix))
+    }
+
+    /// The present loads as a variable, where a step takes them.
+    fn given_loads(&self) -> TokenStream {
+        if self.has_loads {
+            quote!(let loads = self.loads;)
+        } else {
+            TokenStream::new()
+        }
+    }
+
+    /// How many operations more something takes.
+    fn cost(&self, krate: &TokenStream, program: &Program, name: &str, what: &str) -> TokenStream {
+        let (visibility, name) = (self.visibility, format_ident!("{}", name));
+        let cost = literal(krate, cost::of_rates(self.program, program));
+        let doc = format!(" How many operations more it takes to find {what} with a position.");
+        quote! {
+            #[doc = #doc]
+            #visibility const #name: #krate::Cost = #cost;
+        }
+    }
+
+    fn blocked(&self) -> TokenStream {
+        let Self { scalar, motors, .. } = self;
+        quote!(Blocked<[#scalar; #motors]>)
+    }
+}
