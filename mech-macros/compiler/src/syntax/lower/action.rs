@@ -105,7 +105,7 @@ impl Lowering {
 
     pub(super) fn lower_spring(&mut self, spring: &Elastic) {
         let Some((between, strength, body)) = self.elastic(spring, "spring", "a stiffness") else {
-            return;
+            return self.keep_spring(spring);
         };
         let rest = match &body.rest {
             None => Some(0.0),
@@ -122,6 +122,30 @@ impl Lowering {
                 between,
                 stiffness: strength,
                 rest,
+            });
+        }
+    }
+
+    /// Keeps the name of a spring that is wrong: its method is not to be missed elsewhere. Nothing is made of a mechanism with errors.
+    fn keep_spring(&mut self, spring: &Elastic) {
+        let name = spring.name.to_string();
+        let mut known = self.model.actions.springs.iter();
+        let is_own = self.owns_method(&name, &format!("spring `{name}`"));
+        if !is_own || known.any(|known| known.name == name) {
+            return;
+        }
+        if let Ok(ElasticBody {
+            between: BetweenEnds::Points(_),
+            ..
+        }) = spring.body
+        {
+            let (origin, nowhere) = (self.note(&spring.name), AxisId::new(0));
+            self.model.actions.springs.push(Spring {
+                name,
+                origin,
+                between: Between::Points(nowhere, nowhere),
+                stiffness: 0.0,
+                rest: 0.0,
             });
         }
     }
@@ -248,6 +272,15 @@ impl Lowering {
             LoadOn::Torque(name) => self.find_link(name).map(LoadKind::Torque),
         };
         let Some(kind) = kind else {
+            // Its methods are not to be missed elsewhere; nothing is made of a mechanism with errors.
+            let kind = match on {
+                LoadOn::Force(_) => LoadKind::Force(AxisId::new(0)),
+                LoadOn::Torque(_) => LoadKind::Torque(LinkId::GROUND),
+            };
+            let (name, origin) = (load.name.to_string(), self.note(&load.name));
+            if kept {
+                self.model.actions.loads.push(Load { name, origin, kind });
+            }
             return;
         };
         let link = match kind {

@@ -156,6 +156,12 @@ impl Lowering {
         self.claim_method(method, owner, Place::at(name.span()))
     }
 
+    /// Whether a method was taken for this.
+    pub(super) fn owns_method(&self, method: &str, owner: &str) -> bool {
+        let mut methods = self.names.methods.iter();
+        methods.any(|(taken, by)| taken == method && by == owner)
+    }
+
     pub(super) fn claim_method(&mut self, method: String, owner: String, place: Place) -> bool {
         if let Some((_, earlier)) = self
             .names
