@@ -334,6 +334,17 @@ impl Lowering {
                 "nothing has a mass that would keep it moving; give links `mass` or `density`";
             return self.report.tell(place, text);
         }
+        if self.acting.dynamics.is_some()
+            && let Some((motor, _)) = self.model.lawful_motors().next()
+        {
+            let motor = self.model.motor(motor);
+            let text = format!(
+                "motor `{}` follows a law, so forces cannot move it; leave out its law, or the effect `dynamics`",
+                self.model.joint(motor.joint).name
+            );
+            let place = self.places.get(motor.origin);
+            return self.report.tell(place, text);
+        }
         if let Some(place) = self.acting.dynamics.or(self.acting.force)
             && !self.model.params.is_empty()
         {
