@@ -43,6 +43,9 @@ struct Tableau<T> {
     times: [T; STAGES],
     weights: [T; STAGES],
     rates: [[T; STAGES]; STAGES],
+    places: [[T; STAGES]; STAGES],
+    /// How much of each stage's second rate goes into the place at the end.
+    end: [T; STAGES],
     count: usize,
 }
 
@@ -82,26 +85,25 @@ impl<T: Scalar> Tableau<T> {
             }
         };
         let row = |row: [f64; STAGES]| row.map(|number| <T as Real>::from_f64(number));
+        let (weights, rates) = (row(weights), rates.map(row));
+        // What goes into a rate goes on into the place: their product. Stages that are not there count nothing.
+        let into_place = |shares: [T; STAGES]| -> [T; STAGES] {
+            core::array::from_fn(|of| {
+                let products = shares
+                    .iter()
+                    .zip(&rates)
+                    .map(|(share, row)| *share * row[of]);
+                products.fold(T::ZERO, |sum, product| sum + product)
+            })
+        };
         Self {
             times: row(times),
-            weights: row(weights),
-            rates: rates.map(row),
+            weights,
+            rates,
+            places: rates.map(into_place),
+            end: into_place(weights),
             count,
         }
-    }
-
-    /// How much of the second rate at a stage goes into the place at another: the square of the matrix of rates.
-    fn place(&self, stage: usize, of: usize) -> T {
-        let products =
-            (0..self.count).map(|between| self.rates[stage][between] * self.rates[between][of]);
-        products.fold(T::ZERO, |sum, product| sum + product)
-    }
-
-    /// How much of it goes into the place at the end.
-    fn end(&self, of: usize) -> T {
-        let products =
-            (0..self.count).map(|between| self.weights[between] * self.rates[between][of]);
-        products.fold(T::ZERO, |sum, product| sum + product)
     }
 }
 
@@ -146,7 +148,7 @@ where
     for _ in 0..ROUNDS {
         let mut next = stages;
         for stage in 0..tableau.count {
-            let share = |of: usize| time * time * tableau.place(stage, of);
+            let share = |of: usize| time * time * tableau.places[stage][of];
             let way = way(
                 rates,
                 time * tableau.times[stage],
@@ -181,7 +183,7 @@ where
         rates,
         time,
         &stages,
-        |of| time * time * tableau.end(of),
+        |of| time * time * tableau.end[of],
         tableau.count,
     );
     let speed = sum(

@@ -3,7 +3,7 @@
 use crate::cost::{self, Cost};
 use crate::program::Program;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// The cost of everything, and of each loop; after them these as associated constants.
 pub(super) fn costs(
@@ -27,6 +27,23 @@ pub(super) fn costs(
         #visibility const LOOP_COSTS: [#krate::Cost; #count] = LOOP_COSTS;
     };
     (constants, associated)
+}
+
+/// How many operations more a program takes that goes on from positions, as an associated constant.
+pub(super) fn more(
+    krate: &TokenStream,
+    (program, further): (&Program, &Program),
+    name: &str,
+    what: &str,
+    visibility: &syn::Visibility,
+) -> TokenStream {
+    let name = format_ident!("{}", name);
+    let cost = literal(krate, cost::of_rates(program, further));
+    let doc = format!(" How many operations more it takes to find {what} with a position.");
+    quote! {
+        #[doc = #doc]
+        #visibility const #name: #krate::Cost = #cost;
+    }
 }
 
 pub(super) fn literal(krate: &TokenStream, cost: Cost) -> TokenStream {

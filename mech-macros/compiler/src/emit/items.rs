@@ -11,7 +11,7 @@ use super::shapes::shapes;
 use super::step::{position, step};
 use super::traces::painting;
 use crate::Compiled;
-use crate::model::{AxisId, AxisKind, JointKind, LinkId, Model, Origin};
+use crate::model::{AxisId, JointKind, LinkId, Model, Origin};
 use crate::program::Program;
 use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -373,11 +373,10 @@ fn accessors(
 
 /// The named points of the moving links that are shown: link, name, place, and which axis it is.
 pub(super) fn named_points(model: &Model) -> impl Iterator<Item = (LinkId, &str, Origin, AxisId)> {
-    let axes = (0..).map(AxisId::new).zip(&model.axes);
-    let points = axes.filter(|(id, axis)| {
-        axis.kind == AxisKind::Point && axis.link != LinkId::GROUND && model.shows_point(*id)
-    });
-    points.filter_map(|(id, axis)| Some((axis.link, axis.name.as_deref()?, axis.origin, id)))
+    model.told_points().filter_map(|id| {
+        let axis = model.axis(id);
+        Some((axis.link, axis.name.as_deref()?, axis.origin, id))
+    })
 }
 
 /// The expression of the pose of a link, which is kept unless it is the ground.

@@ -3,22 +3,25 @@
 use super::block::scalar;
 use super::items::rested;
 use super::many::reach;
+use super::motion::suffix;
 use super::params;
 use super::scope::{ident, number};
 use super::step::takes_sines;
 use crate::model::{JointKind, Model, Motor, Precision};
 use crate::plan::Plan;
 use crate::program::{self, Program};
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
 
-/// The step for motor values within reach.
-pub(super) fn near(program: &Program) -> TokenStream {
-    if takes_sines(program) {
-        quote!(near)
-    } else {
-        quote!(step)
-    }
+/// The step for motor values within reach, and whatever a program finds besides.
+pub(super) fn near(program: &Program) -> Ident {
+    let name = if takes_sines(program) { "near" } else { "step" };
+    format_ident!("{}{}", name, suffix(program))
+}
+
+/// The same for any motor values.
+pub(super) fn far(program: &Program) -> Ident {
+    format_ident!("step{}", suffix(program))
 }
 
 /// What is known about every move.

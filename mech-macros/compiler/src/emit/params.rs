@@ -74,10 +74,7 @@ pub(super) fn added(
     end: &TokenStream,
 ) -> Added {
     let Compiled {
-        program,
-        moving,
-        sensitive,
-        ..
+        program, sensitive, ..
     } = compiled;
     let mut methods = methods(places, model, program, visibility, end);
     if let Some(sensitive) = sensitive {
@@ -86,7 +83,7 @@ pub(super) fn added(
         ));
     }
     Added {
-        imports: imports(krate, program, moving.is_some()),
+        imports: imports(krate, program),
         methods,
         steps: sensitive.as_ref().map(step).unwrap_or_default(),
         ..Added::default()
@@ -94,23 +91,14 @@ pub(super) fn added(
 }
 
 /// What the generated code uses besides.
-fn imports(krate: &TokenStream, program: &Program, rates: bool) -> TokenStream {
+fn imports(krate: &TokenStream, program: &Program) -> TokenStream {
     if program.params.is_empty() {
         return TokenStream::new();
     }
-    // Velocities bring these with them.
-    let of_rates = (!rates).then(|| quote!(Vector2, Velocity, determined,));
-    // Velocities bring this too.
-    let iterator = (!rates).then(|| {
-        quote!(
-            use ::core::iter::Iterator as _;
-        )
-    });
     quote! {
-        #iterator
         #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
         use #krate::generated::{
-            #of_rates followed, inputs, motors_of, params_of, reached_by_motors, told,
+            followed, inputs, motors_of, params_of, reached_by_motors, told,
         };
     }
 }

@@ -2,14 +2,14 @@
 
 use super::added::Added;
 use super::block::scalar;
-use super::costs::literal;
+use super::costs::more;
 use super::items::{coordinate_axes, named_points, pose, user_ident};
 use super::motion::given;
+use super::moves::near;
 use super::params;
 use super::scope::number;
-use super::step::{step, takes_sines};
+use super::step::step;
 use crate::Compiled;
-use crate::cost;
 use crate::model::{AxisId, Effects, LinkId, Model};
 use crate::program::Program;
 use crate::syntax::Places;
@@ -54,11 +54,8 @@ pub(super) fn added(
         rest: quote!(self.velocities = [Velocity::ZERO; #links];),
         instance_rest: quote!(instance.velocities = [Velocity::ZERO; #links];),
         imports: quote! {
-            use ::core::iter::Iterator as _;
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
-            use #krate::generated::{
-                Vector2, Velocity, advance_with, determined, finite, rates_at, slide_acceleration, slide_rate,
-            };
+            use #krate::generated::{slide_acceleration, slide_rate};
         },
         methods: methods(moving, &kinds, visibility, record),
         steps: step(moving),
@@ -78,11 +75,14 @@ pub(super) fn added(
             .imports
             .extend(quote!(use #krate::generated::Acceleration;));
     }
-    let cost = literal(krate, cost::of_rates(program, moving));
-    items.methods.extend(quote! {
-        /// How many operations more it takes to find the rates of everything with a position.
-        #visibility const RATES_COST: #krate::Cost = #cost;
-    });
+    let what = "the rates of everything";
+    items.methods.extend(more(
+        krate,
+        (program, moving),
+        "RATES_COST",
+        what,
+        visibility,
+    ));
     items
         .methods
         .extend(accessors(places, model, &kinds, visibility));
@@ -98,11 +98,7 @@ pub(super) fn moved_with(
 ) -> TokenStream {
     let second = effects.acceleration;
     let [_, arguments] = given(moving);
-    let near_with = if takes_sines(moving) {
-        quote!(near_with)
-    } else {
-        quote!(step_with)
-    };
+    let near_with = near(moving);
     let checked = if second {
         quote!([rates, accelerations])
     } else {

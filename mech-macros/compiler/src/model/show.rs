@@ -53,6 +53,16 @@ impl Model {
         die.map_or(axis, |(pin, _)| pin)
     }
 
+    /// The named points of the moving links that are asked for.
+    pub fn told_points(&self) -> impl Iterator<Item = AxisId> + '_ {
+        let all = (0..self.axes.len()).map(AxisId::new);
+        all.filter(|&id| {
+            let axis = self.axis(id);
+            let moves = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
+            moves && axis.name.is_some() && self.shows_point(id)
+        })
+    }
+
     /// Whether the pose of a link is asked for.
     #[must_use]
     pub fn shows_link(&self, link: LinkId) -> bool {

@@ -3,6 +3,7 @@
 use super::Writer;
 use crate::emit::items::user_ident;
 use crate::emit::motion::{found, given};
+use crate::emit::moves::{far, near};
 use crate::model::{Load, LoadKind};
 use crate::program::Program;
 use proc_macro2::{Literal, TokenStream};
@@ -19,8 +20,8 @@ impl Writer<'_> {
             ..
         } = self;
         let [_, arguments] = given(holding);
-        let ([near, far], loads, blocked) =
-            (self.steps(holding), self.given_loads(), self.blocked());
+        let (near, far) = (near(holding), far(holding));
+        let (loads, blocked) = (self.given_loads(), self.blocked());
         quote! {
             /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide) that hold it
             /// there at rest, in the order of their declaration: against gravity, springs and loads.
@@ -49,10 +50,9 @@ impl Writer<'_> {
             /// If the mechanism is at a dead point or a change point, where these are not determined.
             #visibility fn torques(&self) -> Result<[#scalar; #motors], #blocked> {
                 #loads
-                match rates_at(&self.position, |last, motors| #far(last, motors #arguments)) {
-                    Ok(held) => Ok(held.torques),
-                    Err(stop) => Err(self.position.refuse(stop)),
-                }
+                rates_at(&self.position, |last, motors| #far(last, motors #arguments))
+                    .map(|held| held.torques)
+                    .map_err(|stop| self.position.refuse(stop))
             }
         }
     }
@@ -67,7 +67,7 @@ impl Writer<'_> {
             ..
         } = self;
         let [_, arguments] = given(acting);
-        let ([_, far], loads, blocked) = (self.steps(acting), self.given_loads(), self.blocked());
+        let (far, loads, blocked) = (far(acting), self.given_loads(), self.blocked());
         let names: Vec<&String> = model
             .told_joints()
             .map(|joint| &model.joint(joint).name)
@@ -85,13 +85,10 @@ impl Writer<'_> {
             /// If a rate is not finite, or the mechanism is at a dead point or a change point, where forces are not determined.
             #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> Result<#found, #blocked> {
                 #loads
-                let found = finite(rates, &COURSE.names)
+                finite(rates, &COURSE.names)
                     .and_then(|()| finite(accelerations, &COURSE.names))
-                    .and_then(|()| rates_at(&self.position, |last, motors| #far(last, motors #arguments)));
-                match found {
-                    Ok(forces) => Ok(forces),
-                    Err(stop) => Err(self.position.refuse(stop)),
-                }
+                    .and_then(|()| rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
+                    .map_err(|stop| self.position.refuse(stop))
             }
         };
         for (first, load) in model.actions.numbered_loads() {

@@ -2,6 +2,7 @@
 
 use super::Writer;
 use crate::emit::motion::given;
+use crate::emit::moves::{far, near};
 use crate::model::JointKind;
 use crate::program::Program;
 use proc_macro2::TokenStream;
@@ -17,8 +18,8 @@ impl Writer<'_> {
             ..
         } = self;
         let [_, arguments] = given(inertia);
-        let ([near, far], loads, blocked) =
-            (self.steps(inertia), self.given_loads(), self.blocked());
+        let (near, far) = (near(inertia), far(inertia));
+        let (loads, blocked) = (self.given_loads(), self.blocked());
         let turning = self.model.motors.iter().map(|motor| {
             let turns = matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..));
             turns && motor.range.is_none()
@@ -53,13 +54,10 @@ impl Writer<'_> {
             #visibility fn second_rates(&self, torques: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
                 #loads
                 let rates = self.rates;
-                let found = finite(torques, &COURSE.names)
+                finite(torques, &COURSE.names)
                     .and_then(|()| rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
-                    .and_then(|inertia| inertia.accelerations(torques, &COURSE.names));
-                match found {
-                    Ok(accelerations) => Ok(accelerations),
-                    Err(stop) => Err(self.position.refuse(stop)),
-                }
+                    .and_then(|inertia| inertia.accelerations(torques, &COURSE.names))
+                    .map_err(|stop| self.position.refuse(stop))
             }
 
             /// The kinetic energy, and the potential energy of gravity and springs.
@@ -69,10 +67,9 @@ impl Writer<'_> {
             #visibility fn energy(&self) -> Result<[#scalar; 2], #blocked> {
                 #loads
                 let rates = self.rates;
-                match rates_at(&self.position, |last, motors| #far(last, motors #arguments)) {
-                    Ok(inertia) => Ok([inertia.kinetic, inertia.potential]),
-                    Err(stop) => Err(self.position.refuse(stop)),
-                }
+                rates_at(&self.position, |last, motors| #far(last, motors #arguments))
+                    .map(|inertia| [inertia.kinetic, inertia.potential])
+                    .map_err(|stop| self.position.refuse(stop))
             }
 
             /// Lets it move for a step of time under these torques of the motors (forces for those that slide): a step of

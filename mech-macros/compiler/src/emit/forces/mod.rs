@@ -9,16 +9,14 @@ pub(super) use stub::stub;
 
 use super::added::Added;
 use super::block::scalar;
-use super::costs::literal;
-use super::motion::suffix;
-use super::step::{step, takes_sines};
+use super::costs::more;
+use super::step::step;
 use crate::Forced;
-use crate::cost;
 use crate::model::Model;
 use crate::program::Program;
 use crate::syntax::Places;
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
 /// What there is to write it with.
 struct Writer<'w> {
@@ -66,7 +64,10 @@ pub(super) fn added(
         record,
     };
     let mut items = Added {
-        imports: imports(krate, model),
+        imports: quote! {
+            #[allow(unused_imports, reason = "which of them a mechanism needs depends on its effects")]
+            use #krate::generated::{Forces, Gauss, Holding, Inertia, Moment, Reaction, not_finite, pull, simulate};
+        },
         ..Added::default()
     };
     let Writer { scalar, motors, .. } = &writer;
@@ -79,20 +80,9 @@ pub(super) fn added(
     items.methods.extend(writer.springs());
     if let Some(holding) = &forced.holding {
         items.methods.extend(writer.holding(holding));
-        items.methods.extend(writer.cost(
-            krate,
-            holding,
-            "TORQUES_COST",
-            "the torques that hold it",
-        ));
-        items.steps.extend(step(holding));
     }
     if let Some(acting) = &forced.acting {
         items.methods.extend(writer.acting(acting));
-        items
-            .methods
-            .extend(writer.cost(krate, acting, "FORCES_COST", "all forces in it"));
-        items.steps.extend(step(acting));
     }
     if let Some(inertia) = &forced.inertia {
         items
@@ -104,59 +94,33 @@ pub(super) fn added(
             .instance_rest
             .extend(quote!(instance.rates = [0.0; #motors];));
         items.methods.extend(writer.dynamics(inertia));
-        items.methods.extend(writer.cost(
-            krate,
-            inertia,
+    }
+    let programs = [
+        (&forced.holding, "TORQUES_COST", "the torques that hold it"),
+        (&forced.acting, "FORCES_COST", "all forces in it"),
+        (
+            &forced.inertia,
             "INERTIA_COST",
             "its inertia and what drives it",
-        ));
-        items.steps.extend(step(inertia));
+        ),
+    ];
+    for (further, name, what) in programs {
+        if let Some(further) = further {
+            let cost = more(krate, (program, further), name, what, visibility);
+            items.methods.extend(cost);
+            items.steps.extend(step(further));
+        }
     }
     items
 }
 
-/// What they use, besides what velocities import already.
-fn imports(krate: &TokenStream, model: &Model) -> TokenStream {
-    let shared = if model.effects.velocity {
-        TokenStream::new()
-    } else {
-        quote!(advance_with, determined, finite, rates_at,)
-    };
-    quote! {
-        #[allow(unused_imports, reason = "which of them a mechanism needs depends on its effects")]
-        use #krate::generated::{Forces, Gauss, Holding, Inertia, Moment, Reaction, not_finite, pull, simulate, #shared};
-    }
-}
-
 impl Writer<'_> {
-    /// The functions of a program for motor values within reach, and for any.
-    fn steps(&self, program: &Program) -> [Ident; 2] {
-        let suffix = suffix(program);
-        let near = if takes_sines(self.program) && takes_sines(program) {
-            "near"
-        } else {
-            "step"
-        };
-        [near, "step"].map(|name| format_ident!("{}{}", name, suffix))
-    }
-
     /// The present loads as a variable, where a step takes them.
     fn given_loads(&self) -> TokenStream {
         if self.has_loads {
             quote!(let loads = self.loads;)
         } else {
             TokenStream::new()
-        }
-    }
-
-    /// How many operations more something takes.
-    fn cost(&self, krate: &TokenStream, program: &Program, name: &str, what: &str) -> TokenStream {
-        let (visibility, name) = (self.visibility, format_ident!("{}", name));
-        let cost = literal(krate, cost::of_rates(self.program, program));
-        let doc = format!(" How many operations more it takes to find {what} with a position.");
-        quote! {
-            #[doc = #doc]
-            #visibility const #name: #krate::Cost = #cost;
         }
     }
 

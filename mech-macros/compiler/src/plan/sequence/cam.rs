@@ -47,7 +47,7 @@ impl Search<'_> {
     }
 
     /// A joint with a coordinate, as it is declared.
-    fn declared(&self, joint: JointId) -> Option<Connection> {
+    pub(super) fn declared(&self, joint: JointId) -> Option<Connection> {
         let (kind, from, to) = match self.model.joint(joint).kind {
             JointKind::Revolute(from, to) => (ConnectionKind::Revolute, from, to),
             JointKind::Prismatic(from, to) => (ConnectionKind::Prismatic, from, to),

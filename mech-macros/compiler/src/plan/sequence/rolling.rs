@@ -111,17 +111,7 @@ impl Search<'_> {
                 self.named_on(pin, rolling.carrier, wheel)
             }
         };
-        let (kind, from, to) = match self.model.joint(joint).kind {
-            JointKind::Revolute(from, to) => (ConnectionKind::Revolute, from, to),
-            JointKind::Prismatic(from, to) => (ConnectionKind::Prismatic, from, to),
-            _ => return None,
-        };
-        Some(Connection {
-            kind,
-            from,
-            to,
-            joint,
-        })
+        self.declared(joint)
     }
 
     /// The way along a sliding connection, for one who walks it.

@@ -6,11 +6,11 @@ use super::equilibrium::{Together, chosen};
 use super::rates::Solved;
 use super::reaction::{Along, Part, Place, Push, Unknown};
 use super::tangent::Seed;
-use super::wrench::{Velocities, Wrench};
+use super::wrench::Wrench;
 use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
 use crate::plan::Algebra;
 use crate::program::node::{Op, Value};
-use crate::program::{Acting, Forces, Motion, System};
+use crate::program::{Acting, Forces, Motion};
 use crate::structure::Structure;
 
 /// About which point of its link moments are taken, and along which slide forces are summed, or along x and y.
@@ -38,7 +38,7 @@ impl Writer<'_> {
             .block("forces".to_owned(), "What acts.".to_owned());
         let bodies = self.bodies();
         let mut wrenches = self.wrenches(&bodies);
-        wrenches.extend(self.resistances(&mut Velocities::Given(&mut given)));
+        wrenches.extend(self.resistances(&mut given));
         for body in &bodies {
             wrenches.extend(self.inertial(body, &mut given));
         }
@@ -138,18 +138,7 @@ impl Writer<'_> {
                 vec![self.builder.div(sum, column[0])]
             }
             _ if columns.len() <= 3 => self.steps(self.builder.current(), &columns, &right).0,
-            _ => {
-                let system = motion.systems.len();
-                motion.systems.push(System {
-                    block: self.builder.current(),
-                    columns,
-                    right,
-                });
-                let unknowns = 0..block.unknowns.len();
-                unknowns
-                    .map(|index| self.builder.make(Op::Linear(system, index)))
-                    .collect()
-            }
+            _ => self.dense(&columns, &right, motion).0,
         }
     }
 

@@ -32,9 +32,8 @@ impl Writer<'_> {
             JointKind::Prismatic(a, b) => Some([a, b].map(|axis| model.seen_axis(axis))),
             _ => None,
         });
-        let mut told: Vec<AxisId> = self
+        let mut told: Vec<AxisId> = model
             .told_points()
-            .into_iter()
             .chain(of_joints.flatten())
             .filter(|&id| model.axis(id).varies())
             .collect();

@@ -260,18 +260,30 @@ impl Writer<'_> {
         if columns.len() <= 3 {
             return self.steps(block, columns, gap);
         }
+        let (rates, det) = self.dense(columns, gap, motion);
+        for &rate in &rates {
+            self.builder.name(rate, "rate");
+        }
+        (rates, det)
+    }
+
+    /// The unknowns of a linear system that is solved as a whole, and its determinant: columns times unknowns and the right side add
+    /// to zero.
+    pub(super) fn dense(
+        &mut self,
+        columns: &[Vec<Value>],
+        right: &[Value],
+        motion: &mut Motion,
+    ) -> (Vec<Value>, Value) {
         let system = motion.systems.len();
         motion.systems.push(System {
             block: self.builder.current(),
             columns: columns.to_vec(),
-            right: gap.to_vec(),
+            right: right.to_vec(),
         });
-        let linear = |index| Op::Linear(system, index);
-        let rates = (0..columns.len()).map(|index| {
-            let rate = self.builder.make(linear(index));
-            self.builder.name(rate, "rate")
-        });
-        (rates.collect(), self.builder.make(linear(columns.len())))
+        let mut linear = |index| self.builder.make(Op::Linear(system, index));
+        let unknowns = (0..columns.len()).map(&mut linear).collect();
+        (unknowns, linear(columns.len()))
     }
 
     /// The product of the columns' lengths: the determinant is at most this.

@@ -3,7 +3,7 @@
 
 use super::Writer;
 use super::tangent::{Seed, Tangents};
-use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
+use crate::model::{AxisId, JointId, JointKind};
 use crate::plan::Algebra;
 use crate::program::Motion;
 use crate::program::node::Value;
@@ -13,7 +13,10 @@ impl Writer<'_> {
     /// Extends the program by the rates of everything with each param.
     pub(super) fn sensitivity(&mut self, poses: &[[Value; 4]]) -> (Motion, Sensitivity) {
         let mut motion = Motion::default();
-        let (points, joints) = (self.told_points(), self.told_joints());
+        let (points, joints) = (
+            self.model.told_points().collect::<Vec<AxisId>>(),
+            self.told_joints(),
+        );
         let closings = std::mem::take(&mut self.closings);
         let mut of_params = Vec::new();
         let motors = self.model.motors.len();
@@ -64,17 +67,6 @@ impl Writer<'_> {
             tangents.of(&mut self.builder, way)
         });
         rates.collect()
-    }
-
-    /// The points that have a method.
-    pub(super) fn told_points(&self) -> Vec<AxisId> {
-        let all = (0..self.model.axes.len()).map(AxisId::new);
-        let told = all.filter(|&id| {
-            let axis = self.model.axis(id);
-            let moves = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
-            moves && axis.name.is_some() && self.model.shows_point(id)
-        });
-        told.collect()
     }
 
     /// The joints that have a method and do not only do what they are told.

@@ -4,7 +4,7 @@
 use super::Writer;
 use super::rates::Closing;
 use super::tangent::{Seed, Tangents};
-use super::wrench::{Body, Velocities, Wrench};
+use super::wrench::{Body, Wrench};
 use crate::model::LoadKind;
 use crate::plan::Algebra;
 use crate::program::node::Value;
@@ -44,7 +44,7 @@ impl Writer<'_> {
         );
         let bodies = self.bodies();
         let mut wrenches = self.wrenches(&bodies);
-        wrenches.extend(self.resistances(&mut Velocities::Sum(&mut alone)));
+        wrenches.extend(self.resistances(&mut coasting));
         for body in &bodies {
             wrenches.extend(self.inertial(body, &mut coasting));
         }

@@ -4,7 +4,6 @@ use super::Writer;
 use super::tangent::Tangents;
 use crate::model::{AxisId, Between, Damper, JointId, LinkId, LoadKind, Mass, Spring};
 use crate::plan::Algebra;
-use crate::program::builder::Builder;
 use crate::program::node::{Op, Value};
 
 /// A force at a point of a link, or a torque on it, in the scene.
@@ -91,10 +90,10 @@ impl Writer<'_> {
     }
 
     /// What resists velocities.
-    pub(super) fn resistances(&mut self, velocities: &mut Velocities<'_>) -> Vec<Wrench> {
+    pub(super) fn resistances(&mut self, tangents: &mut Tangents) -> Vec<Wrench> {
         let mut wrenches = Vec::new();
         for damper in &self.model.actions.dampers {
-            wrenches.extend(self.resist(damper, velocities));
+            wrenches.extend(self.resist(damper, tangents));
         }
         wrenches
     }
@@ -182,14 +181,14 @@ impl Writer<'_> {
         energy
     }
 
-    fn resist(&mut self, damper: &Damper, velocities: &mut Velocities<'_>) -> [Wrench; 2] {
+    fn resist(&mut self, damper: &Damper, tangents: &mut Tangents) -> [Wrench; 2] {
         let damping = self.builder.constant(damper.damping);
         match damper.between {
             Between::Points(a, b) => {
                 let ([first, second], way) = self.way(a, b);
                 let (from, to) = (
-                    velocities.of_point(&mut self.builder, first.1),
-                    velocities.of_point(&mut self.builder, second.1),
+                    tangents.of_vector(&mut self.builder, first.1),
+                    tangents.of_vector(&mut self.builder, second.1),
                 );
                 let apart = self.builder.minus(to, from);
                 let inverse = self.inverse_length(way);
@@ -204,7 +203,7 @@ impl Writer<'_> {
                 let (a, b) = self.model.ends(joint);
                 let [from, to] = [a, b].map(|link| {
                     let direction = self.placement.pose(link).direction;
-                    velocities.of_direction(&mut self.builder, direction)
+                    tangents.turning(&mut self.builder, direction)
                 });
                 let rate = self.builder.sub(to, from);
                 let torque = self.builder.mul(damping, rate);
@@ -298,49 +297,5 @@ impl Writer<'_> {
         let (from, to) = (direction(self, a, rest), direction(self, b, 0.0));
         let (sin, cos) = (self.builder.cross(from, to), self.builder.dot(from, to));
         self.builder.make(Op::Atan2(sin, cos))
-    }
-}
-
-/// Where the velocities of points and links come from.
-pub(super) enum Velocities<'t> {
-    /// From rates that are given.
-    Given(&'t mut Tangents),
-    /// From what each motor does alone, and how fast it is.
-    Sum(&'t mut [Tangents]),
-}
-
-impl Velocities<'_> {
-    /// The velocity of a point.
-    pub(super) fn of_point(&mut self, builder: &mut Builder, at: [Value; 2]) -> [Value; 2] {
-        match self {
-            Self::Given(tangents) => tangents.of_vector(builder, at),
-            Self::Sum(alone) => {
-                let mut sum = builder.vector([0.0, 0.0]);
-                for (motor, tangents) in alone.iter_mut().enumerate() {
-                    let rate = builder.make(Op::Rate(motor));
-                    let part = tangents.of_vector(builder, at);
-                    let part = builder.scaled(rate, part);
-                    sum = builder.plus(sum, part);
-                }
-                sum
-            }
-        }
-    }
-
-    /// The angular velocity of a direction.
-    pub(super) fn of_direction(&mut self, builder: &mut Builder, direction: [Value; 2]) -> Value {
-        match self {
-            Self::Given(tangents) => tangents.turning(builder, direction),
-            Self::Sum(alone) => {
-                let mut sum = builder.constant(0.0);
-                for (motor, tangents) in alone.iter_mut().enumerate() {
-                    let rate = builder.make(Op::Rate(motor));
-                    let part = tangents.turning(builder, direction);
-                    let part = builder.mul(rate, part);
-                    sum = builder.add(sum, part);
-                }
-                sum
-            }
-        }
     }
 }

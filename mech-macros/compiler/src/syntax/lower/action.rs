@@ -308,31 +308,11 @@ impl Lowering {
         }
     }
 
-    /// What acts must have something to act on, and something must ask for it.
-    pub(super) fn check_actions(&mut self) {
-        // What is missing may only be wrong.
+    /// Effects that contradict each other, or are not for each other yet.
+    pub(super) fn check_effects(&mut self) {
+        // What stands beside them may only be wrong.
         if !self.report.is_empty() {
             return;
-        }
-        let actions = &self.model.actions;
-        let has_mass = |axis: fn(&Mass) -> f64| {
-            self.model
-                .links
-                .iter()
-                .filter_map(|link| link.mass.as_ref())
-                .any(|mass| axis(mass) > 0.0)
-        };
-        if let (Some(place), false) = (self.acting.gravity, has_mass(|mass| mass.mass)) {
-            let text =
-                "no link has a mass on which gravity could act; give a link `mass` or `density`";
-            return self.report.tell(place, text);
-        }
-        if let Some(place) = self.acting.dynamics
-            && !has_mass(|mass| mass.mass + mass.inertia)
-        {
-            let text =
-                "nothing has a mass that would keep it moving; give links `mass` or `density`";
-            return self.report.tell(place, text);
         }
         if self.acting.dynamics.is_some()
             && let Some((motor, _)) = self.model.lawful_motors().next()
@@ -362,6 +342,34 @@ impl Lowering {
         {
             let text = "laws of motors beside params are not supported yet; make every `param` a `const`, or leave this law out";
             let place = self.places.get(self.model.motor(motor).origin);
+            self.report.tell(place, text);
+        }
+    }
+
+    /// What acts must have something to act on, and something must ask for it.
+    pub(super) fn check_actions(&mut self) {
+        // What is missing may only be wrong.
+        if !self.report.is_empty() {
+            return;
+        }
+        let actions = &self.model.actions;
+        let has_mass = |axis: fn(&Mass) -> f64| {
+            self.model
+                .links
+                .iter()
+                .filter_map(|link| link.mass.as_ref())
+                .any(|mass| axis(mass) > 0.0)
+        };
+        if let (Some(place), false) = (self.acting.gravity, has_mass(|mass| mass.mass)) {
+            let text =
+                "no link has a mass on which gravity could act; give a link `mass` or `density`";
+            return self.report.tell(place, text);
+        }
+        if let Some(place) = self.acting.dynamics
+            && !has_mass(|mass| mass.mass + mass.inertia)
+        {
+            let text =
+                "nothing has a mass that would keep it moving; give links `mass` or `density`";
             return self.report.tell(place, text);
         }
         let nothing =

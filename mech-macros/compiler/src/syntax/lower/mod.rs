@@ -41,6 +41,7 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.pass(&text.statements, Lowering::begin);
     lowering.start_by_laws();
     lowering.check_unlisted();
+    lowering.check_effects();
     lowering.check_actions();
     lowering.claim_rate_methods();
     lowering.claim_force_methods();
