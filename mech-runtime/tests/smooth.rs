@@ -181,16 +181,15 @@ proptest! {
         };
         for (row, found) in found.iter().rev().enumerate() {
             for (column, &found) in found.iter().enumerate() {
-                let samples = 24;
+                let samples = 24_u32;
                 let mut inside = 0;
                 for sample in 0..samples * samples {
                     #[expect(clippy::cast_precision_loss, reason = "small")]
                     let [x, y] = [(column, sample % samples), (row, sample / samples)]
-                        .map(|(pixel, part)| pixel as f64 + (part as f64 + 0.5) / samples as f64);
-                    inside += usize::from(distance(x, y) <= width / 2.0);
+                        .map(|(pixel, part)| pixel as f64 + (f64::from(part) + 0.5) / f64::from(samples));
+                    inside += u32::from(distance(x, y) <= width / 2.0);
                 }
-                #[expect(clippy::cast_precision_loss, reason = "small")]
-                let share = inside as f64 / (samples * samples) as f64;
+                let share = f64::from(inside) / f64::from(samples * samples);
                 prop_assert!((f64::from(found) / 255.0 - share).abs() < 0.035, "{found} of {} at {column}, {row}", share * 255.0);
             }
         }

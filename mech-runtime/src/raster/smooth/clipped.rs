@@ -82,7 +82,9 @@ fn side<T: Scalar, const W: usize>(
     for (row, cover) in (first..rows.end).zip(covers) {
         let end = fixed::border::<T>(row + 1).min(lower[1]);
         let next = at(end);
-        cover.add(x.to_f32(), next.to_f32(), sign * (end - y).to_f32());
+        let (start, stop) = (x.to_f32(), next.to_f32());
+        cover.touch(start, stop);
+        cover.add(start, stop, sign * (end - y).to_f32());
         (x, y) = (next, end);
     }
 }

@@ -2,7 +2,6 @@
 
 use super::runs::Runs;
 use crate::raster::polygon::Rule;
-use core::ops::Range;
 
 /// What the sides of a shape add in a row: the share of a pixel that is covered is the sum of all that is added up to it.
 #[derive(Clone)]
@@ -21,7 +20,7 @@ impl<const W: usize> Cover<W> {
     }
 
     /// Adds the part of a side that lies in the row, from one abscissa to another; everything to its right is covered by `gain`, its
-    /// height with the sign of its direction.
+    /// height with the sign of its direction. It is seen where the row is [touched](Self::touch).
     #[inline]
     pub(super) fn add(&mut self, from: f32, to: f32, gain: f32) {
         let (left, right) = if from <= to { (from, to) } else { (to, from) };
@@ -42,6 +41,7 @@ impl<const W: usize> Cover<W> {
         }
     }
 
+    #[inline]
     fn add_inside(&mut self, left: f32, right: f32, gain: f32) {
         #[expect(
             clippy::cast_possible_truncation,
@@ -51,7 +51,6 @@ impl<const W: usize> Cover<W> {
         let [first, last] = [left as u32, right as u32];
         #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
         let (x, y) = (left - first as f32, right - last as f32);
-        self.runs.add(first, last + 1);
         let Some(gains) = self.gains.get_mut(first as usize..) else {
             return;
         };
@@ -63,17 +62,23 @@ impl<const W: usize> Cover<W> {
             } else if let [here] = gains {
                 *here += gain - beyond;
             }
-            return;
+        } else {
+            Self::across(gains, [x, y], (right - left, last - first), gain);
         }
+    }
+
+    /// Adds a side that leads through several pixels: from a place in the first to one in the last, and how far these are apart.
+    fn across(gains: &mut [f32], [x, y]: [f32; 2], (run, pixels): (f32, u32), gain: f32) {
         // The share that is covered grows along the side as its square in the first and the last pixel, evenly between.
-        let slope = gain / (right - left);
+        let slope = gain / run;
         let mut covered = 0.5 * slope * (1.0 - x) * (1.0 - x);
-        let mut pixels = gains.iter_mut().take((last - first) as usize + 2);
+        let more = pixels as usize;
+        let mut pixels = gains.iter_mut().take(more + 2);
         if let Some(pixel) = pixels.next() {
             *pixel += covered;
         }
         let mut next = slope * (1.5 - x);
-        for pixel in pixels.by_ref().take((last - first) as usize - 1) {
+        for pixel in pixels.by_ref().take(more - 1) {
             *pixel += next - covered;
             covered = next;
             next += slope;
@@ -88,40 +93,73 @@ impl<const W: usize> Cover<W> {
         }
     }
 
-    /// Tells what share of which pixels is covered, from left to right, and forgets it.
+    /// Notes that something was added between two abscissas.
     #[inline]
-    pub(super) fn settle(&mut self, rule: Rule, mut tell: impl FnMut(Range<usize>, u32)) {
+    pub(super) fn touch(&mut self, from: f32, to: f32) {
+        #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
+        let width = W as f32;
+        let (left, right) = if from <= to { (from, to) } else { (to, from) };
+        if left < width {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "what is beyond the left margin is on it"
+            )]
+            self.runs.add(left as u32, right.min(width) as u32 + 1);
+        }
+    }
+
+    /// Gives the pixels of the row another colour, each as far as it is covered, and forgets what covers them.
+    #[inline]
+    pub(super) fn settle(&mut self, rule: Rule, pixels: &mut [[u8; 4]; W], paint: [u8; 4]) {
         let mut sum = 0.0;
         let mut end = 0;
         for (first, last) in self.runs.take() {
-            let share = share(rule, sum);
-            if share > 0 && end < first {
-                tell(end..first, share);
+            if end < first {
+                mix(
+                    pixels.get_mut(end..first).unwrap_or_default(),
+                    share(rule, sum),
+                    paint,
+                );
             }
             end = (last + 1).min(W);
             let gains = self.gains.get_mut(first..end).unwrap_or_default();
-            for (column, gain) in (first..).zip(gains) {
+            let pixels = pixels.get_mut(first..end).unwrap_or_default();
+            for (pixel, gain) in pixels.iter_mut().zip(gains) {
                 sum += core::mem::take(gain);
-                let share = self::share(rule, sum);
-                if share > 0 {
-                    tell(column..column + 1, share);
+                match share(rule, sum) {
+                    0 => {}
+                    255 => *pixel = paint,
+                    share => *pixel = mixed(*pixel, paint, share),
                 }
             }
         }
-        let share = share(rule, sum);
-        if share > 0 && end < W {
-            tell(end..W, share);
-        }
+        mix(
+            pixels.get_mut(end..).unwrap_or_default(),
+            share(rule, sum),
+            paint,
+        );
     }
 }
 
 /// The share of a pixel that is covered, in 255ths, if this is how often it is surrounded.
 #[inline]
 fn share(rule: Rule, winding: f32) -> u32 {
+    // A number so large that it has no room for anything behind the point.
+    const WHOLE: f32 = 8_388_608.0;
     let winding = winding.abs();
-    let part = match rule {
-        Rule::NonZero => winding.min(1.0),
-        Rule::EvenOdd if winding <= 1.0 => winding,
+    let part = if winding <= 1.0 {
+        winding
+    } else {
+        more_than_once(rule, winding)
+    };
+    (part * 255.0 + WHOLE).to_bits() & 0xFF
+}
+
+#[cold]
+fn more_than_once(rule: Rule, winding: f32) -> f32 {
+    match rule {
+        Rule::NonZero => 1.0,
         Rule::EvenOdd => {
             #[expect(
                 clippy::cast_possible_truncation,
@@ -132,31 +170,33 @@ fn share(rule: Rule, winding: f32) -> u32 {
             let rest = winding - 2.0 * pairs as f32;
             rest.min(2.0 - rest)
         }
-    };
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "lies in 0..=255"
-    )]
-    let share = (part * 255.0 + 0.5) as u32;
-    share
+    }
 }
 
 /// Gives a share of some pixels, in 255ths, another colour.
 #[inline]
-pub(super) fn mix(pixels: &mut [[u8; 4]], share: u32, paint: [u8; 4]) {
-    if share >= 255 {
-        pixels.fill(paint);
-        return;
-    }
-    for pixel in pixels {
-        for (channel, paint) in pixel.iter_mut().zip(paint) {
-            let sum = u32::from(*channel) * (255 - share) + u32::from(paint) * share;
-            // A division by 255, rounded.
-            let sum = sum + 128;
-            #[expect(clippy::cast_possible_truncation, reason = "a mean of two bytes")]
-            let mean = ((sum + (sum >> 8)) >> 8) as u8;
-            *channel = mean;
+fn mix(pixels: &mut [[u8; 4]], share: u32, paint: [u8; 4]) {
+    match share {
+        0 => {}
+        255 => pixels.fill(paint),
+        _ => {
+            for pixel in pixels {
+                *pixel = mixed(*pixel, paint, share);
+            }
         }
     }
+}
+
+/// A pixel of which a share, in 255ths, has another colour.
+#[inline]
+fn mixed(pixel: [u8; 4], paint: [u8; 4], share: u32) -> [u8; 4] {
+    // Two channels at a time, each with a byte of room above it.
+    const EVEN: u32 = 0x00FF_00FF;
+    let [pixel, paint] = [pixel, paint].map(u32::from_le_bytes);
+    let mean = |pixel: u32, paint: u32| {
+        let sum = (pixel & EVEN) * (255 - share) + (paint & EVEN) * share + 0x0080_0080;
+        // Divisions by 255, rounded.
+        ((sum + (sum >> 8 & EVEN)) >> 8) & EVEN
+    };
+    (mean(pixel, paint) | mean(pixel >> 8, paint >> 8) << 8).to_le_bytes()
 }

@@ -149,11 +149,7 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
     fn paint(&mut self, row: usize, place: usize, rule: Rule, paint: [u8; 4]) {
         if let (Some(pixels), Some(cover)) = (self.pixels.get_mut(row), self.covers.get_mut(place))
         {
-            cover.settle(rule, |columns, share| {
-                if let Some(pixels) = pixels.get_mut(columns) {
-                    cover::mix(pixels, share, paint);
-                }
-            });
+            cover.settle(rule, pixels, paint);
         }
     }
 

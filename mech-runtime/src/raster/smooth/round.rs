@@ -77,6 +77,8 @@ impl<T: Scalar> Round<T> {
     /// Adds what it covers in a row, with a sign. Rows are asked for from the top.
     pub(super) fn cover<const W: usize>(&mut self, row: usize, sign: f32, cover: &mut Cover<W>) {
         let bottom = fixed::border::<T>(row + 1);
+        let center = self.center[0];
+        let (mut least, mut most) = (self.from[0], self.from[0]);
         loop {
             let ([x, y], [end, end_y]) = (self.from, self.to);
             let is_whole = end_y <= bottom;
@@ -85,19 +87,18 @@ impl<T: Scalar> Round<T> {
             } else {
                 [x + (end - x) * ((bottom - y) / (end_y - y)), bottom]
             };
+            (least, most) = (least.min(next[0]), Real::max(most, next[0]));
             let gain = sign * (next[1] - y).to_f32();
-            let center = self.center[0];
             cover.add((center - x).to_f32(), (center - next[0]).to_f32(), gain);
             cover.add((center + x).to_f32(), (center + next[0]).to_f32(), -gain);
-            if !is_whole {
-                self.from = next;
-                return;
+            if is_whole && self.direction[0] > T::ZERO {
+                self.go_on();
+                continue;
             }
-            if self.direction[0] <= T::ZERO {
-                self.from = self.to;
-                return;
-            }
-            self.go_on();
+            self.from = next;
+            break;
         }
+        cover.touch((center - most).to_f32(), (center - least).to_f32());
+        cover.touch((center + least).to_f32(), (center + most).to_f32());
     }
 }
