@@ -32,8 +32,8 @@ pub trait Playable {
 
     /// Where a place on a link is in the scene; `None` of a link that does not exist.
     fn place(&self, spot: Spot) -> Option<[f64; 2]>;
-    /// Where it would be with these values of the motors; `None` if it does not get there.
-    fn place_with(&self, spot: Spot, motors: &[f64]) -> Option<[f64; 2]>;
+    /// Where it would be after a move towards these values of the motors, as far as it can.
+    fn place_toward(&self, spot: Spot, motors: &[f64]) -> Option<[f64; 2]>;
     /// The place on the moving link that is seen here, or else on the one that comes nearest, unless it is farther away than `reach`.
     fn spot_at(&self, place: [f64; 2], reach: f64) -> Option<Spot>;
     /// Where a joint is in the scene, if it is one that turns, slides or welds.

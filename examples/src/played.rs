@@ -107,9 +107,10 @@ impl<M: Mechanism<Scalar = f64>> Playable for Played<M> {
         Some(self.pose(spot.link)?.apply(spot.at))
     }
 
-    fn place_with(&self, spot: Spot, motors: &[f64]) -> Option<[f64; 2]> {
+    fn place_toward(&self, spot: Spot, motors: &[f64]) -> Option<[f64; 2]> {
         let mut trial = self.mechanism.clone();
-        trial.move_to(self.motors_with(motors)).ok()?;
+        // Wherever it comes to, it is somewhere.
+        let _ = trial.move_toward(self.motors_with(motors)).ok()?;
         Some(pose(&trial, spot.link)?.apply(spot.at))
     }
 
