@@ -13,21 +13,20 @@ pub struct Limit {
 }
 
 impl Limit {
-    /// The joints that stand in the way, or whose motor does not go on: where each is in the scene.
+    /// The joints that stand in the way and those whose motor does not go on: where each is in the scene, and whether it has such a
+    /// motor.
     #[must_use]
-    pub fn joints(&self, mechanism: &dyn Playable) -> Vec<[f64; 2]> {
-        let motors = self
-            .motors
-            .iter()
-            .filter_map(|&motor| mechanism.motor_names().get(motor).copied());
-        let names = self.names().into_iter().chain(motors);
-        let mut places: Vec<[f64; 2]> = Vec::new();
-        for place in names.filter_map(|name| mechanism.joint(name)) {
-            if !places.contains(&place) {
-                places.push(place);
-            }
-        }
-        places
+    pub fn places(&self, mechanism: &dyn Playable) -> Vec<([f64; 2], bool)> {
+        let names = mechanism.motor_names();
+        let motors = self.motors.iter();
+        let motors = motors.filter_map(|&motor| names.get(motor).copied());
+        let motors: Vec<&str> = motors.collect();
+        let others = self.names().into_iter();
+        let others = others.filter(|name| !motors.contains(name));
+        let others = others.map(|name| (name, false));
+        let all = motors.iter().map(|&name| (name, true)).chain(others);
+        all.filter_map(|(name, is_motor)| Some((mechanism.joint(name)?, is_motor)))
+            .collect()
     }
 
     /// Where it is and why, for people.

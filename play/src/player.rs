@@ -149,8 +149,11 @@ impl Player {
         };
         self.mechanism.draw(&mut scene, &look);
         if let Some(limit) = &self.limit {
-            for place in limit.joints(self.mechanism.as_ref()) {
+            for (place, is_motor) in limit.places(self.mechanism.as_ref()) {
                 marks::ring(&mut scene, place, size);
+                if is_motor {
+                    marks::ring(&mut scene, place, 1.6 * size);
+                }
             }
         }
         if let Some(Held::Link { grip, aim }) = self.held

@@ -41,7 +41,12 @@ pub enum Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoDisplay(error) => write!(f, "the display cannot be reached: {error}"),
+            Self::NoDisplay(_) => match display() {
+                Some(display) => write!(f, "the display `{display}` cannot be reached"),
+                None => {
+                    f.write_str("there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set")
+                }
+            },
             Self::EventLoop(error) => write!(f, "the window failed: {error}"),
             Self::Window(error) => write!(f, "cannot open a window: {error}"),
             Self::Surface(error) => write!(f, "cannot paint into the window: {error}"),
@@ -57,6 +62,14 @@ impl std::error::Error for Error {
             Self::Surface(error) => Some(error),
         }
     }
+}
+
+/// The display that the environment names.
+fn display() -> Option<String> {
+    let named = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
+    ["WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DISPLAY"]
+        .into_iter()
+        .find_map(named)
 }
 
 /// A display that can be reached.
