@@ -36,6 +36,23 @@ impl Camera {
         *self = Self::new(self.bounds, self.size);
     }
 
+    /// Sees this too, if it sees the whole motion: what would not be in the picture belongs to it from now on.
+    pub fn include(&mut self, [low, high]: [[f64; 2]; 2]) {
+        let [left, top] = self.pixel([low[0], high[1]]);
+        let [right, bottom] = self.pixel([high[0], low[1]]);
+        let [width, height] = self.extent();
+        let is_seen = left >= 0.0 && top >= 0.0 && right <= width && bottom <= height;
+        let is_box = [low, high].as_flattened().iter().all(|c| c.is_finite());
+        if self.fits && is_box && !is_seen {
+            let [lowest, highest] = self.bounds;
+            self.bounds = [
+                [lowest[0].min(low[0]), lowest[1].min(low[1])],
+                [highest[0].max(high[0]), highest[1].max(high[1])],
+            ];
+            self.fit();
+        }
+    }
+
     /// Makes a picture of another size, of the same middle if it was chosen.
     pub fn resize(&mut self, size: [usize; 2]) {
         self.size = size;

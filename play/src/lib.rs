@@ -5,6 +5,7 @@
 //! [`Stage`] adds the [`Painter`]. The [`window`] and the [`terminal`] are two thin front ends to it.
 
 mod camera;
+mod caption;
 mod command;
 mod drive;
 mod grip;

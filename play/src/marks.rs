@@ -1,26 +1,24 @@
 //! What a player draws into the scene.
 
 use mech_examples::Scene;
-use mech_runtime::{Canvas, Palette, raster};
-use std::f64::consts::TAU;
+use mech_runtime::{Canvas, Outline, Palette, Pose, raster};
 
 /// The radius of a ring and its width, in pixels.
 const RING: [f64; 2] = [13.0, 3.5];
-/// Of how many straight lines it consists.
-const SIDES: u32 = 28;
+/// The least of both: where pixels are large.
+const LEAST: [f64; 2] = [2.2, 0.9];
 
-/// A red ring about a place where something is in the way.
-pub(crate) fn ring(scene: &mut Scene, [x, y]: [f64; 2], size: f32) {
-    let [radius, width] = RING.map(|pixels| pixels * f64::from(size).max(0.35));
-    let radius = radius / Canvas::<f64>::scale(scene);
-    let corner = |side: u32| {
-        let (sin, cos) = (f64::from(side) / f64::from(SIDES) * TAU).sin_cos();
-        [x + radius * cos, y + radius * sin]
+/// A red ring about a place where something is in the way, so many times as large as usual.
+pub(crate) fn ring(scene: &mut Scene, center: [f64; 2], size: f32) {
+    let scale = Canvas::<f64>::scale(scene);
+    let length = |usual: f64, least: f64| (usual * f64::from(size)).max(least) / scale;
+    let [middle, width] = [length(RING[0], LEAST[0]), length(RING[1], LEAST[1])];
+    let ring = Outline::Ring {
+        center,
+        radius: middle + width / 2.0,
+        hole: middle - width / 2.0,
     };
-    for side in 0..SIDES {
-        let ends = [corner(side), corner(side + 1)];
-        raster::line(scene, ends, width, Palette::RED);
-    }
+    scene.fill(ring, Pose::identity(), Palette::RED);
 }
 
 /// A line from what is held to the pointer, where that is elsewhere.

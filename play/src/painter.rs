@@ -2,11 +2,14 @@
 
 use crate::Player;
 use mech_examples::{Picture, Scene};
-use mech_runtime::{Frame, Palette, View};
+use mech_runtime::{Canvas, Frame, Palette, View};
 
 /// Samples that a strip is wide, and high.
 const WIDE: usize = 4096;
 const STRIP: usize = 64;
+/// From one letter to the next, and how high one is with what hangs below, in dots.
+pub(crate) const ADVANCE: usize = 6;
+const LETTER: usize = 8;
 /// How many samples a pixel may have in each direction: as many as fit, first the most.
 const FINEST: [usize; 2] = [4, 2];
 /// The most samples of a picture that is painted finer than its pixels, so that it keeps its pace.
@@ -46,6 +49,47 @@ impl Painter {
             width,
             height,
             pixels,
+        }
+    }
+
+    /// Writes a line of text into a picture, with its upper left corner at a pixel, each dot of a letter a square of `size` pixels; a
+    /// seam of paper parts it from what is behind it.
+    pub fn write(
+        &mut self,
+        picture: &mut Picture,
+        corner: [usize; 2],
+        text: &str,
+        size: usize,
+        color: u8,
+    ) {
+        self.strip.look_at(View::default());
+        self.strip.clear();
+        #[expect(clippy::cast_precision_loss, reason = "a few thousand")]
+        let place = [WIDE as f64 / -2.0, STRIP as f64 / 2.0 - LETTER as f64];
+        self.strip.text(place, text, color);
+        let rows = self.strip.pixels().iter().take(LETTER).enumerate();
+        let dots = rows.flat_map(|(row, entries)| {
+            let entries = entries.iter().enumerate();
+            let dots = entries.filter(|&(_, &entry)| entry != Palette::PAPER);
+            dots.map(move |(column, _)| [corner[0] + column * size, corner[1] + row * size])
+        });
+        let palette = self.strip.palette();
+        let [ink, paper] = [color, Palette::PAPER].map(|entry| palette.rgb(entry));
+        let mut square = |[left, top]: [usize; 2], side: usize, rgb: [u8; 3]| {
+            let width = usize::from(picture.width);
+            let rows = picture.pixels.chunks_mut(width.max(1)).skip(top).take(side);
+            for row in rows {
+                row.iter_mut()
+                    .skip(left)
+                    .take(side)
+                    .for_each(|pixel| *pixel = rgb);
+            }
+        };
+        for dot in dots.clone() {
+            square(dot.map(|c| c.saturating_sub(size)), 3 * size, paper);
+        }
+        for dot in dots {
+            square(dot, size, ink);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::limit::coordinate;
 use crate::{Camera, Command, Drive, Free, Grip, Limit, Pace, marks};
-use mech_examples::{Error, Exhibit, Layers, Look, Playable, Rates, Scene, Spot};
+use mech_examples::{Error, Exhibit, Film, Layers, Look, Playable, Rates, Scene, Spot};
 use mech_runtime::{Blocked, Reached};
 use std::f64::consts::TAU;
 
@@ -116,6 +116,7 @@ impl Player {
             Command::Resize(size) => self.camera.resize(size),
             Command::Help | Command::Save | Command::Quit => {}
         }
+        self.keep_in_view();
     }
 
     /// Lets so many seconds pass.
@@ -132,6 +133,7 @@ impl Player {
             self.go(share / pieces);
             left -= 1.0;
         }
+        self.keep_in_view();
     }
 
     /// What is seen.
@@ -139,15 +141,7 @@ impl Player {
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::new(self.camera.view().scale());
         let size = self.symbol_size();
-        // A motion a second is a rate of a turn a second, and so are its squares.
-        let rate = TAU / self.seconds;
-        let look = Look {
-            layers: self.layers,
-            size,
-            velocity: ARROW / rate,
-            acceleration: ARROW / (rate * rate),
-        };
-        self.mechanism.draw(&mut scene, &look);
+        self.mechanism.draw(&mut scene, &self.look());
         if let Some(limit) = &self.limit {
             for (place, is_motor) in limit.places(self.mechanism.as_ref()) {
                 marks::ring(&mut scene, place, size);
@@ -453,6 +447,31 @@ impl Player {
             limit
                 .motors
                 .retain(|motor| free.iter().any(|free| free.motor == *motor));
+        }
+    }
+
+    /// Looks from farther away where the motion leads out of the picture; not while a link is held, which must stay at the pointer.
+    fn keep_in_view(&mut self) {
+        if self.held.is_some() {
+            return;
+        }
+        // Of a scene that is infinitely large, what has its size in pixels takes no room.
+        let mut film = Film::new(f64::INFINITY);
+        film.add(|scene| self.mechanism.draw(scene, &self.look()));
+        if let Some(bounds) = film.bounds() {
+            self.camera.include(bounds);
+        }
+    }
+
+    /// How the mechanism is seen.
+    fn look(&self) -> Look {
+        // A motion a second is a rate of a turn a second, and so are its squares.
+        let rate = TAU / self.seconds;
+        Look {
+            layers: self.layers,
+            size: self.symbol_size(),
+            velocity: ARROW / rate,
+            acceleration: ARROW / (rate * rate),
         }
     }
 

@@ -1,10 +1,18 @@
 //! A player and its painter: what both front ends stand before.
 
+use crate::caption::{plain, wrapped};
+use crate::painter::ADVANCE;
 use crate::{Command, Painter, Player, keys};
 use mech_examples::{Error, Picture};
+use mech_runtime::Palette;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+
+/// The shorter side of a picture that has words in it, in pixels; twice as much, and they are twice as large.
+const LEAST: usize = 240;
+/// From one line to the next, in dots of letters.
+const LINE: usize = 11;
 
 /// A player and its painter, with help for whoever looks on.
 pub struct Stage {
@@ -53,6 +61,41 @@ impl Stage {
     #[must_use]
     pub fn picture(&mut self) -> Picture {
         self.painter.paint(&self.player)
+    }
+
+    /// The same with words in it: the title, the status, and if it is wanted what the keys do. Where that would be too small to be
+    /// read it is left out.
+    #[must_use]
+    pub fn captioned(&mut self) -> Picture {
+        let mut picture = self.picture();
+        let size = usize::from(picture.width.min(picture.height)) / LEAST;
+        let size = size.min(2);
+        if size == 0 {
+            return picture;
+        }
+        let columns = usize::from(picture.width) / (ADVANCE * size) - 2;
+        let ink = Palette::INK;
+        let status = match self.player.limit() {
+            Some(_) => Palette::RED,
+            None => ink,
+        };
+        let help = self.help().unwrap_or_else(|| vec!["h help".to_owned()]);
+        let paragraphs = [
+            (vec![self.player.title().to_owned()], ink),
+            (vec![self.player.status()], status),
+            (help, ink),
+        ];
+        let margin = ADVANCE * size;
+        let mut top = margin;
+        for (phrases, color) in paragraphs {
+            let phrases: Vec<String> = phrases.iter().map(|phrase| plain(phrase)).collect();
+            for line in wrapped(&phrases, columns) {
+                self.painter
+                    .write(&mut picture, [margin, top], &line, size, color);
+                top += LINE * size;
+            }
+        }
+        picture
     }
 
     /// What the keys do, if that was asked for.

@@ -1,6 +1,7 @@
 //! The terminal view: half-block characters in colour, the same keys and the mouse; it works wherever there is a terminal, over ssh
 //! too.
 
+use crate::caption::wrapped;
 use crate::half_blocks::{self, Depth};
 use crate::{Command, Key, Stage};
 use crossterm::event::{
@@ -124,22 +125,6 @@ fn paint(stage: &mut Stage, depth: Depth) -> io::Result<()> {
     }
     queue!(out, terminal::EndSynchronizedUpdate)?;
     out.flush()
-}
-
-/// Phrases side by side with a dot between them, in lines that are not longer than so many characters.
-fn wrapped(phrases: &[String], columns: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for phrase in phrases {
-        let length = |text: &str| text.chars().count();
-        match lines.last_mut() {
-            Some(line) if length(line) + 3 + length(phrase) <= columns => {
-                line.push_str(" · ");
-                line.push_str(phrase);
-            }
-            _ => lines.push(phrase.chars().take(columns).collect()),
-        }
-    }
-    lines
 }
 
 /// What an event tells the player.

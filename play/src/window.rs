@@ -145,7 +145,7 @@ impl Window {
             stage.player.obey(Command::Resize(size));
         }
         self.surface.resize(width, height).map_err(Error::Surface)?;
-        let picture = stage.picture();
+        let picture = stage.captioned();
         let mut buffer = self.surface.buffer_mut().map_err(Error::Surface)?;
         for (pixel, &[red, green, blue]) in buffer.iter_mut().zip(&picture.pixels) {
             *pixel = u32::from_be_bytes([0, red, green, blue]);
@@ -182,10 +182,7 @@ impl Application {
             return;
         };
         let player = &self.stage.player;
-        let title = match self.stage.help() {
-            Some(help) => help.join(" · "),
-            None => format!("{} — {} — h: help", player.title(), player.status()),
-        };
+        let title = format!("{} — {}", player.title(), player.status());
         if title != self.title {
             window.native.set_title(&title);
             self.title = title;

@@ -106,15 +106,19 @@ struct Session {
 }
 
 impl Session {
-    fn start(name: &str) -> Self {
+    fn start(arguments: &str) -> Self {
         let play = env!("CARGO_BIN_EXE_play");
-        let line = format!("stty rows {ROWS} cols {COLUMNS}; exec {play} --terminal {name}");
+        let line = format!("stty rows {ROWS} cols {COLUMNS}; exec {play} {arguments}");
         let mut script = Command::new("script")
             .args(["-qfec", &line, "/dev/null"])
             .env("COLORTERM", "truecolor")
             .env("TERM", "xterm-256color")
+            .env_remove("DISPLAY")
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
+            .stderr(Stdio::null())
             .spawn()
             .expect("`script` of util-linux makes a pseudo-terminal");
         let keys = script.stdin.take().expect("piped");
@@ -186,6 +190,14 @@ impl Session {
     }
 }
 
+impl Drop for Session {
+    /// Whatever failed, nothing goes on playing.
+    fn drop(&mut self) {
+        let _ = self.script.kill();
+        let _ = self.script.wait();
+    }
+}
+
 /// Whether the terminal is left as it was found.
 fn is_restored(written: &str) -> bool {
     let (_, after) = written.rsplit_once("\x1b[?1049h").expect("another screen");
@@ -196,7 +208,7 @@ fn is_restored(written: &str) -> bool {
 
 #[test]
 fn plays_in_a_terminal() {
-    let mut session = Session::start("four-bar");
+    let mut session = Session::start("--terminal four-bar");
     let status = |screen: &Screen| screen.line(ROWS - 2);
     let first = session.until("playing", |screen| {
         status(screen).contains("playing own motion")
@@ -268,16 +280,49 @@ fn plays_in_a_terminal() {
 
 #[test]
 fn stops_at_a_limit_in_a_terminal_and_by_ctrl_c() {
-    let mut session = Session::start("luffing-crane");
+    let mut session = Session::start("--terminal luffing-crane");
     session.press("\t++");
     session.until("stopped", |screen| {
+        // The sentence takes two lines.
         screen
-            .line(ROWS - 2)
+            .line(ROWS - 3)
             .contains("motor `luff` stopped at 82.")
+            && screen.line(ROWS - 2).ends_with("does not close beyond")
     });
     session.press("\x03");
     let (is_well, written) = session.end();
     assert!(is_well && is_restored(&written));
+}
+
+#[test]
+fn without_a_display_the_terminal_is_offered() {
+    let mut session = Session::start("watt-six-bar");
+    let begin = Instant::now();
+    while !session.written().contains("play in this terminal instead") {
+        assert!(
+            begin.elapsed() < Duration::from_secs(20),
+            "{}",
+            session.written()
+        );
+        thread::sleep(Duration::from_millis(20));
+    }
+    assert!(
+        session.written().starts_with("there is no display: "),
+        "{}",
+        session.written()
+    );
+    session.press("\r");
+    session.until("playing", |screen| {
+        screen.line(ROWS - 2).contains("playing own motion")
+    });
+    session.press("q");
+    let (is_well, written) = session.end();
+    assert!(is_well && is_restored(&written));
+
+    let mut session = Session::start("watt-six-bar");
+    session.press("n\r");
+    let (is_well, written) = session.end();
+    assert!(is_well && !written.contains("\x1b["), "{written}");
 }
 
 #[test]
