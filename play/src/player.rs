@@ -1,8 +1,8 @@
 //! The state of a player: no window, no terminal, no clock.
 
 use crate::limit::coordinate;
-use crate::{Camera, Command, Drive, Free, Grip, Limit, Pace, marks};
-use mech_examples::{Error, Exhibit, Film, Layers, Look, Playable, Rates, Scene, Spot};
+use crate::{Camera, Command, Drive, Driver, Grip, Limit, Pace, marks};
+use mech_examples::{Error, Exhibit, Film, Layers, Look, Playable, Scene, Spot};
 use mech_runtime::{Blocked, Reached};
 use std::f64::consts::TAU;
 
@@ -22,13 +22,7 @@ pub struct Player {
     exhibits: Vec<Box<dyn Exhibit>>,
     index: usize,
     mechanism: Box<dyn Playable>,
-    /// How far each motor goes in a whole motion.
-    reaches: Vec<f64>,
-    /// How long a whole motion takes, in seconds.
-    seconds: f64,
-    /// Where in the exhibit's own motion it is, from 0 to 1.
-    phase: f64,
-    drive: Drive,
+    driver: Driver,
     pace: Pace,
     plays: bool,
     limit: Option<Limit>,
@@ -63,15 +57,12 @@ impl Player {
         let mechanism = exhibit.playable();
         let bounds = exhibit.film()?.bounds().ok_or(Error::Invisible)?;
         Ok(Self {
-            reaches: reaches(mechanism.as_ref()),
-            seconds: exhibit.seconds(),
+            driver: Driver::new(mechanism.as_ref(), exhibit.seconds()),
             layers: exhibit.layers(),
             camera: Camera::new(bounds, size),
             mechanism,
             exhibits,
             index,
-            phase: 0.0,
-            drive: Drive::Motion,
             pace: Pace::default(),
             plays: true,
             limit: None,
@@ -86,7 +77,6 @@ impl Player {
         if !matches!(command, Command::Point(_) | Command::Resize(_)) {
             self.notice = None;
         }
-        let motors = self.mechanism.motor_names().len();
         match command {
             Command::PlayOrPause => self.plays = !self.plays,
             Command::Step(steps) => {
@@ -98,8 +88,8 @@ impl Player {
             Command::Reverse => self.pace.reverse(),
             Command::Faster => self.pace.faster(),
             Command::Slower => self.pace.slower(),
-            Command::NextMotor => self.drive = self.drive.next(motors),
-            Command::PreviousMotor => self.drive = self.drive.previous(motors),
+            Command::NextMotor => self.driver.next(),
+            Command::PreviousMotor => self.driver.previous(),
             Command::Toggle(layer) if self.mechanism.offers(layer) => self.layers.toggle(layer),
             Command::Toggle(layer) => {
                 self.notice = Some(format!("{} has no {}", self.title(), layer.name()));
@@ -126,7 +116,7 @@ impl Player {
             return;
         }
         let seconds = seconds.clamp(0.0, LONGEST);
-        let share = self.pace.direction() * self.pace.speed() * seconds / self.seconds;
+        let share = self.pace.direction() * self.pace.speed() * seconds / self.driver.seconds();
         let pieces = (share.abs() * STEPS).ceil().max(1.0);
         let mut left = pieces;
         while left > 0.0 && self.plays {
@@ -191,7 +181,7 @@ impl Player {
             format!("{name} {value}")
         });
         let values: Vec<_> = values.collect();
-        let drive = match self.drive {
+        let drive = match self.driver.drive() {
             Drive::Motion => "own motion",
             Drive::Motor(motor) => mechanism.motor_names().get(motor).copied().unwrap_or(""),
         };
@@ -245,7 +235,7 @@ impl Player {
     /// What is driven.
     #[must_use]
     pub const fn drive(&self) -> Drive {
-        self.drive
+        self.driver.drive()
     }
 
     /// The layers that are switched on.
@@ -282,13 +272,11 @@ impl Player {
         self.exhibits = exhibits;
         match other {
             Some(Ok((mechanism, seconds, layers, bounds))) => {
-                self.reaches = reaches(mechanism.as_ref());
+                self.driver = Driver::new(mechanism.as_ref(), seconds);
                 self.mechanism = mechanism;
-                self.seconds = seconds;
                 self.layers = layers;
                 self.camera = Camera::new(bounds, self.camera.size());
                 self.index = index;
-                self.drive = Drive::Motion;
                 self.plays = true;
                 self.reset();
             }
@@ -300,7 +288,7 @@ impl Player {
     /// Everything as at the start.
     fn reset(&mut self) {
         self.mechanism.reset();
-        self.phase = 0.0;
+        self.driver.reset();
         self.pace = Pace::default();
         self.limit = None;
         self.held = None;
@@ -309,65 +297,14 @@ impl Player {
     /// Goes on by a share of a whole motion.
     fn go(&mut self, share: f64) {
         let motors = self.mechanism.motors();
-        let way: Vec<f64> = match self.drive {
-            Drive::Motion => {
-                let ahead = self.mechanism.motion(self.phase + share);
-                let here = self.mechanism.motion(self.phase);
-                ahead
-                    .iter()
-                    .zip(here)
-                    .map(|(ahead, here)| ahead - here)
-                    .collect()
-            }
-            Drive::Motor(driven) => {
-                let reaches = self.reaches.iter().enumerate();
-                let way = |(motor, reach)| if motor == driven { share * reach } else { 0.0 };
-                reaches.map(way).collect()
-            }
-        };
-        let target: Vec<f64> = motors
-            .iter()
-            .zip(way)
-            .map(|(motor, way)| motor + way)
-            .collect();
-        let rates = self.rates(share.signum());
+        let target = self.driver.target(self.mechanism.as_ref(), share);
+        let rates = self.driver.rates(self.mechanism.as_ref(), share.signum());
         let result = self.mechanism.move_toward(&target, &rates);
-        if matches!((&result, self.drive), (Ok(Reached::Target), Drive::Motion)) {
-            self.phase = (self.phase + share).rem_euclid(1.0);
+        if matches!(result, Ok(Reached::Target)) {
+            self.driver.went(share);
         }
         if self.settle(result, &motors, &target) {
             self.plays = false;
-        }
-    }
-
-    /// How fast the motors move at the usual speed, in this direction.
-    fn rates(&self, direction: f64) -> Rates {
-        const APART: f64 = 1e-4;
-        match self.drive {
-            Drive::Motion => {
-                let at = |share: f64| self.mechanism.motion(self.phase + share);
-                let (before, here, after) = (at(-APART), at(0.0), at(APART));
-                let all = before.iter().zip(here).zip(after);
-                let all = all.map(|((before, here), after)| {
-                    let pace = self.seconds * APART;
-                    let first = (after - before) / (2.0 * pace);
-                    let second = (after - 2.0 * here + before) / (pace * pace);
-                    (direction * first, second)
-                });
-                let (first, second) = all.unzip();
-                Rates { first, second }
-            }
-            Drive::Motor(driven) => {
-                let reaches = self.reaches.iter().enumerate();
-                let rate = |(motor, reach)| {
-                    let turns = if motor == driven { direction } else { 0.0 };
-                    turns * reach / self.seconds
-                };
-                Rates {
-                    first: reaches.map(rate).collect(),
-                    second: Vec::new(),
-                }
-            }
         }
     }
 
@@ -432,12 +369,7 @@ impl Player {
 
     /// Lets a link follow the pointer.
     fn drag(&mut self, grip: Grip, aim: [f64; 2]) {
-        let reaches = self.reaches.iter().enumerate();
-        let free = reaches.map(|(motor, &reach)| Free { motor, reach });
-        let free: Vec<Free> = match self.drive {
-            Drive::Motion => free.collect(),
-            Drive::Motor(driven) => free.filter(|free| free.motor == driven).collect(),
-        };
+        let free = self.driver.free();
         let from = self.mechanism.motors();
         let result = grip.follow(self.mechanism.as_mut(), &free, aim);
         // Who is told of a limit is told of all motors that could move.
@@ -466,7 +398,7 @@ impl Player {
     /// How the mechanism is seen.
     fn look(&self) -> Look {
         // A motion a second is a rate of a turn a second, and so are its squares.
-        let rate = TAU / self.seconds;
+        let rate = TAU / self.driver.seconds();
         Look {
             layers: self.layers,
             size: self.symbol_size(),
@@ -482,24 +414,4 @@ impl Player {
         let size = (1.3 * width.min(height) / USUAL).clamp(0.2, 2.0) as f32;
         size
     }
-}
-
-/// How far each motor goes in a whole motion; a turn, or one scene unit, if it stands still.
-fn reaches(mechanism: &dyn Playable) -> Vec<f64> {
-    const LOOKS: u32 = 96;
-    let phases = (0..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS));
-    let seen: Vec<Vec<f64>> = phases.map(|phase| mechanism.motion(phase)).collect();
-    let names = mechanism.motor_names().iter().enumerate();
-    let reach = |(motor, name): (usize, &&str)| {
-        let values = seen.iter().filter_map(|values| values.get(motor).copied());
-        let most = values.clone().fold(f64::NEG_INFINITY, f64::max);
-        let least = values.fold(f64::INFINITY, f64::min);
-        let reach = most - least;
-        match reach.is_finite() && reach > 0.0 {
-            true => reach,
-            false if mechanism.slides(name) => 1.0,
-            false => TAU,
-        }
-    };
-    names.map(reach).collect()
 }
