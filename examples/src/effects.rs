@@ -6,6 +6,7 @@ use mech_runtime::{Blocked, Mechanism, Overlay};
 
 /// The methods of a mechanism with `effects { acceleration; overlay; }`, which no trait knows of. Made by
 /// [`all_effects!`](crate::all_effects).
+#[derive(Clone)]
 pub struct Effects<M: Mechanism<Scalar = f64>> {
     /// Moves it to these values of its motors, with these rates and second rates of theirs.
     pub move_with: MoveWith<M>,
@@ -27,14 +28,6 @@ pub type MoveWith<M> = fn(
 
 /// How arrows are drawn.
 type Draw<M> = fn(&M, &mut Scene, &Arrows<f64>);
-
-impl<M: Mechanism<Scalar = f64>> Clone for Effects<M> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<M: Mechanism<Scalar = f64>> Copy for Effects<M> {}
 
 /// The [`Effects`] of a mechanism that is declared with `effects { acceleration; overlay; }`.
 #[macro_export]

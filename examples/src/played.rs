@@ -18,7 +18,7 @@ impl<M: Mechanism<Scalar = f64>> Played<M> {
         Self {
             mechanism: M::new(),
             motion: showcase.motion,
-            effects: showcase.effects,
+            effects: showcase.effects.clone(),
             landmarks: Landmarks::find(showcase.source, M::NAME, M::LINKS),
         }
     }
@@ -86,7 +86,7 @@ impl<M: Mechanism<Scalar = f64>> Playable for Played<M> {
         rates: &Rates,
     ) -> Result<Reached<Vec<f64>>, Blocked<Vec<f64>>> {
         let target = self.motors_with(motors);
-        if let Some(effects) = self.effects {
+        if let Some(effects) = &self.effects {
             let rest = replaced::<M>(target, &vec![0.0; M::MOTORS.len()]);
             let first = replaced::<M>(rest, &rates.first);
             let second = replaced::<M>(rest, &rates.second);
@@ -150,7 +150,7 @@ impl<M: Mechanism<Scalar = f64>> Playable for Played<M> {
         if has(Layer::Shapes) {
             self.mechanism.draw(scene);
         }
-        let Some(effects) = self.effects else {
+        let Some(effects) = &self.effects else {
             return;
         };
         let overlay = Overlay::new()

@@ -58,7 +58,7 @@ impl Grip {
             let Some(way) = self.way(mechanism, aim) else {
                 break;
             };
-            if !(length(way) > ENOUGH * first) {
+            if length(way) <= ENOUGH * first {
                 break;
             }
             let Some(motors) = self.nearer(mechanism, free, aim, way) else {

@@ -47,6 +47,16 @@ fn say(line: &str) {
     let _ = writeln!(io::stdout(), "{line}");
 }
 
+/// Which exhibit has this name.
+fn index(exhibits: &[Box<dyn Exhibit>], name: String) -> Result<usize, mech_examples::Error> {
+    let index = exhibits.iter().position(|exhibit| exhibit.slug() == name);
+    index.ok_or_else(|| mech_examples::Error::Unknown {
+        names: vec![name],
+        known: exhibits.iter().map(|exhibit| exhibit.slug()).collect(),
+    })
+}
+
+/// Shows an exhibit there where it is wanted.
 fn show(
     exhibits: Vec<Box<dyn Exhibit>>,
     name: Option<String>,
@@ -54,14 +64,7 @@ fn show(
 ) -> Result<(), Box<dyn Error>> {
     let index = match name {
         None => 0,
-        Some(name) => match exhibits.iter().position(|exhibit| exhibit.slug() == name) {
-            Some(index) => index,
-            None => {
-                let names = vec![name];
-                let known = exhibits.iter().map(|exhibit| exhibit.slug()).collect();
-                return Err(mech_examples::Error::Unknown { names, known }.into());
-            }
-        },
+        Some(name) => index(&exhibits, name)?,
     };
     let player = Player::new(exhibits, index, window::SIZE)?;
     let mut stage = Stage::new(player, PathBuf::new());

@@ -131,7 +131,7 @@ fn paint(stage: &mut Stage, depth: Depth) -> io::Result<()> {
 fn command(event: &Event) -> Option<Command> {
     match event {
         Event::Key(key) => key_command(key),
-        Event::Mouse(mouse) => mouse_command(mouse),
+        Event::Mouse(mouse) => mouse_command(*mouse),
         _ => None,
     }
 }
@@ -160,7 +160,7 @@ fn key_command(event: &KeyEvent) -> Option<Command> {
     key.command()
 }
 
-fn mouse_command(event: &MouseEvent) -> Option<Command> {
+fn mouse_command(event: MouseEvent) -> Option<Command> {
     // The middle of a character, which is one pixel wide and two high.
     let pixel = [
         f64::from(event.column) + 0.5,
