@@ -113,9 +113,15 @@ impl Painter {
             let (rows, _) = self.strip.pixels().as_chunks::<FINE>();
             for rows in rows.iter().take(height - top) {
                 pixels.extend(std::iter::repeat_n(paper, margin));
-                let columns = (left..).step_by(FINE).take(shown);
                 let palette = self.strip.palette();
-                pixels.extend(columns.map(|column| mean(palette, rows, column)));
+                let rows = rows.each_ref().map(|row| {
+                    let row = row.get(left..).unwrap_or_default();
+                    row.as_chunks::<FINE>().0
+                });
+                let blocks = (0..shown).map(|column| {
+                    rows.map(|row| row.get(column).copied().unwrap_or([Palette::PAPER; FINE]))
+                });
+                pixels.extend(blocks.map(|block| mean(palette, block)));
                 pixels.extend(std::iter::repeat_n(paper, width - shown - margin));
             }
         }
@@ -131,21 +137,15 @@ fn view_of_strip<const FINE: usize>(view: View, height: usize, top: usize) -> Vi
     View::new([x, y - down / view.scale()], view.scale() * fine)
 }
 
-/// The mean of a square of samples.
-fn mean<const FINE: usize>(palette: &Palette, rows: &[[u8; WIDE]; FINE], column: usize) -> [u8; 3] {
-    let square = rows
-        .each_ref()
-        .map(|row| row.get(column..column + FINE).unwrap_or_default());
-    let first = square.first().and_then(|row| row.first());
-    let first = first.copied().unwrap_or(Palette::PAPER);
-    if square
-        .iter()
-        .all(|row| row.iter().all(|&sample| sample == first))
-    {
+/// The mean of a block of samples.
+fn mean<const FINE: usize>(palette: &Palette, block: [[u8; FINE]; FINE]) -> [u8; 3] {
+    let samples = block.as_flattened();
+    let first = samples.first().copied().unwrap_or(Palette::PAPER);
+    if block == [[first; FINE]; FINE] {
         return palette.rgb(first);
     }
     let mut sums = [0_u16; 3];
-    for &sample in square.into_iter().flatten() {
+    for &sample in samples {
         for (sum, channel) in sums.iter_mut().zip(palette.rgb(sample)) {
             *sum += u16::from(channel);
         }
