@@ -68,14 +68,13 @@ fn every_exhibit_goes_its_own_way() {
             player.advance(seconds);
             phase += seconds / exhibit.seconds();
         }
-        // Where it starts is where the film starts, or the way from there is the same.
+        // It goes the way that its film goes, from wherever it was assembled.
         let ways = playable.motion(phase).into_iter().zip(playable.motion(0.0));
         let expected: Vec<f64> = ways
             .zip(start)
             .map(|((to, from), start)| start + to - from)
             .collect();
         let reached = player.motors();
-        // Where it started at a phase that is not 0 again, a film goes to and fro.
         assert!(
             near(&reached, &expected, 1e-9),
             "{}: {reached:?}, not {expected:?}",
