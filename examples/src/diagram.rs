@@ -1,6 +1,6 @@
 //! A mechanism with what a textbook draws over it.
 
-use crate::{Exhibit, Film, Graphs, Scene, Showcase, Stuck};
+use crate::{Exhibit, Film, Graphs, Layers, Playable, Scene, Showcase, Stuck};
 use mech_runtime::{Blocked, Mechanism};
 
 /// A showcase that is moved and painted in a way of its own: with rates, with an overlay.
@@ -11,13 +11,15 @@ pub struct Diagram<M: Mechanism<Scalar = f64>> {
     pub move_to: Move<M>,
     /// Paints it.
     pub paint: fn(&M, &mut Scene),
+    /// The layers that come nearest to that.
+    pub layers: Layers,
 }
 
 /// How a mechanism is moved to values of its motors.
 pub type Move<M> =
     fn(&mut M, <M as Mechanism>::Motors) -> Result<(), Blocked<<M as Mechanism>::Motors>>;
 
-impl<M: Mechanism<Scalar = f64>> Exhibit for Diagram<M> {
+impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Diagram<M> {
     fn slug(&self) -> &'static str {
         self.showcase.slug()
     }
@@ -44,5 +46,17 @@ impl<M: Mechanism<Scalar = f64>> Exhibit for Diagram<M> {
 
     fn film(&self) -> Result<Film, Stuck> {
         self.showcase.filmed(self.move_to, self.paint)
+    }
+
+    fn seconds(&self) -> f64 {
+        self.showcase.seconds()
+    }
+
+    fn playable(&self) -> Box<dyn Playable> {
+        self.showcase.playable()
+    }
+
+    fn layers(&self) -> Layers {
+        self.layers
     }
 }

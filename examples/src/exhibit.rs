@@ -1,6 +1,7 @@
 //! A mechanism and what it is to do.
 
-use crate::{Easel, Film, Graphs, Scene, Stuck};
+use crate::played::Played;
+use crate::{Easel, Effects, Film, Graphs, Layer, Layers, Playable, Scene, Stuck};
 use mech_runtime::{Blocked, Mechanism};
 
 /// Frames in most films: enough for one turn of a crank to look smooth.
@@ -25,6 +26,12 @@ pub trait Exhibit {
     /// # Errors
     /// [`Stuck`] if it cannot go on.
     fn film(&self) -> Result<Film, Stuck>;
+    /// How long that takes, in seconds.
+    fn seconds(&self) -> f64;
+    /// Its mechanism, to be played with.
+    fn playable(&self) -> Box<dyn Playable>;
+    /// What is seen of it unless somebody wants it otherwise.
+    fn layers(&self) -> Layers;
 }
 
 /// A mechanism and what it is to do.
@@ -43,6 +50,7 @@ pub trait Exhibit {
 ///     motion: |phase| [phase * TAU],
 ///     frames: FRAMES,
 ///     still: 0.1,
+///     effects: None,
 /// })
 /// # }
 /// ```
@@ -56,19 +64,24 @@ pub struct Showcase<M: Mechanism<Scalar = f64>> {
     /// The source file that declares the mechanism: its graphs are read out of it.
     pub source: &'static str,
     /// The values of its motors (radians, scene units) at a phase in `0.0..1.0`. What it does between the last phase
-    /// and the first again should look like what it does between others.
+    /// and the first again should look like what it does between others, and a little beyond it goes on so.
     pub motion: fn(f64) -> M::Motors,
     /// How many frames its film has, at 30 ms each: [`FRAMES`], or more for a long motion.
     pub frames: usize,
     /// The phase of its still picture.
     pub still: f64,
+    /// What it can do besides, if it is declared with these effects: seen only by those who play with it.
+    pub effects: Option<Effects<M>>,
 }
+
+/// How long a frame is seen.
+const SECONDS: f64 = 0.03;
 
 /// Positions on the way from one frame to the next, so that a method that goes from one position to a near one has it
 /// easy.
 const STEPS: usize = 8;
 
-impl<M: Mechanism<Scalar = f64>> Exhibit for Showcase<M> {
+impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Showcase<M> {
     fn slug(&self) -> &'static str {
         self.slug
     }
@@ -96,6 +109,20 @@ impl<M: Mechanism<Scalar = f64>> Exhibit for Showcase<M> {
     fn film(&self) -> Result<Film, Stuck> {
         let draw = |mechanism: &M, scene: &mut Scene| mechanism.draw(scene);
         self.filmed(M::move_to, draw)
+    }
+
+    fn seconds(&self) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "a film is not that long")]
+        let frames = self.frames as f64;
+        frames * SECONDS
+    }
+
+    fn playable(&self) -> Box<dyn Playable> {
+        Box::new(Played::new(self))
+    }
+
+    fn layers(&self) -> Layers {
+        Layers::of(&[Layer::Shapes])
     }
 }
 

@@ -1,6 +1,7 @@
 //! The graphs of a mechanism, found by the compiler in the very source that declares it.
 
 use mech_compiler::graphs::{Graph, kinematic, loops};
+use mech_compiler::model::Model;
 use mech_compiler::{compile, syntax};
 use proc_macro2::{TokenStream, TokenTree};
 
@@ -17,16 +18,21 @@ impl Graphs {
     /// Of the mechanism with this name, declared by a `mechanism!` that stands by itself in this Rust source.
     #[must_use]
     pub fn find(source: &str, name: &str) -> Option<Self> {
-        let mut models = declarations(source.parse().ok()?)
-            .into_iter()
-            .map(|declaration| syntax::parse(declaration).model);
-        let model = models.find(|model| model.name == name)?;
+        let model = model(source, name)?;
         let compiled = compile(&model).ok()?;
         Some(Self {
             links: kinematic(&model, &compiled.structure),
             loops: loops(&model, &compiled.plan),
         })
     }
+}
+
+/// The mechanism with this name, declared by a `mechanism!` that stands by itself in this Rust source.
+pub(crate) fn model(source: &str, name: &str) -> Option<Model> {
+    let mut models = declarations(source.parse().ok()?)
+        .into_iter()
+        .map(|declaration| syntax::parse(declaration).model);
+    models.find(|model| model.name == name)
 }
 
 /// What stands in the brackets of each `mechanism!`.

@@ -1,6 +1,6 @@
 //! Andrews' squeezing mechanism, a test of the literature on differential-algebraic equations.
 
-use crate::{Exhibit, FRAMES, Showcase};
+use crate::{Exhibit, FRAMES, Showcase, all_effects};
 use mech_runtime::mechanism;
 use std::f64::consts::TAU;
 
@@ -238,6 +238,7 @@ mechanism! {
         k5 near 0.4874;
         k7 near 1.2305;
     }
+    effects { acceleration; overlay; }
 }
 
 /// One turn of the crank.
@@ -257,5 +258,6 @@ pub fn exhibit() -> Box<dyn Exhibit> {
         motion: |phase| [phase * TAU - 0.061_713_890_014_276],
         frames: FRAMES,
         still: 0.2,
+        effects: Some(all_effects!(AndrewsSqueezer)),
     })
 }

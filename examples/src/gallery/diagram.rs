@@ -1,6 +1,6 @@
 //! The mechanism of the paper's first figure as a diagram, without any shape.
 
-use crate::{Diagram, Exhibit, Scene, Showcase};
+use crate::{Diagram, Exhibit, Layer, Layers, Scene, Showcase, all_effects};
 use mech_runtime::overlay::Arrows;
 use mech_runtime::{Overlay, Palette, mechanism};
 use std::f64::consts::TAU;
@@ -31,6 +31,15 @@ mechanism! {
     effects { acceleration; overlay; }
 }
 
+const LAYERS: Layers = Layers::of(&[
+    Layer::Joints,
+    Layer::Links,
+    Layer::Axes,
+    Layer::Motors,
+    Layer::Velocities,
+    Layer::Accelerations,
+]);
+
 /// Two turns of the pinion are one of the wheel.
 #[must_use]
 pub fn exhibit() -> Box<dyn Exhibit> {
@@ -46,9 +55,11 @@ pub fn exhibit() -> Box<dyn Exhibit> {
             motion: |phase| [phase * 2.0 * TAU],
             frames: 144,
             still: 0.08,
+            effects: Some(all_effects!(PistonDiagram)),
         },
         move_to: |mechanism, motors| mechanism.move_with(motors, [2.0], [0.0]),
         paint,
+        layers: LAYERS,
     })
 }
 

@@ -1,6 +1,6 @@
 //! The four-bar linkage in its most common form.
 
-use crate::{Exhibit, FRAMES, Showcase};
+use crate::{Exhibit, FRAMES, Showcase, all_effects};
 use mech_runtime::mechanism;
 use std::f64::consts::TAU;
 
@@ -162,6 +162,7 @@ mechanism! {
 
     motor a;
     start { a = 0 deg; rocker near 110 deg; }
+    effects { acceleration; overlay; }
 }
 
 /// One turn of the crank.
@@ -179,5 +180,6 @@ pub fn exhibit() -> Box<dyn Exhibit> {
         motion: |phase| [phase * TAU],
         frames: FRAMES,
         still: 0.1,
+        effects: Some(all_effects!(CrankRocker)),
     })
 }

@@ -1,6 +1,6 @@
 //! Figure 1 of the paper: a piston driven through a pair of gears.
 
-use crate::{Exhibit, Showcase};
+use crate::{Exhibit, Showcase, all_effects};
 use mech_runtime::mechanism;
 use std::f64::consts::TAU;
 
@@ -204,6 +204,7 @@ mechanism! {
 
     motor d;
     start { d = 0 deg; rod near 0 deg; }
+    effects { acceleration; overlay; }
 }
 
 /// Two turns of the pinion are one of the wheel.
@@ -221,5 +222,6 @@ pub fn exhibit() -> Box<dyn Exhibit> {
         motion: |phase| [phase * 2.0 * TAU],
         frames: 144,
         still: 0.08,
+        effects: Some(all_effects!(GearedPiston)),
     })
 }

@@ -1,6 +1,6 @@
 //! A leg of Theo Jansen's beach beasts, declared as it is drawn.
 
-use crate::{Exhibit, FRAMES, Showcase};
+use crate::{Exhibit, FRAMES, Showcase, all_effects};
 use mech_runtime::mechanism;
 use std::f64::consts::TAU;
 
@@ -251,6 +251,7 @@ mechanism! {
     joint j = revolute(rocker, lower_plate) at (X5, Y5);
 
     motor a;
+    effects { acceleration; overlay; }
 }
 
 /// One turn of the crank.
@@ -270,5 +271,6 @@ pub fn exhibit() -> Box<dyn Exhibit> {
         motion: |phase| [-phase * TAU],
         frames: FRAMES,
         still: 0.0,
+        effects: Some(all_effects!(JansenLeg)),
     })
 }

@@ -1,6 +1,7 @@
 //! The exhibits.
 
 pub mod andrews;
+pub mod crane;
 pub mod diagram;
 pub mod four_bar;
 pub mod geared_piston;
@@ -23,5 +24,6 @@ pub fn exhibits() -> Vec<Box<dyn Exhibit>> {
         andrews::exhibit(),
         jansen::exhibit(),
         rocker_arm::exhibit(),
+        crane::exhibit(),
     ]
 }

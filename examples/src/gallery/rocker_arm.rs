@@ -1,6 +1,6 @@
 //! A trunk with an arm.
 
-use crate::{Exhibit, Showcase};
+use crate::{Exhibit, Showcase, all_effects};
 use mech_runtime::mechanism;
 use std::f64::consts::TAU;
 
@@ -162,6 +162,7 @@ mechanism! {
     motor shoulder;
     motor wrist;
     start { a = 0 deg; shoulder = -80 deg; wrist = -30 deg; rocker near 110 deg; }
+    effects { acceleration; overlay; }
 }
 
 /// One turn of the crank, while the arm reaches out once and the hand nods twice.
@@ -186,5 +187,6 @@ pub fn exhibit() -> Box<dyn Exhibit> {
         },
         frames: 120,
         still: 0.1,
+        effects: Some(all_effects!(RockerArm)),
     })
 }

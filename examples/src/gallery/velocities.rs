@@ -1,6 +1,6 @@
 //! The four-bar linkage as a textbook draws it: the diagram, the path of its coupler point, velocities.
 
-use crate::{Diagram, Exhibit, FRAMES, Scene, Showcase};
+use crate::{Diagram, Exhibit, FRAMES, Layer, Layers, Scene, Showcase, all_effects};
 use mech_runtime::overlay::Arrows;
 use mech_runtime::{Mechanism, Overlay, Palette, mechanism};
 use std::f64::consts::TAU;
@@ -29,8 +29,16 @@ mechanism! {
 
     motor a;
     start { coupler near 50 deg; }
-    effects { velocity; overlay; trace coupler.tracer 720 color RED; }
+    effects { acceleration; overlay; trace coupler.tracer 720 color RED; }
 }
+
+const LAYERS: Layers = Layers::of(&[
+    Layer::Shapes,
+    Layer::Joints,
+    Layer::Links,
+    Layer::Motors,
+    Layer::Velocities,
+]);
 
 /// The trace is that of one turn: after it, every new place is one that it was at before.
 #[must_use]
@@ -48,9 +56,11 @@ pub fn exhibit() -> Box<dyn Exhibit> {
             motion: |phase| [phase * TAU],
             frames: FRAMES,
             still: 0.85,
+            effects: Some(all_effects!(CouplerCurve)),
         },
-        move_to: |mechanism, motors| mechanism.move_with(motors, [1.0]),
+        move_to: |mechanism, motors| mechanism.move_with(motors, [1.0], [0.0]),
         paint,
+        layers: LAYERS,
     })
 }
 

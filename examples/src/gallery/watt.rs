@@ -1,6 +1,6 @@
 //! A six-bar linkage, declared the second way: as it is drawn.
 
-use crate::{Exhibit, FRAMES, Showcase};
+use crate::{Exhibit, FRAMES, Showcase, all_effects};
 use mech_runtime::mechanism;
 use std::f64::consts::TAU;
 
@@ -145,6 +145,7 @@ mechanism! {
     joint g = revolute(ground, rocker) at (6.7, 0.0);
 
     motor a;
+    effects { acceleration; overlay; }
 }
 
 /// One turn of the crank.
@@ -163,5 +164,6 @@ pub fn exhibit() -> Box<dyn Exhibit> {
         motion: |phase| [phase * TAU],
         frames: FRAMES,
         still: 0.0,
+        effects: Some(all_effects!(Watt)),
     })
 }

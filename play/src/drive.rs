@@ -1,0 +1,39 @@
+//! What is driven.
+
+/// What is driven when it plays and may be moved when it is dragged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drive {
+    /// All motors, in the exhibit's own motion.
+    Motion,
+    /// One motor alone, by its number.
+    Motor(usize),
+}
+
+impl Drive {
+    /// The next of all there are with so many motors. With one motor there is still a difference: alone it goes on and on.
+    #[must_use]
+    pub const fn next(self, motors: usize) -> Self {
+        match self {
+            Self::Motion => Self::at(0, motors),
+            Self::Motor(motor) => Self::at(motor + 1, motors),
+        }
+    }
+
+    /// The one before.
+    #[must_use]
+    pub const fn previous(self, motors: usize) -> Self {
+        match self {
+            Self::Motion if motors > 0 => Self::Motor(motors - 1),
+            Self::Motion | Self::Motor(0) => Self::Motion,
+            Self::Motor(motor) => Self::Motor(motor - 1),
+        }
+    }
+
+    const fn at(motor: usize, motors: usize) -> Self {
+        if motor < motors {
+            Self::Motor(motor)
+        } else {
+            Self::Motion
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! A link that is held and dragged.
+//!
+//! A place on a link is to come as near to the pointer as the motors let it. Each round asks in which direction it moves when
+//! each motor is moved a little to either side, and solves the damped least squares (Levenberg and Marquardt's) of these influence
+//! coefficients for what is left of the way. Of that step so much is gone as brings the place nearer: all, or half, or a quarter…
+//! As each step goes the way that a motor would go, no link leaps into another assembly, and what cannot be reached is followed as
+//! far as the nearest place.
+
+use mech_examples::{Playable, Rates, Spot};
+use mech_runtime::{Blocked, Reached};
+
+/// The most steps for one movement of the pointer.
+const ROUNDS: usize = 40;
+/// How often a step is halved before it is given up.
+const HALVINGS: usize = 12;
+/// The longest step, as a part of a motor's reach.
+const LONGEST: f64 = 1.0 / 24.0;
+/// The step to either side that finds an influence, as a part of a motor's reach.
+const PROBE: f64 = 1e-6;
+/// Damping, as a part of the greatest influence.
+const DAMPING: f64 = 1e-4;
+/// What is near enough, as a part of the way at first.
+const ENOUGH: f64 = 1e-4;
+
+/// A motor that may be moved, and how far it goes in a whole motion: what all steps are measured by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Free {
+    /// Which one.
+    pub motor: usize,
+    /// In radians or scene units.
+    pub reach: f64,
+}
+
+/// A place on a link that is held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grip {
+    /// Where it is held.
+    pub spot: Spot,
+}
+
+impl Grip {
+    /// Moves these motors such that what is held comes as near to `aim` as it can. What it came to on the way is told: the limit that
+    /// it is at, or `Target`.
+    ///
+    /// # Errors
+    /// [`Blocked`] if a number is not finite.
+    pub fn follow(
+        self,
+        mechanism: &mut dyn Playable,
+        free: &[Free],
+        aim: [f64; 2],
+    ) -> Result<Reached<Vec<f64>>, Blocked<Vec<f64>>> {
+        let mut reached = Reached::Target;
+        let Some(first) = self.way(mechanism, aim).map(length) else {
+            return Ok(reached);
+        };
+        for _ in 0..ROUNDS {
+            let Some(way) = self.way(mechanism, aim) else {
+                break;
+            };
+            if length(way) <= ENOUGH * first {
+                break;
+            }
+            let Some(motors) = self.nearer(mechanism, free, aim, way) else {
+                break;
+            };
+            reached = mechanism.move_toward(&motors, &Rates::default())?;
+        }
+        Ok(reached)
+    }
+
+    /// The way that is left to `aim`.
+    fn way(self, mechanism: &dyn Playable, aim: [f64; 2]) -> Option<[f64; 2]> {
+        Some(difference(aim, mechanism.place(self.spot)?))
+    }
+
+    /// Values of the motors with which it is nearer.
+    fn nearer(
+        self,
+        mechanism: &dyn Playable,
+        free: &[Free],
+        aim: [f64; 2],
+        way: [f64; 2],
+    ) -> Option<Vec<f64>> {
+        let motors = mechanism.motors();
+        let step = self.step(mechanism, free, way)?;
+        let shares = (0..HALVINGS).map(|halving| 0.5_f64.powi(i32::try_from(halving).unwrap_or(0)));
+        let mut tries = shares.map(|share| moved(&motors, free, &step, share));
+        tries.find(|motors| {
+            let place = mechanism.place_toward(self.spot, motors);
+            place.is_some_and(|place| length(difference(aim, place)) < length(way))
+        })
+    }
+
+    /// A step of each motor, in parts of its reach, that goes this way as far as it can be told from here.
+    fn step(self, mechanism: &dyn Playable, free: &[Free], way: [f64; 2]) -> Option<Vec<f64>> {
+        let motors = mechanism.motors();
+        let influence = |index: usize| {
+            let mut unit = vec![0.0; free.len()];
+            *unit.get_mut(index)? = 1.0;
+            let probe =
+                |share| mechanism.place_toward(self.spot, &moved(&motors, free, &unit, share));
+            let [x, y] = difference(probe(PROBE)?, probe(-PROBE)?);
+            Some([x, y].map(|c| c / (2.0 * PROBE)))
+        };
+        let influences: Option<Vec<[f64; 2]>> = (0..free.len()).map(influence).collect();
+        let influences = influences?;
+        // (J Jᵀ + damping) f = way; then the step is Jᵀ f.
+        let sum = |entry: fn([f64; 2]) -> f64| influences.iter().map(|&j| entry(j)).sum::<f64>();
+        let [xx, xy, yy] = [
+            sum(|j| j[0] * j[0]),
+            sum(|j| j[0] * j[1]),
+            sum(|j| j[1] * j[1]),
+        ];
+        let damping = DAMPING * (xx + yy);
+        let [xx, yy] = [xx + damping, yy + damping];
+        let determinant = xx * yy - xy * xy;
+        let force = [
+            (yy * way[0] - xy * way[1]) / determinant,
+            (xx * way[1] - xy * way[0]) / determinant,
+        ];
+        let step: Vec<f64> = influences
+            .iter()
+            .map(|j| j[0] * force[0] + j[1] * force[1])
+            .collect();
+        let longest = step
+            .iter()
+            .fold(0.0_f64, |most, share| most.max(share.abs()));
+        let share = (LONGEST / longest).min(1.0);
+        let is_usable = longest > 0.0 && step.iter().all(|share| share.is_finite());
+        is_usable.then(|| step.iter().map(|part| part * share).collect())
+    }
+}
+
+/// The values of motors after a share of a step.
+fn moved(motors: &[f64], free: &[Free], step: &[f64], share: f64) -> Vec<f64> {
+    let mut motors = motors.to_vec();
+    for (free, part) in free.iter().zip(step) {
+        if let Some(motor) = motors.get_mut(free.motor) {
+            *motor += share * part * free.reach;
+        }
+    }
+    motors
+}
+
+/// From one place to another.
+fn difference(to: [f64; 2], from: [f64; 2]) -> [f64; 2] {
+    [to[0] - from[0], to[1] - from[1]]
+}
+
+fn length([x, y]: [f64; 2]) -> f64 {
+    x.hypot(y)
+}

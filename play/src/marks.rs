@@ -1,0 +1,27 @@
+//! What a player draws into the scene.
+
+use mech_examples::Scene;
+use mech_runtime::{Canvas, Outline, Palette, Pose, raster};
+
+/// The radius of a ring and its width, in pixels.
+const RING: [f64; 2] = [13.0, 3.5];
+/// The least of both: where pixels are large.
+const LEAST: [f64; 2] = [2.2, 0.9];
+
+/// A red ring about a place where something is in the way, so many times as large as usual.
+pub(crate) fn ring(scene: &mut Scene, center: [f64; 2], size: f32) {
+    let scale = Canvas::<f64>::scale(scene);
+    let length = |usual: f64, least: f64| (usual * f64::from(size)).max(least) / scale;
+    let [middle, width] = [length(RING[0], LEAST[0]), length(RING[1], LEAST[1])];
+    let ring = Outline::Ring {
+        center,
+        radius: middle + width / 2.0,
+        hole: middle - width / 2.0,
+    };
+    scene.fill(ring, Pose::identity(), Palette::RED);
+}
+
+/// A line from what is held to the pointer, where that is elsewhere.
+pub(crate) fn band(scene: &mut Scene, ends: [[f64; 2]; 2], size: f32) {
+    raster::line(scene, ends, f64::from(size), Palette::INK);
+}

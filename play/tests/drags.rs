@@ -1,0 +1,179 @@
+//! Links that are dragged, without a window.
+
+use mech_examples::{Rates, Spot, gallery};
+use mech_play::{Command, Free, Grip, Player};
+use std::f64::consts::TAU;
+
+const SIZE: [usize; 2] = [480, 360];
+
+fn index(slug: &str) -> usize {
+    let exhibits = gallery::exhibits();
+    let index = exhibits.iter().position(|exhibit| exhibit.slug() == slug);
+    index.expect("it is in the gallery")
+}
+
+fn player(slug: &str) -> Player {
+    Player::new(gallery::exhibits(), index(slug), SIZE).expect("it moves")
+}
+
+fn near(one: &[f64], other: &[f64], tolerance: f64) -> bool {
+    one.len() == other.len()
+        && one
+            .iter()
+            .zip(other)
+            .all(|(a, b)| (a - b).abs() <= tolerance)
+}
+
+#[test]
+fn a_dragged_crank_points_at_the_pointer() {
+    let mut player = player("four-bar");
+    player.obey(Command::PlayOrPause);
+    let pin = Spot {
+        link: 1,
+        at: [1.0, 0.0],
+    };
+    let camera = player.camera().clone();
+    player.obey(Command::Press(player.pixel(pin).expect("it is there")));
+    let held = player.held().expect("a link is there");
+    // What is seen there may be the coupler: its end goes the same circle.
+    assert!(held.link == 1 || held.link == 2, "{held:?}");
+    for step in 1..200 {
+        let angle = 0.11 * f64::from(step);
+        let distance = if step % 2 == 0 { 0.4 } else { 2.5 };
+        player.obey(Command::Point(
+            camera.pixel([distance * angle.cos(), distance * angle.sin()]),
+        ));
+        // Of a circle, what is nearest to a place lies in its direction; the motor counts turns.
+        assert!(
+            near(&player.motors(), &[angle], 2e-3),
+            "{:?}, not {angle}",
+            player.motors()
+        );
+    }
+    player.obey(Command::Release);
+    let motors = player.motors();
+    player.obey(Command::Point([0.0, 0.0]));
+    assert_eq!(player.motors(), motors);
+}
+
+#[test]
+fn what_is_held_comes_as_near_as_it_can() {
+    let mut pulled = 0;
+    for exhibit in gallery::exhibits() {
+        let mut mechanism = exhibit.playable();
+        let motors = mechanism.motors().len();
+        let free: Vec<Free> = (0..motors)
+            .map(|motor| Free { motor, reach: TAU })
+            .collect();
+        for phase in [0.13, 0.38, 0.71] {
+            let target = mechanism.motion(phase);
+            let _ = mechanism
+                .move_toward(&target, &Rates::default())
+                .expect("numbers");
+            for link in 1..=3 {
+                let spot = Spot {
+                    link,
+                    at: [0.3, 0.2],
+                };
+                let start = mechanism.place(spot).expect("it is there");
+                for side in 0..4 {
+                    let (sin, cos) = (0.4 + TAU / 4.0 * f64::from(side)).sin_cos();
+                    let size = 0.1 * start[0].hypot(start[1]).max(0.01);
+                    let aim = [start[0] + size * cos, start[1] + size * sin];
+                    let distance = |[x, y]: [f64; 2]| (aim[0] - x).hypot(aim[1] - y);
+                    let before = distance(mechanism.place(spot).expect("it is there"));
+                    let _ = Grip { spot }
+                        .follow(mechanism.as_mut(), &free, aim)
+                        .expect("numbers");
+                    let after = distance(mechanism.place(spot).expect("it is there"));
+                    assert!(after <= before);
+                    // No motor by itself brings it nearer by a thousandth of the way.
+                    for motor in 0..motors {
+                        for turn in [-1e-2, -1e-3, 1e-3, 1e-2] {
+                            let mut motors = mechanism.motors();
+                            motors[motor] += turn;
+                            let other = mechanism.place_toward(spot, &motors).expect("numbers");
+                            let nearer = after - distance(other);
+                            assert!(
+                                nearer < 5e-3 * before,
+                                "{} {phase} {link} {side}: {after} of {before}, by {turn} nearer by {nearer}",
+                                exhibit.slug()
+                            );
+                        }
+                    }
+                    pulled += usize::from(after < 0.9 * before);
+                }
+            }
+        }
+    }
+    assert!(pulled > 200, "{pulled}");
+}
+
+#[test]
+fn a_hand_is_led_where_three_motors_reach() {
+    let mut player = player("rocker-arm");
+    player.obey(Command::PlayOrPause);
+    let hand = Spot {
+        link: 5,
+        at: [1.2, 0.3],
+    };
+    let start = player.pixel(hand).expect("it is there");
+    player.obey(Command::Press(start));
+    let held = player.held().expect("a link is there");
+    for step in 0..30 {
+        let aim = [
+            start[0] - 2.0 * f64::from(step),
+            start[1] + 1.5 * f64::from(step),
+        ];
+        player.obey(Command::Point(aim));
+        let [x, y] = player.pixel(held).expect("it is there");
+        let distance = (x - aim[0]).hypot(y - aim[1]);
+        assert!(distance < 0.1, "step {step}: {distance} pixels away");
+    }
+}
+
+#[test]
+fn dragged_to_a_limit_and_back() {
+    let mut player = player("luffing-crane");
+    let head = Spot {
+        link: 1,
+        at: [7.4, 0.0],
+    };
+    let start = player.pixel(head).expect("it is there");
+    player.obey(Command::Press(start));
+    // Far to the left: the jib cannot lean back beyond its dead point.
+    for step in 1..=20 {
+        player.obey(Command::Point([
+            start[0] - 15.0 * f64::from(step),
+            start[1],
+        ]));
+    }
+    let limit = player.limit().expect("it is at one");
+    assert_eq!(limit.motors, [0]);
+    assert!(
+        player.status().contains("stopped at 82."),
+        "{}",
+        player.status()
+    );
+    for step in (0..=20).rev() {
+        player.obey(Command::Point([
+            start[0] - 15.0 * f64::from(step),
+            start[1],
+        ]));
+    }
+    assert!(player.limit().is_none());
+    let [x, y] = player.pixel(head).expect("it is there");
+    assert!((x - start[0]).hypot(y - start[1]) < 1.0);
+}
+
+#[test]
+fn a_diagram_without_shapes_is_dragged_by_its_bars() {
+    let mut player = player("geared-piston-diagram");
+    player.obey(Command::PlayOrPause);
+    let rod = Spot {
+        link: 3,
+        at: [2.0, 0.0],
+    };
+    player.obey(Command::Press(player.pixel(rod).expect("it is there")));
+    assert_eq!(player.held().map(|spot| spot.link), Some(3));
+}
