@@ -1,6 +1,7 @@
 //! Where scenes become pictures: painted large by the runtime's rasteriser, and averaged down.
 
 use crate::{Film, Picture, Scene};
+use mech_runtime::files::Sheet;
 use mech_runtime::{Frame, Palette, View};
 
 /// The longer side of a picture, and the least of the shorter one.
@@ -62,6 +63,15 @@ impl Easel {
         self.view.scale() / FINE as f64
     }
 
+    /// A sheet that looks like its pictures.
+    #[must_use]
+    pub fn sheet(&self) -> Sheet {
+        let view = View::new(self.view.center(), self.scale());
+        Sheet::new(self.width.into(), self.height.into())
+            .look_at(view)
+            .palette(self.strip.palette().clone())
+    }
+
     /// Paints with other colours.
     pub fn set_palette(&mut self, palette: Palette) {
         self.strip.set_palette(palette);
@@ -109,10 +119,11 @@ impl Easel {
 }
 
 /// The mean of a block of samples.
-fn mean(palette: &Palette, block: [[u8; FINE]; FINE]) -> [u8; 3] {
+fn mean(palette: &Palette, block: [[u8; FINE]; FINE]) -> [u8; 4] {
     let [[first, ..], ..] = block;
+    let opaque = |[red, green, blue]: [u8; 3]| [red, green, blue, u8::MAX];
     if block == [[first; FINE]; FINE] {
-        return palette.rgb(first);
+        return opaque(palette.rgb(first));
     }
     let mut sums = [0_u16; 3];
     for &sample in block.as_flattened() {
@@ -121,5 +132,5 @@ fn mean(palette: &Palette, block: [[u8; FINE]; FINE]) -> [u8; 3] {
         }
     }
     let samples = 16;
-    sums.map(|sum| u8::try_from((sum + samples / 2) / samples).unwrap_or(u8::MAX))
+    opaque(sums.map(|sum| u8::try_from((sum + samples / 2) / samples).unwrap_or(u8::MAX)))
 }

@@ -1,0 +1,172 @@
+//! Stills: away from edges every pixel has the colour that the rasteriser gives it, eight times as large.
+
+use mech_examples::gallery::four_bar::CrankRocker;
+use mech_examples::gallery::geared_piston::GearedPiston;
+use mech_examples::gallery::jansen::JansenLeg;
+use mech_runtime::files::{Sheet, Svg};
+use mech_runtime::{Canvas, Frame, Mechanism, Outline, Palette, Pose, Scalar, View};
+use proptest::prelude::*;
+use resvg::{tiny_skia, usvg};
+
+const SIDE: usize = 64;
+/// Samples a pixel in each direction.
+const FINE: usize = 8;
+
+/// What is seen of an SVG, as red, green and blue.
+fn rendered(svg: &str) -> Vec<[u8; 3]> {
+    let tree = usvg::Tree::from_str(svg, &usvg::Options::default()).expect("an SVG");
+    let side = u32::try_from(SIDE).expect("small");
+    assert_eq!((tree.size().width(), tree.size().height()), (64.0, 64.0));
+    let mut pixels = tiny_skia::Pixmap::new(side, side).expect("a size");
+    resvg::render(
+        &tree,
+        tiny_skia::Transform::identity(),
+        &mut pixels.as_mut(),
+    );
+    let opaque = pixels.pixels().iter().map(|pixel| {
+        assert_eq!(pixel.alpha(), 255);
+        [pixel.red(), pixel.green(), pixel.blue()]
+    });
+    opaque.collect()
+}
+
+/// Compares all pixels around which there are no edges; gives their number.
+fn compare(svg: &str, frame: &Frame<{ SIDE * FINE }, { SIDE * FINE }>) -> usize {
+    let mut compared = 0;
+    for (index, found) in rendered(svg).into_iter().enumerate() {
+        let (x, y) = (index % SIDE, index / SIDE);
+        // The pixel, and half a pixel around it.
+        let samples = |middle: usize| {
+            (middle * FINE).saturating_sub(FINE / 2)
+                ..((middle + 1) * FINE + FINE / 2).min(SIDE * FINE)
+        };
+        let rows = samples(y).map(|y| &frame.pixels()[y][samples(x)]);
+        let first = frame.pixels()[y * FINE][x * FINE];
+        if rows.flatten().all(|&entry| entry == first) {
+            let wanted = frame.palette().rgb(first);
+            // A sliver between two samples shines through.
+            let far = found
+                .iter()
+                .zip(wanted)
+                .any(|(found, wanted)| found.abs_diff(wanted) > 255 / 6);
+            assert!(!far, "{found:?} in place of {wanted:?} at {x}, {y}:\n{svg}");
+            compared += 1;
+        }
+    }
+    compared
+}
+
+/// Both pictures of the same thing.
+fn both(
+    view: View,
+    paint_svg: impl FnOnce(&mut Svg),
+    paint_frame: impl FnOnce(&mut Frame<{ SIDE * FINE }, { SIDE * FINE }>),
+) -> usize {
+    let mut svg = Svg::new(Sheet::new(SIDE, SIDE).look_at(view).palette(Palette::NIGHT));
+    paint_svg(&mut svg);
+    let mut frame = Box::new(Frame::new());
+    frame.set_palette(Palette::NIGHT);
+    #[expect(clippy::cast_precision_loss, reason = "eight")]
+    frame.look_at(View::new(view.center(), view.scale() * FINE as f64));
+    paint_frame(&mut frame);
+    compare(&svg.finish(), &frame)
+}
+
+#[test]
+fn mechanisms() {
+    let view = View::new([0.5, 0.5], 9.0);
+    let (piston, four_bar, leg) = (GearedPiston::new(), CrankRocker::new(), JansenLeg::new());
+    let compared = [
+        both(view, |svg| piston.draw(svg), |frame| piston.draw(frame)),
+        both(view, |svg| four_bar.draw(svg), |frame| four_bar.draw(frame)),
+        both(
+            View::new([0.0, 0.0], 0.5),
+            |svg| leg.draw(svg),
+            |frame| leg.draw(frame),
+        ),
+    ];
+    assert!(
+        compared.iter().all(|count| *count > SIDE * SIDE / 2),
+        "{compared:?}"
+    );
+}
+
+fn pose<T: Scalar>() -> impl Strategy<Value = Pose<T>> {
+    let number = mech_runtime::Real::from_f64;
+    (0.0..7.0, -3.0..3.0, -3.0..3.0).prop_map(move |(angle, x, y): (f64, f64, f64)| {
+        let [cos, sin, x, y] = [angle.cos(), angle.sin(), x, y].map(number);
+        Pose { cos, sin, x, y }
+    })
+}
+
+/// A few shapes: circles, and polygons that may cut themselves.
+fn shapes<T: Scalar>() -> impl Strategy<Value = Vec<(Vec<[T; 2]>, T, Pose<T>, u8)>> {
+    let number = mech_runtime::Real::from_f64;
+    let point = [-3.0..3.0, -3.0..3.0].prop_map(move |point: [f64; 2]| point.map(number));
+    let points = prop::collection::vec(point, 1..8);
+    let radius = (0.05..2.0).prop_map(number);
+    prop::collection::vec((points, radius, pose(), 0_u8..48), 1..8)
+}
+
+fn paint<T: Scalar>(shapes: &[(Vec<[T; 2]>, T, Pose<T>, u8)], canvas: &mut impl Canvas<T>) {
+    for (points, radius, pose, color) in shapes {
+        if let &[center] = points.as_slice() {
+            canvas.fill(
+                Outline::Circle {
+                    center,
+                    radius: *radius,
+                },
+                *pose,
+                *color,
+            );
+        } else {
+            let corners: Vec<_> = points.iter().map(|point| pose.apply(*point)).collect();
+            canvas.fill_polygon(&corners, *color);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn random_shapes(shapes in shapes::<f64>(), scale in 4.0..12.0) {
+        let view = View::new([0.3, -0.2], scale);
+        both(view, |svg| paint(&shapes, svg), |frame| paint(&shapes, frame));
+    }
+
+    #[test]
+    fn random_shapes_in_single_precision(shapes in shapes::<f32>(), scale in 4.0..12.0) {
+        let view = View::new([0.3, -0.2], scale);
+        both(view, |svg| paint(&shapes, svg), |frame| paint(&shapes, frame));
+    }
+
+    /// Whatever numbers there are, the file is an SVG, and what is not finite is not in it.
+    #[test]
+    fn wild_numbers(numbers in prop::array::uniform8(any::<f64>()), scale in any::<f64>()) {
+        let [x, y, radius, cos, sin, to_x, to_y, z] = numbers;
+        let mut svg = Svg::new(Sheet::new(SIDE, SIDE).look_at(View::new([z, x], scale)));
+        let pose = Pose { cos, sin, x: to_x, y: to_y };
+        svg.fill(Outline::Circle { center: [x, y], radius }, pose, 3);
+        svg.fill_polygon(&[[x, y], [radius, cos], [sin, z]], 4);
+        let text = svg.finish();
+        prop_assert!(!text.contains("NaN") && !text.contains("inf"), "{}", text);
+        prop_assert!(text.len() < 2000);
+        rendered(&text);
+    }
+
+    /// A title is read as it was written.
+    #[test]
+    fn titles(title in "[ -~äΩ→😀]{1,40}") {
+        let text = Svg::new(Sheet::new(3, 2).title(title.as_str())).finish();
+        let document = usvg::roxmltree::Document::parse(&text).expect("well-formed");
+        let read = document.descendants().find(|node| node.has_tag_name("title"));
+        prop_assert_eq!(read.and_then(|node| node.text()), Some(title.as_str()));
+    }
+}
+
+#[test]
+fn titles_with_characters_that_no_document_may_hold() {
+    let text = Svg::new(Sheet::new(3, 2).title("a\u{0}\u{1b}\u{FFFE}\u{7f}")).finish();
+    usvg::roxmltree::Document::parse(&text).expect("well-formed");
+}
