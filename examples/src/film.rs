@@ -1,6 +1,6 @@
 //! A motion, scene by scene, free of the type of its mechanism.
 
-use mech_runtime::{Blocked, Canvas, Outline, Pose, Shape};
+use mech_runtime::{Blocked, Canvas, Outline, Pose};
 use std::fmt;
 
 /// All that is seen at one moment, from back to front.
@@ -15,23 +15,70 @@ pub struct Scene {
 #[derive(Clone, Debug)]
 enum Spot {
     /// A shape, and where it is.
-    Shape(Shape<f64>, Pose<f64>),
-    /// A polygon in the scene.
-    Polygon(Vec<[f64; 2]>, u8),
+    Shape(Form, Pose<f64>, u8),
+    /// A text, and its lower left corner.
+    Text([f64; 2], String, u8),
+}
+
+/// An outline that is kept.
+#[derive(Clone, Debug)]
+enum Form {
+    /// One without a list of points.
+    Plain(Outline<'static, f64>),
+    Polygon(Vec<[f64; 2]>),
+    Winding(Vec<[f64; 2]>),
+    Line(Vec<[f64; 2]>, f64),
+}
+
+impl Form {
+    fn of(outline: Outline<'_, f64>) -> Self {
+        match outline {
+            Outline::Polygon(corners) => Self::Polygon(corners.to_vec()),
+            Outline::Winding(corners) => Self::Winding(corners.to_vec()),
+            Outline::Line { points, width } => Self::Line(points.to_vec(), width),
+            Outline::Circle { center, radius } => Self::Plain(Outline::Circle { center, radius }),
+            Outline::Ring {
+                center,
+                radius,
+                hole,
+            } => Self::Plain(Outline::Ring {
+                center,
+                radius,
+                hole,
+            }),
+            Outline::Arc {
+                center,
+                start,
+                angle,
+                width,
+            } => Self::Plain(Outline::Arc {
+                center,
+                start,
+                angle,
+                width,
+            }),
+        }
+    }
+
+    fn outline(&self) -> Outline<'_, f64> {
+        match self {
+            Self::Plain(outline) => *outline,
+            Self::Polygon(corners) => Outline::Polygon(corners),
+            Self::Winding(corners) => Outline::Winding(corners),
+            Self::Line(points, width) => Outline::Line {
+                points,
+                width: *width,
+            },
+        }
+    }
 }
 
 impl Spot {
     /// The smallest upright box around it.
     fn bounds(&self) -> [[f64; 2]; 2] {
         match self {
-            Self::Shape(shape, pose) => {
-                let (low, high) = shape.bounds(*pose);
-                [low, high]
-            }
-            Self::Polygon(corners, _) => {
-                let corners = corners.iter().map(|&corner| [corner; 2]);
-                corners.reduce(around).unwrap_or([[f64::NAN; 2]; 2])
-            }
+            Self::Shape(form, pose, _) => form.outline().bounds(*pose).into(),
+            Self::Text(place, ..) => [*place; 2],
         }
     }
 }
@@ -48,26 +95,20 @@ impl Scene {
     pub fn draw(&self, canvas: &mut impl Canvas<f64>) {
         for spot in &self.spots {
             match spot {
-                Spot::Shape(shape, pose) => canvas.fill(shape.outline, *pose, shape.color),
-                Spot::Polygon(corners, color) => canvas.fill_polygon(corners, *color),
+                Spot::Shape(form, pose, color) => canvas.fill(form.outline(), *pose, *color),
+                Spot::Text(place, text, color) => canvas.text(*place, text, *color),
             }
         }
     }
 }
 
 impl Canvas<f64> for Scene {
-    fn fill(&mut self, outline: Outline<f64>, pose: Pose<f64>, color: u8) {
-        let link = 0; // the pose says where it is
-        let shape = Shape {
-            link,
-            outline,
-            color,
-        };
-        self.spots.push(Spot::Shape(shape, pose));
+    fn fill(&mut self, outline: Outline<'_, f64>, pose: Pose<f64>, color: u8) {
+        self.spots.push(Spot::Shape(Form::of(outline), pose, color));
     }
 
-    fn fill_polygon(&mut self, corners: &[[f64; 2]], color: u8) {
-        self.spots.push(Spot::Polygon(corners.to_vec(), color));
+    fn text(&mut self, place: [f64; 2], text: &str, color: u8) {
+        self.spots.push(Spot::Text(place, text.to_owned(), color));
     }
 
     fn scale(&self) -> f64 {

@@ -10,7 +10,41 @@ mod sealed {
 }
 
 /// `f32` or `f64`: what a mechanism computes in.
-pub trait Scalar: RealField + Real + sealed::Sealed {}
+pub trait Scalar: RealField + Real + sealed::Sealed {
+    /// 2⁴⁰ times the number, without what is behind the point; of what is too large, the largest; of what is not a number, zero.
+    #[doc(hidden)]
+    fn to_fixed(self) -> i64;
 
-impl Scalar for f32 {}
-impl Scalar for f64 {}
+    /// The nearest `f32`.
+    #[doc(hidden)]
+    fn to_f32(self) -> f32;
+}
+
+macro_rules! scalar {
+    ($float:ident) => {
+        impl Scalar for $float {
+            #[inline]
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "cutting off is what is asked for"
+            )]
+            fn to_fixed(self) -> i64 {
+                const ONE: $float = (1_u64 << 40) as $float;
+                (self * ONE) as i64
+            }
+
+            #[inline]
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::unnecessary_cast,
+                reason = "rounding is what is asked for"
+            )]
+            fn to_f32(self) -> f32 {
+                self as f32
+            }
+        }
+    };
+}
+
+scalar!(f32);
+scalar!(f64);

@@ -1,6 +1,6 @@
 //! What is seen of a link.
 
-use crate::Scalar;
+use crate::{Pose, Real, Scalar};
 
 /// A coloured spot fixed to a link, in the link's own frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -8,14 +8,14 @@ pub struct Shape<T: 'static> {
     /// The link it is fixed to: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`.
     pub link: usize,
     /// Its outline.
-    pub outline: Outline<T>,
+    pub outline: Outline<'static, T>,
     /// Its entry in the palette.
     pub color: u8,
 }
 
 /// The outline of a shape, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Outline<T: 'static> {
+pub enum Outline<'p, T> {
     /// A filled circle.
     Circle {
         /// Its centre.
@@ -23,40 +23,90 @@ pub enum Outline<T: 'static> {
         /// Its radius.
         radius: T,
     },
-    /// A filled polygon, by the even-odd rule.
-    Polygon(&'static [[T; 2]]),
+    /// A circle with a hole.
+    Ring {
+        /// The centre of both.
+        center: [T; 2],
+        /// The radius of the circle.
+        radius: T,
+        /// The radius of the hole.
+        hole: T,
+    },
+    /// A filled polygon, by the even-odd rule: what is surrounded twice is a hole.
+    Polygon(&'p [[T; 2]]),
+    /// A filled polygon, by the non-zero rule: what is surrounded twice the same way round is filled.
+    Winding(&'p [[T; 2]]),
+    /// A thick line from point to point, with round ends and joins.
+    Line {
+        /// Where it leads through: a single one is a dot.
+        points: &'p [[T; 2]],
+        /// How wide it is.
+        width: T,
+    },
+    /// A thick arc with round ends.
+    Arc {
+        /// Its centre.
+        center: [T; 2],
+        /// The middle of where it begins.
+        start: [T; 2],
+        /// How far it leads around the centre, in radians, to the left: once round is a ring.
+        angle: T,
+        /// How wide it is.
+        width: T,
+    },
 }
 
 impl<T: Scalar> Shape<T> {
     /// The smallest upright box around the shape when its link is at `pose`: lower left and upper right corner.
     #[must_use]
-    pub fn bounds(&self, pose: crate::Pose<T>) -> ([T; 2], [T; 2]) {
-        match self.outline {
-            Outline::Circle { center, radius } => {
-                let [x, y] = pose.apply(center);
-                ([x - radius, y - radius], [x + radius, y + radius])
+    pub fn bounds(&self, pose: Pose<T>) -> ([T; 2], [T; 2]) {
+        self.outline.bounds(pose)
+    }
+}
+
+impl<T: Scalar> Outline<'_, T> {
+    /// An upright box around it when its link is at `pose`: lower left and upper right corner. The smallest, but for an arc, whose
+    /// box is that of the whole circle. Of a polygon without corners it is the link's origin.
+    #[must_use]
+    pub fn bounds(&self, pose: Pose<T>) -> ([T; 2], [T; 2]) {
+        let round = |center: [T; 2], reach: T| {
+            let [x, y] = pose.apply(center);
+            ([x - reach, y - reach], [x + reach, y + reach])
+        };
+        match *self {
+            Self::Circle { center, radius } | Self::Ring { center, radius, .. } => {
+                round(center, radius)
             }
-            Outline::Polygon(corners) => {
-                let mut low = [pose.x, pose.y];
-                let mut high = low;
-                for (i, &corner) in corners.iter().enumerate() {
-                    let [x, y] = pose.apply(corner);
-                    low = if i == 0 {
-                        [x, y]
-                    } else {
-                        [low[0].min(x), low[1].min(y)]
-                    };
-                    high = if i == 0 {
-                        [x, y]
-                    } else {
-                        [
-                            nalgebra::RealField::max(high[0], x),
-                            nalgebra::RealField::max(high[1], y),
-                        ]
-                    };
-                }
-                (low, high)
+            Self::Polygon(corners) | Self::Winding(corners) => around(corners, pose),
+            Self::Line { points, width } => {
+                let reach = <T as Real>::HALF * width;
+                let (low, high) = around(points, pose);
+                (low.map(|part| part - reach), high.map(|part| part + reach))
+            }
+            Self::Arc {
+                center,
+                start,
+                width,
+                ..
+            } => {
+                let [x, y] = [start[0] - center[0], start[1] - center[1]];
+                round(
+                    center,
+                    Real::sqrt(x * x + y * y) + <T as Real>::HALF * width,
+                )
             }
         }
     }
+}
+
+/// The smallest upright box around points of a link.
+fn around<T: Scalar>(points: &[[T; 2]], pose: Pose<T>) -> ([T; 2], [T; 2]) {
+    let mut points = points.iter().map(|&point| pose.apply(point));
+    let first = points.next().unwrap_or([pose.x, pose.y]);
+    points.fold((first, first), |(low, high), [x, y]| {
+        (
+            [low[0].min(x), low[1].min(y)],
+            [Real::max(high[0], x), Real::max(high[1], y)],
+        )
+    })
 }

@@ -1,7 +1,6 @@
 //! Where a point has been.
 
-use crate::raster::line;
-use crate::{Canvas, Point2, Real, Scalar};
+use crate::{Canvas, Outline, Point2, Pose, Real, Scalar};
 use core::fmt;
 
 /// How wide a trace is drawn, in pixels.
@@ -87,21 +86,73 @@ impl<T: Scalar, const N: usize> Trace<T, N> {
         // Steps too small to be seen are drawn with the next.
         let least = <T as Real>::HALF / canvas.scale();
         let mut places = self.in_order();
-        let Some(mut from) = places.next() else {
+        let Some(first) = places.next() else {
             return;
         };
+        let mut line = Strokes::new(first);
         let mut rest = None;
         for to in places {
+            let from = line.end();
             let is_near = Real::abs(to[0] - from[0]) < least && Real::abs(to[1] - from[1]) < least;
             if is_near {
                 rest = Some(to);
             } else {
-                line(canvas, [from, to], Real::from_f64(WIDTH), color);
-                (from, rest) = (to, None);
+                line.push(to, canvas, color);
+                rest = None;
             }
         }
         if let Some(to) = rest {
-            line(canvas, [from, to], Real::from_f64(WIDTH), color);
+            line.push(to, canvas, color);
+        }
+        line.draw(canvas, color);
+    }
+}
+
+/// A line that is drawn some places at a time.
+struct Strokes<T> {
+    places: [[T; 2]; 32],
+    len: usize,
+}
+
+impl<T: Scalar> Strokes<T> {
+    const fn new(place: [T; 2]) -> Self {
+        Self {
+            places: [place; 32],
+            len: 1,
+        }
+    }
+
+    /// Where it ends.
+    fn end(&self) -> [T; 2] {
+        let [first, ..] = self.places;
+        let end = self.places.get(..self.len).and_then(<[_]>::last);
+        end.copied().unwrap_or(first)
+    }
+
+    /// Goes on to a place. One that is not finite is left out, and so is the way there and from there.
+    fn push(&mut self, place: [T; 2], canvas: &mut impl Canvas<T>, color: u8) {
+        let is_finite = place.iter().all(|&part| Real::is_finite(part));
+        if self.len == self.places.len() || !is_finite {
+            let end = self.end();
+            self.draw(canvas, color);
+            *self = Self::new(if is_finite { end } else { place });
+        }
+        if let (true, Some(next)) = (is_finite, self.places.get_mut(self.len)) {
+            *next = place;
+            self.len += 1;
+        }
+    }
+
+    fn draw(&self, canvas: &mut impl Canvas<T>, color: u8) {
+        let mut points = self.places.get(..self.len).unwrap_or_default();
+        if let [first, rest @ ..] = points
+            && !first.iter().all(|&part| Real::is_finite(part))
+        {
+            points = rest;
+        }
+        let width = <T as Real>::from_f64(WIDTH) / canvas.scale();
+        if points.len() > 1 {
+            canvas.fill(Outline::Line { points, width }, Pose::identity(), color);
         }
     }
 }

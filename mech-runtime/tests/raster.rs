@@ -16,11 +16,11 @@ fn pixelwise(width: f64, height: f64) -> View {
 }
 
 /// Outlines are for ever, as those in a mechanism are.
-fn polygon<T: Scalar>(corners: &[[T; 2]]) -> Outline<T> {
+fn polygon<T: Scalar>(corners: &[[T; 2]]) -> Outline<'static, T> {
     Outline::Polygon(corners.to_vec().leak())
 }
 
-fn circle(center: [f64; 2], radius: f64) -> Outline<f64> {
+fn circle(center: [f64; 2], radius: f64) -> Outline<'static, f64> {
     Outline::Circle { center, radius }
 }
 
@@ -452,7 +452,7 @@ proptest! {
         for outline in [polygon(&corners), circle(center, radius)] {
             let large = picture::<128, 128>(match outline {
                 Outline::Circle { center: [x, y], radius } => circle([x + 32.0, y + 32.0], radius),
-                Outline::Polygon(corners) => polygon(&corners.iter().map(|[x, y]| [x + 32.0, y + 32.0]).collect::<Vec<_>>()),
+                _ => polygon(&corners.iter().map(|[x, y]| [x + 32.0, y + 32.0]).collect::<Vec<_>>()),
             });
             let small = picture::<64, 64>(outline);
             for (small, large) in small.pixels().iter().zip(large.pixels().iter().skip(32)) {

@@ -334,20 +334,21 @@ struct Recorder {
 
 impl<T: mech_runtime::Scalar> Canvas<T> for Recorder {
     fn fill(&mut self, outline: Outline<T>, pose: Pose<T>, _: u8) {
-        if let Outline::Circle { center, .. } = outline {
-            self.circles.push(
-                pose.apply(center)
-                    .map(|part| mech_runtime::Real::to_f64(part)),
-            );
+        let seen = |point: [T; 2]| {
+            let place = pose.apply(point);
+            place.map(|part| mech_runtime::Real::to_f64(part))
+        };
+        match outline {
+            Outline::Circle { center, .. } => self.circles.push(seen(center)),
+            Outline::Polygon(points) | Outline::Line { points, .. } => {
+                let points = points.iter().map(|&point| seen(point));
+                self.polygons.push(points.collect());
+            }
+            _ => {}
         }
     }
 
-    fn fill_polygon(&mut self, corners: &[[T; 2]], _: u8) {
-        let corners = corners
-            .iter()
-            .map(|corner| corner.map(|part| mech_runtime::Real::to_f64(part)));
-        self.polygons.push(corners.collect());
-    }
+    fn text(&mut self, _: [T; 2], _: &str, _: u8) {}
 
     fn scale(&self) -> T {
         mech_runtime::Real::from_f64(1000.0)

@@ -130,13 +130,18 @@ fn what_is_traced_is_solved_though_it_is_not_shown() {
 struct Recorder(Vec<(u8, Vec<[f64; 2]>)>);
 
 impl Canvas<f64> for Recorder {
-    fn fill(&mut self, _: Outline<f64>, _: Pose<f64>, color: u8) {
-        self.0.push((color, Vec::new()));
+    fn fill(&mut self, outline: Outline<f64>, _: Pose<f64>, color: u8) {
+        let points = match outline {
+            Outline::Line { points, width } => {
+                assert!((width - 0.15).abs() < 1e-12, "1.5 pixels");
+                points.to_vec()
+            }
+            _ => Vec::new(),
+        };
+        self.0.push((color, points));
     }
 
-    fn fill_polygon(&mut self, corners: &[[f64; 2]], color: u8) {
-        self.0.push((color, corners.to_vec()));
-    }
+    fn text(&mut self, _: [f64; 2], _: &str, _: u8) {}
 
     fn scale(&self) -> f64 {
         10.0
@@ -152,25 +157,14 @@ fn traces_are_drawn_above_the_ground_and_below_the_links() {
     let mut recorder = Recorder::default();
     Mechanism::draw(&four_bar, &mut recorder);
     let colors: Vec<u8> = recorder.0.iter().map(|(color, _)| *color).collect();
-    assert_eq!(
-        colors,
-        [1, 14, 14, 14, 7, 7, 3],
-        "a line between each place and the next"
-    );
-    // The line of the newest step is 1.5 pixels wide, from place to place.
-    let ends = places(four_bar.crank_pin_trace());
-    let corners = &recorder.0[5].1;
-    let way = ends[2] - ends[1];
-    let normal = normal_of(way.into());
-    for corner in corners {
-        let aside = (corner[0] - ends[1].x) * normal[0] + (corner[1] - ends[1].y) * normal[1];
-        assert!((aside.abs() - 0.075).abs() < 1e-12, "{aside}");
+    assert_eq!(colors, [1, 14, 7, 3], "lines through all places");
+    for (recorded, trace) in [
+        (&recorder.0[1], places(four_bar.coupler_tip_trace())),
+        (&recorder.0[2], places(four_bar.crank_pin_trace())),
+    ] {
+        let expected: Vec<[f64; 2]> = trace.into_iter().map(Into::into).collect();
+        assert_eq!(recorded.1, expected);
     }
-}
-
-fn normal_of([x, y]: [f64; 2]) -> [f64; 2] {
-    let length = x.hypot(y);
-    [-y / length, x / length]
 }
 
 #[test]

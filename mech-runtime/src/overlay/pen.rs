@@ -1,7 +1,7 @@
 //! Lines and figures whose sizes are in pixels.
 
 use crate::raster::line;
-use crate::{Canvas, Outline, Pose, Real, Scalar};
+use crate::{Canvas, Outline, Pose, Scalar};
 use nalgebra::{convert, convert_unchecked};
 
 /// How wide lines are, in pixels.
@@ -91,7 +91,7 @@ impl<T: Scalar> Pen<T> {
         color: u8,
     ) {
         let corners = corners.map(|[x, y]| spot.go(self.pixels(x), self.pixels(y)));
-        canvas.fill_polygon(&corners, color);
+        canvas.fill(Outline::Polygon(&corners), Pose::identity(), color);
     }
 
     /// A polygon of paper with an edge, in pixels from a spot.
@@ -152,25 +152,13 @@ impl<T: Scalar> Pen<T> {
         angle: T,
         width: f32,
     ) {
-        let [mut x, mut y] = [start[0] - center[0], start[1] - center[1]];
-        let sides = self.sides(Real::sqrt(x * x + y * y));
-        let (sin, cos) = Real::sin_cos(angle / <T as Real>::from_i32(sides));
-        for _ in 0..sides {
-            let from = [center[0] + x, center[1] + y];
-            [x, y] = [cos * x - sin * y, sin * x + cos * y];
-            self.line(canvas, [from, [center[0] + x, center[1] + y]], width);
-        }
-    }
-
-    /// Of how many straight lines a circle consists, so that it looks round.
-    fn sides(&self, radius: T) -> i32 {
-        let root = nalgebra::ComplexField::sqrt(self.in_pixels(radius));
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "whatever it is, a usable number comes out of it"
-        )]
-        let sides = (8.0 * root) as i32;
-        sides.clamp(16, 256)
+        let arc = Outline::Arc {
+            center,
+            start,
+            angle,
+            width: self.pixels(width),
+        };
+        canvas.fill(arc, Pose::identity(), self.ink);
     }
 
     /// The entry of the palette that it draws with.

@@ -184,7 +184,7 @@ impl<T: Scalar> Symbol<T> {
                     pen.stroke(canvas, spot, [[dash, 0.0], [dash + 8.0, 0.0]], THIN);
                 }
                 for dot in [-22.5_f32, -7.5, 7.5, 22.5] {
-                    pen.stroke(canvas, spot, [[dot, 0.0], [dot, 0.0]], THIN);
+                    pen.stroke(canvas, spot, [[dot - 0.5, 0.0], [dot + 0.5, 0.0]], THIN);
                 }
             }
             Self::Point(spot) => {

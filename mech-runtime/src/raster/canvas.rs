@@ -1,45 +1,19 @@
 //! What shapes are painted on.
 
-use super::{Frame, circle, polygon};
-use crate::{Outline, Pose, Real, Scalar};
+use crate::{Outline, Pose, Scalar};
 
 /// Something that shapes can be painted on.
 pub trait Canvas<T: Scalar> {
-    /// Fills an outline given in the frame of a link that is at `pose`, with entry `color` of the palette.
-    fn fill(&mut self, outline: Outline<T>, pose: Pose<T>, color: u8);
+    /// Fills an outline given in the frame of a link that is at `pose`, with entry `color` of the palette. What is not finite is not
+    /// painted.
+    fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8);
 
-    /// Fills a polygon given in the scene, by the even-odd rule, with entry `color` of the palette.
-    fn fill_polygon(&mut self, corners: &[[T; 2]], color: u8);
+    /// Writes a text upright, with its lower left corner at a place in the scene, with entry `color` of the palette. Letters are
+    /// five pixels wide and seven high, one every six pixels, however large the scene is seen. There is printable ASCII, and
+    /// `° ± ² · × − Δ α β γ δ θ λ μ π φ ψ ω`; anything else is a box.
+    fn text(&mut self, place: [T; 2], text: &str, color: u8);
 
     /// How many pixels a scene unit is: whatever has a size in pixels asks for it. Infinite for a canvas that only wants to
     /// know where things are: then they have no size.
     fn scale(&self) -> T;
-}
-
-impl<T: Scalar, const W: usize, const H: usize> Canvas<T> for Frame<W, H> {
-    fn fill(&mut self, outline: Outline<T>, pose: Pose<T>, color: u8) {
-        let projection = self.view().projection(W, H);
-        match outline {
-            Outline::Circle { center, radius } => {
-                let center = projection.point(pose.apply(center));
-                circle::fill(self.rows(), center, projection.length(radius), color);
-            }
-            Outline::Polygon(corners) => {
-                let corners = corners
-                    .iter()
-                    .map(|&corner| projection.point(pose.apply(corner)));
-                polygon::fill(self.rows(), &corners, color);
-            }
-        }
-    }
-
-    fn fill_polygon(&mut self, corners: &[[T; 2]], color: u8) {
-        let projection = self.view().projection(W, H);
-        let corners = corners.iter().map(|&corner| projection.point(corner));
-        polygon::fill(self.rows(), &corners, color);
-    }
-
-    fn scale(&self) -> T {
-        Real::from_f64(self.view().scale())
-    }
 }

@@ -1,7 +1,10 @@
 //! A picture in memory.
 
-use super::{Palette, View};
+use super::spans::{Clip, Spans};
+use super::{Canvas, Palette, View, paint};
+use crate::{Outline, Pose, Real, Scalar};
 use core::fmt;
+use core::ops::Range;
 
 /// A picture `W` pixels wide and `H` high: a byte a pixel, a palette, and a view of the scene.
 ///
@@ -82,8 +85,52 @@ impl<const W: usize, const H: usize> Frame<W, H> {
         self.view = view;
     }
 
-    pub(super) const fn rows(&mut self) -> &mut [[u8; W]] {
-        &mut self.pixels
+    /// Some of its pixels, to be filled.
+    pub(super) const fn part(&mut self, clip: Clip) -> Part<'_, W> {
+        Part {
+            rows: &mut self.pixels,
+            clip,
+        }
+    }
+
+    fn all(&mut self) -> Part<'_, W> {
+        self.part(Clip::all(W, H))
+    }
+}
+
+impl<T: Scalar, const W: usize, const H: usize> Canvas<T> for Frame<W, H> {
+    fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
+        let projection = self.view.projection(W, H);
+        paint::outline(&mut self.all(), projection, outline, pose, color);
+    }
+
+    fn text(&mut self, place: [T; 2], text: &str, color: u8) {
+        let place = self.view.projection(W, H).point(place);
+        paint::text(&mut self.all(), place, text, color);
+    }
+
+    fn scale(&self) -> T {
+        Real::from_f64(self.view.scale())
+    }
+}
+
+/// Some of the pixels of a frame.
+pub(super) struct Part<'f, const W: usize> {
+    rows: &'f mut [[u8; W]],
+    clip: Clip,
+}
+
+impl<const W: usize> Spans for Part<'_, W> {
+    fn clip(&self) -> Clip {
+        self.clip
+    }
+
+    #[inline]
+    fn fill(&mut self, row: usize, columns: Range<usize>, color: u8) {
+        let row = self.rows.get_mut(row);
+        if let Some(pixels) = row.and_then(|row| row.get_mut(columns)) {
+            pixels.fill(color);
+        }
     }
 }
 

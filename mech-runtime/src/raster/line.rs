@@ -1,11 +1,10 @@
-//! Straight lines of a width in pixels.
+//! Lines of a width in pixels, and links as bars.
 
-use super::Canvas;
-use crate::{Real, Scalar};
+use super::{Canvas, Palette};
+use crate::{Outline, Pose, Real, Scalar};
 
 /// Draws a straight line between two places in the scene, `width` pixels wide however large the scene is seen, with entry
-/// `color` of the palette. It goes on for half its width beyond both ends, so that lines that meet leave no notch. What is not
-/// finite is not drawn.
+/// `color` of the palette. Its ends are round. What is not finite is not drawn.
 ///
 /// ```
 /// use mech_runtime::{Frame, raster};
@@ -14,28 +13,43 @@ use crate::{Real, Scalar};
 /// raster::line(&mut frame, [[-20.0_f32, 0.0], [20.0, 10.0]], 1.5, 14);
 /// assert_eq!(frame.pixel(32, 19), Some(14));
 /// ```
-pub fn line<T: Scalar>(canvas: &mut impl Canvas<T>, [from, to]: [[T; 2]; 2], width: T, color: u8) {
-    let half = <T as Real>::HALF * width / canvas.scale();
-    let [x, y] = [to[0] - from[0], to[1] - from[1]];
-    let length = Real::sqrt(x * x + y * y);
-    // A line of no length is a dot.
-    let [along, across] = if length > T::ZERO {
-        [half * (x / length), half * (y / length)]
-    } else {
-        [half, T::ZERO]
+pub fn line<T: Scalar>(canvas: &mut impl Canvas<T>, ends: [[T; 2]; 2], width: T, color: u8) {
+    let width = width / canvas.scale();
+    let line = Outline::Line {
+        points: &ends,
+        width,
     };
-    let corner = |[x, y]: [T; 2], ahead: T, aside: T| {
-        [
-            x + ahead * along - aside * across,
-            y + ahead * across + aside * along,
-        ]
+    canvas.fill(line, Pose::identity(), color);
+}
+
+/// Draws a link as textbooks do: a bar along its pins, given in the frame of a link that is at `pose`, with an eye at each. `width` is
+/// in scene units. Its edge is [darker](Palette::darker) than entry `color` of the palette.
+///
+/// ```
+/// use mech_runtime::{Frame, Palette, Pose, raster};
+///
+/// let mut frame = Frame::<64, 48>::new();
+/// raster::bar(&mut frame, &[[-20.0, 0.0], [20.0, 0.0]], Pose::identity(), 9.0, Palette::BLUE);
+/// assert_eq!(frame.pixel(32, 24), Some(Palette::BLUE));
+/// assert_eq!(frame.pixel(12, 24), Some(Palette::EYE));
+/// ```
+pub fn bar<T: Scalar>(
+    canvas: &mut impl Canvas<T>,
+    pins: &[[T; 2]],
+    pose: Pose<T>,
+    width: T,
+    color: u8,
+) {
+    let part = |share: f64| <T as Real>::from_f64(share) * width;
+    let mut line = |width, color| {
+        let points = pins;
+        canvas.fill(Outline::Line { points, width }, pose, color);
     };
-    let (one, minus) = (T::ONE, -T::ONE);
-    let corners = [
-        corner(from, minus, minus),
-        corner(to, one, minus),
-        corner(to, one, one),
-        corner(from, minus, one),
-    ];
-    canvas.fill_polygon(&corners, color);
+    line(width, Palette::darker(color));
+    line(part(0.76), color);
+    for &center in pins {
+        let mut disc = |radius, color| canvas.fill(Outline::Circle { center, radius }, pose, color);
+        disc(part(0.28), Palette::INK);
+        disc(part(0.14), Palette::EYE);
+    }
 }

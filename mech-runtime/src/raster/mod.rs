@@ -15,17 +15,26 @@
 //! below it: so shapes that share an edge leave no gap between them and paint no pixel twice. Whatever is not finite is
 //! not painted.
 
+mod arc;
 mod canvas;
+mod chain;
 mod circle;
+mod crossings;
+mod edge;
+mod fixed;
+mod font;
 mod frame;
-mod grid;
 mod line;
+mod paint;
 mod palette;
 mod polygon;
+mod spans;
+mod stroke;
+mod turn;
 mod view;
 
 pub use canvas::Canvas;
 pub use frame::Frame;
-pub use line::line;
+pub use line::{bar, line};
 pub use palette::Palette;
 pub use view::View;

@@ -1,158 +1,217 @@
-//! Filled polygons, of any number of corners and by the even-odd rule.
+//! Filled polygons, of any number of corners.
 //!
-//! Each edge marks, in every row it crosses, the first pixel to its right; painting switches on and off at the marks.
-//! Rows are taken eight at a time, one bit each, so that eight rows need `W` bytes of marks and one pass over the corners.
-//! Two polygons with a common edge mark the same pixels along it, whichever way each goes round: no gap, no overlap.
+//! Where its corners go down once and up once, as those of every convex polygon do, each row is one span between two chains of sides.
+//! Any other polygon marks where its sides cross some rows, and each row is then filled from mark to mark.
 
-use super::grid;
-use crate::Scalar;
-use core::ops::Range;
+use super::chain::Chain;
+use super::crossings::Crossings;
+use super::edge::{is_far, sides};
+use super::fixed;
+use super::spans::{Clip, Spans};
+use crate::{Real, Scalar};
 
-/// Rows in a band: as many as a mark has bits.
-const BAND: usize = u8::BITS as usize;
+/// What is inside of a polygon that crosses itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rule {
+    /// What is surrounded an odd number of times.
+    EvenOdd,
+    /// What is surrounded more often one way round than the other.
+    NonZero,
+}
 
-/// Fills a polygon given in pixels.
-pub(super) fn fill<T: Scalar, const W: usize>(
-    rows: &mut [[u8; W]],
-    corners: &(impl Iterator<Item = [T; 2]> + Clone),
+/// Fills a polygon whose corners in pixels are told by their number.
+pub(super) fn fill<T: Scalar>(
+    surface: &mut impl Spans,
+    corner: &(impl Fn(usize) -> [T; 2] + Clone),
+    count: usize,
+    rule: Rule,
     color: u8,
 ) {
-    let mut extent = rows.len()..0;
-    let mut last = None;
-    for corner in corners.clone() {
-        let [x, y] = corner;
-        if !(x.is_finite() && y.is_finite()) {
+    let clip = surface.clip();
+    match shape(corner, count, clip) {
+        Some(Seen {
+            top,
+            bottom,
+            highest,
+            is_simple: true,
+        }) => between_chains(surface, corner, count, highest, top..bottom, color),
+        Some(Seen { top, bottom, .. }) => {
+            let rows = Clip {
+                top,
+                bottom,
+                ..clip
+            };
+            outline(surface, &(0..count).map(corner), rows, rule, color);
+        }
+        None => {}
+    }
+}
+
+/// Fills what an outline surrounds whose corners in pixels come one after the other.
+pub(super) fn fill_path<T: Scalar>(
+    surface: &mut impl Spans,
+    corners: &(impl Iterator<Item = [T; 2]> + Clone),
+    rule: Rule,
+    color: u8,
+) {
+    let clip = surface.clip();
+    let mut rows = clip.bottom..clip.top;
+    for [x, y] in corners.clone() {
+        if !(Real::is_finite(x) && Real::is_finite(y)) {
             return;
         }
-        let row = grid::first_from(y, rows.len());
-        extent = extent.start.min(row)..extent.end.max(row);
-        last = Some(corner);
+        let row = fixed::first_from(y, clip.bottom).max(clip.top);
+        rows = rows.start.min(row)..rows.end.max(row);
     }
-    let (Some(last), top) = (last, extent.start) else {
+    let rows = Clip {
+        top: rows.start,
+        bottom: rows.end,
+        ..clip
+    };
+    outline(surface, corners, rows, rule, color);
+}
+
+/// What has to be known of a polygon before it is filled.
+struct Seen {
+    /// The rows to be filled.
+    top: usize,
+    bottom: usize,
+    /// The number of a corner above all of them.
+    highest: usize,
+    /// Whether there are two chains of sides, neither too far away.
+    is_simple: bool,
+}
+
+/// Looks at all corners; nothing is to be filled if one is not finite, or if all are above or below.
+fn shape<T: Scalar>(corner: &impl Fn(usize) -> [T; 2], count: usize, clip: Clip) -> Option<Seen> {
+    let mut seen = Seen {
+        top: clip.bottom,
+        bottom: clip.top,
+        highest: 0,
+        is_simple: true,
+    };
+    let mut ways = Ways::default();
+    for index in 0..count {
+        let [x, y] = corner(index);
+        if !(Real::is_finite(x) && Real::is_finite(y)) {
+            return None;
+        }
+        seen.is_simple &= !is_far(x);
+        let row = fixed::first_from(y, clip.bottom).max(clip.top);
+        if row < seen.top {
+            (seen.top, seen.highest) = (row, index);
+        }
+        seen.bottom = seen.bottom.max(row);
+        ways.go(row);
+    }
+    seen.is_simple &= ways.turns() <= 2;
+    (seen.top < seen.bottom).then_some(seen)
+}
+
+/// How often the corners of a polygon change between going down and going up.
+#[derive(Default)]
+struct Ways {
+    first: Option<usize>,
+    last: usize,
+    first_way: Option<bool>,
+    way: Option<bool>,
+    turns: usize,
+}
+
+impl Ways {
+    #[inline]
+    fn go(&mut self, row: usize) {
+        if self.first.is_none() {
+            (self.first, self.last) = (Some(row), row);
+        }
+        if row != self.last {
+            let way = Some(row > self.last);
+            self.turns += usize::from(self.way.is_some() && self.way != way);
+            self.first_way = self.first_way.or(way);
+            (self.way, self.last) = (way, row);
+        }
+    }
+
+    /// All the way round.
+    fn turns(mut self) -> usize {
+        if let Some(first) = self.first {
+            self.go(first);
+        }
+        self.turns + usize::from(self.way != self.first_way)
+    }
+}
+
+/// Fills a polygon span by span between the two chains of sides that begin at its highest corner.
+fn between_chains<T: Scalar>(
+    surface: &mut impl Spans,
+    corner: &impl Fn(usize) -> [T; 2],
+    count: usize,
+    highest: usize,
+    rows: core::ops::Range<usize>,
+    color: u8,
+) {
+    let Clip { left, right, .. } = surface.clip();
+    let height = rows.end;
+    let mut onward = Chain::new(corner, count, highest, true, height);
+    let mut back = Chain::new(corner, count, highest, false, height);
+    let mut row = rows.start;
+    while row < rows.end {
+        let (Some(one), Some(other)) = (onward.side_at(row), back.side_at(row)) else {
+            return;
+        };
+        let end = one.end.min(other.end);
+        let (mut from, mut to) = (one.at(row), other.at(row));
+        let (from_step, to_step) = (one.step(), other.step());
+        for row in row..end {
+            let one = fixed::within(fixed::pixel(from), left, right);
+            let other = fixed::within(fixed::pixel(to), left, right);
+            // Chains may cross each other.
+            surface.fill(row, one.min(other)..one.max(other), color);
+            from = from.wrapping_add(from_step);
+            to = to.wrapping_add(to_step);
+        }
+        row = end;
+    }
+}
+
+/// Fills what any outline surrounds, in these rows.
+fn outline<T: Scalar>(
+    surface: &mut impl Spans,
+    corners: &(impl Iterator<Item = [T; 2]> + Clone),
+    rows: Clip,
+    rule: Rule,
+    color: u8,
+) {
+    let Some(last) = corners.clone().last() else {
         return;
     };
-    let Some(rows) = rows.get_mut(extent) else {
-        return;
-    };
-    let mut band = Band::<W>::new();
-    for (number, rows) in rows.chunks_mut(BAND).enumerate() {
-        let top = top + number * BAND;
+    let mut top = rows.top;
+    let mut crossings = Crossings::new();
+    while top < rows.bottom {
+        let band = crossings.begin(Clip { top, ..rows });
         let mut tail = last;
         for head in corners.clone() {
-            band.mark_edge(tail, head, top..top + rows.len());
+            for side in sides(tail, head, band.bottom) {
+                crossings.mark(side);
+            }
             tail = head;
         }
-        band.paint(rows, color);
-    }
-}
-
-/// The marks of some rows.
-struct Band<const W: usize> {
-    /// Where painting switches on or off: for each column, one bit a row.
-    marks: [u8; W],
-    spans: [Span; BAND],
-}
-
-/// What is marked in a row.
-#[derive(Clone, Copy)]
-struct Span {
-    first: usize,
-    last: usize,
-    count: usize,
-}
-
-const EMPTY: Span = Span {
-    first: usize::MAX,
-    last: 0,
-    count: 0,
-};
-
-impl<const W: usize> Band<W> {
-    fn new() -> Self {
-        Self {
-            marks: [0; W],
-            spans: [EMPTY; BAND],
+        for row in band.top..band.bottom {
+            let sides = || all_sides(corners, last, row + 1);
+            crossings.fill(surface, row, rule, color, sides);
         }
-    }
-
-    /// Marks where an edge crosses those of its rows that are in the band.
-    fn mark_edge<T: Scalar>(&mut self, tail: [T; 2], head: [T; 2], band: Range<usize>) {
-        // One order of the ends, so that the polygon on the other side computes the very same crossings.
-        let (upper, lower) = if (tail[1], tail[0]) <= (head[1], head[0]) {
-            (tail, head)
-        } else {
-            (head, tail)
-        };
-        let start = grid::first_from(upper[1], band.end).max(band.start);
-        let end = grid::first_from(lower[1], band.end);
-        let spans = self.spans.iter_mut().enumerate();
-        for (number, span) in spans
-            .skip(start - band.start)
-            .take(end.saturating_sub(start))
-        {
-            let crossing = crossing(upper, lower, grid::center(band.start + number));
-            let column = grid::first_from(crossing, W);
-            // What is marked beyond the right margin switches nothing.
-            if let Some(mark) = self.marks.get_mut(column) {
-                *mark ^= 1 << number;
-                span.first = span.first.min(column);
-                span.last = span.last.max(column);
-                span.count += 1;
-            }
-        }
-    }
-
-    /// Paints the rows as they are marked, and takes the marks away.
-    fn paint(&mut self, rows: &mut [[u8; W]], color: u8) {
-        for (number, (row, span)) in rows.iter_mut().zip(&mut self.spans).enumerate() {
-            let Span { first, last, count } = core::mem::replace(span, EMPTY);
-            let Some(marks) = self.marks.get_mut(first..=last) else {
-                continue;
-            };
-            let bit = 1 << number;
-            let mut paint = |span: Range<usize>| {
-                if let Some(pixels) = row.get_mut(span) {
-                    pixels.fill(color);
-                }
-            };
-            if count <= 2 {
-                // All there is in a convex polygon: no need to look for the marks.
-                for mark in [0, last - first] {
-                    if let Some(mark) = marks.get_mut(mark) {
-                        *mark &= !bit;
-                    }
-                }
-                paint(first..if count == 2 { last } else { W });
-                continue;
-            }
-            let mut start = None;
-            for (column, mark) in (first..).zip(marks) {
-                if *mark & bit != 0 {
-                    *mark &= !bit;
-                    start = match start {
-                        None => Some(column),
-                        Some(start) => {
-                            paint(start..column);
-                            None
-                        }
-                    };
-                }
-            }
-            if let Some(start) = start {
-                paint(start..W);
-            }
-        }
+        top = band.bottom;
     }
 }
 
-/// The abscissa at which an edge has this ordinate.
-fn crossing<T: Scalar>(upper: [T; 2], lower: [T; 2], y: T) -> T {
-    // Multiplied before it is divided: exact wherever the result is a number that can be written down.
-    let x = upper[0] + (y - upper[1]) * (lower[0] - upper[0]) / (lower[1] - upper[1]);
-    let (left, right) = if upper[0] <= lower[0] {
-        (upper[0], lower[0])
-    } else {
-        (lower[0], upper[0])
-    };
-    nalgebra::RealField::max(x, left).min(right)
+/// Every side, one after the other.
+fn all_sides<T: Scalar>(
+    corners: &(impl Iterator<Item = [T; 2]> + Clone),
+    last: [T; 2],
+    height: usize,
+) -> impl Iterator<Item = super::edge::Edge> {
+    let tails = core::iter::once(last).chain(corners.clone());
+    tails
+        .zip(corners.clone())
+        .flat_map(move |(tail, head)| sides(tail, head, height))
 }

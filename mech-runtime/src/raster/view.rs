@@ -1,6 +1,6 @@
 //! The part of the scene that is seen.
 
-use crate::Scalar;
+use crate::{Pose, Scalar};
 
 /// Which point of the scene is at the centre of the picture, and how large a scene unit is there.
 ///
@@ -110,5 +110,34 @@ impl<T: Scalar> Projection<T> {
     /// From scene units to pixels.
     pub(super) fn length(self, length: T) -> T {
         length * self.scale
+    }
+
+    /// From the frame of a link to pixels.
+    pub(super) fn of(self, pose: Pose<T>) -> Place<T> {
+        Place {
+            origin: self.point([pose.x, pose.y]),
+            cos: pose.cos * self.scale,
+            sin: pose.sin * self.scale,
+        }
+    }
+}
+
+/// Where a link is in the picture.
+#[derive(Clone, Copy)]
+pub(super) struct Place<T> {
+    origin: [T; 2],
+    /// Times the scale.
+    cos: T,
+    sin: T,
+}
+
+impl<T: Scalar> Place<T> {
+    /// From the frame of the link to pixels.
+    #[inline]
+    pub(super) fn point(self, [x, y]: [T; 2]) -> [T; 2] {
+        [
+            self.origin[0] + (self.cos * x - self.sin * y),
+            self.origin[1] - (self.sin * x + self.cos * y),
+        ]
     }
 }

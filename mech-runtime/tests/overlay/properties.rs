@@ -71,18 +71,37 @@ struct Recorder {
 
 impl Canvas<f64> for Recorder {
     fn fill(&mut self, outline: Outline<f64>, pose: Pose<f64>, _: u8) {
-        if let Outline::Circle { center, radius } = outline {
-            self.circles.push((pose.apply(center), radius));
+        match outline {
+            Outline::Circle { center, radius } => {
+                self.circles.push((pose.apply(center), radius));
+            }
+            Outline::Polygon(corners) => self.polygons.push(corners.to_vec()),
+            Outline::Line { points, width } => self.polygons.push(around(points, width)),
+            Outline::Arc { start, .. } => self.polygons.push(vec![start]),
+            other => panic!("{other:?} is in no symbol"),
         }
     }
 
-    fn fill_polygon(&mut self, corners: &[[f64; 2]], _: u8) {
-        self.polygons.push(corners.to_vec());
-    }
+    fn text(&mut self, _: [f64; 2], _: &str, _: u8) {}
 
     fn scale(&self) -> f64 {
         self.scale
     }
+}
+
+/// How far a straight line reaches: before its ends and beside them.
+fn around(points: &[[f64; 2]], width: f64) -> Vec<[f64; 2]> {
+    let [from, to] = [points[0], points[points.len() - 1]];
+    let way = [to[0] - from[0], to[1] - from[1]];
+    let length = way[0].hypot(way[1]);
+    let [u, v] = if length > 0.0 {
+        way.map(|part| part / length * width / 2.0)
+    } else {
+        [width / 2.0, 0.0]
+    };
+    let beside = |[x, y]: [f64; 2]| [[x - v, y + u], [x + v, y - u]];
+    let ends = [[from[0] - u, from[1] - v], [to[0] + u, to[1] + v]];
+    [beside(from), beside(to), ends].concat()
 }
 
 fn all_symbols() -> Vec<Symbol<f64>> {
@@ -145,7 +164,7 @@ fn where_pixels_have_no_size_everything_is_where_it_stands() {
         .clone()
         .filter(|corner| corner[0].hypot(corner[1]) > 6.0);
     assert_eq!(far.count(), 0);
-    assert!(corners.count() > 100 && canvas.circles.iter().all(|(_, radius)| *radius == 0.0));
+    assert!(corners.count() > 60 && canvas.circles.iter().all(|(_, radius)| *radius == 0.0));
 }
 
 proptest! {

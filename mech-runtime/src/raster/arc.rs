@@ -1,0 +1,95 @@
+//! The outline of a thick arc with round ends.
+
+use super::turn::Turn;
+use crate::Scalar;
+
+/// The corners of the outline of an arc, one after the other: along its outer side, around its end, back along its inner side, around
+/// its beginning.
+#[derive(Clone)]
+pub(super) struct Arc<T> {
+    center: [T; 2],
+    radius: T,
+    half: T,
+    /// Along the arc, and around its ends in the same sense.
+    along: Turn<T>,
+    around: Turn<T>,
+    /// From the centre to where it has come, of length one, and from the arc's end to where it has come around it.
+    direction: [T; 2],
+    aside: [T; 2],
+    way: Way,
+    left: u32,
+}
+
+#[derive(Clone, Copy)]
+enum Way {
+    Outer,
+    End,
+    Inner,
+    Beginning,
+    Done,
+}
+
+impl<T: Scalar> Arc<T> {
+    /// An arc around a centre, from a direction of length one.
+    pub(super) fn new(
+        center: [T; 2],
+        radius: T,
+        direction: [T; 2],
+        half: T,
+        along: Turn<T>,
+        around: Turn<T>,
+    ) -> Self {
+        Self {
+            center,
+            radius,
+            half,
+            along,
+            around,
+            direction,
+            aside: direction,
+            way: Way::Outer,
+            left: along.corners(),
+        }
+    }
+
+    fn place(&self, radius: T) -> [T; 2] {
+        let ([x, y], [u, v]) = (self.center, self.direction);
+        [x + radius * u, y + radius * v]
+    }
+}
+
+impl<T: Scalar> Iterator for Arc<T> {
+    type Item = [T; 2];
+
+    fn next(&mut self) -> Option<[T; 2]> {
+        let corner = match self.way {
+            Way::Outer => self.place(self.radius + self.half),
+            Way::Inner => self.place(nalgebra::RealField::max(self.radius - self.half, T::ZERO)),
+            Way::End | Way::Beginning => {
+                let ([x, y], [u, v]) = (self.place(self.radius), self.aside);
+                [x + self.half * u, y + self.half * v]
+            }
+            Way::Done => return None,
+        };
+        if let Some(left) = self.left.checked_sub(1) {
+            self.left = left;
+            match self.way {
+                Way::Outer => self.direction = self.along.on(self.direction),
+                Way::Inner => self.direction = self.along.back(self.direction),
+                _ => self.aside = self.around.on(self.aside),
+            }
+        } else {
+            (self.way, self.left, self.aside) = match self.way {
+                Way::Outer => (Way::End, self.around.corners(), self.direction),
+                Way::End => (Way::Inner, self.along.corners(), self.direction),
+                Way::Inner => (
+                    Way::Beginning,
+                    self.around.corners(),
+                    self.direction.map(|part| -part),
+                ),
+                _ => (Way::Done, 0, self.direction),
+            };
+        }
+        Some(corner)
+    }
+}

@@ -1,0 +1,45 @@
+//! Positions in pixels as whole numbers of 2⁻⁴⁰ of a pixel: from here on, all is exact. The centre of pixel `n` is at `n + 1/2`.
+
+use crate::{Real, Scalar};
+
+/// Bits behind the point.
+pub(super) const FRACTION: u32 = 40;
+/// Half a pixel.
+pub(super) const HALF: i64 = 1 << (FRACTION - 1);
+/// Positions beyond this many pixels are not kept as they are: a picture is never so large.
+pub(super) const FAR: i32 = 1 << 21;
+
+/// The first of the pixels `0..count` whose centre is at `position` or beyond; `count` if there is none.
+pub(super) fn first_from<T: Scalar>(position: T, count: usize) -> usize {
+    let right = Scalar::to_fixed(position).saturating_add(HALF - 1);
+    within(pixel(right), 0, count)
+}
+
+/// The pixel in which a position lies.
+pub(super) const fn pixel(position: i64) -> i64 {
+    position >> FRACTION
+}
+
+/// A pixel's number, or the bound next to it.
+pub(super) fn within(pixel: i64, low: usize, high: usize) -> usize {
+    #[expect(
+        clippy::cast_possible_wrap,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "lies between two sizes of pictures"
+    )]
+    let within = pixel.max(low as i64).min(high as i64) as usize;
+    within
+}
+
+/// The centre of a pixel. By way of a small integer, so that a machine that has no `f64` needs none.
+pub(super) fn center<T: Scalar>(index: usize) -> T {
+    let index = i32::try_from(index).unwrap_or(i32::MAX);
+    <T as Real>::from_i32(index) + <T as Real>::HALF
+}
+
+/// The pixel border nearest to a position; of what is far away, one that is far away.
+pub(super) fn nearest<T: Scalar>(position: T) -> i32 {
+    let pixel = pixel(Scalar::to_fixed(position).saturating_add(HALF));
+    i32::try_from(pixel).unwrap_or(FAR)
+}

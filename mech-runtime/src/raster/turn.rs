@@ -1,0 +1,50 @@
+//! Going round in small steps.
+
+use crate::{Real, Scalar};
+
+/// A turn through an angle in equal steps, small enough for what is gone around to look round.
+#[derive(Clone, Copy)]
+pub(super) struct Turn<T> {
+    cos: T,
+    sin: T,
+    steps: u32,
+}
+
+impl<T: Scalar> Turn<T> {
+    /// Through an angle in radians, around something of a radius in pixels. Fineness is the number of steps that a whole turn takes
+    /// around a radius of one pixel; it grows with the root of the radius, so that the error in pixels is the same.
+    pub(super) fn new(angle: T, radius: T, fineness: f32) -> Self {
+        let share = (Real::abs(angle) / T::TURN).to_f32();
+        let steps = share * fineness * nalgebra::ComplexField::sqrt(radius.to_f32());
+        // Not a number, if anything: the least.
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a number of steps, if it is none the least"
+        )]
+        let steps = (steps as u32).clamp(3, 2000) + 1;
+        let part = angle / <T as Real>::from_i32(steps.cast_signed());
+        let (sin, cos) = Real::sin_cos(part);
+        Self { cos, sin, steps }
+    }
+
+    /// How many steps it takes.
+    pub(super) const fn corners(&self) -> u32 {
+        self.steps
+    }
+
+    /// The cosine of a step.
+    pub(super) fn cos(&self) -> T {
+        self.cos
+    }
+
+    /// A direction, turned one step on.
+    pub(super) fn on(&self, [x, y]: [T; 2]) -> [T; 2] {
+        [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
+    }
+
+    /// A direction, turned one step back.
+    pub(super) fn back(&self, [x, y]: [T; 2]) -> [T; 2] {
+        [self.cos * x + self.sin * y, self.cos * y - self.sin * x]
+    }
+}
