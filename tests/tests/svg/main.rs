@@ -52,5 +52,6 @@ fn expected<T: Scalar>(
             vec![pixel(center), pixel([center[0] + radius, center[1]])]
         }
         Outline::Polygon(corners) => corners.iter().copied().map(pixel).collect(),
+        other => panic!("no shape is declared as {other:?}"),
     }
 }

@@ -101,15 +101,6 @@ impl<'a> Player<'a> {
             .expect("a number");
         (phase - delay / self.period).rem_euclid(1.0) * 100.0 < end
     }
-
-    /// How far the angles of one way go at most from one key to the next, in degrees.
-    pub(crate) fn longest_turn(&self) -> f64 {
-        let turns = self.ways.values().flat_map(|keys| {
-            keys.windows(2)
-                .map(|pair| (pair[1].1[2] - pair[0].1[2]).abs())
-        });
-        turns.fold(0.0, f64::max)
-    }
 }
 
 fn keys(mut text: &str) -> Vec<Key> {

@@ -61,7 +61,11 @@ impl Svg {
             return;
         };
         match &mut self.run {
-            Some((last, figures)) if *last == place => figures.push(figure),
+            Some((last, figures)) if *last == place => {
+                if !figures.last_mut().is_some_and(|last| last.join(&figure)) {
+                    figures.push(figure);
+                }
+            }
             _ => {
                 self.end_run();
                 self.run = Some((place, vec![figure]));
@@ -71,13 +75,13 @@ impl Svg {
 }
 
 impl<T: Scalar> Canvas<T> for Svg {
-    fn fill(&mut self, outline: Outline<T>, pose: Pose<T>, color: u8) {
+    fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
         let figure = Figure::of(outline, self.sheet.view.scale(), color);
         self.draw(figure, pose);
     }
 
-    fn fill_polygon(&mut self, corners: &[[T; 2]], color: u8) {
-        let figure = Figure::polygon(corners, self.sheet.view.scale(), color);
+    fn text(&mut self, place: [T; 2], text: &str, color: u8) {
+        let figure = Figure::text(place, text, self.sheet.view.scale(), color);
         self.draw(figure, Pose::<T>::identity());
     }
 

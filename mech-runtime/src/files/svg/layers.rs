@@ -1,7 +1,9 @@
 //! What moves together.
 
+use super::columns::columns;
 use super::figure::Figure;
 use super::place::Place;
+use super::trace::whole_way;
 use super::track::Track;
 use std::sync::Arc;
 use std::{vec, vec::Vec};
@@ -14,6 +16,11 @@ pub(super) struct Seen {
 }
 
 impl Seen {
+    /// The place in the picture of the figure's first point.
+    pub(super) fn first_point(&self) -> (f64, f64) {
+        self.place.apply(self.figure.first_point()).into()
+    }
+
     /// The figure in the picture.
     fn in_picture(&self) -> Figure {
         self.figure.carried(|point| self.place.apply(point))
@@ -25,6 +32,9 @@ pub(super) struct Layers {
     pub(super) tracks: Vec<Track>,
     pub(super) layers: Vec<Layer>,
 }
+
+/// The track of what stands still in the picture.
+const PICTURE: usize = 0;
 
 /// Neighbours that are treated alike.
 pub(super) enum Layer {
@@ -41,37 +51,18 @@ impl Layers {
             tracks: Vec::new(),
             layers: Vec::new(),
         };
-        let Some(first) = moments.first() else {
-            return layers;
-        };
-        layers
-            .tracks
-            .push(Track::new(vec![Place::PICTURE; moments.len()]));
-        let [before, after] = alike(first, moments);
-        let columns = |from_end: bool, count: usize| {
-            (0..count).map(move |index| {
-                let column = moments.iter().filter_map(move |moment| {
-                    let index = if from_end {
-                        moment.len().checked_sub(count)? + index
-                    } else {
-                        index
-                    };
-                    moment.get(index)
-                });
-                column.collect::<Vec<_>>()
-            })
-        };
-        for column in columns(false, before) {
-            layers.add(&column);
-        }
-        let between = moments.iter().map(|moment| {
-            let end = moment.len().saturating_sub(after);
-            let between = moment.get(before..end).unwrap_or_default();
-            between.iter().map(Seen::in_picture).collect()
-        });
-        layers.add_changing(between.collect());
-        for column in columns(true, after) {
-            layers.add(&column);
+        let still = vec![Place::PICTURE; moments.len()];
+        layers.tracks.push(Track::new(still));
+        for column in columns(moments) {
+            match column.iter().copied().collect::<Option<Vec<_>>>() {
+                Some(always) => layers.add(&always),
+                None => layers.add_changing(
+                    column
+                        .iter()
+                        .map(|seen| seen.iter().map(|seen| seen.in_picture()).collect())
+                        .collect(),
+                ),
+            }
         }
         layers
     }
@@ -90,15 +81,14 @@ impl Layers {
             let track = self.track(places);
             return self.add_rigid(track, Figure::clone(&first.figure));
         }
-        let on_known = self
-            .tracks
-            .iter()
-            .position(|track| fixed(&in_picture, track.places()).is_some());
-        if let Some(track) = on_known
-            && let Some(figure) = self
-                .tracks
-                .get(track)
-                .and_then(|track| fixed(&in_picture, track.places()))
+        let on_known = || {
+            let tracks = self.tracks.iter().enumerate();
+            let mut fixed = tracks
+                .filter_map(|(index, track)| Some((index, fixed(&in_picture, track.places())?)));
+            fixed.next()
+        };
+        if !first.figure.is_upright()
+            && let Some((track, figure)) = on_known()
         {
             return self.add_rigid(track, figure);
         }
@@ -146,6 +136,9 @@ impl Layers {
         if moments.iter().all(Vec::is_empty) {
             return;
         }
+        if let Some(way) = whole_way(&moments) {
+            return self.add_rigid(PICTURE, way);
+        }
         if let Some(Layer::Changing(last)) = self.layers.last_mut() {
             for (last, more) in last.iter_mut().zip(moments) {
                 last.extend(more);
@@ -162,36 +155,6 @@ impl Layers {
             .map(Track::coarseness)
             .fold(0.0, f64::max)
     }
-}
-
-/// How many figures in the beginning, and how many in the end, are of the same kind at all moments.
-fn alike(first: &[Seen], moments: &[Vec<Seen>]) -> [usize; 2] {
-    let least = moments.iter().map(Vec::len).min().unwrap_or_default();
-    let most = moments.iter().map(Vec::len).max().unwrap_or_default();
-    if least == most {
-        return [least, 0];
-    }
-    let is_akin = |one: &Seen, other: &Seen| one.figure.is_akin(&other.figure);
-    let before = moments
-        .iter()
-        .map(|moment| {
-            first
-                .iter()
-                .zip(moment)
-                .take_while(|(one, other)| is_akin(one, other))
-                .count()
-        })
-        .min()
-        .unwrap_or_default();
-    let after = moments
-        .iter()
-        .map(|moment| {
-            let pairs = first.iter().rev().zip(moment.iter().rev());
-            pairs.take_while(|(one, other)| is_akin(one, other)).count()
-        })
-        .min()
-        .unwrap_or_default();
-    [before, after.min(least - before)]
 }
 
 /// The figure in a frame that is at these places, if it is the same in it at every moment.

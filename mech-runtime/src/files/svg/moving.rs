@@ -18,8 +18,8 @@ use std::{format, string::String, vec::Vec};
 ///
 /// It is painted moment by moment; the moments are equally far apart, and after the last one comes the first again. What keeps its form
 /// moves, whether it is given in the frame of a link or in the scene; key frames are as few as will do to keep it within a
-/// twentieth of a pixel of its way, where the moments are near enough together. What changes its form (arrows, springs) is
-/// shown thirty times a second at most. Who prefers reduced motion, or has a viewer that knows none, sees the first moment.
+/// tenth of a pixel of its way, where the moments are near enough together. What changes its form (arrows, springs) or is not always
+/// there is shown thirty times a second at most, and of a trace that does the whole way of one period. Who prefers reduced motion, or has a viewer that knows none, sees the first moment.
 ///
 /// Names in the file are its own as long as it is shown by `<img>`.
 ///
@@ -190,6 +190,14 @@ impl Moment<'_> {
         let (Some(figure), Some(place)) = (figure, Place::of(pose, self.sheet)) else {
             return;
         };
+        // Parts of a trace. Two bars that meet are no longer one line as soon as they move.
+        if let Some(last) = self.seen.last_mut()
+            && last.place == place
+            && last.figure.line().is_some_and(|points| points.len() > 2)
+            && Arc::make_mut(&mut last.figure).join(&figure)
+        {
+            return;
+        }
         // Most figures are those of the moment before, elsewhere.
         let known = self.before.get(self.seen.len());
         let known = known.filter(|known| *known.figure == figure);
@@ -199,17 +207,15 @@ impl Moment<'_> {
 }
 
 impl<T: Scalar> Canvas<T> for Moment<'_> {
-    fn fill(&mut self, outline: Outline<T>, pose: Pose<T>, color: u8) {
+    fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
         let scale = self.sheet.view.scale();
         self.see(Figure::of(outline, scale, color), pose);
     }
 
-    fn fill_polygon(&mut self, corners: &[[T; 2]], color: u8) {
+    fn text(&mut self, place: [T; 2], text: &str, color: u8) {
         let scale = self.sheet.view.scale();
-        self.see(
-            Figure::polygon(corners, scale, color),
-            Pose::<T>::identity(),
-        );
+        let figure = Figure::text(place, text, scale, color);
+        self.see(figure, Pose::<T>::identity());
     }
 
     fn scale(&self) -> T {

@@ -8,10 +8,10 @@ use core::iter;
 use std::{string::String, vec, vec::Vec};
 
 /// How far a moving figure may be from where it should be for want of key frames, in pixels.
-const TOLERANCE: f64 = 0.05;
+const TOLERANCE: f64 = 0.07;
 
 /// Decimals of what is given in pixels of a key frame, and of its time in percent.
-const DECIMALS: usize = 3;
+const DECIMALS: usize = 2;
 const DECIMALS_OF_TIME: usize = 4;
 
 /// Where a link's frame is at each moment of a period, the moments equally far apart; and at its end, where it is at its beginning.
@@ -100,7 +100,7 @@ impl Track {
     pub(super) fn write_keyframes(&self, text: &mut String, name: &str) {
         let keys = self.keys();
         let last = keys.len().saturating_sub(1);
-        let decimals = decimals_of_factor(self.extent).saturating_sub(2);
+        let decimals = decimals_of_factor(self.extent).saturating_sub(3);
         let turns = keys.iter().any(|key| key.angle != 0.0);
         // Writing to a `String` cannot fail.
         let _ = write!(text, "@keyframes {name}{{");
