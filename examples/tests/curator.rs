@@ -6,6 +6,7 @@ use four_bar::FourBar;
 use mech_examples::{
     Curator, Easel, Error, Exhibit, FRAMES, Picture, Showcase, Swatches, animation,
 };
+use mech_runtime::files::FileError;
 use mech_runtime::{Frame, View};
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -45,7 +46,7 @@ fn seen(bytes: &[u8]) -> (Vec<Picture>, gif::Repeat) {
         .to_vec();
     let (table, _) = table.as_chunks::<3>();
     let [width, height] = [decoder.width(), decoder.height()];
-    let mut pixels = vec![[0; 3]; usize::from(width) * usize::from(height)];
+    let mut pixels = vec![[0; 4]; usize::from(width) * usize::from(height)];
     let mut pictures = Vec::new();
     while let Some(frame) = decoder.read_next_frame().expect("a frame") {
         assert_eq!((frame.palette.as_ref(), frame.delay), (None, 3));
@@ -53,7 +54,8 @@ fn seen(bytes: &[u8]) -> (Vec<Picture>, gif::Repeat) {
         for (row, new) in rows.zip(frame.buffer.chunks(frame.width.into())) {
             for (pixel, &new) in row.iter_mut().skip(frame.left.into()).zip(new) {
                 if frame.transparent != Some(new) {
-                    *pixel = table[usize::from(new)];
+                    let [red, green, blue] = table[usize::from(new)];
+                    *pixel = [red, green, blue, 255];
                 }
             }
         }
@@ -75,10 +77,28 @@ fn files_and_page() {
     let page = fs::read_to_string(folder.join("index.html")).expect("a page");
     assert!(page.contains("Four bars &amp; a &lt;rocker&gt;"));
     assert!(page.contains("closed form &lt;RRR&gt; &amp; &quot;exact&quot;"));
-    assert!(page.contains(r#"src="four-bar.gif""#) && page.contains(r#"href="four-bar.png""#));
+    for file in [
+        "src=\"four-bar-moving.svg",
+        "href=\"four-bar.gif",
+        "href=\"four-bar.png",
+        "href=\"four-bar.svg",
+    ] {
+        assert!(page.contains(file), "{file}");
+    }
     assert!(!page.contains("http") && !page.contains("//"));
     // Written by hand, it has no declaration to find graphs in.
     assert!(!page.contains("<svg"));
+
+    let still = fs::read_to_string(folder.join("four-bar.svg")).expect("an SVG");
+    assert!(still.contains("<title>Four bars &amp; a &lt;rocker&gt;</title>"));
+    let moving = fs::read_to_string(folder.join("four-bar-moving.svg")).expect("an SVG");
+    assert!(moving.contains(".move{animation:linear 2.7s infinite}"));
+    for element in ["<circle", "<polygon"] {
+        assert_eq!(
+            moving.matches(element).count(),
+            still.matches(element).count()
+        );
+    }
 
     let painted = pictures(&showcase());
     let png = io::Cursor::new(fs::read(folder.join("four-bar.png")).expect("a PNG"));
@@ -168,21 +188,26 @@ fn strips_do_not_show() {
     let picture = easel.paint(&film.scenes()[33]);
     let size = [picture.width, picture.height].map(usize::from);
     assert_eq!(size, [WIDTH, HEIGHT]);
-    let pixels = picture.pixels.iter().map(|pixel| pixel.map(u32::from));
+    let pixels = picture.pixels.iter();
+    let pixels = pixels.map(|&[red, green, blue, _]| [red, green, blue].map(u32::from));
     assert!(pixels.eq(at_once.expect("painted")));
 }
 
 #[test]
 fn a_few_colors_are_kept_exactly() {
-    let pixels: Vec<_> = (0..=254).map(|level| [level, 0, 255 - level]).collect();
+    let pixels: Vec<_> = (0..=254)
+        .map(|level| [level, 0, 255 - level, 255])
+        .collect();
     let picture = Picture {
         width: 255,
         height: 1,
         pixels,
     };
     let swatches = Swatches::for_pictures(std::slice::from_ref(&picture));
-    for &color in &picture.pixels {
+    for &[red, green, blue, _] in &picture.pixels {
+        let color = [red, green, blue];
         assert_eq!(swatches.colors()[usize::from(swatches.entry(color))], color);
+        assert_eq!(swatches.palette().rgb(swatches.entry(color)), color);
     }
 }
 
@@ -191,7 +216,7 @@ fn a_picture_that_does_not_change_keeps_its_time() {
     let picture = Picture {
         width: 3,
         height: 2,
-        pixels: vec![[9, 9, 9]; 6],
+        pixels: vec![[9, 9, 9, 255]; 6],
     };
     let (seen, _) = seen(&animation(&vec![picture.clone(); 5]).expect("a GIF"));
     assert_eq!(seen, vec![picture; 5]);
@@ -200,15 +225,14 @@ fn a_picture_that_does_not_change_keeps_its_time() {
 #[test]
 fn nothing_to_show() {
     assert!(Easel::for_film(&mech_examples::Film::new(1.0)).is_none());
-    let empty = animation(&[]).expect("an empty GIF");
-    assert!(empty.starts_with(b"GIF89a"));
+    assert!(matches!(animation(&[]), Err(FileError::Empty)));
     let torn = Picture {
         width: 3,
         height: 2,
-        pixels: vec![[9, 9, 9]; 5],
+        pixels: vec![[9, 9, 9, 255]; 5],
     };
-    assert!(matches!(torn.png(), Err(Error::Png(_))));
-    assert!(matches!(animation(&[torn]), Err(Error::Gif(_))));
+    assert!(matches!(torn.png(), Err(FileError::Torn { .. })));
+    assert!(matches!(animation(&[torn]), Err(FileError::Torn { .. })));
 }
 
 #[test]

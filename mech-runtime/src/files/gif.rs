@@ -100,13 +100,12 @@ impl<W: Write> Gif<W> {
 
     fn write(&mut self, pixels: &[u8], palette: &Palette) -> Result<(), FileError> {
         let own_table;
-        let (table, mut entries) = match self.table.entries(pixels, palette) {
-            Ok(entries) => (&self.table, entries),
-            Err(_) => {
-                own_table = Table::of_pixels(pixels, palette);
-                let entries = own_table.entries(pixels, palette);
-                (&own_table, entries.map_err(FileError::OtherColor)?)
-            }
+        let (table, mut entries) = if let Ok(entries) = self.table.entries(pixels, palette) {
+            (&self.table, entries)
+        } else {
+            own_table = Table::of_pixels(pixels, palette);
+            let entries = own_table.entries(pixels, palette);
+            (&own_table, entries.map_err(FileError::OtherColor)?)
         };
         let now: Vec<_> = pixels.iter().map(|&entry| palette.rgb(entry)).collect();
         let is_first = self.before.is_empty();

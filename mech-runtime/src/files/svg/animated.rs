@@ -32,7 +32,7 @@ const TOLERANCE: f64 = 0.02;
 ///     motor a;
 /// }
 /// let sheet = Sheet::new(320, 240).look_at(View::new([0.0, 0.0], 40.0)).title("A crank");
-/// let text = animated::<Crank>(sheet, Duration::from_secs(3), |phase| [phase * TAU])?;
+/// let text = animated::<Crank>(&sheet, Duration::from_secs(3), |phase| [phase * TAU])?;
 /// assert!(text.contains("prefers-reduced-motion")); // for `std::fs::write("crank.svg", text)`
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
@@ -40,7 +40,7 @@ const TOLERANCE: f64 = 0.02;
 /// # Errors
 /// [`Blocked`] if the mechanism cannot go through the motion.
 pub fn animated<M: Mechanism>(
-    sheet: Sheet,
+    sheet: &Sheet,
     period: Duration,
     motion: impl Fn(f64) -> M::Motors,
 ) -> Result<String, Blocked<M::Motors>> {

@@ -69,11 +69,12 @@ impl Paint {
         // A line that is wider than twice the radius of its arc is not filled by all renderers.
         let is_thick = width >= 2.0 * radius;
         if angle.abs() >= TAU {
-            return if is_thick {
-                self.disc(text, center, radius + width / 2.0)
+            if is_thick {
+                self.disc(text, center, radius + width / 2.0);
             } else {
-                self.ring(text, center, radius, width)
-            };
+                self.ring(text, center, radius, width);
+            }
+            return;
         }
         let at = |angle: f64| {
             // Downwards is positive, so left is the other way round.

@@ -6,7 +6,7 @@ use super::figure::Figure;
 use super::layers::{Layer, Layers, Seen};
 use super::number::Number;
 use super::place::Place;
-use super::track::{percent, share};
+use super::track::{Track, percent, share};
 use crate::{Canvas, Outline, Pose, Real, Scalar};
 use core::fmt::Write;
 use std::sync::Arc;
@@ -109,9 +109,7 @@ impl AnimatedSvg {
         for layer in layers {
             match layer {
                 Layer::Rigid { track, figures } => {
-                    let first = tracks
-                        .get(*track)
-                        .map_or(Place::PICTURE, |track| track.first());
+                    let first = tracks.get(*track).map_or(Place::PICTURE, Track::first);
                     let class = if is_moving.get(*track) == Some(&true) {
                         format!(" class=\"move way{track}\"")
                     } else {
