@@ -29,7 +29,7 @@ macro_rules! scalar {
                 reason = "cutting off is what is asked for"
             )]
             fn to_fixed(self) -> i64 {
-                const ONE: $float = (1_u64 << 40) as $float;
+                const ONE: $float = 1_099_511_627_776.0;
                 (self * ONE) as i64
             }
 

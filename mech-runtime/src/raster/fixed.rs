@@ -38,6 +38,18 @@ pub(super) fn center<T: Scalar>(index: usize) -> T {
     <T as Real>::from_i32(index) + <T as Real>::HALF
 }
 
+/// The border before a pixel.
+pub(super) fn border<T: Scalar>(index: usize) -> T {
+    <T as Real>::from_i32(i32::try_from(index).unwrap_or(i32::MAX))
+}
+
+/// The rows of a picture that lie at least in part between two ordinates.
+pub(super) fn touched<T: Scalar>([high, low]: [T; 2], height: usize) -> core::ops::Range<usize> {
+    let first = within(pixel(Scalar::to_fixed(high)), 0, height);
+    let end = pixel(Scalar::to_fixed(low).saturating_add(2 * HALF - 1));
+    first..within(end, first, height)
+}
+
 /// The pixel border nearest to a position; of what is far away, one that is far away.
 pub(super) fn nearest<T: Scalar>(position: T) -> i32 {
     let pixel = pixel(Scalar::to_fixed(position).saturating_add(HALF));

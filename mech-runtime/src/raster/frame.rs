@@ -143,7 +143,7 @@ impl<const W: usize, const H: usize> Default for Frame<W, H> {
 /// Its size and view: nobody wants to read the pixels.
 impl<const W: usize, const H: usize> fmt::Debug for Frame<W, H> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Frame<{W}, {H}> ")?;
+        write!(f, "Frame<{W}, {H}>")?;
         f.debug_struct("")
             .field("view", &self.view)
             .finish_non_exhaustive()

@@ -10,6 +10,9 @@ use super::view::Projection;
 use super::{circle, fixed};
 use crate::{Outline, Pose, Real, Scalar};
 
+/// The most steps around an end of a line, or along an arc: thousands of pixels are still round.
+const MOST: u32 = 1000;
+
 /// What can be filled in pixels.
 pub(super) trait Fill {
     /// How many straight sides stand for a circle whose radius is one pixel.
@@ -130,7 +133,12 @@ fn line<T: Scalar>(
         let point = points.get(index).copied();
         place.point(point.unwrap_or([T::ZERO; 2]))
     };
-    let turn = Turn::new(<T as Real>::HALF * T::TURN, half, FinenessOf::of(surface));
+    let turn = Turn::new(
+        <T as Real>::HALF * T::TURN,
+        half,
+        FinenessOf::of(surface),
+        MOST,
+    );
     if let Some(stroke) = Stroke::new(point, points.len(), half, turn) {
         surface.path(&stroke, color);
     }
@@ -150,13 +158,14 @@ fn arc<T: Scalar>(
     let [x, y] = [start[0] - center[0], start[1] - center[1]];
     let radius = Real::sqrt(x * x + y * y);
     let fineness = FinenessOf::of(surface);
-    if !(radius > T::ZERO) || Real::abs(angle) >= T::TURN {
+    let is_arc = radius > T::ZERO && Real::abs(angle) < T::TURN;
+    if !is_arc {
         surface.ring(center, radius + half, radius - half, color);
         return;
     }
     let around = Real::copysign(<T as Real>::HALF * T::TURN, angle);
-    let along = Turn::new(angle, radius + half, fineness);
-    let around = Turn::new(around, half, fineness);
+    let along = Turn::new(angle, radius + half, fineness, MOST);
+    let around = Turn::new(around, half, fineness, MOST);
     let direction = [x / radius, y / radius];
     let arc = Arc::new(center, radius, direction, half, along, around);
     surface.path(&arc, color);

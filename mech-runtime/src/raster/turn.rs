@@ -12,8 +12,8 @@ pub(super) struct Turn<T> {
 
 impl<T: Scalar> Turn<T> {
     /// Through an angle in radians, around something of a radius in pixels. Fineness is the number of steps that a whole turn takes
-    /// around a radius of one pixel; it grows with the root of the radius, so that the error in pixels is the same.
-    pub(super) fn new(angle: T, radius: T, fineness: f32) -> Self {
+    /// around a radius of one pixel; it grows with the root of the radius, so that the error in pixels is the same, up to `most`.
+    pub(super) fn new(angle: T, radius: T, fineness: f32, most: u32) -> Self {
         let share = (Real::abs(angle) / T::TURN).to_f32();
         let steps = share * fineness * nalgebra::ComplexField::sqrt(radius.to_f32());
         // Not a number, if anything: the least.
@@ -22,7 +22,7 @@ impl<T: Scalar> Turn<T> {
             clippy::cast_sign_loss,
             reason = "a number of steps, if it is none the least"
         )]
-        let steps = (steps as u32).clamp(3, 2000) + 1;
+        let steps = (steps as u32).clamp(3, most) + 1;
         let part = angle / <T as Real>::from_i32(steps.cast_signed());
         let (sin, cos) = Real::sin_cos(part);
         Self { cos, sin, steps }

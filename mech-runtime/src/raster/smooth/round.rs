@@ -1,0 +1,103 @@
+//! A circle, row by row.
+
+use super::cover::Cover;
+use crate::raster::fixed;
+use crate::raster::turn::Turn;
+use crate::{Real, Scalar};
+use core::ops::Range;
+
+/// Only those are taken that are seen.
+const MOST: u32 = 1 << 22;
+
+/// A circle that is gone down on both sides at once, in straight steps so short that it makes no difference.
+pub(super) struct Round<T> {
+    center: [T; 2],
+    /// A little more than its own, since steps are nearer to the centre than their ends are.
+    radius: T,
+    turn: Turn<T>,
+    /// From the centre to the end of the step, of length one; the y axis points down.
+    direction: [T; 2],
+    /// What is left of the step: from where to where, from the centre to the right and from the top of the picture down.
+    from: [T; 2],
+    to: [T; 2],
+    rows: Range<usize>,
+}
+
+impl<T: Scalar> Round<T> {
+    /// A circle in a picture of so many rows, of which a radius of one pixel takes so many steps; `None` if it is not seen.
+    pub(super) fn new(center: [T; 2], radius: T, height: usize, fineness: f32) -> Option<Self> {
+        let is_finite = [center[0], center[1], radius]
+            .iter()
+            .all(|&number| Real::is_finite(number));
+        if !(is_finite && radius > T::ZERO) {
+            return None;
+        }
+        let turn = Turn::new(T::TURN, radius, fineness, MOST);
+        // 1/12 of the square of the step's angle.
+        let sixth = <T as Real>::from_f64(1.0 / 6.0);
+        let radius = radius + radius * ((T::ONE - turn.cos()) * sixth);
+        let rows = fixed::touched([center[1] - radius, center[1] + radius], height);
+        if rows.is_empty() {
+            return None;
+        }
+        // From its pole, or from the upper margin.
+        let sine = Real::max(-center[1] / radius, -T::ONE);
+        let cosine = Real::sqrt(Real::max((T::ONE - sine) * (T::ONE + sine), T::ZERO));
+        let mut round = Self {
+            center,
+            radius,
+            turn,
+            direction: [cosine, sine],
+            from: [T::ZERO; 2],
+            to: [radius * cosine, center[1] + radius * sine],
+            rows,
+        };
+        round.go_on();
+        Some(round)
+    }
+
+    /// The rows in which it is seen.
+    pub(super) fn rows(&self) -> Range<usize> {
+        self.rows.clone()
+    }
+
+    /// The next step, which ends at the lower pole at the latest.
+    fn go_on(&mut self) {
+        self.from = self.to;
+        let [x, y] = self.turn.on(self.direction);
+        self.direction = if x > T::ZERO {
+            [x, y]
+        } else {
+            [T::ZERO, T::ONE]
+        };
+        let [x, y] = self.direction;
+        self.to = [self.radius * x, self.center[1] + self.radius * y];
+    }
+
+    /// Adds what it covers in a row, with a sign. Rows are asked for from the top.
+    pub(super) fn cover<const W: usize>(&mut self, row: usize, sign: f32, cover: &mut Cover<W>) {
+        let bottom = fixed::border::<T>(row + 1);
+        loop {
+            let ([x, y], [end, end_y]) = (self.from, self.to);
+            let is_whole = end_y <= bottom;
+            let next = if is_whole {
+                self.to
+            } else {
+                [x + (end - x) * ((bottom - y) / (end_y - y)), bottom]
+            };
+            let gain = sign * (next[1] - y).to_f32();
+            let center = self.center[0];
+            cover.add((center - x).to_f32(), (center - next[0]).to_f32(), gain);
+            cover.add((center + x).to_f32(), (center + next[0]).to_f32(), -gain);
+            if !is_whole {
+                self.from = next;
+                return;
+            }
+            if self.direction[0] <= T::ZERO {
+                self.from = self.to;
+                return;
+            }
+            self.go_on();
+        }
+    }
+}

@@ -1,0 +1,362 @@
+//! What the anti-aliased picture promises: each pixel is covered as much as it is.
+
+use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Smooth, View};
+use proptest::prelude::*;
+
+const W: usize = 48;
+const H: usize = 40;
+
+/// A picture in which a scene unit is a pixel, the origin is the lower left corner, and white is painted on black: what is seen is
+/// how much of each pixel is covered, in 255ths.
+fn picture(paint: impl FnOnce(&mut Smooth<W, H>)) -> Vec<[u8; W]> {
+    let mut picture = Smooth::<W, H>::new();
+    let palette = Palette::default()
+        .with(0, [0; 3])
+        .with(1, [255; 3])
+        .with(2, [0, 0, 255]);
+    picture.set_palette(palette);
+    picture.clear();
+    picture.look_at(View::new([24.0, 20.0], 1.0));
+    paint(&mut picture);
+    let rows = picture.pixels().iter();
+    rows.map(|row| row.map(|pixel| pixel[0])).collect()
+}
+
+fn covered(outline: Outline<f64>) -> Vec<[u8; W]> {
+    picture(|picture| picture.fill(outline, Pose::identity(), 1))
+}
+
+/// The part of a polygon on one side of a line parallel to an axis.
+fn cut(corners: &[[f64; 2]], axis: usize, limit: f64, sign: f64) -> Vec<[f64; 2]> {
+    let mut kept = Vec::new();
+    let depth = |corner: [f64; 2]| sign * (corner[axis] - limit);
+    for (index, &head) in corners.iter().enumerate() {
+        let tail = corners[(index + corners.len() - 1) % corners.len()];
+        let [from, to] = [depth(tail), depth(head)];
+        if (from < 0.0) != (to < 0.0) {
+            let share = from / (from - to);
+            kept.push([0, 1].map(|part| tail[part] + share * (head[part] - tail[part])));
+        }
+        if to >= 0.0 {
+            kept.push(head);
+        }
+    }
+    kept
+}
+
+fn area(corners: &[[f64; 2]]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    let pairs = corners.iter().zip(next);
+    0.5 * pairs.map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>()
+}
+
+/// The area of a simple polygon in each pixel, found by cutting it.
+fn shares(corners: &[[f64; 2]]) -> Vec<[f64; W]> {
+    let rows = (0..40).rev().map(|row| {
+        let strip = cut(
+            &cut(corners, 1, f64::from(row), 1.0),
+            1,
+            f64::from(row + 1),
+            -1.0,
+        );
+        std::array::from_fn(|column| {
+            #[expect(clippy::cast_precision_loss, reason = "small")]
+            let left = column as f64;
+            let pixel = cut(&cut(&strip, 0, left, 1.0), 0, left + 1.0, -1.0);
+            area(&pixel).abs()
+        })
+    });
+    rows.collect()
+}
+
+/// The area of a circle in each pixel, by Gauss's rule between the places where it crosses a border.
+fn disc_shares([x, y]: [f64; 2], radius: f64) -> Vec<[f64; W]> {
+    let share = |left: f64, bottom: f64| {
+        // The height within the pixel is smooth between these abscissas.
+        let mut cuts = vec![left, left + 1.0, x - radius, x + radius];
+        for border in [bottom, bottom + 1.0] {
+            let half = (radius * radius - (border - y).powi(2)).max(0.0).sqrt();
+            cuts.extend([x - half, x + half]);
+        }
+        cuts.retain(|cut| (left..=left + 1.0).contains(cut));
+        cuts.sort_by(f64::total_cmp);
+        let height = |at: f64| {
+            let half = (radius * radius - (at - x).powi(2)).max(0.0).sqrt();
+            ((y + half).min(bottom + 1.0) - (y - half).max(bottom)).max(0.0)
+        };
+        // Many small steps: roots have no polynomial at their ends.
+        let steps = 64;
+        let pairs = cuts.windows(2);
+        pairs
+            .map(|pair| {
+                let step = (pair[1] - pair[0]) / f64::from(steps);
+                (0..steps)
+                    .map(|number| step * height(pair[0] + (f64::from(number) + 0.5) * step))
+                    .sum::<f64>()
+            })
+            .sum::<f64>()
+    };
+    let rows = (0..40).rev().map(|row| {
+        std::array::from_fn(|column| {
+            #[expect(clippy::cast_precision_loss, reason = "small")]
+            let left = column as f64;
+            share(left, f64::from(row))
+        })
+    });
+    rows.collect()
+}
+
+/// No pixel is more than one step of 255 off, but for what the expectation itself may err.
+#[track_caller]
+fn assert_exact(found: &[[u8; W]], expected: &[[f64; W]]) {
+    for (row, (found, expected)) in found.iter().zip(expected).enumerate() {
+        for (column, (found, expected)) in found.iter().zip(expected).enumerate() {
+            let error = f64::from(*found) - 255.0 * expected;
+            assert!(
+                error.abs() <= 1.0,
+                "{found} of {} at {column}, {row}",
+                255.0 * expected
+            );
+        }
+    }
+}
+
+fn star() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    let centers = [10.0..40.0, 5.0..35.0];
+    (prop::collection::vec(0.3..30.0, 3..24), centers).prop_map(|(radii, [x, y])| {
+        #[expect(clippy::cast_precision_loss, reason = "small")]
+        let step = std::f64::consts::TAU / radii.len() as f64;
+        let mut angle = 0.1_f64;
+        let corners = radii.into_iter().map(|radius: f64| {
+            angle += step;
+            [x + radius * angle.cos(), y + radius * angle.sin()]
+        });
+        corners.collect()
+    })
+}
+
+proptest! {
+    #[test]
+    fn a_polygon_covers_its_part_of_each_pixel(corners in star()) {
+        let expected = shares(&corners);
+        assert_exact(&covered(Outline::Polygon(&corners)), &expected);
+        assert_exact(&covered(Outline::Winding(&corners)), &expected);
+        let narrow: Vec<_> = corners.iter().map(|corner| corner.map(<f32 as mech_runtime::Real>::from_f64)).collect();
+        let found = picture(|picture| picture.fill(Outline::Polygon(&narrow), Pose::identity(), 1));
+        assert_exact(&found, &expected);
+    }
+
+    #[test]
+    fn a_circle_covers_its_part_of_each_pixel(center in [0.0..48.0, 0.0..40.0], radius in 0.2..70.0) {
+        assert_exact(&covered(Outline::Circle { center, radius }), &disc_shares(center, radius));
+    }
+
+    #[test]
+    fn a_ring_is_a_circle_without_its_hole(center in [0.0..48.0, 0.0..40.0], radius in 2.0..40.0, share in 0.1..0.99) {
+        let hole = share * radius;
+        let (outer, inner) = (disc_shares(center, radius), disc_shares(center, hole));
+        let expected: Vec<_> = outer.iter().zip(&inner).map(|(outer, inner)| {
+            let mut difference = *outer;
+            for (outer, inner) in difference.iter_mut().zip(inner) {
+                *outer -= inner;
+            }
+            difference
+        }).collect();
+        // Each circle may be half a step off.
+        let found = covered(Outline::Ring { center, radius, hole });
+        for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
+            prop_assert!((f64::from(*found) - 255.0 * expected).abs() <= 1.25);
+        }
+    }
+
+    #[test]
+    fn a_straight_line_covers_what_is_within_half_its_width(ends in [[5.0..43.0, 5.0..35.0], [5.0..43.0, 5.0..35.0]], width in 0.5..9.0) {
+        let found = covered(Outline::Line { points: &ends, width });
+        let [from, to] = ends;
+        let way = [to[0] - from[0], to[1] - from[1]];
+        let square = way[0] * way[0] + way[1] * way[1];
+        let distance = |x: f64, y: f64| {
+            let share = (((x - from[0]) * way[0] + (y - from[1]) * way[1]) / square).clamp(0.0, 1.0);
+            f64::hypot(x - from[0] - share * way[0], y - from[1] - share * way[1])
+        };
+        for (row, found) in found.iter().rev().enumerate() {
+            for (column, &found) in found.iter().enumerate() {
+                let samples = 24;
+                let mut inside = 0;
+                for sample in 0..samples * samples {
+                    #[expect(clippy::cast_precision_loss, reason = "small")]
+                    let [x, y] = [(column, sample % samples), (row, sample / samples)]
+                        .map(|(pixel, part)| pixel as f64 + (part as f64 + 0.5) / samples as f64);
+                    inside += usize::from(distance(x, y) <= width / 2.0);
+                }
+                #[expect(clippy::cast_precision_loss, reason = "small")]
+                let share = inside as f64 / (samples * samples) as f64;
+                prop_assert!((f64::from(found) / 255.0 - share).abs() < 0.035, "{found} of {} at {column}, {row}", share * 255.0);
+            }
+        }
+    }
+
+    #[test]
+    fn what_frames_paint_is_at_least_half_covered(corners in star(), line in prop::collection::vec([3.0..45.0, 3.0..37.0], 1..6), width in 1.0..6.0, angle in -6.0..6.0) {
+        let outlines = [
+            Outline::Polygon(&corners),
+            Outline::Line { points: &line, width },
+            Outline::Arc { center: [24.0, 20.0], start: line[0], angle, width },
+        ];
+        for outline in outlines {
+            let mut frame = Frame::<W, H>::new();
+            frame.look_at(View::new([24.0, 20.0], 1.0));
+            frame.fill(outline, Pose::identity(), 1);
+            let smooth = covered(outline);
+            let (mut hard, mut soft) = (0.0, 0.0);
+            for (hard_row, soft_row) in frame.pixels().iter().zip(&smooth) {
+                for (&pixel, &share) in hard_row.iter().zip(soft_row) {
+                    hard += f64::from(pixel);
+                    soft += f64::from(share) / 255.0;
+                    // A centre that is inside has some of its pixel around it inside, and the other way round.
+                    prop_assert!(pixel == 0 || share > 0, "{outline:?}");
+                    // Not so where a line crosses itself: what it covers twice counts twice.
+                    let may_cross = matches!(outline, Outline::Line { points: [_, _, _, ..], .. });
+                    prop_assert!(pixel == 1 || share < 255 || may_cross, "{outline:?}");
+                }
+            }
+            prop_assert!((hard - soft).abs() < 0.12 * soft + 16.0, "{hard} and {soft}");
+        }
+    }
+
+    #[test]
+    fn no_number_is_too_bad(
+        corners in prop::collection::vec([prop::num::f64::ANY, prop::num::f64::ANY], 0..12),
+        far in prop::collection::vec([-1e9..1e9, -1e9..1e9], 0..12),
+        pose in [prop::num::f64::ANY; 4],
+        number in prop::num::f64::ANY,
+        scale in prop::num::f64::ANY,
+        color in any::<u8>(),
+    ) {
+        let [cos, sin, x, y] = pose;
+        let mut smooth = Smooth::<33, 17>::new();
+        let mut frame = Frame::<33, 17>::new();
+        for view in [View::new([0.0, 0.0], 1.0), View::new([x, y], scale)] {
+            smooth.look_at(view);
+            frame.look_at(view);
+            for pose in [Pose::identity(), Pose { cos, sin, x, y }] {
+                for points in [&corners, &far] {
+                    let center = points.first().copied().unwrap_or([number; 2]);
+                    let outlines = [
+                        Outline::Polygon(points),
+                        Outline::Winding(points),
+                        Outline::Circle { center, radius: x },
+                        Outline::Ring { center, radius: 2.0 * y, hole: y },
+                        Outline::Line { points, width: 5.0 },
+                        Outline::Line { points, width: number.clamp(-1e6, 1e6) },
+                        Outline::Arc { center, start: [sin, cos], angle: x, width: y.clamp(-1e6, 1e6) },
+                    ];
+                    for outline in outlines {
+                        smooth.fill(outline, pose, color);
+                        frame.fill(outline, pose, color);
+                    }
+                    smooth.text(center, "M\u{fc}", color);
+                    frame.text(center, "M\u{fc}", color);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn far_corners_are_clipped(corners in prop::collection::vec([-1e9..1e9, -1e9..1e9], 3..9)) {
+        let found = covered(Outline::Polygon(&corners));
+        for (column, row) in [(0, 0), (47, 39), (20, 20)] {
+            let (x, y) = (f64::from(column) + 0.5, 40.0 - f64::from(row) - 0.5);
+            let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+            let mut crossings = 0;
+            let mut is_near = false;
+            for (a, b) in sides {
+                let crosses = (a[1] > y) != (b[1] > y);
+                let at = a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]);
+                crossings += usize::from(crosses && x > at);
+                // The distance to the whole line.
+                let way = [b[0] - a[0], b[1] - a[1]];
+                let distance = ((x - a[0]) * way[1] - (y - a[1]) * way[0]) / way[0].hypot(way[1]);
+                is_near |= distance.abs() < 2.0;
+            }
+            let expected = if crossings % 2 == 1 { 255 } else { 0 };
+            let found = found[usize::try_from(row).expect("a row")][usize::try_from(column).expect("a column")];
+            prop_assert!(is_near || found == expected, "{found} in place of {expected}");
+        }
+    }
+}
+
+#[test]
+fn half_a_pixel_is_half_a_color() {
+    let corners = [[3.5, 4.0], [8.0, 4.0], [8.0, 6.25], [3.5, 6.25]];
+    let found = covered(Outline::Polygon(&corners));
+    assert_eq!(found[35][3], 128);
+    assert_eq!(found[35][4], 255);
+    assert_eq!(found[33][5], 64);
+    assert_eq!(found[33][3], 32);
+    assert_eq!(found[33][8], 0);
+}
+
+#[test]
+fn a_part_of_a_pixel_takes_a_part_of_the_color() {
+    let mut picture = Smooth::<4, 4>::new();
+    let palette = Palette::default()
+        .with(0, [10, 20, 30])
+        .with(1, [210, 120, 30]);
+    picture.set_palette(palette);
+    picture.clear();
+    picture.fill(
+        Outline::Polygon(&[[-2.0, -2.0], [-1.5, -2.0], [-1.5, 2.0], [-2.0, 2.0]]),
+        Pose::identity(),
+        1,
+    );
+    assert_eq!(picture.pixel(0, 1), Some([110, 70, 30, 255]));
+    assert_eq!(picture.pixel(1, 1), Some([10, 20, 30, 255]));
+    assert_eq!(picture.pixel(4, 1), None);
+}
+
+#[test]
+fn what_is_surrounded_twice() {
+    let twice = [
+        [2.0, 2.0],
+        [20.0, 2.0],
+        [20.0, 20.0],
+        [2.0, 20.0],
+        [2.0, 2.0],
+        [8.0, 8.0],
+        [14.0, 8.0],
+        [14.0, 14.0],
+        [8.0, 14.0],
+        [8.0, 8.0],
+    ];
+    let (hollow, full) = (
+        covered(Outline::Polygon(&twice)),
+        covered(Outline::Winding(&twice)),
+    );
+    assert_eq!((hollow[29][10], full[29][10]), (0, 255));
+    assert_eq!((hollow[35][4], full[35][4]), (255, 255));
+}
+
+#[test]
+fn a_picture_is_a_value() {
+    let mut one = Smooth::<8, 8>::default();
+    let other = one.clone();
+    assert_eq!(one, other);
+    one.fill(
+        Outline::Circle {
+            center: [0.0, 0.0],
+            radius: 2.0,
+        },
+        Pose::identity(),
+        3,
+    );
+    assert_ne!(one, other);
+    one.clear();
+    assert_eq!(one, other);
+    assert_eq!(
+        format!("{one:?}"),
+        "Smooth<8, 8> { view: View { center: [0.0, 0.0], scale: 1.0 }, .. }"
+    );
+    assert_eq!(one.palette(), &Palette::TEXTBOOK);
+    assert_eq!(Canvas::<f64>::scale(&one), one.view().scale());
+}
