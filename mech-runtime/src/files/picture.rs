@@ -1,9 +1,10 @@
 //! What is written to a file.
 
 use super::FileError;
-use crate::{Frame, Palette};
+use crate::{Frame, Palette, Smooth};
 
-/// A picture of any size, borrowed: entries of a palette, or true colours. A [`Frame`] is one.
+/// A picture of any size, borrowed: entries of a palette, or true colours. A [`Frame`] is one, and
+/// so is a [`Smooth`].
 ///
 /// ```
 /// use mech_runtime::Palette;
@@ -87,6 +88,16 @@ impl<'a, const W: usize, const H: usize> From<&'a Frame<W, H>> for Picture<'a> {
         Self {
             size: [W, H],
             pixels: Pixels::Indexed(entries, frame.palette()),
+        }
+    }
+}
+
+impl<'a, const W: usize, const H: usize> From<&'a Smooth<W, H>> for Picture<'a> {
+    fn from(picture: &'a Smooth<W, H>) -> Self {
+        let pixels = picture.pixels().as_flattened();
+        Self {
+            size: [W, H],
+            pixels: Pixels::Rgba(pixels),
         }
     }
 }

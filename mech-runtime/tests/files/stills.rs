@@ -2,7 +2,7 @@
 
 use crate::{films, palette};
 use mech_runtime::files::Picture;
-use mech_runtime::{Canvas, Frame, Outline, Palette, Pose};
+use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Smooth};
 use proptest::prelude::*;
 use std::io::Cursor;
 
@@ -36,6 +36,23 @@ fn a_frame() {
     );
 }
 
+#[test]
+fn a_smooth_picture() {
+    let mut picture = Smooth::<33, 21>::new();
+    let circle = Outline::Circle {
+        center: [0.0, 1.0],
+        radius: 8.4,
+    };
+    picture.fill(circle, Pose::identity(), Palette::TEAL);
+    let (info, _, pixels) = decoded(&picture.png().expect("a file"));
+    assert_eq!((info.width, info.height), (33, 21));
+    assert_eq!(info.color_type, png::ColorType::Rgb);
+    let opaque = pixels
+        .chunks(3)
+        .map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
+    assert!(opaque.eq(picture.pixels().as_flattened().iter().copied()));
+}
+
 proptest! {
     #[test]
     fn with_a_palette((size, pictures) in films(any::<u8>()), palette in palette(256)) {
@@ -51,7 +68,10 @@ proptest! {
     fn in_true_colour((size, pictures) in films(any::<[u8; 4]>())) {
         let picture = Picture::rgba(size, &pictures[0]).expect("whole");
         let (info, _, pixels) = decoded(&picture.png().expect("a file"));
-        prop_assert_eq!(info.color_type, png::ColorType::Rgba);
-        prop_assert_eq!(pixels, pictures[0].as_flattened());
+        let has_opacity = pictures[0].iter().any(|pixel| pixel[3] < 255);
+        prop_assert_eq!(info.color_type == png::ColorType::Rgba, has_opacity);
+        if has_opacity {
+            prop_assert_eq!(pixels, pictures[0].as_flattened());
+        }
     }
 }

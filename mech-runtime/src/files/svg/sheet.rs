@@ -1,6 +1,6 @@
 //! What an SVG is drawn on.
 
-use crate::{Frame, Palette, View};
+use crate::{Frame, Palette, Smooth, View};
 use core::fmt::Write;
 use std::string::String;
 
@@ -91,6 +91,15 @@ impl<const W: usize, const H: usize> From<&Frame<W, H>> for Sheet {
         Self::new(W, H)
             .look_at(frame.view())
             .palette(frame.palette().clone())
+    }
+}
+
+/// Of the same size, with the same view and colours.
+impl<const W: usize, const H: usize> From<&Smooth<W, H>> for Sheet {
+    fn from(picture: &Smooth<W, H>) -> Self {
+        Self::new(W, H)
+            .look_at(picture.view())
+            .palette(picture.palette().clone())
     }
 }
 
