@@ -37,12 +37,7 @@ fn deviation<M: Mechanism>(view: View, motion: impl Fn(f64) -> M::Motors) -> f64
             let [red, green, blue] = Palette::TEXTBOOK.rgb(shape.color);
             let color = format!("#{red:02x}{green:02x}{blue:02x}");
             assert_eq!(node.attribute("fill"), Some(color.as_str()));
-            let wanted = expected(
-                shape,
-                mechanism.poses(),
-                view,
-                SIZE.map(|pixels| pixels as f64),
-            );
+            let wanted = expected(shape, mechanism.poses(), view, [640.0, 480.0]);
             let found: Vec<_> = points(node)
                 .into_iter()
                 .map(|point| carried(*transform, point))

@@ -35,6 +35,10 @@ fn compare(svg: &str, frame: &Frame<{ SIDE * FINE }, { SIDE * FINE }>) -> usize 
     let (mut compared, mut different) = (0, 0);
     for (index, found) in rendered(svg).into_iter().enumerate() {
         let (x, y) = (index % SIDE, index / SIDE);
+        // The other renderer draws hairlines just beyond the border upon it.
+        if [x, y].iter().any(|&place| place == 0 || place == SIDE - 1) {
+            continue;
+        }
         // The pixel, and half a pixel around it.
         let samples = |middle: usize| {
             let first = (middle * FINE).saturating_sub(FINE / 2);
@@ -172,7 +176,7 @@ proptest! {
         let text = svg.finish();
         prop_assert!(!text.contains("NaN") && !text.contains("inf"), "{}", text);
         prop_assert!(text.len() < 2000);
-        rendered(&text);
+        usvg::roxmltree::Document::parse(&text).expect("well-formed");
     }
 
     /// A title is read as it was written.

@@ -85,7 +85,8 @@ impl Paint {
             ]
         };
         if is_thick {
-            let parts = (angle.abs() / (8.0 * SAGITTA / radius).sqrt().min(0.5)).ceil();
+            let step = (8.0 * SAGITTA / radius).sqrt().clamp(0.01, 0.5);
+            let parts = (angle.abs() / step).ceil();
             let mut points = Vec::new();
             let mut part = 0.0;
             while part <= parts {

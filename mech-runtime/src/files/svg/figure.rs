@@ -72,7 +72,8 @@ impl Figure {
             Form::Circle(size) | Form::Line(size) => is_length(size),
             Form::Ring(radius, hole) => is_length(radius) && hole < radius,
             Form::Arc(angle, width) => angle.is_finite() && is_length(width),
-            Form::Polygon | Form::Winding | Form::Text(_) => true,
+            Form::Polygon | Form::Winding => points.len() > 2,
+            Form::Text(_) => true,
         };
         Self::finite(form, points, color).filter(|_| is_seen)
     }
