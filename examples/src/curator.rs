@@ -1,15 +1,18 @@
 //! Who hangs the exhibits.
 
-use crate::{Easel, Error, Exhibit, Film, Graphs, Picture, animation, page};
+use crate::animation::DELAY;
+use crate::{Easel, Error, Exhibit, Film, Graphs, Picture, Scene, animation, page};
 use indicatif::{HumanBytes, ProgressBar, ProgressStyle};
+use mech_runtime::files::{AnimatedSvg, Svg};
 use std::io::Write;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 use std::{env, fmt, fs, io, thread};
 
 const HELP: &str = "\
-Paints the gallery: for each mechanism a picture (PNG), an animation (GIF) and its graphs
-(DOT), and a page that shows them all.
+Paints the gallery: for each mechanism a picture (PNG, SVG), an animation (GIF, SVG that moves)
+and its graphs (DOT), and a page that shows them all.
 
 Usage: gallery [NAME]...
 
@@ -107,34 +110,39 @@ impl Curator {
     }
 
     fn show(&self, exhibit: &dyn Exhibit) -> Result<(), Error> {
+        let slug = exhibit.slug();
         let film = exhibit.film()?;
-        let pictures = painted(&film)?;
+        let easel = Easel::for_film(&film).ok_or(Error::Invisible)?;
+        let pictures = painted(&easel, &film);
+        let scenes = film.scenes();
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             clippy::cast_precision_loss,
             reason = "of a few frames, one"
         )]
-        let still = (exhibit.still() * pictures.len() as f64) as usize;
-        let still = pictures
-            .get(still)
-            .or(pictures.last())
-            .ok_or(Error::Invisible)?;
-        let (png, png_size) = self.write(&format!("{}.png", exhibit.slug()), &still.png()?)?;
-        let (gif, gif_size) =
-            self.write(&format!("{}.gif", exhibit.slug()), &animation(&pictures)?)?;
-        let [width, height] = [still.width, still.height];
-        say(format_args!(
-            "  {}  {width} × {height}, {}",
-            png.display(),
-            HumanBytes(png_size)
-        ));
-        say(format_args!(
-            "  {}  {} frames, {}",
-            gif.display(),
-            pictures.len(),
-            HumanBytes(gif_size)
-        ));
+        let still = (exhibit.still() * scenes.len() as f64) as usize;
+        let still = still.min(scenes.len().saturating_sub(1));
+        let (Some(scene), Some(picture)) = (scenes.get(still), pictures.get(still)) else {
+            return Err(Error::Invisible);
+        };
+        let sheet = easel.sheet().title(exhibit.title());
+        let size = format!("{} × {}", picture.width, picture.height);
+        self.tell(&format!("{slug}.png"), &picture.png()?, &size)?;
+        let mut svg = Svg::new(sheet.clone());
+        scene.draw(&mut svg);
+        self.tell(&format!("{slug}.svg"), svg.finish().as_bytes(), &size)?;
+        let frames = format!("{} frames", scenes.len());
+        self.tell(&format!("{slug}.gif"), &animation(&pictures)?, &frames)?;
+        let moving = moving(AnimatedSvg::new(sheet, period(scenes)), scenes);
+        self.tell(&page::moving_file(slug), moving.as_bytes(), "in motion")
+    }
+
+    /// Writes a file and says so.
+    fn tell(&self, name: &str, bytes: &[u8], what: &str) -> Result<(), Error> {
+        let (path, size) = self.write(name, bytes)?;
+        let size = HumanBytes(size);
+        say(format_args!("  {}  {what}, {size}", path.display()));
         Ok(())
     }
 
@@ -162,9 +170,21 @@ fn say(line: fmt::Arguments<'_>) {
     let _ = writeln!(io::stdout(), "{line}");
 }
 
+/// How long it takes to show all scenes.
+fn period(scenes: &[Scene]) -> Duration {
+    DELAY * u32::try_from(scenes.len()).unwrap_or(u32::MAX)
+}
+
+/// The text of an SVG that shows the scenes again and again.
+fn moving(mut svg: AnimatedSvg, scenes: &[Scene]) -> String {
+    for scene in scenes {
+        svg.add(|moment| scene.draw(moment));
+    }
+    svg.finish()
+}
+
 /// Paints all the scenes of a film, on all the processors there are.
-fn painted(film: &Film) -> Result<Vec<Picture>, Error> {
-    let easel = Easel::for_film(film).ok_or(Error::Invisible)?;
+fn painted(easel: &Easel, film: &Film) -> Vec<Picture> {
     let scenes = film.scenes();
     let bar = ProgressBar::new(scenes.len() as u64);
     // Written to the terminal's error stream, and nowhere at all if that is not a terminal.
@@ -194,5 +214,5 @@ fn painted(film: &Film) -> Result<Vec<Picture>, Error> {
             .collect()
     });
     bar.finish_and_clear();
-    Ok(pictures)
+    pictures
 }

@@ -1,6 +1,7 @@
 //! What can go wrong in the gallery.
 
 use crate::Stuck;
+use mech_runtime::files::FileError;
 use std::{fmt, io, path::PathBuf};
 
 /// What went wrong in the gallery.
@@ -18,10 +19,8 @@ pub enum Error {
     Stuck(Stuck),
     /// Nothing of a mechanism is seen at any time.
     Invisible,
-    /// A PNG could not be made.
-    Png(png::EncodingError),
-    /// A GIF could not be made.
-    Gif(gif::EncodingError),
+    /// A picture could not be made into a file.
+    Picture(FileError),
     /// A file could not be written.
     File {
         /// Which one.
@@ -45,8 +44,7 @@ impl fmt::Display for Error {
             }
             Self::Stuck(stuck) => stuck.fmt(f),
             Self::Invisible => f.write_str("nothing is seen of it: give it a shape"),
-            Self::Png(error) => write!(f, "cannot make the PNG: {error}"),
-            Self::Gif(error) => write!(f, "cannot make the GIF: {error}"),
+            Self::Picture(error) => write!(f, "cannot make the picture: {error}"),
             Self::File { path, source } => write!(f, "cannot write {}: {source}", path.display()),
             Self::Missing { names } => write!(f, "the gallery lacks `{}`", names.join("`, `")),
         }
@@ -57,8 +55,7 @@ impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Stuck(error) => Some(error),
-            Self::Png(error) => Some(error),
-            Self::Gif(error) => Some(error),
+            Self::Picture(error) => Some(error),
             Self::File { source, .. } => Some(source),
             Self::Unknown { .. } | Self::Invisible | Self::Missing { .. } => None,
         }
@@ -71,14 +68,8 @@ impl From<Stuck> for Error {
     }
 }
 
-impl From<png::EncodingError> for Error {
-    fn from(error: png::EncodingError) -> Self {
-        Self::Png(error)
-    }
-}
-
-impl From<gif::EncodingError> for Error {
-    fn from(error: gif::EncodingError) -> Self {
-        Self::Gif(error)
+impl From<FileError> for Error {
+    fn from(error: FileError) -> Self {
+        Self::Picture(error)
     }
 }

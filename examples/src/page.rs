@@ -43,7 +43,7 @@ pre {
   border-radius: .5rem; background: var(--back); font: .72rem/1.5 ui-monospace, Menlo, Consolas, monospace;
 }
 pre span { display: block; padding-left: 12ch; text-indent: -12ch; }
-.text a { align-self: start; font-size: .875rem; }
+.files { font-size: .875rem; }
 .graphs {
   grid-column: 1 / -1; display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr));
   border-top: 1px solid var(--line);
@@ -74,6 +74,7 @@ pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> Strin
             exhibit.report().trim_end(),
         ]
         .map(escaped);
+        let moving = moving_file(exhibit.slug());
         let report: Vec<_> = report
             .lines()
             .map(|line| format!("<span>{line}</span>"))
@@ -88,14 +89,15 @@ pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> Strin
             articles,
             r#"<article id="{slug}">
 <figure><picture>
-<source srcset="{slug}.png" media="(prefers-reduced-motion: reduce)">
-<img src="{slug}.gif" alt="{title}, moving" loading="lazy">
+<source srcset="{slug}.svg" media="(prefers-reduced-motion: reduce)">
+<img src="{moving}" alt="{title}, moving" loading="lazy">
 </picture></figure>
 <div class="text">
 <h2>{title}</h2>
 <p>{caption}</p>
 <pre>{report}</pre>
-<a href="{slug}.png">Still picture (PNG)</a>
+<p class="files">Still: <a href="{slug}.png">PNG</a>, <a href="{slug}.svg">SVG</a>. In motion: <a
+href="{slug}.gif">GIF</a>, <a href="{moving}">SVG</a>.</p>
 </div>
 {graphs}</article>
 "#
@@ -103,6 +105,11 @@ pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> Strin
     }
     let head = HEAD.replace("%STYLE%", graph_svg::STYLE);
     format!("{head}<nav>\n{entries}</nav>\n<main>\n{articles}</main>\n</html>\n")
+}
+
+/// The name of the SVG of an exhibit that moves.
+pub(crate) fn moving_file(slug: &str) -> String {
+    format!("{slug}-moving.svg")
 }
 
 /// The names of the files that hold the graphs of an exhibit.

@@ -1,6 +1,6 @@
 //! A picture in true colour.
 
-use crate::Error;
+use mech_runtime::files::{self, FileError};
 
 /// A picture in true colour.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -9,24 +9,21 @@ pub struct Picture {
     pub width: u16,
     /// In pixels.
     pub height: u16,
-    /// Red, green and blue, row by row from the top.
-    pub pixels: Vec<[u8; 3]>,
+    /// Red, green, blue and opacity, row by row from the top.
+    pub pixels: Vec<[u8; 4]>,
 }
 
 impl Picture {
+    /// Its width and height.
+    pub(crate) fn size(&self) -> [usize; 2] {
+        [self.width, self.height].map(usize::from)
+    }
+
     /// The bytes of a PNG file of it.
     ///
     /// # Errors
-    /// [`Error::Png`] if there are not as many pixels as its size says, or none.
-    pub fn png(&self) -> Result<Vec<u8>, Error> {
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, self.width.into(), self.height.into());
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::High);
-        let mut writer = encoder.write_header()?;
-        writer.write_image_data(self.pixels.as_flattened())?;
-        writer.finish()?;
-        Ok(bytes)
+    /// [`FileError`] if there are not as many pixels as its size says, or none.
+    pub fn png(&self) -> Result<Vec<u8>, FileError> {
+        files::Picture::rgba(self.size(), &self.pixels)?.png()
     }
 }

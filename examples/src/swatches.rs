@@ -1,9 +1,10 @@
 //! A few colours in place of many.
 
 use crate::Picture;
-use std::{collections::HashMap, iter};
+use mech_runtime::Palette;
+use std::{array, collections::HashMap, iter};
 
-/// The most colours of an animation: one entry of its table means "as before".
+/// The most colours of an animation: one entry of its table is left free, for what is as before.
 const MOST: usize = 255;
 
 /// At most 255 colours that stand for all those in some pictures.
@@ -21,7 +22,8 @@ impl Swatches {
         let mut counts = HashMap::<[u8; 3], usize>::new();
         for picture in pictures {
             for run in picture.pixels.chunk_by(|one, next| one == next) {
-                if let Some(&color) = run.first() {
+                if let Some(&[red, green, blue, _]) = run.first() {
+                    let color = [red, green, blue];
                     *counts.entry(color).or_default() += run.len();
                 }
             }
@@ -50,6 +52,15 @@ impl Swatches {
         &self.colors
     }
 
+    /// A palette of them; entries that are too many are the first colour again.
+    #[must_use]
+    pub fn palette(&self) -> Palette {
+        let color = |entry| self.colors.get(entry).or(self.colors.first());
+        Palette::new(array::from_fn(|entry| {
+            color(entry).copied().unwrap_or_default()
+        }))
+    }
+
     /// The entry that stands for a colour: 0 if it was in none of the pictures.
     #[must_use]
     pub fn entry(&self, color: [u8; 3]) -> u8 {
@@ -61,8 +72,8 @@ impl Swatches {
     pub fn entries(&self, picture: &Picture) -> Vec<u8> {
         let runs = picture.pixels.chunk_by(|one, next| one == next);
         runs.flat_map(|run| {
-            let color = run.first().copied().unwrap_or_default();
-            iter::repeat_n(self.entry(color), run.len())
+            let [red, green, blue, _] = run.first().copied().unwrap_or_default();
+            iter::repeat_n(self.entry([red, green, blue]), run.len())
         })
         .collect()
     }

@@ -9,12 +9,17 @@
 #![cfg_attr(doctest, doc = include_str!("../../README.md"))]
 #![no_std]
 
+#[cfg(feature = "std")]
+extern crate std;
+
 // The derive-like macro of this crate is called by path from the code it generates, here in our own tests too.
 extern crate self as mech_runtime;
 
 mod blocked;
 mod columns;
 mod cost;
+#[cfg(feature = "std")]
+pub mod files;
 mod force;
 mod gauss;
 #[doc(hidden)]

@@ -31,12 +31,12 @@ impl Depth {
 #[must_use]
 pub fn lines(picture: &Picture, depth: Depth) -> Vec<String> {
     let width = usize::from(picture.width).max(1);
-    let rows: Vec<&[[u8; 3]]> = picture.pixels.chunks(width).collect();
+    let rows: Vec<&[[u8; 4]]> = picture.pixels.chunks(width).collect();
     rows.chunks(2).map(|rows| line(rows, depth)).collect()
 }
 
 /// One line of text.
-fn line(rows: &[&[[u8; 3]]], depth: Depth) -> String {
+fn line(rows: &[&[[u8; 4]]], depth: Depth) -> String {
     let mut text = String::new();
     let mut last = None;
     let [upper, lower] = [rows.first(), rows.get(1).or(rows.first())];
@@ -45,15 +45,19 @@ fn line(rows: &[&[[u8; 3]]], depth: Depth) -> String {
     };
     for colors in upper.iter().zip(*lower) {
         if last.replace(colors) != Some(colors) {
-            let (&above, &below) = colors;
+            let (&[r, g, b, _], &[s, h, c, _]) = colors;
             // Writing to a string does not fail.
             let _ = match depth {
                 Depth::True => {
-                    let ([r, g, b], [s, h, c]) = (above, below);
                     write!(text, "\x1b[38;2;{r};{g};{b};48;2;{s};{h};{c}m")
                 }
                 Depth::Cube => {
-                    write!(text, "\x1b[38;5;{};48;5;{}m", entry(above), entry(below))
+                    write!(
+                        text,
+                        "\x1b[38;5;{};48;5;{}m",
+                        entry([r, g, b]),
+                        entry([s, h, c])
+                    )
                 }
             };
         }

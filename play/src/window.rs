@@ -147,7 +147,7 @@ impl Window {
         self.surface.resize(width, height).map_err(Error::Surface)?;
         let picture = stage.captioned();
         let mut buffer = self.surface.buffer_mut().map_err(Error::Surface)?;
-        for (pixel, &[red, green, blue]) in buffer.iter_mut().zip(&picture.pixels) {
+        for (pixel, &[red, green, blue, _]) in buffer.iter_mut().zip(&picture.pixels) {
             *pixel = u32::from_be_bytes([0, red, green, blue]);
         }
         self.native.pre_present_notify();

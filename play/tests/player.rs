@@ -154,7 +154,8 @@ fn a_motor_alone() {
 
 /// How many pixels have the red of a mark.
 fn red(picture: &Picture) -> usize {
-    let red = Palette::TEXTBOOK.rgb(Palette::RED);
+    let [r, g, b] = Palette::TEXTBOOK.rgb(Palette::RED);
+    let red = [r, g, b, 255];
     picture.pixels.iter().filter(|&&pixel| pixel == red).count()
 }
 

@@ -237,7 +237,10 @@ fn plays_in_a_terminal() {
     let picture = Painter::default().paint(&player);
     for (row, cells) in paused.cells.iter().take(ROWS - 2).enumerate() {
         for (column, &(letter, above, below)) in cells.iter().enumerate() {
-            let pixel = |row: usize| picture.pixels[row * COLUMNS + column];
+            let pixel = |row: usize| {
+                let [r, g, b, _] = picture.pixels[row * COLUMNS + column];
+                [r, g, b]
+            };
             assert_eq!(
                 (letter, above, below),
                 ('▀', pixel(2 * row), pixel(2 * row + 1))

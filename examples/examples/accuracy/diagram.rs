@@ -64,7 +64,10 @@ pub(crate) fn picture(measurements: &[Measurement]) -> Result<Picture, String> {
     Ok(Picture {
         width,
         height,
-        pixels: pixels.to_vec(),
+        pixels: pixels
+            .iter()
+            .map(|&[red, green, blue]| [red, green, blue, u8::MAX])
+            .collect(),
     })
 }
 

@@ -1,0 +1,205 @@
+//! Animated PNG.
+
+use super::FileError;
+use super::clock::Clock;
+use super::patch::Patch;
+use super::picture::{Picture, Pixels};
+use super::still::{MOST, compress};
+use super::table::Table;
+use core::fmt;
+use std::io::Write;
+use std::time::Duration;
+use std::{vec, vec::Vec};
+
+/// An endless animated PNG, written frame by frame: none is kept but the last. How many there will be has to be said first: the
+/// format has the number before the frames.
+///
+/// Frames have a palette, and then all share the colours of the first one's, or are in true colour. Each holds the rectangle that
+/// has changed, and, where that can be said, only those pixels of it that have.
+///
+/// ```
+/// use mech_runtime::files::Apng;
+/// use mech_runtime::{Canvas, Frame, Outline, Palette, Pose};
+/// use std::time::Duration;
+///
+/// let mut file = Vec::new(); // or a `BufWriter` of a `File`
+/// let mut frame = Frame::<64, 48>::new();
+/// let mut apng = Apng::new(&mut file, &frame, 11, Duration::from_millis(40))?;
+/// for x in 0..10 {
+///     frame.clear();
+///     let circle = Outline::Circle { center: [f64::from(x), 0.0], radius: 8.0 };
+///     frame.fill(circle, Pose::identity(), Palette::BLUE);
+///     apng.add(&frame)?;
+/// }
+/// apng.finish()?;
+/// # Ok::<(), mech_runtime::files::FileError>(())
+/// ```
+pub struct Apng<W: Write> {
+    writer: png::Writer<W>,
+    size: [usize; 2],
+    announced: u32,
+    written: u32,
+    clock: Clock,
+    last: Last,
+}
+
+/// The last frame, and what the next is told by.
+enum Last {
+    /// Entries of the table.
+    Indexed(Table, Vec<u8>),
+    Rgba(Vec<[u8; 4]>),
+}
+
+impl<W: Write> Apng<W> {
+    /// Begins with the first of so many frames. Each is seen for `delay`, which the file says to a thousandth of a second: other
+    /// delays come out right on average.
+    ///
+    /// # Errors
+    /// [`FileError`] if the frame is empty, if no frame is announced, if frames are to be seen for longer than 65 seconds, or if the
+    /// writer fails.
+    pub fn new<'a>(
+        writer: W,
+        first: impl Into<Picture<'a>>,
+        frames: u32,
+        delay: Duration,
+    ) -> Result<Self, FileError> {
+        let first = first.into();
+        let [width, height] = first.size_within(MOST)?;
+        let mut clock = Clock::new(delay, Duration::from_millis(1))?;
+        if frames == 0 {
+            return Err(FileError::OtherCount {
+                announced: frames,
+                found: 1,
+            });
+        }
+        let mut encoder = png::Encoder::new(writer, width, height);
+        compress(&mut encoder, first.pixels);
+        encoder.set_animated(frames, 0)?;
+        encoder.set_dispose_op(png::DisposeOp::None)?;
+        encoder.set_frame_delay(clock.next(), MILLISECONDS)?;
+        let last = match first.pixels {
+            Pixels::Indexed(pixels, palette) => {
+                let table = Table::of(palette);
+                let entries = table.entries(pixels, palette);
+                encoder.set_palette(table.bytes().to_vec());
+                if table.has_as_before() {
+                    encoder.set_trns(vec![0]); // of entry `Table::AS_BEFORE`
+                }
+                Last::Indexed(table, entries.map_err(FileError::OtherColor)?)
+            }
+            Pixels::Rgba(pixels) => Last::Rgba(pixels.to_vec()),
+        };
+        let mut writer = encoder.write_header()?;
+        match &last {
+            Last::Indexed(_, entries) => writer.write_image_data(entries)?,
+            Last::Rgba(pixels) => writer.write_image_data(pixels.as_flattened())?,
+        }
+        Ok(Self {
+            writer,
+            size: first.size(),
+            announced: frames,
+            written: 1,
+            clock,
+            last,
+        })
+    }
+
+    /// Adds a frame.
+    ///
+    /// # Errors
+    /// [`FileError`] if it is one too many, has another size, is of another kind, or has a colour that the first one's palette lacks:
+    /// then it is as if it had not been tried; or if the writer fails: then the file is torn.
+    pub fn add<'a>(&mut self, frame: impl Into<Picture<'a>>) -> Result<(), FileError> {
+        let frame = frame.into();
+        if frame.size() != self.size {
+            return Err(FileError::OtherSize {
+                expected: self.size,
+                found: frame.size(),
+            });
+        }
+        if self.written == self.announced {
+            return Err(FileError::OtherCount {
+                announced: self.announced,
+                found: self.announced.saturating_add(1),
+            });
+        }
+        let width = self.size[0];
+        let (patch, blend, bytes) = match (&mut self.last, frame.pixels) {
+            (Last::Indexed(table, before), Pixels::Indexed(pixels, palette)) => {
+                let now = table.entries(pixels, palette);
+                let now = now.map_err(FileError::OtherColor)?;
+                let patch = Patch::of_change(before, &now, width);
+                let has_as_before = table.has_as_before();
+                let pairs = patch.of(before, width).zip(patch.of(&now, width));
+                let entry = |(before, now): (&u8, &u8)| {
+                    let is_as_before = has_as_before && before == now;
+                    if is_as_before { Table::AS_BEFORE } else { *now }
+                };
+                let bytes: Vec<u8> = pairs.map(entry).collect();
+                *before = now;
+                (patch, has_as_before, bytes)
+            }
+            (Last::Rgba(before), Pixels::Rgba(now)) => {
+                let patch = Patch::of_change(before, now, width);
+                let pairs = || patch.of(before, width).zip(patch.of(now, width));
+                // What is clear would let the last frame shine through.
+                let is_told = |(before, now): (&[u8; 4], &[u8; 4])| before == now || now[3] == 255;
+                let tells_changes = pairs().all(is_told);
+                let pixel = |(before, now): (&[u8; 4], &[u8; 4])| {
+                    let is_as_before = tells_changes && before == now;
+                    if is_as_before { [0; 4] } else { *now }
+                };
+                let bytes: Vec<u8> = pairs().flat_map(pixel).collect();
+                before.copy_from_slice(now);
+                (patch, tells_changes, bytes)
+            }
+            _ => return Err(FileError::OtherKind),
+        };
+        self.write(patch, blend, &bytes)
+    }
+
+    /// Ends the file.
+    ///
+    /// # Errors
+    /// [`FileError::OtherCount`] if there are less frames than were announced, [`FileError::Write`] if the writer fails.
+    pub fn finish(self) -> Result<(), FileError> {
+        if self.written != self.announced {
+            return Err(FileError::OtherCount {
+                announced: self.announced,
+                found: self.written,
+            });
+        }
+        Ok(self.writer.finish()?)
+    }
+
+    fn write(&mut self, patch: Patch, blend: bool, bytes: &[u8]) -> Result<(), FileError> {
+        let narrow = |pixels: usize| u32::try_from(pixels).unwrap_or(u32::MAX);
+        let writer = &mut self.writer;
+        writer.reset_frame_position()?;
+        writer.set_frame_dimension(narrow(patch.width), narrow(patch.height))?;
+        writer.set_frame_position(narrow(patch.left), narrow(patch.top))?;
+        writer.set_blend_op(if blend {
+            png::BlendOp::Over
+        } else {
+            png::BlendOp::Source
+        })?;
+        writer.set_frame_delay(self.clock.next(), MILLISECONDS)?;
+        writer.write_image_data(bytes)?;
+        self.written += 1;
+        Ok(())
+    }
+}
+
+/// Of a second: what delays are counted in.
+const MILLISECONDS: u16 = 1000;
+
+/// Its size and number of frames: nobody wants to read the pixels.
+impl<W: Write> fmt::Debug for Apng<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Apng")
+            .field("size", &self.size)
+            .field("announced", &self.announced)
+            .field("written", &self.written)
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,103 @@
+//! What is written to a file.
+
+use super::FileError;
+use crate::{Frame, Palette, Smooth};
+
+/// A picture of any size, borrowed: entries of a palette, or true colours. A [`Frame`] is one, and
+/// so is a [`Smooth`].
+///
+/// ```
+/// use mech_runtime::Palette;
+/// use mech_runtime::files::Picture;
+///
+/// let (blue, paper) = (Palette::BLUE, Palette::PAPER);
+/// let entries = [blue, paper, paper, blue, paper, blue];
+/// let file = Picture::indexed([3, 2], &entries, &Palette::TEXTBOOK)?.png()?;
+/// assert!(file.starts_with(b"\x89PNG"));
+/// # Ok::<(), mech_runtime::files::FileError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Picture<'a> {
+    size: [usize; 2],
+    pub(super) pixels: Pixels<'a>,
+}
+
+/// Row by row from the top.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Pixels<'a> {
+    Indexed(&'a [u8], &'a Palette),
+    Rgba(&'a [[u8; 4]]),
+}
+
+impl<'a> Picture<'a> {
+    /// A picture of so many pixels' width and height whose pixels are entries of a palette, row by row from the top.
+    ///
+    /// # Errors
+    /// [`FileError::Torn`] if there are not as many pixels as its size says.
+    pub fn indexed(
+        size: [usize; 2],
+        entries: &'a [u8],
+        palette: &'a Palette,
+    ) -> Result<Self, FileError> {
+        Self::checked(size, entries.len(), Pixels::Indexed(entries, palette))
+    }
+
+    /// A picture of so many pixels' width and height whose pixels are red, green, blue and opacity, row by row from the top.
+    ///
+    /// # Errors
+    /// [`FileError::Torn`] if there are not as many pixels as its size says.
+    pub fn rgba(size: [usize; 2], pixels: &'a [[u8; 4]]) -> Result<Self, FileError> {
+        Self::checked(size, pixels.len(), Pixels::Rgba(pixels))
+    }
+
+    fn checked(size: [usize; 2], found: usize, pixels: Pixels<'a>) -> Result<Self, FileError> {
+        let expected = size[0].saturating_mul(size[1]);
+        if found == expected {
+            Ok(Self { size, pixels })
+        } else {
+            Err(FileError::Torn { expected, found })
+        }
+    }
+
+    /// Its width and height in pixels.
+    #[must_use]
+    pub const fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// Its width and height where a file has room for `most` in each direction.
+    pub(super) fn size_within<N: TryFrom<usize>>(&self, most: usize) -> Result<[N; 2], FileError> {
+        let [width, height] = self.size;
+        if width == 0 || height == 0 {
+            return Err(FileError::Empty);
+        }
+        match (
+            width.max(height) <= most,
+            N::try_from(width),
+            N::try_from(height),
+        ) {
+            (true, Ok(width), Ok(height)) => Ok([width, height]),
+            _ => Err(FileError::TooLarge { most }),
+        }
+    }
+}
+
+impl<'a, const W: usize, const H: usize> From<&'a Frame<W, H>> for Picture<'a> {
+    fn from(frame: &'a Frame<W, H>) -> Self {
+        let entries = frame.pixels().as_flattened();
+        Self {
+            size: [W, H],
+            pixels: Pixels::Indexed(entries, frame.palette()),
+        }
+    }
+}
+
+impl<'a, const W: usize, const H: usize> From<&'a Smooth<W, H>> for Picture<'a> {
+    fn from(picture: &'a Smooth<W, H>) -> Self {
+        let pixels = picture.pixels().as_flattened();
+        Self {
+            size: [W, H],
+            pixels: Pixels::Rgba(pixels),
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! What moves together.
+
+use super::columns::columns;
+use super::figure::Figure;
+use super::place::Place;
+use super::trace::whole_way;
+use super::track::Track;
+use std::sync::Arc;
+use std::{vec, vec::Vec};
+
+/// Something that is seen at one moment: a figure, and where it is.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    pub(super) figure: Arc<Figure>,
+    pub(super) place: Place,
+}
+
+impl Seen {
+    /// The place in the picture of the figure's first point.
+    pub(super) fn first_point(&self) -> (f64, f64) {
+        self.place.apply(self.figure.first_point()).into()
+    }
+
+    /// The figure in the picture.
+    fn in_picture(&self) -> Figure {
+        self.figure.carried(|point| self.place.apply(point))
+    }
+}
+
+/// All that is seen in one period, from back to front.
+pub(super) struct Layers {
+    pub(super) tracks: Vec<Track>,
+    pub(super) layers: Vec<Layer>,
+}
+
+/// The track of what stands still in the picture.
+const PICTURE: usize = 0;
+
+/// Neighbours that are treated alike.
+pub(super) enum Layer {
+    /// Figures that move on one track, in its frame.
+    Rigid { track: usize, figures: Vec<Figure> },
+    /// What changes its form: at each moment what is seen of it, in the picture.
+    Changing(Vec<Vec<Figure>>),
+}
+
+impl Layers {
+    /// Of all moments of a period.
+    pub(super) fn of(moments: &[Vec<Seen>]) -> Self {
+        let mut layers = Self {
+            tracks: Vec::new(),
+            layers: Vec::new(),
+        };
+        let still = vec![Place::PICTURE; moments.len()];
+        layers.tracks.push(Track::new(still));
+        for column in columns(moments) {
+            match column.iter().copied().collect::<Option<Vec<_>>>() {
+                Some(always) => layers.add(&always),
+                None => layers.add_changing(
+                    column
+                        .iter()
+                        .map(|seen| seen.iter().map(|seen| seen.in_picture()).collect())
+                        .collect(),
+                ),
+            }
+        }
+        layers
+    }
+
+    /// Adds something that is seen at each moment.
+    fn add(&mut self, column: &[&Seen]) {
+        let Some(first) = column.first() else {
+            return;
+        };
+        let in_picture: Vec<_> = column.iter().map(|seen| seen.in_picture()).collect();
+        let is_same = |seen: &&Seen| {
+            Arc::ptr_eq(&seen.figure, &first.figure) || seen.figure.is_same(&first.figure)
+        };
+        if column.iter().all(is_same) {
+            let places: Vec<_> = column.iter().map(|seen| seen.place).collect();
+            let track = self.track(places);
+            return self.add_rigid(track, Figure::clone(&first.figure));
+        }
+        let on_known = || {
+            let tracks = self.tracks.iter().enumerate();
+            let mut fixed = tracks
+                .filter_map(|(index, track)| Some((index, fixed(&in_picture, track.places())?)));
+            fixed.next()
+        };
+        if !first.figure.is_upright()
+            && let Some((track, figure)) = on_known()
+        {
+            return self.add_rigid(track, figure);
+        }
+        let farthest = in_picture.first().map_or(0, Figure::farthest);
+        let places: Vec<_> = in_picture
+            .iter()
+            .map(|figure| figure.own_place(farthest))
+            .collect();
+        if let Some(figure) = fixed(&in_picture, &places) {
+            let track = self.track(places);
+            return self.add_rigid(track, figure);
+        }
+        self.add_changing(in_picture.into_iter().map(|figure| vec![figure]).collect());
+    }
+
+    /// The track through these places.
+    fn track(&mut self, places: Vec<Place>) -> usize {
+        let known = self
+            .tracks
+            .iter()
+            .position(|track| track.places() == places);
+        known.unwrap_or_else(|| {
+            self.tracks.push(Track::new(places));
+            self.tracks.len() - 1
+        })
+    }
+
+    fn add_rigid(&mut self, track: usize, figure: Figure) {
+        if let Some(track) = self.tracks.get_mut(track) {
+            track.carry(figure.extent());
+        }
+        match self.layers.last_mut() {
+            Some(Layer::Rigid {
+                track: last,
+                figures,
+            }) if *last == track => figures.push(figure),
+            _ => self.layers.push(Layer::Rigid {
+                track,
+                figures: vec![figure],
+            }),
+        }
+    }
+
+    fn add_changing(&mut self, moments: Vec<Vec<Figure>>) {
+        if moments.iter().all(Vec::is_empty) {
+            return;
+        }
+        if let Some(way) = whole_way(&moments) {
+            return self.add_rigid(PICTURE, way);
+        }
+        if let Some(Layer::Changing(last)) = self.layers.last_mut() {
+            for (last, more) in last.iter_mut().zip(moments) {
+                last.extend(more);
+            }
+        } else {
+            self.layers.push(Layer::Changing(moments));
+        }
+    }
+
+    /// How far, in pixels, anything may be from a straight way between two moments.
+    pub(super) fn coarseness(&self) -> f64 {
+        self.tracks
+            .iter()
+            .map(Track::coarseness)
+            .fold(0.0, f64::max)
+    }
+}
+
+/// The figure in a frame that is at these places, if it is the same in it at every moment.
+fn fixed(in_picture: &[Figure], places: &[Place]) -> Option<Figure> {
+    let mut relative = in_picture
+        .iter()
+        .zip(places)
+        .map(|(figure, place)| figure.carried(|point| place.relative(point)));
+    let first = relative.next()?;
+    relative
+        .all(|figure| figure.is_same(&first))
+        .then_some(first)
+}

@@ -1,0 +1,46 @@
+//! Numbers as short as they may be.
+
+use core::fmt;
+use std::format;
+
+/// A number rounded to so many decimals; zeros at the end are left out.
+#[derive(Clone, Copy)]
+pub(super) struct Number(pub(super) f64, pub(super) usize);
+
+/// Decimals of what is given in pixels: what is put together from several such numbers is exact to a thousandth of a pixel.
+pub(super) const DECIMALS: usize = 4;
+
+/// From here on numbers are written with an exponent.
+const LARGE: f64 = 1e9;
+
+/// A number of pixels.
+pub(super) const fn pixels(value: f64) -> Number {
+    Number(value, DECIMALS)
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value, decimals) = *self;
+        if value.abs() >= LARGE {
+            return write!(f, "{value:.9e}");
+        }
+        let text = format!("{value:.decimals$}");
+        let text = if text.contains('.') {
+            text.trim_end_matches('0').trim_end_matches('.')
+        } else {
+            &text
+        };
+        f.write_str(if text == "-0" { "0" } else { text })
+    }
+}
+
+/// Decimals of a factor of lengths up to `extent`, so that the product is as exact as what is given in pixels.
+pub(super) fn decimals_of_factor(extent: f64) -> usize {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "at most 309"
+    )]
+    let digits = extent.max(1.0).log10().ceil() as usize;
+    digits + DECIMALS
+}

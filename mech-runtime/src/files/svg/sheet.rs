@@ -1,0 +1,123 @@
+//! What an SVG is drawn on.
+
+use crate::{Frame, Palette, Smooth, View};
+use core::fmt::Write;
+use std::string::String;
+
+/// A sheet of paper: its size in pixels, what part of the scene is seen on it, and the colours.
+///
+/// ```
+/// use mech_runtime::files::Sheet;
+/// use mech_runtime::{Frame, Palette, View};
+///
+/// let sheet = Sheet::new(320, 240).look_at(View::new([0.0, 1.0], 40.0)).palette(Palette::NIGHT).title("By night");
+/// let like_a_frame = Sheet::from(&Frame::<320, 240>::new());
+/// ```
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    size: [usize; 2],
+    pub(super) view: View,
+    pub(super) palette: Palette,
+    title: String,
+}
+
+impl Sheet {
+    /// A sheet so many pixels wide and high that looks at the scene's origin with one pixel a unit, with the
+    /// [textbook](Palette::TEXTBOOK) palette.
+    #[must_use]
+    pub fn new(width: usize, height: usize) -> Self {
+        Self {
+            size: [width, height],
+            view: View::default(),
+            palette: Palette::default(),
+            title: String::new(),
+        }
+    }
+
+    /// The same with another view of the scene.
+    #[must_use]
+    pub const fn look_at(mut self, view: View) -> Self {
+        self.view = view;
+        self
+    }
+
+    /// The same with other colours.
+    #[must_use]
+    pub fn palette(mut self, palette: Palette) -> Self {
+        self.palette = palette;
+        self
+    }
+
+    /// The same with a title, for whoever cannot see it.
+    #[must_use]
+    pub fn title(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// The centre in pixels from the upper left corner.
+    #[expect(clippy::cast_precision_loss, reason = "no picture is 2⁵² pixels wide")]
+    pub(super) fn middle(&self) -> [f64; 2] {
+        self.size.map(|pixels| pixels as f64 / 2.0)
+    }
+
+    /// A document with this body, and in front of it what is to be known before.
+    pub(super) fn document(&self, head: &str, body: &str) -> String {
+        let [width, height] = self.size;
+        let [red, green, blue] = self.palette.rgb(Palette::PAPER);
+        let mut text = String::with_capacity(head.len() + body.len() + 300);
+        // Writing to a `String` cannot fail.
+        let _ = writeln!(
+            text,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" role=\"img\">"
+        );
+        if !self.title.is_empty() {
+            let _ = writeln!(text, "<title>{}</title>", escaped(&self.title));
+        }
+        text.push_str(head);
+        let _ = writeln!(
+            text,
+            "<rect width=\"{width}\" height=\"{height}\" fill=\"#{red:02x}{green:02x}{blue:02x}\"/>"
+        );
+        text.push_str(body);
+        text.push_str("</svg>\n");
+        text
+    }
+}
+
+/// Of the same size, with the same view and colours.
+impl<const W: usize, const H: usize> From<&Frame<W, H>> for Sheet {
+    fn from(frame: &Frame<W, H>) -> Self {
+        Self::new(W, H)
+            .look_at(frame.view())
+            .palette(frame.palette().clone())
+    }
+}
+
+/// Of the same size, with the same view and colours.
+impl<const W: usize, const H: usize> From<&Smooth<W, H>> for Sheet {
+    fn from(picture: &Smooth<W, H>) -> Self {
+        Self::new(W, H)
+            .look_at(picture.view())
+            .palette(picture.palette().clone())
+    }
+}
+
+/// As it may stand in a document; characters that no document may hold are replaced.
+pub(super) fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\t' | '\n' | '\r' => escaped.push(' '),
+            other if other.is_control() || matches!(other, '\u{FFFE}' | '\u{FFFF}') => {
+                escaped.push(char::REPLACEMENT_CHARACTER);
+            }
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
