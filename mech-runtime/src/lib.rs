@@ -45,7 +45,7 @@ pub use nalgebra::{Isometry2, Point2, Vector2};
 pub use overlay::Overlay;
 pub use pose::Pose;
 pub use range::InRange;
-pub use raster::{Canvas, Frame, Palette, Smooth, View};
+pub use raster::{Canvas, Frame, Palette, Smooth, Stage, View};
 pub use rate::{Acceleration, Velocity};
 pub use scalar::Scalar;
 pub use shape::{Outline, Shape};

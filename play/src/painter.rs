@@ -6,7 +6,7 @@ use mech_runtime::{Canvas, Palette, Smooth, View};
 
 /// Pixels that a strip is wide, and high.
 const WIDE: usize = 4096;
-const STRIP: usize = 64;
+const STRIP: usize = 24;
 /// From one letter to the next, and how high one is with what hangs below, in dots.
 pub(crate) const ADVANCE: usize = 6;
 const LETTER: usize = 8;

@@ -93,6 +93,18 @@ impl<const W: usize, const H: usize> Frame<W, H> {
         }
     }
 
+    /// Takes over some pixels of another.
+    pub(super) fn copy(&mut self, other: &Self, clip: Clip) {
+        let rows = self.pixels.iter_mut().zip(&other.pixels);
+        let rows = rows.skip(clip.top).take(clip.bottom - clip.top);
+        for (row, other) in rows {
+            let columns = clip.left..clip.right;
+            if let (Some(row), Some(other)) = (row.get_mut(columns.clone()), other.get(columns)) {
+                row.copy_from_slice(other);
+            }
+        }
+    }
+
     fn all(&mut self) -> Part<'_, W> {
         self.part(Clip::all(W, H))
     }

@@ -30,4 +30,49 @@ impl Clip {
             bottom: height,
         }
     }
+
+    /// No pixel.
+    pub(super) const fn none() -> Self {
+        Self::all(0, 0)
+    }
+
+    /// What is in both.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            left: self.left.max(other.left),
+            top: self.top.max(other.top),
+            right: self.right.min(other.right),
+            bottom: self.bottom.min(other.bottom),
+        }
+    }
+
+    /// The smallest rectangle around both.
+    pub(super) fn around(self, other: Self) -> Self {
+        if self.is_empty() {
+            return other;
+        }
+        if other.is_empty() {
+            return self;
+        }
+        Self {
+            left: self.left.min(other.left),
+            top: self.top.min(other.top),
+            right: self.right.max(other.right),
+            bottom: self.bottom.max(other.bottom),
+        }
+    }
+
+    /// Whether no pixel is in it.
+    pub(super) const fn is_empty(self) -> bool {
+        self.left >= self.right || self.top >= self.bottom
+    }
+
+    /// How many pixels are in it.
+    pub(super) const fn area(self) -> usize {
+        if self.is_empty() {
+            0
+        } else {
+            (self.right - self.left) * (self.bottom - self.top)
+        }
+    }
 }

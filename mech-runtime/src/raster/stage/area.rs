@@ -1,0 +1,91 @@
+//! Rectangles of pixels that have to be painted again.
+
+use crate::raster::spans::Clip;
+
+/// The most rectangles: of more, those are taken together that lie next to each other.
+const MOST: usize = 12;
+/// What it costs to begin with a rectangle, in pixels.
+const BEGIN: usize = 600;
+
+/// A rectangle of pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Area {
+    /// Its first column, from the left.
+    pub x: usize,
+    /// Its first row, from the top.
+    pub y: usize,
+    /// How many columns it has.
+    pub width: usize,
+    /// How many rows it has.
+    pub height: usize,
+}
+
+impl From<Clip> for Area {
+    fn from(clip: Clip) -> Self {
+        Self {
+            x: clip.left,
+            y: clip.top,
+            width: clip.right.saturating_sub(clip.left),
+            height: clip.bottom.saturating_sub(clip.top),
+        }
+    }
+}
+
+/// Some rectangles.
+#[derive(Clone)]
+pub(super) struct Areas {
+    areas: [Clip; MOST],
+    len: usize,
+}
+
+impl Areas {
+    pub(super) const fn new() -> Self {
+        Self {
+            areas: [Clip::none(); MOST],
+            len: 0,
+        }
+    }
+
+    pub(super) const fn len(&self) -> usize {
+        self.len
+    }
+
+    pub(super) const fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    pub(super) fn get(&self, index: usize) -> Clip {
+        let areas = self.areas.get(..self.len).unwrap_or_default();
+        areas.get(index).copied().unwrap_or(Clip::none())
+    }
+
+    /// Adds a rectangle: to one of those there are, where that costs less than to begin with another.
+    pub(super) fn add(&mut self, area: Clip) {
+        let mut area = area;
+        if area.is_empty() {
+            return;
+        }
+        loop {
+            let areas = self.areas.get(..self.len).unwrap_or_default();
+            let more = |other: &Clip| other.around(area).area().saturating_sub(other.area());
+            let nearest = (0..).zip(areas).min_by_key(|(_, other)| more(other));
+            let is_full = self.len == MOST;
+            match nearest {
+                Some((index, near)) if is_full || more(near) <= area.area() + BEGIN => {
+                    // Taken out, and added as one: it may now come near another.
+                    area = near.around(area);
+                    self.len -= 1;
+                    let last = self.areas.get(self.len).copied();
+                    if let (Some(place), Some(last)) = (self.areas.get_mut(index), last) {
+                        *place = last;
+                    }
+                }
+                _ => break,
+            }
+        }
+        if let Some(place) = self.areas.get_mut(self.len) {
+            *place = area;
+            self.len += 1;
+        }
+    }
+}
