@@ -1,6 +1,6 @@
 //! What every mechanism can do, for code that takes any.
 
-use crate::{Blocked, Canvas, Cost, Pose, Reached, Scalar, Shape};
+use crate::{Blocked, Canvas, Cost, Pose, Reached, Scalar, Shape, View};
 use core::fmt::Debug;
 
 /// A mechanism made by [`mechanism!`](crate::mechanism). Each of these is also an inherent item of its struct.
@@ -24,6 +24,11 @@ pub trait Mechanism: Clone {
     const LINKS: &'static [&'static str];
     /// Everything that is seen, from the plane farthest from the eye to the nearest.
     const SHAPES: &'static [Shape<Self::Scalar>];
+
+    /// The smallest upright box around all that is seen, wherever its motors move it: lower left and upper right corner, in scene
+    /// units. Found at compile time by moving each motor alone through its range or whole turns, and all of them in several
+    /// proportions. What is seen are its shapes; of a mechanism without any, its joints and points.
+    const EXTENT: [[Self::Scalar; 2]; 2];
 
     /// The mechanism as it was assembled at compile time.
     #[must_use]
@@ -51,6 +56,15 @@ pub trait Mechanism: Clone {
 
     /// The poses of the moving links in the scene, in the order of [`LINKS`](Self::LINKS).
     fn poses(&self) -> &[Pose<Self::Scalar>];
+
+    /// The view in which all of its motion fits into a picture of this size, with a margin of a 24th of the shorter side.
+    #[must_use]
+    fn view(width: usize, height: usize) -> View {
+        let [low, high] = Self::EXTENT.map(|corner| corner.map(crate::Real::to_f64));
+        #[expect(clippy::cast_precision_loss, reason = "no picture is 2⁵² pixels wide")]
+        let margin = width.min(height) as f64 / 24.0;
+        View::fit(low, high, width, height, margin)
+    }
 
     /// Paints every shape, from the plane farthest from the eye to the nearest.
     fn draw(&self, canvas: &mut impl Canvas<Self::Scalar>) {

@@ -10,6 +10,7 @@ pub mod certify;
 pub mod cost;
 mod emit;
 pub mod evaluate;
+mod extent;
 pub mod graphs;
 mod matched;
 pub mod model;

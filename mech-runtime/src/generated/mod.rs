@@ -14,7 +14,7 @@ mod rates;
 pub use crate::overlay::{Arrows, Overlay, Spot, Symbol};
 pub use crate::{Acceleration, BlockedAt, Columns, InRange, Trace, Vector2, Velocity};
 pub use crate::{
-    Blocked, Canvas, Isometry2, Mechanism, Outline, Phase, Point2, Pose, Reached, Shape,
+    Blocked, Canvas, Isometry2, Mechanism, Outline, Palette, Phase, Point2, Pose, Reached, Shape,
 };
 pub use crate::{Forces, Gauss, Reaction};
 pub use arrows::{draw_accelerations, draw_force, draw_reactions, draw_velocities};

@@ -1,6 +1,6 @@
 //! How far a link is from where it should be: an angle that is off moves its far end by as much as its arm is long.
 
-use crate::model::{LinkId, Model, ShapeKind};
+use crate::model::{LinkId, Model};
 use crate::program::Position;
 use mech_core::Real;
 
@@ -24,11 +24,9 @@ impl Extents {
                 reach(axis.at);
             }
             for shape in &model.link(id).shapes {
-                match &shape.kind {
-                    // Where its middle is, there is the circle.
-                    ShapeKind::Circle { center, .. } => reach(*center),
-                    ShapeKind::Polygon(corners) => corners.iter().copied().for_each(&mut reach),
-                }
+                // Where its middle is, there is a circle.
+                let (points, _) = shape.kind.reach();
+                points.iter().copied().for_each(&mut reach);
             }
             if low[0] > high[0] {
                 return [[0.0; 2]; 4];

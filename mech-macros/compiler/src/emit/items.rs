@@ -7,11 +7,11 @@ use super::many::many;
 use super::moves::{course, near, turn_to, within};
 use super::params;
 use super::scope::number;
-use super::shapes::shapes;
+use super::shapes::{extent, shapes};
 use super::step::{position, step};
 use super::traces::painting;
 use crate::Compiled;
-use crate::model::{AxisId, JointKind, LinkId, Model, Origin};
+use crate::model::{AxisId, JointKind, LinkId, Model, Origin, Quality};
 use crate::program::Program;
 use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -44,6 +44,7 @@ pub(crate) fn items(
     let start = start(program);
     let step = step(program);
     let shapes = shapes(model, program);
+    let extent = extent(model, plan, program);
     let accessors = accessors(places, model, program, visibility);
     let course = course(program, plan);
     let Added {
@@ -61,7 +62,13 @@ pub(crate) fn items(
     let end = quote!(#rest #record);
     let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
     let imports = imports(krate, program);
-    let seen = seen(program, visibility, &painting(places, model, program));
+    let seen = seen(
+        krate,
+        model,
+        program,
+        visibility,
+        &painting(places, model, program),
+    );
     let moves = [
         moves(program, visibility, &end),
         turn_to(model, program, visibility, &end),
@@ -98,6 +105,8 @@ pub(crate) fn items(
             #more_imports
 
             #shapes
+
+            #extent
 
             const START: #position = #start;
 
@@ -146,10 +155,29 @@ pub(crate) fn items(
 }
 
 /// The methods that tell and paint where everything is.
-fn seen(program: &Program, visibility: &syn::Visibility, painting: &TokenStream) -> TokenStream {
+fn seen(
+    krate: &TokenStream,
+    model: &Model,
+    program: &Program,
+    visibility: &syn::Visibility,
+    painting: &TokenStream,
+) -> TokenStream {
     let scalar = scalar(program);
     let links = Literal::usize_unsuffixed(program.poses.len());
+    let (picture, doc) = picture(krate, model);
     quote! {
+                /// The smallest upright box around all that is seen, wherever its motors move it: lower left and upper right
+                /// corner, in scene units.
+                #visibility const EXTENT: [[#scalar; 2]; 2] = EXTENT;
+
+                #[doc = #doc]
+                #[must_use]
+                #visibility fn picture<const W: usize, const H: usize>() -> #picture<W, H> {
+                    let mut picture = #picture::new();
+                    picture.look_at(<Self as Mechanism>::view(W, H));
+                    picture
+                }
+
                 /// The poses of the moving links in the scene, in the order of their declaration.
                 #[must_use]
                 #visibility const fn poses(&self) -> &[Pose<#scalar>; #links] {
@@ -160,6 +188,20 @@ fn seen(program: &Program, visibility: &syn::Visibility, painting: &TokenStream)
                 #visibility fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
                     #painting
                 }
+    }
+}
+
+/// The type of the pictures that it makes for itself, and what is said of them.
+pub(super) fn picture(krate: &TokenStream, model: &Model) -> (TokenStream, &'static str) {
+    match model.quality {
+        Quality::Hard => (
+            quote!(#krate::Frame),
+            " An empty picture that looks at all of it, wherever its motors move it.",
+        ),
+        Quality::Smooth => (
+            quote!(#krate::Smooth),
+            " An empty picture with soft edges that looks at all of it, wherever its motors move it.",
+        ),
     }
 }
 
@@ -235,7 +277,7 @@ fn imports(krate: &TokenStream, program: &Program) -> TokenStream {
             use ::core::result::Result::{self, Err, Ok};
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
             use #krate::generated::{
-                Anywhere, AtZero, Blocked, BlockedAt, Canvas, Columns, Course, Isometry2, Mechanism, Motors, Outline, Phase, Point2, Pose, Position,
+                Anywhere, AtZero, Blocked, BlockedAt, Canvas, Columns, Course, Isometry2, Mechanism, Motors, Outline, Palette, Phase, Point2, Pose, Position,
                 Reached, Real, Shape, Stop, Watched, advance, angle, approach, atan2, closed, closes, contracts, before_first, paint, round,
                 sin_cos, slide, solve, sqrt, turned, Sines, Within, InRange, greater, least, move_many, solve_many,
             };
@@ -264,6 +306,7 @@ fn implementation(
                 const MOTORS: &'static [&'static str] = &[#(#motor_names),*];
                 const LINKS: &'static [&'static str] = &[#(#link_names),*];
                 const SHAPES: &'static [Shape<#scalar>] = SHAPES;
+                const EXTENT: [[#scalar; 2]; 2] = EXTENT;
 
                 fn new() -> Self {
                     Self::new()

@@ -37,6 +37,7 @@ pub(crate) fn stub(
     let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
     let at_time = at_time(krate, visibility, has_laws, (&scalar, &motors, &methods));
     let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
+    let (picture, _) = super::items::picture(krate, model);
     let implementation = implementation(krate, header, &scalar, &motors);
     quote! {
         #(#attributes)*
@@ -91,6 +92,10 @@ pub(crate) fn stub(
                 #visibility fn poses(&self) -> &[#krate::Pose<#scalar>; #links] {
                     loop {}
                 }
+                #visibility const EXTENT: [[#scalar; 2]; 2] = [[0.0; 2]; 2];
+                #visibility fn picture<const W: usize, const H: usize>() -> #picture<W, H> {
+                    loop {}
+                }
                 #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
                 #rates
                 #forces
@@ -136,6 +141,7 @@ fn implementation(
                 const MOTORS: &'static [&'static ::core::primitive::str] = &[];
                 const LINKS: &'static [&'static ::core::primitive::str] = &[];
                 const SHAPES: &'static [#krate::Shape<#scalar>] = &[];
+                const EXTENT: [[#scalar; 2]; 2] = [[0.0; 2]; 2];
                 fn new() -> Self {
                     Self
                 }

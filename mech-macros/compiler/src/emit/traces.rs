@@ -122,7 +122,7 @@ pub(super) fn painting(places: &Places, model: &Model, program: &Program) -> Tok
             // Behind all links: the first of their shapes is the limit.
             None => place == 0,
         };
-        let all = shapes.iter().map(|(place, shape)| (*place, shape.plane));
+        let all = shapes.iter().map(|painted| (painted.link, painted.plane));
         all.take_while(|shape| before(*shape)).count()
     };
     let mut traces: Vec<(usize, &Trace)> = model

@@ -86,6 +86,46 @@ pub enum ShapeKind {
         /// Its radius, greater than zero.
         radius: f64,
     },
+    /// A circle with a hole of the same centre.
+    Ring {
+        /// Its centre.
+        center: [f64; 2],
+        /// Its radius.
+        radius: f64,
+        /// The radius of its hole, less than that and greater than zero.
+        hole: f64,
+    },
+    /// A bar with round ends and an eye at each of its pins, of which there are at least two.
+    Bar {
+        /// Where it leads through.
+        pins: Vec<[f64; 2]>,
+        /// How wide it is, greater than zero.
+        width: f64,
+    },
     /// A filled simple polygon of at least three corners.
     Polygon(Vec<[f64; 2]>),
+}
+
+/// What a picture looks like that a mechanism makes for itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Quality {
+    /// A pixel belongs to a shape or does not: a `Frame`.
+    #[default]
+    Hard,
+    /// Edges are anti-aliased: a `Smooth`.
+    Smooth,
+}
+
+impl ShapeKind {
+    /// Some of its points, and how far it reaches around them.
+    #[must_use]
+    pub fn reach(&self) -> (&[[f64; 2]], f64) {
+        match self {
+            Self::Circle { center, radius } | Self::Ring { center, radius, .. } => {
+                (std::slice::from_ref(center), *radius)
+            }
+            Self::Bar { pins, width } => (pins, width / 2.0),
+            Self::Polygon(corners) => (corners, 0.0),
+        }
+    }
 }

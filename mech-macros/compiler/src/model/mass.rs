@@ -21,6 +21,16 @@ impl Mass {
             .iter()
             .map(|shape| Self::of_area(&shape.kind))
             .collect();
+        let whole = Self::together(&parts);
+        Self {
+            mass: density * whole.mass,
+            inertia: density * whole.inertia,
+            ..whole
+        }
+    }
+
+    /// Some masses as one.
+    fn together(parts: &[Self]) -> Self {
         let area: f64 = parts.iter().map(|part| part.mass).sum();
         if area <= 0.0 {
             return Self {
@@ -43,9 +53,9 @@ impl Mass {
         };
         let inertia: f64 = parts.iter().map(about).sum();
         Self {
-            mass: density * area,
+            mass: area,
             center,
-            inertia: density * inertia,
+            inertia,
         }
     }
 
@@ -60,8 +70,56 @@ impl Mass {
                     inertia: 0.5 * area * radius * radius,
                 }
             }
+            ShapeKind::Ring {
+                center,
+                radius,
+                hole,
+            } => {
+                let area = std::f64::consts::PI * (radius * radius - hole * hole);
+                Self {
+                    mass: area,
+                    center: *center,
+                    inertia: 0.5 * area * (radius * radius + hole * hole),
+                }
+            }
+            ShapeKind::Bar { pins, width } => Self::of_bar(pins, *width),
             ShapeKind::Polygon(corners) => Self::of_polygon(corners),
         }
+    }
+
+    /// Its straight parts and its two round ends; where it bends, parts overlap on one side as much as they lack on the other.
+    fn of_bar(pins: &[[f64; 2]], width: f64) -> Self {
+        let half = width / 2.0;
+        let mut parts = Vec::new();
+        for pair in pins.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let [x, y] = [to[0] - from[0], to[1] - from[1]];
+            let length = x.hypot(y);
+            parts.push(Self {
+                mass: length * width,
+                center: [from[0] + x / 2.0, from[1] + y / 2.0],
+                inertia: length * width * (length * length + width * width) / 12.0,
+            });
+        }
+        let ends = [(0, 1), (pins.len() - 1, pins.len() - 2)];
+        for (end, next) in ends {
+            let ([x, y], [u, v]) = (pins[end], pins[next]);
+            let length = (x - u).hypot(y - v);
+            let area = std::f64::consts::PI * half * half / 2.0;
+            // The centre of a half disc lies so far from its straight side.
+            let ahead = 4.0 * half / (3.0 * std::f64::consts::PI);
+            let along = if length > 0.0 {
+                [(x - u) / length, (y - v) / length]
+            } else {
+                [1.0, 0.0]
+            };
+            parts.push(Self {
+                mass: area,
+                center: [x + ahead * along[0], y + ahead * along[1]],
+                inertia: area * (half * half / 2.0 - ahead * ahead),
+            });
+        }
+        Self::together(&parts)
     }
 
     /// By triangles between each edge and the first corner, so that what lies far from the origin is as exact as what is near.

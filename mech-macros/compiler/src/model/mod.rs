@@ -22,7 +22,7 @@ pub use effects::Effects;
 pub use id::{AxisId, FormulaId, JointId, LawId, LinkId, MotorId, Origin, ParamId};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use law::{Extreme, Function, Law, Term, TermId};
-pub use link::{Axis, AxisKind, Link, Shape, ShapeKind};
+pub use link::{Axis, AxisKind, Link, Quality, Shape, ShapeKind};
 pub use mass::Mass;
 pub use param::{Arithmetic, Formula, Param, Params};
 pub use show::Shown;
@@ -128,6 +128,8 @@ pub struct Model {
     pub target: Target,
     /// How change points are passed.
     pub change_points: AtChangePoints,
+    /// What the pictures look like that it makes for itself.
+    pub quality: Quality,
     /// What is asked for: what nothing of it depends on is not computed. Without, everything is.
     pub show: Option<Vec<Shown>>,
     /// What is let pass.
@@ -169,6 +171,7 @@ impl Model {
             accuracy: None,
             target: Target::default(),
             change_points: AtChangePoints::default(),
+            quality: Quality::default(),
             show: None,
             allow: Allowances::default(),
             effects: Effects::default(),
@@ -181,14 +184,10 @@ impl Model {
     #[must_use]
     pub fn fits(&self) -> bool {
         let shapes = self.links.iter().flat_map(|link| &link.shapes);
-        let in_shape = |shape: &Shape| match &shape.kind {
-            ShapeKind::Circle { center, radius } => center
-                .iter()
-                .chain([radius])
-                .all(|&n| self.precision.holds(n)),
-            ShapeKind::Polygon(corners) => {
-                corners.iter().flatten().all(|&n| self.precision.holds(n))
-            }
+        let in_shape = |shape: &Shape| {
+            let (points, reach) = shape.kind.reach();
+            let mut numbers = points.iter().flatten().chain([&reach]);
+            numbers.all(|&n| self.precision.holds(2.0 * n))
         };
         let in_axis = |axis: &Axis| axis.at.iter().all(|&n| self.precision.holds(n));
         let in_start = |value: &StartValue| self.precision.holds(value.value);

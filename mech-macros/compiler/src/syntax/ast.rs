@@ -46,6 +46,8 @@ pub(super) enum Statement {
     Accuracy { keyword: Span, value: Expr },
     /// `cost x86_64;`
     Cost { keyword: Span, word: Ident },
+    /// `quality smooth;`
+    Quality { keyword: Span, word: Ident },
     /// `at change points stop;`
     ChangePoints { keyword: Span, what: AtChangePoints },
     /// `effects { ... }`
@@ -201,8 +203,20 @@ pub(super) enum LoadOn {
 pub(super) enum Outline {
     /// `circle (x, y) radius r`
     Circle { center: Pair, radius: Expr },
+    /// `ring (x, y) radius r hole h`
+    Ring {
+        center: Pair,
+        radius: Expr,
+        hole: Expr,
+    },
     /// `polygon [(x, y), ...]`
     Polygon { corners: Vec<Pair>, place: Place },
+    /// `bar [(x, y), ...] width w`
+    Bar {
+        pins: Vec<Pair>,
+        place: Place,
+        width: Expr,
+    },
 }
 
 /// `joint name = ...;`

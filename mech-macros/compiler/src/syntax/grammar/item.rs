@@ -15,7 +15,9 @@ use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
 
 /// The words that an item may begin with.
-const BEGINNINGS: [&str; 6] = ["point", "line", "circle", "polygon", "mass", "density"];
+const BEGINNINGS: [&str; 8] = [
+    "point", "line", "circle", "ring", "polygon", "bar", "mass", "density",
+];
 
 /// Reads `{ ... }`.
 pub(super) fn items(input: ParseStream) -> Read<Vec<Item>> {
@@ -38,7 +40,9 @@ fn item(input: ParseStream) -> Item {
         "point" => axis(input, AxisKind::Point),
         "line" => axis(input, AxisKind::Line),
         "circle" => shape(input, keyword.span(), circle),
+        "ring" => shape(input, keyword.span(), ring),
         "polygon" => shape(input, keyword.span(), polygon),
+        "bar" => shape(input, keyword.span(), bar),
         "mass" => matter(input, keyword.span(), mass),
         "density" => matter(input, keyword.span(), density),
         _ => unknown(input, &keyword),
@@ -147,6 +151,28 @@ fn circle(input: ParseStream) -> Read<Outline> {
     Ok(Outline::Circle {
         center,
         radius: expression(input)?,
+    })
+}
+
+fn ring(input: ParseStream) -> Read<Outline> {
+    let center = pair(input)?;
+    word(input, "radius")?;
+    let radius = expression(input)?;
+    word(input, "hole")?;
+    Ok(Outline::Ring {
+        center,
+        radius,
+        hole: expression(input)?,
+    })
+}
+
+fn bar(input: ParseStream) -> Read<Outline> {
+    let (pins, place) = in_brackets(input, "`[(x, y), ...]`", corners)?;
+    word(input, "width")?;
+    Ok(Outline::Bar {
+        pins,
+        place,
+        width: expression(input)?,
     })
 }
 

@@ -128,3 +128,11 @@ pub(super) fn allow(input: ParseStream) -> Statement {
         Ok(Statement::Allow(word))
     })
 }
+
+/// Reads `smooth;`.
+pub(super) fn quality(input: ParseStream, keyword: Span) -> Statement {
+    settled(input, |input| {
+        let word = any_word(input).ok_or_else(|| unexpected(input, "`hard` or `smooth`"))?;
+        Ok(Statement::Quality { keyword, word })
+    })
+}

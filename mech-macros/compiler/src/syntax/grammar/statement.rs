@@ -12,15 +12,16 @@ use syn::parse::ParseStream;
 use syn::{Attribute, token};
 
 /// The words that a statement may begin with.
-pub(super) const BEGINNINGS: [&str; 19] = [
+pub(super) const BEGINNINGS: [&str; 20] = [
     "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost", "at",
-    "allow", "effects", "show", "param", "certify", "gravity", "spring", "damper", "load",
+    "allow", "effects", "show", "quality", "param", "certify", "gravity", "spring", "damper",
+    "load",
 ];
 
 /// Those of them that stand for something today.
-const SUPPORTED: [&str; 18] = [
+const SUPPORTED: [&str; 19] = [
     "const", "param", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost",
-    "at", "allow", "effects", "show", "gravity", "spring", "damper", "load",
+    "at", "allow", "effects", "show", "quality", "gravity", "spring", "damper", "load",
 ];
 
 /// Reads everything.
@@ -130,6 +131,7 @@ fn statement(input: ParseStream) -> Statement {
         "at" => method::change_points(input, keyword.span()),
         "effects" => setting::effects(input, keyword.span()),
         "show" => setting::show(input, keyword.span()),
+        "quality" => setting::quality(input, keyword.span()),
         "gravity" => action::gravity(input, keyword.span()),
         "spring" => action::spring(input),
         "damper" => action::damper(input),

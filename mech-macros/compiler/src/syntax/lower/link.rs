@@ -127,7 +127,13 @@ impl Lowering {
     fn lower_shape(&mut self, link: LinkId, shape: &Shape) {
         let kind = match &shape.outline {
             Outline::Circle { center, radius } => self.circle(center, radius),
+            Outline::Ring {
+                center,
+                radius,
+                hole,
+            } => self.ring(center, radius, hole),
             Outline::Polygon { corners, place } => self.polygon(corners, *place),
+            Outline::Bar { pins, place, width } => self.bar(pins, *place, width),
         };
         let plane = match &shape.plane {
             Some(plane) => self.plane(plane),
@@ -168,6 +174,38 @@ impl Lowering {
         Some(ShapeKind::Circle {
             center: center?,
             radius: radius?,
+        })
+    }
+
+    fn ring(&mut self, center: &Pair, radius: &Expr, hole: &Expr) -> Option<ShapeKind> {
+        let center = self.pair(center);
+        let radius = self.positive(radius, "a radius");
+        let inner = self.positive(hole, "the radius of a hole");
+        let (radius, inner) = (radius?, inner?);
+        if inner >= radius {
+            let text =
+                format!("the hole of a ring is smaller than the ring, whose radius is {radius}");
+            self.report.tell(hole.place, text);
+            return None;
+        }
+        Some(ShapeKind::Ring {
+            center: center?,
+            radius,
+            hole: inner,
+        })
+    }
+
+    fn bar(&mut self, pins: &[Pair], place: Place, width: &Expr) -> Option<ShapeKind> {
+        let values: Vec<_> = pins.iter().map(|pin| self.pair(pin)).collect();
+        let width = self.positive(width, "a width");
+        if pins.len() < 2 {
+            let text = format!("a bar has at least two pins, not {}", pins.len());
+            self.report.tell(place, text);
+            return None;
+        }
+        Some(ShapeKind::Bar {
+            pins: values.into_iter().collect::<Option<_>>()?,
+            width: width?,
         })
     }
 

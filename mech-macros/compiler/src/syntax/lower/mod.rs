@@ -12,6 +12,7 @@ mod method;
 mod motor;
 mod name;
 mod param;
+mod quality;
 mod report;
 mod rolling;
 mod setting;
@@ -172,6 +173,7 @@ impl Lowering {
             Statement::Method(method) => self.lower_method(method),
             Statement::Accuracy { keyword, value } => self.lower_accuracy(*keyword, value),
             Statement::Cost { keyword, word } => self.lower_cost(*keyword, word),
+            Statement::Quality { keyword, word } => self.lower_quality(*keyword, word),
             Statement::ChangePoints { keyword, what } => self.lower_change_points(*keyword, *what),
             Statement::Effects { keyword, effects } => self.lower_effects(*keyword, effects),
             Statement::Allow(word) => self.lower_allow(word),

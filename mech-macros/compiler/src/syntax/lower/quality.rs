@@ -1,0 +1,24 @@
+//! What pictures look like.
+
+use super::Lowering;
+use crate::model::Quality;
+use crate::syntax::{Place, spelling};
+use proc_macro2::{Ident, Span};
+
+const QUALITIES: [&str; 2] = ["hard", "smooth"];
+
+impl Lowering {
+    pub(super) fn lower_quality(&mut self, keyword: Span, word: &Ident) {
+        self.single(keyword, "quality", "remove one of the two");
+        let text = word.to_string();
+        self.model.quality = match text.as_str() {
+            "hard" => Quality::Hard,
+            "smooth" => Quality::Smooth,
+            _ => {
+                let remedy = spelling::remedy(&text, &QUALITIES);
+                let text = format!("unknown quality `{text}`{remedy}");
+                return self.report.tell(Place::at(word.span()), text);
+            }
+        };
+    }
+}
