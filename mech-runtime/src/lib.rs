@@ -217,6 +217,42 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// Numbers and laws are made of `+ - * / ( )`, `PI`, constants, `deg` after a number, `sqrt`, `sin`, `cos`, `tan`, `atan`, `exp`,
 /// `abs`, `min` and `max`.
 ///
+/// # Shapes and pictures
+///
+/// | shape | what is seen |
+/// |---|---|
+/// | `circle (x, y) radius r` | a disc |
+/// | `ring (x, y) radius r hole h` | a disc with a hole |
+/// | `polygon [(x, y), ...]` | a polygon, by the even-odd rule |
+/// | `bar [(x, y), ...] width w` | a link as textbooks draw it: a thick line with round ends and an eye at each pin |
+///
+/// Each is followed by `on plane n` and `color c`, which may be left out: plane 0, and a colour for each link. Planes are painted from
+/// the least to the greatest. `draw` paints them on any [`Canvas`]: a [`Frame`], a [`Smooth`], a [`Stage`], a file. `EXTENT` is the box
+/// that all of it needs for its whole motion, found at compile time; `picture()` gives an empty picture that looks at that, a `Frame`, or
+/// with `quality smooth;` a `Smooth`, whose edges are anti-aliased:
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct Rocker;
+///     ground { point a = (0, 0); point d = (4, 0); ring (0, 0) radius 0.4 hole 0.25; }
+///     link crank { point a = (0, 0); point b = (1, 0); bar [(0, 0), (1, 0)] width 0.4 on plane 2; }
+///     link coupler { point b = (0, 0); point c = (3.5, 0); bar [(0, 0), (3.5, 0)] width 0.4 on plane 1; }
+///     link rocker { point d = (0, 0); point c = (3, 0); bar [(0, 0), (3, 0)] width 0.4; }
+///     joint a = revolute(ground.a, crank.a);
+///     joint b = revolute(crank.b, coupler.b);
+///     joint c = revolute(coupler.c, rocker.c);
+///     joint d = revolute(ground.d, rocker.d);
+///     motor a;
+///     start { coupler near 50 deg; }
+///     quality smooth;
+/// }
+/// let mut rocker = Rocker::new();
+/// let mut picture = Rocker::picture::<200, 160>();
+/// rocker.move_to([0.5])?;
+/// rocker.draw(&mut picture);
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
 /// # Many positions
 ///
 /// `solve_many` finds many positions at once, into [`Columns`].

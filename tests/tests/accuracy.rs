@@ -3,7 +3,7 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{JointKind, Method, Model, Precision, ShapeKind};
+use mech_compiler::model::{JointKind, Method, Model, Precision};
 use mech_compiler::program::Program;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::parse;
@@ -70,10 +70,7 @@ fn spots(model: &Model) -> Vec<Vec<[f64; 2]>> {
         let axes = model.axes.iter().filter(|axis| axis.link == id);
         let mut spots: Vec<[f64; 2]> = axes.map(|axis| axis.at).collect();
         for shape in &model.link(id).shapes {
-            match &shape.kind {
-                ShapeKind::Circle { center, .. } => spots.push(*center),
-                ShapeKind::Polygon(corners) => spots.extend(corners),
-            }
+            spots.extend(shape.kind.reach().0);
         }
         spots
     };

@@ -8,9 +8,9 @@ use crate::program::Program;
 use crate::walk::{Stretch, at, walk};
 
 /// How many operations it may cost.
-const BUDGET: usize = 400_000;
+const BUDGET: usize = 150_000;
 /// Samples in a turn.
-const SAMPLES: [usize; 2] = [24, 180];
+const SAMPLES: [usize; 2] = [24, 120];
 
 /// The smallest upright box around all that is seen wherever it was moved to: lower left and upper right corner. What is seen
 /// are shapes, or joints and named points if there is no shape; if there is nothing, the box is the origin.

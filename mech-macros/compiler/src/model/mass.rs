@@ -156,3 +156,76 @@ impl Mass {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Mass, ShapeKind};
+
+    /// The mass of what lies inside, by many small squares.
+    fn sampled(inside: impl Fn(f64, f64) -> bool) -> Mass {
+        const SIDE: f64 = 0.004;
+        let [mut mass, mut x, mut y, mut square] = [0.0; 4];
+        for row in -750..750 {
+            for column in -750..750 {
+                let [u, v] = [column, row].map(|n| (f64::from(n) + 0.5) * SIDE);
+                if inside(u, v) {
+                    mass += SIDE * SIDE;
+                    x += SIDE * SIDE * u;
+                    y += SIDE * SIDE * v;
+                    square += SIDE * SIDE * (u * u + v * v);
+                }
+            }
+        }
+        let center = [x / mass, y / mass];
+        let inertia = square - mass * (center[0].powi(2) + center[1].powi(2));
+        Mass {
+            mass,
+            center,
+            inertia,
+        }
+    }
+
+    #[track_caller]
+    fn assert_near(found: Mass, expected: Mass) {
+        let near = |a: f64, b: f64| (a - b).abs() < 2e-3 * (1.0 + b.abs());
+        assert!(
+            near(found.mass, expected.mass)
+                && near(found.center[0], expected.center[0])
+                && near(found.center[1], expected.center[1])
+                && near(found.inertia, expected.inertia),
+            "{found:?} is not {expected:?}"
+        );
+    }
+
+    #[test]
+    fn a_straight_bar_weighs_what_it_covers() {
+        let (pins, width) = (vec![[-1.0, 0.5], [1.4, -0.3]], 0.9);
+        let [[x, y], [u, v]] = [pins[0], pins[1]];
+        let inside = |a: f64, b: f64| {
+            let way = [u - x, v - y];
+            let along = ((a - x) * way[0] + (b - y) * way[1]) / way[0].hypot(way[1]).powi(2);
+            let along = along.clamp(0.0, 1.0);
+            (a - x - along * way[0]).hypot(b - y - along * way[1]) <= width / 2.0
+        };
+        assert_near(
+            Mass::of_area(&ShapeKind::Bar {
+                pins: pins.clone(),
+                width,
+            }),
+            sampled(inside),
+        );
+    }
+
+    #[test]
+    fn a_ring_weighs_what_it_covers() {
+        let (center, radius, hole) = ([0.3, -0.4], 1.5, 0.7);
+        let inside =
+            |a: f64, b: f64| (hole..=radius).contains(&(a - center[0]).hypot(b - center[1]));
+        let ring = ShapeKind::Ring {
+            center,
+            radius,
+            hole,
+        };
+        assert_near(Mass::of_area(&ring), sampled(inside));
+    }
+}

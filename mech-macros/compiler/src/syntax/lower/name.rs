@@ -6,7 +6,7 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 28] = [
+const RESERVED: [&str; 30] = [
     "RATES_COST",
     "new",
     "move_with",
@@ -28,6 +28,8 @@ const RESERVED: [&str; 28] = [
     "motors",
     "poses",
     "draw",
+    "picture",
+    "EXTENT",
     "draw_overlay",
     "draw_velocities",
     "draw_accelerations",

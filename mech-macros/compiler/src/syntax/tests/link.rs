@@ -49,6 +49,51 @@ fn a_circle_has_a_size() {
 }
 
 #[test]
+fn a_ring_has_a_hole_within_it() {
+    told(
+        "link a { ring (0, 0) radius 2 hole «2»; }",
+        &["the hole of a ring is smaller than the ring, whose radius is 2"],
+    );
+    told(
+        "link a { ring (0, 0) radius 2 hole «-1»; }",
+        &["the radius of a hole must be greater than zero, not -1"],
+    );
+    told(
+        "link a { ring (0, 0) radius 2«;» }",
+        &["expected `hole`, found `;`"],
+    );
+}
+
+#[test]
+fn a_bar_has_two_pins() {
+    told(
+        "link a { bar «[(0, 0)]» width 1; }",
+        &["a bar has at least two pins, not 1"],
+    );
+    told(
+        "link a { bar [(0, 0), (1, 0)] width «0»; }",
+        &["a width must be greater than zero, not 0"],
+    );
+    told(
+        "link a { bar [(0, 0), (1, 0)] «radius» 1; }",
+        &["expected `width`, found `radius`"],
+    );
+}
+
+#[test]
+fn a_quality_is_one_of_two() {
+    told(
+        "quality «smoth»;",
+        &["unknown quality `smoth`; did you mean `smooth`?"],
+    );
+    told(
+        "quality smooth; «quality» hard;",
+        &["a mechanism has one `quality`; remove one of the two"],
+    );
+    told("quality«;»", &["expected `hard` or `smooth`, found `;`"]);
+}
+
+#[test]
 fn a_polygon_has_three_corners() {
     told(
         "link a { polygon «[(0, 0), (1, 0),]»; }",
@@ -107,7 +152,7 @@ fn other_items_are_unknown() {
     told(
         "link a { «square» (0, 0); }",
         &[
-            "unknown item `square`; what is fixed to a link begins with one of `point`, `line`, `circle`, `polygon`, `mass`, `density`",
+            "unknown item `square`; what is fixed to a link begins with one of `point`, `line`, `circle`, `ring`, `polygon`, `bar`, `mass`, `density`",
         ],
     );
     told(

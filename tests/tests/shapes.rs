@@ -1,0 +1,150 @@
+//! Shapes and views that a mechanism declares.
+
+use mech_examples::gallery;
+use mech_runtime::{Canvas, Frame, Mechanism, Outline, Palette, Pose, Smooth, mechanism, raster};
+use proptest::prelude::*;
+
+mechanism! {
+    /// A crank drawn as a textbook bar, a ring that turns with its follower.
+    struct Barred;
+    const WIDTH = 0.5;
+    ground { point shaft = (0, 0); ring (0, 0) radius 0.5 hole 0.3 on plane 0 color 1; }
+    link crank { point shaft = (0, 0); point pin = (2, 0); bar [(0, 0), (2, 0), (2, 1)] width WIDTH on plane 2 color 2; }
+    link arm { point pin = (0, 0); ring (1, 0) radius 0.75 hole 0.5 on plane 1 color 5; }
+    joint a = revolute(ground.shaft, crank.shaft);
+    joint b = revolute(crank.pin, arm.pin);
+    motor a;
+    motor b;
+}
+
+mechanism! {
+    struct SoftCrank: f32;
+    quality smooth;
+    link crank;
+    joint a = revolute(ground, crank) at (1, 2);
+    joint b = revolute(crank, rod) at (3, 2);
+    link rod;
+    joint c = revolute(rod, block) at (6, 2);
+    link block;
+    joint d = prismatic(ground, block) at (6, 2) along (1, 0);
+    motor a;
+}
+
+mechanism! {
+    struct Limited;
+    link arm { circle (3, 0) radius 1; }
+    joint a = revolute(ground, arm) at (0, 0);
+    motor a in 0 deg ..= 90 deg;
+}
+
+#[test]
+fn a_bar_is_painted_as_textbooks_do() {
+    let mut barred = Barred::new();
+    barred.move_to([0.4, 1.0]).expect("it turns");
+    let mut declared = Barred::picture::<160, 120>();
+    barred.draw(&mut declared);
+    let mut painted = Barred::picture::<160, 120>();
+    let identity = Pose::identity();
+    painted.fill(
+        Outline::Ring {
+            center: [0.0, 0.0],
+            radius: 0.5,
+            hole: 0.3,
+        },
+        identity,
+        1,
+    );
+    let [crank, arm] = *barred.poses();
+    painted.fill(
+        Outline::Ring {
+            center: [1.0, 0.0],
+            radius: 0.75,
+            hole: 0.5,
+        },
+        arm,
+        5,
+    );
+    raster::bar(
+        &mut painted,
+        &[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]],
+        crank,
+        0.5,
+        2,
+    );
+    assert!(declared == painted);
+    let seen = |color: u8| declared.pixels().as_flattened().contains(&color);
+    assert!(
+        [1, 2, 5, Palette::darker(2), Palette::INK, Palette::EYE]
+            .into_iter()
+            .all(seen)
+    );
+}
+
+#[test]
+fn a_picture_is_of_the_quality_that_is_declared() {
+    let hard: Frame<64, 48> = Barred::picture();
+    let mut soft: Smooth<64, 48> = SoftCrank::picture();
+    assert_eq!(hard.view(), Barred::view(64, 48));
+    assert_eq!(soft.view(), SoftCrank::view(64, 48));
+    SoftCrank::new().draw(&mut soft);
+}
+
+#[test]
+fn the_extent_is_that_of_the_motion() {
+    let near = |is: [[f64; 2]; 2], should: [[f64; 2]; 2]| {
+        let off = is.as_flattened().iter().zip(should.as_flattened());
+        assert!(
+            off.clone().all(|(is, should)| (is - should).abs() < 2e-3),
+            "{is:?}"
+        );
+    };
+    // A circle of radius 1 on an arm of 3, in the first quadrant.
+    near(Limited::EXTENT, [[-1.0, -1.0], [4.0, 4.0]]);
+    // Joints of a mechanism without shapes: the crank's pin goes round (1, 2), the block slides from 2 to 6 along y = 2.
+    near(
+        SoftCrank::EXTENT.map(|corner| corner.map(f64::from)),
+        [[-1.0, 0.0], [6.0, 4.0]],
+    );
+}
+
+/// The box of everything painted.
+struct Bounds([[f64; 2]; 2]);
+
+impl Canvas<f64> for Bounds {
+    fn fill(&mut self, outline: Outline<f64>, pose: Pose<f64>, _: u8) {
+        let (low, high) = outline.bounds(pose);
+        for axis in 0..2 {
+            self.0[0][axis] = self.0[0][axis].min(low[axis]);
+            self.0[1][axis] = self.0[1][axis].max(high[axis]);
+        }
+    }
+
+    fn text(&mut self, _: [f64; 2], _: &str, _: u8) {}
+
+    fn scale(&self) -> f64 {
+        f64::INFINITY
+    }
+}
+
+proptest! {
+    #[test]
+    fn nothing_is_seen_outside_of_the_extent(angles in prop::collection::vec(-7.0..7.0, 8)) {
+        fn check<M: Mechanism<Scalar = f64, Motors = [f64; 1]>>(angles: &[f64]) {
+            let mut mechanism = M::new();
+            let [low, high] = M::EXTENT;
+            let slack = 2e-3 * (high[0] - low[0]).max(high[1] - low[1]);
+            for &angle in angles {
+                // What is blocked is not seen.
+                let _ = mechanism.move_toward([angle]);
+                let mut bounds = Bounds(M::EXTENT);
+                mechanism.draw(&mut bounds);
+                let off = bounds.0.as_flattened().iter().zip(M::EXTENT.as_flattened()).map(|(is, should)| (is - should).abs());
+                assert!(off.fold(0.0, f64::max) <= slack, "{} at {angle}: {:?} of {:?}", M::NAME, bounds.0, M::EXTENT);
+            }
+        }
+        check::<gallery::geared_piston::GearedPiston>(&angles);
+        check::<gallery::four_bar::CrankRocker>(&angles);
+        check::<gallery::andrews::AndrewsSqueezer>(&angles);
+        check::<gallery::jansen::JansenLeg>(&angles);
+    }
+}
