@@ -21,6 +21,8 @@ mod chain;
 mod circle;
 mod crossings;
 mod edge;
+#[cfg(feature = "embedded-graphics")]
+pub mod embedded;
 mod fixed;
 mod font;
 mod frame;
