@@ -19,8 +19,8 @@ pub struct Picture<'f, C, const W: usize, const H: usize> {
 
 impl<const W: usize, const H: usize> Frame<W, H> {
     /// Shows the picture on a display, its upper left corner at the display's (0, 0), in one call of `fill_contiguous`. What does not
-    /// go on the display is left out. `color` tells the display's colour from red, green and blue;
-    /// [`rgb`](super::embedded::rgb) is one.
+    /// go on the display is left out. `color` tells the display's colour from red, green and blue, once for each entry of the palette;
+    /// [`rgb`](super::rgb) is one.
     ///
     /// # Errors
     ///
@@ -74,9 +74,10 @@ impl<const W: usize, const H: usize> Frame<W, H> {
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
     pub fn image<C>(&self, color: impl Fn([u8; 3]) -> C) -> Picture<'_, C, W, H> {
+        let entries = self.palette().entries();
         Picture {
             frame: self,
-            colors: self.palette().entries().map(color),
+            colors: core::array::from_fn(|entry| color(entries[entry])),
         }
     }
 }
