@@ -51,6 +51,12 @@ impl<const W: usize, const H: usize> Frame<W, H> {
         &self.pixels
     }
 
+    /// The pixels, to be painted.
+    #[cfg(feature = "embedded-graphics")]
+    pub(super) const fn pixels_mut(&mut self) -> &mut [[u8; W]; H] {
+        &mut self.pixels
+    }
+
     /// A pixel's entry in the palette; `x` counts from the left, `y` from the top.
     #[must_use]
     pub fn pixel(&self, x: usize, y: usize) -> Option<u8> {

@@ -14,6 +14,8 @@
 //! A pixel belongs to a shape if its centre does. A centre exactly on an outline belongs to the shape on its right, or
 //! below it: so shapes that share an edge leave no gap between them and paint no pixel twice. Whatever is not finite is
 //! not painted.
+//!
+//! With feature `embedded-graphics`, `raster::embedded` brings pictures to displays.
 
 mod arc;
 mod canvas;
@@ -21,6 +23,8 @@ mod chain;
 mod circle;
 mod crossings;
 mod edge;
+#[cfg(feature = "embedded-graphics")]
+pub mod embedded;
 mod fixed;
 mod font;
 mod frame;

@@ -1,0 +1,72 @@
+//! Pictures on displays, by [embedded-graphics](https://docs.rs/embedded-graphics) (feature `embedded-graphics`; still `no_std`).
+//!
+//! There are two ways from a mechanism to a display. A [`Screen`] paints on the display itself, in rectangles, and needs no memory
+//! for pixels; what is painted over is seen for a moment. Or everything is painted on a [`Frame`](super::Frame), which
+//! [shows](super::Frame::show) itself on the display, whole or [in part](super::Frame::show_part), in one call:
+//!
+//! ```
+//! use embedded_graphics::mock_display::MockDisplay; // or the driver of an ST7789, an SSD1306…
+//! use embedded_graphics::pixelcolor::{BinaryColor, Rgb565};
+//! use mech_runtime::raster::embedded::{Screen, rgb};
+//! use mech_runtime::{Frame, View, mechanism};
+//!
+//! mechanism! {
+//!     struct SliderCrank: f32;
+//!     link crank; link rod;
+//!     link block { circle (4, 0) radius 0.5 on plane 1 color 2; }
+//!     joint a = revolute(ground, crank) at (0, 0);
+//!     joint b = revolute(crank, rod) at (1, 0.5);
+//!     joint c = revolute(rod, block) at (4, 0);
+//!     joint x = prismatic(ground, block) at (4, 0) along (1, 0);
+//!     motor a;
+//! }
+//! let mut slider_crank = SliderCrank::new();
+//! slider_crank.move_to([0.5])?;
+//! let view = View::fit([-1.5, -1.5], [5.5, 1.5], 64, 64, 2.0);
+//!
+//! // On the display itself.
+//! # let new_display = || { let mut display = MockDisplay::<Rgb565>::new(); display.set_allow_overdraw(true); display };
+//! let mut display = new_display();
+//! let mut screen = Screen::new(&mut display, view, rgb);
+//! screen.clear();
+//! slider_crank.draw(&mut screen);
+//! screen.finish()?;
+//!
+//! // On a frame, and then on the display: the very same pixels.
+//! # let mut other = new_display();
+//! let mut frame = Frame::<64, 64>::new();
+//! frame.look_at(view);
+//! slider_crank.draw(&mut frame);
+//! frame.show(&mut other, rgb)?;
+//! # other.assert_eq(&display);
+//!
+//! // What is dark is lit on a display that knows only on and off.
+//! # let mut two_tone = MockDisplay::<BinaryColor>::new();
+//! frame.show(&mut two_tone, |[red, green, blue]| {
+//!     BinaryColor::from(u16::from(red) + u16::from(green) + u16::from(blue) < 384)
+//! })?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A `Frame` is also a [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget) whose colours are [entries](Entry) of its palette:
+//! texts, primitives and images of embedded-graphics can be drawn on it beside the mechanism.
+
+mod entry;
+mod part;
+mod picture;
+mod screen;
+mod strip;
+mod target;
+
+pub use entry::Entry;
+pub use picture::Picture;
+pub use screen::Screen;
+
+use embedded_graphics_core::pixelcolor::Rgb888;
+
+/// The display's own colour that is nearest to red, green and blue: for every kind of colour of embedded-graphics. Of `BinaryColor`, what
+/// is light is on.
+#[must_use]
+pub fn rgb<C: From<Rgb888>>([red, green, blue]: [u8; 3]) -> C {
+    C::from(Rgb888::new(red, green, blue))
+}

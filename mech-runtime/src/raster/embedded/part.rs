@@ -1,0 +1,57 @@
+//! Parts of pictures. Rectangles may be anywhere and as large as they like: their own arithmetic could overflow.
+
+use super::super::spans::Clip;
+use core::ops::Range;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::primitives::Rectangle;
+
+/// The pixels of a picture that lie in a rectangle.
+pub(super) fn of(area: &Rectangle, width: usize, height: usize) -> Clip {
+    common([(*area, Point::zero())], width, height)
+}
+
+/// The pixels of a picture that lie in all these rectangles, each moved by so much.
+pub(super) fn common<const N: usize>(
+    areas: [(Rectangle, Point); N],
+    width: usize,
+    height: usize,
+) -> Clip {
+    let columns = areas.map(|(area, way)| (area.top_left.x, way.x, area.size.width));
+    let rows = areas.map(|(area, way)| (area.top_left.y, way.y, area.size.height));
+    let [columns, rows] = [within(columns, width), within(rows, height)];
+    Clip {
+        left: columns.start,
+        top: rows.start,
+        right: columns.end,
+        bottom: rows.end,
+    }
+}
+
+/// Which of `0..count` lie in all of these, each given by its beginning, how far it is moved, and its length.
+fn within<const N: usize>(ranges: [(i32, i32, u32); N], count: usize) -> Range<usize> {
+    let mut common = 0..count;
+    for (start, way, length) in ranges {
+        let start = i64::from(start) + i64::from(way);
+        // What is negative is 0; no picture goes beyond what a `usize` counts.
+        let [start, end] = [start, start + i64::from(length)]
+            .map(|bound| usize::try_from(bound.max(0)).unwrap_or(usize::MAX));
+        common = common.start.max(start)..common.end.min(end);
+    }
+    common.start.min(common.end)..common.end
+}
+
+/// How far a row or column of a picture is from there, if it is not too far for a display.
+pub(super) fn place(index: usize, from: i32) -> Option<i32> {
+    let index = i64::try_from(index).ok()?;
+    i32::try_from(index - i64::from(from)).ok()
+}
+
+/// Some pixels of a picture whose upper left corner is at a place of the display.
+pub(super) fn rectangle(corner: Point, rows: Range<usize>, columns: Range<usize>) -> Rectangle {
+    let at = |from: i32, index| from.saturating_add(i32::try_from(index).unwrap_or(i32::MAX));
+    let side = |range: Range<usize>| u32::try_from(range.len()).unwrap_or(u32::MAX);
+    Rectangle::new(
+        Point::new(at(corner.x, columns.start), at(corner.y, rows.start)),
+        Size::new(side(columns), side(rows)),
+    )
+}

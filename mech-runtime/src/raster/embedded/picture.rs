@@ -1,0 +1,138 @@
+//! Frames on displays.
+
+use super::part;
+use crate::Frame;
+use crate::raster::spans::Clip;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics_core::image::ImageDrawable;
+use embedded_graphics_core::pixelcolor::PixelColor;
+use embedded_graphics_core::primitives::Rectangle;
+
+/// A frame in a display's colours, from [`Frame::image`]: embedded-graphics' `Image::new(&picture, point)` places it on a display.
+#[derive(Clone, Debug)]
+pub struct Picture<'f, C, const W: usize, const H: usize> {
+    frame: &'f Frame<W, H>,
+    /// Of each entry of the palette.
+    colors: [C; 256],
+}
+
+impl<const W: usize, const H: usize> Frame<W, H> {
+    /// Shows the picture on a display, its upper left corner at the display's (0, 0), in one call of `fill_contiguous`. What does not
+    /// go on the display is left out. `color` tells the display's colour from red, green and blue, once for each entry of the palette;
+    /// [`rgb`](super::rgb) is one.
+    ///
+    /// # Errors
+    ///
+    /// That of the display.
+    pub fn show<D: DrawTarget>(
+        &self,
+        display: &mut D,
+        color: impl Fn([u8; 3]) -> D::Color,
+    ) -> Result<(), D::Error> {
+        let whole = Rectangle::new(Point::zero(), self.size());
+        self.show_part(display, &whole, color)
+    }
+
+    /// The same for a part of the picture, given in pixels: it is shown where [`show`](Self::show) would show it.
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+    /// use embedded_graphics::{prelude::*, primitives::Rectangle};
+    /// use mech_runtime::{Frame, raster::embedded::rgb};
+    ///
+    /// # let mut display = MockDisplay::<Rgb888>::new();
+    /// let frame = Frame::<32, 32>::new();
+    /// let changed = Rectangle::new(Point::new(8, 4), Size::new(10, 20));
+    /// frame.show_part(&mut display, &changed, rgb)?;
+    /// # assert_eq!(display.affected_area(), changed);
+    /// # Ok::<(), core::convert::Infallible>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// That of the display.
+    pub fn show_part<D: DrawTarget>(
+        &self,
+        display: &mut D,
+        part: &Rectangle,
+        color: impl Fn([u8; 3]) -> D::Color,
+    ) -> Result<(), D::Error> {
+        self.image(color).put(display, part, Point::zero())
+    }
+
+    /// The picture as an image of embedded-graphics, with a table of 256 colours that `color` tells from red, green and blue.
+    ///
+    /// ```
+    /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+    /// use embedded_graphics::{image::Image, prelude::*};
+    /// use mech_runtime::{Frame, raster::embedded::rgb};
+    ///
+    /// # let mut display = MockDisplay::<Rgb888>::new();
+    /// let frame = Frame::<32, 32>::new();
+    /// Image::new(&frame.image(rgb), Point::new(16, 16)).draw(&mut display)?;
+    /// # Ok::<(), core::convert::Infallible>(())
+    /// ```
+    pub fn image<C>(&self, color: impl Fn([u8; 3]) -> C) -> Picture<'_, C, W, H> {
+        let entries = self.palette().entries();
+        Picture {
+            frame: self,
+            colors: core::array::from_fn(|entry| color(entries[entry])),
+        }
+    }
+}
+
+impl<C: PixelColor, const W: usize, const H: usize> Picture<'_, C, W, H> {
+    /// Puts a part of the picture on a display: what is at `origin` in the picture comes to the display's (0, 0).
+    fn put<D: DrawTarget<Color = C>>(
+        &self,
+        display: &mut D,
+        part: &Rectangle,
+        origin: Point,
+    ) -> Result<(), D::Error> {
+        let areas = [(*part, Point::zero()), (display.bounding_box(), origin)];
+        let Clip {
+            left,
+            top,
+            right,
+            bottom,
+        } = part::common(areas, W, H);
+        let places = [part::place(left, origin.x), part::place(top, origin.y)];
+        let [Some(x), Some(y)] = places else {
+            return Ok(());
+        };
+        if left == right || top == bottom {
+            return Ok(());
+        }
+        let rows = self.frame.pixels().get(top..bottom).unwrap_or_default();
+        let entries = rows
+            .iter()
+            .flat_map(|row| row.get(left..right).unwrap_or_default());
+        let colors = entries.map(|&entry| self.colors[usize::from(entry)]);
+        let area = part::rectangle(Point::new(x, y), 0..bottom - top, 0..right - left);
+        display.fill_contiguous(&area, colors)
+    }
+}
+
+impl<C, const W: usize, const H: usize> OriginDimensions for Picture<'_, C, W, H> {
+    fn size(&self) -> Size {
+        self.frame.size()
+    }
+}
+
+impl<C: PixelColor, const W: usize, const H: usize> ImageDrawable for Picture<'_, C, W, H> {
+    type Color = C;
+
+    fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
+        self.draw_sub_image(target, &Rectangle::new(Point::zero(), self.size()))
+    }
+
+    fn draw_sub_image<D: DrawTarget<Color = C>>(
+        &self,
+        target: &mut D,
+        area: &Rectangle,
+    ) -> Result<(), D::Error> {
+        // embedded-graphics wants the part at (0, 0), wherever in the picture it is.
+        self.put(target, area, area.top_left)
+    }
+}

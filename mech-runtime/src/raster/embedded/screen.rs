@@ -1,0 +1,185 @@
+//! A display that is painted on.
+
+use super::part;
+use super::strip::Strip;
+use crate::raster::spans::{Clip, Spans};
+use crate::raster::{fixed, paint};
+use crate::{Canvas, Outline, Palette, Pose, Real, Scalar, View};
+use core::fmt;
+use core::ops::Range;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::Point;
+
+/// A display of embedded-graphics as a [`Canvas`]: it is painted on without a picture in memory, rectangle by rectangle with
+/// `fill_solid`, each pixel once a shape.
+///
+/// All of the display's bounding box is the picture, wherever that begins: a part of a display is
+/// `Screen::new(&mut display.cropped(&area), …)`. Of displays wider or higher than 2²¹ pixels only so many are painted.
+///
+/// What shapes are painted on cannot fail, but a display can. Its first error is kept until [`finish`](Self::finish); nothing more is
+/// painted after it.
+#[must_use = "what the display could not do is told by `finish`"]
+pub struct Screen<'d, D: DrawTarget, F> {
+    display: &'d mut D,
+    /// Where the picture begins on the display.
+    corner: Point,
+    width: usize,
+    height: usize,
+    palette: &'d Palette,
+    color: F,
+    view: View,
+    outcome: Result<(), D::Error>,
+}
+
+impl<'d, D: DrawTarget, F: Fn([u8; 3]) -> D::Color> Screen<'d, D, F> {
+    /// All of a display, with the [textbook](Palette::TEXTBOOK) palette. `color` tells the display's colour from red, green and blue;
+    /// [`rgb`](super::rgb) is one.
+    pub fn new(display: &'d mut D, view: View, color: F) -> Self {
+        let area = display.bounding_box();
+        let corner = area.top_left;
+        Self {
+            display,
+            corner,
+            width: side(corner.x, area.size.width),
+            height: side(corner.y, area.size.height),
+            palette: const { &Palette::TEXTBOOK },
+            color,
+            view,
+            outcome: Ok(()),
+        }
+    }
+
+    /// Paints everything in colour 0.
+    pub fn clear(&mut self) {
+        if self.outcome.is_ok() {
+            self.outcome = self.display.clear(self.color_of(Palette::PAPER));
+        }
+    }
+
+    /// Tells the display's first error, if there was one.
+    ///
+    /// # Errors
+    ///
+    /// That of the display.
+    pub fn finish(self) -> Result<(), D::Error> {
+        self.outcome
+    }
+
+    fn color_of(&self, entry: u8) -> D::Color {
+        (self.color)(self.palette.rgb(entry))
+    }
+
+    /// Paints by means of something that is filled span by span.
+    fn paint(&mut self, paint: impl FnOnce(&mut Strips<'_, 'd, D, F>)) {
+        if self.outcome.is_ok() {
+            let mut strips = Strips {
+                screen: self,
+                last: None,
+            };
+            paint(&mut strips);
+            strips.end();
+        }
+    }
+}
+
+impl<'d, D: DrawTarget, F> Screen<'d, D, F> {
+    /// The colours.
+    #[must_use]
+    pub const fn palette(&self) -> &'d Palette {
+        self.palette
+    }
+
+    /// Changes the colours, for what is painted from now on.
+    pub const fn set_palette(&mut self, palette: &'d Palette) {
+        self.palette = palette;
+    }
+
+    /// The part of the scene that is seen.
+    #[must_use]
+    pub const fn view(&self) -> View {
+        self.view
+    }
+
+    /// Changes the part of the scene that is seen, for what is painted from now on.
+    pub const fn look_at(&mut self, view: View) {
+        self.view = view;
+    }
+}
+
+impl<T, D, F> Canvas<T> for Screen<'_, D, F>
+where
+    T: Scalar,
+    D: DrawTarget,
+    F: Fn([u8; 3]) -> D::Color,
+{
+    fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
+        let projection = self.view.projection(self.width, self.height);
+        self.paint(|strips| paint::outline(strips, projection, outline, pose, color));
+    }
+
+    fn text(&mut self, place: [T; 2], text: &str, color: u8) {
+        let place = self.view.projection(self.width, self.height).point(place);
+        self.paint(|strips| paint::text(strips, place, text, color));
+    }
+
+    fn scale(&self) -> T {
+        Real::from_f64(self.view.scale())
+    }
+}
+
+/// Its size and view.
+impl<D: DrawTarget, F> fmt::Debug for Screen<'_, D, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Screen")
+            .field("width", &self.width)
+            .field("height", &self.height)
+            .field("view", &self.view)
+            .finish_non_exhaustive()
+    }
+}
+
+/// How many pixels are painted of a side of a display that begins here: what lies beyond an `i32` has no place.
+fn side(start: i32, length: u32) -> usize {
+    let places = i64::from(i32::MAX) - i64::from(start);
+    let side = i64::from(length).min(places).min(i64::from(fixed::FAR));
+    usize::try_from(side).unwrap_or(0)
+}
+
+/// Spans that become rectangles.
+struct Strips<'s, 'd, D: DrawTarget, F> {
+    screen: &'s mut Screen<'d, D, F>,
+    /// Not on the display yet.
+    last: Option<Strip>,
+}
+
+impl<D: DrawTarget, F: Fn([u8; 3]) -> D::Color> Strips<'_, '_, D, F> {
+    /// Puts the last rectangle on the display.
+    fn end(&mut self) {
+        let Some(strip) = self.last.take() else {
+            return;
+        };
+        if self.screen.outcome.is_ok() {
+            let color = self.screen.color_of(strip.color);
+            let area = part::rectangle(self.screen.corner, strip.rows, strip.columns);
+            self.screen.outcome = self.screen.display.fill_solid(&area, color);
+        }
+    }
+}
+
+impl<D: DrawTarget, F: Fn([u8; 3]) -> D::Color> Spans for Strips<'_, '_, D, F> {
+    fn clip(&self) -> Clip {
+        Clip::all(self.screen.width, self.screen.height)
+    }
+
+    fn fill(&mut self, row: usize, columns: Range<usize>, color: u8) {
+        if columns.is_empty() {
+            return;
+        }
+        let next = Strip::new(row, columns, color);
+        let grows = self.last.as_mut().is_some_and(|last| last.takes(&next));
+        if !grows {
+            self.end();
+            self.last = Some(next);
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! What the bridge to embedded-graphics promises: see the documentation of `raster::embedded`.
+
+mod drawn_on;
+mod outlines;
+mod painted;
+mod panel;
+mod shown;
+mod wrong;
