@@ -272,7 +272,7 @@ fn imports(krate: &TokenStream, program: &Program) -> TokenStream {
     quote! {
             #exp
             use ::core::default::Default;
-            use ::core::primitive::{#scalar, str};
+            use ::core::primitive::{#scalar, str, usize};
             use ::core::option::Option::{self, None, Some};
             use ::core::result::Result::{self, Err, Ok};
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]

@@ -93,7 +93,7 @@ pub(crate) fn stub(
                     loop {}
                 }
                 #visibility const EXTENT: [[#scalar; 2]; 2] = [[0.0; 2]; 2];
-                #visibility fn picture<const W: usize, const H: usize>() -> #picture<W, H> {
+                #visibility fn picture<const W: ::core::primitive::usize, const H: ::core::primitive::usize>() -> #picture<W, H> {
                     loop {}
                 }
                 #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
