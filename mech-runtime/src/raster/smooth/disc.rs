@@ -1,7 +1,9 @@
-//! The rows of a circle in which its sides are steep.
+//! A circle within the margins of a picture, which are not looked at any more: first the rows in which its sides are steep, and the
+//! rows around its poles, pixel by pixel, if it is so large that these are flat.
 
 use super::Smooth;
 use super::flank::{self, Flank};
+use super::mixing::{in_255ths, mixed};
 use crate::Scalar;
 use crate::raster::fixed;
 use core::ops::Range;
@@ -10,6 +12,9 @@ use nalgebra::ComplexField;
 /// How far at most, in pixels, the sides may lie outside of a straight line from border to border. The line is put outwards by so
 /// much that it covers as much; where it leads through several pixels, one of them errs by a fifth of that.
 const BULGE: f32 = 0.006;
+
+/// The same for the sides around the poles, from column to column: none leads through several pixels.
+const FLAT_BULGE: f32 = 0.01;
 
 /// A circle that lies between the left margin of the picture and the right one.
 pub(super) struct Disc<T> {
@@ -53,16 +58,13 @@ impl<T: Scalar> Disc<T> {
     }
 
     /// Paints some of these rows.
-    pub(super) fn paint<const W: usize, const H: usize>(
+    pub(super) fn paint_steep<const W: usize, const H: usize>(
         &self,
         picture: &mut Smooth<W, H>,
         rows: Range<usize>,
         paint: [u8; 4],
     ) {
-        let half = |row: usize| {
-            let rise = (fixed::border::<T>(row) - self.center[1]).to_f32();
-            ComplexField::sqrt((self.radius - rise) * (self.radius + rise))
-        };
+        let half = |border: usize| self.half(self.rise(border));
         let center = self.center[0].to_f32();
         let mut from = half(rows.start);
         let places = picture.pixels.iter_mut().enumerate();
@@ -80,4 +82,99 @@ impl<T: Scalar> Disc<T> {
             from = to;
         }
     }
+
+    /// Whether what is not steep is flat.
+    pub(super) fn has_flat_poles(&self, steep: &Range<usize>) -> bool {
+        let least = ComplexField::cbrt(self.bend / FLAT_BULGE);
+        let [top, bottom] = [steep.start, steep.end].map(|row| self.rise(row).abs());
+        !steep.is_empty() && top.min(bottom) >= least
+    }
+
+    /// Paints some rows around its poles.
+    pub(super) fn paint_poles<const W: usize, const H: usize>(
+        &self,
+        picture: &mut Smooth<W, H>,
+        rows: Range<usize>,
+        paint: [u8; 4],
+    ) {
+        let center = self.center[0].to_f32();
+        let places = picture.pixels.iter_mut().enumerate();
+        for (row, pixels) in places.skip(rows.start).take(rows.len()) {
+            let [one, other] = [row, row + 1].map(|border| self.rise(border).abs());
+            let (near, far) = (one.min(other), one.max(other));
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "lies within the picture"
+            )]
+            let columns = |half: f32| [(center - half) as usize, (center + half) as usize];
+            let [start, last] = columns(self.half(near));
+            let end = last + 1;
+            let [left, right] = if far < self.radius {
+                columns(self.half(far))
+            } else {
+                [last, last]
+            };
+            // Where it is steep from border to border, all that is between is covered.
+            let (left, right) = (left + 1, right.max(left + 1));
+            self.paint_columns(pixels, start..left, near, paint);
+            if let Some(pixels) = pixels.get_mut(left..right) {
+                pixels.fill(paint);
+            }
+            self.paint_columns(pixels, right..end, near, paint);
+        }
+    }
+
+    /// Gives some pixels of a row another colour, each as far as the circle is farther from its horizontal diameter than the nearer
+    /// border of the row.
+    fn paint_columns<const W: usize>(
+        &self,
+        pixels: &mut [[u8; 4]; W],
+        columns: Range<usize>,
+        near: f32,
+        paint: [u8; 4],
+    ) {
+        let start = (fixed::border::<T>(columns.start) - self.center[0]).to_f32();
+        let mut run = start;
+        let mut from = self.half(run);
+        for pixel in pixels.get_mut(columns).unwrap_or_default() {
+            run += 1.0;
+            let to = self.half(run);
+            let mean = 0.5 * (from + to);
+            let bulge = self.bend / (mean * mean * mean) - near;
+            let share = mean_within(from + bulge, to + bulge);
+            *pixel = mixed(*pixel, paint, in_255ths(share));
+            from = to;
+        }
+    }
+
+    /// How far a border between rows is below the centre.
+    #[inline]
+    fn rise(&self, border: usize) -> f32 {
+        (fixed::border::<T>(border) - self.center[1]).to_f32()
+    }
+
+    /// Half of the chord that is so far from the centre.
+    #[inline]
+    fn half(&self, distance: f32) -> f32 {
+        let square = (self.radius - distance) * (self.radius + distance);
+        ComplexField::sqrt(square.max(0.0))
+    }
+}
+
+/// The mean of all numbers between two, of which each counts as one that is not below zero nor above one.
+#[inline]
+fn mean_within(one: f32, other: f32) -> f32 {
+    let (mean, reach) = (0.5 * (one + other), other - one);
+    if (mean - 0.5).abs() + 0.5 * reach.abs() <= 0.5 {
+        return mean;
+    }
+    if reach.abs() < 1e-3 {
+        return mean.clamp(0.0, 1.0);
+    }
+    let sum = |to: f32| {
+        let part = to.clamp(0.0, 1.0);
+        part * (to - 0.5 * part)
+    };
+    (sum(other) - sum(one)) / reach
 }

@@ -12,13 +12,6 @@ pub(super) struct Flank {
     last: u32,
 }
 
-/// On which side of a flank the shape lies.
-#[derive(Clone, Copy)]
-enum Inside {
-    Left,
-    Right,
-}
-
 impl Flank {
     /// Between two abscissas in a picture of some width; `None` if not both are within it.
     #[inline]
@@ -37,19 +30,15 @@ impl Flank {
         })
     }
 
-    /// Gives its pixels another colour, each as far as it is on one side of it.
+    /// Gives its pixels another colour, each by a share that follows from how much of it is on the right.
     #[inline]
-    fn paint(self, pixels: &mut [[u8; 4]], inside: Inside, paint: [u8; 4]) {
+    fn paint(self, pixels: &mut [[u8; 4]], share: impl Fn(f32) -> f32, paint: [u8; 4]) {
         #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
         let (x, y) = (self.left - self.first as f32, self.right - self.last as f32);
         let mix = |pixel: &mut [u8; 4], beyond: f32| {
-            let share = match inside {
-                Inside::Left => 1.0 - beyond,
-                Inside::Right => beyond,
-            };
-            *pixel = mixed(*pixel, paint, in_255ths(share));
+            *pixel = mixed(*pixel, paint, in_255ths(share(beyond)));
         };
-        // How much of each pixel is on the right: it grows as the square in the first and the last pixel, evenly between.
+        // It grows as the square in the first and the last pixel, evenly between.
         match pixels {
             [] => {}
             [pixel] => mix(pixel, 1.0 - 0.5 * (x + y)),
@@ -84,13 +73,13 @@ pub(super) fn fill_between<const W: usize>(
     }
     let [start, whole, border, end] = [left.first, left.last + 1, right.first, right.last + 1];
     if let Some(pixels) = pixels.get_mut(start as usize..whole as usize) {
-        left.paint(pixels, Inside::Right, paint);
+        left.paint(pixels, |beyond| beyond, paint);
     }
     if let Some(pixels) = pixels.get_mut(whole as usize..border as usize) {
         pixels.fill(paint);
     }
     if let Some(pixels) = pixels.get_mut(border as usize..end as usize) {
-        right.paint(pixels, Inside::Left, paint);
+        right.paint(pixels, |beyond| 1.0 - beyond, paint);
     }
     true
 }

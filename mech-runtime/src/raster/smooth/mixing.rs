@@ -25,13 +25,22 @@ pub(super) fn mix(pixels: &mut [[u8; 4]], share: u32, paint: [u8; 4]) {
 /// A pixel of which a share, in 255ths, has another colour.
 #[inline]
 pub(super) fn mixed(pixel: [u8; 4], paint: [u8; 4], share: u32) -> [u8; 4] {
-    // Two channels at a time, each with a byte of room above it.
-    const EVEN: u32 = 0x00FF_00FF;
-    let [pixel, paint] = [pixel, paint].map(u32::from_le_bytes);
-    let mean = |pixel: u32, paint: u32| {
-        let sum = (pixel & EVEN) * (255 - share) + (paint & EVEN) * share + 0x0080_0080;
-        // Divisions by 255, rounded.
-        ((sum + (sum >> 8 & EVEN)) >> 8) & EVEN
-    };
-    (mean(pixel, paint) | mean(pixel >> 8, paint >> 8) << 8).to_le_bytes()
+    // All channels at a time, each with a byte of room above it.
+    const LOW: u64 = 0x00FF_00FF_00FF_00FF;
+    const HALVES: u64 = 0x0080_0080_0080_0080;
+    let [pixel, paint] = [pixel, paint].map(|channels| {
+        let channels = u64::from(u32::from_le_bytes(channels));
+        (channels | channels << 24) & LOW
+    });
+    // What a channel of the difference borrows from the next, the whole pixel gives back.
+    let sum =
+        (pixel * 255 + HALVES).wrapping_add(paint.wrapping_sub(pixel).wrapping_mul(share.into()));
+    // Divisions by 255, rounded.
+    let mean = ((sum + (sum >> 8 & LOW)) >> 8) & LOW;
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "cutting off is what is asked for"
+    )]
+    let channels = (mean | mean >> 24) as u32;
+    channels.to_le_bytes()
 }

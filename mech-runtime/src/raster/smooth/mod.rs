@@ -227,9 +227,16 @@ impl<const W: usize, const H: usize> Fill for Smooth<W, H> {
             return;
         };
         let steep = disc.steep_rows(rows.clone());
-        self.around(center, [radius, hole], rows.start..steep.start, paint);
-        disc.paint(self, steep.clone(), paint);
-        self.around(center, [radius, hole], steep.end..rows.end, paint);
+        let poles = [rows.start..steep.start, steep.end..rows.end];
+        let has_flat_poles = disc.has_flat_poles(&steep);
+        for rows in poles {
+            if has_flat_poles {
+                disc.paint_poles(self, rows, paint);
+            } else {
+                self.around(center, [radius, hole], rows, paint);
+            }
+        }
+        disc.paint_steep(self, steep, paint);
     }
 
     fn polygon<T: Scalar>(
