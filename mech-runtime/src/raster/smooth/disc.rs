@@ -3,7 +3,7 @@
 
 use super::Smooth;
 use super::flank::{self, Flank};
-use super::mixing::{in_255ths, mixed};
+use super::mixing::{fill, in_255ths, mixed};
 use crate::Scalar;
 use crate::raster::fixed;
 use core::ops::Range;
@@ -119,7 +119,7 @@ impl<T: Scalar> Disc<T> {
             let (left, right) = (left + 1, right.max(left + 1));
             self.paint_columns(pixels, start..left, near, paint);
             if let Some(pixels) = pixels.get_mut(left..right) {
-                pixels.fill(paint);
+                fill(pixels, paint);
             }
             self.paint_columns(pixels, right..end, near, paint);
         }
@@ -141,8 +141,8 @@ impl<T: Scalar> Disc<T> {
             run += 1.0;
             let to = self.half(run);
             let mean = 0.5 * (from + to);
-            let bulge = self.bend / (mean * mean * mean) - near;
-            let share = mean_within(from + bulge, to + bulge);
+            let bulge = self.bend / (mean * mean * mean);
+            let share = flank::mean_around(mean + bulge - near, (to - from).abs());
             *pixel = mixed(*pixel, paint, in_255ths(share));
             from = to;
         }
@@ -160,21 +160,4 @@ impl<T: Scalar> Disc<T> {
         let square = (self.radius - distance) * (self.radius + distance);
         ComplexField::sqrt(square.max(0.0))
     }
-}
-
-/// The mean of all numbers between two, of which each counts as one that is not below zero nor above one.
-#[inline]
-fn mean_within(one: f32, other: f32) -> f32 {
-    let (mean, reach) = (0.5 * (one + other), other - one);
-    if (mean - 0.5).abs() + 0.5 * reach.abs() <= 0.5 {
-        return mean;
-    }
-    if reach.abs() < 1e-3 {
-        return mean.clamp(0.0, 1.0);
-    }
-    let sum = |to: f32| {
-        let part = to.clamp(0.0, 1.0);
-        part * (to - 0.5 * part)
-    };
-    (sum(other) - sum(one)) / reach
 }

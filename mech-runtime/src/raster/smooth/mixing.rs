@@ -8,12 +8,27 @@ pub(super) fn in_255ths(share: f32) -> u32 {
     (share * 255.0 + WHOLE).to_bits() & 0xFF
 }
 
+/// Gives some pixels another colour.
+#[inline]
+pub(super) fn fill(pixels: &mut [[u8; 4]], paint: [u8; 4]) {
+    const BLOCK: usize = 16;
+    if let Some(last) = pixels.last_chunk_mut() {
+        // Painted also where the other blocks are, so that no pixel is left to be painted alone.
+        *last = [paint; BLOCK];
+        for block in pixels.as_chunks_mut::<BLOCK>().0 {
+            *block = [paint; BLOCK];
+        }
+    } else {
+        pixels.fill(paint);
+    }
+}
+
 /// Gives a share of some pixels, in 255ths, another colour.
 #[inline]
 pub(super) fn mix(pixels: &mut [[u8; 4]], share: u32, paint: [u8; 4]) {
     match share {
         0 => {}
-        255 => pixels.fill(paint),
+        255 => fill(pixels, paint),
         _ => {
             for pixel in pixels {
                 *pixel = mixed(*pixel, paint, share);

@@ -104,9 +104,10 @@ fn between_sides<T: Scalar, F: Fn(usize) -> [T; 2], const W: usize, const H: usi
     for row in rows {
         y += T::ONE;
         let to = at(y);
-        let flanks = [0, 1].map(|way: usize| Flank::new(from[way], to[way], width));
+        let one = Flank::new(from[0], to[0], width);
+        let other = Flank::new(from[1], to[1], width);
         from = to;
-        if let [Some(one), Some(other)] = flanks
+        if let (Some(one), Some(other)) = (one, other)
             && let Some(pixels) = picture.pixels.get_mut(row)
             && flank::fill_between(pixels, [one, other], paint)
         {
