@@ -37,10 +37,11 @@ impl Flank {
     /// Gives its pixels another colour, each by a share that follows from how much of it is on the right.
     #[inline]
     fn paint(self, pixels: &mut [[u8; 4]], share: impl Fn(f32) -> f32, paint: [u8; 4]) {
-        let run = Real::max(self.right - self.left, LEAST_RUN);
+        let drawn = self.right - self.left;
+        let run = Real::max(drawn, LEAST_RUN);
         let density = 1.0 / run;
         #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
-        let mut far = 1.0 + self.first as f32 - self.left;
+        let mut far = 1.0 + self.first as f32 - self.left + 0.5 * (run - drawn);
         let mut covered = |pixel: &mut [u8; 4]| {
             let beyond = (sum_to(far) - sum_to(far - run)) * density;
             *pixel = mixed(*pixel, paint, in_255ths(share(beyond)));
