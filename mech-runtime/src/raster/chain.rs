@@ -1,4 +1,4 @@
-//! Sides that lead down from the highest corner of a polygon, one after the other.
+//! Sides that lead down from the highest corner of a polygon, one after the other; and whether there are such.
 
 use super::edge::Edge;
 use crate::Scalar;
@@ -54,5 +54,49 @@ impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Chain<'c, T, F> {
             self.place = next;
         }
         self.side
+    }
+}
+
+/// How often the corners of a polygon change between going down and going up: twice, if there are two chains.
+pub(super) struct Ways<N> {
+    first: Option<N>,
+    last: Option<N>,
+    first_way: Option<bool>,
+    way: Option<bool>,
+    turns: usize,
+}
+
+impl<N: Copy + PartialOrd> Ways<N> {
+    pub(super) const fn new() -> Self {
+        Self {
+            first: None,
+            last: None,
+            first_way: None,
+            way: None,
+            turns: 0,
+        }
+    }
+
+    /// Goes to the next corner, which is so far down.
+    #[inline]
+    pub(super) fn go(&mut self, depth: N) {
+        let Some(last) = self.last.replace(depth) else {
+            self.first = Some(depth);
+            return;
+        };
+        if depth != last {
+            let way = Some(depth > last);
+            self.turns += usize::from(self.way.is_some() && self.way != way);
+            self.first_way = self.first_way.or(way);
+            self.way = way;
+        }
+    }
+
+    /// All the way round.
+    pub(super) fn turns(mut self) -> usize {
+        if let Some(first) = self.first {
+            self.go(first);
+        }
+        self.turns + usize::from(self.way != self.first_way)
     }
 }

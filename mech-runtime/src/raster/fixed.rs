@@ -10,17 +10,20 @@ pub(super) const HALF: i64 = 1 << (FRACTION - 1);
 pub(super) const FAR: i32 = 1 << 21;
 
 /// The first of the pixels `0..count` whose centre is at `position` or beyond; `count` if there is none.
+#[inline]
 pub(super) fn first_from<T: Scalar>(position: T, count: usize) -> usize {
     let right = Scalar::to_fixed(position).saturating_add(HALF - 1);
     within(pixel(right), 0, count)
 }
 
 /// The pixel in which a position lies.
+#[inline]
 pub(super) const fn pixel(position: i64) -> i64 {
     position >> FRACTION
 }
 
 /// A pixel's number, or the bound next to it.
+#[inline]
 pub(super) fn within(pixel: i64, low: usize, high: usize) -> usize {
     #[expect(
         clippy::cast_possible_wrap,
@@ -33,19 +36,27 @@ pub(super) fn within(pixel: i64, low: usize, high: usize) -> usize {
 }
 
 /// The centre of a pixel. By way of a small integer, so that a machine that has no `f64` needs none.
+#[inline]
 pub(super) fn center<T: Scalar>(index: usize) -> T {
     let index = i32::try_from(index).unwrap_or(i32::MAX);
     <T as Real>::from_i32(index) + <T as Real>::HALF
 }
 
 /// The border before a pixel.
+#[inline]
 pub(super) fn border<T: Scalar>(index: usize) -> T {
     <T as Real>::from_i32(i32::try_from(index).unwrap_or(i32::MAX))
 }
 
+/// The last border of a picture's rows that is not below an ordinate.
+#[inline]
+pub(super) fn border_above<T: Scalar>(ordinate: T, height: usize) -> usize {
+    within(pixel(Scalar::to_fixed(ordinate)), 0, height)
+}
+
 /// The rows of a picture that lie at least in part between two ordinates.
 pub(super) fn touched<T: Scalar>([high, low]: [T; 2], height: usize) -> core::ops::Range<usize> {
-    let first = within(pixel(Scalar::to_fixed(high)), 0, height);
+    let first = border_above(high, height);
     let end = pixel(Scalar::to_fixed(low).saturating_add(2 * HALF - 1));
     first..within(end, first, height)
 }

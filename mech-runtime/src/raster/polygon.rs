@@ -3,7 +3,7 @@
 //! Where its corners go down once and up once, as those of every convex polygon do, each row is one span between two chains of sides.
 //! Any other polygon marks where its sides cross some rows, and each row is then filled from mark to mark.
 
-use super::chain::Chain;
+use super::chain::{Chain, Ways};
 use super::crossings::Crossings;
 use super::edge::{is_far, sides};
 use super::fixed;
@@ -90,7 +90,7 @@ fn shape<T: Scalar>(corner: &impl Fn(usize) -> [T; 2], count: usize, clip: Clip)
         highest: 0,
         is_simple: true,
     };
-    let mut ways = Ways::default();
+    let mut ways = Ways::new();
     for index in 0..count {
         let [x, y] = corner(index);
         if !(Real::is_finite(x) && Real::is_finite(y)) {
@@ -106,39 +106,6 @@ fn shape<T: Scalar>(corner: &impl Fn(usize) -> [T; 2], count: usize, clip: Clip)
     }
     seen.is_simple &= ways.turns() <= 2;
     (seen.top < seen.bottom).then_some(seen)
-}
-
-/// How often the corners of a polygon change between going down and going up.
-#[derive(Default)]
-struct Ways {
-    first: Option<usize>,
-    last: usize,
-    first_way: Option<bool>,
-    way: Option<bool>,
-    turns: usize,
-}
-
-impl Ways {
-    #[inline]
-    fn go(&mut self, row: usize) {
-        if self.first.is_none() {
-            (self.first, self.last) = (Some(row), row);
-        }
-        if row != self.last {
-            let way = Some(row > self.last);
-            self.turns += usize::from(self.way.is_some() && self.way != way);
-            self.first_way = self.first_way.or(way);
-            (self.way, self.last) = (way, row);
-        }
-    }
-
-    /// All the way round.
-    fn turns(mut self) -> usize {
-        if let Some(first) = self.first {
-            self.go(first);
-        }
-        self.turns + usize::from(self.way != self.first_way)
-    }
 }
 
 /// Fills a polygon span by span between the two chains of sides that begin at its highest corner.

@@ -1,12 +1,10 @@
 //! The sides of any outline, within some rows.
 
 use super::cover::Cover;
+use super::side::Side;
 use crate::raster::fixed;
 use crate::{Real, Scalar};
 use core::ops::Range;
-
-/// What is farther away than this, in pixels, is as good as there.
-const FAR: i32 = 1_000_000_000;
 
 /// An outline that can be seen.
 pub(super) struct Clipped<T> {
@@ -69,19 +67,13 @@ fn side<T: Scalar, const W: usize>(
 ) {
     let rows = fixed::touched([upper[1], lower[1]], top + covers.len());
     let first = rows.start.max(top);
-    let limit = <T as Real>::from_i32(FAR);
-    let near = |x: T| Real::max(x, -limit).min(limit);
-    let [from, to] = [near(upper[0]), near(lower[0])];
-    let (left, right) = if from <= to { (from, to) } else { (to, from) };
-    let slope = (to - from) / (lower[1] - upper[1]);
-    // Within the side also where its slope is beyond all numbers.
-    let at = |y: T| Real::max(from + (y - upper[1]) * slope, left).min(right);
+    let side = Side::new(upper, lower);
     let mut y = Real::max(fixed::border(first), upper[1]);
-    let mut x = at(y);
+    let mut x = side.at(y);
     let covers = covers.iter_mut().skip(first - top);
     for (row, cover) in (first..rows.end).zip(covers) {
         let end = fixed::border::<T>(row + 1).min(lower[1]);
-        let next = at(end);
+        let next = side.at(end);
         let (start, stop) = (x.to_f32(), next.to_f32());
         cover.touch(start, stop);
         cover.add(start, stop, sign * (end - y).to_f32());

@@ -1,5 +1,6 @@
 //! How much of each pixel in a row is covered.
 
+use super::mixing::{in_255ths, mix, mixed};
 use super::runs::Runs;
 use crate::raster::polygon::Rule;
 
@@ -145,15 +146,13 @@ impl<const W: usize> Cover<W> {
 /// The share of a pixel that is covered, in 255ths, if this is how often it is surrounded.
 #[inline]
 fn share(rule: Rule, winding: f32) -> u32 {
-    // A number so large that it has no room for anything behind the point.
-    const WHOLE: f32 = 8_388_608.0;
     let winding = winding.abs();
     let part = if winding <= 1.0 {
         winding
     } else {
         more_than_once(rule, winding)
     };
-    (part * 255.0 + WHOLE).to_bits() & 0xFF
+    in_255ths(part)
 }
 
 #[cold]
@@ -171,32 +170,4 @@ fn more_than_once(rule: Rule, winding: f32) -> f32 {
             rest.min(2.0 - rest)
         }
     }
-}
-
-/// Gives a share of some pixels, in 255ths, another colour.
-#[inline]
-fn mix(pixels: &mut [[u8; 4]], share: u32, paint: [u8; 4]) {
-    match share {
-        0 => {}
-        255 => pixels.fill(paint),
-        _ => {
-            for pixel in pixels {
-                *pixel = mixed(*pixel, paint, share);
-            }
-        }
-    }
-}
-
-/// A pixel of which a share, in 255ths, has another colour.
-#[inline]
-fn mixed(pixel: [u8; 4], paint: [u8; 4], share: u32) -> [u8; 4] {
-    // Two channels at a time, each with a byte of room above it.
-    const EVEN: u32 = 0x00FF_00FF;
-    let [pixel, paint] = [pixel, paint].map(u32::from_le_bytes);
-    let mean = |pixel: u32, paint: u32| {
-        let sum = (pixel & EVEN) * (255 - share) + (paint & EVEN) * share + 0x0080_0080;
-        // Divisions by 255, rounded.
-        ((sum + (sum >> 8 & EVEN)) >> 8) & EVEN
-    };
-    (mean(pixel, paint) | mean(pixel >> 8, paint >> 8) << 8).to_le_bytes()
 }

@@ -2,8 +2,14 @@
 
 mod clipped;
 mod cover;
+mod descent;
+mod disc;
+mod flank;
+mod mixing;
 mod round;
 mod runs;
+mod side;
+mod simple;
 
 use super::paint::{self, Fill};
 use super::polygon::Rule;
@@ -14,7 +20,9 @@ use clipped::Clipped;
 use core::fmt;
 use core::ops::Range;
 use cover::Cover;
+use disc::Disc;
 use round::Round;
+use simple::Simple;
 
 /// Rows of a polygon that are looked at together.
 const ROWS: usize = 16;
@@ -153,6 +161,32 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
         }
     }
 
+    /// Paints some of the rows in which a circle is seen, but for a hole with the same centre, if there is one.
+    fn around<T: Scalar>(
+        &mut self,
+        center: [T; 2],
+        [radius, hole]: [T; 2],
+        rows: Range<usize>,
+        paint: [u8; 4],
+    ) {
+        if rows.is_empty() {
+            return;
+        }
+        let mut outer = Round::new(center, radius, rows.start, Self::FINENESS);
+        let holes = round::rows(center, hole, H);
+        let mut inner = None;
+        for row in rows {
+            let [cover, ..] = &mut self.covers;
+            outer.cover(row, 1.0, cover);
+            if holes.contains(&row) {
+                inner
+                    .get_or_insert_with(|| Round::new(center, hole, row, Self::FINENESS))
+                    .cover(row, -1.0, cover);
+            }
+            self.paint(row, 0, Rule::NonZero, paint);
+        }
+    }
+
     fn path_by<T: Scalar>(
         &mut self,
         corners: &(impl Iterator<Item = [T; 2]> + Clone),
@@ -183,21 +217,26 @@ impl<const W: usize, const H: usize> Fill for Smooth<W, H> {
     const FINENESS: f32 = 50.3;
 
     fn ring<T: Scalar>(&mut self, center: [T; 2], radius: T, hole: T, color: u8) {
-        let is_there = Real::is_finite(hole) && hole < radius;
-        let Some(mut outer) = Round::new(center, radius, H, Self::FINENESS).filter(|_| is_there)
-        else {
+        if !(Real::is_finite(hole) && hole < radius) {
+            return;
+        }
+        let rows = round::rows(center, radius, H);
+        let paint = opaque(self.palette.rgb(color));
+        let Some(disc) = Disc::new(center, radius, W).filter(|_| hole <= T::ZERO) else {
+            self.around(center, [radius, hole], rows, paint);
             return;
         };
-        let mut inner = Round::new(center, hole, H, Self::FINENESS);
-        let paint = opaque(self.palette.rgb(color));
-        for row in outer.rows() {
-            let [cover, ..] = &mut self.covers;
-            outer.cover(row, 1.0, cover);
-            if let Some(inner) = inner.as_mut().filter(|inner| inner.rows().contains(&row)) {
-                inner.cover(row, -1.0, cover);
+        let steep = disc.steep_rows(rows.clone());
+        let poles = [rows.start..steep.start, steep.end..rows.end];
+        let has_flat_poles = disc.has_flat_poles(&steep);
+        for rows in poles {
+            if has_flat_poles {
+                disc.paint_poles(self, rows, paint);
+            } else {
+                self.around(center, [radius, hole], rows, paint);
             }
-            self.paint(row, 0, Rule::NonZero, paint);
         }
+        disc.paint_steep(self, steep, paint);
     }
 
     fn polygon<T: Scalar>(
@@ -207,7 +246,11 @@ impl<const W: usize, const H: usize> Fill for Smooth<W, H> {
         rule: Rule,
         color: u8,
     ) {
-        self.path_by(&(0..count).map(corner), rule, color);
+        if let Some(simple) = Simple::new(corner, count, H) {
+            simple.paint(self, opaque(self.palette.rgb(color)));
+        } else {
+            self.path_by(&(0..count).map(corner), rule, color);
+        }
     }
 
     fn path<T: Scalar>(&mut self, corners: &(impl Iterator<Item = [T; 2]> + Clone), color: u8) {

@@ -20,28 +20,29 @@ pub(super) struct Round<T> {
     /// What is left of the step: from where to where, from the centre to the right and from the top of the picture down.
     from: [T; 2],
     to: [T; 2],
-    rows: Range<usize>,
+}
+
+/// The rows of a picture of so many in which a circle is seen at least in part; none, if it is not a circle.
+pub(super) fn rows<T: Scalar>(center: [T; 2], radius: T, height: usize) -> Range<usize> {
+    let is_finite = [center[0], center[1], radius]
+        .iter()
+        .all(|&number| Real::is_finite(number));
+    if !(is_finite && radius > T::ZERO) {
+        return 0..0;
+    }
+    fixed::touched([center[1] - radius, center[1] + radius], height)
 }
 
 impl<T: Scalar> Round<T> {
-    /// A circle in a picture of so many rows, of which a radius of one pixel takes so many steps; `None` if it is not seen.
-    pub(super) fn new(center: [T; 2], radius: T, height: usize, fineness: f32) -> Option<Self> {
-        let is_finite = [center[0], center[1], radius]
-            .iter()
-            .all(|&number| Real::is_finite(number));
-        if !(is_finite && radius > T::ZERO) {
-            return None;
-        }
+    /// A circle whose radius is positive, from a row on; a radius of one pixel takes so many steps.
+    pub(super) fn new(center: [T; 2], radius: T, row: usize, fineness: f32) -> Self {
         let turn = Turn::new(T::TURN, radius, fineness, MOST);
         // 1/12 of the square of the step's angle.
         let sixth = <T as Real>::from_f64(1.0 / 6.0);
         let radius = radius + radius * ((T::ONE - turn.cos()) * sixth);
-        let rows = fixed::touched([center[1] - radius, center[1] + radius], height);
-        if rows.is_empty() {
-            return None;
-        }
-        // From its pole, or from the upper margin.
-        let sine = Real::max(-center[1] / radius, -T::ONE);
+        // From its pole, or from the upper border of the row.
+        let rise = fixed::border::<T>(row) - center[1];
+        let sine = Real::max(rise / radius, -T::ONE);
         let cosine = Real::sqrt(Real::max((T::ONE - sine) * (T::ONE + sine), T::ZERO));
         let mut round = Self {
             center,
@@ -50,15 +51,9 @@ impl<T: Scalar> Round<T> {
             direction: [cosine, sine],
             from: [T::ZERO; 2],
             to: [radius * cosine, center[1] + radius * sine],
-            rows,
         };
         round.go_on();
-        Some(round)
-    }
-
-    /// The rows in which it is seen.
-    pub(super) fn rows(&self) -> Range<usize> {
-        self.rows.clone()
+        round
     }
 
     /// The next step, which ends at the lower pole at the latest.

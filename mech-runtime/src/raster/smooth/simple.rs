@@ -1,0 +1,134 @@
+//! Polygons whose corners go down once and up once, as those of every convex polygon do.
+
+use super::Smooth;
+use super::descent::Descent;
+use super::flank::{self, Flank};
+use crate::raster::chain::Ways;
+use crate::raster::fixed;
+use crate::raster::polygon::Rule;
+use crate::{Real, Scalar};
+use core::ops::Range;
+
+/// Such a polygon, of which something can be seen.
+pub(super) struct Simple<'c, F> {
+    corner: &'c F,
+    count: usize,
+    /// The number of a corner above which there is none.
+    highest: usize,
+    rows: Range<usize>,
+}
+
+impl<'c, F> Simple<'c, F> {
+    /// In a picture of so many rows; `None` if it is another polygon, or has a corner that is not finite.
+    pub(super) fn new<T: Scalar>(corner: &'c F, count: usize, height: usize) -> Option<Self>
+    where
+        F: Fn(usize) -> [T; 2],
+    {
+        let mut extent: Option<[T; 2]> = None;
+        let mut highest = 0;
+        let mut ways = Ways::new();
+        for index in 0..count {
+            let [x, y] = corner(index);
+            if !(Real::is_finite(x) && Real::is_finite(y)) {
+                return None;
+            }
+            let [high, low] = extent.unwrap_or([y; 2]);
+            if y < high {
+                highest = index;
+            }
+            extent = Some([high.min(y), Real::max(low, y)]);
+            ways.go(y);
+        }
+        let rows = fixed::touched(extent?, height);
+        (ways.turns() <= 2).then_some(Self {
+            corner,
+            count,
+            highest,
+            rows,
+        })
+    }
+
+    /// Paints it row by row.
+    pub(super) fn paint<T: Scalar, const W: usize, const H: usize>(
+        &self,
+        picture: &mut Smooth<W, H>,
+        paint: [u8; 4],
+    ) where
+        F: Fn(usize) -> [T; 2],
+    {
+        let descent = |is_onward| Descent::new(self.corner, self.count, self.highest, is_onward);
+        let mut ways = [descent(true), descent(false)];
+        let mut row = self.rows.start;
+        while row < self.rows.end {
+            let whole = row..whole_until(&mut ways, row, self.rows.end);
+            if whole.is_empty() {
+                by_cover(picture, &mut ways, row, paint);
+                row += 1;
+            } else {
+                row = whole.end;
+                between_sides(picture, &mut ways, whole, paint);
+            }
+        }
+    }
+}
+
+/// The end of the rows from this one on that one side each crosses from border to border.
+fn whole_until<T: Scalar, F: Fn(usize) -> [T; 2]>(
+    ways: &mut [Descent<'_, T, F>; 2],
+    row: usize,
+    end: usize,
+) -> usize {
+    let top = fixed::border(row);
+    ways.iter_mut().fold(end, |end, way| {
+        let side = way.side_from(top).filter(|side| side.start <= top);
+        side.map_or(row, |side| fixed::border_above(side.end, end))
+    })
+}
+
+/// Paints rows that one side each crosses from border to border.
+fn between_sides<T: Scalar, F: Fn(usize) -> [T; 2], const W: usize, const H: usize>(
+    picture: &mut Smooth<W, H>,
+    ways: &mut [Descent<'_, T, F>; 2],
+    rows: Range<usize>,
+    paint: [u8; 4],
+) {
+    #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
+    let width = W as f32;
+    let mut y = fixed::border::<T>(rows.start);
+    let [one, other] = ways;
+    let (Some(one), Some(other)) = (one.side_from(y), other.side_from(y)) else {
+        return;
+    };
+    let at = |y: T| [one.at(y).to_f32(), other.at(y).to_f32()];
+    let mut from = at(y);
+    for row in rows {
+        y += T::ONE;
+        let to = at(y);
+        let one = Flank::new(from[0], to[0], width);
+        let other = Flank::new(from[1], to[1], width);
+        from = to;
+        if let (Some(one), Some(other)) = (one, other)
+            && let Some(pixels) = picture.pixels.get_mut(row)
+            && flank::fill_between(pixels, [one, other], paint)
+        {
+            continue;
+        }
+        by_cover(picture, ways, row, paint);
+    }
+}
+
+/// Paints a row by what the sides in it cover.
+fn by_cover<T: Scalar, F: Fn(usize) -> [T; 2], const W: usize, const H: usize>(
+    picture: &mut Smooth<W, H>,
+    ways: &mut [Descent<'_, T, F>; 2],
+    row: usize,
+    paint: [u8; 4],
+) {
+    let borders = [row, row + 1].map(fixed::border::<T>);
+    let [cover, ..] = &mut picture.covers;
+    for way in ways {
+        way.cover(borders, cover);
+    }
+    // What is covered once is so by either rule.
+    picture.paint(row, 0, Rule::NonZero, paint);
+}
