@@ -108,6 +108,7 @@ impl Mechanism for FourBar {
         disc(3, [0.0, 0.0], 0.1, Palette::INK),
         disc(3, [0.0, 0.0], 0.04, Palette::EYE),
     ];
+    const EXTENT: [[f64; 2]; 2] = [[-1.0; 2], [1.0; 2]];
 
     fn new() -> Self {
         let mut new = Self {

@@ -156,10 +156,15 @@ fn outline<T: Scalar>(
     let mut crossings = Crossings::new();
     while top < rows.bottom {
         let band = crossings.begin(Clip { top, ..rows });
+        let (above, below) = (fixed::border(band.top), fixed::border(band.bottom));
         let mut tail = last;
         for head in corners.clone() {
-            for side in sides(tail, head, band.bottom) {
-                crossings.mark(side);
+            let is_above = tail[1] < above && head[1] < above;
+            let is_below = tail[1] > below && head[1] > below;
+            if !(is_above || is_below) {
+                for side in sides(tail, head, band.bottom) {
+                    crossings.mark(side);
+                }
             }
             tail = head;
         }

@@ -7,7 +7,7 @@ use super::many::many;
 use super::moves::{course, near, turn_to, within};
 use super::params;
 use super::scope::number;
-use super::shapes::{extent, shapes};
+use super::shapes::shapes;
 use super::step::{position, step};
 use super::traces::painting;
 use crate::Compiled;
@@ -31,11 +31,7 @@ pub(crate) fn items(
         report,
         ..
     } = compiled;
-    let Header {
-        attributes,
-        visibility,
-        name,
-    } = header;
+    let (attributes, visibility, name) = (&header.attributes, &header.visibility, &header.name);
     let scalar = scalar(program);
     let position = position(program);
     let sizes =
@@ -43,8 +39,7 @@ pub(crate) fn items(
     let doc = format!("\n```text\n{report}```");
     let start = start(program);
     let step = step(program);
-    let shapes = shapes(model, program);
-    let extent = extent(model, plan, program);
+    let shapes = shapes(model, plan, program);
     let accessors = accessors(places, model, program, visibility);
     let course = course(program, plan);
     let Added {
@@ -105,8 +100,6 @@ pub(crate) fn items(
             #more_imports
 
             #shapes
-
-            #extent
 
             const START: #position = #start;
 

@@ -87,8 +87,8 @@ fn painted(link: usize, shape: &Shape, program: &Program) -> Vec<Painted> {
     vec![one(outline, quote!(#color))]
 }
 
-/// All of them as tokens.
-pub(super) fn shapes(model: &Model, program: &Program) -> TokenStream {
+/// All of them as tokens, and the box around them wherever they are moved to.
+pub(super) fn shapes(model: &Model, plan: &Plan, program: &Program) -> TokenStream {
     let entries = in_order(model, program).into_iter().map(|painted| {
         let Painted {
             link,
@@ -100,15 +100,13 @@ pub(super) fn shapes(model: &Model, program: &Program) -> TokenStream {
         quote!(Shape { link: #link, outline: #outline, color: #color })
     });
     let scalar = scalar(program);
-    quote!(const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];)
-}
-
-/// The box around all of them, wherever they are moved to.
-pub(super) fn extent(model: &Model, plan: &Plan, program: &Program) -> TokenStream {
     let corners = crate::extent::extent(model, plan, program).map(|corner| {
         let [x, y] = corner.map(|value| number(program.precision, value));
         quote!([#x, #y])
     });
-    let scalar = scalar(program);
-    quote!(const EXTENT: [[#scalar; 2]; 2] = [#(#corners),*];)
+    quote! {
+        const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];
+
+        const EXTENT: [[#scalar; 2]; 2] = [#(#corners),*];
+    }
 }

@@ -4,8 +4,10 @@ use crate::raster::spans::Clip;
 
 /// The most rectangles: of more, those are taken together that lie next to each other.
 const MOST: usize = 12;
-/// What it costs to begin with a rectangle, in pixels.
+/// What it costs a display to begin with a rectangle, in pixels.
 const BEGIN: usize = 600;
+/// What it costs to paint within another rectangle, in pixels: shapes that lie in both are begun twice.
+const PAINT: usize = 40_000;
 
 /// A rectangle of pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -59,8 +61,21 @@ impl Areas {
         areas.get(index).copied().unwrap_or(Clip::none())
     }
 
+    /// The same, or fewer that take in more, for which there is less to be painted.
+    pub(super) fn to_be_painted(&self) -> Self {
+        let mut larger = Self::new();
+        for area in self.areas.iter().take(self.len) {
+            larger.add_for(*area, PAINT);
+        }
+        larger
+    }
+
     /// Adds a rectangle: to one of those there are, where that costs less than to begin with another.
     pub(super) fn add(&mut self, area: Clip) {
+        self.add_for(area, BEGIN);
+    }
+
+    fn add_for(&mut self, area: Clip, begin: usize) {
         let mut area = area;
         if area.is_empty() {
             return;
@@ -71,7 +86,7 @@ impl Areas {
             let nearest = (0..).zip(areas).min_by_key(|(_, other)| more(other));
             let is_full = self.len == MOST;
             match nearest {
-                Some((index, near)) if is_full || more(near) <= area.area() + BEGIN => {
+                Some((index, near)) if is_full || more(near) <= area.area() + begin => {
                     // Taken out, and added as one: it may now come near another.
                     area = near.around(area);
                     self.len -= 1;

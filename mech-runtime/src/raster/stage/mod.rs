@@ -40,7 +40,7 @@ use pass::Task;
 ///         assert!(area.width <= 64); // a display needs to be sent these pixels only
 ///     }
 /// }
-/// assert_eq!(stage.frame().pixel(32, 32), Some(2));
+/// assert_eq!(stage.frame().pixel(34, 30), Some(2));
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///
@@ -112,8 +112,9 @@ impl<const W: usize, const H: usize, const N: usize> Stage<W, H, N> {
                 self.still = alike;
             }
         }
-        for index in 0..self.changed.len() {
-            let area = self.changed.get(index).and(all);
+        let areas = self.changed.to_be_painted();
+        for index in 0..areas.len() {
+            let area = areas.get(index).and(all);
             self.frame.copy(&self.ground, area);
             self.pass(Task::Paint(self.still, area), &paint);
         }

@@ -166,7 +166,7 @@ impl<T: Scalar> Extent<T> {
         }
         self.low = [self.low[0].min(x), self.low[1].min(y)];
         self.high = [Real::max(self.high[0], x), Real::max(self.high[1], y)];
-        self.mark = mixed(mixed(self.mark, bits(x)), bits(y));
+        self.mark = mixed(self.mark, bits(x) ^ bits(y).rotate_left(29));
     }
 
     /// Mixes in what else it is made of, and gives the last of these: how far it reaches around its corners.
