@@ -107,7 +107,7 @@ impl Stage {
     /// Writes the picture that is seen now.
     ///
     /// # Errors
-    /// [`Error::Png`] if it has no size, [`Error::File`] if it cannot be written.
+    /// [`Error::Picture`] if it has no size, [`Error::File`] if it cannot be written.
     pub fn write(&mut self, path: &Path) -> Result<(), Error> {
         let bytes = self.picture().png()?;
         fs::write(path, bytes).map_err(|source| Error::File {
