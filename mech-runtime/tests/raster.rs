@@ -354,34 +354,6 @@ fn palettes_keep_to_their_order() {
     assert_eq!(frame.rgb(0, 0), Some(frame.palette().rgb(Palette::PAPER)));
 }
 
-/// Corners of a grid with `COUNT` cells a side over `0..COUNT * CELL`, those inside moved about.
-const COUNT: usize = 6;
-const CELL: f64 = 11.0;
-const SIDE: usize = 66;
-
-fn jittered_grid() -> impl Strategy<Value = Vec<[f64; 2]>> {
-    // A quarter of a cell at most, or triangles would turn over.
-    let jitters = prop::collection::vec([-0.24..0.24, -0.24..0.24], (COUNT + 1) * (COUNT + 1));
-    (jitters, any::<bool>()).prop_map(|(jitters, rounded)| {
-        let corner = |(index, jitter): (usize, [f64; 2])| {
-            let place = [index % (COUNT + 1), index / (COUNT + 1)];
-            std::array::from_fn(|axis| {
-                let at_rim = place[axis] == 0 || place[axis] == COUNT;
-                #[expect(clippy::cast_precision_loss, reason = "small")]
-                let whole = place[axis] as f64;
-                let exact = (whole + if at_rim { 0.0 } else { jitter[axis] }) * CELL;
-                // In half pixels, corners and edges meet centres every now and then.
-                if rounded {
-                    (exact * 2.0).round() / 2.0
-                } else {
-                    exact
-                }
-            })
-        };
-        jitters.into_iter().enumerate().map(corner).collect()
-    })
-}
-
 fn star_polygon() -> impl Strategy<Value = Vec<[f64; 2]>> {
     prop::collection::vec(5.0..60.0, 3..40).prop_map(|radii: Vec<f64>| {
         #[expect(clippy::cast_precision_loss, reason = "small")]
@@ -405,26 +377,6 @@ fn sides(corners: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
 }
 
 proptest! {
-    #[test]
-    fn tiles_meet_without_gap_or_overlap(corners in jittered_grid(), splits in prop::collection::vec(any::<(bool, bool)>(), COUNT * COUNT)) {
-        let mut painted = [[0_u8; SIDE]; SIDE];
-        for (cell, (diagonal, reversed)) in splits.into_iter().enumerate() {
-            let first = cell / COUNT * (COUNT + 1) + cell % COUNT;
-            let [a, b, c, d] = [0, 1, COUNT + 2, COUNT + 1].map(|next| corners[first + next]);
-            let mut tiles = if diagonal { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
-            if reversed {
-                tiles[0].reverse();
-            }
-            for tile in tiles {
-                let frame = picture::<SIDE, SIDE>(polygon(&tile));
-                for (sum, pixel) in painted.iter_mut().flatten().zip(frame.pixels().iter().flatten()) {
-                    *sum += *pixel;
-                }
-            }
-        }
-        prop_assert!(painted.iter().flatten().all(|&times| times == 1));
-    }
-
     #[test]
     fn polygons_have_the_area_of_polygons(corners in star_polygon()) {
         let expected: f64 = sides(&corners).map(|(a, b)| (a[0] * b[1] - a[1] * b[0]) / 2.0).sum();
