@@ -1,38 +1,21 @@
 //! Sides that lead down from the highest corner of a polygon, one after the other; and whether there are such.
 
 use super::edge::Edge;
+use super::tour::Tour;
 use crate::Scalar;
 
 /// One of the two ways down.
 pub(super) struct Chain<'c, T, F> {
-    corner: &'c F,
-    count: usize,
-    /// The number of the corner up to which it has gone, and that corner.
-    index: usize,
-    place: [T; 2],
-    is_onward: bool,
-    /// How many sides are left.
-    left: usize,
+    tour: Tour<'c, T, F>,
     height: usize,
     side: Option<Edge>,
 }
 
 impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Chain<'c, T, F> {
-    /// Begins at a corner, and goes from number to number onward or back, in a picture of so many rows.
-    pub(super) fn new(
-        corner: &'c F,
-        count: usize,
-        highest: usize,
-        is_onward: bool,
-        height: usize,
-    ) -> Self {
+    /// Goes down on a tour from the highest corner, in a picture of so many rows.
+    pub(super) const fn new(tour: Tour<'c, T, F>, height: usize) -> Self {
         Self {
-            corner,
-            count,
-            index: highest,
-            place: corner(highest),
-            is_onward,
-            left: count,
+            tour,
             height,
             side: None,
         }
@@ -41,17 +24,8 @@ impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Chain<'c, T, F> {
     /// The side that crosses a row. Rows are asked for from the top.
     pub(super) fn side_at(&mut self, row: usize) -> Option<Edge> {
         while self.side.is_none_or(|side| side.end <= row) {
-            self.left = self.left.checked_sub(1)?;
-            let last = self.count - 1;
-            self.index = match (self.is_onward, self.index) {
-                (true, index) if index == last => 0,
-                (true, index) => index + 1,
-                (false, 0) => last,
-                (false, index) => index - 1,
-            };
-            let next = (self.corner)(self.index);
-            self.side = Edge::new(self.place, next, self.height);
-            self.place = next;
+            let [from, to] = self.tour.next_side()?;
+            self.side = Edge::new(from, to, self.height);
         }
         self.side
     }

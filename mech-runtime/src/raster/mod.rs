@@ -36,6 +36,7 @@ mod smooth;
 mod spans;
 mod stage;
 mod stroke;
+mod tour;
 mod turn;
 mod view;
 

@@ -8,6 +8,7 @@ use super::crossings::Crossings;
 use super::edge::{is_far, sides};
 use super::fixed;
 use super::spans::{Clip, Spans};
+use super::tour::Tour;
 use crate::{Real, Scalar};
 
 /// What is inside of a polygon that crosses itself.
@@ -119,8 +120,8 @@ fn between_chains<T: Scalar>(
 ) {
     let Clip { left, right, .. } = surface.clip();
     let height = rows.end;
-    let mut onward = Chain::new(corner, count, highest, true, height);
-    let mut back = Chain::new(corner, count, highest, false, height);
+    let chain = |is_onward| Chain::new(Tour::new(corner, count, highest, is_onward), height);
+    let (mut onward, mut back) = (chain(true), chain(false));
     let mut row = rows.start;
     while row < rows.end {
         let (Some(one), Some(other)) = (onward.side_at(row), back.side_at(row)) else {

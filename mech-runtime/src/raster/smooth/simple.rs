@@ -6,6 +6,7 @@ use super::flank::{self, Flank};
 use crate::raster::chain::Ways;
 use crate::raster::fixed;
 use crate::raster::polygon::Rule;
+use crate::raster::tour::Tour;
 use crate::{Real, Scalar};
 use core::ops::Range;
 
@@ -56,7 +57,10 @@ impl<'c, F> Simple<'c, F> {
     ) where
         F: Fn(usize) -> [T; 2],
     {
-        let descent = |is_onward| Descent::new(self.corner, self.count, self.highest, is_onward);
+        let descent = |is_onward| {
+            let tour = Tour::new(self.corner, self.count, self.highest, is_onward);
+            Descent::new(tour)
+        };
         let mut ways = [descent(true), descent(false)];
         let mut row = self.rows.start;
         while row < self.rows.end {
