@@ -1,21 +1,21 @@
 //! Where scenes become pictures.
 
-use crate::{Film, Picture, Scene};
+use crate::{Film, Picture, Scene, Strips};
 use mech_runtime::files::Sheet;
-use mech_runtime::{Palette, Smooth, View};
+use mech_runtime::{Palette, View};
 
 /// The longer side of a picture, and the least of the shorter one.
 const LONG: u16 = 640;
 const SHORT: u16 = 240;
 /// Paper left free around what is seen.
 const MARGIN: u16 = 24;
-/// A picture is painted in strips, so that a small one will do for any height: this many pixels high.
-const STRIP: u16 = 64;
+/// How many pixels high the strips are in which a picture is painted.
+const STRIP: usize = 64;
 
 /// Paints the scenes of one film, all in the same view.
 #[derive(Clone)]
 pub struct Easel {
-    strip: Box<Smooth<{ LONG as usize }, { STRIP as usize }>>,
+    strips: Strips<{ LONG as usize }, STRIP>,
     /// Of the whole picture.
     view: View,
     width: u16,
@@ -44,7 +44,7 @@ impl Easel {
         });
         let view = View::fit(low, high, width.into(), height.into(), MARGIN.into());
         Some(Self {
-            strip: Box::default(),
+            strips: Strips::default(),
             view,
             width,
             height,
@@ -62,40 +62,18 @@ impl Easel {
     pub fn sheet(&self) -> Sheet {
         Sheet::new(self.width.into(), self.height.into())
             .look_at(self.view)
-            .palette(self.strip.palette().clone())
+            .palette(self.strips.palette().clone())
     }
 
     /// Paints with other colours.
     pub fn set_palette(&mut self, palette: Palette) {
-        self.strip.set_palette(palette);
+        self.strips.set_palette(palette);
     }
 
     /// Paints a scene.
     #[must_use]
     pub fn paint(&mut self, scene: &Scene) -> Picture {
-        let [width, height] = [self.width, self.height].map(usize::from);
-        let mut pixels = Vec::with_capacity(width * height);
-        for top in (0..self.height).step_by(STRIP.into()) {
-            self.strip.look_at(self.view_of_strip(top));
-            self.strip.clear();
-            scene.draw(&mut *self.strip);
-            let rows = self.strip.pixels().iter();
-            pixels.extend(rows.flat_map(|row| row.iter().take(width)));
-        }
-        pixels.truncate(width * height);
-        Picture {
-            width: self.width,
-            height: self.height,
-            pixels,
-        }
-    }
-
-    /// What the strip sees whose first row is row `top` of the picture, and whose first column is the picture's.
-    fn view_of_strip(&self, top: u16) -> View {
-        let [x, y] = self.view.center();
-        let scale = self.view.scale();
-        let down = f64::from(top) + f64::from(STRIP) / 2.0 - f64::from(self.height) / 2.0;
-        let right = f64::from(LONG - self.width) / 2.0;
-        View::new([x + right / scale, y - down / scale], scale)
+        let size = [self.width, self.height];
+        self.strips.paint(scene, self.view, size)
     }
 }

@@ -22,6 +22,7 @@ mod page;
 mod picture;
 mod playable;
 mod played;
+mod strips;
 mod swatches;
 
 pub use animation::animation;
@@ -37,4 +38,5 @@ pub use landmarks::{Landmarks, Spot};
 pub use layers::{Layer, Layers};
 pub use picture::Picture;
 pub use playable::{Look, Playable, Rates};
+pub use strips::Strips;
 pub use swatches::Swatches;

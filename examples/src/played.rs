@@ -123,12 +123,12 @@ impl<M: Mechanism<Scalar = f64>> Playable for Played<M> {
             }
         };
         for link in 1..=M::LINKS.len() {
-            let at = seen_from(self.pose(link)?, place);
+            let at = self.pose(link)?.relative(place);
             offer(link, at, self.distance(link, at));
         }
         // From the back to the front: of several that lie one upon the other the last is seen.
         for shape in M::SHAPES.iter().filter(|shape| shape.link > 0) {
-            let at = seen_from(self.pose(shape.link)?, place);
+            let at = self.pose(shape.link)?.relative(place);
             offer(shape.link, at, distance_to_shape(at, &shape.outline));
         }
         nearest
@@ -170,12 +170,6 @@ impl<M: Mechanism<Scalar = f64>> Playable for Played<M> {
             (effects.draw_velocities)(&self.mechanism, scene, &blue);
         }
     }
-}
-
-/// A place in the scene, in the frame of a link at this pose.
-fn seen_from(pose: Pose<f64>, place: [f64; 2]) -> [f64; 2] {
-    let [x, y] = [place[0] - pose.x, place[1] - pose.y];
-    [pose.cos * x + pose.sin * y, pose.cos * y - pose.sin * x]
 }
 
 /// How far a place is from a shape: 0 within it.

@@ -37,6 +37,13 @@ impl<T: Scalar> Pose<T> {
         ]
     }
 
+    /// Carries a place in the scene into the link: from absolute to relative coordinates.
+    #[must_use]
+    pub fn relative(self, [x, y]: [T; 2]) -> [T; 2] {
+        let [x, y] = [x - self.x, y - self.y];
+        [self.cos * x + self.sin * y, self.cos * y - self.sin * x]
+    }
+
     /// The same pose as a nalgebra isometry.
     #[must_use]
     pub fn isometry(self) -> Isometry2<T> {

@@ -1,8 +1,8 @@
 //! Where the scene of a player becomes pixels: the only place that knows how.
 
 use crate::Player;
-use mech_examples::{Picture, Scene};
-use mech_runtime::{Canvas, Palette, Smooth, View};
+use mech_examples::{Picture, Strips};
+use mech_runtime::{Canvas, Palette};
 
 /// Pixels that a strip is wide, and high.
 const WIDE: usize = 4096;
@@ -14,7 +14,7 @@ const LETTER: usize = 8;
 /// Paints what a player shows, anti-aliased, by the runtime's own rasteriser.
 #[derive(Clone, Default)]
 pub struct Painter {
-    strip: Box<Smooth<WIDE, STRIP>>,
+    strips: Strips<WIDE, STRIP>,
 }
 
 impl Painter {
@@ -22,22 +22,15 @@ impl Painter {
     /// sides.
     #[must_use]
     pub fn paint(&mut self, player: &Player) -> Picture {
-        self.strip.set_palette(if player.is_night() {
+        self.strips.set_palette(if player.is_night() {
             Palette::NIGHT
         } else {
             Palette::TEXTBOOK
         });
         let camera = player.camera();
-        let scene = player.scene();
-        let [width, height] = camera.size().map(|side| side.min(usize::from(u16::MAX)));
-        let mut pixels = Vec::with_capacity(width * height);
-        self.rows(&scene, camera.view(), [width, height], &mut pixels);
-        let [width, height] = [width, height].map(|side| u16::try_from(side).unwrap_or(u16::MAX));
-        Picture {
-            width,
-            height,
-            pixels,
-        }
+        let narrow = |side: usize| u16::try_from(side).unwrap_or(u16::MAX);
+        let size = camera.size().map(narrow);
+        self.strips.paint(&player.scene(), camera.view(), size)
     }
 
     /// Writes a line of text into a picture, with its upper left corner at a pixel, each dot of a letter a square of `size` pixels; a
@@ -50,14 +43,12 @@ impl Painter {
         size: usize,
         color: u8,
     ) {
-        self.strip.look_at(View::default());
-        self.strip.clear();
+        let strip = self.strips.cleared();
         #[expect(clippy::cast_precision_loss, reason = "a few thousand")]
         let place = [WIDE as f64 / -2.0, STRIP as f64 / 2.0 - LETTER as f64];
-        self.strip.text(place, text, color);
-        let [ink, paper] =
-            [color, Palette::PAPER].map(|entry| opaque(self.strip.palette().rgb(entry)));
-        let rows = self.strip.pixels().iter().take(LETTER).enumerate();
+        strip.text(place, text, color);
+        let [ink, paper] = [color, Palette::PAPER].map(|entry| strip.palette().rgba(entry));
+        let rows = strip.pixels().iter().take(LETTER).enumerate();
         let dots = rows.flat_map(|(row, pixels)| {
             let pixels = pixels.iter().enumerate();
             let dots = pixels.filter(|&(_, &pixel)| pixel != paper);
@@ -80,47 +71,4 @@ impl Painter {
             square(dot, size, ink);
         }
     }
-
-    /// Paints all rows.
-    fn rows(
-        &mut self,
-        scene: &Scene,
-        view: View,
-        [width, height]: [usize; 2],
-        pixels: &mut Vec<[u8; 4]>,
-    ) {
-        let shown = width.min(WIDE);
-        // Pixels of the strip to the left of what is shown, and pixels of paper to the left of that.
-        let left = (WIDE - shown) / 2;
-        let margin = (width - shown) / 2;
-        let paper = opaque(self.strip.palette().rgb(Palette::PAPER));
-        for top in (0..height).step_by(STRIP) {
-            self.strip
-                .look_at(view_of_strip(view, [shown, height], top));
-            self.strip.clear();
-            scene.draw(&mut *self.strip);
-            for row in self.strip.pixels().iter().take(height - top) {
-                pixels.extend(std::iter::repeat_n(paper, margin));
-                pixels.extend(row.iter().skip(left).take(shown));
-                pixels.extend(std::iter::repeat_n(paper, width - shown - margin));
-            }
-        }
-    }
-}
-
-/// What a strip sees whose first row is row `top` of a picture of this size.
-fn view_of_strip(view: View, [width, height]: [usize; 2], top: usize) -> View {
-    #[expect(clippy::cast_precision_loss, reason = "a few thousand")]
-    let [height, top, strip, odd] = [height, top, STRIP, width % 2].map(|number| number as f64);
-    let down = top + strip / 2.0 - height / 2.0;
-    let [x, y] = view.center();
-    // The middle of a picture whose width is odd is the middle of a pixel.
-    View::new(
-        [x + odd / 2.0 / view.scale(), y - down / view.scale()],
-        view.scale(),
-    )
-}
-
-const fn opaque([red, green, blue]: [u8; 3]) -> [u8; 4] {
-    [red, green, blue, 255]
 }

@@ -1,28 +1,12 @@
 //! Links that are dragged, without a window.
 
+#[allow(dead_code, reason = "no test needs all of it")]
+mod common;
+
+use common::{near, player};
 use mech_examples::{Rates, Spot, gallery};
-use mech_play::{Command, Free, Grip, Player};
+use mech_play::{Command, Free, Grip};
 use std::f64::consts::TAU;
-
-const SIZE: [usize; 2] = [480, 360];
-
-fn index(slug: &str) -> usize {
-    let exhibits = gallery::exhibits();
-    let index = exhibits.iter().position(|exhibit| exhibit.slug() == slug);
-    index.expect("it is in the gallery")
-}
-
-fn player(slug: &str) -> Player {
-    Player::new(gallery::exhibits(), index(slug), SIZE).expect("it moves")
-}
-
-fn near(one: &[f64], other: &[f64], tolerance: f64) -> bool {
-    one.len() == other.len()
-        && one
-            .iter()
-            .zip(other)
-            .all(|(a, b)| (a - b).abs() <= tolerance)
-}
 
 #[test]
 fn a_dragged_crank_points_at_the_pointer() {

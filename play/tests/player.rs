@@ -1,11 +1,13 @@
 //! The player, without a window.
 
+#[allow(dead_code, reason = "no test needs all of it")]
+mod common;
+
+use common::{SIZE, near, player};
 use mech_examples::{Layer, Picture, Showcase, all_effects, gallery};
 use mech_play::{Camera, Command, Drive, Key, Medium, Painter, Player, Request, keys};
 use mech_runtime::{Cause, Palette, mechanism};
 use std::f64::consts::TAU;
-
-const SIZE: [usize; 2] = [480, 360];
 
 mechanism! {
     /// A slide on a rail with two ends, and an arm on it that has none.
@@ -34,26 +36,8 @@ fn trolley() -> Player {
     Player::new(vec![Box::new(showcase)], 0, SIZE).expect("it moves")
 }
 
-fn index(slug: &str) -> usize {
-    let exhibits = gallery::exhibits();
-    let index = exhibits.iter().position(|exhibit| exhibit.slug() == slug);
-    index.expect("it is in the gallery")
-}
-
-fn player(slug: &str) -> Player {
-    Player::new(gallery::exhibits(), index(slug), SIZE).expect("it moves")
-}
-
 fn picture(player: &Player) -> Picture {
     Painter::default().paint(player)
-}
-
-fn near(one: &[f64], other: &[f64], tolerance: f64) -> bool {
-    one.len() == other.len()
-        && one
-            .iter()
-            .zip(other)
-            .all(|(a, b)| (a - b).abs() <= tolerance)
 }
 
 #[test]
@@ -154,8 +138,7 @@ fn a_motor_alone() {
 
 /// How many pixels have the red of a mark.
 fn red(picture: &Picture) -> usize {
-    let [r, g, b] = Palette::TEXTBOOK.rgb(Palette::RED);
-    let red = [r, g, b, 255];
+    let red = Palette::TEXTBOOK.rgba(Palette::RED);
     picture.pixels.iter().filter(|&&pixel| pixel == red).count()
 }
 

@@ -29,19 +29,32 @@ pub struct Times {
     pub ratio: f64,
 }
 
-/// Times two things in one process, in turn, because a machine's speed drifts. Medians over the rounds.
+/// Times two things in one process, in turn, because a machine's speed drifts. Medians over the rounds, in each of which both are
+/// called as often as there is time for.
 pub fn side_by_side(mut first: impl FnMut(), mut second: impl FnMut()) -> Times {
     const ROUNDS: usize = 31;
-    const CALLS: u32 = 200;
+    let calls = calls(time(&mut first, 1).max(time(&mut second, 1)));
     let mut rounds = Vec::with_capacity(ROUNDS);
     for _ in 0..ROUNDS {
-        rounds.push((time(&mut first, CALLS), time(&mut second, CALLS)));
+        rounds.push((time(&mut first, calls), time(&mut second, calls)));
     }
     Times {
         first: median(rounds.iter().map(|round| round.0)),
         second: median(rounds.iter().map(|round| round.1)),
         ratio: median(rounds.iter().map(|round| round.0 / round.1)),
     }
+}
+
+/// How often something is called in a round that takes so many nanoseconds.
+fn calls(nanoseconds: f64) -> u32 {
+    const ROUND: f64 = 4e6;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a small number"
+    )]
+    let calls = (ROUND / nanoseconds) as u32;
+    calls.clamp(4, 200)
 }
 
 /// Nanoseconds a call.

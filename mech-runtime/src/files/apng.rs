@@ -110,13 +110,7 @@ impl<W: Write> Apng<W> {
     /// [`FileError`] if it is one too many, has another size, is of another kind, or has a colour that the first one's palette lacks:
     /// then it is as if it had not been tried; or if the writer fails: then the file is torn.
     pub fn add<'a>(&mut self, frame: impl Into<Picture<'a>>) -> Result<(), FileError> {
-        let frame = frame.into();
-        if frame.size() != self.size {
-            return Err(FileError::OtherSize {
-                expected: self.size,
-                found: frame.size(),
-            });
-        }
+        let frame = frame.into().of_size(self.size)?;
         if self.written == self.announced {
             return Err(FileError::OtherCount {
                 announced: self.announced,

@@ -78,13 +78,7 @@ impl<W: Write> Gif<W> {
     /// [`FileError`] if it has another size or is in true colour: then it is as if it had not been tried; or if the writer fails:
     /// then the file is torn.
     pub fn add<'a>(&mut self, frame: impl Into<Picture<'a>>) -> Result<(), FileError> {
-        let frame = frame.into();
-        if frame.size() != self.size {
-            return Err(FileError::OtherSize {
-                expected: self.size,
-                found: frame.size(),
-            });
-        }
+        let frame = frame.into().of_size(self.size)?;
         let (entries, palette) = indexed(frame)?;
         self.write(entries, palette)
     }

@@ -65,6 +65,18 @@ impl<'a> Picture<'a> {
         self.size
     }
 
+    /// Itself, if it has this size.
+    pub(super) fn of_size(self, expected: [usize; 2]) -> Result<Self, FileError> {
+        if self.size == expected {
+            Ok(self)
+        } else {
+            Err(FileError::OtherSize {
+                expected,
+                found: self.size,
+            })
+        }
+    }
+
     /// Its width and height where a file has room for `most` in each direction.
     pub(super) fn size_within<N: TryFrom<usize>>(&self, most: usize) -> Result<[N; 2], FileError> {
         let [width, height] = self.size;

@@ -119,8 +119,8 @@ fn polygon_of<T: Scalar>(
     surface.polygon(&corner, corners.len(), rule, color);
 }
 
-fn line<T: Scalar>(
-    surface: &mut impl Fill,
+fn line<T: Scalar, S: Fill>(
+    surface: &mut S,
     place: super::view::Place<T>,
     points: &[[T; 2]],
     half: T,
@@ -133,20 +133,15 @@ fn line<T: Scalar>(
         let point = points.get(index).copied();
         place.point(point.unwrap_or([T::ZERO; 2]))
     };
-    let turn = Turn::new(
-        <T as Real>::HALF * T::TURN,
-        half,
-        FinenessOf::of(surface),
-        MOST,
-    );
+    let turn = Turn::new(<T as Real>::HALF * T::TURN, half, S::FINENESS, MOST);
     if let Some(stroke) = Stroke::new(point, points.len(), half, turn) {
         surface.path(&stroke, color);
     }
 }
 
 /// An arc around the first of two places, from the second; what goes once round or farther is a ring.
-fn arc<T: Scalar>(
-    surface: &mut impl Fill,
+fn arc<T: Scalar, S: Fill>(
+    surface: &mut S,
     [center, start]: [[T; 2]; 2],
     angle: T,
     half: T,
@@ -157,27 +152,17 @@ fn arc<T: Scalar>(
     }
     let [x, y] = [start[0] - center[0], start[1] - center[1]];
     let radius = Real::sqrt(x * x + y * y);
-    let fineness = FinenessOf::of(surface);
     let is_arc = radius > T::ZERO && Real::abs(angle) < T::TURN;
     if !is_arc {
         surface.ring(center, radius + half, radius - half, color);
         return;
     }
     let around = Real::copysign(<T as Real>::HALF * T::TURN, angle);
-    let along = Turn::new(angle, radius + half, fineness, MOST);
-    let around = Turn::new(around, half, fineness, MOST);
+    let along = Turn::new(angle, radius + half, S::FINENESS, MOST);
+    let around = Turn::new(around, half, S::FINENESS, MOST);
     let direction = [x / radius, y / radius];
     let arc = Arc::new(center, radius, direction, half, along, around);
     surface.path(&arc, color);
-}
-
-/// The fineness of a surface whose type has no name.
-struct FinenessOf;
-
-impl FinenessOf {
-    const fn of<F: Fill>(_: &F) -> f32 {
-        F::FINENESS
-    }
 }
 
 /// Writes a text, its lower left corner at a place in pixels.

@@ -139,6 +139,13 @@ impl Palette {
         self.entries[entry as usize]
     }
 
+    /// Red, green, blue and opacity of an entry: all of it.
+    #[must_use]
+    pub const fn rgba(&self, entry: u8) -> [u8; 4] {
+        let [red, green, blue] = self.rgb(entry);
+        [red, green, blue, 255]
+    }
+
     /// Red, green and blue of every entry.
     #[must_use]
     pub const fn entries(&self) -> &[[u8; 3]; 256] {

@@ -1,10 +1,11 @@
 //! Symbols and arrows: what they look like, and what is true of all of them.
 
+mod diagrams;
 mod pictures;
 mod properties;
 
-use mech_runtime::overlay::Spot;
-use mech_runtime::{Frame, Palette, Pose};
+use mech_runtime::overlay::{Spot, Symbol};
+use mech_runtime::{Frame, Overlay, Palette, Pose};
 
 /// That of link 1 everywhere.
 const TURNED: Pose<f64> = Pose {
@@ -31,4 +32,22 @@ fn picture<const W: usize, const H: usize>(paint: impl FnOnce(&mut Frame<W, H>))
 
 const fn on(link: usize, at: [f64; 2]) -> Spot<f64> {
     Spot { link, at }
+}
+
+#[track_caller]
+fn assert_looks<const W: usize, const H: usize>(
+    paint: impl FnOnce(&mut Frame<W, H>),
+    expected: &str,
+) {
+    let found = picture(paint);
+    let lines: Vec<&str> = expected.lines().map(str::trim).collect();
+    assert_eq!(found, lines.join("\n").trim(), "\n{found}\n");
+}
+
+/// A symbol of the ground, and of a link that is turned.
+fn drawn<const W: usize, const H: usize>(symbol: Symbol<f64>) -> impl FnOnce(&mut Frame<W, H>) {
+    move |frame| {
+        let overlay = Overlay::new().links(true).axes(true);
+        overlay.draw(&[symbol], &[TURNED], frame);
+    }
 }

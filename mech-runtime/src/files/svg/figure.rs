@@ -2,10 +2,11 @@
 
 use super::element::{FONT, Paint};
 use super::place::Place;
+use super::sheet::hex;
 use super::track::share;
 use crate::{Outline, Palette, Scalar};
 use core::{iter, mem};
-use std::{format, string::String, vec, vec::Vec};
+use std::{string::String, vec, vec::Vec};
 
 /// How far points may be apart that count as the same, in pixels.
 const SAME: f64 = 5e-4;
@@ -219,8 +220,7 @@ impl Figure {
 
     /// Writes it as an element.
     pub(super) fn write(&self, text: &mut String, palette: &Palette) {
-        let [red, green, blue] = palette.rgb(self.color);
-        let paint = Paint(format!("#{red:02x}{green:02x}{blue:02x}"));
+        let paint = Paint(hex(palette, self.color));
         let [x, y] = self.first_point();
         match &self.form {
             Form::Circle(radius) => paint.disc(text, [x, y], *radius),

@@ -56,17 +56,18 @@ impl Place {
     }
 
     /// From the link to the picture.
-    pub(super) fn apply(self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [
-            self.x + self.cos * x - self.sin * y,
-            self.y + self.sin * x + self.cos * y,
-        ]
+    pub(super) fn apply(self, point: [f64; 2]) -> [f64; 2] {
+        self.pose().apply(point)
     }
 
     /// From the picture to the link.
-    pub(super) fn relative(self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let [x, y] = [x - self.x, y - self.y];
-        [self.cos * x + self.sin * y, self.cos * y - self.sin * x]
+    pub(super) fn relative(self, point: [f64; 2]) -> [f64; 2] {
+        self.pose().relative(point)
+    }
+
+    const fn pose(self) -> Pose<f64> {
+        let Self { cos, sin, x, y } = self;
+        Pose { cos, sin, x, y }
     }
 
     /// The value of `transform` that puts there what reaches `extent` pixels from the origin.

@@ -2,7 +2,7 @@
 
 use crate::{Frame, Palette, Smooth, View};
 use core::fmt::Write;
-use std::string::String;
+use std::{format, string::String};
 
 /// A sheet of paper: its size in pixels, what part of the scene is seen on it, and the colours.
 ///
@@ -64,7 +64,7 @@ impl Sheet {
     /// A document with this body, and in front of it what is to be known before.
     pub(super) fn document(&self, head: &str, body: &str) -> String {
         let [width, height] = self.size;
-        let [red, green, blue] = self.palette.rgb(Palette::PAPER);
+        let paper = hex(&self.palette, Palette::PAPER);
         let mut text = String::with_capacity(head.len() + body.len() + 300);
         // Writing to a `String` cannot fail.
         let _ = writeln!(
@@ -77,7 +77,7 @@ impl Sheet {
         text.push_str(head);
         let _ = writeln!(
             text,
-            "<rect width=\"{width}\" height=\"{height}\" fill=\"#{red:02x}{green:02x}{blue:02x}\"/>"
+            "<rect width=\"{width}\" height=\"{height}\" fill=\"{paper}\"/>"
         );
         text.push_str(body);
         text.push_str("</svg>\n");
@@ -101,6 +101,12 @@ impl<const W: usize, const H: usize> From<&Smooth<W, H>> for Sheet {
             .look_at(picture.view())
             .palette(picture.palette().clone())
     }
+}
+
+/// A colour as documents write it.
+pub(super) fn hex(palette: &Palette, entry: u8) -> String {
+    let [red, green, blue] = palette.rgb(entry);
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 /// As it may stand in a document; characters that no document may hold are replaced.

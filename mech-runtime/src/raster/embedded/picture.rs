@@ -91,17 +91,18 @@ impl<C: PixelColor, const W: usize, const H: usize> Picture<'_, C, W, H> {
         origin: Point,
     ) -> Result<(), D::Error> {
         let areas = [(*part, Point::zero()), (display.bounding_box(), origin)];
+        let clip = part::common(areas, W, H);
         let Clip {
             left,
             top,
             right,
             bottom,
-        } = part::common(areas, W, H);
+        } = clip;
         let places = [part::place(left, origin.x), part::place(top, origin.y)];
         let [Some(x), Some(y)] = places else {
             return Ok(());
         };
-        if left == right || top == bottom {
+        if clip.is_empty() {
             return Ok(());
         }
         let rows = self.frame.pixels().get(top..bottom).unwrap_or_default();

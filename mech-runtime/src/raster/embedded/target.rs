@@ -45,15 +45,16 @@ impl<const W: usize, const H: usize> DrawTarget for Frame<W, H> {
     where
         I: IntoIterator<Item = Entry>,
     {
+        let clip = part::of(area, W, H);
+        if clip.is_empty() {
+            return Ok(());
+        }
         let Clip {
             left,
             top,
             right,
             bottom,
-        } = part::of(area, W, H);
-        if left == right || top == bottom {
-            return Ok(());
-        }
+        } = clip;
         let mut colors = colors.into_iter();
         let width = u64::from(area.size.width);
         let outside = before(area.top_left.y) * width + before(area.top_left.x);

@@ -60,7 +60,7 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
     pub const fn new() -> Self {
         let palette = Palette::TEXTBOOK;
         Self {
-            pixels: [[opaque(palette.rgb(Palette::PAPER)); W]; H],
+            pixels: [[palette.rgba(Palette::PAPER); W]; H],
             palette,
             view: View::new([0.0, 0.0], 1.0),
             covers: [const { Cover::new() }; ROWS],
@@ -69,7 +69,7 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
 
     /// Paints everything in colour 0.
     pub fn clear(&mut self) {
-        let paper = opaque(self.palette.rgb(Palette::PAPER));
+        let paper = self.palette.rgba(Palette::PAPER);
         self.pixels.as_flattened_mut().fill(paper);
     }
 
@@ -196,7 +196,7 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
         let Some(clipped) = Clipped::new(corners, H) else {
             return;
         };
-        let paint = opaque(self.palette.rgb(color));
+        let paint = self.palette.rgba(color);
         let rows = clipped.rows();
         let mut top = rows.start;
         while top < rows.end {
@@ -221,7 +221,7 @@ impl<const W: usize, const H: usize> Fill for Smooth<W, H> {
             return;
         }
         let rows = round::rows(center, radius, H);
-        let paint = opaque(self.palette.rgb(color));
+        let paint = self.palette.rgba(color);
         let Some(disc) = Disc::new(center, radius, W).filter(|_| hole <= T::ZERO) else {
             self.around(center, [radius, hole], rows, paint);
             return;
@@ -247,7 +247,7 @@ impl<const W: usize, const H: usize> Fill for Smooth<W, H> {
         color: u8,
     ) {
         if let Some(simple) = Simple::new(corner, count, H) {
-            simple.paint(self, opaque(self.palette.rgb(color)));
+            simple.paint(self, self.palette.rgba(color));
         } else {
             self.path_by(&(0..count).map(corner), rule, color);
         }
@@ -272,11 +272,7 @@ impl<const W: usize> Spans for Dots<'_, W> {
     fn fill(&mut self, row: usize, columns: Range<usize>, color: u8) {
         let row = self.rows.get_mut(row);
         if let Some(pixels) = row.and_then(|row| row.get_mut(columns)) {
-            pixels.fill(opaque(self.palette.rgb(color)));
+            pixels.fill(self.palette.rgba(color));
         }
     }
-}
-
-const fn opaque([red, green, blue]: [u8; 3]) -> [u8; 4] {
-    [red, green, blue, 255]
 }

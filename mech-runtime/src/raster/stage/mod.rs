@@ -1,6 +1,7 @@
 //! A picture in which something moves: only what has changed is painted again.
 
 mod area;
+mod extent;
 mod item;
 mod pass;
 

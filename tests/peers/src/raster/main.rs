@@ -1,41 +1,14 @@
 //! The rasteriser beside other crates: two scenes of 512 × 512 pixels, cleared and painted.
 
+#[path = "../../../benches/common/mod.rs"]
+mod common;
 mod peers;
 mod scene;
 
+use common::{Threshold, compare};
 use mech_runtime::{Frame, Smooth};
-use mech_tests::median;
 use peers::{EmbeddedGraphics, TinySkia, Vello, Zeno};
 use scene::{SIDE, paint};
-use std::time::Instant;
-
-/// Rounds, in each of which both paint some pictures in turn.
-const ROUNDS: usize = 61;
-const PICTURES: u32 = 6;
-
-/// Milliseconds a picture.
-fn time(paint: &mut impl FnMut()) -> f64 {
-    let start = Instant::now();
-    for _ in 0..PICTURES {
-        paint();
-    }
-    start.elapsed().as_secs_f64() * 1e3 / f64::from(PICTURES)
-}
-
-/// Prints how many times as long theirs takes as ours: the median of all rounds.
-fn compare(what: &str, limit: Option<f64>, mut theirs: impl FnMut(), mut ours: impl FnMut()) {
-    let rounds: Vec<_> = (0..ROUNDS)
-        .map(|_| [time(&mut theirs), time(&mut ours)])
-        .collect();
-    let [theirs, ours] = [0, 1].map(|who| median(rounds.iter().map(|round| round[who])));
-    let ratio = median(rounds.iter().map(|round| round[0] / round[1]));
-    let verdict = match limit {
-        None => "no threshold".to_owned(),
-        Some(limit) if ratio >= limit => format!("at least {limit}"),
-        Some(limit) => format!("at least {limit}: MISSED"),
-    };
-    println!("{what:<40} {theirs:.3} ms, ours {ours:.3} ms, ratio {ratio:.2} ({verdict})");
-}
 
 fn main() {
     for (name, screens, mask_limit) in [("links", 0.46, 3.0), ("fat", 2.75, 2.2)] {
@@ -84,26 +57,54 @@ fn main() {
         let mut show = |peer: &str, limit, mut theirs: Box<dyn FnMut() + '_>| {
             compare(
                 &format!("{name}, hard edges, {peer}"),
+                [peer, "ours"],
+                1.0,
                 limit,
                 &mut theirs,
                 || hard(&mut frame),
             );
         };
-        show("tiny-skia mask", Some(mask_limit), Box::new(|| skia.mask()));
-        show("tiny-skia", None, Box::new(|| skia.paint(false)));
-        show("embedded-graphics", None, Box::new(|| embedded.paint()));
+        show(
+            "tiny-skia mask",
+            Threshold::AtLeast(mask_limit),
+            Box::new(|| skia.mask()),
+        );
+        show("tiny-skia", Threshold::None, Box::new(|| skia.paint(false)));
+        show(
+            "embedded-graphics",
+            Threshold::None,
+            Box::new(|| embedded.paint()),
+        );
         let mut show = |peer: &str, limit, mut theirs: Box<dyn FnMut() + '_>| {
             compare(
                 &format!("{name}, smooth, {peer}"),
+                [peer, "ours"],
+                1.0,
                 limit,
                 &mut theirs,
                 || soft(&mut smooth),
             );
         };
-        show("zeno", Some(1.5), Box::new(|| zeno.paint(true)));
-        show("zeno's masks alone", None, Box::new(|| zeno.paint(false)));
-        show("vello_cpu", Some(1.5), Box::new(|| vello.paint()));
-        show("tiny-skia", Some(1.5), Box::new(|| skia.paint(true)));
+        show(
+            "zeno",
+            Threshold::AtLeast(1.5),
+            Box::new(|| zeno.paint(true)),
+        );
+        show(
+            "zeno's masks alone",
+            Threshold::None,
+            Box::new(|| zeno.paint(false)),
+        );
+        show(
+            "vello_cpu",
+            Threshold::AtLeast(1.5),
+            Box::new(|| vello.paint()),
+        );
+        show(
+            "tiny-skia",
+            Threshold::AtLeast(1.5),
+            Box::new(|| skia.paint(true)),
+        );
     }
 }
 

@@ -1,0 +1,76 @@
+//! Pictures of any height, painted strip by strip.
+
+use crate::{Picture, Scene};
+use mech_runtime::{Palette, Smooth, View};
+
+/// Where a picture is painted in strips `W` pixels wide and `H` high, so that a small one will do for any height. What is wider has
+/// paper at both sides.
+#[derive(Clone, Default)]
+pub struct Strips<const W: usize, const H: usize> {
+    strip: Box<Smooth<W, H>>,
+}
+
+impl<const W: usize, const H: usize> Strips<W, H> {
+    /// The colours.
+    #[must_use]
+    pub fn palette(&self) -> &Palette {
+        self.strip.palette()
+    }
+
+    /// Paints with other colours.
+    pub fn set_palette(&mut self, palette: Palette) {
+        self.strip.set_palette(palette);
+    }
+
+    /// The strip itself, cleared, with one pixel to a scene unit: for something small.
+    pub fn cleared(&mut self) -> &mut Smooth<W, H> {
+        self.strip.look_at(View::default());
+        self.strip.clear();
+        &mut self.strip
+    }
+
+    /// Paints a scene as it is seen in a picture of this size.
+    #[must_use]
+    pub fn paint(&mut self, scene: &Scene, view: View, [width, height]: [u16; 2]) -> Picture {
+        let [columns, rows] = [width, height].map(usize::from);
+        let shown = columns.min(W);
+        // Pixels of the strip to the left of what is shown, and pixels of paper to the left of that.
+        let left = (W - shown) / 2;
+        let margin = (columns - shown) / 2;
+        let paper = self.strip.palette().rgba(Palette::PAPER);
+        let mut pixels = Vec::with_capacity(columns * rows);
+        for top in (0..rows).step_by(H.max(1)) {
+            self.strip
+                .look_at(view_of_strip::<W, H>(view, [shown, rows], top));
+            self.strip.clear();
+            scene.draw(&mut *self.strip);
+            for row in self.strip.pixels().iter().take(rows - top) {
+                pixels.extend(std::iter::repeat_n(paper, margin));
+                pixels.extend(row.iter().skip(left).take(shown));
+                pixels.extend(std::iter::repeat_n(paper, columns - shown - margin));
+            }
+        }
+        Picture {
+            width,
+            height,
+            pixels,
+        }
+    }
+}
+
+/// What a strip sees whose first row is row `top` of a picture of this size.
+fn view_of_strip<const W: usize, const H: usize>(
+    view: View,
+    [width, height]: [usize; 2],
+    top: usize,
+) -> View {
+    #[expect(clippy::cast_precision_loss, reason = "a few thousand")]
+    let [height, top, strip, odd] = [height, top, H, (W - width) % 2].map(|number| number as f64);
+    let down = top + strip / 2.0 - height / 2.0;
+    let [x, y] = view.center();
+    // Where one pixel more is to the right of the picture than to its left, its middle is not the strip's.
+    View::new(
+        [x + odd / 2.0 / view.scale(), y - down / view.scale()],
+        view.scale(),
+    )
+}

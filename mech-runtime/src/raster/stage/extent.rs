@@ -1,0 +1,140 @@
+//! What something is made of, and how far it reaches.
+
+use super::item::{Item, mixed};
+use crate::raster::spans::Clip;
+use crate::raster::view::Projection;
+use crate::raster::{fixed, font};
+use crate::{Outline, Pose, Real, Scalar};
+
+/// The corners of a thing, in pixels.
+pub(super) struct Extent<T> {
+    low: [T; 2],
+    high: [T; 2],
+    mark: u64,
+    is_finite: bool,
+    is_empty: bool,
+    /// How far it reaches around its corners.
+    reach: T,
+}
+
+impl<T: Scalar> Extent<T> {
+    fn new(color: u8) -> Self {
+        Self {
+            low: [T::ZERO; 2],
+            high: [T::ZERO; 2],
+            mark: mixed(0x5851_F42D_4C95_7F2D, color.into()),
+            is_finite: true,
+            is_empty: true,
+            reach: T::ZERO,
+        }
+    }
+
+    /// Of an outline given in the frame of a link that is at `pose`.
+    pub(super) fn of_outline(
+        projection: Projection<T>,
+        outline: Outline<'_, T>,
+        pose: Pose<T>,
+        color: u8,
+    ) -> Self {
+        let place = projection.of(pose);
+        let mut extent = Self::new(color);
+        extent.reach = match outline {
+            Outline::Circle { center, radius } => {
+                extent.add(place.point(center));
+                extent.mix(1, [projection.length(radius)])
+            }
+            Outline::Ring {
+                center,
+                radius,
+                hole,
+            } => {
+                extent.add(place.point(center));
+                extent.mix(2, [hole, radius].map(|length| projection.length(length)))
+            }
+            Outline::Polygon(corners) | Outline::Winding(corners) => {
+                for &corner in corners {
+                    extent.add(place.point(corner));
+                }
+                let kind = 3 + u64::from(matches!(outline, Outline::Winding(_)));
+                extent.mix(kind, [T::ZERO])
+            }
+            Outline::Line { points, width } => {
+                for &point in points {
+                    extent.add(place.point(point));
+                }
+                extent.mix(5, [<T as Real>::HALF * projection.length(width)])
+            }
+            Outline::Arc {
+                center,
+                start,
+                angle,
+                width,
+            } => {
+                extent.add(place.point(center));
+                let [x, y] = [start[0] - center[0], start[1] - center[1]];
+                let reach = Real::sqrt(x * x + y * y) + <T as Real>::HALF * width;
+                let [u, v] = place.point(start);
+                extent.mix(6, [u, v, angle, width, projection.length(reach)])
+            }
+        };
+        extent
+    }
+
+    /// Of a text whose lower left corner is at a place in pixels.
+    pub(super) fn of_text(place: [T; 2], text: &str, color: u8) -> Self {
+        let mut extent = Self::new(color);
+        extent.add(place);
+        for character in text.chars() {
+            extent.mark = mixed(extent.mark, character.into());
+        }
+        let letters = i32::try_from(text.chars().count()).unwrap_or(i32::MAX);
+        let wide = letters.saturating_add(2).saturating_mul(font::ADVANCE);
+        extent.reach = extent.mix(7, [<T as Real>::from_i32(wide)]);
+        extent
+    }
+
+    #[inline]
+    fn add(&mut self, [x, y]: [T; 2]) {
+        self.is_finite &= Real::is_finite(x) && Real::is_finite(y);
+        if self.is_empty {
+            (self.low, self.high, self.is_empty) = ([x, y], [x, y], false);
+        }
+        self.low = [self.low[0].min(x), self.low[1].min(y)];
+        self.high = [Real::max(self.high[0], x), Real::max(self.high[1], y)];
+        self.mark = mixed(self.mark, bits(x) ^ bits(y).rotate_left(29));
+    }
+
+    /// Mixes in what else it is made of, and gives the last of these: how far it reaches around its corners.
+    fn mix<const K: usize>(&mut self, kind: u64, numbers: [T; K]) -> T {
+        self.mark = mixed(self.mark, kind);
+        for number in numbers {
+            self.mark = mixed(self.mark, bits(number));
+        }
+        numbers.last().copied().unwrap_or(T::ZERO)
+    }
+
+    /// As an item of a picture of this size.
+    pub(super) fn item(&self, [width, height]: [usize; 2]) -> Item {
+        let reach = self.reach;
+        let clip = if self.is_finite && !self.is_empty && Real::is_finite(reach) {
+            let [x, y] = [0, 1].map(|axis| [self.low[axis] - reach, self.high[axis] + reach]);
+            let (columns, rows) = (fixed::touched(x, width), fixed::touched(y, height));
+            Clip {
+                left: columns.start,
+                top: rows.start,
+                right: columns.end,
+                bottom: rows.end,
+            }
+        } else {
+            Clip::none()
+        };
+        let mark = self.mark;
+        Item { mark, clip }
+    }
+}
+
+/// The bits of a number, whatever its type; both zeros are one.
+#[inline]
+fn bits<T: Scalar>(number: T) -> u64 {
+    Real::to_f64(number + T::ZERO).to_bits()
+}
