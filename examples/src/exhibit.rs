@@ -2,6 +2,7 @@
 
 use crate::played::Played;
 use crate::{Easel, Effects, Film, Graphs, Layer, Layers, Playable, Scene, Stuck};
+use mech_gallery::Exhibited;
 use mech_runtime::{Blocked, Mechanism};
 
 /// Frames in most films: enough for one turn of a crank to look smooth.
@@ -123,6 +124,24 @@ impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Showcase<M> {
 
     fn layers(&self) -> Layers {
         Layers::of(&[Layer::Shapes])
+    }
+}
+
+impl<M: Exhibited<Scalar = f64>> Showcase<M> {
+    /// A mechanism that says itself how it moves, without a title, a caption and effects, in a film of [`FRAMES`], of which the
+    /// first is its still picture.
+    #[must_use]
+    pub fn untitled() -> Self {
+        Self {
+            slug: M::SLUG,
+            title: "",
+            caption: "",
+            source: M::SOURCE,
+            motion: M::motion,
+            frames: FRAMES,
+            still: 0.0,
+            effects: None,
+        }
     }
 }
 

@@ -1,9 +1,9 @@
 //! The exhibits against numbers that were computed elsewhere.
 
-use mech_examples::FRAMES;
-use mech_examples::gallery::four_bar::CrankRocker;
-use mech_examples::gallery::geared_piston::GearedPiston;
-use mech_examples::gallery::{self, rocker_arm::RockerArm, watt::Watt};
+use mech_examples::{FRAMES, gallery};
+use mech_gallery::four_bar::CrankRocker;
+use mech_gallery::geared_piston::GearedPiston;
+use mech_gallery::{Exhibited, Visitor, rocker_arm::RockerArm, visit_f64, watt::Watt};
 use mech_runtime::Point2;
 
 fn near(found: Point2<f64>, [x, y]: [f64; 2], tolerance: f64) {
@@ -39,6 +39,22 @@ fn slugs_are_unique() {
                 .all(|other| other.slug() != exhibit.slug())
         );
     }
+}
+
+/// Nothing that is declared is left out, and nothing hangs in another order than it is visited.
+#[test]
+fn every_mechanism_hangs() {
+    struct Slugs(Vec<&'static str>);
+    impl Visitor for Slugs {
+        fn visit<M: Exhibited>(&mut self) {
+            self.0.push(M::SLUG);
+        }
+    }
+    let mut visited = Slugs(Vec::new());
+    visit_f64(&mut visited);
+    let exhibits = gallery::exhibits();
+    let hanging: Vec<_> = exhibits.iter().map(|exhibit| exhibit.slug()).collect();
+    assert_eq!(hanging, visited.0);
 }
 
 #[test]

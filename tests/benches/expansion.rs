@@ -13,25 +13,28 @@ const THRESHOLD: f64 = 5.0;
 const GALLERY: [(&str, &str); 6] = [
     (
         "andrews",
-        include_str!("../../examples/src/gallery/andrews.rs"),
+        include_str!("../../examples/mechanisms/src/andrews.rs"),
     ),
     (
         "four_bar",
-        include_str!("../../examples/src/gallery/four_bar.rs"),
+        include_str!("../../examples/mechanisms/src/four_bar.rs"),
     ),
     (
         "geared_piston",
-        include_str!("../../examples/src/gallery/geared_piston.rs"),
+        include_str!("../../examples/mechanisms/src/geared_piston.rs"),
     ),
     (
         "jansen",
-        include_str!("../../examples/src/gallery/jansen.rs"),
+        include_str!("../../examples/mechanisms/src/jansen.rs"),
     ),
     (
         "rocker_arm",
-        include_str!("../../examples/src/gallery/rocker_arm.rs"),
+        include_str!("../../examples/mechanisms/src/rocker_arm.rs"),
     ),
-    ("watt", include_str!("../../examples/src/gallery/watt.rs")),
+    (
+        "watt",
+        include_str!("../../examples/mechanisms/src/watt.rs"),
+    ),
 ];
 
 fn main() {

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{Threshold, compare};
-use mech_examples::gallery::{
+use mech_gallery::{
     andrews::AndrewsSqueezer, four_bar::CrankRocker, geared_piston::GearedPiston,
     jansen::JansenLeg, watt::Watt,
 };

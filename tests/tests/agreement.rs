@@ -5,7 +5,6 @@ mod zoo;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Model};
 use mech_compiler::{Compiled, model::LinkId};
-use mech_examples::gallery;
 use mech_runtime::{Mechanism, Real};
 use mech_tests::{mechanisms, size, with_ground, worst_gap, worst_stretch};
 use std::f64::consts::{PI, TAU};
@@ -149,12 +148,12 @@ fn turn_all_three(phase: f64) -> Vec<f64> {
 }
 
 cases! {
-    geared_piston: gallery::geared_piston::GearedPiston, "../../examples/src/gallery/geared_piston.rs", |phase| vec![2.0 * phase * TAU];
-    crank_rocker: gallery::four_bar::CrankRocker, "../../examples/src/gallery/four_bar.rs", turn;
-    watt: gallery::watt::Watt, "../../examples/src/gallery/watt.rs", turn;
-    andrews: gallery::andrews::AndrewsSqueezer, "../../examples/src/gallery/andrews.rs", turn;
-    jansen: gallery::jansen::JansenLeg, "../../examples/src/gallery/jansen.rs", turn;
-    rocker_arm: gallery::rocker_arm::RockerArm, "../../examples/src/gallery/rocker_arm.rs", turn_all_three;
+    geared_piston: mech_gallery::geared_piston::GearedPiston, "../../examples/mechanisms/src/geared_piston.rs", |phase| vec![2.0 * phase * TAU];
+    crank_rocker: mech_gallery::four_bar::CrankRocker, "../../examples/mechanisms/src/four_bar.rs", turn;
+    watt: mech_gallery::watt::Watt, "../../examples/mechanisms/src/watt.rs", turn;
+    andrews: mech_gallery::andrews::AndrewsSqueezer, "../../examples/mechanisms/src/andrews.rs", turn;
+    jansen: mech_gallery::jansen::JansenLeg, "../../examples/mechanisms/src/jansen.rs", turn;
+    rocker_arm: mech_gallery::rocker_arm::RockerArm, "../../examples/mechanisms/src/rocker_arm.rs", turn_all_three;
     slanted_guide: zoo::SlantedGuide, "zoo/mod.rs", turn;
     quick_return: zoo::QuickReturn, "zoo/mod.rs", turn;
     trammel: zoo::Trammel, "zoo/mod.rs", to_and_fro;
@@ -221,7 +220,7 @@ fn a_loop_on_a_moving_carrier_is_the_same_loop() {
 
 #[test]
 fn bad_values_leave_everything_as_it_was() {
-    let mut mechanism = gallery::four_bar::CrankRocker::new();
+    let mut mechanism = mech_gallery::four_bar::CrankRocker::new();
     mechanism.move_to([1.0]).unwrap();
     let before = mechanism;
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -251,7 +250,7 @@ fn bad_values_leave_everything_as_it_was() {
 fn every_joint_of_the_model_has_two_different_links() {
     for source in [
         include_str!("zoo/mod.rs"),
-        include_str!("../../examples/src/gallery/andrews.rs"),
+        include_str!("../../examples/mechanisms/src/andrews.rs"),
     ] {
         for (model, _) in mechanisms(source) {
             for joint in model.joint_ids() {

@@ -2,7 +2,7 @@
 //!
 //! `UPDATE_PICTURES=1 cargo test --release -p mech-tests --test pictures` makes them anew.
 
-use mech_examples::gallery::{
+use mech_gallery::{
     andrews::AndrewsSqueezer, crane::LuffingCrane, four_bar::CrankRocker,
     geared_piston::GearedPiston, jansen::JansenLeg, velocities::CouplerCurve, watt::Watt,
 };

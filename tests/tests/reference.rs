@@ -9,8 +9,8 @@
     reason = "the digits stand as their sources print them"
 )]
 
-use mech_examples::gallery::andrews::AndrewsSqueezer;
-use mech_examples::gallery::jansen::JansenLeg;
+use mech_gallery::andrews::AndrewsSqueezer;
+use mech_gallery::jansen::JansenLeg;
 use mech_runtime::{Isometry2, Point2, mechanism};
 use std::f64::consts::{PI, TAU};
 

@@ -1,6 +1,5 @@
 //! Shapes and views that a mechanism declares.
 
-use mech_examples::gallery;
 use mech_runtime::{Canvas, Frame, Mechanism, Outline, Palette, Pose, Smooth, mechanism, raster};
 use proptest::prelude::*;
 
@@ -142,9 +141,9 @@ proptest! {
                 assert!(off.fold(0.0, f64::max) <= slack, "{} at {angle}: {:?} of {:?}", M::NAME, bounds.0, M::EXTENT);
             }
         }
-        check::<gallery::geared_piston::GearedPiston>(&angles);
-        check::<gallery::four_bar::CrankRocker>(&angles);
-        check::<gallery::andrews::AndrewsSqueezer>(&angles);
-        check::<gallery::jansen::JansenLeg>(&angles);
+        check::<mech_gallery::geared_piston::GearedPiston>(&angles);
+        check::<mech_gallery::four_bar::CrankRocker>(&angles);
+        check::<mech_gallery::andrews::AndrewsSqueezer>(&angles);
+        check::<mech_gallery::jansen::JansenLeg>(&angles);
     }
 }

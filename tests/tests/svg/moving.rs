@@ -2,12 +2,12 @@
 
 use crate::player::{Player, carried};
 use crate::{expected, numbers, points};
-use mech_examples::gallery::andrews::AndrewsSqueezer;
-use mech_examples::gallery::four_bar::CrankRocker;
-use mech_examples::gallery::geared_piston::GearedPiston;
-use mech_examples::gallery::jansen::JansenLeg;
-use mech_examples::gallery::rocker_arm::RockerArm;
-use mech_examples::gallery::watt::Watt;
+use mech_gallery::andrews::AndrewsSqueezer;
+use mech_gallery::four_bar::CrankRocker;
+use mech_gallery::geared_piston::GearedPiston;
+use mech_gallery::jansen::JansenLeg;
+use mech_gallery::rocker_arm::RockerArm;
+use mech_gallery::watt::Watt;
 use mech_runtime::files::{AnimatedSvg, Sheet, animated};
 use mech_runtime::{Blocked, Canvas, Mechanism, Outline, Palette, Pose, Scalar, View, mechanism};
 use mech_tests::Dice;

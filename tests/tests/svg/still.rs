@@ -1,8 +1,8 @@
 //! Stills: away from edges and slivers pixels have the colour that the rasteriser gives them, eight times as large.
 
-use mech_examples::gallery::four_bar::CrankRocker;
-use mech_examples::gallery::geared_piston::GearedPiston;
-use mech_examples::gallery::jansen::JansenLeg;
+use mech_gallery::four_bar::CrankRocker;
+use mech_gallery::geared_piston::GearedPiston;
+use mech_gallery::jansen::JansenLeg;
 use mech_runtime::files::{Sheet, Svg};
 use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Scalar, View};
 use proptest::prelude::*;

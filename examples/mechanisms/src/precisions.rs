@@ -1,0 +1,43 @@
+//! One declaration, two precisions.
+
+/// Declares a mechanism as [`mech_runtime::mechanism!`] does, in `f64`, and in a module `single` once more in `f32`. It takes a
+/// declaration that names no precision.
+macro_rules! mechanism {
+    ($(#[$($attribute:tt)*])* pub struct $mechanism:ident; $($body:tt)*) => {
+        mech_runtime::mechanism! {
+            $(#[$($attribute)*])*
+            pub struct $mechanism: f64;
+            $($body)*
+        }
+
+        /// The same in single precision.
+        pub mod single {
+            mech_runtime::mechanism! {
+                $(#[$($attribute)*])*
+                pub struct $mechanism: f32;
+                $($body)*
+            }
+        }
+    };
+}
+
+/// Makes a mechanism [`Exhibited`](crate::Exhibited), in both precisions: by its slug, its source and the function that gives
+/// its motors' values in `f64`.
+macro_rules! exhibited {
+    ($mechanism:ident, $slug:literal, $source:expr, $motion:ident) => {
+        $crate::precisions::exhibited!(in f64: $mechanism, $slug, $source, $motion);
+        $crate::precisions::exhibited!(in f32: single::$mechanism, $slug, $source, $motion);
+    };
+    (in $float:ident: $mechanism:path, $slug:literal, $source:expr, $motion:ident) => {
+        impl $crate::Exhibited for $mechanism {
+            const SLUG: &'static str = $slug;
+            const SOURCE: &'static str = $source;
+
+            fn motion(phase: f64) -> Self::Motors {
+                $motion(phase).map(<$float as mech_runtime::Real>::from_f64)
+            }
+        }
+    };
+}
+
+pub(crate) use {exhibited, mechanism};

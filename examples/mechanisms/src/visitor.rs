@@ -1,0 +1,37 @@
+//! All mechanisms, one after the other, each as the type it is.
+
+use crate::{
+    Exhibited, andrews, crane, diagram, four_bar, geared_piston, jansen, rocker_arm, velocities,
+    watt,
+};
+
+/// Does something with each mechanism of the gallery.
+pub trait Visitor {
+    /// Does it with this one.
+    fn visit<M: Exhibited>(&mut self);
+}
+
+/// Shows a visitor all mechanisms, or those of that name in a submodule of theirs.
+macro_rules! visit_all {
+    ($visitor:ident $(, $single:ident)?) => {
+        $visitor.visit::<geared_piston::$($single::)?GearedPiston>();
+        $visitor.visit::<diagram::$($single::)?PistonDiagram>();
+        $visitor.visit::<four_bar::$($single::)?CrankRocker>();
+        $visitor.visit::<velocities::$($single::)?CouplerCurve>();
+        $visitor.visit::<watt::$($single::)?Watt>();
+        $visitor.visit::<andrews::$($single::)?AndrewsSqueezer>();
+        $visitor.visit::<jansen::$($single::)?JansenLeg>();
+        $visitor.visit::<rocker_arm::$($single::)?RockerArm>();
+        $visitor.visit::<crane::$($single::)?LuffingCrane>();
+    };
+}
+
+/// Shows a visitor all mechanisms in double precision, in the order in which they hang.
+pub fn visit_f64(visitor: &mut impl Visitor) {
+    visit_all!(visitor);
+}
+
+/// Shows a visitor all mechanisms in single precision, in the same order.
+pub fn visit_f32(visitor: &mut impl Visitor) {
+    visit_all!(visitor, single);
+}
