@@ -2,7 +2,7 @@
 
 use super::{Motors, Position, Stop, finite};
 use crate::{Blocked, Cause, Reached, Scalar};
-use mech_core::journey::{self, AtZero, Halt, Journey, Watch};
+use mech_core::journey::{self, AtZero, Journey, Watch};
 use mech_core::motors;
 
 /// A loop in closed form that has dead points or change points.
@@ -27,6 +27,8 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub watched: [Watched<T, MOTORS>; WATCHED],
     /// Where the senses of the motors are kept, if a loop passes change points.
     pub senses: Option<usize>,
+    /// Whether a position depends on the motors alone: every loop is closed in closed form, and nothing is carried.
+    pub function: bool,
     /// Whether steps that fail are subdivided.
     pub subdivides: bool,
     /// Whether something may move beyond the range of the numbers.
@@ -65,33 +67,34 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> Course<T, MOTORS, WAT
         from: &Motors<T, MOTORS>,
         to: &Motors<T, MOTORS>,
     ) -> Option<(Stop, Motors<T, MOTORS>)> {
-        let (start, end, way) = (from.total(), to.total(), from.way_to(to));
-        let mut first: Option<(usize, T)> = None;
-        for (motor, [low, high]) in self.range.iter().flatten().enumerate() {
-            let bound = if end[motor] < *low {
+        let range = self.range.as_ref()?;
+        let (start, end, ways) = (from.total(), to.total(), from.way_to(to));
+        let mut first: Option<(usize, T, T)> = None;
+        let motors = range.iter().zip(start).zip(end).zip(ways);
+        for (motor, ((([low, high], start), end), way)) in motors.enumerate() {
+            let bound = if end < *low {
                 *low
-            } else if end[motor] > *high {
+            } else if end > *high {
                 *high
             } else {
                 continue;
             };
-            let part = (bound - start[motor]) / way[motor];
-            if first.is_none_or(|(_, least)| part < least) {
-                first = Some((motor, part));
+            let part = (bound - start) / way;
+            if first.is_none_or(|(_, least, _)| part < least) {
+                first = Some((motor, part, bound));
             }
         }
-        let (motor, part) = first?;
+        let (motor, part, bound) = first?;
         let mut reached = start;
-        for (value, way) in reached.iter_mut().zip(way) {
+        for (value, way) in reached.iter_mut().zip(ways) {
             *value += way * part;
         }
         // Not a rounding beyond the end of its range.
-        let [low, high] = self.range?[motor];
-        reached[motor] = if end[motor] < low { low } else { high };
-        Some((
-            Stop::new(self.names[motor], Cause::OutOfRange),
-            Motors::new(reached),
-        ))
+        if let Some(value) = reached.get_mut(motor) {
+            *value = bound;
+        }
+        let name = self.names.get(motor).copied().unwrap_or_default();
+        Some((Stop::new(name, Cause::OutOfRange), Motors::new(reached)))
     }
 }
 
@@ -274,6 +277,12 @@ pub fn advance<T, const M: usize, const L: usize, const K: usize, const W: usize
 where
     T: Scalar,
 {
+    // Without an operating system memory is scarce: there all moves share one step.
+    #[cfg(not(feature = "std"))]
+    let near = {
+        let _ = near;
+        &step
+    };
     if target.is_within(course.reach) && course.contains(&target) {
         if course.is_free() {
             if let Ok(there) = near(position, target)
@@ -311,17 +320,23 @@ where
     if let Err(stop) = finite(target.values, &course.names) {
         return Err(position.refuse(stop));
     }
-    let start = *position;
-    if let Some((stop, reached)) = course.leaves(&start.motors, &target) {
+    if let Some((stop, reached)) = course.leaves(&position.motors, &target) {
         return Err(Blocked::new(stop.place, stop.cause, reached.total()));
     }
+    if course.function {
+        let way = Way::new(course, position, target, step);
+        let there = journey::straight(|part| way.to(position, way.motors(part)));
+        *position = there.map_err(|(part, stop)| blocked(&way, part, stop))?;
+        return Ok(());
+    }
+    let start = *position;
     let way = Way::new(course, &start, target, step);
     match journey::go(&way, &start) {
         Ok(there) => {
             *position = there;
             Ok(())
         }
-        Err(halt) => Err(blocked(&way, &halt)),
+        Err(halt) => Err(blocked(&way, halt.part, halt.stop)),
     }
 }
 
@@ -357,7 +372,7 @@ where
         }
         Err(halt) => {
             *position = halt.position;
-            Ok(Reached::Limit(blocked(&way, &halt)))
+            Ok(Reached::Limit(blocked(&way, halt.part, halt.stop)))
         }
     }
 }
@@ -365,12 +380,12 @@ where
 #[cold]
 fn blocked<T, const M: usize, const L: usize, const K: usize, const W: usize, S>(
     way: &Way<'_, T, M, L, K, W, S>,
-    halt: &Halt<Position<T, M, L, K>, Stop, T>,
+    part: T,
+    stop: Stop,
 ) -> Blocked<[T; M]>
 where
     T: Scalar,
     S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 {
-    let reached = way.motors(halt.part).total();
-    Blocked::new(halt.stop.place, halt.stop.cause, reached)
+    Blocked::new(stop.place, stop.cause, way.motors(part).total())
 }

@@ -50,6 +50,12 @@ where
     T: Scalar,
     R: Rates,
 {
+    // As in `advance`.
+    #[cfg(not(feature = "std"))]
+    let near = {
+        let _ = near;
+        &far
+    };
     if target.is_within(course.reach)
         && course.contains(&target)
         && let Ok((mut there, rates)) = near(position, target)

@@ -69,7 +69,10 @@ impl<T: Scalar, P: Fn(usize) -> [T; 2]> Stroke<T, P> {
     /// The next part that has a length, after the last again the first; none if none has.
     fn part_after(&self, number: usize) -> Option<Part<T>> {
         let all = 2 * self.parts;
-        (1..=all).find_map(|ahead| self.part((number + ahead - usize::from(number >= all)) % all))
+        let next = number.saturating_add(1);
+        (next..all)
+            .chain(0..all.min(next))
+            .find_map(|number| self.part(number))
     }
 
     fn part(&self, number: usize) -> Option<Part<T>> {

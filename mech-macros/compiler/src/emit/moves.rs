@@ -50,6 +50,7 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
         }
     };
     let (subdivides, overflows) = (program.subdivides(), program.overflows);
+    let function = program.is_function();
     let reach = if takes_sines(program) {
         number(program.precision, reach(program, plan))
     } else {
@@ -78,6 +79,7 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             names: [#(#names),*],
             watched: [#(#watched),*],
             senses: #senses,
+            function: #function,
             subdivides: #subdivides,
             overflows: #overflows,
             reach: #reach,

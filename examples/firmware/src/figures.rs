@@ -1,0 +1,59 @@
+//! What a subject costs on this processor.
+
+use crate::board::{Clock, exit, stack_of};
+use crate::subject::{Picture, Subject};
+use crate::Line;
+use core::array;
+use mech_probes::{STEPS, phase};
+
+/// A frame is drawn for every tenth step.
+const STRIDE: usize = 10;
+
+/// Moves a subject through its motion and draws it, measures that, prints it and ends: with a failure if something was in the way.
+pub fn figures<S: Subject>() -> ! {
+    exit(told::<S>().is_some())
+}
+
+fn told<S: Subject>() -> Option<()> {
+    let mut clock = Clock::take()?;
+    let mut picture = Picture::new();
+    let mut subject = S::new();
+    let motion: [S::Motors; STEPS] = array::from_fn(|step| S::motion(phase(step)));
+
+    let mut moved = true;
+    let position = clock.instructions(|| {
+        for motors in &motion {
+            moved &= subject.move_to(*motors);
+        }
+    });
+    let frame = clock.instructions(|| {
+        for motors in motion.iter().step_by(STRIDE) {
+            moved &= subject.move_to(*motors);
+            subject.draw(&mut picture);
+        }
+    });
+    let stack_of_position = stack_of(|| {
+        for motors in &motion {
+            moved &= subject.move_to(*motors);
+        }
+    });
+    let stack_of_drawing = stack_of(|| {
+        for motors in motion.iter().step_by(STRIDE) {
+            moved &= subject.move_to(*motors);
+            subject.draw(&mut picture);
+        }
+    });
+
+    let steps = STEPS as u32;
+    let frames = (STEPS / STRIDE) as u32;
+    for (name, value) in [
+        ("state", S::state() as u32),
+        ("position", (position + steps / 2) / steps),
+        ("frame", (frame + frames / 2) / frames),
+        ("stack", stack_of_position),
+        ("stack-drawing", stack_of_drawing),
+    ] {
+        Line::new().text(name).number(value).print().ok()?;
+    }
+    moved.then_some(())
+}

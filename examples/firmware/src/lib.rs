@@ -1,0 +1,30 @@
+//! What the images of this workspace have in common: the board, a way to print, and what is measured.
+//!
+//! Nothing here can panic: [`panic_never`] makes a panic that can be reached an error of the linker.
+#![no_std]
+#![forbid(unsafe_code)]
+
+use panic_never as _;
+
+mod board;
+mod figures;
+mod line;
+mod printer;
+mod subject;
+
+pub use board::{entry, exit};
+pub use figures::figures;
+pub use line::Line;
+pub use printer::Printer;
+pub use subject::{Drawn, Moved, Nothing, Subject};
+
+/// An image that measures a [`Subject`].
+#[macro_export]
+macro_rules! measure {
+    ($subject:ty) => {
+        #[$crate::entry]
+        fn main() -> ! {
+            $crate::figures::<$subject>()
+        }
+    };
+}

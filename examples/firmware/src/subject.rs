@@ -1,0 +1,109 @@
+//! What is measured.
+
+use core::f64::consts::TAU;
+use core::hint::black_box;
+use mech_probes::Probed;
+use mech_runtime::{Frame, Real};
+
+/// The picture that is drawn: as many small displays have.
+pub type Picture = Frame<240, 240>;
+
+/// What is measured: something that moves, and is perhaps drawn.
+pub trait Subject {
+    /// The values of its motors.
+    type Motors: Copy;
+
+    /// As it is at the start.
+    fn new() -> Self;
+    /// The values of its motors at a phase of its motion, in `0.0..1.0`.
+    fn motion(phase: f64) -> Self::Motors;
+    /// Moves it. Whether it could.
+    fn move_to(&mut self, motors: Self::Motors) -> bool;
+    /// Draws it.
+    fn draw(&self, picture: &mut Picture);
+    /// Bytes of its state.
+    fn state() -> usize {
+        0
+    }
+}
+
+/// Nothing: what an image takes that has no mechanism in it.
+pub struct Nothing;
+
+impl Subject for Nothing {
+    type Motors = ();
+
+    fn new() -> Self {
+        Self
+    }
+
+    fn motion(phase: f64) {
+        // What others need to know their motion is no part of what they cost.
+        black_box(Real::sin_cos(phase * TAU));
+        black_box(Real::to_f64(<f32 as Real>::from_f64(phase)));
+    }
+
+    fn move_to(&mut self, (): ()) -> bool {
+        black_box(true)
+    }
+
+    fn draw(&self, _: &mut Picture) {}
+}
+
+/// A mechanism that moves.
+pub struct Moved<M>(M);
+
+impl<M: Probed> Subject for Moved<M> {
+    type Motors = M::Motors;
+
+    fn new() -> Self {
+        Self(M::new())
+    }
+
+    fn motion(phase: f64) -> M::Motors {
+        M::motion(phase)
+    }
+
+    // One function that is called, as in a program that has other things to do.
+    #[inline(never)]
+    fn move_to(&mut self, motors: M::Motors) -> bool {
+        self.0.move_to(motors).is_ok()
+    }
+
+    fn draw(&self, _: &mut Picture) {
+        black_box(self.0.poses());
+    }
+
+    fn state() -> usize {
+        size_of::<M>()
+    }
+}
+
+/// A mechanism that moves and is drawn.
+pub struct Drawn<M>(Moved<M>);
+
+impl<M: Probed> Subject for Drawn<M> {
+    type Motors = M::Motors;
+
+    fn new() -> Self {
+        Self(Moved::new())
+    }
+
+    fn motion(phase: f64) -> M::Motors {
+        M::motion(phase)
+    }
+
+    fn move_to(&mut self, motors: M::Motors) -> bool {
+        self.0.move_to(motors)
+    }
+
+    #[inline(never)]
+    fn draw(&self, picture: &mut Picture) {
+        picture.clear();
+        self.0.0.draw(picture);
+    }
+
+    fn state() -> usize {
+        Moved::<M>::state()
+    }
+}

@@ -1,0 +1,40 @@
+//! What a mechanism looks like.
+
+use crate::panel::sum;
+use crate::{Listener, Panel, Probed, STEPS, phase, precision};
+use mech_runtime::Frame;
+use mech_runtime::raster::embedded::{Screen, rgb};
+
+/// A picture is looked at after every so many steps.
+const STRIDE: usize = 60;
+
+/// Moves a mechanism through its motion and tells check sums of some pictures of it: on a frame, on a display that it is painted on
+/// itself, and on one that shows the frame.
+pub fn pictures<M: Probed>(listener: &mut impl Listener) {
+    let mut mechanism = M::new();
+    let view = M::view(Panel::SIDE, Panel::SIDE);
+    let mut frame = Frame::<{ Panel::SIDE }, { Panel::SIDE }>::new();
+    let mut panel = Panel::new();
+    frame.look_at(view);
+    for step in 0..STEPS {
+        let moved = mechanism.move_to(M::motion(phase(step)));
+        if moved.is_err() || !step.is_multiple_of(STRIDE) {
+            continue;
+        }
+        listener.begin("picture", M::LABEL, precision::<M>());
+
+        frame.clear();
+        mechanism.draw(&mut frame);
+        listener.word(sum(frame.pixels().iter().flatten().copied().map(u16::from)));
+
+        let mut screen = Screen::new(&mut panel, view, rgb);
+        screen.clear();
+        mechanism.draw(&mut screen);
+        let Ok(()) = screen.finish();
+        listener.word(panel.sum());
+
+        let Ok(()) = frame.show(&mut panel, rgb);
+        listener.word(panel.sum());
+        listener.end();
+    }
+}
