@@ -139,6 +139,12 @@ impl Real for DoubleDouble {
         f64::from(value).into()
     }
 
+    #[allow(clippy::cast_precision_loss, reason = "the halves are exact")]
+    fn from_i64(value: i64) -> Self {
+        let low = value & 0xFFFF_FFFF;
+        Self::sum((value - low) as f64, low as f64)
+    }
+
     fn of_phase(phase: Phase) -> (i64, Self) {
         let part = |bits: u64| f64::from(u32::try_from(bits).unwrap_or_default());
         let fraction = phase.fraction();
@@ -155,6 +161,11 @@ impl Real for DoubleDouble {
 
     fn to_f64(self) -> f64 {
         self.high
+    }
+
+    #[allow(clippy::cast_possible_truncation, reason = "that is what is asked for")]
+    fn to_i32(self) -> i32 {
+        self.high as i32
     }
 
     fn abs(self) -> Self {

@@ -3,9 +3,33 @@
 //! The angle comes in two parts, a float and what its rounding lost. The coefficients are minimax fits (Remez, one
 //! coefficient rounded at a time): the error of the sine is relative to the sine, that of the cosine to one.
 
+/// An angle as a number of right angles and what is left of it: `high + low` in radians.
+pub(crate) struct Rest<T, Bits> {
+    /// |high| <= pi/4, or a little more by what is rounded.
+    pub(crate) high: T,
+    /// Half an ulp of one at most.
+    pub(crate) low: T,
+    /// The last two bits of it count right angles.
+    pub(crate) quadrant: Bits,
+}
+
+impl Rest<f64, u64> {
+    #[inline]
+    pub(crate) fn sin_cos(self) -> (f64, f64) {
+        turned_f64(between_diagonals_f64(self.high, self.low), self.quadrant)
+    }
+}
+
+impl Rest<f32, u32> {
+    #[inline]
+    pub(crate) fn sin_cos(self) -> (f32, f32) {
+        turned_f32(between_diagonals_f32(self.high, self.low), self.quadrant)
+    }
+}
+
 /// Sine and cosine of `high + low` for |high| <= pi/4 and |low| <= 2^-53.
 #[inline]
-pub(crate) fn between_diagonals_f64(high: f64, low: f64) -> (f64, f64) {
+fn between_diagonals_f64(high: f64, low: f64) -> (f64, f64) {
     // Relative error 2^-57.9.
     const SIN: [f64; 6] = [
         -0.166_666_666_666_666_3,
@@ -44,7 +68,7 @@ pub(crate) fn between_diagonals_f64(high: f64, low: f64) -> (f64, f64) {
 
 /// Sine and cosine of `high + low` for |high| <= pi/4 and |low| of half an ulp of it.
 #[inline]
-pub(crate) fn between_diagonals_f32(high: f32, low: f32) -> (f32, f32) {
+fn between_diagonals_f32(high: f32, low: f32) -> (f32, f32) {
     // Relative error 2^-27.9.
     const SIN: [f32; 3] = [-0.166_666_55, 0.008_332_189, -0.000_195_182_9];
     // Absolute error 2^-33.
@@ -64,7 +88,7 @@ pub(crate) fn between_diagonals_f32(high: f32, low: f32) -> (f32, f32) {
 
 /// Turns a direction by as many right angles as the last two bits of `quadrant` say, without a branch.
 #[inline]
-pub(crate) fn turned_f64((sine, cosine): (f64, f64), quadrant: u64) -> (f64, f64) {
+fn turned_f64((sine, cosine): (f64, f64), quadrant: u64) -> (f64, f64) {
     let (sine, cosine) = (sine.to_bits(), cosine.to_bits());
     let swap = (sine ^ cosine) & (quadrant & 1).wrapping_neg();
     let sine_sign = (quadrant & 2) << 62;
@@ -77,7 +101,7 @@ pub(crate) fn turned_f64((sine, cosine): (f64, f64), quadrant: u64) -> (f64, f64
 
 /// Turns a direction by as many right angles as the last two bits of `quadrant` say, without a branch.
 #[inline]
-pub(crate) fn turned_f32((sine, cosine): (f32, f32), quadrant: u32) -> (f32, f32) {
+fn turned_f32((sine, cosine): (f32, f32), quadrant: u32) -> (f32, f32) {
     let (sine, cosine) = (sine.to_bits(), cosine.to_bits());
     let swap = (sine ^ cosine) & (quadrant & 1).wrapping_neg();
     let sine_sign = (quadrant & 2) << 30;

@@ -17,7 +17,9 @@ pub mod journey;
 mod kernel;
 pub mod motors;
 mod phase;
+mod power;
 mod real;
+mod reduction;
 pub mod trig;
 
 pub use phase::Phase;

@@ -12,24 +12,60 @@ pub fn way<T: Real>((from, turns): (T, i32), (to, more): (T, i32)) -> T {
     }
 }
 
-/// What a part of so many whole turns comes to, less whole turns: an angle in radians. Exact up to the last rounding.
+/// What a part of so many whole turns comes to, less whole turns: an angle in radians. The part is exact, rounded is only what
+/// it is in radians. The denominator is positive; if it is not, there is no such part, and the angle is zero.
 #[inline]
 #[must_use]
 pub fn turned<T: Real>(turns: i32, numerator: i64, denominator: i64) -> T {
-    if turns == 0 {
+    let Some(numerator) = numerator.checked_rem_euclid(denominator) else {
+        return T::ZERO;
+    };
+    if turns == 0 || denominator < 0 {
         return T::ZERO;
     }
-    let (turns, numerator, denominator) = (
-        i128::from(turns),
-        i128::from(numerator),
-        i128::from(denominator),
-    );
-    let rest = (turns * numerator)
-        .checked_rem_euclid(denominator)
-        .unwrap_or(0);
-    #[expect(clippy::cast_precision_loss, reason = "a fraction of a turn, rounded")]
-    let part = rest as f64 / denominator as f64;
-    T::TURN * T::from_f64(part)
+    // Nearly every ratio is so small that one division of a processor of 32 bits does it.
+    let (rest, denominator) = match (u16::try_from(numerator), u16::try_from(denominator)) {
+        (Ok(numerator), Ok(denominator)) => {
+            let rest = small_rest(turns, numerator, denominator);
+            (T::from_i32(rest.into()), T::from_i32(denominator.into()))
+        }
+        _ => {
+            let rest = rest(turns, numerator, denominator);
+            (T::from_i64(rest), T::from_i64(denominator))
+        }
+    };
+    T::TURN * (rest / denominator)
+}
+
+/// `turns * numerator` less whole multiples of the denominator, which is greater than the numerator.
+#[inline]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "what is left is less than the denominator"
+)]
+fn small_rest(turns: i32, numerator: u16, denominator: u16) -> u16 {
+    let turns = turns.checked_rem_euclid(denominator.into()).unwrap_or(0);
+    let product = turns.unsigned_abs().wrapping_mul(numerator.into());
+    product.checked_rem(denominator.into()).unwrap_or(0) as u16
+}
+
+/// The same for any denominator, bit by bit of the turns: the product may have more bits than there are.
+fn rest(turns: i32, numerator: i64, denominator: i64) -> i64 {
+    let less = |sum: i64| if sum < 0 { sum + denominator } else { sum };
+    let back = denominator - numerator;
+    let mut rest = 0;
+    for bit in (0..i32::BITS).rev() {
+        // Twice it, and then the numerator more, each less the denominator at once: so nothing overflows.
+        rest = less(rest - (denominator - rest));
+        if turns.unsigned_abs() >> bit & 1 == 1 {
+            rest = less(rest - back);
+        }
+    }
+    if turns < 0 && rest > 0 {
+        denominator - rest
+    } else {
+        rest
+    }
 }
 
 /// By how much a quantity changes at most whose rates with the motors are no greater than these.

@@ -29,10 +29,14 @@ pub trait Real:
     fn from_f64(value: f64) -> Self;
     /// The nearest number of this type.
     fn from_i32(value: i32) -> Self;
+    /// The nearest number of this type.
+    fn from_i64(value: i64) -> Self;
     /// A phase as the nearest whole number of turns, and the rest in radians.
     fn of_phase(phase: Phase) -> (i64, Self);
     /// The number itself.
     fn to_f64(self) -> f64;
+    /// What is before the point: the nearest `i32` if that is none, zero if it is not a number.
+    fn to_i32(self) -> i32;
     /// The absolute value.
     #[must_use]
     fn abs(self) -> Self;
@@ -89,6 +93,12 @@ macro_rules! real {
             }
 
             #[inline]
+            #[allow(clippy::cast_precision_loss, reason = "rounding is what is asked for")]
+            fn from_i64(value: i64) -> Self {
+                value as Self
+            }
+
+            #[inline]
             fn of_phase(phase: Phase) -> (i64, Self) {
                 phase.$split()
             }
@@ -96,6 +106,15 @@ macro_rules! real {
             #[inline]
             fn to_f64(self) -> f64 {
                 f64::from(self)
+            }
+
+            #[inline]
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "out of range it stops at the limits, and no number is none"
+            )]
+            fn to_i32(self) -> i32 {
+                self as i32
             }
 
             #[inline]

@@ -1,8 +1,9 @@
 //! Sine and cosine of an angle in radians.
 //!
 //! Up to a limit of many thousand turns ([`LIMIT_F64`], [`LIMIT_F32`]) they are computed without a branch, a table or a
-//! fused operation, so that a loop over them vectorises on any processor; beyond it they are libm's. The `within` functions
-//! leave the test of the limit to the caller, who can do it once for a whole array:
+//! fused operation, so that a loop over them vectorises on any processor; beyond it the angle is first reduced in whole numbers,
+//! exactly, whatever its size. The `within` functions leave the test of the limit to the caller, who can do it once for a whole
+//! array:
 //!
 //! ```
 //! use mech_core::trig::{LIMIT_F64, sin_cos_within_f64};
@@ -16,7 +17,8 @@
 //! assert_eq!(sines[1], 0.479425538604203);
 //! ```
 
-use crate::kernel::{between_diagonals_f32, between_diagonals_f64, turned_f32, turned_f64};
+use crate::kernel::Rest;
+use crate::reduction::{rest_of_f32, rest_of_f64};
 
 /// The greatest angle that [`sin_cos_within_f64`] takes: 2^18 right angles, 65536 turns.
 pub const LIMIT_F64: f64 = 262_144.0 * core::f64::consts::FRAC_PI_2;
@@ -36,15 +38,16 @@ pub const LIMIT_F32: f32 = 8192.0 * core::f32::consts::FRAC_PI_2;
 #[inline]
 #[must_use]
 pub fn sin_cos_f64(x: f64) -> (f64, f64) {
-    if x.abs() <= LIMIT_F64 {
-        sin_cos_within_f64(x)
+    let rest = if x.abs() <= LIMIT_F64 {
+        rest_within_f64(x)
     } else {
-        sin_cos_beyond_f64(x)
-    }
+        rest_of_f64(x)
+    };
+    rest.sin_cos()
 }
 
-/// The sine and the cosine of an angle in radians, each within 1e-7, in `f32` arithmetic alone up to the limit. What is
-/// infinite or not a number gives two that are not numbers.
+/// The sine and the cosine of an angle in radians, each within 1e-7, in the arithmetic of `f32` and of whole numbers
+/// alone. What is infinite or not a number gives two that are not numbers.
 ///
 /// ```
 /// use mech_core::trig::sin_cos_f32;
@@ -55,17 +58,24 @@ pub fn sin_cos_f64(x: f64) -> (f64, f64) {
 #[inline]
 #[must_use]
 pub fn sin_cos_f32(x: f32) -> (f32, f32) {
-    if x.abs() <= LIMIT_F32 {
-        sin_cos_within_f32(x)
+    let rest = if x.abs() <= LIMIT_F32 {
+        rest_within_f32(x)
     } else {
-        sin_cos_beyond_f32(x)
-    }
+        rest_of_f32(x)
+    };
+    rest.sin_cos()
 }
 
 /// As [`sin_cos_f64`], bit for bit, for |x| <= [`LIMIT_F64`]; beyond that it gives any numbers, but does not panic.
 #[inline]
 #[must_use]
 pub fn sin_cos_within_f64(x: f64) -> (f64, f64) {
+    rest_within_f64(x).sin_cos()
+}
+
+/// An angle that is within the limit less the nearest right angle.
+#[inline]
+fn rest_within_f64(x: f64) -> Rest<f64, u64> {
     // A float between 2^52 and 2^53 has no bits after the point, so adding this rounds to nearest and leaves the whole
     // number in the last bits of the sum, negative ones in two's complement.
     const MAGIC: f64 = 6_755_399_441_055_744.0;
@@ -85,13 +95,23 @@ pub fn sin_cos_within_f64(x: f64) -> (f64, f64) {
     let lost = (first - second) - middle;
     // What is left over is at most 2^-54, so that nobody has to wait until it is put where it belongs.
     let low = lost - count * TAIL;
-    turned_f64(between_diagonals_f64(second, low), sum.to_bits())
+    Rest {
+        high: second,
+        low,
+        quadrant: sum.to_bits(),
+    }
 }
 
 /// As [`sin_cos_f32`], bit for bit, for |x| <= [`LIMIT_F32`]; beyond that it gives any numbers, but does not panic.
 #[inline]
 #[must_use]
 pub fn sin_cos_within_f32(x: f32) -> (f32, f32) {
+    rest_within_f32(x).sin_cos()
+}
+
+/// An angle that is within the limit less the nearest right angle.
+#[inline]
+fn rest_within_f32(x: f32) -> Rest<f32, u32> {
     // As above, between 2^23 and 2^24.
     const MAGIC: f32 = 12_582_912.0;
     // A right angle in three parts. The first two have 8 and 11 bits, so that their products with 13 bits are exact.
@@ -107,15 +127,9 @@ pub fn sin_cos_within_f32(x: f32) -> (f32, f32) {
     let rest = count * TAIL;
     let high = second - rest;
     let low = (second - high) - rest;
-    turned_f32(between_diagonals_f32(high, low), sum.to_bits())
-}
-
-#[cold]
-fn sin_cos_beyond_f64(x: f64) -> (f64, f64) {
-    libm::sincos(x)
-}
-
-#[cold]
-fn sin_cos_beyond_f32(x: f32) -> (f32, f32) {
-    libm::sincosf(x)
+    Rest {
+        high,
+        low,
+        quadrant: sum.to_bits(),
+    }
 }

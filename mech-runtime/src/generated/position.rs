@@ -132,13 +132,7 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
 
 /// The whole turns in an angle, as far as they can be counted.
 fn whole_turns<T: Scalar>(angle: T) -> i32 {
-    let turns = Real::to_f64(Real::round(angle / T::TURN));
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "out of range it stops at the limits, and no number is none"
-    )]
-    let whole = turns as i32;
-    whole
+    Real::to_i32(Real::round(angle / T::TURN))
 }
 
 /// Tests that the values or rates of all motors are finite numbers.

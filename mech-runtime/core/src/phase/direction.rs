@@ -4,7 +4,8 @@
 //! tail. What is a power of two is in the constants.
 
 use super::Phase;
-use crate::kernel::{between_diagonals_f32, between_diagonals_f64, turned_f32, turned_f64};
+use crate::kernel::Rest;
+use crate::power::{power_f32, power_f64};
 
 /// The first 21 bits of 2 pi.
 const HEAD_F64: f64 = f64::from_bits(0x4019_21FB_0000_0000);
@@ -14,16 +15,6 @@ const TAIL_F64: f64 = f64::from_bits(0x3EB5_110B_4611_A626);
 const HEAD_F32: f32 = f32::from_bits(0x40C9_0000);
 /// The others, rounded.
 const TAIL_F32: f32 = f32::from_bits(0x3AFD_AA22);
-
-/// 2^`exponent`, for a float that is neither infinite nor subnormal.
-const fn power_f64(exponent: i32) -> f64 {
-    f64::from_bits((1023 + exponent as i64).cast_unsigned() << 52)
-}
-
-/// 2^`exponent`, for a float that is neither infinite nor subnormal.
-const fn power_f32(exponent: i32) -> f32 {
-    f32::from_bits((127 + exponent).cast_unsigned() << 23)
-}
 
 impl Phase {
     /// The whole angle in radians, within one ulp.
@@ -88,6 +79,14 @@ impl Phase {
     #[inline]
     #[must_use]
     pub fn sin_cos_f64(self) -> (f64, f64) {
+        let (sine, cosine) = self.rest_f64().sin_cos();
+        // No negative zeros.
+        (sine + 0.0, cosine + 0.0)
+    }
+
+    /// The right angle nearest to it, and what is left.
+    #[inline]
+    fn rest_f64(self) -> Rest<f64, u64> {
         let (quadrant, rest) = self.quadrant();
         let [high, low] = halves(rest);
         let (high, low) = (f64::from(high), f64::from(low));
@@ -100,11 +99,11 @@ impl Phase {
         let tail = high * (TAIL_F64 * power_f64(-32)) + low * (TAIL_F64 * power_f64(-64));
         let correction = lost + tail;
         let angle = sum + correction;
-        let below = (sum - angle) + correction;
-
-        let (sine, cosine) = turned_f64(between_diagonals_f64(angle, below), quadrant);
-        // No negative zeros.
-        (sine + 0.0, cosine + 0.0)
+        Rest {
+            high: angle,
+            low: (sum - angle) + correction,
+            quadrant,
+        }
     }
 
     /// The sine and the cosine, each within 1e-7, however many the turns, in `f32` arithmetic alone. At whole quarters of a
@@ -118,12 +117,20 @@ impl Phase {
     /// ```
     #[inline]
     #[must_use]
+    pub fn sin_cos_f32(self) -> (f32, f32) {
+        let (sine, cosine) = self.rest_f32().sin_cos();
+        // No negative zeros.
+        (sine + 0.0, cosine + 0.0)
+    }
+
+    /// The right angle nearest to it, and what is left.
+    #[inline]
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_precision_loss,
         reason = "the halves fit; the last bits are far below what is rounded in the sum"
     )]
-    pub fn sin_cos_f32(self) -> (f32, f32) {
+    pub(crate) fn rest_f32(self) -> Rest<f32, u32> {
         let (quadrant, rest) = self.quadrant();
         let [upper, last] = halves(rest);
         let high = f32::from((upper.wrapping_add(1 << 15) >> 16) as i16);
@@ -138,11 +145,11 @@ impl Phase {
         let tail = high * (TAIL_F32 * power_f32(-16)) + (low * (TAIL_F32 * power_f32(-32)) + last);
         let correction = lost + tail;
         let angle = sum + correction;
-        let below = (sum - angle) + correction;
-
-        let (sine, cosine) = turned_f32(between_diagonals_f32(angle, below), quadrant as u32);
-        // No negative zeros.
-        (sine + 0.0, cosine + 0.0)
+        Rest {
+            high: angle,
+            low: (sum - angle) + correction,
+            quadrant: quadrant as u32,
+        }
     }
 
     /// The nearest turn, and the units from there.

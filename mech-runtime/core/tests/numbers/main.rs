@@ -1,5 +1,8 @@
 //! Accuracy and exactness, against a reference of twice the precision. `--nocapture` shows what was measured.
 
+mod beyond;
+mod motors;
 mod phase;
 mod reference;
+mod remainder;
 mod trig;
