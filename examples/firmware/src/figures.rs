@@ -4,7 +4,7 @@ use crate::board::{Clock, exit, stack_of};
 use crate::subject::{Picture, Subject};
 use crate::Line;
 use core::array;
-use mech_probes::{STEPS, phase};
+use mech_probes::STEPS;
 
 /// A frame is drawn for every tenth step.
 const STRIDE: usize = 10;
@@ -18,7 +18,7 @@ fn told<S: Subject>() -> Option<()> {
     let mut clock = Clock::take()?;
     let mut picture = Picture::new();
     let mut subject = S::new();
-    let motion: [S::Motors; STEPS] = array::from_fn(|step| S::motion(phase(step)));
+    let motion: [S::Motors; STEPS as usize] = array::from_fn(|step| S::motion(step as u16));
 
     let mut moved = true;
     let position = clock.instructions(|| {
@@ -44,8 +44,8 @@ fn told<S: Subject>() -> Option<()> {
         }
     });
 
-    let steps = STEPS as u32;
-    let frames = (STEPS / STRIDE) as u32;
+    let steps = u32::from(STEPS);
+    let frames = steps / STRIDE as u32;
     for (name, value) in [
         ("state", S::state() as u32),
         ("position", (position + steps / 2) / steps),

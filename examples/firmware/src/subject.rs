@@ -1,9 +1,8 @@
 //! What is measured.
 
-use core::f64::consts::TAU;
 use core::hint::black_box;
-use mech_probes::Probed;
-use mech_runtime::{Frame, Real};
+use mech_probes::{Probed, phase};
+use mech_runtime::Frame;
 
 /// The picture that is drawn: as many small displays have.
 pub type Picture = Frame<240, 240>;
@@ -15,8 +14,8 @@ pub trait Subject {
 
     /// As it is at the start.
     fn new() -> Self;
-    /// The values of its motors at a phase of its motion, in `0.0..1.0`.
-    fn motion(phase: f64) -> Self::Motors;
+    /// The values of its motors at a step of its motion.
+    fn motion(step: u16) -> Self::Motors;
     /// Moves it. Whether it could.
     fn move_to(&mut self, motors: Self::Motors) -> bool;
     /// Draws it.
@@ -37,11 +36,7 @@ impl Subject for Nothing {
         Self
     }
 
-    fn motion(phase: f64) {
-        // What others need to know their motion is no part of what they cost.
-        black_box(Real::sin_cos(phase * TAU));
-        black_box(Real::to_f64(<f32 as Real>::from_f64(phase)));
-    }
+    fn motion(_: u16) {}
 
     fn move_to(&mut self, (): ()) -> bool {
         black_box(true)
@@ -60,8 +55,8 @@ impl<M: Probed> Subject for Moved<M> {
         Self(M::new())
     }
 
-    fn motion(phase: f64) -> M::Motors {
-        M::motion(phase)
+    fn motion(step: u16) -> M::Motors {
+        M::motion(phase(step))
     }
 
     // One function that is called, as in a program that has other things to do.
@@ -89,8 +84,8 @@ impl<M: Probed> Subject for Drawn<M> {
         Self(Moved::new())
     }
 
-    fn motion(phase: f64) -> M::Motors {
-        M::motion(phase)
+    fn motion(step: u16) -> M::Motors {
+        M::motion(phase(step))
     }
 
     fn move_to(&mut self, motors: M::Motors) -> bool {

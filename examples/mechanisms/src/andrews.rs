@@ -1,7 +1,7 @@
 //! Andrews' squeezing mechanism, a test of the literature on differential-algebraic equations.
 
 use crate::precisions::{exhibited, mechanism};
-use core::f64::consts::TAU;
+use mech_runtime::Real;
 
 mechanism! {
     /// Andrews' squeezing mechanism: seven bodies, three loops, lengths in metres.
@@ -248,6 +248,6 @@ exhibited!(
 );
 
 /// One turn of the crank.
-fn motion(phase: f64) -> [f64; 1] {
-    [phase * TAU - 0.061_713_890_014_276]
+fn motion<T: Real>(phase: T) -> [T; 1] {
+    [phase * T::TURN - T::from_f64(0.061_713_890_014_276)]
 }

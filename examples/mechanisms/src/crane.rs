@@ -1,7 +1,6 @@
 //! A double rocker: a mechanism that has limits.
 
 use crate::precisions::{exhibited, mechanism};
-use core::f64::consts::TAU;
 use mech_runtime::Real;
 
 mechanism! {
@@ -111,7 +110,7 @@ exhibited!(
 );
 
 /// The jib is let down and hauled in once.
-fn motion(phase: f64) -> [f64; 1] {
-    let (sin, _) = Real::sin_cos(phase * TAU);
-    [0.96 + 0.32 * sin]
+fn motion<T: Real>(phase: T) -> [T; 1] {
+    let (sin, _) = Real::sin_cos(phase * T::TURN);
+    [T::from_f64(0.96) + T::from_f64(0.32) * sin]
 }

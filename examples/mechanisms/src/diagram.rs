@@ -1,7 +1,7 @@
 //! The mechanism of the paper's first figure as a diagram, without any shape.
 
 use crate::precisions::{exhibited, mechanism};
-use core::f64::consts::TAU;
+use mech_runtime::Real;
 
 mechanism! {
     /// A piston driven through a pair of gears, with everything that its diagram needs.
@@ -37,6 +37,6 @@ exhibited!(
 );
 
 /// Two turns of the pinion are one of the wheel.
-fn motion(phase: f64) -> [f64; 1] {
-    [phase * 2.0 * TAU]
+fn motion<T: Real>(phase: T) -> [T; 1] {
+    [(phase + phase) * T::TURN]
 }

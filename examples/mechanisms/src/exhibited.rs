@@ -9,8 +9,7 @@ pub trait Exhibited: Mechanism {
     /// The Rust source that declares it, by a `mechanism!` that stands by itself.
     const SOURCE: &'static str;
 
-    /// The values of its motors (radians, scene units) at a phase in `0.0..1.0` of its motion, computed in double precision and
-    /// rounded: the same bits on every machine. What it does between the last phase and the first again looks like what it does
-    /// between others, and a little beyond it goes on so.
-    fn motion(phase: f64) -> Self::Motors;
+    /// The values of its motors (radians, scene units) at a phase in `0.0..1.0` of its motion: the same bits on every machine. What
+    /// it does between the last phase and the first again looks like what it does between others, and a little beyond it goes on so.
+    fn motion(phase: Self::Scalar) -> Self::Motors;
 }

@@ -1,7 +1,7 @@
 //! The four-bar linkage in its most common form.
 
 use crate::precisions::{exhibited, mechanism};
-use core::f64::consts::TAU;
+use mech_runtime::Real;
 
 mechanism! {
     /// A crank-rocker with a triangular coupler.
@@ -167,6 +167,6 @@ mechanism! {
 exhibited!(CrankRocker, "four-bar", include_str!("four_bar.rs"), motion);
 
 /// One turn of the crank.
-fn motion(phase: f64) -> [f64; 1] {
-    [phase * TAU]
+fn motion<T: Real>(phase: T) -> [T; 1] {
+    [phase * T::TURN]
 }

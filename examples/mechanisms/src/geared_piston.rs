@@ -1,7 +1,7 @@
 //! Figure 1 of the paper: a piston driven through a pair of gears.
 
 use crate::precisions::{exhibited, mechanism};
-use core::f64::consts::TAU;
+use mech_runtime::Real;
 
 mechanism! {
     /// A piston driven through a pair of gears: figure 1 of the paper.
@@ -214,6 +214,6 @@ exhibited!(
 );
 
 /// Two turns of the pinion are one of the wheel.
-fn motion(phase: f64) -> [f64; 1] {
-    [phase * 2.0 * TAU]
+fn motion<T: Real>(phase: T) -> [T; 1] {
+    [(phase + phase) * T::TURN]
 }

@@ -1,7 +1,7 @@
 //! A leg of Theo Jansen's beach beasts, declared as it is drawn.
 
 use crate::precisions::{exhibited, mechanism};
-use core::f64::consts::TAU;
+use mech_runtime::Real;
 
 mechanism! {
     /// A leg of Theo Jansen's beach beasts. Its points are numbered from the crank shaft, 0, to the foot, 7.
@@ -256,6 +256,6 @@ mechanism! {
 exhibited!(JansenLeg, "jansen-leg", include_str!("jansen.rs"), motion);
 
 /// One turn of the crank.
-fn motion(phase: f64) -> [f64; 1] {
-    [-phase * TAU]
+fn motion<T: Real>(phase: T) -> [T; 1] {
+    [-phase * T::TURN]
 }

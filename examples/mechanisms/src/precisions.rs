@@ -22,7 +22,7 @@ macro_rules! mechanism {
 }
 
 /// Makes a mechanism [`Exhibited`](crate::Exhibited), in both precisions: by its slug, its source and the function that gives
-/// its motors' values in `f64`.
+/// its motors' values.
 macro_rules! exhibited {
     ($mechanism:ident, $slug:literal, $source:expr, $motion:ident) => {
         $crate::precisions::exhibited!(in f64: $mechanism, $slug, $source, $motion);
@@ -33,8 +33,8 @@ macro_rules! exhibited {
             const SLUG: &'static str = $slug;
             const SOURCE: &'static str = $source;
 
-            fn motion(phase: f64) -> Self::Motors {
-                $motion(phase).map(<$float as mech_runtime::Real>::from_f64)
+            fn motion(phase: $float) -> Self::Motors {
+                $motion(phase)
             }
         }
     };

@@ -1,7 +1,6 @@
 //! A trunk with an arm.
 
 use crate::precisions::{exhibited, mechanism};
-use core::f64::consts::TAU;
 use mech_runtime::Real;
 
 mechanism! {
@@ -173,9 +172,13 @@ exhibited!(
 );
 
 /// One turn of the crank, while the arm reaches out once and the hand nods twice.
-fn motion(phase: f64) -> [f64; 3] {
-    let turn = phase * TAU;
-    let (reach, _) = Real::sin_cos(turn + 0.6);
-    let (_, nod) = Real::sin_cos(2.0 * turn);
-    [turn, -1.35 + 0.55 * reach, -0.45 + 0.6 * nod]
+fn motion<T: Real>(phase: T) -> [T; 3] {
+    let turn = phase * T::TURN;
+    let (reach, _) = Real::sin_cos(turn + T::from_f64(0.6));
+    let (_, nod) = Real::sin_cos(turn + turn);
+    [
+        turn,
+        T::from_f64(-1.35) + T::from_f64(0.55) * reach,
+        T::from_f64(-0.45) + T::from_f64(0.6) * nod,
+    ]
 }

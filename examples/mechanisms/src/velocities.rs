@@ -1,7 +1,7 @@
 //! The four-bar linkage as a textbook draws it: the diagram, the path of its coupler point, velocities.
 
 use crate::precisions::{exhibited, mechanism};
-use core::f64::consts::TAU;
+use mech_runtime::Real;
 
 mechanism! {
     /// A crank-rocker, with the path and the velocities of its points.
@@ -38,6 +38,6 @@ exhibited!(
 );
 
 /// The trace is that of one turn: after it, every new place is one that it was at before.
-fn motion(phase: f64) -> [f64; 1] {
-    [phase * TAU]
+fn motion<T: Real>(phase: T) -> [T; 1] {
+    [phase * T::TURN]
 }

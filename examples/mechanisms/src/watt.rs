@@ -1,7 +1,7 @@
 //! A six-bar linkage, declared the second way: as it is drawn.
 
 use crate::precisions::{exhibited, mechanism};
-use core::f64::consts::TAU;
+use mech_runtime::Real;
 
 mechanism! {
     /// A Watt six-bar: two four-bar loops that share a ternary link.
@@ -150,6 +150,6 @@ mechanism! {
 exhibited!(Watt, "watt-six-bar", include_str!("watt.rs"), motion);
 
 /// One turn of the crank.
-fn motion(phase: f64) -> [f64; 1] {
-    [phase * TAU]
+fn motion<T: Real>(phase: T) -> [T; 1] {
+    [phase * T::TURN]
 }

@@ -42,7 +42,7 @@ impl Visitor for Spectator {
     fn visit<M: Exhibited>(&mut self) {
         let mut mechanism = M::new();
         let moments = (0..=MOMENTS).map(|moment| {
-            let motors = M::motion(f64::from(moment) / f64::from(MOMENTS));
+            let motors = M::motion(Real::from_f64(f64::from(moment) / f64::from(MOMENTS)));
             mechanism.move_to(motors).expect("it moves");
             let poses = mechanism.poses().iter().map(|pose| Pose {
                 cos: pose.cos.to_f64(),

@@ -1,7 +1,6 @@
 //! One four-bar linkage by every method in both precisions: that of the price list of accuracy.
 
 use crate::{Probe, Probed};
-use core::f64::consts::TAU;
 use mech_runtime::{Real, mechanism};
 
 macro_rules! four_bars {
@@ -26,8 +25,8 @@ macro_rules! four_bars {
             impl Probed for $name {
                 const LABEL: &'static str = $slug;
 
-                fn motion(phase: f64) -> [$scalar; 1] {
-                    [<$scalar as Real>::from_f64(phase * TAU)]
+                fn motion(phase: $scalar) -> [$scalar; 1] {
+                    [phase * <$scalar as Real>::TURN]
                 }
             }
         )*

@@ -14,10 +14,10 @@ pub use pictures::pictures;
 pub use poses::poses;
 
 use mech_gallery::{Exhibited, Visitor};
-use mech_runtime::Mechanism;
+use mech_runtime::{Mechanism, Real};
 
 /// In so many steps a mechanism goes through its motion.
-pub const STEPS: usize = 360;
+pub const STEPS: u16 = 360;
 
 /// A mechanism with a name and a motion.
 pub trait Probed: Mechanism {
@@ -25,13 +25,13 @@ pub trait Probed: Mechanism {
     const LABEL: &'static str;
 
     /// The values of its motors (radians, scene units) at a phase in `0.0..1.0` of its motion.
-    fn motion(phase: f64) -> Self::Motors;
+    fn motion(phase: Self::Scalar) -> Self::Motors;
 }
 
 impl<M: Exhibited> Probed for M {
     const LABEL: &'static str = M::SLUG;
 
-    fn motion(phase: f64) -> M::Motors {
+    fn motion(phase: M::Scalar) -> M::Motors {
         <M as Exhibited>::motion(phase)
     }
 }
@@ -78,9 +78,8 @@ pub const fn precision<M: Mechanism>() -> &'static str {
     }
 }
 
-/// The part of its motion that is done at a step.
+/// The part of its motion that is done at a step, in the scalar's own arithmetic.
 #[must_use]
-#[expect(clippy::cast_precision_loss, reason = "they are few")]
-pub fn phase(step: usize) -> f64 {
-    step as f64 / STEPS as f64
+pub fn phase<T: Real>(step: u16) -> T {
+    T::from_i32(step.into()) / T::from_i32(STEPS.into())
 }

@@ -1,11 +1,11 @@
 //! A display that remembers what it shows.
 
 use core::convert::Infallible;
+use embedded_graphics_core::Pixel;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::{IntoStorage, Rgb565};
 use embedded_graphics_core::primitives::Rectangle;
-use embedded_graphics_core::Pixel;
 
 /// A display of 240 by 240 pixels in 16 bits, as an ST7789 has them: in memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -89,6 +89,8 @@ pub(crate) fn sum(numbers: impl IntoIterator<Item = u16>) -> u64 {
     const FACTOR: u64 = 0x0000_0100_0000_01b3;
     numbers.into_iter().fold(START, |sum, number| {
         let bytes = number.to_le_bytes();
-        bytes.iter().fold(sum, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(FACTOR))
+        bytes.iter().fold(sum, |sum, byte| {
+            (sum ^ u64::from(*byte)).wrapping_mul(FACTOR)
+        })
     })
 }

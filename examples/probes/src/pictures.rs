@@ -6,7 +6,7 @@ use mech_runtime::Frame;
 use mech_runtime::raster::embedded::{Screen, rgb};
 
 /// A picture is looked at after every so many steps.
-const STRIDE: usize = 60;
+const STRIDE: u16 = 60;
 
 /// Moves a mechanism through its motion and tells check sums of some pictures of it: on a frame, on a display that it is painted on
 /// itself, and on one that shows the frame.
