@@ -113,28 +113,22 @@ fn is_far<T: Real, J: Journey<T>>(
     a * a + b * b > journey.watch(index).change * part
 }
 
-/// Goes to the target where nothing is watched and a position depends on the motors alone: the same journey, but none of the
-/// positions on the way needs to be kept.
-///
-/// # Errors
-/// The part of the way that was done, and why it went no farther.
-pub fn straight<T: Real, P, S>(at: impl Fn(T) -> Result<P, S>) -> Result<P, (T, S)> {
-    let mut stop = match at(T::ONE) {
-        Ok(position) => return Ok(position),
-        Err(stop) => stop,
-    };
+/// How much of a way to a target that cannot be reached can be gone, and why no more, where nothing is watched and a position depends
+/// on the motors alone: the same journey, but none of the positions on the way needs to be kept. `stops` tells why it cannot be
+/// at a part of the way, `stop` why it cannot be at its end.
+pub fn halved<T: Real, S>(stops: impl Fn(T) -> Option<S>, mut stop: S) -> (T, S) {
     let (mut end, mut blocked) = (T::ZERO, T::ONE);
     for _ in 0..MOST_TRIES {
         let middle = end + (blocked - end) * T::HALF;
         if !(middle > end && middle < blocked) {
             break;
         }
-        match at(middle) {
-            Ok(_) => end = middle,
-            Err(reason) => (stop, blocked) = (reason, middle),
+        match stops(middle) {
+            None => end = middle,
+            Some(reason) => (stop, blocked) = (reason, middle),
         }
     }
-    Err((end, stop))
+    (end, stop)
 }
 
 /// Goes to the target, past whatever is on the way.

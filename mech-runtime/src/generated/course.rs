@@ -280,6 +280,9 @@ where
     // Without an operating system memory is scarce: there all moves share one step.
     #[cfg(not(feature = "std"))]
     let near = {
+        if course.function {
+            return straight(position, target, course, &step);
+        }
         let _ = near;
         &step
     };
@@ -317,17 +320,14 @@ pub(super) fn follow<T, const M: usize, const L: usize, const K: usize, const W:
 where
     T: Scalar,
 {
+    if course.function {
+        return straight(position, target, course, step);
+    }
     if let Err(stop) = finite(target.values, &course.names) {
         return Err(position.refuse(stop));
     }
     if let Some((stop, reached)) = course.leaves(&position.motors, &target) {
         return Err(Blocked::new(stop.place, stop.cause, reached.total()));
-    }
-    if course.function {
-        let way = Way::new(course, position, target, step);
-        let there = journey::straight(|part| way.to(position, way.motors(part)));
-        *position = there.map_err(|(part, stop)| blocked(&way, part, stop))?;
-        return Ok(());
     }
     let start = *position;
     let way = Way::new(course, &start, target, step);
@@ -338,6 +338,62 @@ where
         }
         Err(halt) => Err(blocked(&way, halt.part, halt.stop)),
     }
+}
+
+/// The same where a position depends on the motors alone.
+#[inline]
+fn straight<T, const M: usize, const L: usize, const K: usize, const W: usize>(
+    position: &mut Position<T, M, L, K>,
+    target: Motors<T, M>,
+    course: &Course<T, M, W>,
+    step: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+) -> Result<(), Blocked<[T; M]>>
+where
+    T: Scalar,
+{
+    let stop = if target.is_finite() && course.contains(&target) {
+        match step(position, target) {
+            Ok(there) if !course.overflows || there.is_finite() => {
+                *position = there;
+                return Ok(());
+            }
+            Ok(_) => Stop::new("", Cause::Overflow),
+            Err(stop) => stop,
+        }
+    } else {
+        Stop::new("", Cause::OutOfRange)
+    };
+    Err(stopped(position, target, course, step, stop))
+}
+
+/// Why and where a move stops that goes no farther, where a position depends on the motors alone. `stop` is what is the matter with
+/// its target, unless that is no target at all.
+#[cold]
+#[inline(never)]
+fn stopped<T, const M: usize, const L: usize, const K: usize, const W: usize>(
+    position: &Position<T, M, L, K>,
+    target: Motors<T, M>,
+    course: &Course<T, M, W>,
+    step: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+    stop: Stop,
+) -> Blocked<[T; M]>
+where
+    T: Scalar,
+{
+    if let Err(stop) = finite(target.values, &course.names) {
+        return position.refuse(stop);
+    }
+    if let Some((stop, reached)) = course.leaves(&position.motors, &target) {
+        return Blocked::new(stop.place, stop.cause, reached.total());
+    }
+    let way = Way::new(course, position, target, step);
+    let stops = |part| match step(position, way.motors(part)) {
+        Ok(there) if !course.overflows || there.is_finite() => None,
+        Ok(_) => Some(Stop::new("", Cause::Overflow)),
+        Err(stop) => Some(stop),
+    };
+    let (part, stop) = journey::halved(stops, stop);
+    blocked(&way, part, stop)
 }
 
 /// Moves towards the target, as far as it can.

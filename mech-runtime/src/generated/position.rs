@@ -110,11 +110,14 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     /// How far it is from here to there.
     #[inline]
     pub(super) fn way_to(&self, target: &Self) -> [T; MOTORS] {
-        core::array::from_fn(|motor| {
-            let [from, to] =
-                [self, target].map(|motors| (motors.values[motor], motors.turns[motor]));
-            mech_core::motors::way(from, to)
-        })
+        let mut ways = [T::ZERO; MOTORS];
+        for (motor, way) in ways.iter_mut().enumerate() {
+            *way = mech_core::motors::way(
+                (self.values[motor], self.turns[motor]),
+                (target.values[motor], target.turns[motor]),
+            );
+        }
+        ways
     }
 
     /// Whether all values are finite numbers and none is farther from zero than this.
