@@ -20,6 +20,7 @@ mod phase;
 mod power;
 mod real;
 mod reduction;
+pub mod root;
 pub mod trig;
 
 pub use phase::Phase;

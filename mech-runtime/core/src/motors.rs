@@ -23,16 +23,14 @@ pub fn turned<T: Real>(turns: i32, numerator: i64, denominator: i64) -> T {
     if turns == 0 || denominator < 0 {
         return T::ZERO;
     }
+    let small = (u16::try_from(numerator), u16::try_from(denominator));
     // Nearly every ratio is so small that one division of a processor of 32 bits does it.
-    let (rest, denominator) = match (u16::try_from(numerator), u16::try_from(denominator)) {
-        (Ok(numerator), Ok(denominator)) => {
-            let rest = small_rest(turns, numerator, denominator);
-            (T::from_i32(rest.into()), T::from_i32(denominator.into()))
-        }
-        _ => {
-            let rest = rest(turns, numerator, denominator);
-            (T::from_i64(rest), T::from_i64(denominator))
-        }
+    let (rest, denominator) = if let (Ok(numerator), Ok(denominator)) = small {
+        let rest = small_rest(turns, numerator, denominator);
+        (T::from_i32(rest.into()), T::from_i32(denominator.into()))
+    } else {
+        let rest = rest(turns, numerator, denominator);
+        (T::from_i64(rest), T::from_i64(denominator))
     };
     T::TURN * (rest / denominator)
 }

@@ -1,5 +1,7 @@
 //! The two kinds of float a mechanism is computed in.
 
+#[cfg(not(feature = "std"))]
+use crate::root;
 use crate::{Phase, trig};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -65,7 +67,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($float:ident, $sin_cos:ident, $sqrt:ident, $atan2:ident, $exp:ident, $round:ident, $split:ident) => {
+    ($float:ident, $sin_cos:ident, $sqrt:path, $atan2:ident, $exp:ident, $round:ident, $split:ident) => {
         impl Real for $float {
             const EPSILON: f64 = $float::EPSILON as f64;
             const ZERO: Self = 0.0;
@@ -132,7 +134,7 @@ macro_rules! real {
             #[cfg(not(feature = "std"))]
             #[inline]
             fn sqrt(self) -> Self {
-                libm::$sqrt(self)
+                $sqrt(self)
             }
 
             #[inline]
@@ -173,5 +175,13 @@ macro_rules! real {
     };
 }
 
-real!(f32, sin_cos_f32, sqrtf, atan2f, expf, roundf, split_f32);
-real!(f64, sin_cos_f64, sqrt, atan2, exp, round, split_f64);
+real!(
+    f32,
+    sin_cos_f32,
+    root::sqrt_f32,
+    atan2f,
+    expf,
+    roundf,
+    split_f32
+);
+real!(f64, sin_cos_f64, libm::sqrt, atan2, exp, round, split_f64);

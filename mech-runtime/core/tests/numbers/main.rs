@@ -5,4 +5,5 @@ mod motors;
 mod phase;
 mod reference;
 mod remainder;
+mod root;
 mod trig;
