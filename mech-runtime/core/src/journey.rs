@@ -113,22 +113,23 @@ fn is_far<T: Real, J: Journey<T>>(
     a * a + b * b > journey.watch(index).change * part
 }
 
-/// How much of a way to a target that cannot be reached can be gone, and why no more, where nothing is watched and a position depends
-/// on the motors alone: the same journey, but none of the positions on the way needs to be kept. `stops` tells why it cannot be
-/// at a part of the way, `stop` why it cannot be at its end.
-pub fn halved<T: Real, S>(stops: impl Fn(T) -> Option<S>, mut stop: S) -> (T, S) {
+/// The part that can be gone of a way to a target that cannot be reached, and one a rounding beyond it that cannot be, where nothing
+/// is watched and a position depends on the motors alone: the same journey, but none of the positions on the way needs to be kept.
+/// `stops` tells whether it cannot be at a part of the way.
+pub fn halved<T: Real>(stops: impl Fn(T) -> bool) -> (T, T) {
     let (mut end, mut blocked) = (T::ZERO, T::ONE);
     for _ in 0..MOST_TRIES {
         let middle = end + (blocked - end) * T::HALF;
         if !(middle > end && middle < blocked) {
             break;
         }
-        match stops(middle) {
-            None => end = middle,
-            Some(reason) => (stop, blocked) = (reason, middle),
+        if stops(middle) {
+            blocked = middle;
+        } else {
+            end = middle;
         }
     }
-    (end, stop)
+    (end, blocked)
 }
 
 /// Goes to the target, past whatever is on the way.

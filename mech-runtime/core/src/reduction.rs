@@ -4,9 +4,9 @@
 //! worth four right angles or more are whole turns, those with bits far behind are too small to matter: what is between
 //! is a window of a few words, and the product in whole numbers is exact.
 
-use crate::Phase;
 use crate::kernel::Rest;
-use crate::power::power_f64;
+use crate::phase::{HEAD_F32, TAIL_F32};
+use crate::power::{power_f32, power_f64};
 
 /// 2/pi in words of 32 bits, after two words of zeros: bit `i` from the left is worth 2^(63 - i).
 const RIGHT_ANGLES: [u32; 39] = [
@@ -60,6 +60,11 @@ const RIGHT_ANGLES_F32: [u32; 7] = {
 /// An angle in radians that is not below 2^-7 in size, within 2^-40 turn. What is infinite or not a number gives what is not a
 /// number.
 #[cold]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "halves of what has twice the bits; both parts are small"
+)]
 pub(crate) fn rest_of_f32(x: f32) -> Rest<f32, u32> {
     const HIDDEN: u32 = 1 << 23;
     if !x.is_finite() {
@@ -74,10 +79,25 @@ pub(crate) fn rest_of_f32(x: f32) -> Rest<f32, u32> {
     // |x| is whole * 2^(biased - 150), and bit `i` is worth 2^(31 - i): bit `at` times 2^(biased - 150) is two right angles.
     let at = (bits >> 23 & 0xFF).saturating_sub(120);
     let window = shifted(words_from(&RIGHT_ANGLES_F32, at), at);
-    // In units of 2^-62 right angles, which are those of a phase.
-    let size = window.wrapping_mul(u64::from(whole));
-    let fraction = if x < 0.0 { size.wrapping_neg() } else { size };
-    Phase::new(0, fraction).rest_f32()
+    // The first half, in units of 2^-30 right angles: more than the kernel can tell apart.
+    let size = window.wrapping_mul(u64::from(whole)) >> 32;
+    let turn = size as u32;
+    let turn = if x < 0.0 { turn.wrapping_neg() } else { turn };
+    let quadrant = turn.wrapping_add(1 << 29) >> 30;
+    let rest = turn.wrapping_sub(quadrant << 30).cast_signed();
+    let upper = (rest + (1 << 12)) >> 13;
+    let lower = rest - (upper << 13);
+    // The first product is exact, so is what the sum loses.
+    let (upper, lower) = (upper as f32, lower as f32);
+    let main = upper * (HEAD_F32 * power_f32(-19));
+    let minor =
+        upper * (TAIL_F32 * power_f32(-19)) + lower * (core::f32::consts::TAU * power_f32(-32));
+    let high = main + minor;
+    Rest {
+        high,
+        low: (main - high) + minor,
+        quadrant,
+    }
 }
 
 /// An angle in radians that is not below 2^-10 in size, within 2^-61 of what is left of it. What is infinite or not a number

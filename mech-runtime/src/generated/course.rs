@@ -351,31 +351,66 @@ fn straight<T, const M: usize, const L: usize, const K: usize, const W: usize>(
 where
     T: Scalar,
 {
-    let stop = if target.is_finite() && course.contains(&target) {
-        match step(position, target) {
-            Ok(there) if !course.overflows || there.is_finite() => {
-                *position = there;
-                return Ok(());
-            }
-            Ok(_) => Stop::new("", Cause::Overflow),
-            Err(stop) => stop,
-        }
+    if course.overflows {
+        straight_by(position, target, course, &|last, motors| {
+            take::<_, _, _, _, true>(step, last, motors)
+        })
     } else {
-        Stop::new("", Cause::OutOfRange)
-    };
-    Err(stopped(position, target, course, step, stop))
+        straight_by(position, target, course, &|last, motors| {
+            take::<_, _, _, _, false>(step, last, motors)
+        })
+    }
 }
 
-/// Why and where a move stops that goes no farther, where a position depends on the motors alone. `stop` is what is the matter with
-/// its target, unless that is no target at all.
+#[inline]
+fn straight_by<T, const M: usize, const L: usize, const K: usize, const W: usize>(
+    position: &mut Position<T, M, L, K>,
+    target: Motors<T, M>,
+    course: &Course<T, M, W>,
+    take: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+) -> Result<(), Blocked<[T; M]>>
+where
+    T: Scalar,
+{
+    if target.is_finite()
+        && course.contains(&target)
+        && let Ok(there) = take(position, target)
+    {
+        *position = there;
+        return Ok(());
+    }
+    Err(stopped(position, target, course, take))
+}
+
+/// A step that may end beyond the range of the numbers. Where memory is scarce it is in one place, for all who take it.
+#[cfg_attr(feature = "std", inline)]
+#[cfg_attr(not(feature = "std"), inline(never))]
+fn take<T, const M: usize, const L: usize, const K: usize, const OVERFLOWS: bool>(
+    step: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+    last: &Position<T, M, L, K>,
+    motors: Motors<T, M>,
+) -> Result<Position<T, M, L, K>, Stop>
+where
+    T: Scalar,
+{
+    let found = step(last, motors);
+    if OVERFLOWS
+        && let Ok(there) = &found
+        && !there.is_finite()
+    {
+        return Err(Stop::new("", Cause::Overflow));
+    }
+    found
+}
+
+/// Why and where a move stops, where a position depends on the motors alone.
 #[cold]
 #[inline(never)]
 fn stopped<T, const M: usize, const L: usize, const K: usize, const W: usize>(
     position: &Position<T, M, L, K>,
     target: Motors<T, M>,
     course: &Course<T, M, W>,
-    step: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
-    stop: Stop,
+    take: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 ) -> Blocked<[T; M]>
 where
     T: Scalar,
@@ -386,14 +421,10 @@ where
     if let Some((stop, reached)) = course.leaves(&position.motors, &target) {
         return Blocked::new(stop.place, stop.cause, reached.total());
     }
-    let way = Way::new(course, position, target, step);
-    let stops = |part| match step(position, way.motors(part)) {
-        Ok(there) if !course.overflows || there.is_finite() => None,
-        Ok(_) => Some(Stop::new("", Cause::Overflow)),
-        Err(stop) => Some(stop),
-    };
-    let (part, stop) = journey::halved(stops, stop);
-    blocked(&way, part, stop)
+    let way = Way::new(course, position, target, take);
+    let stop = |part| take(position, way.motors(part)).err();
+    let (part, beyond) = journey::halved(|part| stop(part).is_some());
+    blocked(&way, part, stop(beyond).unwrap_or(way.too_far()))
 }
 
 /// Moves towards the target, as far as it can.

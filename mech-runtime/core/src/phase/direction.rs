@@ -12,9 +12,9 @@ const HEAD_F64: f64 = f64::from_bits(0x4019_21FB_0000_0000);
 /// The others, rounded.
 const TAIL_F64: f64 = f64::from_bits(0x3EB5_110B_4611_A626);
 /// The first 8 bits of 2 pi, which are good for 12.
-const HEAD_F32: f32 = f32::from_bits(0x40C9_0000);
+pub(crate) const HEAD_F32: f32 = f32::from_bits(0x40C9_0000);
 /// The others, rounded.
-const TAIL_F32: f32 = f32::from_bits(0x3AFD_AA22);
+pub(crate) const TAIL_F32: f32 = f32::from_bits(0x3AFD_AA22);
 
 impl Phase {
     /// The whole angle in radians, within one ulp.

@@ -3,6 +3,8 @@
 mod direction;
 mod from_float;
 
+pub(crate) use direction::{HEAD_F32, TAIL_F32};
+
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 /// A motor's angle: whole turns, and a fraction of a turn in units of 2^-64 turn.

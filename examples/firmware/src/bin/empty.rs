@@ -1,0 +1,13 @@
+//! What every image takes: it starts, and does nothing.
+#![no_std]
+#![no_main]
+#![forbid(unsafe_code)]
+
+use core::hint::black_box;
+
+#[firmware::entry]
+fn main() -> ! {
+    loop {
+        black_box(());
+    }
+}
