@@ -25,7 +25,9 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
         let needed = len.checked_mul(4)?.checked_mul(LINKS)?;
         let mut rest = buffer.get_mut(..needed)?;
         let mut next = || {
-            let (column, others) = core::mem::take(&mut rest).split_at_mut(len);
+            let (column, others) = core::mem::take(&mut rest)
+                .split_at_mut_checked(len)
+                .unwrap_or_default();
             rest = others;
             column
         };
@@ -114,8 +116,9 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
     ) {
         for (columns, lanes) in self.columns.iter_mut().zip(lanes) {
             for (column, lane) in columns.iter_mut().zip(lanes) {
-                if let Some(places) = column.get_mut(first..first + LANES) {
-                    places.copy_from_slice(lane);
+                let rest = column.get_mut(first..);
+                if let Some(places) = rest.and_then(<[_]>::first_chunk_mut) {
+                    *places = *lane;
                 }
             }
         }

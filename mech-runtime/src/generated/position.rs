@@ -149,7 +149,10 @@ pub fn finite<T: Scalar, const MOTORS: usize>(
 ) -> Result<(), Stop> {
     match values.iter().position(|value| !Real::is_finite(*value)) {
         None => Ok(()),
-        Some(motor) => Err(Stop::new(names[motor], Cause::NotFinite)),
+        Some(motor) => {
+            let name = names.get(motor).copied().unwrap_or_default();
+            Err(Stop::new(name, Cause::NotFinite))
+        }
     }
 }
 

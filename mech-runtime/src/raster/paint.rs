@@ -133,6 +133,10 @@ fn line<T: Scalar, S: Fill>(
         let point = points.get(index).copied();
         place.point(point.unwrap_or([T::ZERO; 2]))
     };
+    let is_finite = |index| point(index).iter().all(|&part| Real::is_finite(part));
+    if !(0..points.len()).all(is_finite) {
+        return;
+    }
     let turn = Turn::new(<T as Real>::HALF * T::TURN, half, S::FINENESS, MOST);
     if let Some(stroke) = Stroke::new(point, points.len(), half, turn) {
         surface.path(&stroke, color);
@@ -147,7 +151,7 @@ fn arc<T: Scalar, S: Fill>(
     half: T,
     color: u8,
 ) {
-    if !(half > T::ZERO && Real::is_finite(half)) {
+    if !(half > T::ZERO && Real::is_finite(half) && Real::is_finite(angle)) {
         return;
     }
     let [x, y] = [start[0] - center[0], start[1] - center[1]];

@@ -16,7 +16,7 @@ pub(super) struct Flow {
     pub(super) reads_last: bool,
 }
 
-/// Whether it is given from outside: something about a motor.
+/// Whether it is given from outside: something about a motor, or the time.
 pub(super) fn is_given(op: Op) -> bool {
     matches!(
         op,
@@ -26,6 +26,7 @@ pub(super) fn is_given(op: Op) -> bool {
             | Op::Rate(_)
             | Op::Acceleration(_)
             | Op::Load(_)
+            | Op::Time
     )
 }
 

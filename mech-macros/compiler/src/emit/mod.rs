@@ -17,6 +17,7 @@ mod rates;
 mod scope;
 mod sensitivity;
 mod shapes;
+mod stages;
 mod step;
 mod stub;
 mod timing;

@@ -5,6 +5,7 @@ use super::flow::flows;
 use super::motion::{given_rates, moved, step_with, suffix};
 use super::scope::{Scope, ident, uses};
 use super::sensitivity::{followed, sensitivity_step};
+use super::stages::{Act, MOST_LETS, in_stages, lets};
 use crate::program::{BlockId, BlockKind, Motion, Op, Program, Sensitivity, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -19,6 +20,7 @@ const MOST_BLOCKS: usize = 32;
 
 /// The function `step`, and those it calls.
 pub(super) fn step(program: &Program) -> TokenStream {
+    let program = &*program.divided(MOST_LETS);
     let flows = flows(program);
     let position = position(program);
     let in_place = straight_values(program) <= MOST_IN_PLACE;
@@ -29,8 +31,9 @@ pub(super) fn step(program: &Program) -> TokenStream {
     let mut motors = motors(program, &mut scope);
     motors.extend(given_rates(program, &mut scope));
     let suffix = suffix(program);
+    let before = lets(&motors);
     let mut functions = TokenStream::new();
-    let mut body = TokenStream::new();
+    let mut acts = Vec::new();
     let mut names = FunctionNames::default();
     for block in program.block_ids() {
         let flow = &flows[block.index()];
@@ -39,8 +42,18 @@ pub(super) fn step(program: &Program) -> TokenStream {
         }
         let kind = &program.blocks[block.index()].kind;
         let straight = matches!(kind, BlockKind::Straight);
+        let mut act = Act {
+            statements: TokenStream::new(),
+            lets: 1,
+            flow: flow.clone(),
+            fails: matches!(kind, BlockKind::Newton(_)),
+            takes_sines: false,
+        };
         if straight && in_place {
-            body.extend(statements(program, block, flow, &mut scope));
+            act.statements = statements(program, block, flow, &mut scope);
+            act.lets = lets(&act.statements);
+            act.takes_sines = takes_sines(program);
+            acts.push(act);
             continue;
         }
         let name = format!("{}{suffix}", program.blocks[block.index()].name);
@@ -53,15 +66,19 @@ pub(super) fn step(program: &Program) -> TokenStream {
             .map(|&value| scope.expression(value))
             .collect();
         let gives: Vec<Ident> = flow.gives.iter().map(|&value| scope.bind(value)).collect();
-        let fails = matches!(kind, BlockKind::Newton(_)).then(|| quote!(?));
-        body.extend(quote!(let (#(#gives),*) = #name(#last #(#takes),*)#fails;));
+        let fails = act.fails.then(|| quote!(?));
+        act.statements = quote!(let (#(#gives),*) = #name(#last #(#takes),*)#fails;);
         if let (false, Some(closed)) = (program.is_closed(), program.closed(block))
             && program.margins().any(|(other, _)| other == block)
         {
             let (margin, place) = (scope.expression(closed.margin), &closed.place);
-            body.extend(quote!(closes([#margin], [#place])?;));
+            act.statements.extend(quote!(closes([#margin], [#place])?;));
+            act.fails = true;
         }
+        acts.push(act);
     }
+    let (stages, body) = in_stages(program, acts, before, &mut scope, &mut names);
+    functions.extend(stages);
     let pose = |values: &[Value; 4]| {
         let [cos, sin, x, y] = values.map(|value| scope.expression(value));
         quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
@@ -207,6 +224,7 @@ fn motors(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
     };
     let variables: Vec<Ident> = program.input_names().enumerate().map(variable).collect();
     let mut tokens = quote!(let [#(#variables),*] = motors.values;);
+    let (mut names, mut all) = (Vec::new(), Vec::new());
     for value in program.live_values() {
         let made = match program.node(value).op {
             Op::Turns(motor) => {
@@ -223,8 +241,13 @@ fn motors(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
             }
             _ => continue,
         };
-        let name = scope.bind(value);
-        tokens.extend(quote!(let #name = #made;));
+        names.push(scope.bind(value));
+        all.push(made);
+    }
+    if names.len() <= MOST_LETS / 2 {
+        tokens.extend(quote!(#(let #names = #all;)*));
+    } else {
+        tokens.extend(quote!(let [#(#names),*] = [#(#all),*];));
     }
     tokens
 }
@@ -289,10 +312,10 @@ fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
 
 /// Names of functions, each given once.
 #[derive(Default)]
-struct FunctionNames(Vec<String>);
+pub(super) struct FunctionNames(Vec<String>);
 
 impl FunctionNames {
-    fn fresh(&mut self, wanted: &str) -> Ident {
+    pub(super) fn fresh(&mut self, wanted: &str) -> Ident {
         let taken = |name: &String| self.0.contains(name) || name == "step";
         let mut name = wanted.to_owned();
         let mut number = 1;

@@ -1,15 +1,18 @@
 //! What the struct of a mechanism has more if motors follow laws.
 
 use super::added::Added;
-use super::block::{binding, scalar};
+use super::block::{binding, function, scalar};
+use super::flow::flows;
 use super::items::rested;
 use super::moves::near;
 use super::rates::moved_with;
 use super::scope::{Scope, uses};
+use super::stages::MOST_LETS;
+use super::step::position;
 use crate::Compiled;
 use crate::model::{JointKind, Model, Precision};
 use crate::program::{Program, Timed, Timing, Value};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;
 
@@ -118,18 +121,18 @@ fn at_time(
 
 /// The laws as a function.
 fn laws(model: &Model, program: &Program, timing: &Timing) -> TokenStream {
-    let mut scope = Scope::new(&timing.program, all_uses(timing));
+    let written = &*timing.program.divided(MOST_LETS);
+    let mut scope = Scope::new(written, all_uses(written));
     let time = scope.fresh("t");
     let used = timing.time();
     if let Some(value) = used {
         scope.alias(value, time.clone());
     }
-    let mut body = TokenStream::new();
-    for value in timing.program.live_values() {
-        if !scope.is_bound(value) && scope.deserves_name(value) {
-            body.extend(binding(&timing.program, value, &mut scope));
-        }
-    }
+    let (parts, mut body) = if written.blocks.len() > 1 {
+        in_parts(written, &mut scope)
+    } else {
+        (TokenStream::new(), in_place(written, &mut scope))
+    };
     let scalar = scalar(program);
     let count = Literal::usize_unsuffixed(program.motors.len());
     for timed in &timing.motors {
@@ -164,6 +167,8 @@ fn laws(model: &Model, program: &Program, timing: &Timing) -> TokenStream {
     };
     let time = used.map_or_else(|| quote!(_), |_| quote!(#time));
     quote! {
+        #parts
+
         /// The motors at a time, by their laws.
         #[inline]
         fn laws(mut motors: #motors, #time: f64) -> Result<#kind, Stop> {
@@ -171,6 +176,32 @@ fn laws(model: &Model, program: &Program, timing: &Timing) -> TokenStream {
             Ok(#result)
         }
     }
+}
+
+/// Everything that laws say, as statements.
+fn in_place(written: &Program, scope: &mut Scope<'_>) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    for value in written.live_values() {
+        if !scope.is_bound(value) && scope.deserves_name(value) {
+            tokens.extend(binding(written, value, scope));
+        }
+    }
+    tokens
+}
+
+/// The same as functions, and the statements that call them.
+fn in_parts(written: &Program, scope: &mut Scope<'_>) -> (TokenStream, TokenStream) {
+    let (mut functions, mut calls) = (TokenStream::new(), TokenStream::new());
+    let flows = flows(written);
+    for (number, (block, flow)) in written.block_ids().zip(&flows).enumerate() {
+        let name = scope.fresh(&format!("laws_part_{}", number + 1));
+        functions.extend(function(written, block, &name, flow, &position(written)));
+        let [takes, gives] = [&flow.takes, &flow.gives].map(|values| -> Vec<Ident> {
+            values.iter().map(|&value| scope.bind(value)).collect()
+        });
+        calls.extend(quote!(let (#(#gives),*) = #name(#(#takes),*);));
+    }
+    (functions, calls)
 }
 
 /// The statement that gives a motor the value of its law.
@@ -194,8 +225,7 @@ fn follow(model: &Model, program: &Program, timed: &Timed, scope: &Scope<'_>) ->
 }
 
 /// How often each value is used by others, and how often it is given.
-fn all_uses(timing: &Timing) -> BTreeMap<Value, usize> {
-    let program = &timing.program;
+fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
     let mut all: BTreeMap<Value, usize> = BTreeMap::new();
     for block in program.block_ids() {
         for (value, count) in uses(program, block) {

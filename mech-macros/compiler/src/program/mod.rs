@@ -6,6 +6,7 @@ mod builder;
 mod calibrate;
 mod choice;
 mod closed;
+mod divided;
 mod forces;
 mod formula;
 mod law;

@@ -52,7 +52,7 @@ impl<T: Scalar> Disc<T> {
         }
         let reach = nalgebra::convert::<f32, T>(ComplexField::sqrt(square));
         let first = fixed::border_above(self.center[1] - reach, rows.end) + 1;
-        let first = first.clamp(rows.start, rows.end);
+        let first = first.max(rows.start).min(rows.end);
         let end = fixed::border_above(self.center[1] + reach, rows.end);
         first..end.max(first)
     }

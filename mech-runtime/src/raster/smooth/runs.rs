@@ -48,7 +48,12 @@ impl Runs {
             && next.0 <= run.1 + 1
         {
             run.1 = run.1.max(next.1);
-            self.runs.copy_within(place + 2..self.len, place + 1);
+            // Those behind it move up, from the last on.
+            let behind = self.runs.get_mut(place + 1..self.len);
+            let mut hand = (0, 0);
+            for place in behind.unwrap_or_default().iter_mut().rev() {
+                core::mem::swap(place, &mut hand);
+            }
             self.len -= 1;
         }
     }
@@ -62,9 +67,10 @@ impl Runs {
             }
             return;
         }
-        self.runs.copy_within(place..self.len, place + 1);
-        if let Some(free) = self.runs.get_mut(place) {
-            *free = run;
+        // Those behind it make room, one after the other.
+        let mut hand = run;
+        for place in self.runs.get_mut(place..=self.len).unwrap_or_default() {
+            core::mem::swap(place, &mut hand);
         }
         self.len += 1;
     }

@@ -70,11 +70,12 @@ impl<T: Scalar> Extent<T> {
                 angle,
                 width,
             } => {
-                extent.add(place.point(center));
-                let [x, y] = [start[0] - center[0], start[1] - center[1]];
-                let reach = Real::sqrt(x * x + y * y) + <T as Real>::HALF * width;
-                let [u, v] = place.point(start);
-                extent.mix(6, [u, v, angle, width, projection.length(reach)])
+                let [center, [u, v]] = [center, start].map(|point| place.point(point));
+                extent.add(center);
+                let [x, y] = [u - center[0], v - center[1]];
+                let half = <T as Real>::HALF * projection.length(width);
+                let reach = Real::sqrt(x * x + y * y) + half;
+                extent.mix(6, [u, v, angle, width, reach])
             }
         };
         extent

@@ -1,0 +1,211 @@
+//! Whatever numbers a mechanism is given, in whatever order: it moves, or says why not and is as it was. Nothing panics, and what it
+//! tells are numbers.
+
+use mech_runtime::{Gauss, Phase, Pose, Scalar, mechanism};
+use proptest::prelude::*;
+
+mechanism! {
+    /// With everything that forces do.
+    struct Forced;
+    ground { point a = (0, 0); point d = (4, 0); }
+    link crank { point a = (0, 0); point b = (1, 0); mass 2 at (0.5, 0) inertia 0.2; }
+    link coupler { point b = (0, 0); point c = (3.5, 0); point tip = (2, 1); mass 1 at (1, 0) inertia 0.3; }
+    link rocker { point d = (0, 0); point c = (3, 0); }
+    joint ja = revolute(ground.a, crank.a);
+    joint jb = revolute(crank.b, coupler.b);
+    joint jc = revolute(coupler.c, rocker.c);
+    joint jd = revolute(ground.d, rocker.d);
+    motor ja;
+    start { coupler near 50 deg; }
+    gravity (0, -9.81);
+    load push = force(coupler.tip);
+    load twist = torque(rocker);
+    effects { velocity; acceleration; force; dynamics; trace coupler.tip 16; }
+}
+
+mechanism! {
+    /// With lengths that change, in single precision.
+    struct Changing: f32;
+    param rod = 3.5;
+    ground { point a = (0, 0); point d = (4, 0); line guide = (0, 2) -> (1, 0); }
+    link crank { point a = (0, 0); point b = (1, 0); }
+    link coupler { point b = (0, 0); point c = (rod, 0); point tip = (rod / 2, 1); }
+    link rocker { point d = (0, 0); point c = (3, 0); }
+    link slider { line guide = (0, 0) -> (1, 0); }
+    joint ja = revolute(ground.a, crank.a);
+    joint jb = revolute(crank.b, coupler.b);
+    joint jc = revolute(coupler.c, rocker.c);
+    joint jd = revolute(ground.d, rocker.d);
+    joint js = prismatic(ground.guide, slider.guide);
+    motor ja;
+    motor js;
+    start { coupler near 50 deg; }
+    effects { velocity; sensitivity; }
+}
+
+mechanism! {
+    /// That follows laws, iterates, and is blocked here and there.
+    struct Lawful;
+    link crank; link coupler; link rocker; link slider;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, coupler) at (1.8, 0.6);
+    joint c = revolute(coupler, rocker) at (3.3, 2.9);
+    joint d = revolute(ground, rocker) at (4, 0);
+    joint s = prismatic(ground, slider) at (0, 5) along (1, 0);
+    motor a = exp(t) * sin(t);
+    motor s = t * sqrt(1 + t) / (2 - t);
+    method newton;
+    effects { velocity; acceleration; }
+}
+
+/// Numbers of which many are none, or are beyond all others.
+fn number() -> impl Strategy<Value = f64> + Clone {
+    const EXTREMES: [f64; 10] = [
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::MAX,
+        f64::MIN,
+        f64::MIN_POSITIVE,
+        -0.0,
+        1e19,
+        -1e9,
+        1e300,
+    ];
+    prop_oneof![4 => -9.0..9.0, 1 => prop::sample::select(&EXTREMES[..]), 1 => proptest::num::f64::ANY]
+}
+
+/// Something that is asked of a mechanism: which, and the numbers that it is given.
+fn asked() -> impl Strategy<Value = Vec<(u8, [f64; 4])>> {
+    prop::collection::vec((any::<u8>(), prop::array::uniform4(number())), 1..12)
+}
+
+/// Tests that it is somewhere.
+fn is_somewhere<T: Scalar>(poses: &[Pose<T>]) {
+    for pose in poses {
+        let numbers = [pose.cos, pose.sin, pose.x, pose.y];
+        assert!(
+            numbers
+                .map(mech_runtime::Real::to_f64)
+                .iter()
+                .all(|number| number.is_finite()),
+            "{pose:?}"
+        );
+        let length = numbers[0].to_f64().hypot(numbers[1].to_f64());
+        assert!((length - 1.0).abs() < 1e-3, "{pose:?}");
+    }
+}
+
+fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) {
+    let before = *m;
+    let refused = match which % 14 {
+        0 => m.move_to([x]).is_err(),
+        1 => m.move_toward([x]).is_err(),
+        2 => m.move_with([x], [y], [z]).is_err(),
+        3 => m.hold_at([x]).is_err(),
+        4 => m.set_push([x, y]).is_err(),
+        5 => m.set_twist(x).is_err(),
+        6 => m.set_rates([x]).is_err(),
+        7 => m.simulate(x, [y]).is_err(),
+        8 => {
+            let method = [Gauss::Two, Gauss::Four, Gauss::Six][usize::from(which) % 3];
+            m.simulate_by(method, 1e-3 * x, [y]).is_err()
+        }
+        9 => {
+            let _ = (m.forces([x], [y]), m.second_rates([z]), m.energy());
+            assert_eq!(*m, before);
+            false
+        }
+        10 => {
+            let _ = (
+                m.push_advantage([x, y]),
+                m.twist_advantage(),
+                m.torques(),
+                m.influences(),
+            );
+            assert_eq!(*m, before);
+            false
+        }
+        11 => {
+            let phase = Phase::from_turns(x).unwrap_or(Phase::new(i64::MAX, u64::MAX));
+            m.turn_to(phase).is_err()
+        }
+        12 => {
+            let mut buffer = [0.0; 4 * 3 * 4];
+            let mut columns = mech_runtime::Columns::new(&mut buffer, 3).expect("there is room");
+            let _ = m.solve_many(&[[x], [y], [z], [w]], &mut columns);
+            assert_eq!(*m, before);
+            false
+        }
+        _ => {
+            let mut all = [*m; 3];
+            let _ = Forced::move_many(&mut all, &[[x], [y], [z], [w]]);
+            all.iter().for_each(|m| is_somewhere(m.poses()));
+            false
+        }
+    };
+    assert!(!refused || *m == before, "{m:?} was {before:?}");
+    is_somewhere(m.poses());
+    assert!(m.rates()[0].is_finite() && m.velocities().iter().all(|rate| rate.angular.is_finite()));
+}
+
+fn ask_changing(m: &mut Changing, which: u8, numbers: [f64; 4]) {
+    let before = *m;
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "what is beyond is infinite"
+    )]
+    let [x, y, z, w] = numbers.map(|number| number as f32);
+    let refused = match which % 6 {
+        0 => m.move_to([x, y]).is_err(),
+        1 => m.move_toward([x, y]).is_err(),
+        2 => m.move_with([x, y], [z, w]).is_err(),
+        3 => m.set_rod(x).is_err(),
+        4 => m.set_params([x]).is_err(),
+        _ => {
+            let _ = m.sensitivities();
+            assert_eq!(*m, before);
+            false
+        }
+    };
+    assert!(!refused || *m == before, "{m:?} was {before:?}");
+    is_somewhere(m.poses());
+}
+
+fn ask_lawful(m: &mut Lawful, which: u8, [x, y, z, w]: [f64; 4]) {
+    let before = *m;
+    let refused = match which % 4 {
+        0 => m.at_time(x).is_err(),
+        1 => m.move_to([x, y]).is_err(),
+        2 => m.move_toward([x, y]).is_err(),
+        _ => m.move_with([x, y], [z, w], [x, z]).is_err(),
+    };
+    assert!(!refused || *m == before, "{m:?} was {before:?}");
+    is_somewhere(m.poses());
+}
+
+proptest! {
+    #[test]
+    fn forces_of_any_size(asked in asked()) {
+        let mut forced = Forced::new();
+        for (which, numbers) in asked {
+            ask_forced(&mut forced, which, numbers);
+        }
+    }
+
+    #[test]
+    fn lengths_of_any_size(asked in asked()) {
+        let mut changing = Changing::new();
+        for (which, numbers) in asked {
+            ask_changing(&mut changing, which, numbers);
+        }
+    }
+
+    #[test]
+    fn times_of_any_size(asked in asked()) {
+        let mut lawful = Lawful::new();
+        for (which, numbers) in asked {
+            ask_lawful(&mut lawful, which, numbers);
+        }
+    }
+}

@@ -1,0 +1,290 @@
+//! Large mechanisms: the Rust compiler nests a scope for every `let` of a function, and its stack overflows at about three thousand
+//! of them where there is debug information.
+
+use mech_compiler::model::JointKind;
+use mech_tests::{chain, chain_text};
+use proc_macro2::TokenStream;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use syn::visit::{self, Visit};
+
+/// What a function holds at most.
+const MOST_LETS: usize = 512;
+
+/// The longest of the functions in an expansion, and its `let`s.
+fn longest(text: &str) -> (String, usize) {
+    let tokens: TokenStream = text.parse().expect("tokens");
+    let tokens = mech_compiler::expand(quote::quote!(::mech_runtime; #tokens));
+    let file = syn::parse2(tokens).expect("the expansion is Rust");
+    let mut functions = Functions::default();
+    functions.visit_file(&file);
+    assert_eq!(functions.errors, [""; 0]);
+    functions.longest
+}
+
+/// Looks for the function with the most `let`s, those of its closures and inner blocks included.
+#[derive(Default)]
+struct Functions {
+    lets: usize,
+    longest: (String, usize),
+    errors: Vec<String>,
+}
+
+impl Functions {
+    fn function(&mut self, name: &syn::Ident, visit: impl FnOnce(&mut Self)) {
+        let outside = std::mem::take(&mut self.lets);
+        visit(self);
+        if self.lets > self.longest.1 {
+            self.longest = (name.to_string(), self.lets);
+        }
+        self.lets = outside;
+    }
+}
+
+impl<'ast> Visit<'ast> for Functions {
+    fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
+        self.function(&item.sig.ident, |this| visit::visit_item_fn(this, item));
+    }
+
+    fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
+        self.function(&item.sig.ident, |this| {
+            visit::visit_impl_item_fn(this, item)
+        });
+    }
+
+    fn visit_local(&mut self, local: &'ast syn::Local) {
+        self.lets += 1;
+        visit::visit_local(self, local);
+    }
+
+    fn visit_macro(&mut self, called: &'ast syn::Macro) {
+        let name = called.path.segments.last().map(|segment| &segment.ident);
+        if name.is_some_and(|name| name == "compile_error") {
+            self.errors.push(called.tokens.to_string());
+        }
+    }
+}
+
+/// A chain whose rockers have masses, in gravity.
+fn heavy(loops: usize, effects: &str) -> String {
+    let mut text = chain_text(loops);
+    for rocker in (0..loops).map(|number| format!("link rocker_{number};")) {
+        let heavy = rocker.replace(';', " { mass 2 at (1, 2) inertia 0.5; }");
+        text = text.replace(&rocker, &heavy);
+    }
+    text + "gravity (0, -9.81);" + effects
+}
+
+/// A chain with a few params in it.
+fn variable(loops: usize, effects: &str) -> String {
+    let mut text = chain_text(loops);
+    for number in 0..3 {
+        let name = format!("link coupler_{number};");
+        let varied = format!("link coupler_{number} {{ point tip = (size_{number}, 2); }}");
+        text = text.replace(&name, &varied);
+        let param = format!("struct Chain; param size_{number} = 1.5;");
+        text = text.replacen("struct Chain;", &param, 1);
+        // The foot of a rocker, which is where it is drawn.
+        text = text.replace(
+            &format!(
+                "j{} = revolute(ground, rocker_{number}) at ({:?}, 0.0)",
+                3 * number + 3,
+                3.0 * f64::from(number + 1)
+            ),
+            &format!(
+                "j{} = revolute(ground, rocker_{number}) at ({:?} + 2 * size_{number}, 0.0)",
+                3 * number + 3,
+                3.0 * f64::from(number)
+            ),
+        );
+    }
+    text + effects
+}
+
+/// A crank that turns a train of gears, each of which drives a four-bar of its own.
+fn geared(loops: usize) -> String {
+    let mut text = "struct Geared; link wheel_0; joint shaft_0 = revolute(ground, wheel_0) at (0, 0); motor shaft_0;".to_owned();
+    for number in 1..=loops {
+        let (before, x) = (number - 1, 10 * number);
+        let _ = write!(
+            text,
+            "link wheel_{number}; link rod_{number}; link rocker_{number};
+            joint shaft_{number} = revolute(ground, wheel_{number}) at ({x}, 0);
+            joint mesh_{number} = gear(wheel_{before}, wheel_{number}, 20 : {});
+            joint pin_{number} = revolute(wheel_{number}, rod_{number}) at ({x}.3, 1);
+            joint top_{number} = revolute(rod_{number}, rocker_{number}) at ({x}.3 + 3, 1.6);
+            joint foot_{number} = revolute(ground, rocker_{number}) at ({x} + 3, 0);",
+            20 + number % 3,
+        );
+    }
+    text
+}
+
+/// So many sliders, each with a law of its own that is long.
+fn lawful(motors: usize) -> String {
+    let mut text = "struct Lawful; effects { velocity; acceleration; }".to_owned();
+    for number in 0..motors {
+        let _ = write!(
+            text,
+            "link slider_{number}; joint j_{number} = prismatic(ground, slider_{number}) at (0, {number}) along (1, 0);
+            motor j_{number} = sin({number} * t) * exp(-{number} * t) * cos(2 * t) / (1 + t * t);"
+        );
+    }
+    text
+}
+
+fn check(what: &str, text: &str) {
+    let (name, lets) = longest(text);
+    assert!(lets <= MOST_LETS, "{what}: `{name}` has {lets} `let`s");
+}
+
+#[test]
+fn no_function_is_long_whatever_the_method() {
+    for loops in [10, 50, 200, 600] {
+        for method in ["", "method linear;", "method newton(2);", "method newton;"] {
+            check(
+                &format!("{loops} loops, {method}"),
+                &(chain_text(loops) + method),
+            );
+        }
+    }
+    check("gears", &geared(200));
+    check("laws", &lawful(150));
+}
+
+#[test]
+fn no_function_is_long_whatever_the_effects() {
+    for loops in [10, 50, 200] {
+        let effects = [
+            heavy(loops, "effects { velocity; }"),
+            heavy(
+                loops,
+                "effects { velocity; acceleration; overlay; trace rocker_0.far 100; }",
+            )
+            .replacen("link rocker_0 {", "link rocker_0 { point far = (1, 1);", 1),
+            heavy(
+                loops,
+                "effects { velocity; acceleration; force; dynamics; overlay; }",
+            ),
+            variable(loops, "effects { sensitivity; }"),
+            chain_text(loops).replace("motor j0;", "motor j0 = 0.1 * sin(t);")
+                + "effects { velocity; acceleration; }",
+        ];
+        for (number, text) in effects.iter().enumerate() {
+            check(&format!("{loops} loops, effects {number}"), text);
+        }
+    }
+}
+
+/// A module with a chain, and a function that turns its crank there and back by a few degrees: its joints stay closed.
+fn module(loops: usize, text: &str) -> String {
+    let model = chain(loops);
+    let mut pins = String::new();
+    for joint in &model.joints {
+        let JointKind::Revolute(a, b) = joint.kind else {
+            panic!("a chain has revolute joints only")
+        };
+        let ([x, y], [a, b]) = (
+            model.axis(a).at,
+            [a, b].map(|axis| model.axis(axis).link.index()),
+        );
+        let _ = write!(pins, "({a}, {b}, [{x:?}, {y:?}]), ");
+    }
+    format!(
+        "pub mod chain_{loops} {{
+            mech_runtime::mechanism! {{ {text} }}
+            const PINS: &[(usize, usize, [f64; 2])] = &[{pins}];
+            pub fn run() {{
+                let mut chain = Chain::new();
+                for degrees in [1, 2, 3, 2, 1, 0, -1, -2_i32] {{
+                    chain.move_to([f64::from(degrees).to_radians()]).expect(\"it moves\");
+                    let place = |link: usize, at| if link == 0 {{ at }} else {{ chain.poses()[link - 1].apply(at) }};
+                    for &(a, b, at) in PINS {{
+                        let (a, b) = (place(a, at), place(b, at));
+                        let gap = (a[0] - b[0]).hypot(a[1] - b[1]);
+                        assert!(gap < 1e-9, \"a joint is open by {{gap}}\");
+                    }}
+                    let last = chain.poses()[chain.poses().len() - 1];
+                    assert!(degrees == 0 || last.sin != 0.0, \"it moves\");
+                }}
+            }}
+        }}\n"
+    )
+}
+
+/// Large mechanisms are compiled as users do it first, without optimisation and with all debug information, on the compiler's
+/// ordinary stack; then they close.
+#[test]
+fn large_ones_compile_in_debug() {
+    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("large");
+    let ours = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .parent()
+        .expect("the workspace");
+    let chains = [
+        (
+            60,
+            heavy(
+                60,
+                "effects { velocity; acceleration; force; dynamics; overlay; }",
+            ),
+        ),
+        (200, chain_text(200)),
+        (220, heavy(220, "effects { velocity; acceleration; }")),
+        (600, chain_text(600) + "method newton;"),
+    ];
+    let mut program = "#![allow(dead_code)]\n".to_owned();
+    let mut calls = String::new();
+    for (loops, text) in &chains {
+        program += &module(*loops, text);
+        let _ = write!(calls, "chain_{loops}::run();");
+    }
+    let motors = 150;
+    let mut laws = String::new();
+    for number in 0..motors {
+        let _ = write!(
+            laws,
+            "let law = ({number}.0 * t).sin() * (-{number}.0 * t).exp() * (2.0 * t).cos() / (1.0 + t * t);
+            assert!((lawful.j_{number}() - law).abs() < 1e-12, \"{{law}}\");"
+        );
+    }
+    let _ = write!(
+        program,
+        "mech_runtime::mechanism! {{ {} }}
+        fn main() {{
+            {calls}
+            let mut lawful = Lawful::new();
+            let t = 0.7_f64;
+            lawful.at_time(t).expect(\"it moves\");
+            {laws}
+        }}",
+        lawful(motors)
+    );
+    let runtime = ours.join("mech-runtime");
+    let manifest = format!(
+        "[package]\nname = \"large\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
+         mech-runtime = {{ path = '{}', default-features = false }}\n\
+         [profile.dev.package.\"*\"]\ndebug = 0\n[profile.dev.build-override]\nopt-level = 2\ndebug = 0\n",
+        runtime.display()
+    );
+    fs::create_dir_all(root.join("src")).expect("a folder");
+    for (name, text) in [("Cargo.toml", &manifest), ("src/main.rs", &program)] {
+        fs::write(root.join(name), text).expect("a file");
+    }
+    // The same versions of everything, all of which are here already: nothing is asked of the network.
+    fs::copy(ours.join("Cargo.lock"), root.join("Cargo.lock")).expect("the lock file");
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let status = Command::new(cargo)
+        .args(["run", "--offline", "--quiet"])
+        .current_dir(&root)
+        .env("CARGO_TARGET_DIR", root.join("target"))
+        .envs([
+            ("CARGO_PROFILE_DEV_DEBUG", "2"),
+            ("CARGO_PROFILE_DEV_OPT_LEVEL", "0"),
+            ("CARGO_INCREMENTAL", "0"),
+        ])
+        .status()
+        .expect("cargo runs");
+    assert!(status.success(), "large mechanisms compile and move");
+}
