@@ -3,18 +3,18 @@
 /// Declares a mechanism as [`mech_runtime::mechanism!`] does, in `f64`, and in a module `single` once more in `f32`. It takes a
 /// declaration that names no precision.
 macro_rules! mechanism {
-    ($(#[$($attribute:tt)*])* pub struct $mechanism:ident; $($body:tt)*) => {
+    ($(#[$($attribute:tt)*])* $visibility:vis struct $mechanism:ident; $($body:tt)*) => {
         mech_runtime::mechanism! {
             $(#[$($attribute)*])*
-            pub struct $mechanism: f64;
+            $visibility struct $mechanism: f64;
             $($body)*
         }
 
         /// The same in single precision.
-        pub mod single {
+        $visibility mod single {
             mech_runtime::mechanism! {
                 $(#[$($attribute)*])*
-                pub struct $mechanism: f32;
+                $visibility struct $mechanism: f32;
                 $($body)*
             }
         }

@@ -100,6 +100,10 @@ fn single_precision_goes_the_same_way() {
         for (moment, ((exact, _), (rounded, _))) in
             double.moments.iter().zip(&single.moments).enumerate()
         {
+            #[expect(
+                clippy::cast_possible_truncation,
+                reason = "rounding is what is compared with"
+            )]
             let nearest: Vec<_> = exact.iter().map(|&motor| f64::from(motor as f32)).collect();
             assert_eq!(*rounded, nearest, "{}", double.slug);
             let off = single.off(moment, double, moment);
