@@ -140,7 +140,9 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) {
         _ => {
             let mut all = [*m; 3];
             let _ = Forced::move_many(&mut all, &[[x], [y], [z], [w]]);
-            all.iter().for_each(|m| is_somewhere(m.poses()));
+            for m in &all {
+                is_somewhere(m.poses());
+            }
             false
         }
     };

@@ -50,7 +50,7 @@ impl<'ast> Visit<'ast> for Functions {
 
     fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
         self.function(&item.sig.ident, |this| {
-            visit::visit_impl_item_fn(this, item)
+            visit::visit_impl_item_fn(this, item);
         });
     }
 
