@@ -58,6 +58,24 @@ mechanism! {
     effects { velocity; acceleration; }
 }
 
+mechanism! {
+    /// That turns farther than its motors, by both of them.
+    struct Geared;
+    ground { point shaft = (0, 0); }
+    link sun { point shaft = (0, 0); }
+    link ring { point shaft = (0, 0); }
+    link arm { point shaft = (0, 0); point pin = (6, 0); }
+    link planet { point pin = (0, 0); }
+    joint s = revolute(ground.shaft, sun.shaft);
+    joint r = revolute(ground.shaft, ring.shaft);
+    joint a = revolute(ground.shaft, arm.shaft);
+    joint p = revolute(arm.pin, planet.pin);
+    joint inner = gear(sun, planet, 5 : 1);
+    joint outer = gear(planet, ring, 1 : -7);
+    motor s;
+    motor r;
+}
+
 /// Numbers of which many are none, or are beyond all others.
 fn number() -> impl Strategy<Value = f64> + Clone {
     const EXTREMES: [f64; 10] = [
@@ -186,7 +204,38 @@ fn ask_lawful(m: &mut Lawful, which: u8, [x, y, z, w]: [f64; 4]) {
     is_somewhere(m.poses());
 }
 
+fn ask_geared(m: &mut Geared, which: u8, [x, y, z, w]: [f64; 4]) {
+    let before = *m;
+    let refused = match which % 4 {
+        0 => m.move_to([x, y]).is_err(),
+        1 => m.move_toward([x, y]).is_err(),
+        2 => {
+            let [s, r] =
+                [x, y].map(|turns| Phase::from_turns(turns).unwrap_or(Phase::new(1, u64::MAX)));
+            m.turn_to(s, r).is_err()
+        }
+        _ => {
+            let mut all = [*m; 2];
+            let _ = Geared::move_many(&mut all, &[[x, y], [z, w]]);
+            for m in &all {
+                is_somewhere(m.poses());
+            }
+            false
+        }
+    };
+    assert!(!refused || *m == before, "{m:?} was {before:?}");
+    is_somewhere(m.poses());
+}
+
 proptest! {
+    #[test]
+    fn angles_of_any_size(asked in asked()) {
+        let mut geared = Geared::new();
+        for (which, numbers) in asked {
+            ask_geared(&mut geared, which, numbers);
+        }
+    }
+
     #[test]
     fn forces_of_any_size(asked in asked()) {
         let mut forced = Forced::new();
