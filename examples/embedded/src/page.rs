@@ -10,9 +10,12 @@ use std::path::Path;
 /// Between these lines of the page the figures stand.
 const MARKS: [&str; 2] = ["<!-- figures -->\n", "<!-- /figures -->"];
 
-/// Writes the figures: as a table for programs, and into the page for people.
-pub(crate) fn write(docs: &Path, figures: &Figures) -> Result<(), Error> {
-    put(&docs.join("embedded.csv"), &figures.table())?;
+/// Writes the figures: those of all compilers as a table for programs, and those of the first into the page for people.
+pub(crate) fn write(docs: &Path, all: &[Figures]) -> Result<(), Error> {
+    put(&docs.join("embedded.csv"), &Figures::table(all))?;
+    let Some(figures) = all.first() else {
+        return Ok(());
+    };
     let path = docs.join("embedded.md");
     let page = get(&path)?;
     let errors = get(&docs.join("accuracy.csv"))?;
@@ -24,7 +27,12 @@ pub(crate) fn write(docs: &Path, figures: &Figures) -> Result<(), Error> {
         text: format!("{}: no marks for figures", path.display()),
     })?;
     let [start, end] = MARKS;
-    let tables = format!("\n{}\n{}\n", methods(figures, &errors), gallery(figures));
+    let tables = format!(
+        "\nBy {}, `opt-level = \"s\"`, bytes and instructions:\n\n{}\n{}\n",
+        figures.compiler,
+        methods(figures, &errors),
+        gallery(figures)
+    );
     put(&path, &format!("{before}{start}{tables}{end}{after}"))
 }
 
