@@ -2,6 +2,8 @@
 
 use crate::board::Board;
 use crate::error::Error;
+use crate::image::flash;
+use crate::image_of;
 use crate::row::{COLUMNS, Row};
 use std::fs;
 use std::path::Path;
@@ -46,9 +48,7 @@ impl Figures {
                     row.without_drawing()
                 });
             }
-            let release = folder.join("target").join(board.target()).join("release");
-            let [least, empty] =
-                [LEAST, EMPTY].map(|image| crate::image::flash(&release.join(image)));
+            let [least, empty] = [LEAST, EMPTY].map(|image| flash(&image_of(folder, board, image)));
             rows.push(Row {
                 board: board.name().to_owned(),
                 image: LEAST.to_owned(),

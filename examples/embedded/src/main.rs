@@ -38,6 +38,7 @@ fn run() -> Result<(), Error> {
         Some(_) => return Err(Error::Usage),
     };
     agree(&folder)?;
+    stay_single(&folder)?;
     let figures = Figures::measured(&folder)?;
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     let mut known = Figures::read(&docs.join("embedded.csv"))?;
@@ -49,6 +50,27 @@ fn run() -> Result<(), Error> {
     }
     figures.hold_against(&known)?;
     figures.keep_promises()
+}
+
+/// Tests that what is declared in `f32` never computes in `f64`, which a Cortex-M4F does in software.
+fn stay_single(folder: &Path) -> Result<(), Error> {
+    for image in ["exact_f32", "least"] {
+        let path = image_of(folder, Board::CortexM4F, image);
+        let doubles = image::soft_doubles(&path)?;
+        if !doubles.is_empty() {
+            let doubles = doubles.join(", ");
+            return Err(Error::Differs(format!(
+                "{image} computes in f64: {doubles}"
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Where an image is.
+pub(crate) fn image_of(folder: &Path, board: Board, image: &str) -> PathBuf {
+    let release = folder.join("target").join(board.target()).join("release");
+    release.join(image)
 }
 
 /// Holds poses and pictures against those of this machine.

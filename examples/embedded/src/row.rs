@@ -3,6 +3,7 @@
 use crate::board::Board;
 use crate::error::Error;
 use crate::image::flash;
+use crate::image_of;
 use std::fs;
 use std::path::Path;
 
@@ -40,12 +41,11 @@ impl Row {
                     text: format!("{image}: no {name}"),
                 })
         };
-        let release = folder.join("target").join(board.target()).join("release");
         Ok(Self {
             board: board.name().to_owned(),
             image: image.to_owned(),
             values: [
-                flash(&release.join(image))?,
+                flash(&image_of(folder, board, image))?,
                 told("state")?,
                 told("stack")?,
                 told("position")?,

@@ -1,8 +1,8 @@
 //! What a subject costs on this processor.
 
+use crate::Line;
 use crate::board::{Clock, exit, stack_of};
 use crate::subject::{Picture, Subject};
-use crate::Line;
 use core::array;
 use mech_probes::STEPS;
 
@@ -17,6 +17,7 @@ pub fn figures<S: Subject>() -> ! {
 fn told<S: Subject>() -> Option<()> {
     let mut clock = Clock::take()?;
     let mut picture = Picture::new();
+    picture.look_at(S::view());
     let mut subject = S::new();
     let motion: [S::Motors; STEPS as usize] = array::from_fn(|step| S::motion(step as u16));
 
