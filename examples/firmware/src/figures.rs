@@ -27,12 +27,14 @@ fn told<S: Subject>() -> Option<()> {
             moved &= subject.move_to(*motors);
         }
     });
-    let frame = clock.instructions(|| {
-        for motors in motion.iter().step_by(STRIDE) {
+    // One by one: many are more than the clock can count.
+    let mut frame = 0;
+    for motors in motion.iter().step_by(STRIDE) {
+        frame += clock.instructions(|| {
             moved &= subject.move_to(*motors);
             subject.draw(&mut picture);
-        }
-    });
+        });
+    }
     let stack_of_position = stack_of(|| {
         for motors in &motion {
             moved &= subject.move_to(*motors);
