@@ -15,8 +15,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed={map}");
     println!("cargo::rustc-link-search={out}");
     // The runtime's script is written for every architecture; that of RISC-V does not read the map by itself.
+    // By its path: linkers look first where they are, and there is the other map.
     if map == "memory-riscv.x" {
-        println!("cargo::rustc-link-arg-bins=-Tmemory.x");
+        println!("cargo::rustc-link-arg-bins=-T{out}/memory.x");
     }
     println!("cargo::rustc-link-arg-bins=-Tlink.x");
     Ok(())
