@@ -118,8 +118,9 @@ impl<T: Scalar> Extent<T> {
     pub(super) fn item(&self, [width, height]: [usize; 2]) -> Item {
         let reach = self.reach;
         let clip = if self.is_finite && !self.is_empty && Real::is_finite(reach) {
-            let [x, y] = [0, 1].map(|axis| [self.low[axis] - reach, self.high[axis] + reach]);
-            let (columns, rows) = (fixed::touched(x, width), fixed::touched(y, height));
+            let ([left, top], [right, bottom]) = (self.low, self.high);
+            let columns = fixed::touched([left - reach, right + reach], width);
+            let rows = fixed::touched([top - reach, bottom + reach], height);
             Clip {
                 left: columns.start,
                 top: rows.start,
