@@ -75,7 +75,7 @@ fn main() -> ! {
 
 /// Moves it through a turn and shows it both ways. Whether that is what a frame shows.
 fn run(wired: &St7789) -> Option<()> {
-    let mut buffer = [0; 512]; // the driver's, for pixels on their way: any size will do
+    let mut buffer = [0; 512]; // the driver's, for pixels on their way: at least one of two bytes
     let mut display = Builder::new(
         models::ST7789,
         SpiInterface::new(wired.spi(), wired.data_pin(), &mut buffer),
