@@ -169,11 +169,15 @@ impl Figures {
     }
 }
 
+/// Whether an image is that of a four-bar by some method.
+pub(crate) fn is_method(image: &str) -> bool {
+    let methods = ["exact", "linear", "newton"];
+    methods.iter().any(|method| image.starts_with(method))
+}
+
 /// Whether an image draws too.
-pub(crate) fn is_drawn(image: &str) -> bool {
-    !["exact", "linear", "newton"]
-        .iter()
-        .any(|method| image.starts_with(method))
+fn is_drawn(image: &str) -> bool {
+    !is_method(image) && !image.starts_with("diagram")
 }
 
 /// The images that were run and told figures, in alphabetical order.

@@ -2,7 +2,7 @@
 
 use crate::board::Board;
 use crate::error::Error;
-use crate::figures::{Figures, is_drawn};
+use crate::figures::{Figures, is_method};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -98,7 +98,7 @@ fn gallery(figures: &Figures) -> String {
          instructions, to move | to move and draw |\n|---|---|---|---|---|---|---|---|---|\n",
     );
     let rows = figures.rows.iter().filter(|row| {
-        row.board == Board::CortexM4F.name() && is_drawn(&row.image) && row.values[1] > 0
+        row.board == Board::CortexM4F.name() && !is_method(&row.image) && row.values[1] > 0
     });
     for row in rows {
         let [flash, state, stack, instructions, drawing, frame] = row.values;
@@ -106,6 +106,12 @@ fn gallery(figures: &Figures) -> String {
             .row(Board::CortexM0, &row.image)
             .map(|row| row.values);
         let [_, _, _, whole, _, whole_frame] = whole.unwrap_or_default();
+        // What has no shapes is not drawn.
+        let [drawing, frame, whole_frame] =
+            [drawing, frame, whole_frame].map(|value| match value {
+                0 => String::new(),
+                value => value.to_string(),
+            });
         let title = row.image.replace('_', " ");
         let _ = writeln!(
             text,
