@@ -4,11 +4,13 @@
 //! through all mechanisms there are: the gallery's and one [four-bar](four_bar) by every method.
 #![no_std]
 
+mod abilities;
 pub mod four_bar;
 mod panel;
 mod pictures;
 mod poses;
 
+pub use abilities::abilities;
 pub use panel::Panel;
 pub use pictures::pictures;
 pub use poses::poses;

@@ -88,13 +88,13 @@ impl<T: Scalar> Tableau<T> {
         let (weights, rates) = (row(weights), rates.map(row));
         // What goes into a rate goes on into the place: their product. Stages that are not there count nothing.
         let into_place = |shares: [T; STAGES]| -> [T; STAGES] {
-            core::array::from_fn(|of| {
-                let products = shares
-                    .iter()
-                    .zip(&rates)
-                    .map(|(share, row)| *share * row[of]);
-                products.fold(T::ZERO, |sum, product| sum + product)
-            })
+            let mut sums = [T::ZERO; STAGES];
+            for (share, row) in shares.iter().zip(&rates) {
+                for (sum, part) in sums.iter_mut().zip(row) {
+                    *sum += *share * *part;
+                }
+            }
+            sums
         };
         Self {
             times: row(times),
@@ -104,6 +104,15 @@ impl<T: Scalar> Tableau<T> {
             end: into_place(weights),
             count,
         }
+    }
+
+    /// Of each stage its time, and the shares of all second rates in its place and in its rate.
+    fn stages(&self) -> impl Iterator<Item = (T, [T; STAGES], [T; STAGES])> + '_ {
+        let shares = self.places.iter().zip(&self.rates);
+        let stages = self.times.iter().zip(shares);
+        stages
+            .map(|(at, (places, rates))| (*at, *places, *rates))
+            .take(self.count)
     }
 }
 
@@ -147,27 +156,17 @@ where
     let mut settled = false;
     for _ in 0..ROUNDS {
         let mut next = stages;
-        for stage in 0..tableau.count {
-            let share = |of: usize| time * time * tableau.places[stage][of];
-            let way = way(
-                rates,
-                time * tableau.times[stage],
-                &stages,
-                share,
-                tableau.count,
-            );
-            let rate = |of: usize| time * tableau.rates[stage][of];
-            let speed = sum(rates, &stages, rate, tableau.count);
-            let inertia =
-                to(&mut positions[stage], moved(start.motors, way), speed).map_err(too_long)?;
-            next[stage] = inertia.accelerations(torques, names).map_err(refuse)?;
+        let found = next.iter_mut().zip(&mut positions);
+        for ((at, places, shares), (next, position)) in tableau.stages().zip(found) {
+            let places = places.map(|share| time * time * share);
+            let way = way(rates, time * at, &stages, places, tableau.count);
+            let shares = shares.map(|share| time * share);
+            let speed = sum(rates, &stages, shares, tableau.count);
+            let inertia = to(position, moved(start.motors, way), speed).map_err(too_long)?;
+            *next = inertia.accelerations(torques, names).map_err(refuse)?;
         }
-        let change = change(
-            &stages[..tableau.count],
-            &next[..tableau.count],
-            rates,
-            time,
-        );
+        let pairs = stages.iter().zip(&next).take(tableau.count);
+        let change = change(pairs, rates, time);
         stages = next;
         // To rounding, or as near to it as it comes.
         if change <= <T as Real>::from_f64(T::EPSILON) || (change >= before && change <= near) {
@@ -179,19 +178,10 @@ where
     if !settled {
         return Err(refuse(Stop::new("", Cause::StepTooLong)));
     }
-    let way = way(
-        rates,
-        time,
-        &stages,
-        |of| time * time * tableau.end[of],
-        tableau.count,
-    );
-    let speed = sum(
-        rates,
-        &stages,
-        |of| time * tableau.weights[of],
-        tableau.count,
-    );
+    let end = tableau.end.map(|share| time * time * share);
+    let way = way(rates, time, &stages, end, tableau.count);
+    let weights = tableau.weights.map(|share| time * share);
+    let speed = sum(rates, &stages, weights, tableau.count);
     let inertia = to(&mut position, moved(start.motors, way), speed)?;
     let accelerations = inertia.accelerations(torques, names).map_err(refuse)?;
     position.motors = position.motors.wrapped(turning);
@@ -219,22 +209,21 @@ fn way<T: Scalar, const M: usize>(
     rates: [T; M],
     time: T,
     stages: &[[T; M]; STAGES],
-    share: impl Fn(usize) -> T,
+    shares: [T; STAGES],
     count: usize,
 ) -> [T; M] {
-    sum(rates.map(|rate| rate * time), stages, share, count)
+    sum(rates.map(|rate| rate * time), stages, shares, count)
 }
 
 /// A vector and shares of the second rates at the stages.
 fn sum<T: Scalar, const M: usize>(
     first: [T; M],
     stages: &[[T; M]; STAGES],
-    share: impl Fn(usize) -> T,
+    shares: [T; STAGES],
     count: usize,
 ) -> [T; M] {
     let mut sum = first;
-    for (of, stage) in stages.iter().enumerate().take(count) {
-        let share = share(of);
+    for (share, stage) in shares.into_iter().zip(stages).take(count) {
         for (sum, part) in sum.iter_mut().zip(stage) {
             *sum += share * *part;
         }
@@ -250,18 +239,17 @@ fn moved<T: Scalar, const M: usize>(motors: Motors<T, M>, way: [T; M]) -> Motors
     motors
 }
 
-/// How much the second rates at the stages changed: by how much of the rates that they bring about.
-fn change<T: Scalar, const M: usize>(
-    stages: &[[T; M]],
-    next: &[[T; M]],
+/// How much the second rates at the stages changed, given before and after: by how much of the rates that they bring about.
+fn change<'s, T: Scalar, const M: usize>(
+    stages: impl Iterator<Item = (&'s [T; M], &'s [T; M])>,
     rates: [T; M],
     time: T,
 ) -> T {
     let mut most = T::ZERO;
-    for (old, new) in stages.iter().zip(next) {
-        for motor in 0..M {
-            let brought = Real::abs(time * (new[motor] - old[motor]));
-            let whole = Real::abs(rates[motor]) + Real::abs(time * new[motor]);
+    for (old, new) in stages {
+        for ((old, new), rate) in old.iter().zip(new).zip(rates) {
+            let brought = Real::abs(time * (*new - *old));
+            let whole = Real::abs(rate) + Real::abs(time * *new);
             if brought > T::ZERO {
                 let part = brought / whole;
                 if part > most {

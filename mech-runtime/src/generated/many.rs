@@ -198,7 +198,7 @@ pub fn move_many_then<
                     let position = position(instance);
                     position.motors = Motors::new(*motors);
                     for (pose, lanes) in position.poses.iter_mut().zip(&lanes) {
-                        let [cos, sin, x, y] = [0, 1, 2, 3].map(|part: usize| lanes[part][lane]);
+                        let [cos, sin, x, y] = lanes.each_ref().map(|part| part[lane]);
                         *pose = Pose { cos, sin, x, y };
                     }
                     then(instance);

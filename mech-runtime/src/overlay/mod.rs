@@ -128,7 +128,7 @@ impl Overlay {
     ) {
         let pen = Pen::new(canvas, self.size, self.ink, self.paper);
         for symbol in symbols {
-            if self.wanted[symbol.kind() as usize] {
+            if self.wanted.get(symbol.kind() as usize) == Some(&true) {
                 // What lies on a link whose pose is not known is left out.
                 let _ = symbol.draw(poses, &pen, canvas);
             }

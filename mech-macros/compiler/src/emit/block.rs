@@ -1,6 +1,6 @@
 //! One block as Rust.
 
-use super::flow::Flow;
+use super::flow::{Flow, is_given};
 use super::iteration::iteration;
 use super::scope::{Scope, last_pose, uses};
 use crate::program::{Block, BlockId, BlockKind, Op, Program, Value};
@@ -35,7 +35,10 @@ pub(super) fn statements(
             tokens.extend(linear(program, number, scope));
             continue;
         }
-        if scope.is_bound(value) || !(scope.deserves_name(value) || flow.gives.contains(&value)) {
+        if scope.is_bound(value)
+            || is_given(node.op)
+            || !(scope.deserves_name(value) || flow.gives.contains(&value))
+        {
             continue;
         }
         tokens.extend(binding(program, value, scope));

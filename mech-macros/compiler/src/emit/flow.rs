@@ -49,7 +49,8 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
             if is_given(op) || from != by {
                 takes[by.index()].insert(value);
             }
-            if from != by {
+            // What is given from outside is known everywhere, whichever block speaks of it first.
+            if from != by && !is_given(op) {
                 gives[from.index()].insert(value);
             }
         }

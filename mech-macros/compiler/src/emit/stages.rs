@@ -51,7 +51,7 @@ pub(super) fn in_stages(
     for (number, acts) in stages_of_acts.into_iter().enumerate().rev() {
         let wanted = format!("stage_{}{}", number + 1, super::motion::suffix(program));
         let name = names.fresh(&scope.fresh(&wanted).to_string());
-        let stage = Stage::new(program, acts, &needed);
+        let stage = Stage::new(acts, &needed);
         needed.retain(|value| !stage.makes.contains(value));
         needed.extend(stage.takes.iter().copied());
         stages.push(stage.function(program, &name, (number + 1, count), scope));
@@ -121,13 +121,11 @@ struct Stage {
 
 impl Stage {
     /// These acts, which have to give what is needed.
-    fn new(program: &Program, acts: Vec<Act>, needed: &BTreeSet<Value>) -> Self {
+    fn new(acts: Vec<Act>, needed: &BTreeSet<Value>) -> Self {
         let values = |part: fn(&Flow) -> &Vec<Value>| {
             acts.iter().flat_map(move |act| part(&act.flow)).copied()
         };
-        // Blocks may hand on what they are given.
-        let is_made = |value: &Value| !is_given(program.node(*value).op);
-        let makes: BTreeSet<Value> = values(|flow| &flow.gives).filter(is_made).collect();
+        let makes: BTreeSet<Value> = values(|flow| &flow.gives).collect();
         let takes = values(|flow| &flow.takes)
             .filter(|value| !makes.contains(value))
             .collect();

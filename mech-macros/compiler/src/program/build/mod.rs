@@ -36,7 +36,7 @@ use crate::plan::{
 };
 use crate::structure::Structure;
 use mech_core::journey::AtZero;
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 
 /// Writes the program of a planned mechanism, with every loop solved by the method that the model says.
 #[must_use]
@@ -205,15 +205,22 @@ fn strides(model: &Model) -> Vec<f64> {
 }
 
 /// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it; what a law drives
-/// that may have no value; and what is as long as a param.
-fn overflows(model: &Model) -> bool {
+/// that may have no value; what is as long as a param; and what turns farther than what drives it, or by several things.
+fn overflows(model: &Model, plan: &Plan) -> bool {
+    let multiplies = |step: &Step| {
+        let Step::Mesh(mesh) = step else {
+            return false;
+        };
+        let one = Rational::from_integer(1.into());
+        mesh.parts.len() > 1 || mesh.parts.iter().any(|(_, part)| part.abs() > one)
+    };
     let slides = |joint: &Joint| {
         matches!(
             joint.kind,
             JointKind::Prismatic(..) | JointKind::Rack { .. } | JointKind::Cam { .. }
         )
     };
-    model.joints.iter().any(slides) || !model.params.is_empty()
+    model.joints.iter().any(slides) || !model.params.is_empty() || plan.steps.iter().any(multiplies)
 }
 
 struct Writer<'m> {
@@ -490,6 +497,7 @@ impl Writer<'_> {
         };
         let Self {
             model,
+            plan,
             builder,
             kept,
             watches,
@@ -521,7 +529,7 @@ impl Writer<'_> {
             senses,
             range: None,
             strides,
-            overflows: overflows(model),
+            overflows: overflows(model, plan),
             curved: model.cams().next().is_some(),
             motors: model
                 .motors

@@ -1,0 +1,14 @@
+//! Prints what comes of everything that mechanisms and pictures can do, bit by bit.
+#![no_std]
+#![no_main]
+#![forbid(unsafe_code)]
+
+use firmware::Printer;
+use mech_probes::abilities;
+
+#[firmware::entry]
+fn main() -> ! {
+    let mut printer = Printer::new();
+    abilities(&mut printer);
+    firmware::exit(printer.is_heard())
+}
