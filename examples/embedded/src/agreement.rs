@@ -11,7 +11,7 @@ const MOST_ULPS: u64 = 2;
 #[derive(Debug, Default)]
 pub(crate) struct Summary {
     poses: usize,
-    pictures: usize,
+    others: usize,
     /// The greatest distance of two numbers that should be one, in units in the last place of their precision.
     ulps: u64,
 }
@@ -20,13 +20,16 @@ impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
             poses,
-            pictures,
+            others,
             ulps,
         } = self;
-        write!(
-            f,
-            "{poses} positions at most {ulps} ulp from this machine's, {pictures} pictures the same"
-        )
+        if *poses > 0 {
+            write!(
+                f,
+                "{poses} positions at most {ulps} ulp from this machine's, "
+            )?;
+        }
+        write!(f, "{others} other answers the same bits")
     }
 }
 
@@ -61,7 +64,7 @@ pub(crate) fn compare(there: &Things, here: &Things) -> Result<Summary, Error> {
             }
             match &*subject.what {
                 "pose" => summary.poses += 1,
-                _ => summary.pictures += 1,
+                _ => summary.others += 1,
             }
         }
     }
@@ -124,7 +127,7 @@ mod tests {
         let here = told("pose a f64 3ff0000000000000\npicture a f64 7");
         let near = told("pose a f64 3ff0000000000001\npicture a f64 7");
         let summary = compare(&near, &here).expect("it is near enough");
-        assert_eq!((summary.poses, summary.pictures, summary.ulps), (1, 1, 1));
+        assert_eq!((summary.poses, summary.others, summary.ulps), (1, 1, 1));
         for other in [
             "pose a f64 3ff0000000000003\npicture a f64 7",
             "pose a f64 3ff0000000000000\npicture a f64 8",

@@ -39,9 +39,16 @@ impl Probe for Ear {
     }
 }
 
-/// Everything that the firmware tells too.
-pub(crate) fn everything() -> Things {
+/// Where links are, and what pictures look like.
+pub(crate) fn poses_and_pictures() -> Things {
     let mut ear = Ear::default();
     ask_all(&mut ear);
+    ear.things
+}
+
+/// What comes of everything that mechanisms and pictures can do.
+pub(crate) fn abilities() -> Things {
+    let mut ear = Ear::default();
+    mech_probes::abilities(&mut ear);
     ear.things
 }

@@ -73,14 +73,18 @@ pub(crate) fn image_of(folder: &Path, board: Board, image: &str) -> PathBuf {
     release.join(image)
 }
 
-/// Holds poses and pictures against those of this machine.
+/// Holds what the firmware told against what is told here.
 fn agree(folder: &Path) -> Result<(), Error> {
-    let here = here::everything();
-    for board in Board::ALL {
-        let path = folder.join(board.target()).join("poses.txt");
-        let text = fs::read_to_string(&path).map_err(|source| Error::File { path, source })?;
-        let summary = agreement::compare(&told::things(&text)?, &here)?;
-        println!("{}: {summary}", board.name());
+    for (image, here) in [
+        ("poses", here::poses_and_pictures()),
+        ("abilities", here::abilities()),
+    ] {
+        for board in Board::ALL {
+            let path = folder.join(board.target()).join(format!("{image}.txt"));
+            let text = fs::read_to_string(&path).map_err(|source| Error::File { path, source })?;
+            let summary = agreement::compare(&told::things(&text)?, &here)?;
+            println!("{}, {image}: {summary}", board.name());
+        }
     }
     Ok(())
 }
