@@ -9,15 +9,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = env::var("OUT_DIR")?;
     let map = match env::var("CARGO_CFG_TARGET_ARCH")?.as_str() {
         "riscv32" => "memory-riscv.x",
-        _ => "memory.x",
+        _ => "memory-cortex-m.x",
     };
     fs::copy(map, Path::new(&out).join("memory.x"))?;
     println!("cargo::rerun-if-changed={map}");
     println!("cargo::rustc-link-search={out}");
-    // The runtime's script is written for every architecture; that of RISC-V does not read the map by itself.
-    if map == "memory-riscv.x" {
-        println!("cargo::rustc-link-arg-bins=-Tmemory.x");
-    }
     println!("cargo::rustc-link-arg-bins=-Tlink.x");
     Ok(())
 }

@@ -1,16 +1,16 @@
 //! What the images of this workspace have in common: the board, a way to print, and what is measured.
 //!
-//! Nothing here can panic: [`panic_never`] makes a panic that can be reached an error of the linker.
+//! Nothing here can panic. An image says so itself by `use panic_never as _;`, which makes a panic that can be reached an error of the
+//! linker; those with drivers of others cannot, and have `panic-halt`.
 #![no_std]
 #![forbid(unsafe_code)]
-
-use panic_never as _;
 
 mod board;
 mod figures;
 mod line;
 mod printer;
 mod subject;
+pub mod wiring;
 
 pub use board::{entry, exit};
 pub use figures::figures;
@@ -22,6 +22,8 @@ pub use subject::{Drawn, Moved, Nothing, Subject};
 #[macro_export]
 macro_rules! measure {
     ($subject:ty) => {
+        use panic_never as _;
+
         #[$crate::entry]
         fn main() -> ! {
             $crate::figures::<$subject>()

@@ -2,10 +2,13 @@
 
 use core::hint::black_box;
 use mech_probes::{Probed, phase};
-use mech_runtime::Frame;
+use mech_runtime::{Frame, View};
 
 /// The picture that is drawn: as many small displays have.
-pub type Picture = Frame<240, 240>;
+pub type Picture = Frame<SIDE, SIDE>;
+
+/// Its width and height in pixels.
+const SIDE: usize = 240;
 
 /// What is measured: something that moves, and is perhaps drawn.
 pub trait Subject {
@@ -18,6 +21,8 @@ pub trait Subject {
     fn motion(step: u16) -> Self::Motors;
     /// Moves it. Whether it could.
     fn move_to(&mut self, motors: Self::Motors) -> bool;
+    /// How it is seen, in all of its motion.
+    fn view() -> View;
     /// Draws it.
     fn draw(&self, picture: &mut Picture);
     /// Bytes of its state.
@@ -42,6 +47,10 @@ impl Subject for Nothing {
         black_box(true)
     }
 
+    fn view() -> View {
+        View::default()
+    }
+
     fn draw(&self, _: &mut Picture) {}
 }
 
@@ -63,6 +72,10 @@ impl<M: Probed> Subject for Moved<M> {
     #[inline(never)]
     fn move_to(&mut self, motors: M::Motors) -> bool {
         self.0.move_to(motors).is_ok()
+    }
+
+    fn view() -> View {
+        View::default()
     }
 
     fn draw(&self, _: &mut Picture) {
@@ -90,6 +103,10 @@ impl<M: Probed> Subject for Drawn<M> {
 
     fn move_to(&mut self, motors: M::Motors) -> bool {
         self.0.move_to(motors)
+    }
+
+    fn view() -> View {
+        M::view(SIDE, SIDE)
     }
 
     #[inline(never)]

@@ -92,24 +92,27 @@ fn both_precisions_are_of_the_same_mechanisms() {
     }
 }
 
-/// Motors are rounded once, poses follow: as exactly as that precision can.
+/// Motors are where they should be, and poses follow: as exactly as that precision can.
 #[test]
 fn single_precision_goes_the_same_way() {
     let [double, single] = seen();
+    let mut worst = 0.0_f64;
     for (double, single) in double.iter().zip(&single) {
         for (moment, ((exact, _), (rounded, _))) in
             double.moments.iter().zip(&single.moments).enumerate()
         {
-            #[expect(
-                clippy::cast_possible_truncation,
-                reason = "rounding is what is compared with"
-            )]
-            let nearest: Vec<_> = exact.iter().map(|&motor| f64::from(motor as f32)).collect();
-            assert_eq!(*rounded, nearest, "{}", double.slug);
+            for (&exact, &rounded) in exact.iter().zip(rounded) {
+                // A turn is rounded before its sine is taken.
+                let most = f64::from(f32::EPSILON) * (exact.abs() + TAU);
+                let off = (rounded - exact).abs();
+                assert!(off <= most, "{} at {moment}: {off:e}", double.slug);
+            }
             let off = single.off(moment, double, moment);
             assert!(off < 5e-6, "{} at {moment}: {off:e}", double.slug);
+            worst = worst.max(off);
         }
     }
+    println!("single precision is at most {worst:e} of a size off");
 }
 
 /// A film that is shown again and again does not jump.

@@ -4,11 +4,11 @@ use crate::{Probe, Probed};
 use mech_runtime::{Real, mechanism};
 
 macro_rules! four_bars {
-    ($($name:ident: $scalar:ident, $slug:literal, { $($method:tt)* })*) => {
+    ($($visibility:vis $name:ident: $scalar:ident, $slug:literal, { $($method:tt)* })*) => {
         $(
             mechanism! {
                 /// A crank-rocker.
-                pub struct $name: $scalar;
+                $visibility struct $name: $scalar;
                 ground { point crank_shaft = (0, 0); point rocker_shaft = (4, 0); }
                 link crank { point shaft = (0, 0); point pin = (1, 0); }
                 link coupler { point crank_pin = (0, 0); point rocker_pin = (3.5, 0); point tip = (1.75, 1.5); }
@@ -39,16 +39,16 @@ macro_rules! four_bars {
 }
 
 four_bars! {
-    ExactSingle: f32, "exact", { method exact; }
-    ExactDouble: f64, "exact", { method exact; }
-    LinearSingle: f32, "linear", { method linear; }
-    LinearDouble: f64, "linear", { method linear; }
-    OneRoundSingle: f32, "newton-1", { method newton(1); }
-    OneRoundDouble: f64, "newton-1", { method newton(1); }
-    TwoRoundsSingle: f32, "newton-2", { method newton(2); }
-    TwoRoundsDouble: f64, "newton-2", { method newton(2); }
-    ThreeRoundsSingle: f32, "newton-3", { method newton(3); }
-    ThreeRoundsDouble: f64, "newton-3", { method newton(3); }
-    NewtonSingle: f32, "newton", { method newton; }
-    NewtonDouble: f64, "newton", { method newton; }
+    pub ExactSingle: f32, "exact", { method exact; }
+    pub ExactDouble: f64, "exact", { method exact; }
+    pub LinearSingle: f32, "linear", { method linear; }
+    pub LinearDouble: f64, "linear", { method linear; }
+    pub OneRoundSingle: f32, "newton-1", { method newton(1); }
+    pub OneRoundDouble: f64, "newton-1", { method newton(1); }
+    pub TwoRoundsSingle: f32, "newton-2", { method newton(2); }
+    pub TwoRoundsDouble: f64, "newton-2", { method newton(2); }
+    pub ThreeRoundsSingle: f32, "newton-3", { method newton(3); }
+    pub ThreeRoundsDouble: f64, "newton-3", { method newton(3); }
+    pub NewtonSingle: f32, "newton", { method newton; }
+    pub NewtonDouble: f64, "newton", { method newton; }
 }

@@ -2,20 +2,23 @@
 
 use crate::panel::sum;
 use crate::{Listener, Panel, Probed, STEPS, phase, precision};
-use mech_runtime::Frame;
 use mech_runtime::raster::embedded::{Screen, rgb};
+use mech_runtime::{Frame, Stage};
 
 /// A picture is looked at after every so many steps.
 const STRIDE: u16 = 60;
 
 /// Moves a mechanism through its motion and tells check sums of some pictures of it: on a frame, on a display that it is painted on
-/// itself, and on one that shows the frame.
+/// itself, on one that shows the frame, and on one that is sent what has changed.
 pub fn pictures<M: Probed>(listener: &mut impl Listener) {
     let mut mechanism = M::new();
     let view = M::view(Panel::SIDE, Panel::SIDE);
     let mut frame = Frame::<{ Panel::SIDE }, { Panel::SIDE }>::new();
     let mut panel = Panel::new();
+    let mut stage = Stage::<{ Panel::SIDE }, { Panel::SIDE }>::new();
+    let mut sent = Panel::new();
     frame.look_at(view);
+    stage.look_at(view);
     for step in 0..STEPS {
         let moved = mechanism.move_to(M::motion(phase(step)));
         if moved.is_err() || !step.is_multiple_of(STRIDE) {
@@ -35,6 +38,12 @@ pub fn pictures<M: Probed>(listener: &mut impl Listener) {
 
         let Ok(()) = frame.show(&mut panel, rgb);
         listener.word(panel.sum());
+
+        stage.show(|canvas| mechanism.draw(canvas));
+        for area in stage.changed() {
+            let Ok(()) = stage.frame().show_part(&mut sent, &area.into(), rgb);
+        }
+        listener.word(sent.sum());
         listener.end();
     }
 }

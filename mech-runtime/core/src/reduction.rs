@@ -60,11 +60,7 @@ const RIGHT_ANGLES_F32: [u32; 7] = {
 /// An angle in radians that is not below 2^-7 in size, within 2^-40 turn. What is infinite or not a number gives what is not a
 /// number.
 #[cold]
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_precision_loss,
-    reason = "halves of what has twice the bits; both parts are small"
-)]
+#[expect(clippy::cast_precision_loss, reason = "both parts are small")]
 pub(crate) fn rest_of_f32(x: f32) -> Rest<f32, u32> {
     const HIDDEN: u32 = 1 << 23;
     if !x.is_finite() {

@@ -4,5 +4,6 @@ mod drawn_on;
 mod outlines;
 mod painted;
 mod panel;
+mod sent;
 mod shown;
 mod wrong;

@@ -5,6 +5,7 @@
 
 use firmware::Printer;
 use mech_probes::abilities;
+use panic_never as _;
 
 #[firmware::entry]
 fn main() -> ! {

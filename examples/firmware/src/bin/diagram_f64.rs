@@ -1,6 +1,6 @@
-//! The gallery's `PistonDiagram`, in `f64`, moved and drawn.
+//! The gallery's `PistonDiagram`, in `f64`, moved: it has no shapes to be drawn.
 #![no_std]
 #![no_main]
 #![forbid(unsafe_code)]
 
-firmware::measure!(firmware::Drawn<mech_gallery::diagram::PistonDiagram>);
+firmware::measure!(firmware::Moved<mech_gallery::diagram::PistonDiagram>);

@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 use core::hint::black_box;
+use panic_never as _;
 
 #[firmware::entry]
 fn main() -> ! {

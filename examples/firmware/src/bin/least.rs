@@ -5,6 +5,7 @@
 
 use core::hint::black_box;
 use mech_probes::four_bar::ExactSingle;
+use panic_never as _;
 
 #[firmware::entry]
 fn main() -> ! {

@@ -5,6 +5,7 @@
 
 use firmware::Printer;
 use mech_probes::{Probe, Probed, ask_all, pictures, poses};
+use panic_never as _;
 
 struct Everything(Printer);
 

@@ -2,7 +2,6 @@
 //! linker has to see that none of it can panic, and all of it is compared between machines.
 
 /// Declares mechanisms and what is asked of them, in both precisions: in a module `single` and in a module `double`.
-
 macro_rules! in_both_precisions {
     ({ $($(#[$about:meta])* $name:ident { $($declared:tt)* })* } $($item:item)*) => {
         mod double {

@@ -56,7 +56,7 @@ where
 /// The values of all motors, farther by this.
 fn moved<M: Mechanism>(mut motors: M::Motors, by: f64) -> M::Motors {
     for motor in motors.as_mut() {
-        *motor = *motor + Real::from_f64(black_box(by));
+        *motor += Real::from_f64(black_box(by));
     }
     motors
 }

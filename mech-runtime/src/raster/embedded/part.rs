@@ -1,6 +1,7 @@
 //! Parts of pictures. Rectangles may be anywhere and as large as they like: their own arithmetic could overflow.
 
 use super::super::spans::Clip;
+use super::super::stage::Area;
 use core::ops::Range;
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
@@ -54,4 +55,16 @@ pub(super) fn rectangle(corner: Point, rows: Range<usize>, columns: Range<usize>
         Point::new(at(corner.x, columns.start), at(corner.y, rows.start)),
         Size::new(side(columns), side(rows)),
     )
+}
+
+/// The same on a display; what no display is large enough for is cut.
+impl From<Area> for Rectangle {
+    fn from(area: Area) -> Self {
+        let at = |index| i32::try_from(index).unwrap_or(i32::MAX);
+        let side = |count| u32::try_from(count).unwrap_or(u32::MAX);
+        Self::new(
+            Point::new(at(area.x), at(area.y)),
+            Size::new(side(area.width), side(area.height)),
+        )
+    }
 }

@@ -80,6 +80,12 @@ impl Writer<'_> {
         } else {
             self.builder.add(found.slack, found.floor)
         };
+        let arms: Vec<Value> = ring.arms.iter().flatten().flatten().copied().collect();
+        let margin = if self.any_varies(&arms) {
+            self.unless_stretched(margin, &found.solution)
+        } else {
+            margin
+        };
         let closed = Closed {
             number: self.loops - 1,
             place: String::new(),

@@ -2,7 +2,8 @@
 
 use super::Writer;
 use crate::plan::Algebra;
-use crate::program::node::Value;
+use crate::plan::Solution;
+use crate::program::node::{Op, Value};
 
 impl Writer<'_> {
     /// One step towards length one, so that rounding never adds up.
@@ -13,6 +14,29 @@ impl Writer<'_> {
         let factor = self.builder.sub(three, half);
         let factor = self.builder.name(factor, format!("{name}_scale"));
         self.builder.scaled(factor, v)
+    }
+
+    /// A margin, unless a direction is not of length one: that of a link which a param made so short that rounding hides it.
+    pub(super) fn unless_stretched(
+        &mut self,
+        margin: Value,
+        solution: &[Solution<Value>],
+    ) -> Value {
+        /// From here on the step towards length one is exact to a thousandth.
+        const STRETCH: f64 = 1.0 / 64.0;
+        let builder = &mut self.builder;
+        solution.iter().fold(margin, |margin, unknown| {
+            let Solution::Direction(direction) = *unknown else {
+                return margin;
+            };
+            let (one, most) = (builder.constant(1.0), builder.constant(STRETCH));
+            let square = builder.dot(direction, direction);
+            let stretch = builder.sub(square, one);
+            let stretch = builder.abs(stretch);
+            let room = builder.sub(most, stretch);
+            let room = builder.name(room, "room");
+            builder.make(Op::Choose(room, margin, room))
+        })
     }
 
     /// A direction turned by a small angle, to third order: without a division.

@@ -1,0 +1,41 @@
+//! What the firmware printed.
+
+use crate::error::Error;
+use std::collections::BTreeMap;
+
+/// What is told about: `pose` or `picture`, the mechanism and its precision.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Subject {
+    pub(crate) what: String,
+    pub(crate) name: String,
+    pub(crate) precision: String,
+}
+
+/// What was told, in order.
+pub(crate) type Things = BTreeMap<Subject, Vec<Vec<u64>>>;
+
+/// Reads lines of a subject and its words.
+pub(crate) fn things(text: &str) -> Result<Things, Error> {
+    let mut things = Things::new();
+    for line in text.lines() {
+        let wrong = || Error::Line {
+            text: line.to_owned(),
+        };
+        let mut words = line.split_whitespace().map(str::to_owned);
+        let (Some(what), Some(name), Some(precision)) = (words.next(), words.next(), words.next())
+        else {
+            return Err(wrong());
+        };
+        let words = words.map(|word| u64::from_str_radix(&word, 16).map_err(|_| wrong()));
+        let subject = Subject {
+            what,
+            name,
+            precision,
+        };
+        things
+            .entry(subject)
+            .or_default()
+            .push(words.collect::<Result<_, _>>()?);
+    }
+    Ok(things)
+}
