@@ -30,6 +30,11 @@ pub(super) fn is_given(op: Op) -> bool {
     )
 }
 
+/// Whether a block makes it.
+pub(super) fn is_made(op: Op) -> bool {
+    !is_given(op) && !matches!(op, Op::Constant(_) | Op::Last(_))
+}
+
 /// The flow of every block.
 pub(super) fn flows(program: &Program) -> Vec<Flow> {
     let mut takes: Vec<BTreeSet<Value>> = vec![BTreeSet::new(); program.blocks.len()];
@@ -78,24 +83,14 @@ pub(super) fn flows(program: &Program) -> Vec<Flow> {
         }
     }
     for system in program.live_systems() {
-        let needed = system.columns.iter().flatten().chain(&system.right);
+        let needed = system.coefficients();
         needed.for_each(|&value| read(value, system.block));
     }
-    let margins = program.margins().map(|(_, closed)| &closed.margin);
-    let rates = program.motion.iter().flat_map(Motion::roots);
-    let followed = program.sensitivity.iter().flat_map(Sensitivity::roots);
-    let rates: Vec<Value> = rates.chain(followed).collect();
-    for value in program
-        .poses
-        .iter()
-        .flatten()
-        .chain(&program.kept)
-        .chain(margins)
-        .chain(&rates)
-    {
-        let node = program.node(*value);
-        if !is_given(node.op) && !matches!(node.op, Op::Constant(_) | Op::Last(_)) {
-            gives[node.block.index()].insert(*value);
+    let margins = program.margins().map(|(_, closed)| closed.margin);
+    for value in program.roots().chain(margins) {
+        let node = program.node(value);
+        if is_made(node.op) {
+            gives[node.block.index()].insert(value);
         }
     }
     let parts = takes.into_iter().zip(gives).zip(links).zip(reads_last);

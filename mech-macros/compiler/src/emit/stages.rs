@@ -1,10 +1,10 @@
 //! What a step does, in stages if it is long: the Rust compiler nests a scope for every `let` of a function.
 
 use super::block::scalar;
-use super::flow::{Flow, is_given};
+use super::flow::{Flow, is_made};
 use super::scope::Scope;
 use super::step::{FunctionNames, position};
-use crate::program::{Motion, Op, Program, Sensitivity, Value};
+use crate::program::{Program, Value};
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::quote;
 use std::collections::BTreeSet;
@@ -96,15 +96,9 @@ fn grouped(acts: Vec<Act>) -> Vec<Vec<Act>> {
 fn needed(program: &Program) -> BTreeSet<Value> {
     let margins = program.margins().map(|(_, closed)| closed.margin);
     let margins = margins.filter(|_| program.is_closed());
-    let motion = program.motion.iter().flat_map(Motion::roots);
-    let followed = program.sensitivity.iter().flat_map(Sensitivity::roots);
-    let result = program.poses.iter().flatten().chain(&program.kept).copied();
-    let is_made = |value: &Value| {
-        let op = program.node(*value).op;
-        !is_given(op) && !matches!(op, Op::Constant(_) | Op::Last(_))
-    };
-    let all = result.chain(margins).chain(motion).chain(followed);
-    all.filter(is_made).collect()
+    let all = program.roots().chain(margins);
+    all.filter(|&value| is_made(program.node(value).op))
+        .collect()
 }
 
 /// Acts that follow each other, in a function of their own.

@@ -297,16 +297,10 @@ fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
             *all.entry(value).or_insert(0) += count;
         }
     }
-    program
-        .poses
-        .iter()
-        .flatten()
-        .chain(&program.kept)
-        .chain(program.margins().map(|(_, closed)| &closed.margin))
-        .copied()
-        .chain(program.motion.iter().flat_map(Motion::roots))
-        .chain(program.sensitivity.iter().flat_map(Sensitivity::roots))
-        .for_each(|value| *all.entry(value).or_insert(0) += 1);
+    let margins = program.margins().map(|(_, closed)| closed.margin);
+    for value in program.roots().chain(margins) {
+        *all.entry(value).or_insert(0) += 1;
+    }
     all
 }
 

@@ -1,7 +1,7 @@
 //! Long blocks in parts: every block becomes a function, and the Rust compiler nests a scope for every `let` of a function.
 
 use super::node::{BlockId, Op, Value};
-use super::{Block, BlockKind, Motion, Program, Sensitivity};
+use super::{Block, BlockKind, Program, System};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -50,10 +50,7 @@ impl Program {
                 beyond[operand.index()] |= self.node(operand).block != block;
             }
         }
-        let motion = self.motion.iter().flat_map(Motion::roots);
-        let followed = self.sensitivity.iter().flat_map(Sensitivity::roots);
-        let result = self.poses.iter().flatten().chain(&self.kept).copied();
-        for value in result.chain(motion).chain(followed) {
+        for value in self.roots() {
             beyond[value.index()] = true;
         }
         let is_let = |(index, node): (usize, &super::Node)| {
@@ -73,9 +70,7 @@ impl Program {
                 .and_then(|motion| motion.systems.get(number)),
             _ => None,
         };
-        let read = system
-            .into_iter()
-            .flat_map(|system| system.columns.iter().flatten().chain(&system.right));
+        let read = system.into_iter().flat_map(System::coefficients);
         op.operands().chain(read.copied())
     }
 

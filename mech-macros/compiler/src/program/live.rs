@@ -10,21 +10,7 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
         BlockKind::Closed(closed) => Some(closed.margin),
         BlockKind::Straight | BlockKind::Newton(_) => None,
     });
-    let mut waiting: Vec<Value> = program
-        .poses
-        .iter()
-        .flatten()
-        .chain(&program.kept)
-        .copied()
-        .chain(margins)
-        .chain(program.motion.iter().flat_map(super::Motion::roots))
-        .chain(
-            program
-                .sensitivity
-                .iter()
-                .flat_map(super::Sensitivity::roots),
-        )
-        .collect();
+    let mut waiting: Vec<Value> = program.roots().chain(margins).collect();
     while let Some(value) = waiting.pop() {
         if std::mem::replace(&mut live[value.index()], true) {
             continue;
@@ -32,8 +18,7 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
         let op = program.nodes[value.index()].op;
         waiting.extend(op.operands());
         if let (Op::Linear(system, _), Some(motion)) = (op, &program.motion) {
-            let system = &motion.systems[system];
-            waiting.extend(system.columns.iter().flatten().chain(&system.right));
+            waiting.extend(motion.systems[system].coefficients());
         }
         if let Op::Solved(block, _) = op {
             waiting.extend(iteration(&program.blocks, block));

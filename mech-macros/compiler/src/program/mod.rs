@@ -162,6 +162,14 @@ impl Program {
             .map(|(value, _)| value)
     }
 
+    /// What it is for, besides the margins of its loops: the poses, what is carried, and whatever else it finds.
+    pub(crate) fn roots(&self) -> impl Iterator<Item = Value> + '_ {
+        let position = self.poses.iter().flatten().chain(&self.kept).copied();
+        let motion = self.motion.iter().flat_map(Motion::roots);
+        let sensitivity = self.sensitivity.iter().flat_map(Sensitivity::roots);
+        position.chain(motion).chain(sensitivity)
+    }
+
     /// The loop of a block, if it solves one.
     #[must_use]
     pub fn newton(&self, block: BlockId) -> Option<&Newton> {

@@ -40,6 +40,13 @@ pub struct System {
     pub right: Vec<Value>,
 }
 
+impl System {
+    /// What it is made of.
+    pub(crate) fn coefficients(&self) -> impl Iterator<Item = &Value> {
+        self.columns.iter().flatten().chain(&self.right)
+    }
+}
+
 impl Motion {
     /// What is asked for.
     pub fn roots(&self) -> impl Iterator<Item = Value> + '_ {

@@ -1,8 +1,7 @@
 //! Directions that are turned, and kept at length one.
 
 use super::Writer;
-use crate::plan::Algebra;
-use crate::plan::Solution;
+use crate::plan::{Algebra, Solution};
 use crate::program::node::{Op, Value};
 
 impl Writer<'_> {
