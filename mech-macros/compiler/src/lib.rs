@@ -21,10 +21,10 @@ pub mod repair;
 pub mod report;
 pub mod reporter;
 pub mod structure;
-mod survey;
 pub mod symbols;
 pub mod syntax;
 mod walk;
+mod watching;
 
 use accuracy::{Prediction, Solved};
 use cost::Cost;
@@ -37,6 +37,7 @@ use program::{Choice, Forces, Further, Number, Op, Program, Timing};
 use quote::quote;
 use structure::{Diagnosis, Structure};
 use syntax::{Message, Parsed, Place};
+use watching::Decided;
 
 /// A mechanism that was found coherent, and all that was found out about it.
 #[derive(Clone, Debug, PartialEq)]
@@ -256,7 +257,7 @@ fn aligned(
 fn written(
     model: &Model,
     structure: Structure,
-    plan: Plan,
+    mut plan: Plan,
     depth: Depth,
 ) -> Result<Coherent, Diagnosis> {
     let method = model.method.unwrap_or_default();
@@ -268,7 +269,7 @@ fn written(
     let choices = plan.loops().map(chosen).collect();
     let (mut choices, prediction) = match depth {
         Depth::Start => (choices, None),
-        Depth::Whole => chosen_by_motion(model, &plan, choices)?,
+        Depth::Whole => chosen_by_motion(model, &mut plan, choices)?,
     };
     let mut program = program::build_as(model, &plan, &choices);
     if let Err(stop) = evaluate::settle(&mut program) {
@@ -289,10 +290,11 @@ fn written(
 /// How each loop is solved and watched, from how the mechanism moves.
 fn chosen_by_motion(
     model: &Model,
-    plan: &Plan,
+    plan: &mut Plan,
     choices: Vec<Choice>,
 ) -> Result<(Vec<Choice>, Option<Prediction>), Diagnosis> {
-    let choices = survey::survey(model, plan, choices);
+    let Decided { choices, turning } = watching::decide(model, plan, choices);
+    plan.turning = turning;
     if let Some(accuracy) = model.accuracy {
         let (choices, prediction) = accuracy::choose(model, plan, choices, accuracy)?;
         return Ok((choices, Some(prediction)));

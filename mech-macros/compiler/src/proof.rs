@@ -1,12 +1,17 @@
 //! Declared ranges: proved by intervals to be free, or the reason why not.
 
+use crate::certify::cone::Cuts;
 use crate::certify::{Interval, Verdict, certify};
 use crate::evaluate;
-use crate::model::{AtChangePoints, JointId, JointKind, Model, MotorId};
+use crate::model::{AtChangePoints, JointId, Model, MotorId};
 use crate::plan::Plan;
-use crate::program::{BlockId, Choice, Program, build_as};
+use crate::program::{BlockId, Choice, Program, Value, build_as};
 use crate::structure::{Diagnosis, RangeTrouble};
-use std::f64::consts::PI;
+use crate::watching::{Domain, Read};
+use std::f64::consts::TAU;
+
+/// A motor that has to make more turns than this until everything has turned as a whole needs a range.
+const MOST_TURNS: f64 = 4096.0;
 
 /// Proves that the mechanism moves wherever its motors are within their ranges, and takes out of the program what then needs no
 /// test; gives how its loops then are solved, too.
@@ -42,9 +47,16 @@ pub(crate) fn proved(
         };
         return Ok((program, choices));
     }
+    let domain = Domain::new(model, &program, choices.len());
+    let whole = Cuts {
+        through: &|_| true,
+        into: &|angle| domain.parts(angle).is_some(),
+    };
+    let tested: Vec<Value> = program.margins().map(|(_, closed)| closed.slack).collect();
+    let read = domain.read(&tested, &whole);
     let ranges: Vec<Interval> = model
         .motor_ids()
-        .map(|motor| range(model, &program, motor))
+        .map(|motor| range(&domain, &read, motor))
         .collect::<Result<_, _>>()?;
     let unknowns = |block: BlockId| unknowns(plan, &program, block);
     let trouble = |motor: usize, block: BlockId, trouble| Diagnosis::Range {
@@ -114,15 +126,23 @@ fn ends(model: &Model) -> Vec<[f64; 2]> {
     ends.collect()
 }
 
-/// The values of a motor that are proved: a motor that turns and has no range may be anywhere.
-fn range(model: &Model, program: &Program, id: MotorId) -> Result<Interval, Diagnosis> {
-    let motor = model.motor(id);
-    let start = program.start.motors[id.index()];
-    match (motor.range, model.joint(motor.joint).kind) {
-        // The start was allowed a rounding beyond the end.
-        (Some(range), _) => Ok(Interval::new(range.low.min(start), range.high.max(start))),
-        (None, JointKind::Revolute(..)) => Ok(Interval::new(start - PI, start + PI)),
-        (None, _) => Err(Diagnosis::Range {
+/// The values of a motor that are proved: one that has no range may be anywhere. If it turns, so many turns are enough that
+/// everything it drives has turned as a whole.
+fn range(domain: &Domain<'_>, read: &Read, id: MotorId) -> Result<Interval, Diagnosis> {
+    let input = id.index();
+    let range = domain.of_input(input);
+    if range.is_bounded() {
+        return Ok(range);
+    }
+    let start = Interval::point(domain.start(input));
+    if !domain.reads(read, input) {
+        return Ok(start);
+    }
+    match domain.period(input, read) {
+        Some(period) if period < MOST_TURNS * TAU => {
+            Ok(start + Interval::new(-0.5 * period, 0.5 * period))
+        }
+        _ => Err(Diagnosis::Range {
             motor: id,
             unknowns: Vec::new(),
             trouble: RangeTrouble::Missing,

@@ -2,12 +2,14 @@
 //! of them together in several proportions, always straight from the start.
 
 use crate::model::{JointKind, Model, MotorId};
-use crate::plan::{Plan, Step};
-use num_traits::ToPrimitive;
+use crate::plan::{Plan, Rational, Source, Step};
+use num_traits::{Signed, ToPrimitive};
 use std::f64::consts::TAU;
 
 /// Most turns of a motor that are looked at: behind gears it takes several until everything has turned.
-const MOST_TURNS: i64 = 8;
+const MOST_TURNS: i64 = 400;
+/// Most turns of whatever turns fastest that are looked at one by one.
+const MOST_PIECES: usize = 64;
 
 /// A straight way from the start.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,10 +56,10 @@ fn alone(model: &Model, plan: &Plan, motor: MotorId, walker: &mut impl FnMut(&St
         JointKind::Revolute(..)
     );
     let (way, pieces) = if turns {
-        let turns = turns_of(plan);
-        #[expect(clippy::cast_precision_loss, reason = "a handful of turns")]
+        let (turns, pieces) = turns_of(plan, motor);
+        #[expect(clippy::cast_precision_loss, reason = "some hundred turns")]
         let way = TAU * turns as f64;
-        (way, usize::try_from(turns).unwrap_or(1).max(1))
+        (way, pieces)
     } else {
         (4.0 * model.size(), 2)
     };
@@ -86,50 +88,27 @@ fn together(model: &Model, walker: &mut impl FnMut(&Stretch) -> bool) {
     }
 }
 
-/// Walks the ways on which params change: each alone to both sides, and all of them while the motors go both ways.
-pub(crate) fn walk_params(model: &Model, walker: &mut impl FnMut(&Stretch) -> bool) {
-    let scales: Vec<f64> = model
-        .params
-        .ids()
-        .map(|param| model.param_scale(param).unwrap_or_default())
-        .collect();
-    let motors = model.motors.len();
-    for (param, scale) in scales.iter().enumerate().filter(|(_, scale)| **scale > 0.0) {
-        for part in [1.0, -0.5] {
-            let mut ways = vec![0.0; model.inputs()];
-            ways[motors + param] = part * scale;
-            walker(&Stretch { ways, pieces: 1 });
-        }
-    }
-    for round in 0_u32..4 {
-        let sign = if round % 2 == 0 { 1.0 } else { -1.0 };
-        let turned = model.motors.iter().map(|motor| {
-            let whole = match model.joint(motor.joint).kind {
-                JointKind::Revolute(..) => TAU,
-                _ => model.size(),
-            };
-            sign * whole
-        });
-        let changed = (0_u32..).zip(&scales).map(|(param, scale)| {
-            let part = f64::from((round / 2 + 2 * param) % 4) / 4.0 - 0.375;
-            part * scale
-        });
-        walker(&Stretch {
-            ways: turned.chain(changed).collect(),
-            pieces: 1,
-        });
-    }
-}
-
-/// After so many turns of a motor everything behind gears has turned as a whole.
-fn turns_of(plan: &Plan) -> i64 {
+/// How many turns of a motor it takes until everything behind gears and cams has turned as a whole, and how many turns the fastest
+/// of it makes meanwhile.
+fn turns_of(plan: &Plan, motor: MotorId) -> (i64, usize) {
     let parts = plan.steps.iter().flat_map(|step| match step {
         Step::Mesh(mesh) => &mesh.parts[..],
         Step::Cam(cam) => &cam.parts[..],
         _ => &[],
     });
-    parts.fold(1, |turns, (_, part)| {
+    let own = parts.filter(|(source, _)| plan.sources[*source] == Source::Motor(motor));
+    let own: Vec<&Rational> = own.map(|(_, part)| part).collect();
+    let turns = own.iter().fold(1, |turns, part| {
         let denominator = part.denom().to_i64().unwrap_or(MOST_TURNS);
         num_integer::lcm(turns, denominator.clamp(1, MOST_TURNS)).min(MOST_TURNS)
-    })
+    });
+    let fastest = own.iter().map(|part| part.abs().ceil().to_integer());
+    let fastest = fastest
+        .filter_map(|part| part.to_usize())
+        .max()
+        .unwrap_or(1);
+    let turns_of_all = usize::try_from(turns)
+        .unwrap_or(1)
+        .saturating_mul(fastest.max(1));
+    (turns, turns_of_all.clamp(1, MOST_PIECES))
 }

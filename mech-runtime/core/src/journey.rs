@@ -10,10 +10,19 @@ use crate::Real;
 /// A loop that is watched. All numbers are for the way from the start to the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Watch<T> {
-    /// By how much the square of the sine may change on the whole way, at most.
+    /// By how much the square of the sine may change on the whole way, at most, as long as it does not grow.
     pub change: T,
     /// What happens where the sine is zero and the loop closes on both sides.
     pub at_zero: AtZero,
+}
+
+/// What makes something change faster than its rates say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Growth<T> {
+    /// So many times as fast as one is greater than the sine of an earlier watched loop.
+    Near(usize),
+    /// So many times as fast as this motor or param is farther from zero than this, if it is.
+    Far(usize, T),
 }
 
 /// What a loop does at a change point.
@@ -43,6 +52,16 @@ pub trait Journey<T: Real> {
     fn watches(&self) -> usize;
     /// A loop that is watched.
     fn watch(&self, index: usize) -> Watch<T>;
+    /// What makes the square of its sine change faster.
+    fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
+    /// How many angles are followed over whole turns.
+    fn follows(&self) -> usize;
+    /// By how much such an angle may change on the whole way, at most, as long as that does not grow.
+    fn turn(&self, index: usize) -> T;
+    /// What makes such an angle change faster.
+    fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
+    /// The value of a motor or param.
+    fn input(&self, position: &Self::Position, input: usize) -> T;
     /// The sine of a watched loop, its sign the side on which its dyad lies.
     fn sine(&self, position: &Self::Position, index: usize) -> T;
     /// The square of a sine of this loop below which rounding hides its sign.
@@ -57,8 +76,7 @@ pub trait Journey<T: Real> {
     fn too_far(&self) -> Self::Stop;
     /// Why it stops at a change point that it may not pass.
     fn stopped_at(&self, index: usize) -> Self::Stop;
-    /// In how many pieces the way has to be gone at least: where an angle is followed over whole turns, so many that none is lost;
-    /// where a loop has dead points, so many that it does not leap from one side of an opening to the other.
+    /// In how many pieces the way has to be gone at least, where nothing tells how far coupled loops may leap.
     fn pieces(&self) -> T {
         T::ONE
     }
@@ -81,8 +99,16 @@ pub struct Halt<P, S, T> {
     pub stop: S,
 }
 
-/// In one piece the square of a sine changes by no more than this.
-const PIECE: f64 = 0.25;
+/// In a piece in which a sine may come to zero its square changes by no more than this: zero is there then, or near.
+const PIECE: f64 = 0.02;
+/// In one piece an angle that is followed over whole turns changes by no more than this: more than half a turn would be lost.
+const TURN: f64 = 2.5;
+/// Near their zeros earlier loops make later ones faster without end: pieces are no smaller than for so many times as fast.
+const MOST_GROWTH: f64 = 16.0;
+/// Where loops are solved by iteration, a way that was stopped is gone on with from there, so many times at most, as long as at
+/// least this part of it is gained: what failed from afar may work from near.
+const MOST_STARTS: u32 = 16;
+const GAIN: f64 = 1e-9;
 /// More pieces than this are not gone at once: they are a mistake, or would take longer than anybody waits.
 const MOST_PIECES: u32 = 65_536;
 /// So often at most is a piece tried that does not end where it should.
@@ -90,7 +116,8 @@ const MOST_TRIES: u32 = 512;
 /// Each halving gives a digit of a binary fraction: no float has more.
 const HALVINGS: u32 = 64;
 
-/// Whether no watched loop can come to zero between two positions that are this part of the way apart.
+/// Whether nothing can be in the way between two positions that are this part of the way apart: no watched loop comes to zero, and
+/// no angle loses a turn.
 #[inline]
 pub fn is_clear<T: Real, J: Journey<T>>(
     journey: &J,
@@ -98,10 +125,27 @@ pub fn is_clear<T: Real, J: Journey<T>>(
     to: &J::Position,
     part: T,
 ) -> bool {
-    journey.is_one_piece()
-        && (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
+    journey.is_one_piece() && is_passable(journey, from, to, part)
 }
 
+#[inline]
+fn is_passable<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    part: T,
+) -> bool {
+    let most = T::from_f64(TURN);
+    (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
+        && (0..journey.follows()).all(|index| {
+            let speed = speed(journey, from, to, journey.turn_growth(index));
+            journey.turn(index) * part * speed <= most
+        })
+}
+
+/// Whether a watched loop stays away from zero, if those before it do: of the squares of its sine at both ends it has at least a
+/// quarter of their sum between them.
+#[inline]
 fn is_far<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -109,8 +153,55 @@ fn is_far<T: Real, J: Journey<T>>(
     part: T,
     index: usize,
 ) -> bool {
+    let speed = speed(journey, from, to, journey.growth(index));
+    squares(journey, from, to, index)
+        > T::from_f64(2.0) * journey.watch(index).change * part * speed
+}
+
+#[inline]
+fn squares<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    index: usize,
+) -> T {
     let (a, b) = (journey.sine(from, index), journey.sine(to, index));
-    a * a + b * b > journey.watch(index).change * part
+    a * a + b * b
+}
+
+/// How many times as fast something changes between two positions as its rates say.
+#[inline]
+fn speed<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    growth: impl Iterator<Item = Growth<T>>,
+) -> T {
+    let mut speed = T::ONE;
+    for growth in growth {
+        let times = match growth {
+            Growth::Near(index) => T::from_f64(2.0) / squares(journey, from, to, index).sqrt(),
+            Growth::Far(input, unit) => {
+                let [from, to] = [from, to].map(|at| journey.input(at, input).abs());
+                from.max(to) / unit
+            }
+        };
+        speed = speed * times.max(T::ONE);
+    }
+    speed
+}
+
+/// Whether a piece from here is so short that a loop which may come to zero in it does so once at most.
+fn is_short<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, part: T) -> bool {
+    let most = T::from_f64(MOST_GROWTH);
+    let faster = |change: T, growth: T| change * part * if growth < most { growth } else { most };
+    (0..journey.watches()).all(|index| {
+        let speed = speed(journey, from, from, journey.growth(index));
+        faster(journey.watch(index).change, speed) <= T::from_f64(PIECE)
+    }) && (0..journey.follows()).all(|index| {
+        let speed = speed(journey, from, from, journey.turn_growth(index));
+        faster(journey.turn(index), speed) <= T::from_f64(TURN)
+    })
 }
 
 /// The part that can be gone of a way to a target that cannot be reached, and one a rounding beyond it that cannot be, where nothing
@@ -140,28 +231,56 @@ pub fn go<T: Real, J: Journey<T>>(
     journey: &J,
     start: &J::Position,
 ) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
-    let change =
-        (0..journey.watches()).fold(T::ZERO, |most, index| most.max(journey.watch(index).change));
-    let pieces = (change / T::from_f64(PIECE)).max(journey.pieces());
-    if !pieces.is_finite() {
-        return Err(too_far(journey, start.clone(), T::ZERO));
+    let (mut position, mut done) = (start.clone(), T::ZERO);
+    for _ in 1..MOST_STARTS {
+        match go_on(journey, position, done) {
+            Err(halt) if journey.subdivides() && halt.part > done + T::from_f64(GAIN) => {
+                (position, done) = (halt.position, halt.part);
+            }
+            gone => return gone,
+        }
     }
-    let stride = T::ONE / pieces;
-    let mut position = start.clone();
-    let mut done = T::ZERO;
+    go_on(journey, position, done)
+}
+
+/// Goes on to the target from where a part of the way is done: in pieces that are as long as nothing can be in the way of them, and
+/// short where something may be.
+fn go_on<T: Real, J: Journey<T>>(
+    journey: &J,
+    mut position: J::Position,
+    mut done: T,
+) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
+    let most = T::ONE / journey.pieces();
+    let two = T::from_f64(2.0);
+    let mut length = most;
     for _ in 0..MOST_PIECES {
-        let target = done + stride;
+        let target = done + length;
         // The last piece may be a little longer rather than leave a splinter.
-        let target = if target + stride * T::HALF > T::ONE {
+        let target = if target + length * T::HALF > T::ONE {
             T::ONE
         } else {
             target
         };
-        position = piece(journey, position, done, target)?;
+        let part = target - done;
+        if !(part > T::ZERO) {
+            break;
+        }
+        if let Ok(mut to) = journey.at(&position, target)
+            && is_passable(journey, &position, &to, part)
+        {
+            journey.note_sense(&mut to);
+            position = to;
+        } else if is_short(journey, &position, part) {
+            position = piece(journey, position, done, target)?;
+        } else {
+            length = part * T::HALF;
+            continue;
+        }
         if target >= T::ONE {
             return Ok(position);
         }
         done = target;
+        length = if part * two < most { part * two } else { most };
     }
     Err(too_far(journey, position, done))
 }

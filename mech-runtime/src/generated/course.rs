@@ -2,20 +2,31 @@
 
 use super::{Motors, Position, Stop, finite};
 use crate::{Blocked, Cause, Reached, Scalar};
-use mech_core::journey::{self, AtZero, Journey, Watch};
+use mech_core::journey::{self, AtZero, Growth, Journey, Watch};
 use mech_core::motors;
 
 /// A loop in closed form that has dead points or change points.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Watched<T, const MOTORS: usize> {
+pub struct Watched<T: 'static, const MOTORS: usize> {
     /// Where the sine of its transmission angle is kept; after it, the square of a sine below which rounding hides its sign.
     pub kept: usize,
     /// By how much the square of the sine changes with each motor, at most.
     pub rates: [T; MOTORS],
+    /// What makes that more.
+    pub growth: &'static [Growth<T>],
     /// What happens at a change point.
     pub at_zero: AtZero,
     /// The joints of the loop whose coordinates are unknown.
     pub place: &'static str,
+}
+
+/// An angle that is followed over whole turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Followed<T: 'static, const MOTORS: usize> {
+    /// By how much it changes with each motor, at most.
+    pub rates: [T; MOTORS],
+    /// What makes that more.
+    pub growth: &'static [Growth<T>],
 }
 
 /// What is known at compile time about every move.
@@ -25,6 +36,8 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub names: [&'static str; MOTORS],
     /// The loops that are watched.
     pub watched: [Watched<T, MOTORS>; WATCHED],
+    /// The angles that are followed over whole turns.
+    pub follows: &'static [Followed<T, MOTORS>],
     /// Where the senses of the motors are kept, if a loop passes change points.
     pub senses: Option<usize>,
     /// Whether a position depends on the motors alone: every loop is closed in closed form, and nothing is carried.
@@ -35,7 +48,7 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub overflows: bool,
     /// Up to this value of every motor all angles are within the range of the polynomials of sine and cosine.
     pub reach: T,
-    /// How far each motor may go in one piece, where an angle is followed over whole turns.
+    /// How far each motor may go in one piece, where nothing tells how far coupled loops may leap.
     pub strides: Option<[T; MOTORS]>,
     /// The least and the greatest value of each motor, if any has a declared range.
     pub range: Option<[[T; 2]; MOTORS]>,
@@ -45,7 +58,7 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> Course<T, MOTORS, WAT
     /// Whether nothing can be on any way.
     #[inline]
     pub(super) const fn is_free(&self) -> bool {
-        WATCHED == 0 && self.senses.is_none() && self.strides.is_none()
+        WATCHED == 0 && self.senses.is_none() && self.strides.is_none() && self.follows.is_empty()
     }
 
     /// Whether these values are within the declared ranges.
@@ -198,6 +211,46 @@ where
     #[inline]
     fn sine(&self, position: &Self::Position, index: usize) -> T {
         self.kept(position, index)
+    }
+
+    #[inline]
+    fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
+        self.course.watched[index].growth.iter().copied()
+    }
+
+    #[inline]
+    fn follows(&self) -> usize {
+        self.course.follows.len()
+    }
+
+    #[inline]
+    fn turn(&self, index: usize) -> T {
+        let rates = self
+            .course
+            .follows
+            .get(index)
+            .map(|followed| followed.rates);
+        motors::change(rates.into_iter().flatten(), &self.ways)
+    }
+
+    #[inline]
+    fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
+        let growth = self
+            .course
+            .follows
+            .get(index)
+            .map(|followed| followed.growth);
+        growth.into_iter().flatten().copied()
+    }
+
+    #[inline]
+    fn input(&self, position: &Self::Position, input: usize) -> T {
+        position
+            .motors
+            .total()
+            .get(input)
+            .copied()
+            .unwrap_or(T::ZERO)
     }
 
     fn tiny_square(&self, position: &Self::Position, index: usize) -> T {

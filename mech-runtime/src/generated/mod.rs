@@ -21,14 +21,14 @@ pub use arrows::{draw_accelerations, draw_force, draw_reactions, draw_velocities
 pub use coordinates::{
     angle, atan2, exp, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
 };
-pub use course::{Course, Watched, advance, approach};
+pub use course::{Course, Followed, Watched, advance, approach};
 pub use dynamics::{Moment, Simulated, simulate};
 pub use forces::{Holding, Inertia, not_finite, pull};
 pub use loops::{closed, closes, determined, solve};
 pub use many::{Anywhere, Sines, Within, least, move_many, move_many_then, solve_many};
 pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
-pub use mech_core::journey::AtZero;
+pub use mech_core::journey::{AtZero, Growth};
 pub use mech_core::motors::turned;
 pub use params::{followed, inputs, motors_of, params_of, reached_by_motors, told};
 pub use position::{Motors, Position, finite};

@@ -121,8 +121,9 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     }
 
     /// Whether all values are finite numbers and none is farther from zero than this.
+    #[must_use]
     #[inline]
-    pub(super) fn is_within(&self, reach: T) -> bool {
+    pub fn is_within(&self, reach: T) -> bool {
         self.values.iter().all(|value| Real::abs(*value) <= reach)
     }
 

@@ -4,12 +4,15 @@
 //! cannot be told is cut in two. The proof holds for the arithmetic of the program: rounding at run time is smaller than the
 //! half of a loop's floor that is left to it.
 
+pub(crate) mod always;
 mod claim;
+pub(crate) mod cone;
 mod form;
 mod interval;
 mod line;
 mod operation;
 mod search;
+pub(crate) mod slope;
 mod tape;
 
 #[cfg(test)]

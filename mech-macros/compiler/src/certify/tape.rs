@@ -4,7 +4,7 @@ use super::Interval;
 use super::claim::{Test, carried_sides, keeps_direction, tests};
 use super::form::{Forms, Linear, Operand, greater, root, wave};
 use super::operation::{direction, natural, sign, strict_sign};
-use crate::program::{BlockId, Op, Program, Slot, Value};
+use crate::program::{BlockId, Node, Op, Program, Slot, Value};
 
 /// Programs of which one run costs more are not run.
 const MOST: usize = 100_000;
@@ -25,7 +25,7 @@ pub(super) enum Outcome {
 /// A program that is run on boxes.
 #[derive(Clone, Debug)]
 pub(super) struct Tape<'p> {
-    program: &'p Program,
+    nodes: &'p [Node],
     motors: usize,
     /// What depends on motors, in order; all other values are known once and for all.
     moving: Vec<Value>,
@@ -46,36 +46,53 @@ impl<'p> Tape<'p> {
     /// The loops of a program that do not hang on an iteration, each of those that carry their side on that of the start, or, if
     /// they are among `turned`, on the other.
     pub(super) fn new(program: &'p Program, turned: &[BlockId]) -> Self {
-        let count = program.nodes.len();
-        let motors = program.inputs();
-        let mut tape = Self {
-            program,
-            motors,
-            moving: Vec::new(),
-            tests: tests(program),
-            directions: keeps_direction(program),
-            values: vec![Interval::ENTIRE; count],
-            middles: vec![Interval::ENTIRE; count],
-            steps: vec![None; count],
-            forms: Forms::new(motors, 0),
-            centre: vec![0.0; motors],
-            evaluations: 0,
-        };
+        let directions = keeps_direction(program);
+        let mut tape = Self::on(&program.nodes, program.inputs(), tests(program), directions);
         for (block, kept) in carried_sides(program) {
             let side = program.start.kept.get(kept).copied().unwrap_or(1.0);
             let turn = if turned.contains(&block) { -1.0 } else { 1.0 };
             tape.keep(kept, Interval::point(1.0_f64.copysign(turn * side)));
         }
-        tape.sort();
-        if !tape.is_too_large() {
-            tape.forms = Forms::new(motors, tape.moving.len());
-        }
+        tape.sort(&[]);
         tape
+    }
+
+    /// Values by themselves, made from so many inputs: what is tested, and what else is found.
+    pub(super) fn of(
+        nodes: &'p [Node],
+        inputs: usize,
+        tests: Vec<(BlockId, Test)>,
+        found: &[Value],
+    ) -> Self {
+        let mut tape = Self::on(nodes, inputs, tests, vec![false; nodes.len()]);
+        tape.sort(found);
+        tape
+    }
+
+    fn on(
+        nodes: &'p [Node],
+        motors: usize,
+        tests: Vec<(BlockId, Test)>,
+        directions: Vec<bool>,
+    ) -> Self {
+        Self {
+            nodes,
+            motors,
+            moving: Vec::new(),
+            tests,
+            directions,
+            values: vec![Interval::ENTIRE; nodes.len()],
+            middles: vec![Interval::ENTIRE; nodes.len()],
+            steps: vec![None; nodes.len()],
+            forms: Forms::new(motors, 0),
+            centre: vec![0.0; motors],
+            evaluations: 0,
+        }
     }
 
     /// What is carried in this place.
     fn keep(&mut self, kept: usize, carried: Interval) {
-        for (index, node) in self.program.nodes.iter().enumerate() {
+        for (index, node) in self.nodes.iter().enumerate() {
             if node.op == Op::Last(Slot::Kept(kept)) {
                 self.values[index] = carried;
                 self.middles[index] = carried;
@@ -83,10 +100,13 @@ impl<'p> Tape<'p> {
         }
     }
 
-    /// Finds what tests need, and does what can be done once and for all.
-    fn sort(&mut self) {
-        let nodes = &self.program.nodes;
+    /// Finds what tests need, and what else is asked for; does what can be done once and for all.
+    fn sort(&mut self, found: &[Value]) {
+        let nodes = self.nodes;
         let mut needed: Vec<Option<Value>> = vec![None; nodes.len()];
+        for &value in found {
+            needed[value.index()] = Some(value);
+        }
         for (_, test) in &self.tests {
             match *test {
                 Test::Slack(slack, floor) => {
@@ -117,6 +137,14 @@ impl<'p> Tape<'p> {
                 self.middles[value.index()] = known;
             }
         }
+        if !self.is_too_large() {
+            self.forms = Forms::new(self.motors, self.moving.len());
+        }
+    }
+
+    /// A value on the box on which it was run last.
+    pub(super) fn value(&self, value: Value) -> Interval {
+        self.values[value.index()]
     }
 
     /// How many tests there are.
@@ -158,7 +186,7 @@ impl<'p> Tape<'p> {
         }
         for step in 0..self.moving.len() {
             let value = self.moving[step];
-            let op = self.program.node(value).op;
+            let op = self.nodes[value.index()].op;
             let (by_value, by_middle) = match op {
                 Op::Motor(motor) => {
                     let range = range.get(motor).copied().unwrap_or(Interval::ENTIRE);
@@ -178,7 +206,7 @@ impl<'p> Tape<'p> {
 
     /// An operation on intervals.
     fn natural(&self, value: Value, values: &[Interval]) -> Interval {
-        let op = self.program.node(value).op;
+        let op = self.nodes[value.index()].op;
         let range = natural(op, |operand| values[operand.index()]).unwrap_or(Interval::ENTIRE);
         match op {
             Op::Choose(test, ..)
@@ -192,7 +220,7 @@ impl<'p> Tape<'p> {
 
     /// All values of an operation, as far as its natural interval and its form both tell.
     fn by_value(&mut self, step: usize, value: Value) -> Interval {
-        let op = self.program.node(value).op;
+        let op = self.nodes[value.index()].op;
         let range = self.natural(value, &self.values);
         let known = match self.linear(op) {
             Some((operands, linear)) => self.forms.combine(step, operands, linear),

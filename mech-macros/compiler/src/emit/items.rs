@@ -270,7 +270,7 @@ fn imports(krate: &TokenStream, program: &Program) -> TokenStream {
             use ::core::result::Result::{self, Err, Ok};
             #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
             use #krate::generated::{
-                Anywhere, AtZero, Blocked, BlockedAt, Canvas, Columns, Course, Isometry2, Mechanism, Motors, Outline, Palette, Phase, Point2, Pose, Position,
+                Anywhere, AtZero, Blocked, BlockedAt, Canvas, Columns, Course, Followed, Growth, Isometry2, Mechanism, Motors, Outline, Palette, Phase, Point2, Pose, Position,
                 Reached, Real, Shape, Stop, Watched, advance, angle, approach, atan2, closed, closes, contracts, before_first, paint, round,
                 sin_cos, slide, solve, sqrt, turned, Sines, Within, InRange, greater, least, move_many, solve_many,
             };

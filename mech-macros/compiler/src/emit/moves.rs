@@ -10,6 +10,7 @@ use super::step::takes_sines;
 use crate::model::{JointKind, Model, Motor, Precision};
 use crate::plan::Plan;
 use crate::program::{self, Program};
+use mech_core::journey::Growth;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -40,7 +41,21 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
         let closed = program.closed(watch.block).map(|closed| &closed.place);
         let newton = program.newton(watch.block).map(|newton| &newton.place);
         let place = closed.or(newton).map_or("", String::as_str);
-        quote!(Watched { kept: #kept, rates: [#(#rates),*], at_zero: #at_zero, place: #place })
+        let growth = growth(program.precision, &watch.growth);
+        quote! {
+            Watched {
+                kept: #kept,
+                rates: [#(#rates),*],
+                growth: &[#(#growth),*],
+                at_zero: #at_zero,
+                place: #place,
+            }
+        }
+    });
+    let follows = program.follows.iter().map(|follow| {
+        let rates = follow.rates.iter().map(n);
+        let growth = growth(program.precision, &follow.growth);
+        quote!(Followed { rates: [#(#rates),*], growth: &[#(#growth),*] })
     });
     let senses = match program.senses {
         None => quote!(None),
@@ -78,6 +93,7 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
         const COURSE: Course<#scalar, #motors, #loops> = Course {
             names: [#(#names),*],
             watched: [#(#watched),*],
+            follows: &[#(#follows),*],
             senses: #senses,
             function: #function,
             subdivides: #subdivides,
@@ -87,6 +103,20 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             range: #range,
         };
     }
+}
+
+/// What makes something change faster.
+fn growth(precision: Precision, growth: &[Growth<f64>]) -> impl Iterator<Item = TokenStream> + '_ {
+    growth.iter().map(move |growth| match *growth {
+        Growth::Near(index) => {
+            let index = Literal::usize_unsuffixed(index);
+            quote!(Growth::Near(#index))
+        }
+        Growth::Far(input, unit) => {
+            let (input, unit) = (Literal::usize_unsuffixed(input), number(precision, unit));
+            quote!(Growth::Far(#input, #unit))
+        }
+    })
 }
 
 /// An end of a range; a motor without one has infinite ends.
@@ -110,31 +140,50 @@ pub(super) fn within(
     visibility: &syn::Visibility,
     rest: &TokenStream,
 ) -> TokenStream {
-    if program.range.is_none() {
+    if !program.never_fails() {
         return TokenStream::new();
     }
     let near = near(program);
     let scalar = scalar(program);
     let motors = Literal::usize_unsuffixed(program.motors.len());
-    let body = if program.is_function() && program.margins().next().is_none() && !program.overflows
-    {
+    let there = if takes_sines(program) {
         quote! {
-            if let Ok(there) = #near(&self.position, Motors::new(motors.motors())) {
-                self.position = there;
-            }
+            // Beyond the reach of the polynomials angles are reduced first.
+            let there = if target.is_within(COURSE.reach) {
+                #near(&self.position, target)
+            } else {
+                step(&self.position, target)
+            };
         }
     } else {
-        quote! {
-            // It was proved that nothing is in the way.
-            let _ = advance(&mut self.position, Motors::new(motors.motors()), &COURSE, #near, step);
+        quote!(let there = #near(&self.position, target);)
+    };
+    let body = quote! {
+        let target = Motors::new(motors.motors());
+        #there
+        // It was proved that every loop closes there: there is nothing else.
+        if let Ok(there) = there {
+            self.position = there;
         }
     };
+    let (finite, where_unranged) = if program.overflows {
+        let most = number(program.precision, program::MODERATE);
+        (
+            quote!(is_within(#most)),
+            " A motor without a range may go as far as 1e15.",
+        )
+    } else {
+        (quote!(is_finite()), "")
+    };
+    let about = format!(
+        " These values of the motors, in radians or scene units, if all of them are within the declared ranges.{where_unranged}"
+    );
     quote! {
-        /// These values of the motors, in radians or scene units, if all of them are within the declared ranges.
+        #[doc = #about]
         #[must_use]
         #visibility fn range(motors: [#scalar; #motors]) -> Option<InRange<Self, [#scalar; #motors]>> {
             let values = Motors::new(motors);
-            (values.is_finite() && COURSE.contains(&values)).then_some(InRange::tested(motors))
+            (values.#finite && COURSE.contains(&values)).then_some(InRange::tested(motors))
         }
 
         /// Moves to values of the motors within their declared ranges: it was proved at compile time that nothing is in the

@@ -3,7 +3,7 @@
 use super::Stop;
 use super::run::Runner;
 use crate::program::Position;
-use mech_core::journey::{self, Halt, Journey, Watch};
+use mech_core::journey::{self, Growth, Halt, Journey, Watch};
 use mech_core::{Real, motors};
 
 /// A move under way.
@@ -84,6 +84,29 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         position.kept[self.runner.program.watches[index].kept]
     }
 
+    fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
+        let growth = self.runner.program.watches[index].growth.iter();
+        growth.map(|growth| in_precision(*growth))
+    }
+
+    fn follows(&self) -> usize {
+        self.runner.program.follows.len()
+    }
+
+    fn turn(&self, index: usize) -> T {
+        let rates = self.runner.program.follows[index].rates.iter();
+        motors::change(rates.map(|rate| T::from_f64(*rate)), &self.ways)
+    }
+
+    fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
+        let growth = self.runner.program.follows[index].growth.iter();
+        growth.map(|growth| in_precision(*growth))
+    }
+
+    fn input(&self, position: &Position<T>, input: usize) -> T {
+        position.motors[input] + T::TURN * T::from_i32(position.turns[input])
+    }
+
     fn tiny_square(&self, position: &Position<T>, index: usize) -> T {
         position.kept[self.runner.program.watches[index].kept + 1]
     }
@@ -126,5 +149,12 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
 
     fn subdivides(&self) -> bool {
         self.subdivides
+    }
+}
+
+fn in_precision<T: Real>(growth: Growth<f64>) -> Growth<T> {
+    match growth {
+        Growth::Near(index) => Growth::Near(index),
+        Growth::Far(input, unit) => Growth::Far(input, T::from_f64(unit)),
     }
 }

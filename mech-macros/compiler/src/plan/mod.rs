@@ -3,6 +3,7 @@
 mod algebra;
 mod assembly;
 mod between;
+mod bound;
 mod closed_form;
 mod cluster;
 mod coupled;
@@ -17,6 +18,7 @@ mod step;
 
 pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::{Assembly, CamStart};
+pub use bound::{Bound, Growth};
 pub(crate) use equation::{Equation, Measure, Slide, Solution, Unknown};
 pub use ledger::Rational;
 pub use needed::Needed;
@@ -33,6 +35,8 @@ pub struct Plan {
     pub steps: Vec<Step>,
     /// What gears, belts, racks and cams are solved from.
     pub sources: Vec<Source>,
+    /// For each source that loops have solved how fast it turns at most, once that was looked at: its turns are counted.
+    pub turning: Vec<Option<Bound>>,
     /// Where everything is at the start.
     pub start: Assembly,
 }
@@ -59,6 +63,7 @@ pub fn plan(model: &Model, structure: &Structure) -> Result<Plan, Diagnosis> {
     let start = assembly::assemble(model, &sequence.steps, &sequence.sources)?;
     Ok(Plan {
         steps: sequence.steps,
+        turning: vec![None; sequence.sources.len()],
         sources: sequence.sources,
         start,
     })

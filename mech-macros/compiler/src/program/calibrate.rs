@@ -41,7 +41,7 @@ pub(super) fn calibrate(program: &mut Program) {
 }
 
 /// All values at the start, where every loop is already closed.
-fn at_start(program: &Program) -> Vec<f64> {
+pub(crate) fn at_start(program: &Program) -> Vec<f64> {
     let mut values: Vec<f64> = Vec::with_capacity(program.nodes.len());
     let first = |block: super::BlockId, index: usize| {
         program

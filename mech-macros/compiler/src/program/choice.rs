@@ -2,6 +2,7 @@
 
 use super::newton::Rounds;
 use crate::model::Method;
+use crate::plan::Bound;
 use mech_core::journey::AtZero;
 
 /// More rounds than this never help: Newton's iteration doubles its digits in each.
@@ -22,7 +23,7 @@ pub enum Solver {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Watching {
     /// By how much the square of its sine changes with each motor, at most.
-    pub rates: Vec<f64>,
+    pub bound: Bound,
     /// What happens at its change points.
     pub at_zero: AtZero,
 }

@@ -23,4 +23,66 @@ pub struct Closed {
     pub sided: bool,
     /// The unknowns, when they are found.
     pub found: Vec<Value>,
+    /// What is cut with what.
+    pub form: Form,
+}
+
+/// What a closed form cuts with what: every vector by its two coordinates, in the frame of the loop's first cluster.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Form {
+    /// Two circles: the arms turn, and reach the goal together.
+    TwoCircles {
+        /// Where both arms together reach.
+        goal: [Value; 2],
+        /// The arms, each in its own frame.
+        arms: [[Value; 2]; 2],
+    },
+    /// A circle and a line: an arm turns, and a way along a known direction leads on to the goal.
+    CircleAndLine {
+        /// Where the arm and the way reach.
+        goal: [Value; 2],
+        /// The arm, in its own frame.
+        arm: [Value; 2],
+        /// The direction of the way.
+        along: [Value; 2],
+    },
+    /// A line that turns with an arm, and reaches the goal.
+    TurningLine {
+        /// Where the arm and the way reach.
+        goal: [Value; 2],
+        /// The arm, in its own frame.
+        arm: [Value; 2],
+        /// The direction of the way, in the arm's frame.
+        along: [Value; 2],
+        /// The length at the start to which the loop's sine is relative.
+        size: f64,
+    },
+    /// Two lines: two ways along known directions.
+    TwoLines {
+        /// Where both ways lead.
+        goal: [Value; 2],
+        /// Their directions.
+        lines: [[Value; 2]; 2],
+    },
+}
+
+impl Form {
+    /// All vectors that it is made from, the goal first.
+    pub(crate) fn vectors(&self) -> Vec<[Value; 2]> {
+        match *self {
+            Self::TwoCircles { goal, arms: [a, b] }
+            | Self::TwoLines {
+                goal,
+                lines: [a, b],
+            } => {
+                vec![goal, a, b]
+            }
+            Self::CircleAndLine { goal, arm, along }
+            | Self::TurningLine {
+                goal, arm, along, ..
+            } => {
+                vec![goal, arm, along]
+            }
+        }
+    }
 }

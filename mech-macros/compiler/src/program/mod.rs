@@ -22,10 +22,11 @@ mod stored;
 mod timing;
 mod watch;
 
+pub use crate::plan::{Bound, Growth};
 pub(crate) use build::needed;
 pub use build::{Further, build, build_as, build_further};
 pub use choice::{Choice, Solver, Watching};
-pub use closed::Closed;
+pub use closed::{Closed, Form};
 pub use forces::{Acting, Forces, Inertia};
 pub use mech_core::Real;
 pub use mech_core::journey::AtZero;
@@ -35,9 +36,13 @@ pub use node::{BlockId, Node, Number, Op, Part, Slot, Value};
 pub use place::Place;
 pub use sensitivity::{Rates, Sensitivity};
 pub use timing::{Timed, Timing, build_timing};
-pub use watch::Watch;
+pub use watch::{Follow, Watch};
 
 use crate::model::{LinkId, Precision};
+use crate::plan::Solution;
+
+/// Values of motors up to this may be multiplied by any ratio of gears without leaving the range of single precision.
+pub(crate) const MODERATE: f64 = 1e15;
 
 /// A straight-line program.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,11 +69,17 @@ pub struct Program {
     pub kept: Vec<Value>,
     /// Of what is told where it is in its link, the coordinates that depend on params.
     pub places: Vec<Place>,
+    /// What each loop that it solves finds, by the loop's number in the plan.
+    pub(crate) solutions: Vec<(usize, Vec<Solution<Value>>)>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
     /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor and param.
     pub senses: Option<usize>,
-    /// How far each motor and param may go in one piece, where an angle is followed over whole turns, loops are coupled or have dead points.
+    /// The angles that are followed over whole turns: how fast they turn at most.
+    pub follows: Vec<Follow>,
+    /// The same angles, each by the number of its source in the plan, less whole turns.
+    pub(crate) followed: Vec<(usize, Value)>,
+    /// How far each motor and param may go in one piece, where loops are coupled, or laws or params change what nobody has looked at.
     pub strides: Option<Vec<f64>>,
     /// The least and the greatest value of each motor, if any has a declared range: it was proved that it moves through.
     pub range: Option<Vec<[f64; 2]>>,
@@ -170,6 +181,11 @@ impl Program {
         position.chain(motion).chain(sensitivity)
     }
 
+    /// What every value is at the start.
+    pub(crate) fn values_at_start(&self) -> Vec<f64> {
+        calibrate::at_start(self)
+    }
+
     /// The loop of a block, if it solves one.
     #[must_use]
     pub fn newton(&self, block: BlockId) -> Option<&Newton> {
@@ -222,6 +238,18 @@ impl Program {
     #[must_use]
     pub fn is_function(&self) -> bool {
         self.is_closed() && self.kept.is_empty()
+    }
+
+    /// Whether no move can fail whose values are within the declared ranges: every loop was proved to close there and needs no
+    /// watching, and no number can grow beyond its type.
+    #[must_use]
+    pub fn never_fails(&self) -> bool {
+        let Some(ranges) = &self.range else {
+            return false;
+        };
+        let is_moderate = |end: &f64| end.is_infinite() || end.abs() <= MODERATE;
+        let fits = !self.overflows || ranges.iter().flatten().all(is_moderate);
+        fits && self.is_function() && self.margins().next().is_none() && self.strides.is_none()
     }
 
     /// Whether every loop is solved in closed form: no iteration, and no start that it would need.

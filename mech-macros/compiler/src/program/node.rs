@@ -5,6 +5,11 @@
 pub struct Value(pub(super) u32);
 
 impl Value {
+    /// The result of the node in this position.
+    pub(crate) fn at(index: usize) -> Self {
+        Self(u32::try_from(index).unwrap_or(u32::MAX))
+    }
+
     /// Its position among the nodes.
     #[must_use]
     pub fn index(self) -> usize {
@@ -171,6 +176,43 @@ impl Op {
             | Self::Atan2(a, b) => [Some(a), Some(b), None],
         };
         triple.into_iter().flatten()
+    }
+}
+
+impl Op {
+    /// The same operation on other values.
+    #[must_use]
+    pub(crate) fn map(self, mut other: impl FnMut(Value) -> Value) -> Self {
+        match self {
+            Self::Neg(a) => Self::Neg(other(a)),
+            Self::Abs(a) => Self::Abs(other(a)),
+            Self::Sqrt(a) => Self::Sqrt(other(a)),
+            Self::Add(a, b) => Self::Add(other(a), other(b)),
+            Self::Sub(a, b) => Self::Sub(other(a), other(b)),
+            Self::Mul(a, b) => Self::Mul(other(a), other(b)),
+            Self::Div(a, b) => Self::Div(other(a), other(b)),
+            Self::Sin(a) => Self::Sin(other(a)),
+            Self::Cos(a) => Self::Cos(other(a)),
+            Self::Max(a, b) => Self::Max(other(a), other(b)),
+            Self::CopySign(a, b) => Self::CopySign(other(a), other(b)),
+            Self::Choose(test, a, b) => Self::Choose(other(test), other(a), other(b)),
+            Self::Atan2(a, b) => Self::Atan2(other(a), other(b)),
+            Self::Round(a) => Self::Round(other(a)),
+            Self::Exp(a) => Self::Exp(other(a)),
+            Self::Constant(_)
+            | Self::Motor(_)
+            | Self::Turns(_)
+            | Self::Turned(..)
+            | Self::Last(_)
+            | Self::Unknown(..)
+            | Self::Solved(..)
+            | Self::Dense(..)
+            | Self::Time
+            | Self::Rate(_)
+            | Self::Acceleration(_)
+            | Self::Load(_)
+            | Self::Linear(..) => self,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Loops in closed form that are watched while the mechanism moves.
 
 use super::node::BlockId;
-use mech_core::journey::AtZero;
+use mech_core::journey::{AtZero, Growth};
 
 /// A loop in closed form that has dead points or change points.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,8 +10,21 @@ pub struct Watch {
     pub block: BlockId,
     /// Where the sine of its transmission angle is kept; after it, the square of a sine below which rounding hides its sign.
     pub kept: usize,
+    /// Which loop of the plan it closes.
+    pub number: usize,
     /// By how much the square of that sine changes with each motor, at most.
     pub rates: Vec<f64>,
+    /// What makes that more: loops by their place among those that are watched.
+    pub growth: Vec<Growth<f64>>,
     /// What happens at a change point.
     pub at_zero: AtZero,
+}
+
+/// An angle that is followed over whole turns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Follow {
+    /// By how much it changes with each motor, at most.
+    pub rates: Vec<f64>,
+    /// What makes that more: loops by their place among those that are watched.
+    pub growth: Vec<Growth<f64>>,
 }

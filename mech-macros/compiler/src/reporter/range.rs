@@ -84,8 +84,8 @@ impl Words<'_> {
                 )
             }
             RangeTrouble::Missing => format!(
-                "motor {name} slides and has no range, though another motor has one: that it moves wherever it is told cannot be \
-                 proved\nhelp: declare a range for {name} too, as `motor {} in LOW ..= HIGH`",
+                "motor {name} has no range, though another motor has one: what it moves never comes back to where it was, so that \
+                 nothing can be proved of all its values\nhelp: declare a range for {name} too, as `motor {} in LOW ..= HIGH`",
                 self.model.joint(declared.joint).name
             ),
         };

@@ -61,6 +61,7 @@ impl Writer<'_> {
                 self.name_cluster(base);
             }
             self.closed(Closing {
+                number: self.loops - 1,
                 name,
                 place,
                 equation,
@@ -96,6 +97,7 @@ impl Writer<'_> {
             self.name_cluster(base);
         }
         self.closed(Closing {
+            number: self.loops - 1,
             name,
             place,
             equation,
@@ -120,7 +122,7 @@ impl Writer<'_> {
         let solutions: Vec<Solution<Value>> = firsts.iter().map(|(_, first)| *first).collect();
         let choice = self.choice();
         let (closed, solution) = self.dyad(closing, equation, &solutions, &choice)?;
-        self.keep_watch(block, closed.sine, closed.tiny_square);
+        self.keep_watch(block, closed.sine, closed.tiny_square, closed.sided);
         for ((name, _), solution) in firsts.iter().zip(&solution) {
             match *solution {
                 Solution::Direction(direction) => {

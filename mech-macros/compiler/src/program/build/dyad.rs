@@ -8,7 +8,7 @@ use super::Writer;
 use super::size::Size;
 use crate::plan::{Algebra, Equation, Loop, Slide, Solution, Unknown};
 use crate::program::choice::Choice;
-use crate::program::closed::Closed;
+use crate::program::closed::{Closed, Form};
 use crate::program::node::{Op, Value};
 
 /// A gap, in units of rounding of the loop's size, that passes for closed.
@@ -24,8 +24,11 @@ struct Found {
     solution: Vec<Solution<Value>>,
     slack: Value,
     floor: Value,
+    /// What is not negative if it closes, where slack and floor do not tell.
+    closes: Option<Value>,
     sine: Value,
     tiny_square: Value,
+    form: Form,
 }
 
 /// The side on which a dyad lies.
@@ -70,15 +73,16 @@ impl Writer<'_> {
                 }
             },
             (Unknown::Slide(_), Unknown::Slide(_)) => {
-                self.two_lines(goal, slide(0)?.along, slide(1)?.along)
+                let lines = [slide(0)?.along, slide(1)?.along];
+                self.two_lines(goal, lines, firsts, choice)
             }
             // Directions come first.
             (Unknown::Slide(_), Unknown::Direction(_)) => return None,
         };
-        let margin = if choice.proved {
-            self.builder.constant(1.0)
-        } else {
-            self.builder.add(found.slack, found.floor)
+        let margin = match (choice.proved, found.closes) {
+            (true, _) => self.builder.constant(1.0),
+            (false, Some(closes)) => closes,
+            (false, None) => self.builder.add(found.slack, found.floor),
         };
         let arms: Vec<Value> = ring.arms.iter().flatten().flatten().copied().collect();
         let margin = if self.any_varies(&arms) {
@@ -96,6 +100,7 @@ impl Writer<'_> {
             tiny_square: found.tiny_square,
             sided: !matches!(first, Unknown::Slide(_)),
             found: Vec::new(),
+            form: found.form,
         };
         Some((closed, found.solution))
     }
@@ -207,8 +212,10 @@ impl Writer<'_> {
             solution: directions.map(Solution::Direction).to_vec(),
             slack,
             floor,
+            closes: None,
             sine,
             tiny_square,
+            form: Form::TwoCircles { goal, arms: [a, b] },
         }
     }
 
@@ -319,8 +326,10 @@ impl Writer<'_> {
             solution: vec![Solution::Direction(direction), Solution::Slide(way)],
             slack,
             floor,
+            closes: None,
             sine,
             tiny_square,
+            form: Form::CircleAndLine { goal, arm, along },
         }
     }
 
@@ -350,6 +359,7 @@ impl Writer<'_> {
         let slack = builder.sub(square, height_square);
         let slack = builder.name(slack, "discriminant");
         let size = self.size(&[goal, arm]);
+        let at_start = self.size_at_start(&[goal, arm]);
         let height_size = self.builder.abs(height);
         let floor = self.rounding(size, height_size);
         let root = self.root(slack, choice);
@@ -372,7 +382,12 @@ impl Writer<'_> {
         };
         let scale = self.inverse_of(size);
         let builder = &mut self.builder;
-        let sine = builder.mul(scale, root);
+        // The way may be any times longer than the loop is at the start: of that, only what is near zero tells.
+        let grown = builder.mul(scale, root);
+        let (one, square_grown) = (builder.constant(1.0), builder.mul(grown, grown));
+        let bound = builder.add(one, square_grown);
+        let bound = builder.sqrt(bound);
+        let sine = builder.div(grown, bound);
         let part = builder.mul(scale, height);
         let shift = builder.mul(part, part);
         let tiny_square = self.tiny_square(shift, Size::Fixed(1.0));
@@ -389,29 +404,86 @@ impl Writer<'_> {
             solution: vec![Solution::Direction(direction), Solution::Slide(way)],
             slack,
             floor,
+            closes: None,
             sine,
             tiny_square,
+            form: Form::TurningLine {
+                goal,
+                arm,
+                along,
+                size: at_start,
+            },
         }
     }
 
     /// s·a + t·b = goal.
-    fn two_lines(&mut self, goal: Vector, a: Vector, b: Vector) -> Found {
+    fn two_lines(
+        &mut self,
+        goal: Vector,
+        lines: [Vector; 2],
+        firsts: &[Solution<Value>],
+        choice: &Choice,
+    ) -> Found {
+        let [a, b] = lines;
         let builder = &mut self.builder;
         let det = builder.cross(a, b);
-        let positive = builder.at_start(det) > 0.0;
-        let sine = if positive { det } else { builder.neg(det) };
         let one = builder.constant(1.0);
         let inverse = builder.div(one, det);
         let (p, q) = (builder.cross(goal, b), builder.cross(a, goal));
         let ways = [builder.mul(p, inverse), builder.mul(q, inverse)];
         let least = -4.0 * self.model.precision.epsilon();
-        let floor = self.builder.constant(least);
+        let floor = builder.constant(least);
+        let form = Form::TwoLines { goal, lines };
+        if !choice.goes_over() {
+            let positive = builder.at_start(det) > 0.0;
+            let slack = if positive { det } else { builder.neg(det) };
+            return Found {
+                solution: ways.map(Solution::Slide).to_vec(),
+                slack,
+                floor,
+                closes: None,
+                sine: det,
+                tiny_square: floor,
+                form,
+            };
+        }
+        // Where the lines are parallel they may lie on each other: there the ways are what they were, which is as near as rounding
+        // lets them be found on either side. Else they lead beyond all bounds.
+        let tiny = self.model.precision.epsilon().sqrt();
+        let square = builder.mul(det, det);
+        let tiny_square = builder.constant(tiny * tiny);
+        let apart = builder.sub(square, tiny_square);
+        let apart = builder.name(apart, "apart");
+        let mut solution = Vec::new();
+        for (way, last) in ways.into_iter().zip(firsts) {
+            let way = match *last {
+                Solution::Slide(last) => builder.make(Op::Choose(apart, way, last)),
+                Solution::Direction(_) => way,
+            };
+            solution.push(Solution::Slide(way));
+        }
+        let size = self.size(&[goal]);
+        let reach = self.builder.dot(goal, goal);
+        let reach = self.builder.sqrt(reach);
+        let most = match size {
+            Size::Fixed(size) => self.builder.constant(size),
+            Size::Varying(size) => size,
+        };
+        let reach = self.builder.add(reach, most);
+        let near = self.builder.constant(8.0 * tiny);
+        let near = self.builder.mul(near, reach);
+        let (p, q) = (self.builder.abs(p), self.builder.abs(q));
+        let beside = self.builder.max(p, q);
+        let on_each_other = self.builder.sub(near, beside);
+        let closes = self.builder.make(Op::Choose(apart, one, on_each_other));
         Found {
-            solution: ways.map(Solution::Slide).to_vec(),
-            slack: sine,
+            solution,
+            slack: self.builder.abs(det),
             floor,
+            closes: Some(closes),
             sine: det,
-            tiny_square: floor,
+            tiny_square,
+            form,
         }
     }
 

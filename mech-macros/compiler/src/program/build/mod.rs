@@ -28,7 +28,7 @@ use super::builder::Builder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::{Op, Value};
-use super::{Block, BlockKind, Choice, Place, Position, Program, Rounds, Watch};
+use super::{Block, BlockKind, Choice, Follow, Place, Position, Program, Rounds, Watch};
 use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
     Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Needed, Placement, Plan, Pose,
@@ -161,7 +161,9 @@ fn write(
         senses: None,
         places: Vec::new(),
         steady: None,
-        follows: false,
+        follows: Vec::new(),
+        followed_angles: Vec::new(),
+        winds: false,
         wanders: false,
         histories: Vec::new(),
         closings: Vec::new(),
@@ -188,8 +190,7 @@ fn write(
     writer.finish(links, further)
 }
 
-/// So short a way of a motor that no angle makes half a turn meanwhile, unless it turns a dozen times faster; and that coupled
-/// loops which close at both ends, or loops with dead points, are not likely to be open between.
+/// So short a way of a motor that coupled loops which close at both ends are not likely to be open between.
 fn strides(model: &Model) -> Vec<f64> {
     let size = model.size();
     let stride = |motor: &crate::model::Motor| match model.joint(motor.joint).kind {
@@ -244,8 +245,11 @@ struct Writer<'m> {
     loops: usize,
     /// Whether the motors move by equal steps, once something asked.
     steady: Option<predictor::Steady>,
-    /// Whether an angle is followed over whole turns.
-    follows: bool,
+    /// The angles that are followed over whole turns, and by which sources.
+    follows: Vec<Follow>,
+    followed_angles: Vec<(usize, Value)>,
+    /// Whether an angle that is iterated is followed over whole turns.
+    winds: bool,
     /// Whether something follows a law that is not the same in every turn: nobody has looked at all of its ways.
     wanders: bool,
     /// The loops that were closed.
@@ -409,7 +413,7 @@ impl Writer<'_> {
     /// The angle between two links that loops have solved, followed over any number of turns.
     fn unwrapped(&mut self, number: usize, [from, to]: [LinkId; 2], start: f64) -> Value {
         let principal = self.principal(number, [from, to]);
-        self.follows = true;
+        self.follow(number, principal);
         let kept = self.kept.len();
         let last = self.keep(start);
         let behind = self.builder.sub(last, principal);
@@ -476,6 +480,8 @@ impl Writer<'_> {
             [cos, sin, x, y]
         };
         let poses: Vec<[Value; 4]> = stored.iter().map(pose).collect();
+        let solved = |closing: &rates::Closing| (closing.number, closing.solution.clone());
+        let solutions = self.closings.iter().map(solved).collect();
         let mut sensitivity = None;
         let motion = further.map(|further| match further {
             Further::Rates => self.motion(&poses),
@@ -504,6 +510,8 @@ impl Writer<'_> {
             senses,
             places,
             follows,
+            followed_angles,
+            winds,
             wanders,
             idle,
             ..
@@ -513,19 +521,20 @@ impl Writer<'_> {
             matches!(&block.kind, BlockKind::Newton(newton)
                 if newton.step.is_some() && matches!(newton.rounds, Rounds::UntilClosed(_)))
         };
-        let ends = watches.iter().any(|watch| watch.at_zero == AtZero::Stay);
         let straight = |block: &Block| matches!(block.kind, BlockKind::Straight);
         let loops = !builder.blocks.iter().all(straight);
         let varies = (wanders || !model.params.is_empty()) && loops;
-        let follows = follows || ends || builder.blocks.iter().any(leaps) || varies;
-        let strides = follows.then(|| strides(model));
+        let strides = (winds || varies || builder.blocks.iter().any(leaps)).then(|| strides(model));
         let mut program = Program {
             name: model.name.clone(),
             precision: model.precision,
             nodes: builder.nodes,
             blocks: builder.blocks,
             places,
+            solutions,
             watches,
+            follows,
+            followed: followed_angles,
             senses,
             range: None,
             strides,

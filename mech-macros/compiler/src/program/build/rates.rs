@@ -16,6 +16,8 @@ const MOST_LINKS: usize = 48;
 
 /// A loop that was closed.
 pub(super) struct Closing {
+    /// Which loop of the plan it closes.
+    pub(super) number: usize,
     /// What its block is called.
     pub(super) name: String,
     /// The joints of the loop whose coordinates are unknown, for messages.

@@ -159,7 +159,7 @@ impl Writer<'_> {
         for (name, index) in &tied.unknowns {
             firsts.push(match equation.unknowns[*index] {
                 Unknown::Direction(_) => {
-                    self.follows = true;
+                    self.winds = true;
                     kept.push(self.kept.len());
                     let last = self.keep(0.0);
                     (name.clone(), Solution::Slide(last))

@@ -2,30 +2,61 @@
 
 use super::Writer;
 use crate::plan::{Algebra, Equation, Solution};
-use crate::program::Watch;
 use crate::program::builder::Builder;
 use crate::program::node::{BlockId, Value};
-use mech_core::journey::AtZero;
+use crate::program::{Bound, Follow, Growth, Watch};
+use mech_core::journey::{self, AtZero};
 
 impl Writer<'_> {
     /// Carries what has to be known about a loop that is watched, if it is. The side of a dyad that is carried is so already.
-    pub(super) fn keep_watch(&mut self, block: BlockId, sine: Value, tiny_square: Value) {
+    pub(super) fn keep_watch(
+        &mut self,
+        block: BlockId,
+        sine: Value,
+        tiny_square: Value,
+        sided: bool,
+    ) {
         let Some(watching) = self.choice().watching else {
             return;
         };
         let start = [sine, tiny_square].map(|value| self.builder.at_start(value));
-        if watching.at_zero != AtZero::GoOver {
+        if !(sided && watching.at_zero == AtZero::GoOver) {
             self.keep(start[0]);
         }
         self.keep(start[1]);
         let kept = self.kept.len() - 2;
         self.kept[kept] = self.builder.name(sine, "sine");
         self.kept[kept + 1] = tiny_square;
+        let growth = self.growth(&watching.bound);
         self.watches.push(Watch {
             block,
             kept,
-            rates: watching.rates,
+            number: self.loops - 1,
+            rates: watching.bound.rates,
+            growth,
             at_zero: watching.at_zero,
+        });
+    }
+
+    /// What makes a bound grow, loops by their place among those that are watched so far.
+    fn growth(&self, bound: &Bound) -> Vec<journey::Growth<f64>> {
+        let watched = |number| self.watches.iter().position(|watch| watch.number == number);
+        let growth = bound.growth.iter().filter_map(|growth| match *growth {
+            Growth::NearZero(number) => watched(number).map(journey::Growth::Near),
+            Growth::FarOut(input, unit) => Some(journey::Growth::Far(input, unit)),
+        });
+        growth.collect()
+    }
+
+    /// Notes that an angle is followed over whole turns: a source of the plan, by its number.
+    pub(super) fn follow(&mut self, source: usize, angle: Value) {
+        self.followed_angles.push((source, angle));
+        let bound = self.plan.turning.get(source).cloned().flatten();
+        // As long as nobody has looked, nothing moves.
+        let bound = bound.unwrap_or_else(|| Bound::still(self.model.inputs()));
+        self.follows.push(Follow {
+            growth: self.growth(&bound),
+            rates: bound.rates,
         });
     }
 
@@ -54,6 +85,6 @@ impl Writer<'_> {
         let sine = self.builder.mul(scale, det);
         let epsilon = self.model.precision.epsilon();
         let tiny_square = self.builder.constant(16.0 * epsilon);
-        self.keep_watch(block, sine, tiny_square);
+        self.keep_watch(block, sine, tiny_square, false);
     }
 }

@@ -1,0 +1,244 @@
+//! What some values of a program are made from, by itself: back to where the program is cut.
+//!
+//! A program of many loops is proved loop by loop: what earlier loops find is taken to be anything at all, unless that is too
+//! little. So a proof costs no more in a long chain than in a short one.
+
+use crate::plan::Solution;
+use crate::program::{Node, Number, Op, Program, Value};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What a cone is made from where it is cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Variable {
+    /// An angle of which only sine and cosine are read.
+    Angle(Value),
+    /// What a loop finds, both by number: a direction, taken as its angle, or a way.
+    Found(usize, usize),
+    /// What is given from outside: a motor's value or a param.
+    Input(usize),
+}
+
+/// The values that some outputs are made from, renumbered. Inputs of its nodes are the variables.
+#[derive(Clone, Debug)]
+pub(crate) struct Cone {
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) variables: Vec<Variable>,
+    /// The outputs, in the order in which they were asked for.
+    pub(crate) outputs: Vec<Value>,
+}
+
+/// What a value is of a loop's unknown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Share {
+    Cos,
+    Sin,
+    Way,
+}
+
+/// Cuts cones out of a program.
+#[derive(Clone, Debug)]
+pub(crate) struct Cutter<'p> {
+    pub(crate) program: &'p Program,
+    /// What every value is at the start.
+    pub(crate) at_start: Vec<f64>,
+    found: BTreeMap<Value, (usize, usize, Share)>,
+}
+
+/// Where a cone is cut.
+pub(crate) struct Cuts<'c> {
+    /// Whether the solution of a loop, by its number, is written out.
+    pub(crate) through: &'c dyn Fn(usize) -> bool,
+    /// Whether an angle is written out, too, and not only its sine and cosine.
+    pub(crate) into: &'c dyn Fn(Value) -> bool,
+}
+
+impl<'p> Cutter<'p> {
+    pub(crate) fn new(program: &'p Program) -> Self {
+        let mut found = BTreeMap::new();
+        for (number, solutions) in &program.solutions {
+            for (index, solution) in solutions.iter().enumerate() {
+                let mut note = |value: Value, share| {
+                    // What is constant is so whatever the loop does.
+                    if !matches!(program.node(value).op, Op::Constant(_)) {
+                        found.entry(value).or_insert((*number, index, share));
+                    }
+                };
+                match *solution {
+                    Solution::Direction([cos, sin]) => {
+                        note(cos, Share::Cos);
+                        note(sin, Share::Sin);
+                    }
+                    Solution::Slide(way) => note(way, Share::Way),
+                }
+            }
+        }
+        Self {
+            program,
+            at_start: program.values_at_start(),
+            found,
+        }
+    }
+
+    /// What these values are made from.
+    pub(crate) fn cone(&self, outputs: &[Value], cuts: &Cuts<'_>) -> Cone {
+        let mut needed: BTreeSet<Value> = BTreeSet::new();
+        let mut waiting: BTreeSet<Value> = outputs.iter().copied().collect();
+        while let Some(value) = waiting.pop_last() {
+            needed.insert(value);
+            if self.cut(value, outputs, cuts).is_none() {
+                waiting.extend(self.program.node(value).op.operands());
+            }
+        }
+        let mut growing = Growing {
+            cone: Cone {
+                nodes: Vec::with_capacity(needed.len()),
+                variables: Vec::new(),
+                outputs: Vec::new(),
+            },
+            inputs: Vec::new(),
+            copies: BTreeMap::new(),
+        };
+        for &value in &needed {
+            let node = self.program.node(value);
+            let op = match self.cut(value, outputs, cuts) {
+                Some((variable, Share::Cos)) => Op::Cos(growing.variable(variable, node)),
+                Some((variable, Share::Sin)) => Op::Sin(growing.variable(variable, node)),
+                Some((variable, Share::Way)) => {
+                    let input = growing.variable(variable, node);
+                    growing.copies.insert(value, input);
+                    continue;
+                }
+                None => match node.op {
+                    // Values are taken with all their turns in them.
+                    Op::Turns(_) | Op::Turned(..) => Op::Constant(Number::new(0.0)),
+                    op => op.map(|operand| growing.copies[&operand]),
+                },
+            };
+            let copy = growing.push(Node { op, ..node.clone() });
+            growing.copies.insert(value, copy);
+        }
+        let Growing {
+            mut cone, copies, ..
+        } = growing;
+        cone.outputs = outputs.iter().map(|output| copies[output]).collect();
+        cone
+    }
+
+    /// Whether a variable stands for a value.
+    pub(crate) fn is_cut(&self, value: Value, outputs: &[Value], cuts: &Cuts<'_>) -> bool {
+        let cut = self.cut(value, outputs, cuts);
+        cut.is_some_and(|(variable, _)| !matches!(variable, Variable::Input(_)))
+    }
+
+    /// The variable that stands for a value, if the program is cut there. What is asked for is not cut.
+    fn cut(&self, value: Value, outputs: &[Value], cuts: &Cuts<'_>) -> Option<(Variable, Share)> {
+        if let Some(&(number, index, share)) = self.found.get(&value)
+            && !(cuts.through)(number)
+            && !outputs.contains(&value)
+        {
+            return Some((Variable::Found(number, index), share));
+        }
+        match self.program.node(value).op {
+            Op::Sin(angle) if !(cuts.into)(angle) => Some((Variable::Angle(angle), Share::Sin)),
+            Op::Cos(angle) if !(cuts.into)(angle) => Some((Variable::Angle(angle), Share::Cos)),
+            Op::Motor(input) => Some((Variable::Input(input), Share::Way)),
+            _ => None,
+        }
+    }
+
+    /// A sum of constant parts of inputs, if an angle is one: for each input the part.
+    pub(crate) fn parts(&self, angle: Value) -> Option<BTreeMap<usize, f64>> {
+        let node = self.program.node(angle);
+        let both = |a: Value, b: Value, sign: f64| {
+            let (mut sum, other) = (self.parts(a)?, self.parts(b)?);
+            for (input, part) in other {
+                *sum.entry(input).or_insert(0.0) += sign * part;
+            }
+            Some(sum)
+        };
+        let scaled = |a: Value, by: f64| {
+            let parts = self.parts(a)?;
+            Some(
+                parts
+                    .into_iter()
+                    .map(|(input, part)| (input, part * by))
+                    .collect(),
+            )
+        };
+        match node.op {
+            Op::Constant(_) | Op::Turns(_) | Op::Turned(..) => Some(BTreeMap::new()),
+            Op::Motor(input) => Some(BTreeMap::from([(input, 1.0)])),
+            Op::Neg(a) => scaled(a, -1.0),
+            Op::Add(a, b) => both(a, b, 1.0),
+            Op::Sub(a, b) => both(a, b, -1.0),
+            Op::Mul(a, b) => match (self.program.node(a).op, self.program.node(b).op) {
+                (Op::Constant(by), _) => scaled(b, by.get()),
+                (_, Op::Constant(by)) => scaled(a, by.get()),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// After how many turns of an input an angle that is a sum of parts is what it was, apart from whole turns: none if that is not
+    /// known.
+    pub(crate) fn turns_until_whole(
+        &self,
+        angle: Value,
+        input: usize,
+        part: f64,
+    ) -> Option<(i64, i64)> {
+        let mut waiting = vec![angle];
+        let mut exact = None;
+        while let Some(value) = waiting.pop() {
+            match self.program.node(value).op {
+                Op::Turned(of, numerator, denominator) if of == input => {
+                    // Of several parts of one motor only their sum tells.
+                    if exact.replace((numerator, denominator)).is_some() {
+                        return None;
+                    }
+                }
+                Op::Turns(of) if of == input => return None,
+                op => waiting.extend(op.operands()),
+            }
+        }
+        match exact {
+            Some(exact) => Some(exact),
+            #[expect(clippy::cast_possible_truncation, reason = "a small whole number")]
+            None if part.fract() == 0.0 && part.abs() < 1e9 => Some((part as i64, 1)),
+            None => None,
+        }
+    }
+}
+
+/// A cone that grows.
+struct Growing {
+    cone: Cone,
+    /// The nodes of the variables.
+    inputs: Vec<Value>,
+    copies: BTreeMap<Value, Value>,
+}
+
+impl Growing {
+    fn push(&mut self, node: Node) -> Value {
+        self.cone.nodes.push(node);
+        Value::at(self.cone.nodes.len() - 1)
+    }
+
+    /// The node that stands for a variable.
+    fn variable(&mut self, variable: Variable, like: &Node) -> Value {
+        let known = self
+            .cone
+            .variables
+            .iter()
+            .position(|known| *known == variable);
+        if let Some(known) = known {
+            return self.inputs[known];
+        }
+        let op = Op::Motor(self.cone.variables.len());
+        let node = self.push(Node { op, ..like.clone() });
+        self.cone.variables.push(variable);
+        self.inputs.push(node);
+        node
+    }
+}

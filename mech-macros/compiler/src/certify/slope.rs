@@ -1,0 +1,131 @@
+//! How fast values of a cone change with its variables, on a box: by intervals, operation by operation.
+
+use super::Interval;
+use super::cone::Cone;
+use super::operation::{natural, sign, strict_sign};
+use crate::program::{Op, Value};
+
+/// The values of a cone on a box, and for each variable how fast they change with it.
+#[derive(Clone, Debug)]
+pub(crate) struct Slopes<'c> {
+    cone: &'c Cone,
+    values: Vec<Interval>,
+    /// For each variable the slopes of all values.
+    slopes: Vec<Vec<Interval>>,
+}
+
+impl<'c> Slopes<'c> {
+    pub(crate) fn new(cone: &'c Cone) -> Self {
+        let count = cone.nodes.len();
+        Self {
+            values: vec![Interval::ENTIRE; count],
+            slopes: vec![vec![Interval::ZERO; count]; cone.variables.len()],
+            cone,
+        }
+    }
+
+    /// Finds everything on a box: for each variable an interval.
+    pub(crate) fn run(&mut self, place: &[Interval]) {
+        for (index, node) in self.cone.nodes.iter().enumerate() {
+            self.values[index] = match node.op {
+                Op::Motor(variable) => place[variable],
+                op => natural(op, |value| self.values[value.index()]).unwrap_or(Interval::ENTIRE),
+            };
+            for (variable, slopes) in self.slopes.iter_mut().enumerate() {
+                slopes[index] = match node.op {
+                    Op::Motor(own) if own == variable => Interval::ONE,
+                    op => slope(op, &self.values, self.values[index], slopes),
+                };
+            }
+        }
+    }
+
+    /// A value.
+    pub(crate) fn value(&self, value: Value) -> Interval {
+        self.values[value.index()]
+    }
+
+    /// How fast a value changes with a variable.
+    pub(crate) fn slope(&self, value: Value, variable: usize) -> Interval {
+        self.slopes[variable][value.index()]
+    }
+}
+
+/// The product, where nothing times anything is nothing.
+fn times(a: Interval, b: Interval) -> Interval {
+    if a == Interval::ZERO || b == Interval::ZERO {
+        Interval::ZERO
+    } else {
+        a * b
+    }
+}
+
+/// How fast the result of an operation changes, if its operands change so fast.
+fn slope(op: Op, values: &[Interval], result: Interval, slopes: &[Interval]) -> Interval {
+    let value = |a: Value| values[a.index()];
+    let rate = |a: Value| slopes[a.index()];
+    if op.operands().all(|operand| rate(operand) == Interval::ZERO) {
+        return Interval::ZERO;
+    }
+    let two = Interval::point(2.0);
+    let either = |a: Interval, by: Option<f64>| match by {
+        Some(by) => a * Interval::point(by),
+        None => a.hull(-a),
+    };
+    match op {
+        Op::Neg(a) => -rate(a),
+        Op::Add(a, b) => rate(a) + rate(b),
+        Op::Sub(a, b) => rate(a) - rate(b),
+        Op::Mul(a, b) if a == b => times(two * value(a), rate(a)),
+        Op::Mul(a, b) => times(value(a), rate(b)) + times(value(b), rate(a)),
+        Op::Div(a, b) => (rate(a) - times(result, rate(b))) / value(b),
+        Op::Sqrt(a) => rate(a) / (two * result),
+        Op::Abs(a) => either(rate(a), sign(value(a))),
+        Op::CopySign(a, b) => {
+            let signs = sign(value(a)).zip(strict_sign(value(b)));
+            either(rate(a), signs.map(|(a, b)| a * b))
+        }
+        Op::Sin(a) => times(value(a).cos(), rate(a)),
+        Op::Cos(a) => times(-value(a).sin(), rate(a)),
+        Op::Exp(a) => times(result, rate(a)),
+        // No vector of which an angle is taken is shorter than one.
+        Op::Atan2(a, b) => {
+            let (y, x) = (value(a), value(b));
+            let square = (x.square() + y.square()).max(Interval::ONE);
+            (times(x, rate(a)) - times(y, rate(b))) / square
+        }
+        Op::Max(a, b) => {
+            if value(a).low() >= value(b).high() {
+                rate(a)
+            } else if value(b).low() >= value(a).high() {
+                rate(b)
+            } else {
+                rate(a).hull(rate(b))
+            }
+        }
+        Op::Choose(test, a, b) => {
+            if value(test).low() >= 0.0 {
+                rate(a)
+            } else if value(test).high() < 0.0 {
+                rate(b)
+            } else {
+                rate(a).hull(rate(b))
+            }
+        }
+        // From one whole number to the next nothing changes; what goes over to the next is followed elsewhere.
+        Op::Round(_) => Interval::ZERO,
+        Op::Constant(_)
+        | Op::Motor(_)
+        | Op::Turns(_)
+        | Op::Turned(..)
+        | Op::Last(_)
+        | Op::Unknown(..)
+        | Op::Solved(..)
+        | Op::Dense(..)
+        | Op::Time
+        | Op::Rate(_)
+        | Op::Acceleration(_)
+        | Op::Load(_)
+        | Op::Linear(..) => Interval::ZERO,
+    }
+}

@@ -1,0 +1,76 @@
+//! How fast something changes at most.
+
+/// How fast something changes with each motor and param, at most, as long as nothing of its growth has begun: then it is so many
+/// times as fast.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bound {
+    /// With each motor and param.
+    pub rates: Vec<f64>,
+    /// What makes it faster. What stands there twice does so twice.
+    pub growth: Vec<Growth>,
+}
+
+/// What makes something faster without end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Growth {
+    /// It is as many times as fast as one is greater than the sine of this loop, by its number in the plan.
+    NearZero(usize),
+    /// It is as many times as fast as this motor or param is farther from zero than this, if it is.
+    FarOut(usize, f64),
+}
+
+impl Growth {
+    /// Whether both are of one loop, motor or param.
+    fn is_like(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::NearZero(a), Self::NearZero(b)) => a == b,
+            (Self::FarOut(a, _), Self::FarOut(b, _)) => a == b,
+            _ => false,
+        }
+    }
+}
+
+impl Bound {
+    /// What does not change with any of so many inputs.
+    #[must_use]
+    pub fn still(inputs: usize) -> Self {
+        Self {
+            rates: vec![0.0; inputs],
+            growth: Vec::new(),
+        }
+    }
+
+    /// A motor or param itself.
+    #[must_use]
+    pub fn of_input(input: usize, inputs: usize) -> Self {
+        let mut bound = Self::still(inputs);
+        if let Some(rate) = bound.rates.get_mut(input) {
+            *rate = 1.0;
+        }
+        bound
+    }
+
+    /// Adds so many times another.
+    pub fn add(&mut self, factor: f64, other: &Self) {
+        if factor == 0.0 || other.rates.iter().all(|rate| *rate == 0.0) {
+            return;
+        }
+        for (rate, more) in self.rates.iter_mut().zip(&other.rates) {
+            *rate += factor * more;
+        }
+        self.grow_like(&other.growth);
+    }
+
+    /// Grows as this does, too: each as often as where it stands oftener.
+    pub fn grow_like(&mut self, growth: &[Growth]) {
+        let mut own = self.growth.clone();
+        for &other in growth {
+            match own.iter().position(|own| own.is_like(other)) {
+                Some(place) => {
+                    own.swap_remove(place);
+                }
+                None => self.growth.push(other),
+            }
+        }
+    }
+}

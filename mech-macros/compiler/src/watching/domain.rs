@@ -1,0 +1,209 @@
+//! What the variables of a cone can be: whole turns of what turns, declared ranges, what earlier loops were proved to find.
+
+use super::known::Known;
+use crate::certify::Interval;
+use crate::certify::cone::{Cuts, Cutter, Variable};
+use crate::model::{JointKind, Model, MotorId};
+use crate::plan::Solution;
+use crate::program::{Op, Program, Value};
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::{PI, TAU};
+
+/// More turns than this are not looked through: budgets would not last.
+const MOST_TURNS: i64 = 1 << 20;
+
+/// The ranges of everything that a mechanism is moved by.
+pub(crate) struct Domain<'a> {
+    pub(super) model: &'a Model,
+    pub(super) cutter: Cutter<'a>,
+    /// What was found out about each loop, by its number.
+    pub(super) known: Vec<Known>,
+}
+
+impl<'a> Domain<'a> {
+    pub(crate) fn new(model: &'a Model, program: &'a Program, loops: usize) -> Self {
+        Self {
+            model,
+            cutter: Cutter::new(program),
+            known: vec![Known::default(); loops],
+        }
+    }
+
+    /// A sum of constant parts of inputs, if an angle is one.
+    pub(crate) fn parts(&self, angle: Value) -> Option<BTreeMap<usize, f64>> {
+        self.cutter.parts(angle)
+    }
+
+    /// What is given at the start.
+    pub(crate) fn start(&self, input: usize) -> f64 {
+        let start = self.cutter.program.start.motors.get(input).copied();
+        start.unwrap_or_default()
+    }
+
+    /// Whether anything of an input is read.
+    pub(crate) fn reads(&self, read: &Read, input: usize) -> bool {
+        let turns = |angle: &Value| {
+            let parts = self.cutter.parts(*angle);
+            parts.is_some_and(|parts| parts.contains_key(&input))
+        };
+        read.inputs.contains(&input) || read.angles.iter().any(turns)
+    }
+
+    /// All values of a motor or param, whole turns among them.
+    pub(crate) fn of_input(&self, input: usize) -> Interval {
+        let start = self.start(input);
+        if let Some(motor) = self.model.motors.get(input) {
+            return match motor.range {
+                // The start was allowed a rounding beyond the end.
+                Some(range) => Interval::new(range.low.min(start), range.high.max(start)),
+                None => Interval::ENTIRE,
+            };
+        }
+        let param = self.model.params.ids().nth(input - self.model.motors.len());
+        match param.and_then(|param| self.model.param_scale(param)) {
+            Some(scale) => Interval::new(start - 0.5 * scale, start + scale),
+            None => Interval::point(start),
+        }
+    }
+
+    /// Whether a motor turns.
+    pub(super) fn turns(&self, input: usize) -> bool {
+        input < self.model.motors.len() && {
+            let motor = self.model.motor(MotorId::new(input));
+            matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..))
+        }
+    }
+
+    /// All values of a variable of which nothing is known but what made it.
+    pub(super) fn of_variable(&self, variable: Variable) -> Interval {
+        match variable {
+            Variable::Angle(angle) => self.of_angle(angle),
+            Variable::Found(number, index) => {
+                let range = self.known.get(number).and_then(|known| known.range(index));
+                range.unwrap_or_else(|| match self.solution(number, index) {
+                    Some(Solution::Direction(_)) => whole_turn(),
+                    _ => Interval::ENTIRE,
+                })
+            }
+            Variable::Input(input) => self.of_input(input),
+        }
+    }
+
+    /// A whole turn, or less where the motors that make an angle have ranges.
+    fn of_angle(&self, angle: Value) -> Interval {
+        let Some(parts) = self.cutter.parts(angle) else {
+            return whole_turn();
+        };
+        let moved = |(input, part): (&usize, &f64)| {
+            let from = Interval::point(self.start(*input));
+            Interval::point(*part) * (self.of_input(*input) - from)
+        };
+        let moved = parts.iter().map(moved).reduce(|sum, next| sum + next);
+        let moved = moved.unwrap_or(Interval::ZERO);
+        if moved.is_bounded() && moved.width() < TAU {
+            Interval::point(self.cutter.at_start[angle.index()]) + moved
+        } else {
+            whole_turn()
+        }
+    }
+
+    /// The angle of a direction at the start, as the program has it; zero for what is none.
+    pub(super) fn angle_at_start(&self, solution: &Solution<Value>) -> f64 {
+        let values = &self.cutter.at_start;
+        match *solution {
+            Solution::Direction([cos, sin]) => values[sin.index()].atan2(values[cos.index()]),
+            Solution::Slide(_) => 0.0,
+        }
+    }
+
+    pub(super) fn solution(&self, number: usize, index: usize) -> Option<Solution<Value>> {
+        let solutions = &self.cutter.program.solutions;
+        let (_, found) = solutions.iter().find(|(of, _)| *of == number)?;
+        found.get(index).copied()
+    }
+
+    /// The ranges of the inputs of a cone that goes back to them, so that everything that turns has turned as a whole; none if no
+    /// number of turns is enough.
+    pub(super) fn of_inputs(
+        &self,
+        variables: &[Variable],
+        outputs: &[Value],
+        cuts: &Cuts<'_>,
+    ) -> Vec<Interval> {
+        let read = self.read(outputs, cuts);
+        let range = |variable: &Variable| match *variable {
+            Variable::Input(input) if self.turns(input) => {
+                let range = self.of_input(input);
+                let start = self.start(input);
+                match self.period(input, &read) {
+                    Some(period) if range.width() > period => {
+                        Interval::new(start - 0.5 * period, start + 0.5 * period)
+                    }
+                    _ => range,
+                }
+            }
+            variable => self.of_variable(variable),
+        };
+        variables.iter().map(range).collect()
+    }
+
+    /// How far a motor has to turn until everything that is read of it has turned as a whole.
+    pub(crate) fn period(&self, input: usize, read: &Read) -> Option<f64> {
+        if read.inputs.contains(&input) {
+            return None;
+        }
+        let mut exact = Vec::new();
+        for &angle in &read.angles {
+            if let Some(&part) = self.cutter.parts(angle)?.get(&input) {
+                exact.push(self.cutter.turns_until_whole(angle, input, part)?);
+            }
+        }
+        let whole = exact
+            .iter()
+            .fold(1, |whole, (_, d)| num_integer::lcm(whole, *d));
+        if whole > MOST_TURNS {
+            return None;
+        }
+        // Each turns so often while the motor makes so many turns; all of them have turned as a whole when the slowest has.
+        let often = exact.iter().map(|(n, d)| n * (whole / d));
+        let often = often.fold(0, num_integer::gcd::<i64>).max(1);
+        #[expect(clippy::cast_precision_loss, reason = "small whole numbers")]
+        Some((TAU * whole as f64 / often as f64).next_up())
+    }
+
+    /// What is read of the inputs by these outputs.
+    pub(crate) fn read(&self, outputs: &[Value], cuts: &Cuts<'_>) -> Read {
+        let mut read = Read::default();
+        let mut seen: BTreeSet<Value> = BTreeSet::new();
+        let mut waiting: Vec<Value> = outputs.to_vec();
+        while let Some(value) = waiting.pop() {
+            if !seen.insert(value) || self.cutter.is_cut(value, outputs, cuts) {
+                continue;
+            }
+            match self.cutter.program.node(value).op {
+                Op::Sin(angle) | Op::Cos(angle) if self.cutter.parts(angle).is_some() => {
+                    read.angles.insert(angle);
+                }
+                Op::Motor(input) => {
+                    read.inputs.insert(input);
+                }
+                op => waiting.extend(op.operands()),
+            }
+        }
+        read
+    }
+}
+
+/// What is read of the inputs.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Read {
+    /// Angles of which only sine and cosine are read.
+    angles: BTreeSet<Value>,
+    /// Inputs that are read otherwise.
+    inputs: BTreeSet<usize>,
+}
+
+/// All directions.
+fn whole_turn() -> Interval {
+    Interval::new(-PI.next_up(), PI.next_up())
+}

@@ -1,0 +1,188 @@
+//! Which loops never come near a dead point or change point, whatever the motors do: proved one by one.
+
+use super::domain::Domain;
+use super::known::{Free, Known};
+use crate::certify::Interval;
+use crate::certify::always::{Question, always_closes};
+use crate::certify::cone::{Cone, Cuts, Variable};
+use crate::plan::Solution;
+use crate::program::{BlockId, Closed, Form, Value};
+use std::f64::consts::PI;
+
+/// How many numbers may be found for a loop by itself, for one together with those before it, and for all loops.
+const ALONE: usize = 60_000;
+const TOGETHER: usize = 240_000;
+const ALL: usize = 1_500_000;
+
+/// Looks at all loops in closed form, in their order: later ones are made from what earlier ones find.
+pub(super) fn prove(domain: &mut Domain<'_>) {
+    let mut left = ALL;
+    let program = domain.cutter.program;
+    for (block, closed) in program.all_closed() {
+        let depends = program.dependent_loops().contains(&closed.number);
+        if depends {
+            continue;
+        }
+        let free = proved(domain, block, closed, &mut left);
+        if let Some(known) = domain.known.get_mut(closed.number) {
+            *known = Known { free };
+        }
+    }
+}
+
+/// What is known of a loop if it is free.
+fn proved(domain: &Domain<'_>, block: BlockId, closed: &Closed, left: &mut usize) -> Option<Free> {
+    let asked = Asked::new(domain, block, closed);
+    let alone = Cuts {
+        through: &|_| false,
+        into: &|_| false,
+    };
+    let cone = domain.cutter.cone(&asked.outputs, &alone);
+    let ranges: Vec<Interval> = cone
+        .variables
+        .iter()
+        .map(|variable| domain.of_variable(*variable))
+        .collect();
+    let found = asked.answer(&cone, &ranges, (ALONE, left));
+    if found.is_some() || !hangs_together(domain, &cone) {
+        return found;
+    }
+    let together = Cuts {
+        through: &|number| {
+            domain
+                .known
+                .get(number)
+                .is_some_and(|known| known.free.is_some())
+        },
+        into: &|angle| domain.cutter.parts(angle).is_some(),
+    };
+    let cone = domain.cutter.cone(&asked.outputs, &together);
+    let ranges = domain.of_inputs(&cone.variables, &asked.outputs, &together);
+    asked.answer(&cone, &ranges, (TOGETHER, left))
+}
+
+/// Whether the variables of a loop by itself may follow from each other.
+fn hangs_together(domain: &Domain<'_>, cone: &Cone) -> bool {
+    let is_free = |number: usize| {
+        domain
+            .known
+            .get(number)
+            .is_some_and(|known| known.free.is_some())
+    };
+    let found =
+        |variable: &Variable| matches!(variable, Variable::Found(number, _) if is_free(*number));
+    let mut inputs = Vec::new();
+    for variable in &cone.variables {
+        match *variable {
+            Variable::Angle(angle) => {
+                inputs.extend(
+                    domain
+                        .cutter
+                        .parts(angle)
+                        .into_iter()
+                        .flatten()
+                        .map(|(input, _)| input),
+                );
+            }
+            Variable::Input(input) => inputs.push(input),
+            Variable::Found(..) => {}
+        }
+    }
+    let count = inputs.len();
+    inputs.sort_unstable();
+    inputs.dedup();
+    inputs.len() < count || cone.variables.iter().any(found)
+}
+
+/// What is asked about a loop.
+struct Asked<'c> {
+    block: BlockId,
+    closed: &'c Closed,
+    /// Discriminant, floor, sine; the coordinates of its vectors; what it finds.
+    outputs: Vec<Value>,
+    /// Each of its unknowns, and what it is at the start, if it is a direction.
+    unknowns: Vec<(Solution<Value>, f64)>,
+}
+
+impl<'c> Asked<'c> {
+    fn new(domain: &Domain<'_>, block: BlockId, closed: &'c Closed) -> Self {
+        let solutions = (0..2).filter_map(|index| domain.solution(closed.number, index));
+        let unknowns: Vec<(Solution<Value>, f64)> = solutions
+            .map(|solution| (solution, domain.angle_at_start(&solution)))
+            .collect();
+        let mut outputs = vec![closed.slack, closed.floor, closed.sine];
+        outputs.extend(closed.form.vectors().into_iter().flatten());
+        for (solution, _) in &unknowns {
+            match *solution {
+                Solution::Direction(direction) => outputs.extend(direction),
+                Solution::Slide(way) => outputs.push(way),
+            }
+        }
+        Self {
+            block,
+            closed,
+            outputs,
+            unknowns,
+        }
+    }
+
+    /// Where a value of the program is among the outputs of a cone.
+    fn place(&self, value: Value) -> usize {
+        self.outputs
+            .iter()
+            .position(|output| *output == value)
+            .unwrap_or(0)
+    }
+
+    fn answer(
+        &self,
+        cone: &Cone,
+        ranges: &[Interval],
+        (most, left): (usize, &mut usize),
+    ) -> Option<Free> {
+        let question = Question {
+            block: self.block,
+            slack: cone.outputs[0],
+            floor: cone.outputs[1],
+            found: cone.outputs.clone(),
+        };
+        let mut free = Free {
+            least_sine: f64::INFINITY,
+            ranges: vec![None; self.unknowns.len()],
+            least_distance_square: f64::INFINITY,
+        };
+        let mut budget = most.min(*left);
+        let before = budget;
+        let closes = always_closes(cone, &question, ranges, &mut budget, |value| {
+            let at = |of: Value| value(cone.outputs[self.place(of)]);
+            free.least_sine = free.least_sine.min(at(self.closed.sine).abs().low());
+            if let Form::TwoCircles { goal, arms } = self.closed.form {
+                let square = |[x, y]: [Value; 2]| at(x).square() + at(y).square();
+                let [a, b] = arms.map(|arm| square(arm).sqrt().high());
+                let least = square(goal).low() / (a * b);
+                free.least_distance_square = free.least_distance_square.min(least);
+            }
+            for (range, (solution, start)) in free.ranges.iter_mut().zip(&self.unknowns) {
+                let found = match *solution {
+                    Solution::Direction([cos, sin]) => angle([at(cos), at(sin)], *start),
+                    Solution::Slide(way) => at(way),
+                };
+                *range = Some(range.map_or(found, |range| range.hull(found)));
+            }
+        });
+        *left -= before - budget;
+        closes.then_some(free)
+    }
+}
+
+/// The angles of directions, as near those of another as may be.
+fn angle([cos, sin]: [Interval; 2], start: f64) -> Interval {
+    let (c, s) = (Interval::point(start.cos()), Interval::point(start.sin()));
+    let (along, across) = (cos * c + sin * s, sin * c - cos * s);
+    let beyond = across.atan2(along);
+    if beyond.width() >= PI {
+        // Anything at all.
+        return Interval::new(-PI.next_up(), PI.next_up());
+    }
+    Interval::point(start) + beyond
+}

@@ -1,0 +1,97 @@
+//! Which loops are watched while a mechanism moves: all that are not proved to stay clear of dead points and change points.
+//!
+//! A loop is looked at by itself: of the directions and ways that it is made from, each may be anything that motors or earlier
+//! loops can make it. If its dyad closes on all of that by more than rounding, it needs no watching. If not, it is looked at
+//! together with the free loops before it, from the motors on, through as many turns as bring everything back to where it was.
+//! What then is not proved is watched, with bounds on how fast it can change.
+
+mod domain;
+mod free;
+mod known;
+mod pace;
+mod touching;
+
+use crate::model::{AtChangePoints, Model};
+use crate::plan::Plan;
+use crate::program::{AtZero, Bound, Choice, Solver, Watching, build_as};
+pub(crate) use domain::{Domain, Read};
+use pace::Paces;
+
+/// Below this square of the distance of pins, as a part of the product of lengths, rounding stretches links.
+const NEAR_PINS: f64 = 0.1;
+
+/// What is decided for every loop, and for every angle that is followed over whole turns.
+pub(crate) struct Decided {
+    pub(crate) choices: Vec<Choice>,
+    /// For each source of the plan how fast it turns, if its turns are counted.
+    pub(crate) turning: Vec<Option<Bound>>,
+}
+
+/// Decides for every loop how it is watched; how it is solved is decided already.
+pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decided {
+    // All dyads in closed form, each on the side on which it starts.
+    let closed: Vec<Choice> = choices
+        .iter()
+        .map(|choice| Choice {
+            solver: Solver::ClosedForm,
+            predictor: 0,
+            watching: None,
+            proved: false,
+            pins_near: false,
+            side: choice.side,
+        })
+        .collect();
+    let program = build_as(model, plan, &closed);
+    let mut domain = Domain::new(model, &program, choices.len());
+    free::prove(&mut domain);
+    let mut paces = Paces::new(&domain);
+    let all_free = program
+        .all_closed()
+        .all(|(_, closed)| domain.known[closed.number].free.is_some());
+    if !(all_free && program.followed.is_empty()) {
+        paces.look_at_all();
+    }
+    let varying = program.dependent_loops();
+    let mut decided = choices;
+    for (_, closed) in program.all_closed() {
+        let Some(choice) = decided.get_mut(closed.number) else {
+            continue;
+        };
+        if let Some(free) = &domain.known[closed.number].free {
+            choice.pins_near = free.least_distance_square < NEAR_PINS;
+            continue;
+        }
+        let varies = varying.contains(&closed.number);
+        let passes = if closed.sided {
+            varies || !touching::only_ends(&domain, closed)
+        } else {
+            // Two lines may lie on each other, and go on.
+            !varies
+        };
+        let at_zero = match (passes, model.change_points) {
+            (true, AtChangePoints::GoOn) => AtZero::GoOver,
+            (true, AtChangePoints::Stop) => AtZero::Stop,
+            (true, AtChangePoints::KeepBranch) | (false, _) => AtZero::Stay,
+        };
+        // An iteration fails where its equations are singular.
+        choice.solver = Solver::ClosedForm;
+        choice.pins_near = true;
+        choice.watching = Some(Watching {
+            bound: paces.of_sine(closed),
+            at_zero,
+        });
+    }
+    let turning = program
+        .followed
+        .iter()
+        .map(|(source, angle)| (*source, paces.of_value(*angle)));
+    let turning: Vec<_> = turning.collect();
+    let mut by_source = vec![None; plan.sources.len()];
+    for (source, bound) in turning {
+        by_source[source] = Some(bound);
+    }
+    Decided {
+        choices: decided,
+        turning: by_source,
+    }
+}

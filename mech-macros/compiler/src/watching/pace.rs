@@ -1,0 +1,514 @@
+//! How fast things change at most with the motors: bounds by intervals, loop after loop.
+//!
+//! What a loop finds moves by no more than its goal does, over the length of an arm and the sine of the loop. That sine is known
+//! from below where the loop is free; where it is watched, the bound grows without end near its zero, and says so.
+
+use super::domain::Domain;
+use crate::certify::Interval;
+use crate::certify::cone::{Cone, Cuts, Variable};
+use crate::certify::slope::Slopes;
+use crate::plan::Solution;
+use crate::program::{Bound, Closed, Form, Growth, Value};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// On so many boxes at most a cone is looked at, and on so many in all.
+const MOST_BOXES: usize = 256;
+const BOXES_OF_ALL: usize = 16_384;
+/// An arm may become shorter than this part of what it is at the start only where a bound is lost anyway.
+const SHORT: f64 = 0.01;
+/// Of loops that are solved by iteration only their steps are bounded: so fast are they taken to turn.
+const ITERATED: f64 = 4.0;
+/// A bound through many loops is wide: nothing is taken to be so many times as fast as what drives it.
+const MOST: f64 = 64.0;
+/// How fast the square of a sine changes with a param, over its scale, at least.
+const WITH_PARAM: f64 = 4.0;
+
+/// Finds bounds, each once.
+pub(super) struct Paces<'d> {
+    domain: &'d Domain<'d>,
+    loops: BTreeMap<usize, Goal>,
+    values: BTreeMap<Value, Bound>,
+    /// On how many boxes each cone may be looked at.
+    boxes: usize,
+}
+
+/// What a loop reaches for.
+#[derive(Clone, Debug)]
+struct Goal {
+    /// How fast it moves, arms and lines taken with it.
+    moves: Bound,
+    /// How fast the lines turn, if they do.
+    turns: Bound,
+    /// How far it is away at most, and what makes that more.
+    reach: f64,
+    far: Vec<Growth>,
+    /// The lengths of the arms, at least and at most.
+    arms: Vec<[f64; 2]>,
+}
+
+/// What a cone of vectors is, over all its boxes: for each variable how fast goal, arms and lines change.
+#[derive(Clone, Debug, Default)]
+struct Swept {
+    goal: Vec<f64>,
+    arms: Vec<f64>,
+    lines: Vec<f64>,
+    reach: f64,
+    lengths: Vec<[f64; 2]>,
+}
+
+impl<'d> Paces<'d> {
+    pub(super) fn new(domain: &'d Domain<'d>) -> Self {
+        Self {
+            domain,
+            loops: BTreeMap::new(),
+            values: BTreeMap::new(),
+            boxes: (BOXES_OF_ALL / domain.known.len().max(1)).clamp(8, MOST_BOXES),
+        }
+    }
+
+    /// Looks at all loops, one after another: what a loop needs is there before it.
+    pub(super) fn look_at_all(&mut self) {
+        for (_, closed) in self.domain.cutter.program.all_closed() {
+            self.goal(closed.number);
+        }
+    }
+
+    fn inputs(&self) -> usize {
+        self.domain.model.inputs()
+    }
+
+    /// How fast the square of a loop's sine changes.
+    pub(super) fn of_sine(&mut self, closed: &Closed) -> Bound {
+        let goal = self.goal(closed.number).clone();
+        let mut bound = Bound::still(self.inputs());
+        match &closed.form {
+            Form::TwoCircles { .. } => {
+                let [[a, long], [b, other]] = pair(&goal.arms);
+                bound.add(2.0 * (long + other) / (a * b), &goal.moves);
+            }
+            Form::CircleAndLine { .. } => {
+                let [[radius, _], _] = pair(&goal.arms);
+                bound.add(2.0 / radius, &goal.moves);
+            }
+            // The greatest slope of x² / (1 + x²) is 0.65; where the line passes beside the pin, the height adds to that.
+            Form::TurningLine { size, .. } => {
+                let [[_, height], _] = pair(&goal.arms);
+                bound.add((0.65 + 4.0 * height / size) / size, &goal.moves);
+            }
+            Form::TwoLines { .. } => bound.add(1.0, &goal.turns),
+        }
+        self.with_params(&mut bound, closed.number);
+        self.tame(&mut bound);
+        bound
+    }
+
+    /// What a param does is known in its neighbourhood only.
+    fn with_params(&self, bound: &mut Bound, number: usize) {
+        let model = self.domain.model;
+        if !self
+            .domain
+            .cutter
+            .program
+            .dependent_loops()
+            .contains(&number)
+        {
+            return;
+        }
+        let own = bound.rates.iter_mut().skip(model.motors.len());
+        for (rate, param) in own.zip(model.params.ids()) {
+            let scale = model.param_scale(param);
+            let least = scale.map_or(0.0, |scale| WITH_PARAM / scale);
+            *rate = rate.max(least);
+        }
+    }
+
+    /// Nothing is faster than what is said of all that is iterated.
+    fn tame(&self, bound: &mut Bound) {
+        let fastest = self.fastest();
+        for (input, rate) in bound.rates.iter_mut().enumerate() {
+            let most = MOST * fastest.get(input).copied().unwrap_or(1.0);
+            *rate = if rate.is_finite() {
+                rate.min(most)
+            } else {
+                most
+            };
+        }
+    }
+
+    /// For each input the fastest that turns with it, in radians, or in sizes of the mechanism.
+    fn fastest(&self) -> Vec<f64> {
+        let mut fastest: Vec<f64> = (0..self.inputs())
+            .map(|input| 1.0 / self.unit(input))
+            .collect();
+        let program = self.domain.cutter.program;
+        for node in &program.nodes {
+            if let crate::program::Op::Sin(angle) | crate::program::Op::Cos(angle) = node.op {
+                for (input, part) in self.domain.cutter.parts(angle).into_iter().flatten() {
+                    fastest[input] = fastest[input].max(part.abs());
+                }
+            }
+        }
+        fastest
+    }
+
+    /// What is far for an input: a radian of what turns, the size of the mechanism for what slides.
+    fn unit(&self, input: usize) -> f64 {
+        let model = self.domain.model;
+        let size = model.size().max(f64::MIN_POSITIVE);
+        if self.domain.turns(input) {
+            return 1.0;
+        }
+        let param = input.checked_sub(model.motors.len());
+        let scale = param.and_then(|param| model.param_scale(model.params.ids().nth(param)?));
+        scale.unwrap_or(size)
+    }
+
+    /// How fast a loop's goal moves.
+    fn goal(&mut self, number: usize) -> &Goal {
+        if !self.loops.contains_key(&number) {
+            let goal = self.found_goal(number);
+            self.loops.insert(number, goal);
+        }
+        &self.loops[&number]
+    }
+
+    fn closed(&self, number: usize) -> Option<&'d Closed> {
+        let mut all = self.domain.cutter.program.all_closed();
+        all.find(|(_, closed)| closed.number == number)
+            .map(|(_, closed)| closed)
+    }
+
+    fn found_goal(&mut self, number: usize) -> Goal {
+        let inputs = self.inputs();
+        let Some(closed) = self.closed(number) else {
+            return Goal {
+                moves: Bound::still(inputs),
+                turns: Bound::still(inputs),
+                reach: 0.0,
+                far: Vec::new(),
+                arms: Vec::new(),
+            };
+        };
+        let vectors = closed.form.vectors();
+        let mut outputs = vec![closed.slack, closed.floor];
+        outputs.extend(vectors.iter().flatten());
+        let cone = self.domain.cutter.cone(&outputs, &ALONE);
+        let (ranges, far) = self.ranges(&cone);
+        let swept = self.swept(&cone, &ranges, &closed.form);
+        let two_lines = matches!(closed.form, Form::TwoLines { .. });
+        let mut goal = Goal {
+            moves: Bound::still(inputs),
+            turns: Bound::still(inputs),
+            reach: swept.reach,
+            far,
+            arms: swept.lengths.clone(),
+        };
+        let turning = swept.lines.iter().any(|turned| *turned > 0.0);
+        let grows = !goal.far.is_empty() && (turning || !self.is_steady(&cone));
+        let farther = if grows { 2.0 } else { 1.0 };
+        for (variable, of) in cone.variables.iter().enumerate() {
+            let bound = self.of_variable(*of);
+            let [moved, arms, turned] =
+                [&swept.goal, &swept.arms, &swept.lines].map(|all| all[variable]);
+            goal.turns.add(turned, &bound);
+            goal.moves.add(
+                farther * (moved + 3.0 * arms + swept.reach * turned),
+                &bound,
+            );
+        }
+        let far = goal.far.clone();
+        if grows && goal.moves.rates.iter().any(|rate| *rate > 0.0) {
+            goal.moves.grow_like(&far);
+        }
+        if two_lines {
+            goal.arms.clear();
+        }
+        goal
+    }
+
+    /// Whether the outputs of a cone change no faster than some rate, however far its variables go.
+    fn is_steady(&self, cone: &Cone) -> bool {
+        let whole: Vec<Interval> = cone
+            .variables
+            .iter()
+            .map(|variable| self.domain.of_variable(*variable))
+            .collect();
+        let mut slopes = Slopes::new(cone);
+        slopes.run(&whole);
+        let vectors = if cone.outputs.len() > 2 {
+            &cone.outputs[2..]
+        } else {
+            &cone.outputs
+        };
+        let bounded = |value: &Value| {
+            (0..whole.len()).all(|variable| slopes.slope(*value, variable).is_bounded())
+        };
+        vectors.iter().all(bounded)
+    }
+
+    /// The ranges of a cone's variables on which it is looked at, and what takes them farther.
+    fn ranges(&self, cone: &Cone) -> (Vec<Interval>, Vec<Growth>) {
+        let whole: Vec<Interval> = cone
+            .variables
+            .iter()
+            .map(|variable| self.domain.of_variable(*variable))
+            .collect();
+        let mut growth = Vec::new();
+        let mut ranges = whole.clone();
+        for (index, variable) in cone.variables.iter().enumerate() {
+            if whole[index].is_bounded() {
+                continue;
+            }
+            let (unit, far) = self.far(*variable);
+            ranges[index] = Interval::new(-unit, unit);
+            if !closes_nowhere_beyond(cone, &whole, (index, unit)) {
+                growth.extend(far);
+            }
+        }
+        (ranges, growth)
+    }
+
+    /// How far a variable without ends is looked at, and what takes it farther.
+    fn far(&self, variable: Variable) -> (f64, Vec<Growth>) {
+        let size = self.domain.model.size().max(f64::MIN_POSITIVE);
+        match variable {
+            Variable::Input(input) => {
+                let unit = if self.domain.turns(input) {
+                    TAU
+                } else {
+                    2.0 * size
+                };
+                (unit, vec![Growth::FarOut(input, unit)])
+            }
+            Variable::Found(number, _) => match self.loops.get(&number) {
+                Some(goal) => {
+                    let near = self.closed(number).filter(|closed| {
+                        matches!(closed.form, Form::TwoLines { .. })
+                            && self.domain.known[number].free.is_none()
+                    });
+                    let arms: f64 = goal.arms.iter().map(|[_, most]| most).sum();
+                    let mut far = goal.far.clone();
+                    far.extend(near.map(|_| Growth::NearZero(number)));
+                    ((goal.reach + arms).max(size), far)
+                }
+                None => (4.0 * size, Vec::new()),
+            },
+            Variable::Angle(_) => (TAU, Vec::new()),
+        }
+    }
+
+    /// How fast a variable changes.
+    fn of_variable(&mut self, variable: Variable) -> Bound {
+        match variable {
+            Variable::Input(input) => Bound::of_input(input, self.inputs()),
+            Variable::Angle(angle) => self.of_value(angle),
+            Variable::Found(number, index) => self.of_found(number, index),
+        }
+    }
+
+    /// How fast what a loop finds changes.
+    fn of_found(&mut self, number: usize, index: usize) -> Bound {
+        let inputs = self.inputs();
+        let mut bound = Bound::still(inputs);
+        let direction = matches!(
+            self.domain.solution(number, index),
+            Some(Solution::Direction(_))
+        );
+        let Some(closed) = self.closed(number) else {
+            let size = self.domain.model.size();
+            let unit = if direction { ITERATED } else { ITERATED * size };
+            for input in 0..inputs {
+                let one = Bound::of_input(input, inputs);
+                bound.add(unit / self.unit(input), &one);
+            }
+            return bound;
+        };
+        let goal = self.goal(number).clone();
+        let free = self.domain.known[number].free.as_ref();
+        let lever = match (&closed.form, direction) {
+            (Form::TwoCircles { .. }, _) => {
+                1.0 / goal.arms.get(index).map_or(1.0, |[least, _]| *least)
+            }
+            (Form::CircleAndLine { .. }, true) => 1.0 / pair(&goal.arms)[0][0],
+            (Form::TurningLine { size, .. }, true) => 1.0 / size,
+            (Form::TurningLine { size, .. }, false) => 1.0 + pair(&goal.arms)[0][1] / size,
+            (Form::CircleAndLine { .. } | Form::TwoLines { .. }, _) => 1.0,
+        };
+        match free {
+            Some(free) => {
+                let sine = free.least_sine.max(f64::MIN_POSITIVE);
+                // Of two lines, what turns them moves their ways the more, the farther these are.
+                let twice = if matches!(closed.form, Form::TwoLines { .. }) {
+                    1.0 / sine
+                } else {
+                    1.0
+                };
+                bound.add(lever * twice / sine, &goal.moves);
+            }
+            None => {
+                bound.add(lever, &goal.moves);
+                if bound.rates.iter().any(|rate| *rate > 0.0) {
+                    bound.growth.push(Growth::NearZero(number));
+                    if matches!(closed.form, Form::TwoLines { .. }) {
+                        bound.growth.push(Growth::NearZero(number));
+                    }
+                }
+            }
+        }
+        self.tame(&mut bound);
+        bound
+    }
+
+    /// How fast a value changes: an angle, or what a law or a gear is made from.
+    pub(super) fn of_value(&mut self, value: Value) -> Bound {
+        if let Some(known) = self.values.get(&value) {
+            return known.clone();
+        }
+        let cone = self.domain.cutter.cone(&[value], &ALONE);
+        let (ranges, far) = self.ranges(&cone);
+        let mut slopes = Slopes::new(&cone);
+        let mut most = vec![0.0_f64; cone.variables.len()];
+        for place in boxes(&ranges, self.boxes) {
+            slopes.run(&place);
+            for (variable, most) in most.iter_mut().enumerate() {
+                *most = most.max(slopes.slope(cone.outputs[0], variable).abs().high());
+            }
+        }
+        let mut bound = Bound::still(self.inputs());
+        for (variable, most) in cone.variables.iter().zip(most) {
+            let of = self.of_variable(*variable);
+            bound.add(most, &of);
+        }
+        // What is a sum of constant parts is as fast everywhere.
+        if self.domain.cutter.parts(value).is_none() {
+            if !self.is_steady(&cone) {
+                bound.grow_like(&far);
+            }
+            self.tame(&mut bound);
+        }
+        self.values.insert(value, bound.clone());
+        bound
+    }
+
+    /// Looks at vectors on boxes of their variables, wherever the loop may close.
+    fn swept(&mut self, cone: &Cone, ranges: &[Interval], form: &Form) -> Swept {
+        let [slack, floor] = [cone.outputs[0], cone.outputs[1]];
+        let vectors: Vec<&[Value]> = cone.outputs[2..].chunks(2).collect();
+        let count = cone.variables.len();
+        let mut swept = Swept {
+            goal: vec![0.0; count],
+            arms: vec![0.0; count],
+            lines: vec![0.0; count],
+            ..Swept::default()
+        };
+        let lines = match form {
+            Form::TwoCircles { .. } => vec![],
+            Form::CircleAndLine { .. } | Form::TurningLine { .. } => vec![2],
+            Form::TwoLines { .. } => vec![1, 2],
+        };
+        let is_arm = |vector: usize| vector > 0 && !lines.contains(&vector);
+        swept.lengths =
+            vec![[f64::INFINITY, 0.0]; (1..vectors.len()).filter(|&v| is_arm(v)).count()];
+        let mut slopes = Slopes::new(cone);
+        for place in boxes(ranges, self.boxes) {
+            slopes.run(&place);
+            if slopes.value(slack).high() < -slopes.value(floor).abs().high() {
+                continue;
+            }
+            let length = |parts: [Interval; 2]| (parts[0].square() + parts[1].square()).sqrt();
+            let mut arm = 0;
+            for (number, vector) in vectors.iter().enumerate() {
+                let [x, y] = [vector[0], vector[1]];
+                let own = length([slopes.value(x), slopes.value(y)]);
+                if number == 0 {
+                    swept.reach = swept.reach.max(own.high());
+                } else if is_arm(number) {
+                    swept.lengths[arm][0] = swept.lengths[arm][0].min(own.low());
+                    swept.lengths[arm][1] = swept.lengths[arm][1].max(own.high());
+                    arm += 1;
+                }
+                for variable in 0..count {
+                    let moved =
+                        length([slopes.slope(x, variable), slopes.slope(y, variable)]).high();
+                    let of = if number == 0 {
+                        &mut swept.goal
+                    } else if is_arm(number) {
+                        &mut swept.arms
+                    } else {
+                        &mut swept.lines
+                    };
+                    of[variable] = of[variable].max(moved);
+                }
+            }
+        }
+        for [least, most] in &mut swept.lengths {
+            *least = least.max(SHORT * *most).max(f64::MIN_POSITIVE);
+        }
+        swept.reach += swept.lengths.iter().map(|[_, most]| most).sum::<f64>();
+        swept
+    }
+}
+
+/// Each loop by itself, and each angle.
+const ALONE: Cuts<'static> = Cuts {
+    through: &|_| false,
+    into: &|_| false,
+};
+
+/// The lengths of two arms, or of one.
+fn pair(arms: &[[f64; 2]]) -> [[f64; 2]; 2] {
+    let arm = |index: usize| arms.get(index).copied().unwrap_or([1.0, 1.0]);
+    [arm(0), arm(1)]
+}
+
+/// Whether a loop closes nowhere where one of its variables is farther than this, wherever the others are.
+fn closes_nowhere_beyond(cone: &Cone, whole: &[Interval], (index, unit): (usize, f64)) -> bool {
+    if cone.outputs.len() < 2 {
+        return false;
+    }
+    let [slack, floor] = [cone.outputs[0], cone.outputs[1]];
+    let mut slopes = Slopes::new(cone);
+    [f64::INFINITY, f64::NEG_INFINITY].iter().all(|&end| {
+        let mut place = whole.to_vec();
+        place[index] = Interval::new(unit.copysign(end), end);
+        slopes.run(&place);
+        slopes.value(slack).high() < -slopes.value(floor).abs().high()
+    })
+}
+
+/// Ranges cut into boxes, at most so many.
+fn boxes(ranges: &[Interval], most: usize) -> Vec<Vec<Interval>> {
+    let wide = ranges.iter().filter(|range| range.width() > 0.0).count();
+    let mut parts = 1_usize;
+    let affords = |parts: usize| {
+        let wide = u32::try_from(wide).unwrap_or(u32::MAX);
+        parts.checked_pow(wide).is_some_and(|all| all <= most)
+    };
+    while wide > 0 && affords(parts + 1) {
+        parts += 1;
+    }
+    let mut boxes = vec![Vec::new()];
+    for range in ranges {
+        let own = if range.width() > 0.0 { parts } else { 1 };
+        let mut next = Vec::with_capacity(boxes.len() * own);
+        for before in boxes {
+            for part in 0..own {
+                #[expect(clippy::cast_precision_loss, reason = "a few hundred parts")]
+                let at = |part: usize| {
+                    range.low() + (range.high() - range.low()) * (part as f64 / own as f64)
+                };
+                let mut place: Vec<Interval> = before.clone();
+                let high = if part + 1 == own {
+                    range.high()
+                } else {
+                    at(part + 1)
+                };
+                place.push(Interval::new(at(part), high));
+                next.push(place);
+            }
+        }
+        boxes = next;
+    }
+    boxes
+}

@@ -1,0 +1,54 @@
+//! Whether a loop goes straight through zero wherever it comes there: then beyond is nothing, and there is no change point.
+
+use super::domain::Domain;
+use crate::certify::Interval;
+use crate::certify::always::halves;
+use crate::certify::cone::{Cuts, Variable};
+use crate::certify::slope::Slopes;
+use crate::program::Closed;
+
+/// On so many parts of its range at most it is looked at.
+const MOST_PARTS: usize = 512;
+
+/// Whether a loop has dead points only. Known is that only of a loop of one variable that goes on in one sense while motors do:
+/// where its discriminant is zero, it changes with the variable.
+pub(super) fn only_ends(domain: &Domain<'_>, closed: &Closed) -> bool {
+    let cuts = Cuts {
+        through: &|_| false,
+        into: &|_| false,
+    };
+    let cone = domain.cutter.cone(&[closed.slack, closed.floor], &cuts);
+    let goes_on = match cone.variables[..] {
+        [Variable::Angle(angle)] => domain.cutter.parts(angle).is_some(),
+        [Variable::Input(_)] => true,
+        _ => false,
+    };
+    if !goes_on {
+        return false;
+    }
+    let [slack, floor] = [cone.outputs[0], cone.outputs[1]];
+    let mut slopes = Slopes::new(&cone);
+    let mut waiting: Vec<Vec<Interval>> = vec![
+        cone.variables
+            .iter()
+            .map(|variable| domain.of_variable(*variable))
+            .collect(),
+    ];
+    for _ in 0..MOST_PARTS {
+        let Some(place) = waiting.pop() else {
+            return true;
+        };
+        slopes.run(&place);
+        let floor = slopes.value(floor).abs().high();
+        let value = slopes.value(slack);
+        let is_away = value.low() > floor || value.high() < -floor;
+        if is_away || !slopes.slope(slack, 0).contains(0.0) {
+            continue;
+        }
+        match halves(&place, 0) {
+            Some(halves) => waiting.extend(halves),
+            None => return false,
+        }
+    }
+    waiting.is_empty()
+}
