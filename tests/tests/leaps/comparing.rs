@@ -52,7 +52,7 @@ pub(crate) struct Gone {
 
 /// The same place, as a part of the size and of the way.
 const SAME: f64 = 1e-6;
-/// No way is compared that takes more steps than this.
+/// No random way is compared that takes more steps than this.
 pub(crate) const MOST_STEPS: f64 = 8_000.0;
 
 /// The part of a way that was gone.
@@ -71,6 +71,9 @@ fn part(from: &[f64], to: &[f64], at: &[f64]) -> f64 {
     });
     if way == 0.0 { 1.0 } else { gone / way }
 }
+
+/// At which part of a way the judge stops, if it does, and where that is.
+type Judged = (Option<f64>, Vec<[f64; 4]>);
 
 /// The greatest motion of a motor.
 pub(crate) fn length(from: &[f64], to: &[f64]) -> f64 {
@@ -226,7 +229,7 @@ fn difference(subject: &Subject, a: &Gone, b: &Gone, way: f64) -> Option<(Kind, 
 }
 
 /// How many steps are small: none turns a link by much where the way begins.
-pub(crate) fn small_steps(subject: &Subject, start: &Position<f64>, to: &[f64]) -> f64 {
+fn small_steps(subject: &Subject, start: &Position<f64>, to: &[f64]) -> f64 {
     let way = length(&start.motors, to);
     let poses = subject.poses(start);
     let speed = |nudge: f64| {
@@ -238,13 +241,26 @@ pub(crate) fn small_steps(subject: &Subject, start: &Position<f64>, to: &[f64]) 
     (speed * way / 0.05).max(1000.0).round()
 }
 
-/// What the judge finds on this way, as if it had gone it.
-fn judged(
+/// The target of a way, or as much of it as takes no more than this many small steps.
+pub(crate) fn shortened(
     subject: &Subject,
     start: &Position<f64>,
     to: &[f64],
-    fineness: f64,
-) -> Option<(Option<f64>, Vec<[f64; 4]>)> {
+    most: f64,
+) -> Vec<f64> {
+    if length(&start.motors, to) == 0.0 {
+        return to.to_vec();
+    }
+    let part = most / small_steps(subject, start, to);
+    if part < 1.0 {
+        between(&start.motors, to, part)
+    } else {
+        to.to_vec()
+    }
+}
+
+/// What the judge finds on this way, as if it had gone it.
+fn judged(subject: &Subject, start: &Position<f64>, to: &[f64], fineness: f64) -> Option<Judged> {
     let rollings = &subject.compiled.structure.rollings;
     let mut judge = Judge::new(&subject.model, rollings, start);
     match judge.follow(to, fineness) {
@@ -255,12 +271,7 @@ fn judged(
 }
 
 /// Whether the judge agrees with how a way was gone.
-fn agrees(
-    subject: &Subject,
-    verdict: &(Option<f64>, Vec<[f64; 4]>),
-    gone: &Gone,
-    way: f64,
-) -> bool {
+fn agrees(subject: &Subject, verdict: &Judged, gone: &Gone, way: f64) -> bool {
     let same = (1e-5 * (1.0 + way)).max(1e-9) / way;
     match (verdict.0, gone.stop) {
         (None, None) => {
@@ -275,6 +286,16 @@ fn agrees(
         }
         (Some(part), None) | (None, Some((part, _))) => 1.0 - part <= same,
         (Some(a), Some((b, _))) => (a - b).abs() <= same,
+    }
+}
+
+/// Whether two verdicts are the same.
+fn agree(subject: &Subject, a: &Judged, b: &Judged, way: f64) -> bool {
+    let same = (1e-5 * (1.0 + way)).max(1e-9) / way;
+    match (a.0, b.0) {
+        (None, None) => apart(subject, &a.1, &b.1, 1e-4).is_none(),
+        (Some(part), None) | (None, Some(part)) => 1.0 - part <= same,
+        (Some(a), Some(b)) => (a - b).abs() <= same,
     }
 }
 
@@ -327,7 +348,12 @@ pub(crate) fn compared(
     };
     let finer = in_steps(subject, start, to, 4.0 * count + 3.0);
     let stable = difference(subject, &steps, &finer, way).is_none();
-    let verdict = judged(subject, start, to, 1.0);
+    let verdict = judged(subject, start, to, 1.0).filter(|verdict| {
+        // Where nothing else is sure, it has to agree with itself.
+        stable
+            || judged(subject, start, to, 3.0)
+                .is_some_and(|finer| agree(subject, verdict, &finer, way))
+    });
     let by_judge = |gone: &Gone| {
         verdict
             .as_ref()
@@ -350,6 +376,8 @@ pub(crate) fn compared(
         (_, Some(false), Some(true)) | (true, None, None) => kind,
         (_, Some(true), Some(true)) => kind,
         (_, Some(true), Some(false)) => Kind::StepsWrong,
+        // Whom nobody agrees with, not even its own steps, is wrong.
+        (false, Some(false), Some(false)) => kind,
         _ => Kind::Undecided,
     };
     find(kind, text);

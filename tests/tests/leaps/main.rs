@@ -6,6 +6,7 @@
 mod closure;
 mod comparing;
 mod drawing;
+mod families;
 mod judge;
 mod random;
 mod reading;

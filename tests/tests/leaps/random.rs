@@ -1,6 +1,6 @@
 //! Random mechanisms on random ways.
 
-use super::comparing::{Finding, Kind, MOST_STEPS, compared, small_steps};
+use super::comparing::{Finding, Kind, MOST_STEPS, compared, shortened};
 use super::drawing::{Drawing, Drawn, coupled, sequential};
 use super::reading::Subject;
 use super::tally::Tally;
@@ -48,13 +48,8 @@ fn findings(subject: &Subject, drawn: &Drawn, seed: u64, wanted: Option<Kind>) -
     let mut at = start.clone();
     let mut all = Vec::new();
     for _ in 0..WAYS {
-        let mut to = target(&mut dice, drawn, subject, &at.motors);
-        // A part of the way, if all of it takes too many steps.
-        let part = MOST_STEPS / small_steps(subject, &at, &to);
-        if part < 1.0 {
-            let shorter = |(from, to): (&f64, &f64)| from + (to - from) * part;
-            to = at.motors.iter().zip(&to).map(shorter).collect();
-        }
+        let to = target(&mut dice, drawn, subject, &at.motors);
+        let to = shortened(subject, &at, &to, MOST_STEPS);
         let (found, end) = compared(subject, &at, &to);
         all.extend(found);
         if wanted.is_some_and(|kind| all.iter().any(|one| one.kind == kind)) {
