@@ -340,6 +340,21 @@ pub(crate) fn compared(
     if let Some(text) = broken(subject, &steps.at) {
         find(Kind::Open, format!("in {count} steps: {text}"));
     }
+    if let Some((part, Stop::TooFar)) = steps.stop {
+        // However small the steps are, too far: only the judge can tell.
+        let farther = match judged(subject, start, to, 1.0) {
+            Some((None, _)) => Some(1.0),
+            Some((Some(judged), _)) => Some(judged),
+            None => None,
+        };
+        if let Some(farther) = farther.filter(|farther| *farther > part + 1e-3) {
+            let text =
+                format!("{count} steps end TooFar at {part:.9}, the judge comes to {farther:.9}");
+            find(Kind::TooFar, text);
+        }
+        let believed = before_the_end(subject, start, to, steps, count);
+        return (findings, Some(believed));
+    }
     let Some((kind, text)) = difference(subject, &leap, &steps, way) else {
         return (
             findings,

@@ -6,10 +6,14 @@
 mod closure;
 mod comparing;
 mod drawing;
+mod equations;
 mod families;
 mod judge;
+mod page;
+mod proved;
 mod random;
 mod reading;
+mod starts;
 mod tally;
 
 /// How many mechanisms a test tries.

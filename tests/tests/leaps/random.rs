@@ -106,7 +106,7 @@ fn tally(strategy: &impl Strategy<Value = Drawing>, default: u64) -> Tally {
                     "seed {seed}: {why}\n{}",
                     drawn.text
                 );
-                tally.refused += 1;
+                tally.refused.push(format!("seed {seed}: {why}"));
                 continue;
             }
         };

@@ -11,7 +11,7 @@ const TOLD: usize = 3;
 pub(crate) struct Tally {
     kinds: BTreeMap<Kind, (usize, Vec<String>)>,
     pub(crate) mechanisms: usize,
-    pub(crate) refused: usize,
+    pub(crate) refused: Vec<String>,
     pub(crate) ways: usize,
 }
 
@@ -37,7 +37,9 @@ impl Tally {
     pub(crate) fn table(&self) -> String {
         let mut text = format!(
             "{} mechanisms ({} more did not compile), {} ways\n",
-            self.mechanisms, self.refused, self.ways
+            self.mechanisms,
+            self.refused.len(),
+            self.ways
         );
         for (kind, (count, _)) in &self.kinds {
             text += &format!("{count:8} {kind:?}\n");
@@ -46,6 +48,9 @@ impl Tally {
             for example in examples {
                 text += &format!("--- {kind:?}: {example}\n");
             }
+        }
+        for why in self.refused.iter().take(TOLD) {
+            text += &format!("--- refused: {why}\n");
         }
         text
     }
