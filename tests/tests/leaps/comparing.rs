@@ -1,0 +1,424 @@
+//! One leap against its own small steps, and the judge between them.
+
+use super::closure::broken;
+use super::judge::{Judge, Verdict};
+use super::reading::{Subject, bits};
+use mech_compiler::evaluate::{Machine, Stop};
+use mech_compiler::program::Position;
+
+/// How a leap is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Kind {
+    /// It passes where small steps stop.
+    LeapPasses,
+    /// It ends in another assembly.
+    OtherAssembly,
+    /// It ends with a wheel turned by another number of turns.
+    WheelTurned,
+    /// It is refused as too far, and small steps come there.
+    TooFar,
+    /// It stops where small steps pass.
+    LeapStops,
+    /// Both stop, the leap elsewhere.
+    OtherPlace,
+    /// Both stop at the same place, for other reasons.
+    OtherReason,
+    /// Small steps are themselves wrong, by finer ones and by the judge.
+    StepsWrong,
+    /// Something does not close.
+    Open,
+    /// A refused move changes something.
+    Changed,
+    /// Where it stopped on its way towards a place, it goes farther when it is told again.
+    GoesFarther,
+    /// Finer steps and the judge do not settle it: not counted.
+    Undecided,
+}
+
+/// What was found on one way.
+#[derive(Clone, Debug)]
+pub(crate) struct Finding {
+    pub(crate) kind: Kind,
+    pub(crate) text: String,
+}
+
+/// How a way was gone.
+#[derive(Clone, Debug)]
+pub(crate) struct Gone {
+    pub(crate) at: Position<f64>,
+    /// The part of the way, and why no more of it.
+    pub(crate) stop: Option<(f64, Stop)>,
+}
+
+/// The same place, as a part of the size and of the way.
+const SAME: f64 = 1e-6;
+/// No random way is compared that takes more steps than this.
+pub(crate) const MOST_STEPS: f64 = 8_000.0;
+
+/// The part of a way that was gone.
+fn part(from: &[f64], to: &[f64], at: &[f64]) -> f64 {
+    let longest = from
+        .iter()
+        .zip(to)
+        .zip(at)
+        .map(|((from, to), at)| (to - from, at - from));
+    let (way, gone) = longest.fold((0.0_f64, 0.0), |most: (f64, f64), one| {
+        if one.0.abs() > most.0.abs() {
+            one
+        } else {
+            most
+        }
+    });
+    if way == 0.0 { 1.0 } else { gone / way }
+}
+
+/// At which part of a way the judge stops, if it does, and where that is.
+type Judged = (Option<f64>, Vec<[f64; 4]>);
+
+/// The greatest motion of a motor.
+pub(crate) fn length(from: &[f64], to: &[f64]) -> f64 {
+    from.iter()
+        .zip(to)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
+}
+
+/// A place between two others.
+fn between(from: &[f64], to: &[f64], part: f64) -> Vec<f64> {
+    from.iter()
+        .zip(to)
+        .map(|(from, to)| from + (to - from) * part)
+        .collect()
+}
+
+/// In one move.
+pub(crate) fn in_a_leap(subject: &Subject, start: &Position<f64>, to: &[f64]) -> Gone {
+    let mut machine = Machine::new(&subject.compiled.program);
+    machine.put_back(start.clone());
+    let stop = machine.move_to(to).err().map(|stop| {
+        let _ = machine.move_toward(to);
+        (part(&start.motors, to, &machine.position().motors), stop)
+    });
+    Gone {
+        at: machine.position().clone(),
+        stop,
+    }
+}
+
+/// In so many steps.
+pub(crate) fn in_steps(subject: &Subject, start: &Position<f64>, to: &[f64], steps: f64) -> Gone {
+    let mut machine = Machine::new(&subject.compiled.program);
+    machine.put_back(start.clone());
+    let mut stop = None;
+    let mut step = 1.0;
+    while step <= steps && stop.is_none() {
+        let goal = if step == steps {
+            to.to_vec()
+        } else {
+            between(&start.motors, to, step / steps)
+        };
+        if let Err(why) = machine.move_to(&goal) {
+            let _ = machine.move_toward(&goal);
+            stop = Some((part(&start.motors, to, &machine.position().motors), why));
+        }
+        step += 1.0;
+    }
+    Gone {
+        at: machine.position().clone(),
+        stop,
+    }
+}
+
+/// Whether two poses are far apart, and the first link that is, with how far.
+fn apart(subject: &Subject, a: &[[f64; 4]], b: &[[f64; 4]], most: f64) -> Option<(usize, f64)> {
+    offs(subject, a, b).enumerate().find(|(_, off)| *off > most)
+}
+
+/// How far each link is off: in radians, or in sizes.
+fn offs(subject: &Subject, a: &[[f64; 4]], b: &[[f64; 4]]) -> impl Iterator<Item = f64> {
+    let extent = subject.extent(b);
+    a.iter().zip(b).map(move |(a, b)| {
+        let turned = (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+        turned.max((a[2] - b[2]).hypot(a[3] - b[3]) / extent)
+    })
+}
+
+/// How much rounding may do to a position: more where it is near a dead point.
+fn rounding(subject: &Subject, at: &Position<f64>) -> f64 {
+    let small = 1e-7;
+    let poses = subject.poses(at);
+    let mut most = 1.0_f64;
+    for motor in 0..at.motors.len() {
+        for way in [small, -small] {
+            let mut machine = Machine::new(&subject.compiled.program);
+            machine.put_back(at.clone());
+            let mut goal = at.motors.clone();
+            goal[motor] += way;
+            let slope = match machine.move_to(&goal) {
+                Ok(()) => {
+                    let there = subject.poses(machine.position());
+                    offs(subject, &poses, &there).fold(0.0, f64::max) / small
+                }
+                Err(_) => 1e8,
+            };
+            most = most.max(slope);
+        }
+    }
+    // Of the motors' values themselves, too: they may be large.
+    let values = at
+        .motors
+        .iter()
+        .fold(1.0_f64, |most, value| most.max(value.abs()));
+    (1e4 * f64::EPSILON * most * values).max(SAME).min(1e-2)
+}
+
+/// The same stop, whatever the loop that is told: several may be at their ends together.
+fn same_reason(a: Stop, b: Stop) -> bool {
+    let closes = |stop| matches!(stop, Stop::Open(_) | Stop::DeadPoint(_));
+    closes(a) && closes(b) || std::mem::discriminant(&a) == std::mem::discriminant(&b)
+}
+
+/// How `a` differs from `b`, which is believed.
+fn difference(subject: &Subject, a: &Gone, b: &Gone, way: f64) -> Option<(Kind, String)> {
+    let same = (SAME * (1.0 + way)).max(1e-9) / way;
+    match (a.stop, b.stop) {
+        (None, None) => {
+            let (there, here) = (subject.poses(&a.at), subject.poses(&b.at));
+            let (link, off) = apart(subject, &there, &here, SAME)?;
+            if off <= rounding(subject, &b.at) {
+                return None;
+            }
+            let kind = if subject.is_rolling(link) {
+                Kind::WheelTurned
+            } else {
+                Kind::OtherAssembly
+            };
+            Some((kind, format!("link {link} is off by {off:.2e}")))
+        }
+        // At a limit that is the target itself, either may be right.
+        (None, Some((part, _))) | (Some((part, _)), None) if 1.0 - part <= same => None,
+        (None, Some((part, stop))) => Some((
+            Kind::LeapPasses,
+            format!("steps stop at {part:.9} of the way, {stop:?}"),
+        )),
+        (Some((part, Stop::TooFar)), None) => {
+            Some((Kind::TooFar, format!("TooFar at {part:.9} of the way")))
+        }
+        (Some((part, stop)), None) => Some((
+            Kind::LeapStops,
+            format!("the leap stops at {part:.9} of the way, {stop:?}"),
+        )),
+        (Some((first, why)), Some((second, reason))) => {
+            let told = format!(
+                "the leap stops at {first:.9} of the way, {why:?}, steps at {second:.9}, {reason:?}"
+            );
+            if (first - second).abs() > same {
+                let kind = if why == Stop::TooFar {
+                    Kind::TooFar
+                } else {
+                    Kind::OtherPlace
+                };
+                Some((kind, told))
+            } else if !same_reason(why, reason) {
+                Some((Kind::OtherReason, told))
+            } else {
+                None
+            }
+        }
+    }
+}
+
+/// How many steps are small: none turns a link by much where the way begins.
+fn small_steps(subject: &Subject, start: &Position<f64>, to: &[f64]) -> f64 {
+    let way = length(&start.motors, to);
+    let poses = subject.poses(start);
+    let speed = |nudge: f64| {
+        let there = in_a_leap(subject, start, &between(&start.motors, to, nudge / way));
+        offs(subject, &poses, &subject.poses(&there.at)).fold(0.0, f64::max) / nudge.abs()
+    };
+    // It may be blocked on one side.
+    let speed = speed(1e-6).max(speed(-1e-6));
+    (speed * way / 0.05).max(1000.0).round()
+}
+
+/// The target of a way, or as much of it as takes no more than this many small steps.
+pub(crate) fn shortened(
+    subject: &Subject,
+    start: &Position<f64>,
+    to: &[f64],
+    most: f64,
+) -> Vec<f64> {
+    if length(&start.motors, to) == 0.0 {
+        return to.to_vec();
+    }
+    let part = most / small_steps(subject, start, to);
+    if part < 1.0 {
+        between(&start.motors, to, part)
+    } else {
+        to.to_vec()
+    }
+}
+
+/// What the judge finds on this way, as if it had gone it.
+fn judged(subject: &Subject, start: &Position<f64>, to: &[f64], fineness: f64) -> Option<Judged> {
+    let rollings = &subject.compiled.structure.rollings;
+    let mut judge = Judge::new(&subject.model, rollings, start);
+    match judge.follow(to, fineness) {
+        Verdict::Arrives => Some((None, judge.poses())),
+        Verdict::Stops(part) => Some((Some(part), judge.poses())),
+        Verdict::GivesUp => None,
+    }
+}
+
+/// Whether the judge agrees with how a way was gone.
+fn agrees(subject: &Subject, verdict: &Judged, gone: &Gone, way: f64) -> bool {
+    let same = (1e-5 * (1.0 + way)).max(1e-9) / way;
+    match (verdict.0, gone.stop) {
+        (None, None) => {
+            let poses = subject.poses(&gone.at);
+            apart(
+                subject,
+                &verdict.1,
+                &poses,
+                rounding(subject, &gone.at).max(1e-5),
+            )
+            .is_none()
+        }
+        (Some(part), None) | (None, Some((part, _))) => 1.0 - part <= same,
+        (Some(a), Some((b, _))) => (a - b).abs() <= same,
+    }
+}
+
+/// Whether two verdicts are the same.
+fn agree(subject: &Subject, a: &Judged, b: &Judged, way: f64) -> bool {
+    let same = (1e-5 * (1.0 + way)).max(1e-9) / way;
+    match (a.0, b.0) {
+        (None, None) => apart(subject, &a.1, &b.1, 1e-4).is_none(),
+        (Some(part), None) | (None, Some(part)) => 1.0 - part <= same,
+        (Some(a), Some(b)) => (a - b).abs() <= same,
+    }
+}
+
+/// A leap from a position, and all that is promised about it. Gives where small steps led, if they can be believed.
+pub(crate) fn compared(
+    subject: &Subject,
+    start: &Position<f64>,
+    to: &[f64],
+) -> (Vec<Finding>, Option<Position<f64>>) {
+    let mut findings = Vec::new();
+    let mut find = |kind, text: String| {
+        let text = format!("from {:?} to {to:?}: {text}", start.motors);
+        findings.push(Finding { kind, text });
+    };
+    let way = length(&start.motors, to);
+    if way < 1e-9 {
+        return (findings, None);
+    }
+    let mut machine = Machine::new(&subject.compiled.program);
+    machine.put_back(start.clone());
+    if machine.move_to(to).is_err() {
+        if bits(machine.position()) != bits(start) {
+            find(Kind::Changed, "a refused move changes it".to_owned());
+        }
+        let _ = machine.move_toward(to);
+        let first = machine.position().motors.clone();
+        let _ = machine.move_toward(to);
+        let farther = length(&first, &machine.position().motors);
+        if farther > SAME * (1.0 + way) {
+            find(
+                Kind::GoesFarther,
+                format!("it stops at {first:?} and then goes on by {farther:.2e}"),
+            );
+        }
+    }
+    let leap = in_a_leap(subject, start, to);
+    if let Some(text) = broken(subject, &leap.at) {
+        find(Kind::Open, text);
+    }
+    let count = small_steps(subject, start, to);
+    let steps = in_steps(subject, start, to, count);
+    if let Some(text) = broken(subject, &steps.at) {
+        find(Kind::Open, format!("in {count} steps: {text}"));
+    }
+    if let Some((part, Stop::TooFar)) = steps.stop {
+        // However small the steps are, too far: only the judge can tell.
+        let farther = match judged(subject, start, to, 1.0) {
+            Some((None, _)) => Some(1.0),
+            Some((Some(judged), _)) => Some(judged),
+            None => None,
+        };
+        if let Some(farther) = farther.filter(|farther| *farther > part + 1e-3) {
+            let text =
+                format!("{count} steps end TooFar at {part:.9}, the judge comes to {farther:.9}");
+            find(Kind::TooFar, text);
+        }
+        let believed = before_the_end(subject, start, to, steps, count);
+        return (findings, Some(believed));
+    }
+    let Some((kind, text)) = difference(subject, &leap, &steps, way) else {
+        return (
+            findings,
+            Some(before_the_end(subject, start, to, steps, count)),
+        );
+    };
+    let finer = in_steps(subject, start, to, 4.0 * count + 3.0);
+    let stable = difference(subject, &steps, &finer, way).is_none();
+    let verdict = judged(subject, start, to, 1.0).filter(|verdict| {
+        // Where nothing else is sure, it has to agree with itself.
+        stable
+            || judged(subject, start, to, 3.0)
+                .is_some_and(|finer| agree(subject, verdict, &finer, way))
+    });
+    let by_judge = |gone: &Gone| {
+        verdict
+            .as_ref()
+            .map(|verdict| agrees(subject, verdict, gone, way))
+    };
+    let (for_leap, for_finer) = (by_judge(&leap), by_judge(&finer));
+    let told = match &verdict {
+        None => "the judge gives up".to_owned(),
+        Some((None, _)) => {
+            format!("the judge arrives, with the leap {for_leap:?}, with finer steps {for_finer:?}")
+        }
+        Some((Some(part), _)) => format!("the judge stops at {part:.9}"),
+    };
+    let text = format!("{text}; {count} steps, finer ones agree {stable}; {told}");
+    let kind = match (stable, for_leap, for_finer) {
+        // The judge has the last word where it has one, finer steps where it has none.
+        (_, _, Some(true)) if !stable && difference(subject, &leap, &finer, way).is_none() => {
+            Kind::StepsWrong
+        }
+        (_, Some(false), Some(true)) | (true, None, None) => kind,
+        (_, Some(true), Some(true)) => kind,
+        (_, Some(true), Some(false)) => Kind::StepsWrong,
+        // Whom nobody agrees with, not even its own steps, is wrong.
+        (false, Some(false), Some(false)) => kind,
+        _ => Kind::Undecided,
+    };
+    find(kind, text);
+    let believed = (for_finer == Some(true) || stable)
+        .then(|| before_the_end(subject, start, to, finer, count));
+    (findings, believed)
+}
+
+/// Where a way ended; if that is at a limit, a little before it.
+fn before_the_end(
+    subject: &Subject,
+    start: &Position<f64>,
+    to: &[f64],
+    gone: Gone,
+    steps: f64,
+) -> Position<f64> {
+    match gone.stop {
+        None => gone.at,
+        Some((part, _)) => {
+            in_steps(
+                subject,
+                start,
+                &between(&start.motors, to, 0.97 * part),
+                steps,
+            )
+            .at
+        }
+    }
+}

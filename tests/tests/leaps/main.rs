@@ -1,0 +1,31 @@
+//! Whether a leap is where its own small steps lead, whatever the mechanism; whether what was proved to be free is; and whether
+//! what compiles moves. Between a leap and its steps an independent judge decides.
+//!
+//! `MECH_CASES=1000` for a thousand mechanisms a test, `MECH_SEED=7` for others; the tables are printed with `--nocapture`.
+
+mod closure;
+mod comparing;
+mod drawing;
+mod equations;
+mod families;
+mod judge;
+mod page;
+mod proved;
+mod random;
+mod reading;
+mod starts;
+mod tally;
+
+/// How many mechanisms a test tries.
+fn cases(default: u64) -> u64 {
+    let cases = std::env::var("MECH_CASES").ok();
+    cases
+        .and_then(|cases| cases.parse().ok())
+        .unwrap_or(default)
+}
+
+/// From which seed on.
+fn first_seed() -> u64 {
+    let seed = std::env::var("MECH_SEED").ok();
+    seed.and_then(|seed| seed.parse().ok()).unwrap_or(0)
+}

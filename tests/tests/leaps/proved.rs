@@ -1,0 +1,192 @@
+//! What was proved to be free is: every position within the declared ranges is reached, closed, and where the judge has it.
+
+use super::closure::broken;
+use super::drawing::{Drawn, sequential};
+use super::families::with;
+use super::judge::{Judge, Verdict};
+use super::random::runner;
+use super::reading::Subject;
+use super::{cases, first_seed};
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::JointKind;
+use mech_tests::Dice;
+use proptest::strategy::{Strategy as _, ValueTree as _};
+
+/// Random positions of each mechanism.
+const POSITIONS: u32 = 200;
+/// Of these so many are held against the judge.
+const JUDGED: u32 = 12;
+
+/// A mechanism that was proved: the same text with ranges on some of its motors, narrower and narrower until it compiles.
+fn ranged(drawn: &Drawn, dice: &mut Dice) -> Option<Subject> {
+    let all: Vec<bool> = drawn
+        .motors
+        .iter()
+        .map(|(_, slides)| *slides || !dice.once_in(3))
+        .collect();
+    let some = all.iter().any(|ranged| *ranged);
+    let ends: Vec<[f64; 2]> = all
+        .iter()
+        .map(|_| [dice.between(-3.0, 0.0), dice.between(0.0, 3.0)])
+        .collect();
+    for narrower in [1.0, 0.3, 0.1, 0.03] {
+        let mut text = drawn.text.clone();
+        for (number, (joint, _)) in drawn.motors.iter().enumerate() {
+            if all[number] || !some && number == 0 {
+                let [low, high] = ends[number].map(|end| end * narrower);
+                let plain = format!("motor {joint};");
+                text = text.replace(&plain, &format!("motor {joint} in {low:?} ..= {high:?};"));
+            }
+        }
+        if let Ok(subject) = Subject::read(&text) {
+            return Some(subject);
+        }
+    }
+    None
+}
+
+/// A position within all ranges. A motor that turns and has none may be anywhere: a little away, for the judge; else many turns.
+fn within(subject: &Subject, dice: &mut Dice, at: &[f64], near: bool) -> Vec<f64> {
+    let motors = subject.model.motors.iter().zip(at);
+    let values = motors.map(|(motor, at)| match motor.range {
+        Some(range) if dice.once_in(3) => *dice.pick(&[range.low, range.high]),
+        Some(range) => dice.between(range.low, range.high),
+        None if near => at + dice.between(-4.0, 4.0),
+        None => dice.between(-400.0, 400.0),
+    });
+    values.collect()
+}
+
+/// What is wrong with a proved mechanism.
+fn unsound(subject: &Subject, seed: u64) -> Option<String> {
+    let mut dice = Dice::new(seed);
+    let mut machine = Machine::<f64>::new(&subject.compiled.program);
+    let rollings = &subject.compiled.structure.rollings;
+    for number in 0..POSITIONS {
+        let start = machine.position().clone();
+        let judged = number < JUDGED;
+        let to = within(subject, &mut dice, &start.motors, judged);
+        if let Err(stop) = machine.move_to(&to) {
+            return Some(format!("from {:?} to {to:?}: {stop:?}", start.motors));
+        }
+        if let Some(text) = broken(subject, machine.position()) {
+            return Some(format!("from {:?} to {to:?}: {text}", start.motors));
+        }
+        if judged {
+            let mut judge = Judge::new(&subject.model, rollings, &start);
+            let verdict = judge.follow(&to, 1.0);
+            let poses = subject.poses(machine.position());
+            let off = judge
+                .poses()
+                .iter()
+                .flatten()
+                .zip(poses.iter().flatten())
+                .map(|(a, b)| (a - b).abs())
+                .fold(0.0, f64::max);
+            match verdict {
+                Verdict::GivesUp => {}
+                Verdict::Arrives if off <= 1e-5 * subject.extent(&poses) => {}
+                _ => {
+                    return Some(format!(
+                        "from {:?} to {to:?}: the judge {verdict:?}, off by {off:.2e}",
+                        start.motors
+                    ));
+                }
+            }
+        }
+    }
+    None
+}
+
+#[test]
+fn what_is_proved_is_free_everywhere() {
+    let strategy = sequential(4);
+    let (mut proved, mut wrong) = (0, Vec::new());
+    for seed in first_seed()..first_seed() + cases(12) {
+        let drawn = strategy
+            .new_tree(&mut runner(seed))
+            .expect("a drawing")
+            .current()
+            .drawn();
+        let mut dice = Dice::new(seed);
+        let Some(subject) = ranged(&drawn, &mut dice) else {
+            continue;
+        };
+        proved += 1;
+        if let Some(text) = unsound(&subject, seed) {
+            wrong.push(format!("seed {seed}, {text}\n{}", subject.text));
+        }
+    }
+    println!("{proved} proved, {} of them wrong", wrong.len());
+    assert!(
+        wrong.is_empty(),
+        "{} of {proved} are not free\n{}",
+        wrong.len(),
+        wrong[..3.min(wrong.len())].join("\n")
+    );
+    assert!(proved > 0, "none was proved");
+}
+
+/// A motor without a range may go anywhere: if that compiles, all of it has to be free.
+#[test]
+fn behind_a_motor_without_a_range() {
+    let mut wrong = Vec::new();
+    for ratio in [
+        "20 : 40", "1 : 40", "1 : 1", "40 : 20", "17 : 40", "100 : 1", "1 : -7",
+    ] {
+        let text = include_str!("texts/unsound.txt").replace("RATIO", ratio);
+        // To be refused is right: it has a dead point.
+        if let Ok(subject) = Subject::read(&text) {
+            wrong.extend(unsound(&subject, 1).map(|text| format!("{ratio}: {text}")));
+        }
+    }
+    let crank = include_str!("texts/unsound.txt")
+        .replace("(2.6, 0)", "(4, 0)")
+        .replace("b = (2, 0)", "b = (0.5, 0)");
+    for ratio in ["20 : 40", "1 : 40", "17 : 40", "100 : 1"] {
+        let subject = with(&crank, "RATIO", ratio).text;
+        let subject = Subject::read(&subject.replace("20 deg", "25 deg"))
+            .expect("a crank that turns all the way round");
+        wrong.extend(unsound(&subject, 1).map(|text| format!("a crank behind {ratio}: {text}")));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A bar that a pinion moves which may turn for ever cannot be free in a loop.
+#[test]
+fn behind_a_rack_whose_pinion_has_no_range() {
+    let mut wrong = Vec::new();
+    for radius in ["20", "1", "0.1", "0.01"] {
+        let text = include_str!("texts/rack-rocker.txt").replace("RATIO", radius);
+        let text = format!(
+            "{text} link other; joint z = revolute(ground, other) at (9, 0); motor z in 0 ..= 1;"
+        );
+        if let Ok(subject) = Subject::read(&text) {
+            wrong.push(format!(
+                "of radius {radius} it compiles; {:?}",
+                unsound(&subject, 1)
+            ));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// However far, a crank points where its motor says.
+#[test]
+fn arms_as_far_as_they_are_told() {
+    let subject = with(include_str!("texts/arm.txt"), "\0", "");
+    assert!(matches!(
+        subject.model.joints[0].kind,
+        JointKind::Revolute(..)
+    ));
+    for far in [1.0, 7.0, -300.0, 2e4, 1e6, -1e9, 1e12] {
+        let mut machine = Machine::<f64>::new(&subject.compiled.program);
+        assert_eq!(machine.move_to(&[far, 0.5]), Ok(()), "to {far}");
+        let [cos, sin, ..] = subject.poses(machine.position())[1];
+        let off = (cos - libm::cos(far)).hypot(sin - libm::sin(far));
+        assert!(off < 1e-12, "to {far}: off by {off:e}");
+    }
+    let subject = with(include_str!("texts/whitworth.txt"), "\0", "");
+    let wrong = unsound(&subject, 1);
+    assert!(wrong.is_none(), "{wrong:?}");
+}

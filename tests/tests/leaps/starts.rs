@@ -1,0 +1,126 @@
+//! What compiles, moves: from its start each motor goes a little at least one way, or stops both ways at a real limit.
+
+use super::drawing::{Drawing, coupled, sequential};
+use super::families::of;
+use super::judge::{Judge, Verdict};
+use super::random::runner;
+use super::reading::Subject;
+use super::{cases, first_seed};
+use mech_compiler::evaluate::{Machine, Stop};
+use proptest::strategy::{Strategy, ValueTree as _};
+
+/// Moves that are tried.
+const SMALL: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
+
+/// The motors that cannot be moved although they could be.
+fn stuck(subject: &Subject) -> Vec<String> {
+    let program = &subject.compiled.program;
+    let start = Machine::<f64>::new(program);
+    let motors = &program.start.motors;
+    let mut all = Vec::new();
+    for motor in 0..motors.len() {
+        let mut stops = Vec::new();
+        let ways = SMALL.iter().flat_map(|way| [*way, -*way]);
+        let goals = ways.map(|way| {
+            let mut goal = motors.clone();
+            goal[motor] += way;
+            goal
+        });
+        let free = goals.clone().any(|goal| {
+            let told = start.clone().move_to(&goal);
+            stops.extend(told.err());
+            told.is_ok()
+        });
+        let far = stops.iter().any(|stop| {
+            !matches!(
+                stop,
+                Stop::Open(_) | Stop::DeadPoint(_) | Stop::ChangePoint(_)
+            )
+        });
+        let judged = |goal: Vec<f64>| {
+            let mut judge = Judge::new(
+                &subject.model,
+                &subject.compiled.structure.rollings,
+                start.position(),
+            );
+            judge.follow(&goal, 1.0) == Verdict::Arrives
+        };
+        if !free && (far || goals.clone().any(judged)) {
+            all.push(format!("motor {motor} does not move: {:?}", stops.first()));
+        }
+    }
+    all
+}
+
+fn stuck_of(strategy: &impl Strategy<Value = Drawing>, default: u64) -> Vec<String> {
+    let mut all = Vec::new();
+    for seed in first_seed()..first_seed() + cases(default) {
+        let drawn = strategy
+            .new_tree(&mut runner(seed))
+            .expect("a drawing")
+            .current()
+            .drawn();
+        if let Ok(subject) = Subject::read(&drawn.text) {
+            all.extend(
+                stuck(&subject)
+                    .into_iter()
+                    .map(|text| format!("seed {seed}: {text}\n{}", drawn.text)),
+            );
+        }
+    }
+    all
+}
+
+#[track_caller]
+fn assert_none(wrong: &[String]) {
+    assert!(
+        wrong.is_empty(),
+        "{} stuck, the first: {}",
+        wrong.len(),
+        wrong[0]
+    );
+}
+
+#[test]
+fn sequential_mechanisms_that_compile_move() {
+    assert_none(&stuck_of(&sequential(6), 60));
+}
+
+#[test]
+fn coupled_mechanisms_that_compile_move() {
+    assert_none(&stuck_of(&coupled(), 20));
+}
+
+#[test]
+fn a_strut_moves() {
+    assert_none(&stuck(&of(include_str!("texts/strut.txt"))));
+    let subject = of(include_str!("texts/strut.txt"));
+    let mut machine = Machine::<f64>::new(&subject.compiled.program);
+    let start = subject.compiled.program.start.motors.clone();
+    let to = [start[0] + 0.05, start[1]];
+    assert_eq!(machine.move_to(&to), Ok(()), "from {start:?} to {to:?}");
+}
+
+#[test]
+fn named_mechanisms_move() {
+    let texts = [
+        include_str!("texts/polar.txt"),
+        include_str!("texts/rpr121.txt"),
+        include_str!("texts/s1008.txt"),
+        include_str!("texts/s1022.txt"),
+        include_str!("texts/s25.txt"),
+        include_str!("texts/s5180.txt"),
+        include_str!("texts/s5256.txt"),
+        include_str!("texts/t3.txt"),
+        include_str!("texts/tanhalf.txt"),
+    ];
+    let wrong: Vec<String> = texts
+        .into_iter()
+        .flat_map(|text| {
+            stuck(&of(text))
+                .into_iter()
+                .map(move |why| format!("{why}\n{text}"))
+        })
+        .collect();
+    assert_none(&wrong);
+}
