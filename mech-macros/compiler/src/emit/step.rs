@@ -6,7 +6,7 @@ use super::motion::{given_rates, moved, step_with, suffix};
 use super::scope::{Scope, ident, uses};
 use super::sensitivity::{followed, sensitivity_step};
 use super::stages::{Act, MOST_LETS, in_stages, lets};
-use crate::program::{BlockId, BlockKind, Motion, Op, Program, Sensitivity, Value};
+use crate::program::{BlockId, BlockKind, Op, Program, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 use std::collections::BTreeMap;

@@ -14,10 +14,12 @@ mod placement;
 mod search;
 mod sequence;
 mod step;
+mod tight;
 
 pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::{Assembly, CamStart};
-pub(crate) use equation::{Equation, Measure, Slide, Solution, Unknown};
+pub use equation::Unknown;
+pub(crate) use equation::{Equation, Measure, Slide, Solution};
 pub use ledger::Rational;
 pub use needed::Needed;
 pub(crate) use placement::{Coordinate, Placement};
