@@ -1,7 +1,10 @@
 //! Random mechanisms, grown from dyads, gears and arms, so that the truth about them is known by construction: they are
 //! coherent and sequential, with as many loops as there are dyads.
 
+mod coupled;
+
 use crate::Dice;
+pub use coupled::grow_coupled;
 use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, Near, Origin,
     Ratio, StartValue,
@@ -39,28 +42,37 @@ pub fn grow(dice: &mut Dice, additions: usize) -> Grown {
     };
     grown.arm(dice, LinkId::GROUND);
     for _ in 0..additions {
-        match dice.below(12) {
-            0 => {
-                let base = grown.any_link(dice);
-                grown.arm(dice, base);
-            }
-            1 => grown.gear(dice),
-            2 => grown.belt(dice),
-            3 => grown.weld(dice),
-            4 => grown.slotted(dice),
-            _ => grown.dyad(dice),
-        }
+        grown.add(dice);
     }
-    // Dies come after all links that are declared.
-    for (point, line) in std::mem::take(&mut grown.slots) {
-        let name = format!("j{}", grown.model.joints.len());
-        grown.model.add_slot(&name, Origin::default(), point, line);
-    }
-    grown.count_arms();
+    grown.finish();
     grown
 }
 
 impl Grown {
+    /// Adds anything that is solved loop by loop.
+    fn add(&mut self, dice: &mut Dice) {
+        match dice.below(12) {
+            0 => {
+                let base = self.any_link(dice);
+                self.arm(dice, base);
+            }
+            1 => self.gear(dice),
+            2 => self.belt(dice),
+            3 => self.weld(dice),
+            4 => self.slotted(dice),
+            _ => self.dyad(dice),
+        }
+    }
+
+    fn finish(&mut self) {
+        // Dies come after all links that are declared.
+        for (point, line) in std::mem::take(&mut self.slots) {
+            let name = format!("j{}", self.model.joints.len());
+            self.model.add_slot(&name, Origin::default(), point, line);
+        }
+        self.count_arms();
+    }
+
     fn any_link(&self, dice: &mut Dice) -> LinkId {
         LinkId::new(dice.below(self.model.links.len()))
     }

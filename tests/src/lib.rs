@@ -12,7 +12,7 @@ pub use cam::{add_cam, law};
 pub use chain::{chain, chain_text};
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
-pub use grow::{Grown, grow, in_own_frames};
+pub use grow::{Grown, grow, grow_coupled, in_own_frames};
 pub use source::{bodies, mechanisms};
 pub use varied::{place, scale, vary, with_params};
 

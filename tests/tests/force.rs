@@ -10,7 +10,7 @@ use mech_compiler::model::{
 use mech_compiler::program::{Acting, Forces, Inertia};
 use mech_compiler::syntax::parse;
 use mech_compiler::{Compiled, compile};
-use mech_tests::{Dice, bodies, grow, size};
+use mech_tests::{Dice, bodies, grow, grow_coupled, size};
 
 fn cases() -> u64 {
     std::env::var("MECH_CASES")
@@ -497,7 +497,11 @@ fn forces_in_random_mechanisms_obey_newton_and_euler_and_virtual_work() {
     for seed in 0..cases() {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(7);
-        let mut model = grow(&mut dice, additions).model;
+        let mut model = if seed % 4 == 3 {
+            grow_coupled(&mut dice, additions / 2).model
+        } else {
+            grow(&mut dice, additions).model
+        };
         model.name = format!("Seed{seed}");
         load_up(&mut model, &mut dice);
         check(&model, &mut dice, 4, &mut seen);

@@ -6,7 +6,7 @@ use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{Effects, LinkId, Method, Model, Precision, Shown};
 use mech_compiler::program::{Position, Program};
 use mech_compiler::syntax::parse;
-use mech_tests::{Dice, add_cam, bodies, grow, size};
+use mech_tests::{Dice, add_cam, bodies, grow, grow_coupled, size};
 
 /// A step of the time, in which motors move about a unit a unit.
 const STEP: f64 = 1e-3;
@@ -168,6 +168,20 @@ fn rates_of_random_mechanisms_are_those_of_their_positions() {
     }
     println!("{seen:?}");
     assert!(seen.compared > 20 * usize::try_from(cases()).unwrap_or(0));
+}
+
+#[test]
+fn rates_of_what_is_solved_together_are_those_of_its_positions() {
+    let mut seen = Seen::default();
+    for seed in 0..cases() / 2 {
+        let mut dice = Dice::new(seed);
+        let additions = 1 + dice.below(3);
+        let mut model = grow_coupled(&mut dice, additions).model;
+        with_effects(&mut model);
+        compare(&model, &mut dice, 4, &mut seen);
+    }
+    println!("{seen:?}");
+    assert!(seen.compared > 10 * usize::try_from(cases()).unwrap_or(0));
 }
 
 #[test]

@@ -7,33 +7,23 @@ use crate::model::LinkId;
 /// Rings to be closed together, and the connections by which the clusters hang on the first.
 pub(super) type Block = (Vec<Vec<Connection>>, Vec<Connection>);
 
-/// Rings that together contain every connection that is in a ring: one for each connection beyond a tree.
-pub(super) fn cycles(connections: &[Between]) -> Vec<Vec<Connection>> {
-    let all = independent(connections);
-    let Some(first) = all.iter().map(|between| between.a).min() else {
-        return Vec::new();
-    };
-    let (tree, chords) = spanning(&all, first);
-    let reached = |base: LinkId| base == first || tree.iter().any(|branch| branch.to == base);
-    chords
+/// The rings of a set of clusters that hold each other. Clusters that are in no ring are left to be solved afterwards.
+pub(super) fn block(connections: &[Between], set: &[LinkId]) -> Option<Block> {
+    let mut left: Vec<Between> = connections
         .iter()
-        .filter(|chord| reached(chord.a))
-        .map(|chord| ring(&tree, *chord))
-        .collect()
-}
-
-/// What is left when everything is taken away that can be solved after it, loop by loop: rings that have to be closed
-/// together.
-pub(super) fn block(connections: &[Between]) -> Option<Block> {
-    let mut left = independent(connections);
-    peel(&mut left);
+        .filter(|between| set.contains(&between.a) && set.contains(&between.b))
+        .copied()
+        .collect();
+    leave_ends(&mut left);
+    let left = independent(&left);
     let first = left.iter().map(|between| between.a).min()?;
     let (tree, chords) = spanning(&left, first);
-    let rings = chords.iter().map(|chord| ring(&tree, *chord)).collect();
-    Some((
-        rings,
-        tree.into_iter().map(|branch| branch.connection).collect(),
-    ))
+    let rings: Vec<Vec<Connection>> = chords.iter().map(|chord| ring(&tree, *chord)).collect();
+    let tree = match &rings[..] {
+        [ring] => ring[..ring.len() - 1].to_vec(),
+        _ => tree.into_iter().map(|branch| branch.connection).collect(),
+    };
+    Some((rings, tree))
 }
 
 /// Two clusters that two connections hold: one turning joint and any other. That is once more than it takes.
@@ -79,26 +69,21 @@ fn independent(connections: &[Between]) -> Vec<Between> {
     kept
 }
 
-/// Takes away, from the outside, pairs of clusters that hang on the rest by one connection each: they can be solved later.
-fn peel(left: &mut Vec<Between>) {
-    loop {
-        let at = |base: LinkId| {
-            left.iter()
-                .filter(move |between| between.a == base || between.b == base)
-        };
-        let loose = left.iter().find(|between| {
-            between.a != LinkId::GROUND && at(between.a).count() == 2 && at(between.b).count() == 2
-        });
-        let single = left
+/// Takes away, from the outside, clusters that hang on the rest by one connection or one pin: they are in no ring.
+fn leave_ends(left: &mut Vec<Between>) {
+    let is_end = |left: &[Between], base: LinkId| {
+        let mut own = left
             .iter()
-            .map(|between| between.b)
-            .find(|&base| at(base).count() <= 1);
-        let gone: Vec<LinkId> = match (loose, single) {
-            (Some(between), _) => vec![between.a, between.b],
-            (None, Some(base)) => vec![base],
-            (None, None) => return,
+            .filter(|between| between.a == base || between.b == base);
+        let first = own.next();
+        own.all(|other| first.is_some_and(|first| other.pin.is_some() && other.pin == first.pin))
+    };
+    loop {
+        let ends = left.iter().flat_map(|between| [between.a, between.b]);
+        let Some(end) = ends.into_iter().find(|&base| is_end(left, base)) else {
+            return;
         };
-        left.retain(|between| !gone.contains(&between.a) && !gone.contains(&between.b));
+        left.retain(|between| between.a != end && between.b != end);
     }
 }
 

@@ -11,7 +11,7 @@ use crate::model::{JointId, LinkId};
 
 /// What is unknown in a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unknown {
+pub enum Unknown {
     /// The direction of the base of a cluster, seen from the first.
     Direction(LinkId),
     /// The coordinate of a sliding joint.

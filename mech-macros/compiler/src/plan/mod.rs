@@ -15,11 +15,13 @@ mod placement;
 mod search;
 mod sequence;
 mod step;
+mod tight;
 
 pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::{Assembly, CamStart};
 pub use bound::{Bound, Growth};
-pub(crate) use equation::{Equation, Measure, Slide, Solution, Unknown};
+pub use equation::Unknown;
+pub(crate) use equation::{Equation, Measure, Slide, Solution};
 pub use ledger::Rational;
 pub use needed::Needed;
 pub(crate) use placement::{Coordinate, Placement};

@@ -1,5 +1,6 @@
 //! The steps by which every position becomes known.
 
+use super::equation::Unknown;
 use super::ledger::Rational;
 use crate::model::{AxisId, JointId, LinkId, Model, MotorId};
 
@@ -75,7 +76,7 @@ pub struct Loop {
     pub rings: Vec<Vec<Connection>>,
     /// For each cluster but the first, which is known, the connection by which it hangs on one before it.
     pub tree: Vec<Connection>,
-    /// The directions that rolling ties to others of this loop, or to what is known.
+    /// The directions and ways that rolling ties to others of this loop, or to what is known.
     pub ties: Vec<Tie>,
     /// All joints of the rings: the unknown ones and, between them, ways through what is already known.
     pub members: Vec<JointId>,
@@ -85,13 +86,13 @@ pub struct Loop {
     pub needs: Vec<usize>,
 }
 
-/// A direction that rolling ties: how far its cluster turns, seen from the first cluster of the loop.
+/// An unknown that rolling ties: how far it moves from the start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tie {
-    /// The base of the cluster.
-    pub base: LinkId,
-    /// Parts of the turns of other clusters of the loop, by their bases.
-    pub parts: Vec<(LinkId, Rational)>,
+    /// What is tied.
+    pub of: Unknown,
+    /// Parts of what other unknowns of the loop have moved.
+    pub parts: Vec<(Unknown, Rational)>,
     /// Parts of what sources have moved, by their number in [`Plan::sources`](super::Plan::sources).
     pub sources: Vec<(usize, Rational)>,
 }

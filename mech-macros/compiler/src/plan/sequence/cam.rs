@@ -3,7 +3,6 @@
 use super::Search;
 use super::rolling::coordinate;
 use crate::model::{JointId, JointKind};
-use crate::plan::coupled;
 use crate::plan::knowledge::Knowledge;
 use crate::plan::step::{Cam, Connection, ConnectionKind, Source, Step};
 
@@ -72,9 +71,10 @@ impl Search<'_> {
             .cams()
             .map(|(cam, ..)| cam)
             .find(|&cam| !used(cam))?;
-        let waits = coupled::block(&self.connections())
+        let blocks = self.blocks(&self.connections()).into_iter();
+        let waits = blocks
             .map(|block| self.described(block))
-            .is_some_and(|found| self.is_square(&found));
+            .any(|found| self.is_square(&found));
         (!waits).then_some(idle)
     }
 }

@@ -12,6 +12,7 @@ use super::coupled::{self, Block};
 use super::knowledge::Knowledge;
 use super::ledger::{Ledger, Linear};
 use super::step::{Connection, ConnectionKind, Drive, Loop, Source, Step};
+use super::tight;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::structure::{Diagnosis, KinematicGraph, Pin, Structure};
 use petgraph::unionfind::UnionFind;
@@ -201,9 +202,11 @@ impl<'m> Search<'m> {
         let found = match redundant {
             Some(block) => self.described(block),
             None if allow.coupled => {
-                match coupled::block(&connections).map(|block| self.described(block)) {
-                    Some(found) if self.is_square(&found) => found,
-                    _ => return false,
+                let found = self.blocks(&connections).into_iter();
+                let mut found = found.map(|block| self.described(block));
+                match found.find(|found| self.is_square(found)) {
+                    Some(found) => found,
+                    None => return false,
                 }
             }
             None => return false,
@@ -212,7 +215,15 @@ impl<'m> Search<'m> {
         true
     }
 
-    /// Whether a loop has as many unknowns as equations: the directions that nothing ties, and the ways of slides.
+    /// What has to be solved together: one block for each smallest set of clusters that hold each other.
+    fn blocks(&self, connections: &[Between]) -> Vec<Block> {
+        tight::sets(connections, &self.rolling_clusters())
+            .iter()
+            .filter_map(|set| coupled::block(connections, set))
+            .collect()
+    }
+
+    /// Whether a loop has as many unknowns as equations: the directions, and the ways of slides, that nothing ties.
     fn is_square(&self, closing: &Loop) -> bool {
         let slides = closing
             .connections()
@@ -416,11 +427,9 @@ impl<'m> Search<'m> {
 
     /// The rings that wait for each other, by their unknown joints.
     fn rings(&self) -> Vec<Vec<JointId>> {
-        let block = coupled::block(&self.connections())
-            .map(|(rings, _)| rings)
-            .unwrap_or_default();
-        block
-            .iter()
+        let blocks = self.blocks(&self.connections());
+        let rings = blocks.iter().flat_map(|(rings, _)| rings);
+        rings
             .map(|ring| ring.iter().map(|connection| connection.joint).collect())
             .collect()
     }

@@ -2,7 +2,7 @@
 
 use super::Search;
 use crate::model::{JointKind, LinkId};
-use crate::plan::coupled;
+use crate::plan::equation::Unknown;
 use crate::plan::knowledge::Knowledge;
 use crate::plan::ledger::{Linear, Rational};
 use crate::plan::step::{Connection, ConnectionKind, Mesh, Source, Step, Tie};
@@ -125,29 +125,33 @@ impl Search<'_> {
         }
     }
 
-    /// Finds a ring whose unknown directions rolling ties, so that two unknowns remain.
+    /// The clusters of each gear, belt or rack that are still apart.
+    pub(super) fn rolling_clusters(&self) -> Vec<Vec<LinkId>> {
+        let of = |rolling: &Rolling| {
+            let ends = rolling.ends.iter().map(|(end, _)| end.link());
+            let links = ends.chain([rolling.carrier]);
+            let mut bases: Vec<LinkId> = links.map(|link| self.clusters.base(link)).collect();
+            bases.sort_unstable();
+            bases.dedup();
+            bases
+        };
+        self.structure.rollings.iter().map(of).collect()
+    }
+
+    /// Finds a ring whose unknown directions or ways rolling ties, so that two unknowns remain.
     pub(super) fn tie(&mut self) -> bool {
         if !self.rolls() {
             return false;
         }
-        let rings = coupled::cycles(&self.connections());
-        let base = |axis| self.clusters.base(self.model.axis(axis).link);
-        let alone = |ring: Vec<Connection>| {
-            let first = ring
-                .iter()
-                .enumerate()
-                .min_by_key(|(_, connection)| base(connection.from))?
-                .0;
-            let ring = [&ring[first..], &ring[..first]].concat();
-            let tree = ring[..ring.len() - 1].to_vec();
-            let found = self.described((vec![ring], tree));
-            (self.is_square(&found) && !found.ties.is_empty()).then_some(found)
-        };
-        let found = rings.into_iter().find_map(alone);
+        let blocks = self.blocks(&self.connections()).into_iter();
+        let mut alone = blocks
+            .filter(|(rings, _)| rings.len() == 1)
+            .map(|block| self.described(block));
+        let found = alone.find(|found| !found.ties.is_empty() && self.is_square(found));
         found.map(|found| self.accept(found)).is_some()
     }
 
-    /// The directions of a loop that rolling ties.
+    /// The directions and ways of a loop that rolling ties.
     pub(super) fn ties(&self, rings: &[Vec<Connection>], tree: &[Connection]) -> Vec<Tie> {
         let Some(first) = tree
             .first()
@@ -155,23 +159,27 @@ impl Search<'_> {
         else {
             return Vec::new();
         };
-        let turning = self.turning(rings, tree);
-        let turns: Vec<Linear> = turning
-            .iter()
-            .map(|&base| Linear::turn(first, base))
-            .collect();
-        let ties = self.ledger.ties(&turns).into_iter().zip(&turning);
-        ties.filter_map(|(parts, &base)| {
+        let turning = self.turning(rings, tree).into_iter();
+        let mut unknowns: Vec<Unknown> = turning.map(Unknown::Direction).collect();
+        for connection in rings.iter().flatten() {
+            let slide = Unknown::Slide(connection.joint);
+            if connection.kind == ConnectionKind::Prismatic && !unknowns.contains(&slide) {
+                unknowns.push(slide);
+            }
+        }
+        let combination = |unknown: &Unknown| match *unknown {
+            Unknown::Direction(base) => Linear::turn(first, base),
+            Unknown::Slide(joint) => Linear::slide(joint),
+        };
+        let combinations: Vec<Linear> = unknowns.iter().map(combination).collect();
+        let ties = self.ledger.ties(&combinations).into_iter().zip(&unknowns);
+        ties.filter_map(|(parts, &of)| {
             let (own, sources) = parts?;
             let parts = own
                 .into_iter()
-                .map(|(place, part)| (turning[place], part))
+                .map(|(place, part)| (unknowns[place], part))
                 .collect();
-            Some(Tie {
-                base,
-                parts,
-                sources,
-            })
+            Some(Tie { of, parts, sources })
         })
         .collect()
     }

@@ -25,7 +25,7 @@ pub(super) struct Closing {
     pub(super) equation: Equation<Value>,
     /// Its directions and ways, in the order of the equation's unknowns.
     pub(super) solution: Vec<Solution<Value>>,
-    /// How its directions follow from fewer angles, if rolling ties them.
+    /// How its directions and ways follow from fewer unknowns, if rolling ties them.
     pub(super) tied: Option<Tied>,
 }
 

@@ -1,49 +1,55 @@
-//! Loops in which rolling ties directions: their unknowns are angles, because a tie is a relation of angles.
+//! Loops in which rolling ties directions or ways: their unknowns are angles and ways, because a tie is a relation of these.
 
 use super::Writer;
 use super::closing::System;
-use crate::model::LinkId;
-use crate::plan::{Algebra, Equation, Loop, Solution, Unknown};
+use crate::model::{JointId, LinkId};
+use crate::plan::{Algebra, Equation, Loop, Rational, Solution, Tie, Unknown};
 use crate::program::builder::Builder;
 use crate::program::newton::Newton;
 use crate::program::node::{BlockId, Op, Value};
 use num_traits::ToPrimitive;
 
-/// How far a cluster has turned since the start: parts of the unknown angles, and what is known.
-struct Turn {
-    /// For each unknown that is an angle, its part.
+/// How a direction or way of the equation follows from the unknowns of the loop and from what is known.
+struct Course {
+    /// Parts of unknowns, by their place.
     parts: Vec<(usize, f64)>,
     /// What sources add.
     known: Value,
-    /// The direction at the start.
-    start: [f64; 2],
+    /// What it is without all these.
+    start: Start,
+}
+
+/// A direction or way at the start.
+enum Start {
+    /// A unit vector.
+    Direction([f64; 2]),
+    /// A length; zero for a way that is an unknown itself.
+    Way(f64),
 }
 
 /// The unknowns of a tied loop.
 pub(super) struct Tied {
-    /// For each direction of the equation, how it follows.
-    turns: Vec<Turn>,
-    /// For each unknown its name, and the direction or slide of the equation that it is.
+    /// For each direction and way of the equation, how it follows.
+    courses: Vec<Course>,
+    /// For each unknown its name, and the direction or way of the equation that it is.
     unknowns: Vec<(String, usize)>,
 }
 
 impl Tied {
-    /// What each direction turns by besides the unknown angles: the direction's number, and what is known.
+    /// What each direction and way moves by besides the unknowns: its number in the equation, and what is known.
     pub(super) fn known(&self) -> impl Iterator<Item = (usize, Value)> + '_ {
-        self.turns.iter().map(|turn| turn.known).enumerate()
+        self.courses.iter().map(|course| course.known).enumerate()
     }
 
-    /// The columns of the unknown angles and ways, from those of all directions and ways.
+    /// The columns of the unknowns, from those of all directions and ways.
     pub(super) fn columns(&self, builder: &mut Builder, all: &[Vec<Value>]) -> Vec<Vec<Value>> {
-        let column = |(place, (_, index)): (usize, &(String, usize))| {
-            if *index >= self.turns.len() {
-                return all[*index].clone();
-            }
-            let mut sum = vec![builder.constant(0.0); all[*index].len()];
-            for (direction, turn) in self.turns.iter().enumerate() {
-                for (_, part) in turn.parts.iter().filter(|(other, _)| *other == place) {
+        let column = |place: usize| {
+            let rows = all.first().map_or(0, Vec::len);
+            let mut sum = vec![builder.constant(0.0); rows];
+            for (course, column) in self.courses.iter().zip(all) {
+                for (_, part) in course.parts.iter().filter(|(other, _)| *other == place) {
                     let part = builder.constant(*part);
-                    for (sum, &rate) in sum.iter_mut().zip(&all[direction]) {
+                    for (sum, &rate) in sum.iter_mut().zip(column) {
                         let share = builder.mul(part, rate);
                         *sum = builder.add(*sum, share);
                     }
@@ -51,7 +57,7 @@ impl Tied {
             }
             sum
         };
-        self.unknowns.iter().enumerate().map(column).collect()
+        (0..self.unknowns.len()).map(column).collect()
     }
 
     /// The rate of a direction or way of the equation, from those of the unknowns and of what is known.
@@ -61,14 +67,19 @@ impl Tied {
         (index, rates): (usize, &[Value]),
         of_known: impl FnOnce(&mut Builder, Value) -> Value,
     ) -> Value {
-        let Some(turn) = self.turns.get(index) else {
-            let place = self.unknowns.iter().position(|(_, own)| *own == index);
-            return place.map_or_else(|| builder.constant(0.0), |place| rates[place]);
-        };
-        let mut sum = of_known(builder, turn.known);
-        for (place, part) in &turn.parts {
+        let course = &self.courses[index];
+        let known = of_known(builder, course.known);
+        course.sum(builder, known, rates)
+    }
+}
+
+impl Course {
+    /// What is known, and the parts of these values of the unknowns.
+    fn sum(&self, builder: &mut Builder, known: Value, unknowns: &[Value]) -> Value {
+        let mut sum = known;
+        for (place, part) in &self.parts {
             let part = builder.constant(*part);
-            let share = builder.mul(part, rates[*place]);
+            let share = builder.mul(part, unknowns[*place]);
             sum = builder.add(sum, share);
         }
         sum
@@ -76,74 +87,84 @@ impl Tied {
 }
 
 impl Writer<'_> {
-    /// How the directions of a loop follow from its unknown angles.
+    /// How the directions and ways of a loop follow from its unknowns.
     pub(super) fn tied(
         &mut self,
         closing: &Loop,
         equation: &Equation<Value>,
         first: LinkId,
     ) -> Tied {
-        let tie = |base: LinkId| closing.ties.iter().find(|tie| tie.base == base);
+        let tie = |unknown: &Unknown| closing.ties.iter().find(|tie| tie.of == *unknown);
         let mut unknowns: Vec<(String, usize)> = Vec::new();
-        let mut place_of: Vec<(LinkId, usize)> = Vec::new();
         for (index, unknown) in equation.unknowns.iter().enumerate() {
-            match *unknown {
-                Unknown::Direction(base) if tie(base).is_none() => {
-                    place_of.push((base, unknowns.len()));
-                    unknowns.push((format!("{}_angle", self.name_of(base)), index));
-                }
-                Unknown::Direction(_) => {}
-                Unknown::Slide(joint) => {
-                    unknowns.push((self.model.joint(joint).name.clone(), index));
-                }
+            if tie(unknown).is_none() {
+                let name = match *unknown {
+                    Unknown::Direction(base) => format!("{}_angle", self.name_of(base)),
+                    Unknown::Slide(joint) => self.model.joint(joint).name.clone(),
+                };
+                unknowns.push((name, index));
             }
         }
-        let mut turns = Vec::new();
+        let place = |wanted: &Unknown| {
+            unknowns
+                .iter()
+                .position(|(_, index)| equation.unknowns[*index] == *wanted)
+        };
+        let mut courses = Vec::new();
         for unknown in &equation.unknowns {
-            let Unknown::Direction(base) = *unknown else {
-                continue;
-            };
-            let place = |base: LinkId| {
-                place_of
-                    .iter()
-                    .find(|(known, _)| *known == base)
-                    .map(|(_, place)| *place)
-            };
-            let mut known = self.builder.constant(0.0);
-            let mut parts: Vec<(usize, f64)> = Vec::new();
-            match tie(base) {
-                None => parts.extend(place(base).map(|place| (place, 1.0))),
+            courses.push(match tie(unknown) {
+                None => Course {
+                    parts: place(unknown)
+                        .map(|place| (place, 1.0))
+                        .into_iter()
+                        .collect(),
+                    known: self.builder.constant(0.0),
+                    start: match *unknown {
+                        Unknown::Direction(base) => Start::Direction(self.seen_from(first, base)),
+                        Unknown::Slide(_) => Start::Way(0.0),
+                    },
+                },
                 Some(tie) => {
-                    for (other, part) in &tie.parts {
-                        parts.extend(
-                            place(*other).map(|place| (place, part.to_f64().unwrap_or(0.0))),
-                        );
-                    }
-                    for (number, part) in &tie.sources {
-                        let start = self
-                            .plan
-                            .start
-                            .sources
-                            .get(*number)
-                            .copied()
-                            .unwrap_or_default();
-                        let share = self.share(*number, part, true);
-                        let start = start * part.to_f64().unwrap_or(0.0);
-                        let start = self.builder.constant(start);
-                        let moved = self.builder.sub(share, start);
-                        known = self.builder.add(known, moved);
+                    let part = |(other, part): &(Unknown, _)| Some((place(other)?, f64_of(part)));
+                    Course {
+                        parts: tie.parts.iter().filter_map(part).collect(),
+                        known: self.moved_by_sources(tie),
+                        start: self.start_of(tie, first),
                     }
                 }
-            }
-            let pose = |link: LinkId| self.plan.start.poses[link.index()];
-            let ([a, b, ..], [c, d, ..]) = (pose(first), pose(base));
-            turns.push(Turn {
-                parts,
-                known,
-                start: [a * c + b * d, a * d - b * c],
             });
         }
-        Tied { turns, unknowns }
+        Tied { courses, unknowns }
+    }
+
+    /// What the sources add to a tied direction or way since the start.
+    fn moved_by_sources(&mut self, tie: &Tie) -> Value {
+        let turns = matches!(tie.of, Unknown::Direction(_));
+        let mut known = self.builder.constant(0.0);
+        for (number, part) in &tie.sources {
+            let start = self.plan.start.sources[*number];
+            let share = self.share(*number, part, turns);
+            let start = self.builder.constant(start * f64_of(part));
+            let moved = self.builder.sub(share, start);
+            known = self.builder.add(known, moved);
+        }
+        known
+    }
+
+    /// What a tied direction or way is where all unknowns and sources are zero. An angle is counted from the start, a way is not.
+    fn start_of(&mut self, tie: &Tie, first: LinkId) -> Start {
+        match tie.of {
+            Unknown::Direction(base) => Start::Direction(self.seen_from(first, base)),
+            Unknown::Slide(joint) => {
+                let mut way = self.way_at_start(joint, first);
+                for (other, part) in &tie.parts {
+                    if let Unknown::Slide(other) = *other {
+                        way -= f64_of(part) * self.way_at_start(other, first);
+                    }
+                }
+                Start::Way(way)
+            }
+        }
     }
 
     /// The iteration on the unknown angles and ways.
@@ -211,43 +232,57 @@ impl Writer<'_> {
         equation: &Equation<Value>,
         now: &[Solution<Value>],
     ) -> Vec<Solution<Value>> {
-        let mut turns = tied.turns.iter();
+        // The unknown angles are iterated as plain numbers, as ways are.
+        let numbers: Vec<Value> = now
+            .iter()
+            .map(|solution| match *solution {
+                Solution::Slide(number) => number,
+                Solution::Direction([cos, _]) => cos,
+            })
+            .collect();
         let mut full = Vec::new();
-        for (index, unknown) in equation.unknowns.iter().enumerate() {
-            let own = tied.unknowns.iter().position(|(_, known)| *known == index);
-            full.push(match (unknown, own) {
-                (Unknown::Direction(base), _) => {
-                    let name = self.name_of(*base).to_owned();
-                    match turns.next() {
-                        Some(turn) => self.turned_since(turn, now, &name),
-                        None => Solution::Direction(self.builder.vector([1.0, 0.0])),
-                    }
+        for (unknown, course) in equation.unknowns.iter().zip(&tied.courses) {
+            let moved = course.sum(&mut self.builder, course.known, &numbers);
+            full.push(match (*unknown, &course.start) {
+                (Unknown::Direction(base), Start::Direction(start)) => {
+                    let name = self.name_of(base).to_owned();
+                    self.turned_since(*start, moved, &name)
                 }
-                (Unknown::Slide(_), Some(place)) => now[place],
-                (Unknown::Slide(_), None) => Solution::Slide(self.builder.constant(0.0)),
+                (_, Start::Way(start)) => {
+                    let start = self.builder.constant(*start);
+                    Solution::Slide(self.builder.add(start, moved))
+                }
+                (_, Start::Direction(_)) => Solution::Slide(moved),
             });
         }
         full
     }
 
-    fn turned_since(
-        &mut self,
-        turn: &Turn,
-        now: &[Solution<Value>],
-        name: &str,
-    ) -> Solution<Value> {
+    fn turned_since(&mut self, start: [f64; 2], angle: Value, name: &str) -> Solution<Value> {
         let builder = &mut self.builder;
-        let mut angle = turn.known;
-        for (place, part) in &turn.parts {
-            if let Solution::Slide(own) = now[*place] {
-                let part = builder.constant(*part);
-                let share = builder.mul(part, own);
-                angle = builder.add(angle, share);
-            }
-        }
         let (sin, cos) = (builder.make(Op::Sin(angle)), builder.make(Op::Cos(angle)));
-        let start = builder.vector(turn.start);
+        let start = builder.vector(start);
         let direction = builder.turned([cos, sin], start);
         Solution::Direction(builder.name_direction(direction, name))
     }
+
+    /// The direction of a link at the start, seen from another.
+    fn seen_from(&self, first: LinkId, base: LinkId) -> [f64; 2] {
+        let pose = |link: LinkId| self.plan.start.poses[link.index()];
+        let ([a, b, ..], [c, d, ..]) = (pose(first), pose(base));
+        [a * c + b * d, a * d - b * c]
+    }
+
+    /// The coordinate of a sliding joint at the start.
+    fn way_at_start(&mut self, joint: JointId, first: LinkId) -> f64 {
+        let (_, now) = self.first(Unknown::Slide(joint), first);
+        match now {
+            Solution::Slide(way) => self.builder.at_start(way),
+            Solution::Direction(_) => 0.0,
+        }
+    }
+}
+
+fn f64_of(part: &Rational) -> f64 {
+    part.to_f64().unwrap_or(0.0)
 }

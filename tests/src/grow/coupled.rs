@@ -1,0 +1,97 @@
+//! Random mechanisms in which something has to be solved together: platforms on three legs, and rings that rolling ties.
+
+use super::{Grown, direction, point};
+use crate::Dice;
+use mech_compiler::model::{JointKind, LinkId, Model, Origin, Ratio};
+
+/// Grows a mechanism as [`grow`](super::grow) does, with platforms and tied rings among its additions. One of these comes first.
+#[must_use]
+pub fn grow_coupled(dice: &mut Dice, additions: usize) -> Grown {
+    let mut model = Model::new("Coupled", Origin::default());
+    model.allow.coupled = true;
+    let mut grown = Grown {
+        model,
+        loops: 0,
+        gears: 0,
+        arms: 0,
+        slots: Vec::new(),
+    };
+    grown.arm(dice, LinkId::GROUND);
+    for addition in 0..additions {
+        match dice.below(if addition == 0 { 4 } else { 8 }) {
+            0 => grown.platform(dice),
+            1 => grown.geared_ring(dice),
+            2 | 3 => grown.racked_ring(dice),
+            _ => grown.add(dice),
+        }
+    }
+    grown.finish();
+    grown
+}
+
+impl Grown {
+    /// A link on three legs.
+    fn platform(&mut self, dice: &mut Dice) {
+        let bases = [0; 3].map(|_| self.any_link(dice));
+        let platform = self.link();
+        for base in bases {
+            let leg = self.link();
+            self.revolute(base, leg, point(dice));
+            self.revolute(leg, platform, point(dice));
+        }
+        self.loops += 1;
+    }
+
+    /// Three links in a chain between two links, of which one is geared to the last but one before it.
+    fn geared_ring(&mut self, dice: &mut Dice) {
+        let (first, last) = self.two_links(dice);
+        let [a, b, c] = [0; 3].map(|_| self.link());
+        self.revolute(first, a, point(dice));
+        self.revolute(a, b, point(dice));
+        self.revolute(b, c, point(dice));
+        if dice.once_in(3) {
+            self.prismatic(c, last, point(dice), direction(dice));
+        } else {
+            self.revolute(c, last, point(dice));
+        }
+        let (wheel, on, other) = *dice.pick(&[(first, a, b), (a, b, c)]);
+        let ratio = Ratio::Teeth(20, *dice.pick(&[60, 40, -50, 17]));
+        self.joint(JointKind::Gear {
+            a: wheel,
+            b: other,
+            ratio,
+            on: Some(on),
+        });
+        self.loops += 1;
+    }
+
+    /// Three links in a chain between two links, of which two slide on each other and are driven by a rack.
+    fn racked_ring(&mut self, dice: &mut Dice) {
+        let (first, last) = self.two_links(dice);
+        let [a, b, c] = [0; 3].map(|_| self.link());
+        self.revolute(first, a, point(dice));
+        self.revolute(a, b, point(dice));
+        let (from, to) = if dice.once_in(2) { (b, c) } else { (c, b) };
+        self.prismatic(from, to, point(dice), direction(dice));
+        self.revolute(c, last, point(dice));
+        let (pinion, on, bar) = *dice.pick(&[(a, b, c), (last, c, b)]);
+        let radius = dice.between(0.2, 1.0) * if dice.once_in(3) { -1.0 } else { 1.0 };
+        self.joint(JointKind::Rack {
+            pinion,
+            bar,
+            radius,
+            on: Some(on),
+        });
+        self.loops += 1;
+    }
+
+    fn two_links(&self, dice: &mut Dice) -> (LinkId, LinkId) {
+        let first = self.any_link(dice);
+        loop {
+            let last = self.any_link(dice);
+            if last != first {
+                return (first, last);
+            }
+        }
+    }
+}
