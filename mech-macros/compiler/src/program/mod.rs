@@ -1,6 +1,7 @@
 //! The program: straight-line operations on scalars, block by block, from motor values and the last position to the next
 //! position. Emitting it as Rust and running it now are readings of the same thing.
 
+mod angle;
 mod build;
 mod builder;
 mod calibrate;
@@ -22,6 +23,7 @@ mod stored;
 mod timing;
 mod watch;
 
+pub use angle::JointAngle;
 pub(crate) use build::needed;
 pub use build::{Further, build, build_as, build_further};
 pub use choice::{Choice, Solver, Watching};
@@ -64,6 +66,8 @@ pub struct Program {
     pub kept: Vec<Value>,
     /// Of what is told where it is in its link, the coordinates that depend on params.
     pub places: Vec<Place>,
+    /// The coordinates of joints that are carried over any number of turns: torsional springs need them.
+    pub joint_angles: Vec<JointAngle>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
     /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor and param.

@@ -91,6 +91,7 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
         motors: Vec::new(),
         params: Vec::new(),
         places: Vec::new(),
+        joint_angles: Vec::new(),
         stored: Vec::new(),
         links: Vec::new(),
         poses: Vec::new(),

@@ -14,6 +14,7 @@ mod rates;
 mod reaction;
 mod sensitivity;
 mod size;
+mod sprung;
 mod tangent;
 mod tied;
 mod triad;
@@ -28,7 +29,7 @@ use super::builder::Builder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::{Op, Value};
-use super::{Block, BlockKind, Choice, Place, Position, Program, Rounds, Watch};
+use super::{Block, BlockKind, Choice, JointAngle, Place, Position, Program, Rounds, Watch};
 use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
     Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Needed, Placement, Plan, Pose,
@@ -167,7 +168,9 @@ fn write(
         closings: Vec::new(),
         followed: Vec::new(),
         angles: Vec::new(),
-
+        sprung: sprung::sprung_joints(model),
+        whole_angles: Vec::new(),
+        joint_angles: Vec::new(),
         sources: vec![None; plan.sources.len()],
         principals: vec![None; plan.sources.len()],
         meshes: 0,
@@ -183,6 +186,7 @@ fn write(
             Step::Close(ring) => writer.close(ring),
         }
     }
+    writer.carry_sprung();
     writer.keep_senses();
     writer.keep_places();
     writer.finish(links, further)
@@ -254,6 +258,12 @@ struct Writer<'m> {
     followed: Vec<cam::Followed>,
     /// Angles between two directions that are followed over any number of turns.
     angles: Vec<(Value, [[Value; 2]; 2])>,
+    /// The joints with torsional springs that no motor drives.
+    sprung: Vec<sprung::Sprung>,
+    /// Their angles, whole turns included, as far as gears and cams give them.
+    whole_angles: Vec<sprung::WholeAngle>,
+    /// Where these angles are carried from position to position.
+    joint_angles: Vec<JointAngle>,
     /// The histories of the present loop's unknowns, if its start is predicted.
     histories: Vec<predictor::History>,
 }
@@ -340,6 +350,7 @@ impl Writer<'_> {
         }
         let offset = self.builder.constant(offset);
         let value = self.builder.add(offset, moved);
+        self.note_mesh(mesh, offset);
         let moved = self.model.joint(mesh.connection.joint).name.clone();
         self.builder.name(value, &moved);
         self.put(mesh.connection, value, &moved);
@@ -395,7 +406,9 @@ impl Writer<'_> {
                     .get(number)
                     .copied()
                     .unwrap_or_default();
-                self.unwrapped(number, [from, to], start)
+                let principal = self.principal(number, [from, to]);
+                let name = format!("{}_angle", self.name_of(to));
+                self.unwrapped(principal, start, name)
             }
             Source::Way(joint) => {
                 let way = self.placement.way(&mut self.builder, joint);
@@ -406,9 +419,8 @@ impl Writer<'_> {
         value
     }
 
-    /// The angle between two links that loops have solved, followed over any number of turns.
-    fn unwrapped(&mut self, number: usize, [from, to]: [LinkId; 2], start: f64) -> Value {
-        let principal = self.principal(number, [from, to]);
+    /// An angle between −π and π, followed over any number of turns from where it starts.
+    fn unwrapped(&mut self, principal: Value, start: f64, name: String) -> Value {
         self.follows = true;
         let kept = self.kept.len();
         let last = self.keep(start);
@@ -418,7 +430,6 @@ impl Writer<'_> {
         let turns = self.builder.make(Op::Round(turns));
         let whole = self.builder.mul(turn, turns);
         let angle = self.builder.add(principal, whole);
-        let name = format!("{}_angle", self.name_of(to));
         self.builder.name(angle, name);
         self.kept[kept] = angle;
         angle
@@ -503,6 +514,7 @@ impl Writer<'_> {
             watches,
             senses,
             places,
+            joint_angles,
             follows,
             wanders,
             idle,
@@ -525,6 +537,7 @@ impl Writer<'_> {
             nodes: builder.nodes,
             blocks: builder.blocks,
             places,
+            joint_angles,
             watches,
             senses,
             range: None,
