@@ -12,6 +12,7 @@ mod law;
 mod link;
 mod mass;
 mod param;
+mod polygon;
 mod show;
 mod start;
 mod trace;
