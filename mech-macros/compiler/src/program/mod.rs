@@ -74,6 +74,9 @@ pub struct Program {
     pub senses: Option<usize>,
     /// How far each motor and param may go in one piece, where an angle is followed over whole turns, loops are coupled or have dead points.
     pub strides: Option<Vec<f64>>,
+    /// For each motor and param whether only the rest of its value is read, and its whole turns apart from it: where an accuracy has
+    /// to hold after any number of turns.
+    pub reduced: Vec<bool>,
     /// The least and the greatest value of each motor, if any has a declared range: it was proved that it moves through.
     pub range: Option<Vec<[f64; 2]>>,
     /// Whether something may move beyond the range of the numbers.
@@ -149,6 +152,12 @@ impl Program {
     /// The names of all of them.
     pub fn input_names(&self) -> impl Iterator<Item = &String> {
         self.motors.iter().chain(&self.params)
+    }
+
+    /// Whether whole turns are taken out of any motor's value.
+    #[must_use]
+    pub fn reduces(&self) -> bool {
+        self.reduced.contains(&true)
     }
 
     /// The node that makes a value.

@@ -99,6 +99,7 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
         watches: Vec::new(),
         senses: None,
         strides: None,
+        reduced: Vec::new(),
         range: None,
         overflows: false,
         curved: true,

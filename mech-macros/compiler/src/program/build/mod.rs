@@ -208,6 +208,27 @@ fn strides(model: &Model) -> Vec<f64> {
     model.motors.iter().map(stride).chain(params).collect()
 }
 
+/// For each motor and param whether only the rest of its value is read, and its whole turns apart from it: where gears turn by a part
+/// of it, and somebody asks how exact that is.
+fn reduced(model: &Model, plan: &Plan) -> Vec<bool> {
+    let asked = model.accuracy.is_some() || model.motors.iter().any(|motor| motor.step.is_some());
+    let meshes = plan
+        .steps
+        .iter()
+        .any(|step| matches!(step, Step::Mesh(_) | Step::Cam(_)) || ties_sources(step));
+    let turning = model.motors.iter().map(|motor| {
+        let turns = matches!(model.joint(motor.joint).kind, JointKind::Revolute(..));
+        asked && meshes && turns
+    });
+    let fixed = model.params.ids().map(|_| false);
+    turning.chain(fixed).collect()
+}
+
+/// Whether a step closes a loop whose directions follow motors by rolling.
+fn ties_sources(step: &Step) -> bool {
+    matches!(step, Step::Close(closing) if closing.ties.iter().any(|tie| !tie.sources.is_empty()))
+}
+
 /// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it; what a law drives
 /// that may have no value; what is as long as a param; and what turns farther than what drives it, or by several things.
 fn overflows(model: &Model, plan: &Plan) -> bool {
@@ -542,6 +563,7 @@ impl Writer<'_> {
             senses,
             range: None,
             strides,
+            reduced: reduced(model, plan),
             overflows: overflows(model, plan),
             curved: model.cams().next().is_some(),
             motors: model
