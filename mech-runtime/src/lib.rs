@@ -326,7 +326,8 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// the moment of inertia about that, zero if left out) or `density 7.8;`, mass a unit of area, by its shapes. What acts is declared
 /// beside links and joints: `gravity (0, -9.81);`, `spring s = linear(a.p, b.q) stiffness 40 rest 0.5;` and `torsional(JOINT)`,
 /// `damper d = … damping 0.1;`, and loads that are set at run time: `load push = force(rod.small_end);` and `load twist =
-/// torque(crank);`. None of it costs anything by itself.
+/// torque(crank);`. None of it costs anything by itself. A torsional spring follows its joint over any number of turns, as the joint's
+/// coordinate then does, and may rest at any angle: `torsional(hinge) stiffness 2 rest 20`.
 ///
 /// With `effects { force; }` there are `hold_at`, which moves as `move_to` does and gives the torques of the motors (the forces of
 /// those that slide) that hold it there at rest, by virtual work; `torques()`, the same where it is; and `forces(rates, second rates)`:

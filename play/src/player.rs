@@ -82,7 +82,7 @@ impl Player {
             Command::Step(steps) => {
                 self.plays = false;
                 if steps.is_finite() {
-                    self.go(steps / STEPS);
+                    self.travel((steps / STEPS).clamp(-1.0, 1.0));
                 }
             }
             Command::Reverse => self.pace.reverse(),
@@ -117,11 +117,8 @@ impl Player {
         }
         let seconds = seconds.clamp(0.0, LONGEST);
         let share = self.pace.direction() * self.pace.speed() * seconds / self.driver.seconds();
-        let pieces = (share.abs() * STEPS).ceil().max(1.0);
-        let mut left = pieces;
-        while left > 0.0 && self.plays {
-            self.go(share / pieces);
-            left -= 1.0;
+        if !self.travel(share) {
+            self.plays = false;
         }
         self.keep_in_view();
     }
@@ -294,8 +291,21 @@ impl Player {
         self.held = None;
     }
 
-    /// Goes on by a share of a whole motion.
-    fn go(&mut self, share: f64) {
+    /// Goes on by a share of a whole motion, no farther at once than a single step. Tells whether it came there.
+    fn travel(&mut self, share: f64) -> bool {
+        let pieces = (share.abs() * STEPS).ceil().max(1.0);
+        let mut left = pieces;
+        while left > 0.0 {
+            if !self.go(share / pieces) {
+                return false;
+            }
+            left -= 1.0;
+        }
+        true
+    }
+
+    /// Goes on by a share of a whole motion at once. Tells whether it came there.
+    fn go(&mut self, share: f64) -> bool {
         let motors = self.mechanism.motors();
         let target = self.driver.target(self.mechanism.as_ref(), share);
         let rates = self.driver.rates(self.mechanism.as_ref(), share.signum());
@@ -303,9 +313,7 @@ impl Player {
         if matches!(result, Ok(Reached::Target)) {
             self.driver.went(share);
         }
-        if self.settle(result, &motors, &target) {
-            self.plays = false;
-        }
+        !self.settle(result, &motors, &target)
     }
 
     /// Notes the limit that a move came to; whether there is one.

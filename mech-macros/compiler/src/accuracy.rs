@@ -2,6 +2,7 @@
 //! keeps it.
 
 mod extent;
+mod growth;
 mod influence;
 mod trial;
 
@@ -88,6 +89,9 @@ pub(crate) fn choose(
     accuracy: f64,
 ) -> Result<(Vec<Choice>, Prediction), Diagnosis> {
     let judge = Judge::new(model, plan, exact);
+    if let Some(motor) = growth::growing(model, &judge.reference) {
+        return Err(Diagnosis::EndlessAccuracy { accuracy, motor });
+    }
     let mut candidates = judge.candidates();
     let mut rivals: Vec<Rival> = candidates
         .iter()
@@ -145,6 +149,9 @@ pub(crate) fn predict(model: &Model, plan: &Plan, choices: &[Choice]) -> Option<
         ..choice.clone()
     });
     let judge = Judge::new(model, plan, exact.collect());
+    if growth::growing(model, &judge.reference).is_some() {
+        return None;
+    }
     let mut loops = choices.iter().enumerate();
     let known = loops.all(|(number, choice)| !counted(choice) || judge.is_stepped(number));
     known.then(|| judge.predict(choices, None))

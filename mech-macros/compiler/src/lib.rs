@@ -30,7 +30,7 @@ use accuracy::{Prediction, Solved};
 use cost::Cost;
 use evaluate::{Machine, Stop};
 use matched::Matched;
-use model::{JointId, JointKind, Model, MotorId};
+use model::{JointId, JointKind, Model, MotorId, ScaleTrouble};
 use plan::Plan;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use program::{Choice, Forces, Further, Number, Op, Program, Timing};
@@ -196,6 +196,11 @@ fn coherent(model: &Model, depth: Depth) -> Result<Coherent, Vec<Diagnosis>> {
     if !model.fits() {
         return Err(vec![Diagnosis::TooLarge]);
     }
+    match model.scale_trouble() {
+        Some(ScaleTrouble::TooLarge) => return Err(vec![Diagnosis::TooLarge]),
+        Some(ScaleTrouble::TooSmall) => return Err(vec![Diagnosis::TooSmall]),
+        None => {}
+    }
     let coherent = match structure::analyse(model) {
         Ok(structure) => regular(model, structure, depth)?,
         Err(diagnoses) => special(model, diagnoses, depth)?,
@@ -224,9 +229,11 @@ fn regular(model: &Model, structure: Structure, depth: Depth) -> Result<Coherent
         Err(dead @ Diagnosis::DeadStart { .. }) => {
             return match aligned(model, structure, depth) {
                 Some(Ok(coherent)) => Ok(coherent),
-                Some(Err(told @ (Diagnosis::TooAccurate { .. } | Diagnosis::Range { .. }))) => {
-                    Err(vec![told])
-                }
+                Some(Err(
+                    told @ (Diagnosis::TooAccurate { .. }
+                    | Diagnosis::EndlessAccuracy { .. }
+                    | Diagnosis::Range { .. }),
+                )) => Err(vec![told]),
                 Some(Err(_)) | None => Err(vec![dead]),
             };
         }

@@ -12,7 +12,7 @@ mod range;
 mod repairs;
 mod wording;
 
-use crate::model::{JointId, LinkId, Model, MotorId, Origin, Precision};
+use crate::model::{JointId, LinkId, Model, MotorId, Origin};
 use crate::repair::{self, Offers};
 use crate::structure::Diagnosis;
 use crate::syntax::{Message, Places};
@@ -95,6 +95,11 @@ impl Words<'_> {
                 self.matched_only(joints, *param),
             ),
             Diagnosis::TooLarge => (self.model.origin, self.too_large()),
+            Diagnosis::TooSmall => (self.model.origin, self.too_small()),
+            Diagnosis::EndlessAccuracy { accuracy, motor } => (
+                self.model.motor(*motor).origin,
+                self.endless_accuracy(*accuracy, *motor),
+            ),
             Diagnosis::TooAccurate { accuracy, best } => {
                 (self.model.origin, self.too_accurate(*accuracy, *best))
             }
@@ -178,13 +183,5 @@ impl Words<'_> {
             (motor.origin, text)
         });
         told.collect()
-    }
-
-    fn too_large(&self) -> String {
-        let scalar = match self.model.precision {
-            Precision::F32 => "f32",
-            Precision::F64 => "f64",
-        };
-        format!("a length or a position of this mechanism is beyond the range of `{scalar}`")
     }
 }

@@ -154,8 +154,20 @@ fn is_far<T: Real, J: Journey<T>>(
     index: usize,
 ) -> bool {
     let speed = speed(journey, from, to, journey.growth(index));
-    squares(journey, from, to, index)
-        > T::from_f64(2.0) * journey.watch(index).change * part * speed
+    let squares = squares(journey, from, to, index);
+    squares > T::from_f64(2.0) * journey.watch(index).change * part * speed
+        && (!journey.subdivides() || is_calm(journey, from, to, (index, squares)))
+}
+
+/// Whether a sine changes little: no rate bounds what is made from loops that are solved by iteration.
+fn is_calm<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    (index, squares): (usize, T),
+) -> bool {
+    let (a, b) = (journey.sine(from, index), journey.sine(to, index));
+    (a * a - b * b).abs() <= T::from_f64(0.25) * squares
 }
 
 #[inline]
@@ -537,6 +549,9 @@ fn least_sine<T: Real, J: Journey<T>>(
     if is_zero(journey, from, index) || is_zero(journey, &reach.to, index) {
         return Event::None;
     }
+    if (journey.sine(from, index) > T::ZERO) != (journey.sine(&reach.to, index) > T::ZERO) {
+        return change_of_sign(journey, from, (done, reach.end), index);
+    }
     // If the root goes straight through zero, it does so here.
     let (left, right) = (a.1.sqrt(), b.1.sqrt());
     let mut at = a.0 + (b.0 - a.0) * (left / (left + right));
@@ -583,6 +598,35 @@ fn least_sine<T: Real, J: Journey<T>>(
         at = vertex(a, middle, b);
     }
     Event::None
+}
+
+/// Looks for the place where a sine changes its sign. Only two lines that cut each other do so by themselves: at the zero they
+/// lie on each other, or they do not cut each other at all.
+fn change_of_sign<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    (mut low, mut high): (T, T),
+    index: usize,
+) -> Event<T> {
+    let positive = journey.sine(from, index) > T::ZERO;
+    for _ in 0..HALVINGS {
+        let middle = low + (high - low) * T::HALF;
+        if !(middle > low && middle < high) {
+            break;
+        }
+        match journey.at(from, middle) {
+            Err(_) => return Event::Blocked(middle),
+            Ok(position) if is_zero(journey, &position, index) => {
+                return match journey.watch(index).at_zero {
+                    AtZero::Stay => Event::None,
+                    AtZero::GoOver | AtZero::Stop => Event::Zero(middle, index),
+                };
+            }
+            Ok(position) if (journey.sine(&position, index) > T::ZERO) == positive => low = middle,
+            Ok(_) => high = middle,
+        }
+    }
+    Event::Blocked(high)
 }
 
 /// Where the parabola through three points is least; beside the middle one where that is the place itself.

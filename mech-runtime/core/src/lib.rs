@@ -22,6 +22,7 @@ mod real;
 mod reduction;
 pub mod root;
 pub mod trig;
+mod turns;
 
 pub use phase::Phase;
 pub use real::Real;

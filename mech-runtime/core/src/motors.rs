@@ -12,6 +12,19 @@ pub fn way<T: Real>((from, turns): (T, i32), (to, more): (T, i32)) -> T {
     }
 }
 
+/// The value of a motor that turns, with the whole turns in it counted among those given besides: the rest is between −π and π.
+/// Beyond 2³¹ turns it stays as it is.
+#[inline]
+#[must_use]
+pub fn reduced<T: Real>(value: T, turns: i32) -> (T, i32) {
+    if value.abs() <= T::HALF * T::TURN {
+        return (value, turns);
+    }
+    let split = value.whole_turns();
+    let sum = split.and_then(|(whole, rest)| Some((rest, turns.checked_add(whole)?)));
+    sum.unwrap_or((value, turns))
+}
+
 /// What a part of so many whole turns comes to, less whole turns: an angle in radians. The part is exact, rounded is only what
 /// it is in radians. The denominator is positive; if it is not, there is no such part, and the angle is zero.
 #[inline]

@@ -2,7 +2,7 @@
 
 #[cfg(not(feature = "std"))]
 use crate::root;
-use crate::{Phase, trig};
+use crate::{Phase, trig, turns};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -35,6 +35,8 @@ pub trait Real:
     fn from_i64(value: i64) -> Self;
     /// A phase as the nearest whole number of turns, and the rest in radians.
     fn of_phase(phase: Phase) -> (i64, Self);
+    /// An angle in radians as the nearest whole number of turns, and the rest in radians; none beyond 2³¹ turns.
+    fn whole_turns(self) -> Option<(i32, Self)>;
     /// The number itself.
     fn to_f64(self) -> f64;
     /// What is before the point: the nearest `i32` if that is none, zero if it is not a number.
@@ -67,7 +69,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($float:ident, $sin_cos:ident, $sqrt:path, $atan2:ident, $exp:ident, $round:ident, $split:ident) => {
+    ($float:ident, $sin_cos:ident, $sqrt:path, $atan2:ident, $exp:ident, $round:ident, $split:ident, $turns:ident) => {
         impl Real for $float {
             const EPSILON: f64 = $float::EPSILON as f64;
             const ZERO: Self = 0.0;
@@ -103,6 +105,11 @@ macro_rules! real {
             #[inline]
             fn of_phase(phase: Phase) -> (i64, Self) {
                 phase.$split()
+            }
+
+            #[inline]
+            fn whole_turns(self) -> Option<(i32, Self)> {
+                turns::$turns(self)
             }
 
             #[inline]
@@ -182,6 +189,16 @@ real!(
     atan2f,
     expf,
     roundf,
-    split_f32
+    split_f32,
+    whole_turns_f32
 );
-real!(f64, sin_cos_f64, libm::sqrt, atan2, exp, round, split_f64);
+real!(
+    f64,
+    sin_cos_f64,
+    libm::sqrt,
+    atan2,
+    exp,
+    round,
+    split_f64,
+    whole_turns_f64
+);

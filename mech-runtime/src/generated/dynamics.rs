@@ -163,7 +163,8 @@ where
             let shares = shares.map(|share| time * share);
             let speed = sum(rates, &stages, shares, tableau.count);
             let inertia = to(position, moved(start.motors, way), speed).map_err(too_long)?;
-            *next = inertia.accelerations(torques, names).map_err(refuse)?;
+            let accelerations = inertia.accelerations(torques, names);
+            *next = accelerations.map_err(refuse).map_err(too_long)?;
         }
         let pairs = stages.iter().zip(&next).take(tableau.count);
         let change = change(pairs, rates, time);
@@ -184,7 +185,8 @@ where
     let speed = sum(rates, &stages, weights, tableau.count);
     let inertia = to(&mut position, moved(start.motors, way), speed)?;
     let accelerations = inertia.accelerations(torques, names).map_err(refuse)?;
-    position.motors = position.motors.wrapped(turning);
+    super::finite(speed, names).map_err(|_| refuse(Stop::new("", Cause::Overflow)))?;
+    position.motors = position.motors.reduced(turning);
     Ok(Simulated {
         position,
         rates: speed,

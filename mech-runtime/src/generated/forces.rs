@@ -59,7 +59,7 @@ impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
     /// How the motors are accelerated by their own torques and everything else: by Cholesky's method.
     ///
     /// # Errors
-    /// The first motor that no mass resists there.
+    /// The first motor that no mass resists there, or that a second rate is beyond the range of the numbers.
     pub fn accelerations(
         &self,
         torques: [T; MOTORS],
@@ -91,7 +91,11 @@ impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
             }
             sums[pivot] = sum / rows[pivot][pivot];
         }
-        Ok(sums)
+        if all_finite(&sums) {
+            Ok(sums)
+        } else {
+            Err(Stop::new("", Cause::Overflow))
+        }
     }
 }
 
@@ -105,7 +109,15 @@ pub const fn not_finite(place: &'static str) -> Stop {
 #[must_use]
 pub fn pull<T: Scalar>(from: [T; 2], to: [T; 2], stiffness: T, rest: T) -> T {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
-    stiffness * (Real::sqrt(x * x + y * y) - rest)
+    let longer = Real::max(Real::abs(x), Real::abs(y));
+    let length = if longer > T::ZERO {
+        // Squares of parts of it, because its own may be beyond the range of the numbers.
+        let [x, y] = [x / longer, y / longer];
+        longer * Real::sqrt(x * x + y * y)
+    } else {
+        T::ZERO
+    };
+    stiffness * (length - rest)
 }
 
 /// The sum of products of numbers in turn.

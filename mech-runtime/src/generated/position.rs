@@ -55,15 +55,13 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     }
 
     /// The same, with whole turns of what turns kept apart.
-    pub(super) fn wrapped(self, turning: &[bool; MOTORS]) -> Self {
+    #[must_use]
+    #[inline]
+    pub fn reduced(self, turning: &[bool; MOTORS]) -> Self {
         let mut motors = self;
         let values = motors.values.iter_mut().zip(&mut motors.turns);
         for ((value, turns), _) in values.zip(turning).filter(|(_, turning)| **turning) {
-            let whole = whole_turns(*value);
-            if let Some(sum) = turns.checked_add(whole) {
-                *value -= <T as Real>::from_i32(whole) * T::TURN;
-                *turns = sum;
-            }
+            (*value, *turns) = mech_core::motors::reduced(*value, *turns);
         }
         motors
     }
@@ -132,11 +130,6 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     pub fn is_finite(&self) -> bool {
         self.values.iter().all(|value| Real::is_finite(*value))
     }
-}
-
-/// The whole turns in an angle, as far as they can be counted.
-fn whole_turns<T: Scalar>(angle: T) -> i32 {
-    Real::to_i32(Real::round(angle / T::TURN))
 }
 
 /// Tests that the values or rates of all motors are finite numbers.

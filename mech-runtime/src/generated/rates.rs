@@ -7,24 +7,31 @@ use mech_core::journey;
 
 /// The rates of all links.
 pub trait Rates: Copy {
-    /// Whether all of them are finite.
+    /// Whether all of them are finite, and so small that the rates of points and joints are finite too.
     fn is_finite(&self) -> bool;
+}
+
+/// Whether numbers are so small that products with other rates and with lengths are finite: none is if their sum is not.
+#[inline]
+fn leave_room<T: Scalar>(rates: impl Iterator<Item = [T; 3]>) -> bool {
+    let sum = rates.fold(T::ZERO, |sum, [a, b, c]| {
+        sum + (Real::abs(a) + Real::abs(b) + Real::abs(c))
+    });
+    Real::is_finite(sum * sum * sum)
 }
 
 impl<T: Scalar, const LINKS: usize> Rates for [Velocity<T>; LINKS] {
     #[inline]
     fn is_finite(&self) -> bool {
-        let sums = self.iter().map(|rate| rate.angular + rate.x + rate.y);
-        Real::is_finite(sums.fold(T::ZERO, |sum, rate| sum + rate))
+        leave_room(self.iter().map(|rate| [rate.angular, rate.x, rate.y]))
     }
 }
 
 impl<T: Scalar, const LINKS: usize> Rates for ([Velocity<T>; LINKS], [Acceleration<T>; LINKS]) {
     #[inline]
     fn is_finite(&self) -> bool {
-        let sums = self.1.iter().map(|rate| rate.angular + rate.x + rate.y);
-        let seconds = sums.fold(T::ZERO, |sum, rate| sum + rate);
-        self.0.is_finite() && Real::is_finite(seconds)
+        let seconds = self.1.iter().map(|rate| [rate.angular, rate.x, rate.y]);
+        self.0.is_finite() && leave_room(seconds)
     }
 }
 

@@ -5,6 +5,7 @@ mod animations;
 mod bad;
 mod seen;
 mod stills;
+mod vectors;
 
 use mech_runtime::Palette;
 use proptest::prelude::*;

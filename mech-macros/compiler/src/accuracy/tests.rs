@@ -1,5 +1,6 @@
 //! Which solver is chosen.
 
+use crate::evaluate::Machine;
 use crate::model::{Model, Precision, Target};
 use crate::program::{BlockKind, Program, Rounds};
 use crate::structure::Diagnosis;
@@ -140,4 +141,109 @@ fn the_target_weighs() {
         model.target = target;
         accepted(&model);
     }
+}
+
+/// A wheel that a motor turns by a part of its turns.
+const GEARED: &str = "struct Geared: f32;
+    ground { point a = (0, 0); point d = (57, 0); }
+    link pinion { point a = (0, 0); }
+    link wheel { point d = (0, 0); point tip = (10, 0); }
+    joint a = revolute(ground.a, pinion.a);
+    joint d = revolute(ground.d, wheel.d);
+    joint mesh = gear(pinion, wheel, 20 : 37);
+    motor a;";
+
+#[test]
+fn an_accuracy_holds_after_any_number_of_turns() {
+    for (ratio, part) in [
+        ("20 : 37", 20.0 / 37.0),
+        ("37 : 20", 37.0 / 20.0),
+        ("30 : 10", 3.0),
+    ] {
+        let text = GEARED.replace("20 : 37", ratio);
+        let mut model = model(&text, 3e-4);
+        model.precision = Precision::F32;
+        let program = accepted(&model).program;
+        let mut machine = Machine::<f32>::new(&program);
+        for power in 0_i32..72 {
+            let motor = 1.37_f32.powi(power);
+            for motor in [motor, -motor] {
+                machine.move_to(&[motor]).expect("it turns");
+                let (sin, cos) = (-part * f64::from(motor)).sin_cos();
+                let [is_cos, is_sin, ..] = machine.position().poses[1].map(f64::from);
+                let off = 10.0 * (is_cos - cos).hypot(is_sin - sin);
+                assert!(off <= 2e-5, "{ratio} at {motor}: {off:e}");
+            }
+        }
+    }
+}
+
+/// A rack goes as far as its pinion turns, and rounding errors with it.
+const RACK: &str = "struct Rack: f32;
+    link pinion; link bar;
+    joint a = revolute(ground, pinion) at (0, 0);
+    joint s = prismatic(ground, bar) at (0, -1) along (1, 0);
+    joint mesh = rack(pinion, bar, radius 1);
+    motor a;";
+
+#[test]
+fn where_errors_grow_with_turns_a_range_is_demanded() {
+    let mut endless = model(RACK, 1e-3);
+    endless.precision = Precision::F32;
+    let Err(diagnoses) = compile(&endless) else {
+        panic!("it goes anywhere");
+    };
+    assert!(
+        matches!(diagnoses[..], [Diagnosis::EndlessAccuracy { .. }]),
+        "{diagnoses:?}"
+    );
+    for (range, fits) in [("in -9 ..= 9", true), ("in -90_000 ..= 90_000", false)] {
+        let text = RACK.replace("motor a;", &format!("motor a {range};"));
+        let mut ranged = model(&text, 1e-3);
+        ranged.precision = Precision::F32;
+        assert_eq!(compile(&ranged).is_ok(), fits, "{range}");
+    }
+}
+
+#[test]
+fn a_motion_that_is_shorter_than_a_step_has_errors_too() {
+    // The driver of this one only rocks.
+    let text = COUPLED.replace("motor g;", "motor g by 300 deg; method newton(1);");
+    let parsed = parse(text.parse().expect("tokens"));
+    assert_eq!(parsed.errors.len(), 0);
+    let compiled = compile(&parsed.model).expect("it moves");
+    let predicted = compiled.prediction.as_ref().map(|told| told.error);
+    let predicted = predicted.expect("its step is known");
+    let exact = Model {
+        method: None,
+        ..parsed.model.clone()
+    };
+    let exact = compile(&exact).expect("it moves").program;
+    let mut reference = Machine::<f64>::new(&exact);
+    let mut ends = [4.0, -4.0].map(|far| {
+        reference.put_back(Machine::new(&exact).position().clone());
+        let far = reference.position().motors[0] + far;
+        reference.move_toward(&[far]).expect("a number");
+        reference.position().motors[0]
+    });
+    ends.sort_by(f64::total_cmp);
+    assert!(ends[1] - ends[0] < 300_f64.to_radians(), "{ends:?}");
+    let mut machine = Machine::<f64>::new(&compiled.program);
+    let mut measured = 0.0_f64;
+    for part in [0.3, 0.7, 0.2, 0.8, 0.5] {
+        let motor = ends[0] + part * (ends[1] - ends[0]);
+        if reference.move_to(&[motor]).is_err() || machine.move_to(&[motor]).is_err() {
+            measured = f64::INFINITY;
+            break;
+        }
+        let poses = machine.position().poses.iter().flatten();
+        for (is, should) in poses.zip(reference.position().poses.iter().flatten()) {
+            measured = measured.max((is - should).abs());
+        }
+    }
+    assert!(measured > 1e-9, "{measured:e}");
+    assert!(
+        predicted >= measured,
+        "{predicted:e} predicted, {measured:e} measured"
+    );
 }

@@ -275,6 +275,10 @@ impl Trial<'_, '_> {
             for step in 1..=STEPS {
                 let motors = stepped(position, pattern, step);
                 if self.machine.move_to(&motors).is_err() {
+                    // Where the whole motion is shorter than a step, it goes to its end.
+                    if step == 1 && self.machine.move_toward(&motors).is_ok() {
+                        positions.push(self.machine.position().clone());
+                    }
                     break;
                 }
                 positions.push(self.machine.position().clone());
@@ -290,7 +294,8 @@ impl Trial<'_, '_> {
         for pattern in &self.patterns {
             self.machine.put_back(position.clone());
             let motors = stepped(position, pattern, 1);
-            if self.machine.move_to(&motors).is_err() {
+            // As far as it can, if that is less.
+            if self.machine.move_toward(&motors).is_err() {
                 continue;
             }
             for rival in self.rivals.iter_mut().filter(|rival| !rival.stopped) {

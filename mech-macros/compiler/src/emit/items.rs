@@ -458,6 +458,11 @@ fn coordinate(
         let value = quote!(self.motors()[#index]);
         return Some(("radians or scene units, as given to its motor", value));
     }
+    if let Some(kept) = program.kept_angle(joint) {
+        let kept = Literal::usize_unsuffixed(kept);
+        let value = quote!(self.position.kept[#kept]);
+        return Some(("radians, whole turns since the start included", value));
+    }
     let axis = |id: AxisId| {
         let axis = model.axis(id);
         let at = params::place(model, program, id);

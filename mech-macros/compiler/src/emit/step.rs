@@ -8,7 +8,7 @@ use super::sensitivity::{followed, sensitivity_step};
 use super::stages::{Act, MOST_LETS, in_stages, lets};
 use crate::program::{BlockId, BlockKind, Op, Program, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use std::collections::BTreeMap;
 
 /// Straight blocks stand in the main function itself up to this number of values; beyond, each has its own function,
@@ -223,13 +223,20 @@ fn motors(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
         None => scope.fresh(&format!("_{name}")),
     };
     let variables: Vec<Ident> = program.input_names().enumerate().map(variable).collect();
-    let mut tokens = quote!(let [#(#variables),*] = motors.values;);
+    let mut tokens = TokenStream::new();
+    let mut read = format_ident!("motors");
+    if program.reduces() {
+        read = scope.fresh("reduced");
+        let turning = &program.reduced;
+        tokens.extend(quote!(let #read = motors.reduced(&[#(#turning),*]);));
+    }
+    tokens.extend(quote!(let [#(#variables),*] = #read.values;));
     let (mut names, mut all) = (Vec::new(), Vec::new());
     for value in program.live_values() {
         let made = match program.node(value).op {
             Op::Turns(motor) => {
                 let (motor, scalar) = (Literal::usize_unsuffixed(motor), scalar(program));
-                quote!(<#scalar as Real>::from_i32(motors.turns[#motor]))
+                quote!(<#scalar as Real>::from_i32(#read.turns[#motor]))
             }
             Op::Turned(motor, numerator, denominator) => {
                 let (motor, scalar) = (Literal::usize_unsuffixed(motor), scalar(program));
@@ -237,7 +244,7 @@ fn motors(program: &Program, scope: &mut Scope<'_>) -> TokenStream {
                     Literal::i64_unsuffixed(numerator),
                     Literal::i64_unsuffixed(denominator),
                 );
-                quote!(turned::<#scalar>(motors.turns[#motor], #numerator, #denominator))
+                quote!(turned::<#scalar>(#read.turns[#motor], #numerator, #denominator))
             }
             _ => continue,
         };

@@ -146,6 +146,16 @@ impl<'p> Runner<'p> {
         (motors, turns): (&[T], &[i32]),
         given: Given<'_, T>,
     ) -> Result<Vec<T>, Stop> {
+        let reduced = |(input, (&value, &turns)): (usize, (&T, &i32))| {
+            let is_reduced = self.program.reduced.get(input) == Some(&true);
+            if is_reduced {
+                mech_core::motors::reduced(value, turns)
+            } else {
+                (value, turns)
+            }
+        };
+        let inputs = motors.iter().zip(turns).enumerate().map(reduced);
+        let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
         let mut values = vec![T::from_f64(0.0); self.program.nodes.len()];
         let mut solved = vec![false; self.program.blocks.len()];
         let closes = |(block, closed): (BlockId, &Closed), values: &[T]| {

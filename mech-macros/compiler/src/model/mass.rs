@@ -1,5 +1,6 @@
 //! How mass is distributed in a link.
 
+use super::polygon::Moments;
 use super::{Shape, ShapeKind};
 
 /// The mass of a link.
@@ -122,24 +123,15 @@ impl Mass {
         Self::together(&parts)
     }
 
-    /// By triangles between each edge and the first corner, so that what lies far from the origin is as exact as what is near.
+    /// What is painted of it. It is measured from its first corner, so that what lies far from the origin is as exact as what is near.
     fn of_polygon(corners: &[[f64; 2]]) -> Self {
-        let Some(&[x0, y0]) = corners.first() else {
-            return Self {
-                mass: 0.0,
-                center: [0.0, 0.0],
-                inertia: 0.0,
-            };
-        };
-        let [mut area, mut x, mut y, mut square] = [0.0; 4];
-        for pair in corners.windows(2) {
-            let [[ax, ay], [bx, by]] = [pair[0], pair[1]].map(|[x, y]| [x - x0, y - y0]);
-            let twice = ax * by - bx * ay;
-            area += twice / 2.0;
-            x += twice * (ax + bx) / 6.0;
-            y += twice * (ay + by) / 6.0;
-            square += twice * (ax * ax + ax * bx + bx * bx + ay * ay + ay * by + by * by) / 12.0;
-        }
+        let [x0, y0] = corners.first().copied().unwrap_or_default();
+        let near: Vec<[f64; 2]> = corners.iter().map(|[x, y]| [x - x0, y - y0]).collect();
+        let Moments {
+            area,
+            first: [x, y],
+            second,
+        } = Moments::of(&near);
         if area == 0.0 {
             return Self {
                 mass: 0.0,
@@ -148,11 +140,10 @@ impl Mass {
             };
         }
         let (cx, cy) = (x / area, y / area);
-        let inertia = square - area * (cx * cx + cy * cy);
         Self {
-            mass: area.abs(),
+            mass: area,
             center: [x0 + cx, y0 + cy],
-            inertia: inertia.abs(),
+            inertia: (second - area * (cx * cx + cy * cy)).abs(),
         }
     }
 }

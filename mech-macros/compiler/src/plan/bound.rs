@@ -1,5 +1,16 @@
 //! How fast something changes at most.
 
+use crate::model::JointId;
+
+/// An angle whose turns are counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turning {
+    /// What gears, belts, racks and cams are solved from, by its number among the sources of the plan.
+    Source(usize),
+    /// The coordinate of a joint, which a torsional spring needs.
+    Joint(JointId),
+}
+
 /// How fast something changes with each motor and param, at most, as long as nothing of its growth has begun: then it is so many
 /// times as fast.
 #[derive(Clone, Debug, Default, PartialEq)]

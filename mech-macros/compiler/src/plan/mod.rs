@@ -19,7 +19,7 @@ mod tight;
 
 pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::{Assembly, CamStart};
-pub use bound::{Bound, Growth};
+pub use bound::{Bound, Growth, Turning};
 pub use equation::Unknown;
 pub(crate) use equation::{Equation, Measure, Slide, Solution};
 pub use ledger::Rational;
@@ -37,8 +37,8 @@ pub struct Plan {
     pub steps: Vec<Step>,
     /// What gears, belts, racks and cams are solved from.
     pub sources: Vec<Source>,
-    /// For each source that loops have solved how fast it turns at most, once that was looked at: its turns are counted.
-    pub turning: Vec<Option<Bound>>,
+    /// How fast each angle turns at most whose turns are counted, once that was looked at.
+    pub turning: Vec<(Turning, Bound)>,
     /// Where everything is at the start.
     pub start: Assembly,
 }
@@ -65,7 +65,7 @@ pub fn plan(model: &Model, structure: &Structure) -> Result<Plan, Diagnosis> {
     let start = assembly::assemble(model, &sequence.steps, &sequence.sources)?;
     Ok(Plan {
         steps: sequence.steps,
-        turning: vec![None; sequence.sources.len()],
+        turning: Vec::new(),
         sources: sequence.sources,
         start,
     })

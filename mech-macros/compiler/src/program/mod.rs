@@ -1,6 +1,7 @@
 //! The program: straight-line operations on scalars, block by block, from motor values and the last position to the next
 //! position. Emitting it as Rust and running it now are readings of the same thing.
 
+mod angle;
 mod build;
 mod builder;
 mod calibrate;
@@ -23,6 +24,7 @@ mod timing;
 mod watch;
 
 pub use crate::plan::{Bound, Growth};
+pub use angle::JointAngle;
 pub(crate) use build::needed;
 pub use build::{Further, build, build_as, build_further};
 pub use choice::{Choice, Solver, Watching};
@@ -39,7 +41,7 @@ pub use timing::{Timed, Timing, build_timing};
 pub use watch::{Follow, Watch};
 
 use crate::model::{LinkId, Precision};
-use crate::plan::Solution;
+use crate::plan::{Solution, Turning};
 
 /// Values of motors up to this may be multiplied by any ratio of gears without leaving the range of single precision.
 pub(crate) const MODERATE: f64 = 1e15;
@@ -71,16 +73,21 @@ pub struct Program {
     pub places: Vec<Place>,
     /// What each loop that it solves finds, by the loop's number in the plan.
     pub(crate) solutions: Vec<(usize, Vec<Solution<Value>>)>,
+    /// The coordinates of joints that are carried over any number of turns: torsional springs need them.
+    pub joint_angles: Vec<JointAngle>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
     /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor and param.
     pub senses: Option<usize>,
     /// The angles that are followed over whole turns: how fast they turn at most.
     pub follows: Vec<Follow>,
-    /// The same angles, each by the number of its source in the plan, less whole turns.
-    pub(crate) followed: Vec<(usize, Value)>,
+    /// The same angles, less whole turns, and what they are.
+    pub(crate) followed: Vec<(Turning, Value)>,
     /// How far each motor and param may go in one piece, where loops are coupled, or laws or params change what nobody has looked at.
     pub strides: Option<Vec<f64>>,
+    /// For each motor and param whether only the rest of its value is read, and its whole turns apart from it: where an accuracy has
+    /// to hold after any number of turns.
+    pub reduced: Vec<bool>,
     /// The least and the greatest value of each motor, if any has a declared range: it was proved that it moves through.
     pub range: Option<Vec<[f64; 2]>>,
     /// Whether something may move beyond the range of the numbers.
@@ -156,6 +163,12 @@ impl Program {
     /// The names of all of them.
     pub fn input_names(&self) -> impl Iterator<Item = &String> {
         self.motors.iter().chain(&self.params)
+    }
+
+    /// Whether whole turns are taken out of any motor's value.
+    #[must_use]
+    pub fn reduces(&self) -> bool {
+        self.reduced.contains(&true)
     }
 
     /// The node that makes a value.

@@ -1,12 +1,48 @@
 //! What is said about accuracy.
 
 use super::Words;
-use crate::model::Precision;
+use crate::model::{MotorId, Precision};
 
 impl Words<'_> {
+    fn scalar(&self) -> &'static str {
+        match self.model.precision {
+            Precision::F32 => "f32",
+            Precision::F64 => "f64",
+        }
+    }
+
+    pub(super) fn too_large(&self) -> String {
+        let scalar = self.scalar();
+        if self.model.fits() && self.model.scale_trouble().is_some() {
+            let [_, most] = self.model.precision.lengths();
+            return format!(
+                "a length of this mechanism is too large for `{scalar}`: its loops are solved with fourth powers of lengths\nhelp: \
+                 use a larger unit, in which no length is greater than {most:e}"
+            );
+        }
+        format!("a length or a position of this mechanism is beyond the range of `{scalar}`")
+    }
+
+    pub(super) fn too_small(&self) -> String {
+        let (scalar, [least, _]) = (self.scalar(), self.model.precision.lengths());
+        format!(
+            "all lengths of this mechanism are too small for `{scalar}`: its loops are solved with fourth powers of lengths\nhelp: use a \
+             smaller unit, in which some length is at least {least:e}"
+        )
+    }
+
+    pub(super) fn endless_accuracy(&self, accuracy: f64, motor: MotorId) -> String {
+        let motor = &self.model.joint(self.model.motor(motor).joint).name;
+        format!(
+            "no accuracy holds however far motor `{motor}` turns: rounding errors of `{}` grow with its turns\nhelp: declare how far it \
+             turns, `motor {motor} in -100 ..= 100;` for example, or leave `accuracy {accuracy:e};` out",
+            self.model.name
+        )
+    }
+
     pub(super) fn too_accurate(&self, accuracy: f64, best: f64) -> String {
         let single = self.model.precision == Precision::F32;
-        let scalar = if single { "f32" } else { "f64" };
+        let scalar = self.scalar();
         let in_double = best / Precision::F32.epsilon() * Precision::F64.epsilon();
         let best = upwards(best);
         let or_double = if single && in_double <= accuracy {

@@ -147,8 +147,17 @@ pub enum Diagnosis {
         /// The motors.
         motors: Vec<MotorId>,
     },
-    /// A length or a position is beyond the range of the scalar type.
+    /// A length or a position is beyond the range of the scalar type, or a power of it is that its loops take.
     TooLarge,
+    /// The lengths are so small that powers of them are lost which its loops take.
+    TooSmall,
+    /// An accuracy is declared, and rounding errors grow with the turns of a motor that has no range.
+    EndlessAccuracy {
+        /// What is declared, in scene units.
+        accuracy: f64,
+        /// The motor.
+        motor: MotorId,
+    },
     /// More accuracy is declared than the scalar type has.
     TooAccurate {
         /// What is declared, in scene units.

@@ -12,8 +12,8 @@ mod pace;
 mod touching;
 
 use crate::model::{AtChangePoints, Model};
-use crate::plan::Plan;
-use crate::program::{AtZero, Bound, Choice, Solver, Watching, build_as};
+use crate::plan::{Bound, Plan, Turning};
+use crate::program::{AtZero, Choice, Solver, Watching, build_as};
 pub(crate) use domain::{Domain, Read};
 use pace::Paces;
 
@@ -23,8 +23,8 @@ const NEAR_PINS: f64 = 0.1;
 /// What is decided for every loop, and for every angle that is followed over whole turns.
 pub(crate) struct Decided {
     pub(crate) choices: Vec<Choice>,
-    /// For each source of the plan how fast it turns, if its turns are counted.
-    pub(crate) turning: Vec<Option<Bound>>,
+    /// How fast each angle turns at most whose turns are counted.
+    pub(crate) turning: Vec<(Turning, Bound)>,
 }
 
 /// Decides for every loop how it is watched; how it is solved is decided already.
@@ -81,17 +81,12 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
             at_zero,
         });
     }
-    let turning = program
-        .followed
-        .iter()
-        .map(|(source, angle)| (*source, paces.of_value(*angle)));
-    let turning: Vec<_> = turning.collect();
-    let mut by_source = vec![None; plan.sources.len()];
-    for (source, bound) in turning {
-        by_source[source] = Some(bound);
-    }
+    let turning = program.followed.iter();
+    let turning = turning
+        .map(|(what, angle)| (*what, paces.of_value(*angle)))
+        .collect();
     Decided {
         choices: decided,
-        turning: by_source,
+        turning,
     }
 }

@@ -19,8 +19,10 @@ const BOXES_OF_ALL: usize = 16_384;
 const SHORT: f64 = 0.01;
 /// Of loops that are solved by iteration only their steps are bounded: so fast are they taken to turn.
 const ITERATED: f64 = 4.0;
-/// A bound through many loops is wide: nothing is taken to be so many times as fast as what drives it.
-const MOST: f64 = 64.0;
+/// A bound through many loops is wide: nothing is taken to turn more than so many times as fast as what drives it, and no sine to
+/// change so fast.
+const MOST: f64 = 1024.0;
+const MOST_OF_SINE: f64 = 256.0;
 /// How fast the square of a sine changes with a param, over its scale, at least.
 const WITH_PARAM: f64 = 4.0;
 
@@ -99,7 +101,7 @@ impl<'d> Paces<'d> {
             Form::TwoLines { .. } => bound.add(1.0, &goal.turns),
         }
         self.with_params(&mut bound, closed.number);
-        self.tame(&mut bound);
+        self.tame(&mut bound, MOST_OF_SINE);
         bound
     }
 
@@ -124,10 +126,10 @@ impl<'d> Paces<'d> {
     }
 
     /// Nothing is faster than what is said of all that is iterated.
-    fn tame(&self, bound: &mut Bound) {
+    fn tame(&self, bound: &mut Bound, times: f64) {
         let fastest = self.fastest();
         for (input, rate) in bound.rates.iter_mut().enumerate() {
-            let most = MOST * fastest.get(input).copied().unwrap_or(1.0);
+            let most = times * fastest.get(input).copied().unwrap_or(1.0);
             *rate = if rate.is_finite() {
                 rate.min(most)
             } else {
@@ -356,7 +358,7 @@ impl<'d> Paces<'d> {
                 }
             }
         }
-        self.tame(&mut bound);
+        self.tame(&mut bound, MOST);
         bound
     }
 
@@ -385,7 +387,7 @@ impl<'d> Paces<'d> {
             if !self.is_steady(&cone) {
                 bound.grow_like(&far);
             }
-            self.tame(&mut bound);
+            self.tame(&mut bound, MOST);
         }
         self.values.insert(value, bound.clone());
         bound

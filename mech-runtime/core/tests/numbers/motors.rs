@@ -1,6 +1,6 @@
 //! Parts of whole turns, against the same in 128 bits and in `f64`.
 
-use mech_core::motors::turned;
+use mech_core::motors::{reduced, turned};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -65,5 +65,129 @@ fn nothing_panics() {
                 }
             }
         }
+    }
+}
+
+/// A turn as a fraction: so exact that products with 2⁶⁰ are still exact to 2⁻⁶⁰.
+fn turns_of(x: f64) -> (i128, i128) {
+    // One through a turn in units of 2⁻¹²⁰, and the number in units of 2⁻⁶⁰ less whole ones.
+    const PER_RADIAN: [u64; 2] = [0x28BE_60DB_9391_054A, 0x7F09_D5F4_7D4D_3770];
+    let size = x.abs();
+    let bits = size.to_bits();
+    let whole = u128::from(bits & ((1 << 52) - 1) | 1 << 52);
+    let exponent = i32::try_from(bits >> 52).expect("eleven bits") - 1075;
+    // The product in units of 2^(exponent − 128), in two halves.
+    let (high, low) = (
+        whole * u128::from(PER_RADIAN[0]),
+        whole * u128::from(PER_RADIAN[1]),
+    );
+    let sum = high + (low >> 64);
+    // `sum` is in units of 2^(exponent − 64).
+    let shift = u32::try_from(64 - exponent).expect("not too large");
+    let (turns, rest) = if shift >= 127 {
+        (0, sum.checked_shr(shift - 126).unwrap_or(0))
+    } else {
+        let rest = sum & ((1 << shift) - 1);
+        let rest = if shift <= 126 {
+            rest << (126 - shift)
+        } else {
+            rest
+        };
+        (sum >> shift, rest)
+    };
+    let half = 1_u128 << 125;
+    let (turns, rest) = if rest >= half {
+        (turns + 1, rest.cast_signed() - (1_i128 << 126))
+    } else {
+        (turns, rest.cast_signed())
+    };
+    let sign = if x < 0.0 { -1 } else { 1 };
+    (sign * turns.cast_signed(), sign * rest)
+}
+
+/// What is left in radians, from parts of 2¹²⁶ of a turn.
+#[allow(clippy::cast_precision_loss, reason = "rounded once")]
+fn radians(rest: i128) -> f64 {
+    rest as f64 / 2_f64.powi(126) * TAU
+}
+
+fn assert_reduced(x: f64) {
+    let (turns, rest) = turns_of(x);
+    let (found, whole) = reduced(x, 0);
+    assert!(
+        i128::from(whole) == turns || found.abs() > 3.14159,
+        "{x:e}: {whole}, not {turns}"
+    );
+    if i128::from(whole) == turns {
+        let off = (found - radians(rest)).abs();
+        assert!(off <= 1.2e-15, "{x:e}: {found}, off by {off:e}");
+    }
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounding is what is asked for"
+)]
+fn assert_reduced_single(x: f32) {
+    let (turns, rest) = turns_of(f64::from(x));
+    let (found, whole) = reduced(x, 0);
+    assert!(
+        i128::from(whole) == turns || found.abs() > 3.1415,
+        "{x:e}: {whole}, not {turns}"
+    );
+    if i128::from(whole) == turns {
+        let off = (f64::from(found) - radians(rest)).abs();
+        assert!(off <= 5e-7, "{x:e}: {found}, off by {off:e}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 20_000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn whole_turns_leave_an_exact_rest(size in -3.0..10.1, negative in any::<bool>()) {
+        let x = 10_f64.powf(size) * if negative { -1.0 } else { 1.0 };
+        assert_reduced(x);
+        #[allow(clippy::cast_possible_truncation, reason = "any number will do")]
+        assert_reduced_single(x as f32);
+    }
+
+    #[test]
+    fn near_half_turns_too(turns in -2_000_000_000..2_000_000_000_i32, off in -1e-3..1e-3) {
+        let x = (f64::from(turns) + 0.5) * TAU + off;
+        assert_reduced(x);
+        #[allow(clippy::cast_possible_truncation, reason = "any number will do")]
+        assert_reduced_single(x as f32);
+    }
+
+    #[test]
+    fn turns_given_besides_are_added(turns in any::<i32>(), x in -1e9..1e9) {
+        let ((rest, whole), (same, sum)) = (reduced(x, 0), reduced(x, turns));
+        match turns.checked_add(whole) {
+            Some(expected) => prop_assert_eq!((same, sum), (rest, expected)),
+            None => prop_assert_eq!((same, sum), (x, turns)),
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_counted_stays_as_it_is() {
+    for x in [
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        1.4e10,
+        -1e300,
+        f64::MAX,
+    ] {
+        let (rest, turns) = reduced(x, 7);
+        assert!(rest.to_bits() == x.to_bits() && turns == 7);
+        #[allow(clippy::cast_possible_truncation, reason = "any number will do")]
+        let single = x as f32;
+        let (rest, turns) = reduced(single, 7);
+        assert!(rest.to_bits() == single.to_bits() && turns == 7);
+    }
+    for x in [0.0, -0.0, 1.0, -3.14, f64::MIN_POSITIVE] {
+        assert_eq!(reduced(x, 3), (x, 3));
     }
 }

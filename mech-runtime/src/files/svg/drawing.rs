@@ -10,7 +10,8 @@ use std::{string::String, vec, vec::Vec};
 /// A picture as SVG: the shapes themselves, which look well at any size. It is painted on like a [`Frame`](crate::Frame).
 ///
 /// Each link's shapes are given in the link's own frame, in pixels, and placed by a matrix; numbers have as many digits as it takes
-/// to be exact to a thousandth of a pixel. What is not finite is not drawn.
+/// to be exact to a thousandth of a pixel. What is not finite, or farther
+/// than 10³⁰ pixels, is not drawn.
 ///
 /// ```
 /// use mech_runtime::files::{Sheet, Svg};

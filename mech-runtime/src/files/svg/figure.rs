@@ -1,6 +1,7 @@
 //! An outline in the picture.
 
 use super::element::{FONT, Paint};
+use super::number::is_drawable;
 use super::place::Place;
 use super::sheet::hex;
 use super::track::share;
@@ -38,10 +39,10 @@ enum Form {
 }
 
 impl Figure {
-    /// An outline with so many pixels to a scene unit; `None` if there is nothing of it to be drawn, or something is not finite.
+    /// An outline with so many pixels to a scene unit; `None` if nothing of it can be drawn.
     pub(super) fn of<T: Scalar>(outline: Outline<'_, T>, scale: f64, color: u8) -> Option<Self> {
         let length = |length: T| length.to_f64() * scale;
-        let is_length = |length: f64| length.is_finite() && length > 0.0;
+        let is_length = |length: f64| is_drawable(length) && length > 0.0;
         let point = |[x, y]: [T; 2]| [length(x), -length(y)];
         let all = |points: &[[T; 2]]| points.iter().copied().map(point).collect::<Vec<_>>();
         let (form, points) = match outline {
@@ -76,7 +77,7 @@ impl Figure {
             Form::Polygon | Form::Winding => points.len() > 2,
             Form::Text(_) => true,
         };
-        Self::finite(form, points, color).filter(|_| is_seen)
+        Self::drawable(form, points, color).filter(|_| is_seen)
     }
 
     /// A text whose lower left corner is at a place in the scene.
@@ -87,12 +88,12 @@ impl Figure {
         color: u8,
     ) -> Option<Self> {
         let [x, y] = place.map(|part| part.to_f64() * scale);
-        Self::finite(Form::Text(text.into()), vec![[x, -y]], color)
+        Self::drawable(Form::Text(text.into()), vec![[x, -y]], color)
     }
 
-    fn finite(form: Form, points: Vec<[f64; 2]>, color: u8) -> Option<Self> {
-        let is_finite = points.as_flattened().iter().all(|part| part.is_finite());
-        (is_finite && !points.is_empty()).then_some(Self {
+    fn drawable(form: Form, points: Vec<[f64; 2]>, color: u8) -> Option<Self> {
+        let is_drawable = points.as_flattened().iter().all(|&part| is_drawable(part));
+        (is_drawable && !points.is_empty()).then_some(Self {
             form,
             points,
             color,

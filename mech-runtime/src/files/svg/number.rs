@@ -13,6 +13,14 @@ pub(super) const DECIMALS: usize = 4;
 /// From here on numbers are written with an exponent.
 const LARGE: f64 = 1e9;
 
+/// Beyond so many pixels nothing is drawn: those who show documents compute in single precision.
+const FARTHEST: f64 = 1e30;
+
+/// Whether a number of pixels can be drawn.
+pub(super) fn is_drawable(value: f64) -> bool {
+    value.abs() <= FARTHEST
+}
+
 /// A number of pixels.
 pub(super) const fn pixels(value: f64) -> Number {
     Number(value, DECIMALS)

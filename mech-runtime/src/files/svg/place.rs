@@ -1,7 +1,7 @@
 //! Where a link is in the picture.
 
 use super::Sheet;
-use super::number::{Number, decimals_of_factor, pixels};
+use super::number::{Number, decimals_of_factor, is_drawable, pixels};
 use crate::{Pose, Real, Scalar};
 use std::{format, string::String};
 
@@ -23,7 +23,7 @@ impl Place {
         y: 0.0,
     };
 
-    /// That of a link on a sheet; `None` if it is not finite.
+    /// That of a link on a sheet; `None` if it cannot be drawn there.
     pub(super) fn of<T: Scalar>(pose: Pose<T>, sheet: &Sheet) -> Option<Self> {
         let [cos, sin, x, y] = [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64);
         let [center, scale] = [sheet.view.center(), [sheet.view.scale(); 2]];
@@ -34,7 +34,7 @@ impl Place {
             x: middle_x + (x - center[0]) * scale[0],
             y: middle_y - (y - center[1]) * scale[1],
         };
-        place.is_finite().then_some(place)
+        place.is_drawable().then_some(place)
     }
 
     /// The origin at one point and the axis through another.
@@ -49,10 +49,9 @@ impl Place {
         Self { cos, sin, x, y }
     }
 
-    fn is_finite(self) -> bool {
-        [self.cos, self.sin, self.x, self.y]
-            .iter()
-            .all(|part| part.is_finite())
+    fn is_drawable(self) -> bool {
+        let mut parts = [self.cos, self.sin, self.x, self.y].into_iter();
+        parts.all(is_drawable)
     }
 
     /// From the link to the picture.

@@ -55,11 +55,12 @@ impl Writer<'_> {
             shaft: angle,
             value,
         });
+        self.note_cam(cam, law);
         self.put(cam.connection, value, &follower);
     }
 
     /// The coordinate of the shaft of a cam; less whole turns, if that is enough.
-    fn shaft(&mut self, cam: &Cam, in_one_turn: bool) -> Value {
+    pub(super) fn shaft(&mut self, cam: &Cam, in_one_turn: bool) -> Value {
         let mut starts = self.plan.start.cams.iter();
         let mut offset = starts
             .find(|start| start.cam == cam.by)

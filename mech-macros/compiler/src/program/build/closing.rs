@@ -362,8 +362,9 @@ impl Writer<'_> {
 
     /// The square of a step.
     fn step_square(&mut self, steps: &[Value], angles: &[bool], sides: &[[Value; 2]]) -> Value {
-        let size = self.size_at_start(sides);
-        let inverse = self.builder.constant(1.0 / size.max(f64::MIN_POSITIVE));
+        // Of a whole loop's size, many steps of a part of it would lead far away.
+        let length = mean_length(self.size_at_start(sides), sides.len());
+        let inverse = self.builder.constant(1.0 / length.max(f64::MIN_POSITIVE));
         let mut sum = self.builder.constant(0.0);
         for (step, is_angle) in steps.iter().zip(angles) {
             let part = if *is_angle {
@@ -437,4 +438,11 @@ impl Writer<'_> {
         });
         solved.collect()
     }
+}
+
+/// The mean length of so many sides.
+fn mean_length(sum: f64, sides: usize) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "a handful of sides")]
+    let count = sides.max(1) as f64;
+    sum / count
 }

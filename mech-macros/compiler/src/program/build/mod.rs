@@ -14,6 +14,7 @@ mod rates;
 mod reaction;
 mod sensitivity;
 mod size;
+mod sprung;
 mod tangent;
 mod tied;
 mod triad;
@@ -28,11 +29,13 @@ use super::builder::Builder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::{Op, Value};
-use super::{Block, BlockKind, Choice, Follow, Place, Position, Program, Rounds, Watch};
+use super::{
+    Block, BlockKind, Choice, Follow, JointAngle, Place, Position, Program, Rounds, Watch,
+};
 use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
     Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Needed, Placement, Plan, Pose,
-    Rational, Source, Step,
+    Rational, Source, Step, Turning,
 };
 use crate::structure::Structure;
 use mech_core::journey::AtZero;
@@ -169,7 +172,9 @@ fn write(
         closings: Vec::new(),
         followed: Vec::new(),
         angles: Vec::new(),
-
+        sprung: sprung::sprung_joints(model),
+        whole_angles: Vec::new(),
+        joint_angles: Vec::new(),
         sources: vec![None; plan.sources.len()],
         principals: vec![None; plan.sources.len()],
         meshes: 0,
@@ -185,6 +190,7 @@ fn write(
             Step::Close(ring) => writer.close(ring),
         }
     }
+    writer.carry_sprung();
     writer.keep_senses();
     writer.keep_places();
     writer.finish(links, further)
@@ -203,6 +209,27 @@ fn strides(model: &Model) -> Vec<f64> {
         scale.map_or(1.0, |scale| 0.02 * scale)
     });
     model.motors.iter().map(stride).chain(params).collect()
+}
+
+/// For each motor and param whether only the rest of its value is read, and its whole turns apart from it: where gears turn by a part
+/// of it, and somebody asks how exact that is.
+fn reduced(model: &Model, plan: &Plan) -> Vec<bool> {
+    let asked = model.accuracy.is_some() || model.motors.iter().any(|motor| motor.step.is_some());
+    let meshes = plan
+        .steps
+        .iter()
+        .any(|step| matches!(step, Step::Mesh(_) | Step::Cam(_)) || ties_sources(step));
+    let turning = model.motors.iter().map(|motor| {
+        let turns = matches!(model.joint(motor.joint).kind, JointKind::Revolute(..));
+        asked && meshes && turns
+    });
+    let fixed = model.params.ids().map(|_| false);
+    turning.chain(fixed).collect()
+}
+
+/// Whether a step closes a loop whose directions follow motors by rolling.
+fn ties_sources(step: &Step) -> bool {
+    matches!(step, Step::Close(closing) if closing.ties.iter().any(|tie| !tie.sources.is_empty()))
 }
 
 /// Whether something may move beyond the range of the numbers: what slides may, if a motor or a rack drives it; what a law drives
@@ -245,9 +272,9 @@ struct Writer<'m> {
     loops: usize,
     /// Whether the motors move by equal steps, once something asked.
     steady: Option<predictor::Steady>,
-    /// The angles that are followed over whole turns, and by which sources.
+    /// The angles that are followed over whole turns, and what they are.
     follows: Vec<Follow>,
-    followed_angles: Vec<(usize, Value)>,
+    followed_angles: Vec<(Turning, Value)>,
     /// Whether an angle that is iterated is followed over whole turns.
     winds: bool,
     /// Whether something follows a law that is not the same in every turn: nobody has looked at all of its ways.
@@ -258,6 +285,12 @@ struct Writer<'m> {
     followed: Vec<cam::Followed>,
     /// Angles between two directions that are followed over any number of turns.
     angles: Vec<(Value, [[Value; 2]; 2])>,
+    /// The joints with torsional springs that no motor drives.
+    sprung: Vec<sprung::Sprung>,
+    /// Their angles, whole turns included, as far as gears and cams give them.
+    whole_angles: Vec<sprung::WholeAngle>,
+    /// Where these angles are carried from position to position.
+    joint_angles: Vec<JointAngle>,
     /// The histories of the present loop's unknowns, if its start is predicted.
     histories: Vec<predictor::History>,
 }
@@ -344,6 +377,7 @@ impl Writer<'_> {
         }
         let offset = self.builder.constant(offset);
         let value = self.builder.add(offset, moved);
+        self.note_mesh(mesh, offset);
         let moved = self.model.joint(mesh.connection.joint).name.clone();
         self.builder.name(value, &moved);
         self.put(mesh.connection, value, &moved);
@@ -399,7 +433,9 @@ impl Writer<'_> {
                     .get(number)
                     .copied()
                     .unwrap_or_default();
-                self.unwrapped(number, [from, to], start)
+                let principal = self.principal(number, [from, to]);
+                let name = format!("{}_angle", self.name_of(to));
+                self.unwrapped(Turning::Source(number), principal, start, name)
             }
             Source::Way(joint) => {
                 let way = self.placement.way(&mut self.builder, joint);
@@ -410,10 +446,9 @@ impl Writer<'_> {
         value
     }
 
-    /// The angle between two links that loops have solved, followed over any number of turns.
-    fn unwrapped(&mut self, number: usize, [from, to]: [LinkId; 2], start: f64) -> Value {
-        let principal = self.principal(number, [from, to]);
-        self.follow(number, principal);
+    /// An angle between −π and π, followed over any number of turns from where it starts.
+    fn unwrapped(&mut self, what: Turning, principal: Value, start: f64, name: String) -> Value {
+        self.follow(what, principal);
         let kept = self.kept.len();
         let last = self.keep(start);
         let behind = self.builder.sub(last, principal);
@@ -422,7 +457,6 @@ impl Writer<'_> {
         let turns = self.builder.make(Op::Round(turns));
         let whole = self.builder.mul(turn, turns);
         let angle = self.builder.add(principal, whole);
-        let name = format!("{}_angle", self.name_of(to));
         self.builder.name(angle, name);
         self.kept[kept] = angle;
         angle
@@ -509,6 +543,7 @@ impl Writer<'_> {
             watches,
             senses,
             places,
+            joint_angles,
             follows,
             followed_angles,
             winds,
@@ -532,12 +567,14 @@ impl Writer<'_> {
             blocks: builder.blocks,
             places,
             solutions,
+            joint_angles,
             watches,
             follows,
             followed: followed_angles,
             senses,
             range: None,
             strides,
+            reduced: reduced(model, plan),
             overflows: overflows(model, plan),
             curved: model.cams().next().is_some(),
             motors: model

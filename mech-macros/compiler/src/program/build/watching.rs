@@ -1,7 +1,7 @@
 //! What is carried of loops that are watched: how near they are to their dead points and change points.
 
 use super::Writer;
-use crate::plan::{Algebra, Equation, Solution};
+use crate::plan::{Algebra, Equation, Solution, Turning};
 use crate::program::builder::Builder;
 use crate::program::node::{BlockId, Value};
 use crate::program::{Bound, Follow, Growth, Watch};
@@ -48,10 +48,12 @@ impl Writer<'_> {
         growth.collect()
     }
 
-    /// Notes that an angle is followed over whole turns: a source of the plan, by its number.
-    pub(super) fn follow(&mut self, source: usize, angle: Value) {
-        self.followed_angles.push((source, angle));
-        let bound = self.plan.turning.get(source).cloned().flatten();
+    /// Notes that an angle is followed over whole turns.
+    pub(super) fn follow(&mut self, what: Turning, angle: Value) {
+        self.followed_angles.push((what, angle));
+        let mut known = self.plan.turning.iter();
+        let bound = known.find(|(turning, _)| *turning == what);
+        let bound = bound.map(|(_, bound)| bound.clone());
         // As long as nobody has looked, nothing moves.
         let bound = bound.unwrap_or_else(|| Bound::still(self.model.inputs()));
         self.follows.push(Follow {

@@ -270,32 +270,11 @@ impl Writer<'_> {
         ]
     }
 
-    /// How far a joint is turned from an angle: for a motor by any number of turns, else by less than half a turn.
+    /// How far a joint is turned from an angle, whole turns included.
     fn deflection(&mut self, joint: JointId, rest: f64) -> Value {
-        if let Some(motor) = self.model.motor_of(joint) {
-            let value = self.builder.make(Op::Motor(motor.index()));
-            let turns = self.builder.make(Op::Turns(motor.index()));
-            let turn = self.builder.constant(std::f64::consts::TAU);
-            let whole = self.builder.mul(turn, turns);
-            let angle = self.builder.add(value, whole);
-            let rest = self.builder.constant(rest);
-            return self.builder.sub(angle, rest);
-        }
-        let crate::model::JointKind::Revolute(a, b) = self.model.joint(joint).kind else {
-            return self.builder.constant(0.0);
-        };
-        let direction = |writer: &mut Self, axis: AxisId, back: f64| {
-            let axis = writer.model.axis(axis);
-            let [x, y] = axis.direction;
-            let (sin, cos) = (libm::sin(back), libm::cos(back));
-            let turned = [cos * x - sin * y, sin * x + cos * y];
-            writer
-                .placement
-                .pose(axis.link)
-                .turn(&mut writer.builder, turned)
-        };
-        let (from, to) = (direction(self, a, rest), direction(self, b, 0.0));
-        let (sin, cos) = (self.builder.cross(from, to), self.builder.dot(from, to));
-        self.builder.make(Op::Atan2(sin, cos))
+        let rest = self.builder.constant(rest);
+        // Only revolute joints have torsional springs, and the angles of all of these are known.
+        let angle = self.sprung_coordinate(joint).unwrap_or(rest);
+        self.builder.sub(angle, rest)
     }
 }

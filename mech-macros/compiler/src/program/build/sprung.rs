@@ -1,0 +1,143 @@
+//! The coordinates of joints that torsional springs turn, over any number of turns.
+
+use super::Writer;
+use crate::model::{AxisId, Between, JointId, JointKind, Law, Model};
+use crate::plan::{Algebra, Cam, Connection, Mesh, Turning};
+use crate::program::JointAngle;
+use crate::program::node::{Op, Value};
+
+/// The angle of a connection, whole turns included, as gears or cams give it.
+pub(super) struct WholeAngle {
+    connection: Connection,
+    value: Value,
+}
+
+/// A joint with a torsional spring that no motor drives: a motor's own value includes its whole turns.
+#[derive(Clone, Copy)]
+pub(super) struct Sprung {
+    joint: JointId,
+    axes: [AxisId; 2],
+}
+
+/// The joints with torsional springs that no motor drives, if forces are asked for.
+pub(super) fn sprung_joints(model: &Model) -> Vec<Sprung> {
+    if !model.effects.needs_actions() {
+        return Vec::new();
+    }
+    let springs = model.actions.springs.iter();
+    let mut joints: Vec<JointId> = springs
+        .filter_map(|spring| match spring.between {
+            Between::Joint(joint) => Some(joint),
+            Between::Points(..) => None,
+        })
+        .filter(|&joint| model.motor_of(joint).is_none())
+        .collect();
+    joints.sort_unstable();
+    joints.dedup();
+    let revolute = |joint| match model.joint(joint).kind {
+        JointKind::Revolute(a, b) => Some(Sprung {
+            joint,
+            axes: [a, b],
+        }),
+        _ => None,
+    };
+    joints.into_iter().filter_map(revolute).collect()
+}
+
+impl Writer<'_> {
+    /// Notes the whole angle of a joint that gears turn, if a torsional spring needs it.
+    pub(super) fn note_mesh(&mut self, mesh: &Mesh, offset: Value) {
+        if !self.is_sprung(mesh.connection) {
+            return;
+        }
+        let mut value = offset;
+        for (number, part) in &mesh.parts {
+            let share = self.share(*number, part, false);
+            value = self.builder.add(value, share);
+        }
+        let connection = mesh.connection;
+        self.whole_angles.push(WholeAngle { connection, value });
+    }
+
+    /// Notes the whole angle of a joint that a cam turns, if a torsional spring needs it.
+    pub(super) fn note_cam(&mut self, cam: &Cam, law: &Law) {
+        if !self.is_sprung(cam.connection) {
+            return;
+        }
+        let shaft = self.shaft(cam, law.winding() == Some(0.0));
+        let value = self.builder.law(law, shaft);
+        let connection = cam.connection;
+        self.whole_angles.push(WholeAngle { connection, value });
+    }
+
+    /// Whether a torsional spring needs the whole angle of this connection.
+    fn is_sprung(&self, connection: Connection) -> bool {
+        let mut sprung = self.sprung.iter();
+        sprung.any(|sprung| turns_between(connection, sprung.axes).is_some())
+    }
+
+    /// Carries the angles of all joints with torsional springs from position to position.
+    pub(super) fn carry_sprung(&mut self) {
+        for Sprung { joint, axes } in self.sprung.clone() {
+            let name = format!("{}_angle", self.model.joint(joint).name);
+            let kept = self.kept.len();
+            match self.whole_angle(axes) {
+                Some(angle) => {
+                    self.keep(self.builder.at_start(angle));
+                    self.kept[kept] = angle;
+                    self.builder.name(angle, name);
+                }
+                None => {
+                    let principal = self.angle_between(axes);
+                    let start = self.builder.at_start(principal);
+                    self.unwrapped(Turning::Joint(joint), principal, start, name);
+                }
+            }
+            self.joint_angles.push(JointAngle { joint, kept });
+        }
+    }
+
+    /// The coordinate of a joint with a torsional spring, over any number of turns.
+    pub(super) fn sprung_coordinate(&mut self, joint: JointId) -> Option<Value> {
+        if let Some(motor) = self.model.motor_of(joint) {
+            let value = self.builder.make(Op::Motor(motor.index()));
+            let turns = self.builder.make(Op::Turns(motor.index()));
+            let turn = self.builder.constant(std::f64::consts::TAU);
+            let whole = self.builder.mul(turn, turns);
+            return Some(self.builder.add(value, whole));
+        }
+        let mut angles = self.joint_angles.iter();
+        let carried = angles.find(|angle| angle.joint == joint)?;
+        Some(self.kept[carried.kept])
+    }
+
+    /// The angle from one axis to another, if gears or cams give it.
+    fn whole_angle(&mut self, axes: [AxisId; 2]) -> Option<Value> {
+        let mut known = self.whole_angles.iter();
+        let (value, forwards) = known.find_map(|whole| {
+            let forwards = turns_between(whole.connection, axes)?;
+            Some((whole.value, forwards))
+        })?;
+        Some(if forwards {
+            value
+        } else {
+            self.builder.neg(value)
+        })
+    }
+
+    /// The angle from the direction of one axis to that of another, between −π and π.
+    fn angle_between(&mut self, axes: [AxisId; 2]) -> Value {
+        let [from, to] = axes.map(|axis| self.placement.heading(&mut self.builder, axis));
+        let (sin, cos) = (self.builder.cross(from, to), self.builder.dot(from, to));
+        self.builder.make(Op::Atan2(sin, cos))
+    }
+}
+
+/// Whether a connection turns forwards from the first to the second of these axes, or backwards; none if it joins others.
+fn turns_between(connection: Connection, [a, b]: [AxisId; 2]) -> Option<bool> {
+    match (connection.from, connection.to) {
+        (from, to) if (from, to) == (a, b) => Some(true),
+        (from, to) if (from, to) == (b, a) => Some(false),
+        _ => None,
+    }
+}

@@ -1,0 +1,121 @@
+//! A player that is told anything, in any order, with any numbers: it plays on, and shows numbers only.
+
+#[allow(dead_code, reason = "no test needs all of it")]
+mod common;
+
+use common::SIZE;
+use mech_examples::{Layer, gallery};
+use mech_play::{Command, Painter, Player};
+
+/// Random numbers that are the same in every run.
+struct Dice(u64);
+
+impl Dice {
+    fn next(&mut self) -> u64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 >> 33
+    }
+
+    fn below(&mut self, count: u64) -> usize {
+        usize::try_from(self.next() % count).unwrap_or(0)
+    }
+
+    fn number(&mut self) -> f64 {
+        const BAD: [f64; 10] = [
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::MAX,
+            -1e300,
+            1e19,
+            1e9,
+            -1e5,
+            f64::MIN_POSITIVE,
+            0.0,
+        ];
+        match self.below(4) {
+            0 => BAD[self.below(10)],
+            _ => f64::from(u32::try_from(self.next() % 100_000).unwrap_or(0)) / 100.0 - 300.0,
+        }
+    }
+
+    fn command(&mut self) -> Command {
+        const SIDES: [usize; 5] = [0, 1, 37, 480, 5000];
+
+        let pixel = [self.number(), self.number()];
+        match self.below(18) {
+            0 => Command::PlayOrPause,
+            1 => Command::Step(self.number()),
+            2 => Command::Reverse,
+            3 => Command::Faster,
+            4 => Command::Slower,
+            5 => Command::NextMotor,
+            6 => Command::PreviousMotor,
+            7 => Command::Toggle(Layer::ALL[self.below(7)]),
+            8 => Command::DayOrNight,
+            9 if self.below(8) == 0 => Command::NextExhibit,
+            10 if self.below(8) == 0 => Command::PreviousExhibit,
+            11 if self.below(8) == 0 => Command::Reset,
+            12 => Command::Fit,
+            13 => Command::Press(pixel),
+            14 => Command::Point(pixel),
+            15 => Command::Release,
+            16 => Command::Zoom(pixel, self.number()),
+            17 => Command::Resize([SIDES[self.below(5)], SIDES[self.below(5)]]),
+            _ => Command::Press([240.0 + self.number() / 10.0, 180.0 + self.number() / 10.0]),
+        }
+    }
+}
+
+#[test]
+fn a_player_that_is_told_anything_plays_on() {
+    let mut painter = Painter::default();
+    let count = gallery::exhibits().len();
+    for seed in 0..40_u64 {
+        let mut dice = Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
+        let first = dice.below(count as u64);
+        let mut player = Player::new(gallery::exhibits(), first, SIZE).expect("it moves");
+        for turn in 0..60 {
+            let command = dice.command();
+            let before = player.motors();
+            player.obey(command);
+            if let Command::Step(steps) = command {
+                // As far as a whole motion, however many steps are wanted.
+                let far = player
+                    .motors()
+                    .iter()
+                    .zip(&before)
+                    .any(|(to, from)| (to - from).abs() > 1e3);
+                assert!(!far, "{steps} steps: {:?}", player.motors());
+            }
+            player.advance(dice.number());
+            let motors = player.motors();
+            assert!(
+                motors.iter().all(|motor| motor.is_finite()),
+                "{command:?}: {motors:?}"
+            );
+            let view = player.camera().view();
+            assert!(view.scale().is_finite() && view.center().iter().all(|part| part.is_finite()));
+            assert!(!player.status().contains("NaN"), "{}", player.status());
+            if turn % 6 == 0 {
+                let picture = painter.paint(&player);
+                let [width, height] = player.camera().size();
+                assert_eq!(picture.pixels.len(), width * height);
+            }
+        }
+        // Whatever was, it goes on from its start.
+        player.obey(Command::Release);
+        player.obey(Command::Resize(SIZE));
+        player.obey(Command::Reset);
+        player.obey(Command::Fit);
+        let start = player.motors();
+        if !player.plays() {
+            player.obey(Command::PlayOrPause);
+        }
+        player.advance(0.05);
+        assert_ne!(player.motors(), start, "seed {seed}");
+    }
+}
