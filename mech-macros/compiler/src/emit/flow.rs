@@ -1,6 +1,6 @@
 //! What flows between blocks: which values each takes from earlier ones and gives to later ones.
 
-use crate::program::{BlockId, Motion, Op, Program, Sensitivity, Slot, Value};
+use crate::program::{BlockId, Op, Program, Slot, Value};
 use std::collections::BTreeSet;
 
 /// What a block takes and gives.
