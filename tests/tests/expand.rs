@@ -16,6 +16,14 @@ fn solving(text: &str) -> String {
     all.split_at(start).1.to_owned()
 }
 
+/// One of the modules in an expansion.
+fn module<'a>(all: &'a str, name: &str) -> &'a str {
+    let start = all.find(&format!("        mod {name} {{"));
+    let start = start.unwrap_or_else(|| panic!("a module `{name}`"));
+    let length = all[start..].find("\n        }\n").expect("its end");
+    &all[start..start + length]
+}
+
 #[test]
 fn a_whole_mechanism() {
     insta::assert_snapshot!(expansion(
@@ -93,11 +101,7 @@ const FOUR_BAR: &str = "struct FourBar;
 #[test]
 fn velocities_and_accelerations() {
     let text = format!("{FOUR_BAR} effects {{ velocity; acceleration; }}");
-    let all = expansion(&text);
-    let start = all
-        .find("        /// Loop 1, closed by `jb`, `jc`, `jd`.\n        #[inline]\n        fn close_coupler_rocker_with")
-        .expect("a step that goes on to rates");
-    insta::assert_snapshot!(all.split_at(start).1);
+    insta::assert_snapshot!(module(&expansion(&text), "rates"));
 }
 
 /// The lines that are there with effects and not without.
@@ -144,30 +148,20 @@ fn a_param_and_what_follows_it() {
 #[test]
 fn the_step_to_a_position_never_knew_of_effects() {
     let step = |effects: &str| {
-        let all = solving(&format!("{FOUR_BAR} {effects}"));
-        let end = all.find("        /// Loop 1, closed by `jb`, `jc`, `jd`.\n        #[inline]\n        fn close_coupler_rocker_with");
-        end.map_or(
-            all.trim_end_matches(['}', ';', ' ', '\n']).to_owned(),
-            |end| {
-                all[..end]
-                    .trim_end_matches(['}', ';', ' ', '\n'])
-                    .to_owned()
-            },
-        )
+        module(&expansion(&format!("{FOUR_BAR} {effects}")), "positions").to_owned()
     };
     let alone = step("");
     assert!(alone.contains("fn near("));
-    assert_eq!(step("effects { velocity; }"), alone);
-    assert_eq!(step("effects { velocity; acceleration; }"), alone);
-    let others = [
+    let all = [
+        "effects { velocity; }",
+        "effects { velocity; acceleration; }",
         "effects { trace coupler.c 64; }",
         "effects { overlay; }",
         "load push = force(coupler.c); effects { force; }",
         "load push = force(coupler.c); spring s = torsional(jd) stiffness 2; effects { velocity; acceleration; force; overlay; }",
     ];
-    for effects in others {
-        let all = solving(&format!("{FOUR_BAR} {effects}"));
-        assert!(all.contains(&alone), "{effects}");
+    for effects in all {
+        assert_eq!(step(effects), alone, "{effects}");
     }
     // What acts costs nothing as long as nobody asks what it does.
     let heavy = FOUR_BAR.replace("point b = (1, 0);", "point b = (1, 0); mass 2 at (0.5, 0);");
@@ -185,10 +179,9 @@ fn what_torques_at_rest_add() {
     let all = expansion(&format!(
         "{FOUR_BAR} load push = force(coupler.c); effects {{ force; }}"
     ));
-    let (from, to) = (
-        all.find("        /// The position at these motor values, what holds it there"),
-        all.find("        fn near_held"),
-    );
+    let all = module(&all, "holding");
+    let from = all.find("            /// The position at these motor values, what holds it there");
+    let to = all.find("            pub(super) fn near");
     let part = from.zip(to).map(|(from, to)| &all[from..to]);
     insta::assert_snapshot!(part.expect("a step that goes on to torques"));
 }
@@ -231,24 +224,13 @@ fn motors_that_follow_laws() {
         motor c = max(0, exp(-SLOW * t) * sin(3 * t)) / (1 + t);
         effects { velocity; }";
     let all = expansion(text);
-    let (method, function) = (
-        all.find("            /// Moves the motors that follow laws"),
-        all.find("        /// The motors at a time, by their laws."),
-    );
-    let end = |from: usize, mark: &str| {
-        all[from..]
-            .find(mark)
-            .map(|length| &all[from..from + length + mark.len()])
-    };
-    insta::assert_snapshot!(format!(
-        "{}\n{}",
-        method
-            .and_then(|from| end(from, "\n            }\n"))
-            .expect("a method"),
-        function
-            .and_then(|from| end(from, "\n        }\n"))
-            .expect("a function"),
-    ));
+    let start = all
+        .find("            /// Moves the motors that follow laws")
+        .expect("a method");
+    let end = "\n            }\n";
+    let length = all[start..].find(end).expect("its end") + end.len();
+    let method = &all[start..start + length];
+    insta::assert_snapshot!(format!("{method}\n{}", module(&all, "laws")));
 }
 
 #[test]

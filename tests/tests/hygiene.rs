@@ -143,6 +143,63 @@ fn links_and_joints_may_have_any_name() {
     assert!(mechanism.gap() > 0.0);
 }
 
+/// Constants, statics and unit structs where a pattern of generated code could mean them, and joints called as what it uses.
+mod patterns {
+    #![allow(
+        dead_code,
+        non_camel_case_types,
+        non_snake_case,
+        non_upper_case_globals,
+        reason = "they only stand in the way"
+    )]
+
+    const a: f64 = 1.0;
+    const a_sin: f64 = 1.0;
+    const coupler_cos: f64 = 1.0;
+    const motors: [f64; 3] = [1.0; 3];
+    const position: () = ();
+    static last: f64 = 1.0;
+    static stop: () = ();
+    struct canvas;
+    struct margins;
+    struct W;
+    struct H;
+
+    ::mech_runtime::mechanism! {
+        pub(crate) struct Itself;
+
+        link crank;
+        link coupler { point tip = (1.5, 3.0); }
+        link rocker;
+        link ram_with;
+        link hand { point wrist = (0.0, 0.0); }
+
+        joint a = revolute(ground, crank) at (0.0, 0.0);
+        joint b = revolute(crank, coupler) at (0.5, 0.8);
+        joint c = revolute(coupler, rocker) at (3.0, 2.0);
+        joint d = revolute(ground, rocker) at (3.5, 0.0);
+        joint Some = revolute(ground, ram_with) at (0.0, 1.0);
+        joint START = revolute(ram_with, hand) at (1.0, 1.0);
+
+        motor a;
+        motor Some;
+        motor START;
+        effects { velocity; }
+    }
+}
+
+#[test]
+fn constants_are_not_met_by_patterns() {
+    let mut itself = patterns::Itself::new();
+    itself.move_to([0.1, 0.2, 0.3]).expect("it moves");
+    let before = itself;
+    let [a, some, start] = itself
+        .motors()
+        .map(|value| mech_runtime::Phase::from_radians(value).expect("a number"));
+    itself.turn_to(a, some, start).expect("it is there");
+    assert!((itself.START() - before.START()).abs() < 1e-12);
+}
+
 /// Every lint that is not about style of writing alone, and pedantic clippy beside those of the workspace.
 pub mod strict {
     #![deny(

@@ -7,12 +7,15 @@ mod dynamics;
 mod forces;
 mod loops;
 mod many;
+pub mod parameters;
 mod params;
 mod position;
 mod rates;
 
 pub use crate::overlay::{Arrows, Overlay, Spot, Symbol};
-pub use crate::{Acceleration, BlockedAt, Columns, InRange, Trace, Vector2, Velocity};
+pub use crate::{
+    Acceleration, BlockedAt, Columns, Cost, Frame, InRange, Smooth, Trace, Vector2, Velocity,
+};
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Palette, Phase, Point2, Pose, Reached, Shape,
 };
@@ -34,6 +37,17 @@ pub use params::{followed, inputs, motors_of, params_of, reached_by_motors, told
 pub use position::{Motors, Position, finite};
 pub use rates::{Rates, advance_with, rates_at};
 
+// Whatever generated code uses of the language is here too: at the call there may be something else of its name.
+pub use core::clone::Clone;
+pub use core::cmp::PartialEq;
+pub use core::default::Default;
+pub use core::fmt::Debug;
+pub use core::iter::Iterator;
+pub use core::marker::{Copy, Sized};
+pub use core::option::Option::{self, None, Some};
+pub use core::primitive::{f32, f64, str, usize};
+pub use core::result::Result::{self, Err, Ok};
+
 use crate::{Cause, Scalar};
 
 /// Why it cannot be somewhere.
@@ -51,6 +65,12 @@ impl Stop {
     pub const fn new(place: &'static str, cause: Cause) -> Self {
         Self { place, cause }
     }
+}
+
+/// A mechanism that traces points.
+pub trait Traced {
+    /// Notes where they are.
+    fn record(&mut self);
 }
 
 /// Paints shapes that are already in painting order.

@@ -17,13 +17,15 @@ pub(super) struct Added {
     pub(super) record: TokenStream,
     /// The same for another instance.
     pub(super) instance_record: TokenStream,
-    /// Imports of the generated code, tables and functions.
-    pub(super) imports: TokenStream,
+    /// Tables of what is known at compile time.
+    pub(super) known: TokenStream,
     /// Methods.
     pub(super) methods: TokenStream,
     /// Methods of the trait.
     pub(super) trait_methods: TokenStream,
-    /// Steps that go on from positions.
+    /// How traces are recorded.
+    pub(super) records: TokenStream,
+    /// Modules of the programs that go on from positions.
     pub(super) steps: TokenStream,
 }
 
@@ -37,8 +39,9 @@ impl Added {
         self.record.extend(other.record);
         self.instance_record.extend(other.instance_record);
         self.trait_methods.extend(other.trait_methods);
-        self.imports.extend(other.imports);
+        self.known.extend(other.known);
         self.methods.extend(other.methods);
+        self.records.extend(other.records);
         self.steps.extend(other.steps);
         self
     }

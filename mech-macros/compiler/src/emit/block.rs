@@ -2,7 +2,7 @@
 
 use super::flow::{Flow, is_given};
 use super::iteration::iteration;
-use super::scope::{Scope, last_pose, uses};
+use super::scope::{Scope, uses};
 use crate::program::{Block, BlockId, BlockKind, Op, Program, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -16,7 +16,7 @@ pub(super) fn statements(
 ) -> TokenStream {
     let mut tokens = TokenStream::new();
     for &link in &flow.links {
-        let name = last_pose(program, link);
+        let name = scope.last_pose(link);
         let index = Literal::usize_unsuffixed(link);
         tokens.extend(quote!(let #name = last.poses[#index];));
     }

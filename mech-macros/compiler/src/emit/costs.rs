@@ -6,47 +6,42 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// The cost of everything, and of each loop; after them these as associated constants.
-pub(super) fn costs(
-    krate: &TokenStream,
-    program: &Program,
-    visibility: &syn::Visibility,
-) -> (TokenStream, TokenStream) {
-    let all = literal(krate, cost::of_program(program));
+pub(super) fn costs(program: &Program, visibility: &syn::Visibility) -> (TokenStream, TokenStream) {
+    let all = literal(cost::of_program(program));
     let of_loops = cost::of_loops(program);
     let count = Literal::usize_unsuffixed(of_loops.len());
-    let of_loops = of_loops.into_iter().map(|cost| literal(krate, cost));
+    let of_loops = of_loops.into_iter().map(literal);
     let constants = quote! {
-        const COST: #krate::Cost = #all;
-        const LOOP_COSTS: [#krate::Cost; #count] = [#(#of_loops),*];
+        pub(super) const COST: Cost = #all;
+        pub(super) const LOOP_COSTS: [Cost; #count] = [#(#of_loops),*];
     };
     let associated = quote! {
         /// How many operations it takes to find a position.
-        #visibility const COST: #krate::Cost = COST;
+        #visibility const COST: Cost = known::COST;
 
         /// How many of them each loop takes, in the order in which they are solved.
-        #visibility const LOOP_COSTS: [#krate::Cost; #count] = LOOP_COSTS;
+        #visibility const LOOP_COSTS: [Cost; #count] = known::LOOP_COSTS;
     };
     (constants, associated)
 }
 
 /// How many operations more a program takes that goes on from positions, as an associated constant.
 pub(super) fn more(
-    krate: &TokenStream,
     (program, further): (&Program, &Program),
     name: &str,
     what: &str,
     visibility: &syn::Visibility,
 ) -> TokenStream {
     let name = format_ident!("{}", name);
-    let cost = literal(krate, cost::of_rates(program, further));
+    let cost = literal(cost::of_rates(program, further));
     let doc = format!(" How many operations more it takes to find {what} with a position.");
     quote! {
         #[doc = #doc]
-        #visibility const #name: #krate::Cost = #cost;
+        #visibility const #name: Cost = #cost;
     }
 }
 
-pub(super) fn literal(krate: &TokenStream, cost: Cost) -> TokenStream {
+pub(super) fn literal(cost: Cost) -> TokenStream {
     let [
         additions,
         multiplications,
@@ -66,7 +61,7 @@ pub(super) fn literal(krate: &TokenStream, cost: Cost) -> TokenStream {
     ]
     .map(Literal::u32_unsuffixed);
     quote! {
-        #krate::Cost {
+        Cost {
             additions: #additions,
             multiplications: #multiplications,
             divisions: #divisions,

@@ -32,32 +32,9 @@ pub(super) fn added(
     );
     let moved = rates.and(forces);
     let laws = timing::added(krate, model, compiled, visibility, (&moved.rest, &record));
-    let overlay = overlay::added(krate, model, compiled, visibility);
+    let overlay = overlay::added(model, compiled, visibility);
     let rest = &moved.rest;
     let end = quote!(#rest #record);
     let params = params::added(krate, places, model, compiled, visibility, &end);
-    let shared = Added {
-        imports: shared_imports(krate, model, compiled),
-        ..Added::default()
-    };
-    shared
-        .and(moved)
-        .and(laws)
-        .and(traces)
-        .and(overlay)
-        .and(params)
-}
-
-/// What several effects use: those that go on from positions, and params.
-fn shared_imports(krate: &TokenStream, model: &Model, compiled: &Compiled) -> TokenStream {
-    let goes_on = compiled.moving.is_some() || model.effects.needs_actions();
-    if !goes_on && model.params.is_empty() {
-        return TokenStream::new();
-    }
-    quote! {
-        #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
-        use ::core::iter::Iterator as _;
-        #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
-        use #krate::generated::{Vector2, Velocity, advance_with, determined, finite, rates_at};
-    }
+    moved.and(laws).and(traces).and(overlay).and(params)
 }

@@ -2,13 +2,14 @@
 
 use super::added::Added;
 use super::block::scalar;
+use super::costs::costs;
 use super::effects;
+use super::known::known;
 use super::many::many;
-use super::moves::{course, near, turn_to, within};
+use super::moves::{named_motors, near, turn_to, within};
 use super::params;
 use super::scope::number;
-use super::shapes::shapes;
-use super::step::{position, step};
+use super::step::step;
 use super::traces::painting;
 use crate::Compiled;
 use crate::model::{AxisId, JointKind, LinkId, Model, Origin, Quality};
@@ -33,15 +34,11 @@ pub(crate) fn items(
     } = compiled;
     let (attributes, visibility, name) = (&header.attributes, &header.visibility, &header.name);
     let scalar = scalar(program);
-    let position = position(program);
     let sizes =
         [program.inputs(), program.poses.len(), program.kept.len()].map(Literal::usize_unsuffixed);
     let doc = format!("\n```text\n{report}```");
-    let start = start(program);
-    let step = step(program);
-    let shapes = shapes(model, plan, program);
+    let step = step(krate, program);
     let accessors = accessors(places, model, program, visibility);
-    let course = course(program, plan);
     let Added {
         fields,
         at_rest,
@@ -49,16 +46,17 @@ pub(crate) fn items(
         instance_rest,
         record,
         instance_record,
-        imports: more_imports,
+        known: more_known,
         methods: more_methods,
         trait_methods,
+        records,
         steps: more_steps,
     } = effects::added(krate, places, model, compiled, visibility);
     let end = quote!(#rest #record);
-    let (costs, associated_costs) = super::costs::costs(krate, program, visibility);
-    let imports = imports(krate, program);
+    let (costs, associated_costs) = costs(program, visibility);
+    let known = known(krate, model, compiled, &quote!(#costs #more_known));
+    let before_constants = before_constants(krate, model, program);
     let seen = seen(
-        krate,
         model,
         program,
         visibility,
@@ -70,21 +68,23 @@ pub(crate) fn items(
         within(program, visibility, &end),
         many(program, plan, visibility, &[instance_rest, instance_record]),
     ];
-    let implementation = implementation(krate, program, name, &trait_methods);
+    let itself = itself(name);
+    let implementation = implementation(program, name, &trait_methods);
+    let recording = recording(&itself, &records);
     quote! {
         #(#attributes)*
         #[doc = #doc]
         #[derive(
-            ::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq,
+            #krate::generated::Clone, #krate::generated::Copy, #krate::generated::Debug, #krate::generated::PartialEq,
         )]
         #visibility struct #name {
-            position: #krate::generated::Position<::core::primitive::#scalar, #(#sizes),*>,
+            position: #krate::generated::Position<#krate::generated::#scalar, #(#sizes),*>,
             #fields
         }
 
         const _: () = {
             // Under this name, because what is imported below may be called as the struct is.
-            type Itself = #name;
+            type #itself = #name;
 
             #[allow(
                 clippy::approx_constant,
@@ -96,30 +96,27 @@ pub(crate) fn items(
                 reason = "numbers were computed, and fused operations would not give the same bits on every machine"
             )]
             const _: () = {
-            #imports
-            #more_imports
+            #[allow(
+                unused_imports,
+                clippy::wildcard_imports,
+                reason = "which of them a mechanism needs depends on what it is made of",
+            )]
+            use #krate::generated::{self, *};
+            #before_constants
 
-            #shapes
-
-            const START: #position = #start;
-
-            #course
-
-            const REPORT: &str = #report;
-
-            #costs
+            #known
 
             #[allow(dead_code, reason = "nobody has to ask for every link, point and joint")]
-            impl Itself {
+            impl #itself {
                 /// Mobility, trunk and arms, and the loops in the order in which they are solved.
-                #visibility const REPORT: &'static str = REPORT;
+                #visibility const REPORT: &'static str = known::REPORT;
 
                 #associated_costs
 
                 /// The mechanism as it was assembled at compile time.
                 #[must_use]
                 #visibility const fn new() -> Self {
-                    Self { position: START, #at_rest }
+                    Self { position: known::START, #at_rest }
                 }
 
                 #(#moves)*
@@ -131,13 +128,15 @@ pub(crate) fn items(
                 #accessors
             }
 
-            impl Default for Itself {
+            impl Default for #itself {
                 fn default() -> Self {
                     Self::new()
                 }
             }
 
             #implementation
+
+            #recording
 
             #step
 
@@ -149,7 +148,6 @@ pub(crate) fn items(
 
 /// The methods that tell and paint where everything is.
 fn seen(
-    krate: &TokenStream,
     model: &Model,
     program: &Program,
     visibility: &syn::Visibility,
@@ -157,17 +155,17 @@ fn seen(
 ) -> TokenStream {
     let scalar = scalar(program);
     let links = Literal::usize_unsuffixed(program.poses.len());
-    let (picture, doc) = picture(krate, model);
+    let (picture, doc) = picture(model);
     quote! {
                 /// The smallest upright box around all that is seen, wherever its motors move it: lower left and upper right
                 /// corner, in scene units.
-                #visibility const EXTENT: [[#scalar; 2]; 2] = EXTENT;
+                #visibility const EXTENT: [[#scalar; 2]; 2] = known::EXTENT;
 
                 #[doc = #doc]
                 #[must_use]
-                #visibility fn picture<const W: usize, const H: usize>() -> #picture<W, H> {
+                #visibility fn picture<const W: usize, const H: usize>() -> #picture<{ W }, { H }> {
                     let mut picture = #picture::new();
-                    picture.look_at(<Self as Mechanism>::view(W, H));
+                    #picture::look_at(&mut picture, <Self as Mechanism>::view(W, H));
                     picture
                 }
 
@@ -185,14 +183,14 @@ fn seen(
 }
 
 /// The type of the pictures that it makes for itself, and what is said of them.
-pub(super) fn picture(krate: &TokenStream, model: &Model) -> (TokenStream, &'static str) {
+pub(super) fn picture(model: &Model) -> (TokenStream, &'static str) {
     match model.quality {
         Quality::Hard => (
-            quote!(#krate::Frame),
+            quote!(Frame),
             " An empty picture that looks at all of it, wherever its motors move it.",
         ),
         Quality::Smooth => (
-            quote!(#krate::Smooth),
+            quote!(Smooth),
             " An empty picture with soft edges that looks at all of it, wherever its motors move it.",
         ),
     }
@@ -203,11 +201,12 @@ fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) ->
     let (scalar, near) = (scalar(program), near(program));
     let motors = Literal::usize_unsuffixed(program.motors.len());
     let [target, given] = params::target(program, &quote!(self.position));
-    let move_to = quote!(advance(&mut self.position, #target, &COURSE, #near, step));
+    let move_to = quote!(generated::advance(&mut self.position, #target, &known::COURSE, #near, positions::step));
     let move_to = rested(params::told(program, move_to), rest);
-    let mut move_toward = quote!(approach(&mut self.position, #target, &COURSE, step));
+    let mut move_toward =
+        quote!(generated::approach(&mut self.position, #target, &known::COURSE, positions::step));
     if !program.params.is_empty() {
-        move_toward.extend(quote!(.map(reached_by_motors)));
+        move_toward.extend(quote!(.map(generated::reached_by_motors)));
     }
     let move_toward = rested(params::told(program, move_toward), rest);
     let values = params::motors(program);
@@ -252,92 +251,87 @@ pub(super) fn rested(moved: TokenStream, rest: &TokenStream) -> TokenStream {
     quote! {
         let moved = #moved?;
         #rest
-        Ok(moved)
+        Result::Ok(moved)
     }
 }
 
-/// What the generated code uses.
-fn imports(krate: &TokenStream, program: &Program) -> TokenStream {
-    let scalar = scalar(program);
-    let exp = program
-        .has_exponentials()
-        .then(|| quote!(use #krate::generated::exp;));
+/// What the struct is called in the generated code.
+fn itself(name: &Ident) -> Ident {
+    format_ident!("{}", if name == "Itself" { "Same" } else { "Itself" })
+}
+
+/// The functions that let parameters be called as constants of the user's are. A parameter may stand before a function of its name,
+/// but where there is a constant, a static, a unit struct or a variant of its name, it would mean that.
+fn before_constants(krate: &TokenStream, model: &Model, program: &Program) -> TokenStream {
+    let motors = named_motors(model, program);
     quote! {
-            #exp
-            use ::core::default::Default;
-            use ::core::primitive::{#scalar, str, usize};
-            use ::core::option::Option::{self, None, Some};
-            use ::core::result::Result::{self, Err, Ok};
-            #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
-            use #krate::generated::{
-                Anywhere, AtZero, Blocked, BlockedAt, Canvas, Columns, Course, Followed, Growth, Isometry2, Mechanism, Motors, Outline, Palette, Phase, Point2, Pose, Position,
-                Reached, Real, Shape, Stop, Watched, advance, angle, approach, atan2, closed, closes, contracts, before_first, paint, round,
-                sin_cos, slide, solve, sqrt, turned, Sines, Within, InRange, greater, least, move_many, solve_many,
-            };
+        #[allow(unused_imports, clippy::wildcard_imports, reason = "parameters stand before these functions, where constants would stand before parameters")]
+        use #krate::generated::parameters::*;
+        #(
+            #[allow(dead_code, non_snake_case, reason = "only its name is needed")]
+            fn #motors() {}
+        )*
     }
+}
+
+/// How a mechanism notes where the points are that it traces, if it does.
+fn recording(itself: &Ident, records: &TokenStream) -> Option<TokenStream> {
+    (!records.is_empty()).then(|| {
+        quote! {
+            impl Traced for #itself {
+                #[inline]
+                fn record(&mut self) {
+                    #records
+                }
+            }
+        }
+    })
 }
 
 /// The trait, by way of the inherent methods.
-fn implementation(
-    krate: &TokenStream,
-    program: &Program,
-    name: &Ident,
-    trait_methods: &TokenStream,
-) -> TokenStream {
+fn implementation(program: &Program, name: &Ident, trait_methods: &TokenStream) -> TokenStream {
     let scalar = scalar(program);
     let (motor_names, link_names) = (&program.motors, &program.links);
     let motors = Literal::usize_unsuffixed(program.motors.len());
-    let text = name.to_string();
+    let (text, itself) = (name.to_string(), itself(name));
     quote! {
-            impl Mechanism for Itself {
+            impl Mechanism for #itself {
                 type Scalar = #scalar;
                 type Motors = [#scalar; #motors];
                 const NAME: &'static str = #text;
-                const REPORT: &'static str = REPORT;
-                const COST: #krate::Cost = COST;
-                const LOOP_COSTS: &'static [#krate::Cost] = &LOOP_COSTS;
+                const REPORT: &'static str = known::REPORT;
+                const COST: Cost = known::COST;
+                const LOOP_COSTS: &'static [Cost] = &known::LOOP_COSTS;
                 const MOTORS: &'static [&'static str] = &[#(#motor_names),*];
                 const LINKS: &'static [&'static str] = &[#(#link_names),*];
-                const SHAPES: &'static [Shape<#scalar>] = SHAPES;
-                const EXTENT: [[#scalar; 2]; 2] = EXTENT;
+                const SHAPES: &'static [Shape<#scalar>] = known::SHAPES;
+                const EXTENT: [[#scalar; 2]; 2] = known::EXTENT;
 
                 fn new() -> Self {
                     Self::new()
                 }
 
                 fn motors(&self) -> [#scalar; #motors] {
-                    self.motors()
+                    Self::motors(self)
                 }
 
                 fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), Blocked<[#scalar; #motors]>> {
-                    self.move_to(motors)
+                    Self::move_to(self, motors)
                 }
 
                 fn move_toward(&mut self, motors: [#scalar; #motors])
                     -> Result<Reached<[#scalar; #motors]>, Blocked<[#scalar; #motors]>>
                 {
-                    self.move_toward(motors)
+                    Self::move_toward(self, motors)
                 }
 
                 fn poses(&self) -> &[Pose<#scalar>] {
-                    self.poses()
+                    Self::poses(self)
                 }
 
                 #trait_methods
             }
     }
-}
-
-/// The assembled position.
-fn start(program: &Program) -> TokenStream {
-    let n = |value: &f64| number(program.precision, *value);
-    let motors = program.start.motors.iter().map(n);
-    let kept = program.start.kept.iter().map(n);
-    let poses = program.start.poses.iter().map(|pose| {
-        let [cos, sin, x, y] = pose.each_ref().map(n);
-        quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
-    });
-    quote!(Position { motors: Motors::new([#(#motors),*]), poses: [#(#poses),*], kept: [#(#kept),*] })
 }
 
 /// An identifier that stands where the user wrote it.
@@ -449,13 +443,13 @@ fn coordinate(
     let (turns, a, b) = coordinate_axes(model, joint)?;
     let motor = model.motor_of(joint);
     let (unit, function) = if turns {
-        ("radians, between −π and π", quote!(angle))
+        ("radians, between −π and π", quote!(generated::angle))
     } else {
-        ("scene units", quote!(slide))
+        ("scene units", quote!(generated::slide))
     };
     if let Some(motor) = motor {
         let index = Literal::usize_unsuffixed(motor.index());
-        let value = quote!(self.motors()[#index]);
+        let value = quote!(Self::motors(self)[#index]);
         return Some(("radians or scene units, as given to its motor", value));
     }
     if let Some(kept) = program.kept_angle(joint) {

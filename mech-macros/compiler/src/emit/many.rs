@@ -31,21 +31,21 @@ pub(super) fn many(
         quote! {
             |motors| {
                 let motors = Motors::new(motors);
-                let (position, margins) = position::<Within>(&START, motors);
-                let inside = if COURSE.contains(&motors) { 1.0 } else { -1.0 };
-                (position.poses, least([least(margins), inside]))
+                let (position, margins) = positions::position::<generated::Within>(&known::START, motors);
+                let inside = if Course::contains(&known::COURSE, &motors) { 1.0 } else { -1.0 };
+                (position.poses, generated::least([generated::least(margins), inside]))
             }
         }
     } else if in_lanes(program) {
         quote! {
             |motors| {
-                let (position, margins) = position::<Within>(&START, Motors::new(motors));
-                (position.poses, least(margins))
+                let (position, margins) = positions::position::<generated::Within>(&known::START, Motors::new(motors));
+                (position.poses, generated::least(margins))
             }
         }
     } else {
         // One by one.
-        quote!(|_| (START.poses, -1.0))
+        quote!(|_| (known::START.poses, -1.0))
     };
     let instance = if rest.is_empty() {
         quote!(&mut instance.position)
@@ -58,12 +58,16 @@ pub(super) fn many(
         }
     };
     let (move_many, then) = if record.is_empty() {
-        (quote!(move_many), TokenStream::new())
+        (quote!(generated::move_many), TokenStream::new())
     } else {
-        (quote!(move_many_then), quote!(|instance| #record,))
+        (
+            quote!(generated::move_many_then),
+            quote!(|instance| #record,),
+        )
     };
     let [target, given] = params::target(program, &quote!(there));
-    let one = quote!(advance(&mut there, #target, &COURSE, #near, step));
+    let one =
+        quote!(generated::advance(&mut there, #target, &known::COURSE, #near, positions::step));
     let one = params::told(program, one);
     let all = if program.params.is_empty() {
         quote! {
@@ -74,17 +78,18 @@ pub(super) fn many(
                 |instance| #instance,
                 #kernel,
                 #then
-                |instance, motors| instance.move_to(motors),
+                Self::move_to,
             )
         }
     } else {
         quote! {
-            for (index, (instance, motors)) in instances.iter_mut().zip(motors).enumerate() {
-                if let Err(blocked) = instance.move_to(*motors) {
-                    return Err(BlockedAt { index, blocked });
+            let each = Iterator::zip(<[Self]>::iter_mut(instances), motors);
+            for (index, (instance, motors)) in Iterator::enumerate(each) {
+                if let Result::Err(blocked) = Self::move_to(instance, *motors) {
+                    return Result::Err(BlockedAt { index, blocked });
                 }
             }
-            Ok(())
+            Result::Ok(())
         }
     };
     quote! {
@@ -98,11 +103,11 @@ pub(super) fn many(
             motors: &[[#scalar; #motors]],
             columns: &mut Columns<'_, #scalar, #links>,
         ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
-            solve_many::<_, _, _, #lanes>(motors, columns, #reach, #kernel, |motors| {
+            generated::solve_many::<_, _, _, #lanes>(motors, columns, #reach, #kernel, |motors| {
                 let mut there = self.position;
                 #given
                 #one?;
-                Ok(there.poses)
+                Result::Ok(there.poses)
             })
         }
 

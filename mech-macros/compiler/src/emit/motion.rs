@@ -164,20 +164,6 @@ pub(super) fn given(program: &Program) -> [TokenStream; 2] {
     [parameters.collect(), arguments.collect()]
 }
 
-/// What distinguishes the functions of a program from those that only find positions.
-pub(super) fn suffix(program: &Program) -> &'static str {
-    if program.sensitivity.is_some() {
-        return "_sensitivity";
-    }
-    match program.motion.as_ref().map(|motion| &motion.forces) {
-        None => "",
-        Some(None) => "_with",
-        Some(Some(Forces::Holding(_))) => "_held",
-        Some(Some(Forces::Acting(_))) => "_acted",
-        Some(Some(Forces::Inertia(_))) => "_driven",
-    }
-}
-
 /// The type of what is found besides a position, and what it is.
 pub(super) fn found(program: &Program) -> (TokenStream, &'static str) {
     let scalar = scalar(program);
@@ -234,9 +220,6 @@ pub(super) fn step_with(
         places: rate_places,
     } = moved;
     let (position, scalar, (found, what)) = (position(program), scalar(program), found(program));
-    let names =
-        ["step", "near", "position"].map(|name| format_ident!("{}{}", name, suffix(program)));
-    let [step_with, near_with, position_with] = &names;
     let [parameters, arguments] = given(program);
     let count = Literal::usize_unsuffixed(program.inputs());
     if !program.is_closed() {
@@ -244,7 +227,7 @@ pub(super) fn step_with(
             format!(" The position at these motor values, close to the last one, and {what}.");
         return quote! {
             #[doc = #doc]
-            fn #step_with(#last: &#position, motors: Motors<#scalar, #count> #parameters)
+            pub(super) fn step(#last: &#position, motors: Motors<#scalar, #count> #parameters)
                 -> Result<(#position, #found), Stop>
             {
                 #motors
@@ -259,10 +242,10 @@ pub(super) fn step_with(
         let near = quote! {
             /// The same, where all angles are within the range of the polynomials of sine and cosine.
             #[inline(always)]
-            fn #near_with(last: &#position, motors: Motors<#scalar, #count> #parameters)
+            pub(super) fn near(last: &#position, motors: Motors<#scalar, #count> #parameters)
                 -> Result<(#position, #found), Stop>
             {
-                let (position, rates, margins, regular) = #position_with::<Within>(last, motors #arguments);
+                let (position, rates, margins, regular) = position::<Within>(last, motors #arguments);
                 closes(margins, [#(#places),*])?;
                 determined(regular, [#(#rate_places),*])?;
                 Ok((position, rates))
@@ -282,7 +265,7 @@ pub(super) fn step_with(
         #[doc = #doc]
         /// closes, and its rates are determined.
         #[inline(always)]
-        fn #position_with #sines(#last: &#position, motors: Motors<#scalar, #count> #parameters)
+        fn position #sines(#last: &#position, motors: Motors<#scalar, #count> #parameters)
             -> (#position, #found, [#scalar; #loops], [#scalar; #regular_loops])
         {
             #motors
@@ -293,10 +276,10 @@ pub(super) fn step_with(
         #[doc = #result_doc]
         /// determined.
         #[inline]
-        fn #step_with(last: &#position, motors: Motors<#scalar, #count> #parameters)
+        pub(super) fn step(last: &#position, motors: Motors<#scalar, #count> #parameters)
             -> Result<(#position, #found), Stop>
         {
-            let (position, rates, margins, regular) = #position_with #anywhere(last, motors #arguments);
+            let (position, rates, margins, regular) = position #anywhere(last, motors #arguments);
             closes(margins, [#(#places),*])?;
             determined(regular, [#(#rate_places),*])?;
             Ok((position, rates))

@@ -3,7 +3,7 @@
 use super::block::scalar;
 use super::items::rested;
 use super::many::reach;
-use super::motion::suffix;
+use super::module;
 use super::params;
 use super::scope::{ident, number};
 use super::step::takes_sines;
@@ -12,17 +12,22 @@ use crate::plan::Plan;
 use crate::program::{self, Program};
 use mech_core::journey::Growth;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 /// The step for motor values within reach, and whatever a program finds besides.
-pub(super) fn near(program: &Program) -> Ident {
-    let name = if takes_sines(program) { "near" } else { "step" };
-    format_ident!("{}{}", name, suffix(program))
+pub(super) fn near(program: &Program) -> TokenStream {
+    let module = module::name(program);
+    if takes_sines(program) {
+        quote!(#module::near)
+    } else {
+        quote!(#module::step)
+    }
 }
 
 /// The same for any motor values.
-pub(super) fn far(program: &Program) -> Ident {
-    format_ident!("step{}", suffix(program))
+pub(super) fn far(program: &Program) -> TokenStream {
+    let module = module::name(program);
+    quote!(#module::step)
 }
 
 /// What is known about every move.
@@ -58,10 +63,10 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
         quote!(Followed { rates: [#(#rates),*], growth: &[#(#growth),*] })
     });
     let senses = match program.senses {
-        None => quote!(None),
+        None => quote!(Option::None),
         Some(first) => {
             let first = Literal::usize_unsuffixed(first);
-            quote!(Some(#first))
+            quote!(Option::Some(#first))
         }
     };
     let (subdivides, overflows) = (program.subdivides(), program.overflows);
@@ -72,25 +77,25 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
         quote!(#scalar::MAX)
     };
     let strides = match &program.strides {
-        None => quote!(None),
+        None => quote!(Option::None),
         Some(strides) => {
             let strides = strides.iter().map(n);
-            quote!(Some([#(#strides),*]))
+            quote!(Option::Some([#(#strides),*]))
         }
     };
     let range = match &program.range {
-        None => quote!(None),
+        None => quote!(Option::None),
         Some(range) => {
             let ends = range.iter().map(|ends| {
                 let [low, high] = ends.map(|end| bound(program.precision, end));
                 quote!([#low, #high])
             });
-            quote!(Some([#(#ends),*]))
+            quote!(Option::Some([#(#ends),*]))
         }
     };
     let [motors, loops] = [names.len(), program.watches.len()].map(Literal::usize_unsuffixed);
     quote! {
-        const COURSE: Course<#scalar, #motors, #loops> = Course {
+        pub(super) const COURSE: Course<#scalar, #motors, #loops> = Course {
             names: [#(#names),*],
             watched: [#(#watched),*],
             follows: &[#(#follows),*],
@@ -149,10 +154,10 @@ pub(super) fn within(
     let there = if takes_sines(program) {
         quote! {
             // Beyond the reach of the polynomials angles are reduced first.
-            let there = if target.is_within(COURSE.reach) {
+            let there = if Motors::is_within(&target, known::COURSE.reach) {
                 #near(&self.position, target)
             } else {
-                step(&self.position, target)
+                positions::step(&self.position, target)
             };
         }
     } else {
@@ -162,18 +167,18 @@ pub(super) fn within(
         let target = Motors::new(motors.motors());
         #there
         // It was proved that every loop closes there: there is nothing else.
-        if let Ok(there) = there {
+        if let Result::Ok(there) = there {
             self.position = there;
         }
     };
     let (finite, where_unranged) = if program.overflows {
         let most = number(program.precision, program::MODERATE);
         (
-            quote!(is_within(#most)),
+            quote!(Motors::is_within(&values, #most)),
             " A motor without a range may go as far as 1e15.",
         )
     } else {
-        (quote!(is_finite()), "")
+        (quote!(Motors::is_finite(&values)), "")
     };
     let about = format!(
         " These values of the motors, in radians or scene units, if all of them are within the declared ranges.{where_unranged}"
@@ -183,7 +188,7 @@ pub(super) fn within(
         #[must_use]
         #visibility fn range(motors: [#scalar; #motors]) -> Option<InRange<Self, [#scalar; #motors]>> {
             let values = Motors::new(motors);
-            (values.#finite && COURSE.contains(&values)).then_some(InRange::tested(motors))
+            (#finite && Course::contains(&known::COURSE, &values)).then_some(InRange::tested(motors))
         }
 
         /// Moves to values of the motors within their declared ranges: it was proved at compile time that nothing is in the
@@ -196,6 +201,20 @@ pub(super) fn within(
     }
 }
 
+/// The motors as variables, if there is a method that takes each by its name.
+pub(super) fn named_motors(model: &Model, program: &Program) -> Vec<Ident> {
+    if model.motors.iter().any(|motor| turns(model, motor)) {
+        program.motors.iter().map(|name| ident(name)).collect()
+    } else {
+        Vec::new()
+    }
+}
+
+/// Whether a motor turns.
+fn turns(model: &Model, motor: &Motor) -> bool {
+    matches!(model.joint(motor.joint).kind, JointKind::Revolute(..))
+}
+
 /// The method that takes phases, if a motor turns.
 pub(super) fn turn_to(
     model: &Model,
@@ -203,8 +222,8 @@ pub(super) fn turn_to(
     visibility: &syn::Visibility,
     rest: &TokenStream,
 ) -> TokenStream {
-    let turns = |motor: &Motor| matches!(model.joint(motor.joint).kind, JointKind::Revolute(..));
-    if !model.motors.iter().any(turns) {
+    let variables = named_motors(model, program);
+    if variables.is_empty() {
         return TokenStream::new();
     }
     let (near, refused) = (near(program), params::refused(program));
@@ -213,14 +232,14 @@ pub(super) fn turn_to(
     let mut parameters = TokenStream::new();
     let mut values = Vec::new();
     let mut phases = TokenStream::new();
-    for (index, (motor, name)) in model.motors.iter().zip(&program.motors).enumerate() {
-        let variable = ident(name);
-        if turns(motor) {
+    let motors = model.motors.iter().zip(&program.motors).zip(&variables);
+    for (index, ((motor, name), variable)) in motors.enumerate() {
+        if turns(model, motor) {
             let index = Literal::usize_unsuffixed(index);
             parameters.extend(quote!(#variable: Phase,));
             phases.extend(quote! {
-                if let Err(stop) = motors.turn(#index, #variable, #name) {
-                    return Err(#refused);
+                if let Result::Err(stop) = Motors::turn(&mut motors, #index, #variable, #name) {
+                    return Result::Err(#refused);
                 }
             });
             values.push(quote!(0.0));
@@ -231,13 +250,13 @@ pub(super) fn turn_to(
     }
     let told = params::told(
         program,
-        quote!(advance(&mut self.position, motors, &COURSE, #near, step)),
+        quote!(generated::advance(&mut self.position, motors, &known::COURSE, #near, positions::step)),
     );
     let advance = rested(told, rest);
     let start = if program.params.is_empty() {
         quote!(Motors::new([#(#values),*]))
     } else {
-        quote!(inputs([#(#values),*], &self.position.motors))
+        quote!(generated::inputs([#(#values),*], &self.position.motors))
     };
     let many = (program.motors.len() > 6).then(|| {
         quote!(#[allow(clippy::too_many_arguments, reason = "a mechanism has as many motors as it has")])

@@ -12,12 +12,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// What overlays add to a mechanism.
-pub(super) fn added(
-    krate: &TokenStream,
-    model: &Model,
-    compiled: &Compiled,
-    visibility: &syn::Visibility,
-) -> Added {
+pub(super) fn added(model: &Model, compiled: &Compiled, visibility: &syn::Visibility) -> Added {
     let Compiled {
         structure,
         program,
@@ -33,17 +28,14 @@ pub(super) fn added(
     let symbols = symbols::symbols(model, structure, is_kept);
     let symbols = symbols.iter().map(|symbol| writer.symbol(symbol));
     let mut items = Added {
-        imports: quote! {
-            #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
-            use #krate::generated::{Overlay, Spot, Symbol};
-
+        known: quote! {
             /// What is drawn of joints, links, motors and axes.
-            const SYMBOLS: &[Symbol<#scalar>] = &[#(#symbols),*];
+            pub(super) const SYMBOLS: &[Symbol<#scalar>] = &[#(#symbols),*];
         },
         methods: quote! {
             /// Draws joints, motors and whatever else the overlay wants, as textbooks do.
             #visibility fn draw_overlay(&self, canvas: &mut impl Canvas<#scalar>, overlay: &Overlay) {
-                overlay.draw(SYMBOLS, &self.position.poses, canvas);
+                Overlay::draw(overlay, known::SYMBOLS, &self.position.poses, canvas);
             }
         },
         ..Added::default()
@@ -51,40 +43,34 @@ pub(super) fn added(
     if model.effects.velocity {
         let points = symbols::moving_points(model, structure, is_kept);
         let points = points.iter().map(|&point| writer.spot(point));
-        items.imports.extend(quote! {
-            use #krate::generated::{Arrows, draw_velocities};
-
+        items.known.extend(quote! {
             /// The points whose velocities are drawn.
-            const MOVING_POINTS: &[Spot<#scalar>] = &[#(#points),*];
+            pub(super) const MOVING_POINTS: &[Spot<#scalar>] = &[#(#points),*];
         });
         items.methods.extend(quote! {
             /// Draws the velocities of all named points and revolute joints that move.
             #visibility fn draw_velocities(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>) {
-                draw_velocities(MOVING_POINTS, &self.position.poses, &self.velocities, arrows, canvas);
+                generated::draw_velocities(known::MOVING_POINTS, &self.position.poses, &self.velocities, arrows, canvas);
             }
         });
     }
     if model.effects.acceleration {
-        items
-            .imports
-            .extend(quote!(use #krate::generated::draw_accelerations;));
         items.methods.extend(quote! {
             /// Draws the accelerations of all named points and revolute joints that move.
             #visibility fn draw_accelerations(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>) {
                 let rates = (&self.velocities, &self.accelerations);
-                draw_accelerations(MOVING_POINTS, &self.position.poses, rates, arrows, canvas);
+                generated::draw_accelerations(known::MOVING_POINTS, &self.position.poses, rates, arrows, canvas);
             }
         });
     }
     if let Some(acting) = &forced.acting {
-        items = items.and(forces(krate, model, (program, acting), visibility));
+        items = items.and(forces(model, (program, acting), visibility));
     }
     items
 }
 
 /// The arrows of forces.
 fn forces(
-    krate: &TokenStream,
     model: &Model,
     (program, acting): (&Program, &Program),
     visibility: &syn::Visibility,
@@ -94,10 +80,10 @@ fn forces(
     let points = model
         .told_joints()
         .map(|joint| match writer.place_of(model, joint) {
-            None => quote!(None),
+            None => quote!(Option::None),
             Some(point) => {
                 let point = writer.spot(point);
-                quote!(Some(#point))
+                quote!(Option::Some(#point))
             }
         });
     let points: Vec<TokenStream> = points.collect();
@@ -113,7 +99,7 @@ fn forces(
             at: axis.at,
         });
         let [x, y] = [first, first + 1].map(Literal::usize_unsuffixed);
-        Some(quote!(draw_force(&#point, &self.position.poses, [self.loads[#x], self.loads[#y]], arrows, canvas);))
+        Some(quote!(generated::draw_force(&#point, &self.position.poses, [self.loads[#x], self.loads[#y]], arrows, canvas);))
     });
     let loads: Vec<TokenStream> = loads.collect();
     let draw_loads = (!loads.is_empty()).then(|| {
@@ -124,21 +110,15 @@ fn forces(
             }
         }
     });
-    let velocity = model.effects.velocity;
-    let arrows = (!velocity).then(|| quote!(use #krate::generated::Arrows;));
     Added {
-        imports: quote! {
-            #arrows
-            #[allow(unused_imports, reason = "not every mechanism has loads that are forces")]
-            use #krate::generated::{draw_force, draw_reactions};
-
+        known: quote! {
             /// Where the reactions are drawn.
-            const REACTION_POINTS: [Option<Spot<#scalar>>; #count] = [#(#points),*];
+            pub(super) const REACTION_POINTS: [Option<Spot<#scalar>>; #count] = [#(#points),*];
         },
         methods: quote! {
             /// Draws the forces that the first link of each joint exerts on the second, as `forces` found them.
             #visibility fn draw_reactions(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>, forces: &#found) {
-                draw_reactions(&REACTION_POINTS, &self.position.poses, &forces.reactions, arrows, canvas);
+                generated::draw_reactions(&known::REACTION_POINTS, &self.position.poses, &forces.reactions, arrows, canvas);
             }
 
             #draw_loads

@@ -22,7 +22,7 @@ pub(super) fn target(program: &Program, position: &TokenStream) -> [TokenStream;
     } else {
         [
             quote!(motors),
-            quote!(let motors = inputs(motors, &#position.motors);),
+            quote!(let motors = generated::inputs(motors, &#position.motors);),
         ]
     }
 }
@@ -32,32 +32,32 @@ pub(super) fn told(program: &Program, result: TokenStream) -> TokenStream {
     if program.params.is_empty() {
         result
     } else {
-        quote!(#result.map_err(told))
+        quote!(#result.map_err(generated::told))
     }
 }
 
 /// The message that a mechanism stays where it is, as it is told outside.
 pub(super) fn refused(program: &Program) -> TokenStream {
     if program.params.is_empty() {
-        quote!(self.position.refuse(stop))
+        quote!(Position::refuse(&self.position, stop))
     } else {
-        quote!(told(self.position.refuse(stop)))
+        quote!(generated::told(Position::refuse(&self.position, stop)))
     }
 }
 
 /// The values of the motors among all that is given.
 pub(super) fn motors(program: &Program) -> TokenStream {
     if program.params.is_empty() {
-        quote!(self.position.motors.total())
+        quote!(Motors::total(&self.position.motors))
     } else {
-        quote!(motors_of(self.position.motors.total()))
+        quote!(generated::motors_of(Motors::total(&self.position.motors)))
     }
 }
 
 /// The names of the motors, for messages.
 pub(super) fn motor_names(program: &Program) -> TokenStream {
     if program.params.is_empty() {
-        quote!(&COURSE.names)
+        quote!(&known::COURSE.names)
     } else {
         let names = &program.motors;
         quote!(&[#(#names),*])
@@ -78,28 +78,15 @@ pub(super) fn added(
     } = compiled;
     let mut methods = methods(places, model, program, visibility, end);
     if let Some(sensitive) = sensitive {
-        methods.extend(sensitivity::methods(
-            krate, places, model, sensitive, visibility,
-        ));
+        methods.extend(sensitivity::methods(places, model, sensitive, visibility));
     }
     Added {
-        imports: imports(krate, program),
         methods,
-        steps: sensitive.as_ref().map(step).unwrap_or_default(),
+        steps: sensitive
+            .as_ref()
+            .map(|program| step(krate, program))
+            .unwrap_or_default(),
         ..Added::default()
-    }
-}
-
-/// What the generated code uses besides.
-fn imports(krate: &TokenStream, program: &Program) -> TokenStream {
-    if program.params.is_empty() {
-        return TokenStream::new();
-    }
-    quote! {
-        #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
-        use #krate::generated::{
-            followed, inputs, motors_of, params_of, reached_by_motors, told,
-        };
     }
 }
 
@@ -119,7 +106,7 @@ fn methods(
     let count = Literal::usize_unsuffixed(names.len());
     let index = |param: usize| Literal::usize_unsuffixed(motors + param);
     let set = rested(
-        quote!(advance(&mut self.position, target, &COURSE, #near, step).map_err(|blocked| blocked.map(params_of))),
+        quote!(generated::advance(&mut self.position, target, &known::COURSE, #near, positions::step).map_err(|blocked| blocked.map(generated::params_of))),
         rest,
     );
     let given = (0..names.len()).map(|param| {
@@ -133,7 +120,7 @@ fn methods(
         /// The present values of the params, in the order of their declaration.
         #[must_use]
         #visibility fn params(&self) -> [#scalar; #count] {
-            params_of(self.position.motors.values)
+            generated::params_of(self.position.motors.values)
         }
 
         /// Gives the params these values, in the order of their declaration, and assembles everything anew by a continuous change
@@ -160,7 +147,7 @@ fn methods(
         );
         let moved = rested(
             quote! {
-                advance(&mut self.position, target, &COURSE, #near, step)
+                generated::advance(&mut self.position, target, &known::COURSE, #near, positions::step)
                     .map_err(|blocked| blocked.map(|reached| reached[#index]))
             },
             rest,
@@ -208,7 +195,7 @@ pub(super) fn stub(
     let sensitivities = model.effects.sensitivity.then(|| {
         quote! {
             #visibility fn sensitivities(&self)
-                -> ::core::result::Result<[[#krate::Velocity<#scalar>; #links]; #count], #krate::Blocked<[#scalar; #motors]>>
+                -> #krate::generated::Result<[[#krate::Velocity<#scalar>; #links]; #count], #krate::Blocked<[#scalar; #motors]>>
             {
                 loop {}
             }
@@ -218,8 +205,8 @@ pub(super) fn stub(
         #visibility fn params(&self) -> [#scalar; #count] {
             loop {}
         }
-        #visibility fn set_params<const PARAMS: usize>(&mut self, params: [#scalar; PARAMS])
-            -> ::core::result::Result<(), #krate::Blocked<[#scalar; PARAMS]>>
+        #visibility fn set_params<const PARAMS: #krate::generated::usize>(&mut self, params: [#scalar; PARAMS])
+            -> #krate::generated::Result<(), #krate::Blocked<[#scalar; PARAMS]>>
         {
             loop {}
         }
@@ -227,7 +214,7 @@ pub(super) fn stub(
             #visibility fn #get(&self) -> #scalar {
                 loop {}
             }
-            #visibility fn #set(&mut self, value: #scalar) -> ::core::result::Result<(), #krate::Blocked<#scalar>> {
+            #visibility fn #set(&mut self, value: #scalar) -> #krate::generated::Result<(), #krate::Blocked<#scalar>> {
                 loop {}
             }
         )*

@@ -5,7 +5,7 @@ use super::block::scalar;
 use super::costs::more;
 use super::items::{coordinate_axes, named_points, pose, user_ident};
 use super::motion::given;
-use super::moves::near;
+use super::moves::{far, near};
 use super::params;
 use super::scope::number;
 use super::step::step;
@@ -49,40 +49,29 @@ pub(super) fn added(
     };
     let Kinds { scalar, links, .. } = &kinds;
     let mut items = Added {
-        fields: quote!(velocities: [#krate::Velocity<::core::primitive::#scalar>; #links],),
+        fields: quote!(velocities: [#krate::Velocity<#krate::generated::#scalar>; #links],),
         at_rest: quote!(velocities: [Velocity::ZERO; #links],),
         rest: quote!(self.velocities = [Velocity::ZERO; #links];),
         instance_rest: quote!(instance.velocities = [Velocity::ZERO; #links];),
-        imports: quote! {
-            #[allow(unused_imports, reason = "which of them a mechanism needs depends on what it is made of")]
-            use #krate::generated::{slide_acceleration, slide_rate};
-        },
         methods: methods(moving, &kinds, visibility, record),
-        steps: step(moving),
+        steps: step(krate, moving),
         ..Added::default()
     };
     if kinds.second {
         let zero = quote!([Acceleration::ZERO; #links]);
         items.fields.extend(
-            quote!(accelerations: [#krate::Acceleration<::core::primitive::#scalar>; #links],),
+            quote!(accelerations: [#krate::Acceleration<#krate::generated::#scalar>; #links],),
         );
         items.at_rest.extend(quote!(accelerations: #zero,));
         items.rest.extend(quote!(self.accelerations = #zero;));
         items
             .instance_rest
             .extend(quote!(instance.accelerations = #zero;));
-        items
-            .imports
-            .extend(quote!(use #krate::generated::Acceleration;));
     }
     let what = "the rates of everything";
-    items.methods.extend(more(
-        krate,
-        (program, moving),
-        "RATES_COST",
-        what,
-        visibility,
-    ));
+    items
+        .methods
+        .extend(more((program, moving), "RATES_COST", what, visibility));
     items
         .methods
         .extend(accessors(places, model, &kinds, visibility));
@@ -98,7 +87,7 @@ pub(super) fn moved_with(
 ) -> TokenStream {
     let second = effects.acceleration;
     let [_, arguments] = given(moving);
-    let near_with = near(moving);
+    let (near_with, far_with) = (near(moving), far(moving));
     let checked = if second {
         quote!([rates, accelerations])
     } else {
@@ -116,20 +105,20 @@ pub(super) fn moved_with(
     let moved = params::told(
         moving,
         quote! {
-            advance_with(
+            generated::advance_with(
                 &mut self.position,
                 #motors,
-                &COURSE,
+                &known::COURSE,
                 |last, motors| #near_with(last, motors #arguments),
-                |last, motors| step_with(last, motors #arguments),
-                step,
+                |last, motors| #far_with(last, motors #arguments),
+                positions::step,
             )
         },
     );
     quote! {
         for rates in #checked {
-            if let Err(stop) = finite(rates, #names) {
-                return Err(#refused);
+            if let Result::Err(stop) = generated::finite(rates, #names) {
+                return Result::Err(#refused);
             }
         }
         let #pattern = #moved?;
@@ -137,7 +126,7 @@ pub(super) fn moved_with(
         #keep_second
         #keep_rates
         #record
-        Ok(())
+        Result::Ok(())
     }
 }
 
@@ -158,7 +147,7 @@ fn methods(
     let [parameters, _] = given(moving);
     let [target, given_motors] = params::target(moving, &quote!(self.position));
     let moved = moved_with(moving, kinds.effects, &target, record);
-    let refused = params::refused(moving);
+    let (refused, far) = (params::refused(moving), far(moving));
     let still = second.then(|| quote!(, [0.0; #count]));
     let first = if *second { quote!(.0) } else { quote!() };
     let accelerations = second.then(|| {
@@ -209,16 +198,16 @@ fn methods(
             -> Result<[[Velocity<#scalar>; #links]; #count], Blocked<[#scalar; #count]>>
         {
             let mut influences = [[Velocity::ZERO; #links]; #count];
-            for (motor, influence) in influences.iter_mut().enumerate() {
+            for (motor, influence) in Iterator::enumerate(<[_]>::iter_mut(&mut influences)) {
                 let mut rates = [0.0; #count];
                 rates[motor] = 1.0;
-                let found = rates_at(&self.position, |last, motors| step_with(last, motors, rates #still));
+                let found = generated::rates_at(&self.position, |last, motors| #far(last, motors, rates #still));
                 match found {
-                    Ok(found) => *influence = found #first,
-                    Err(stop) => return Err(#refused),
+                    Result::Ok(found) => *influence = found #first,
+                    Result::Err(stop) => return Result::Err(#refused),
                 }
             }
-            Ok(influences)
+            Result::Ok(influences)
         }
     }
 }
@@ -359,9 +348,9 @@ fn joint_rate(
         quote!((#pose, #at, [#along, #across]), #rates)
     };
     let function = if second {
-        quote!(slide_acceleration)
+        quote!(generated::slide_acceleration)
     } else {
-        quote!(slide_rate)
+        quote!(generated::slide_rate)
     };
     let (from, to) = (end(from), end(to));
     quote!(#function(#from, #to))

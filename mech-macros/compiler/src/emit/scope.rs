@@ -1,9 +1,10 @@
 //! The names in a generated function, and expressions that use them.
 
+use super::module;
 use crate::model::Precision;
 use crate::program::{BlockId, Op, Part, Program, Slot, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// An identifier of the generated code that the user's code cannot see.
@@ -45,34 +46,12 @@ enum Binding {
     Atom,
 }
 
-/// What generated functions use by name, so that no variable may be called so.
-const OUTER: [&str; 20] = [
-    "determined",
-    "rates",
-    "before",
-    "contracts",
-    "before_first",
-    "motors",
-    "turned",
-    "greater",
-    "near",
-    "last",
-    "rounds",
-    "atan2",
-    "closed",
-    "closes",
-    "exp",
-    "position",
-    "round",
-    "sin_cos",
-    "solve",
-    "sqrt",
-];
-
 /// The names and uses of values in one function.
 pub(super) struct Scope<'p> {
     program: &'p Program,
     names: BTreeMap<Value, Ident>,
+    /// The variables that hold the last poses of links, by their numbers.
+    last_poses: BTreeMap<usize, Ident>,
     taken: BTreeSet<String>,
     /// How often each value is used by what this function makes.
     uses: BTreeMap<Value, usize>,
@@ -82,16 +61,11 @@ pub(super) struct Scope<'p> {
 
 impl<'p> Scope<'p> {
     pub(super) fn new(program: &'p Program, uses: BTreeMap<Value, usize>) -> Self {
-        let functions = program.blocks.iter().map(|block| block.name.clone());
-        let taken = OUTER
-            .into_iter()
-            .map(str::to_owned)
-            .chain(functions)
-            .collect();
         Self {
             program,
             names: BTreeMap::new(),
-            taken,
+            last_poses: BTreeMap::new(),
+            taken: module::taken().collect(),
             uses,
             sines: quote!(sin_cos),
         }
@@ -106,6 +80,30 @@ impl<'p> Scope<'p> {
             name = format!("{wanted}_{number}");
         }
         ident(&name)
+    }
+
+    /// A name for another function, which no variable of this one has.
+    pub(super) fn fresh_function(&mut self, names: &mut FunctionNames, wanted: &str) -> Ident {
+        let mut name = wanted.to_owned();
+        let mut number = 1;
+        while self.taken.contains(&name) || names.has(&name) {
+            number += 1;
+            name = format!("{wanted}_{number}");
+        }
+        self.taken.insert(name.clone());
+        names.take(name.clone());
+        ident(&name)
+    }
+
+    /// The variable that holds the last pose of a link.
+    pub(super) fn last_pose(&mut self, link: usize) -> Ident {
+        if let Some(known) = self.last_poses.get(&link) {
+            return known.clone();
+        }
+        let name = self.program.links.get(link).map_or("link", String::as_str);
+        let name = self.fresh(&format!("last_{name}"));
+        self.last_poses.insert(link, name.clone());
+        name
     }
 
     /// Gives a value a name in this function.
@@ -268,25 +266,21 @@ impl<'p> Scope<'p> {
                 quote!(last.kept[#index])
             }
             Slot::Pose(link, part) => {
-                let link = last_pose(self.program, link);
                 let part = match part {
                     Part::Cos => quote!(cos),
                     Part::Sin => quote!(sin),
                     Part::X => quote!(x),
                     Part::Y => quote!(y),
                 };
-                quote!(#link.#part)
+                if let Some(pose) = self.last_poses.get(&link) {
+                    quote!(#pose.#part)
+                } else {
+                    let link = Literal::usize_unsuffixed(link);
+                    quote!(last.poses[#link].#part)
+                }
             }
         }
     }
-}
-
-/// The variable that holds the last pose of a link.
-pub(super) fn last_pose(program: &Program, link: usize) -> Ident {
-    let name = program.links.get(link).map_or("link", String::as_str);
-    let mut ident = format_ident!("last_{}", name);
-    ident.set_span(Span::mixed_site());
-    ident
 }
 
 /// How often each value is used to make these, directly, and how often beyond: in other blocks or in the result.
@@ -329,4 +323,18 @@ pub(super) fn uses(program: &Program, block: BlockId) -> BTreeMap<Value, usize> 
             .for_each(&mut count);
     }
     uses
+}
+
+/// Names of the functions of a module, each given once.
+#[derive(Default)]
+pub(super) struct FunctionNames(BTreeSet<String>);
+
+impl FunctionNames {
+    fn has(&self, name: &str) -> bool {
+        self.0.contains(name)
+    }
+
+    fn take(&mut self, name: String) {
+        self.0.insert(name);
+    }
 }

@@ -90,7 +90,7 @@ pub(super) fn sensitivity_step(
 
         /// The same, if all of it is finite.
         #[inline]
-        fn sensitivity(position: &#position) -> Result<#found, Stop> {
+        pub(super) fn sensitivity(position: &#position) -> Result<#found, Stop> {
             followed(position, rates_by_params #anywhere)
         }
     }
@@ -98,7 +98,6 @@ pub(super) fn sensitivity_step(
 
 /// The methods that tell it.
 pub(super) fn methods(
-    krate: &TokenStream,
     places: &Places,
     model: &Model,
     program: &Program,
@@ -115,16 +114,16 @@ pub(super) fn methods(
     ]
     .map(Literal::usize_unsuffixed);
     let blocked = quote!(Blocked<[#scalar; #motors]>);
-    let cost = literal(krate, cost::of_program(program));
+    let cost = literal(cost::of_program(program));
     let found = quote! {
-        match sensitivity(&self.position) {
-            Ok(found) => found,
-            Err(stop) => return Err(told(self.position.refuse(stop))),
+        match sensitivity::sensitivity(&self.position) {
+            Result::Ok(found) => found,
+            Result::Err(stop) => return Result::Err(generated::told(Position::refuse(&self.position, stop))),
         }
     };
     let mut tokens = quote! {
         /// How many operations it takes to find how everything follows all params, the position among them.
-        #visibility const SENSITIVITY_COST: #krate::Cost = #cost;
+        #visibility const SENSITIVITY_COST: Cost = #cost;
 
         /// For each param, in the order of their declaration, the velocities of the moving links if it alone changes, at a rate of
         /// one.
@@ -133,7 +132,7 @@ pub(super) fn methods(
         /// If the mechanism is at a dead point or a change point, where these are not determined.
         #visibility fn sensitivities(&self) -> Result<[[Velocity<#scalar>; #links]; #params], #blocked> {
             let found = #found;
-            Ok(found.map(|(links, _, _)| links))
+            Result::Ok(found.map(|(links, _, _)| links))
         }
     };
     let mut tell = |name: &str, what: &str, origin, kind: &TokenStream, value: &TokenStream| {
@@ -148,7 +147,7 @@ pub(super) fn methods(
             /// If the mechanism is at a dead point or a change point, where these are not determined.
             #visibility fn #method(&self) -> Result<[#kind; #params], #blocked> {
                 let found = #found;
-                Ok(found.map(#value))
+                Result::Ok(found.map(#value))
             }
         });
     };

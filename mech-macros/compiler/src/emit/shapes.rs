@@ -105,8 +105,8 @@ pub(super) fn shapes(model: &Model, plan: &Plan, program: &Program) -> TokenStre
         quote!([#x, #y])
     });
     quote! {
-        const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];
+        pub(super) const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];
 
-        const EXTENT: [[#scalar; 2]; 2] = [#(#corners),*];
+        pub(super) const EXTENT: [[#scalar; 2]; 2] = [#(#corners),*];
     }
 }

@@ -2,8 +2,8 @@
 
 use super::block::scalar;
 use super::flow::{Flow, is_made};
-use super::scope::Scope;
-use super::step::{FunctionNames, position};
+use super::scope::{FunctionNames, Scope};
+use super::step::position;
 use crate::program::{Program, Value};
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::quote;
@@ -49,8 +49,7 @@ pub(super) fn in_stages(
     let count = stages_of_acts.len();
     // From the last to the first: what one takes, those before it have to give.
     for (number, acts) in stages_of_acts.into_iter().enumerate().rev() {
-        let wanted = format!("stage_{}{}", number + 1, super::motion::suffix(program));
-        let name = names.fresh(&scope.fresh(&wanted).to_string());
+        let name = scope.fresh_function(names, &format!("stage_{}", number + 1));
         let stage = Stage::new(acts, &needed);
         needed.retain(|value| !stage.makes.contains(value));
         needed.extend(stage.takes.iter().copied());

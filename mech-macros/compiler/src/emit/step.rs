@@ -2,8 +2,9 @@
 
 use super::block::{function, scalar, statements};
 use super::flow::flows;
-use super::motion::{given_rates, moved, step_with, suffix};
-use super::scope::{Scope, ident, uses};
+use super::module;
+use super::motion::{given_rates, moved, step_with};
+use super::scope::{FunctionNames, Scope, uses};
 use super::sensitivity::{followed, sensitivity_step};
 use super::stages::{Act, MOST_LETS, in_stages, lets};
 use crate::program::{BlockId, BlockKind, Op, Program, Value};
@@ -18,8 +19,9 @@ const MOST_IN_PLACE: usize = 256;
 /// In lanes more blocks than this would be more code than it is worth.
 const MOST_BLOCKS: usize = 32;
 
-/// The function `step`, and those it calls.
-pub(super) fn step(program: &Program) -> TokenStream {
+/// The module of a program: the function `step`, and those it calls.
+pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
+    let name = module::name(program);
     let program = &*program.divided(MOST_LETS);
     let flows = flows(program);
     let position = position(program);
@@ -30,7 +32,6 @@ pub(super) fn step(program: &Program) -> TokenStream {
     }
     let mut motors = motors(program, &mut scope);
     motors.extend(given_rates(program, &mut scope));
-    let suffix = suffix(program);
     let before = lets(&motors);
     let mut functions = TokenStream::new();
     let mut acts = Vec::new();
@@ -56,8 +57,8 @@ pub(super) fn step(program: &Program) -> TokenStream {
             acts.push(act);
             continue;
         }
-        let name = format!("{}{suffix}", program.blocks[block.index()].name);
-        let name = names.fresh(&name);
+        let name = &program.blocks[block.index()].name;
+        let name = scope.fresh_function(&mut names, name);
         functions.extend(function(program, block, &name, flow, &position));
         let last = flow.reads_last.then(|| quote!(last,));
         let takes: Vec<TokenStream> = flow
@@ -118,7 +119,7 @@ pub(super) fn step(program: &Program) -> TokenStream {
     } else {
         iterated_step(program, &written)
     };
-    quote!(#functions #steps)
+    module::module(krate, &name, &quote!(#functions #steps))
 }
 
 /// What a step is made of.
@@ -147,7 +148,7 @@ fn closed_step(program: &Program, written: &Written, places: &[&String]) -> Toke
         let near = quote! {
             /// The same, where all angles are within the range of the polynomials of sine and cosine.
             #[inline]
-            fn near(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
+            pub(super) fn near(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
                 let (position, margins) = position::<Within>(last, motors);
                 closes(margins, [#(#places),*])?;
                 Ok(position)
@@ -160,7 +161,7 @@ fn closed_step(program: &Program, written: &Written, places: &[&String]) -> Toke
     quote! {
         /// The position at these motor values, and for each loop a margin: it closes if that is not negative.
         #[inline(always)]
-        fn position #sines(#last: &#position, motors: Motors<#scalar, #count>) -> (#position, [#scalar; #loops]) {
+        pub(super) fn position #sines(#last: &#position, motors: Motors<#scalar, #count>) -> (#position, [#scalar; #loops]) {
             #motors
             #body
             (#result, [#(#margins),*])
@@ -168,7 +169,7 @@ fn closed_step(program: &Program, written: &Written, places: &[&String]) -> Toke
 
         /// The position at these motor values, if every loop closes there.
         #[inline]
-        fn step(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
+        pub(super) fn step(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
             let (position, margins) = position #anywhere(last, motors);
             closes(margins, [#(#places),*])?;
             Ok(position)
@@ -191,7 +192,7 @@ fn iterated_step(program: &Program, written: &Written) -> TokenStream {
     let count = Literal::usize_unsuffixed(program.inputs());
     quote! {
         /// The position at these motor values, close to the last one.
-        fn step(#last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
+        pub(super) fn step(#last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
             #motors
             #body
             Ok(#result)
@@ -309,22 +310,4 @@ fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
         *all.entry(value).or_insert(0) += 1;
     }
     all
-}
-
-/// Names of functions, each given once.
-#[derive(Default)]
-pub(super) struct FunctionNames(Vec<String>);
-
-impl FunctionNames {
-    pub(super) fn fresh(&mut self, wanted: &str) -> Ident {
-        let taken = |name: &String| self.0.contains(name) || name == "step";
-        let mut name = wanted.to_owned();
-        let mut number = 1;
-        while taken(&name) {
-            number += 1;
-            name = format!("{wanted}_{number}");
-        }
-        self.0.push(name.clone());
-        ident(&name)
-    }
 }

@@ -4,8 +4,9 @@
 use super::items::{named_points, user_ident};
 use crate::model::{JointKind, Model, Precision};
 use crate::syntax::{Header, Places};
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote};
+use syn::{ImplItem, ItemImpl};
 
 /// The struct and the signatures of its methods. None of it is ever run. How many motors it will have is not known as long
 /// as it has errors, so `move_to` takes any number.
@@ -22,103 +23,149 @@ pub(crate) fn stub(
         name,
     } = header;
     let scalar = match model.precision {
-        Precision::F32 => quote!(::core::primitive::f32),
-        Precision::F64 => quote!(::core::primitive::f64),
+        Precision::F32 => quote!(#krate::generated::f32),
+        Precision::F64 => quote!(#krate::generated::f64),
     };
     let motors = Literal::usize_unsuffixed(motors);
     let links = Literal::usize_unsuffixed(model.asked_links().len());
-    let methods = accessors(krate, places, model, (&scalar, &motors));
-    let rates = rates(krate, model, visibility, (&scalar, &links, &motors));
-    let forces = super::forces::stub(krate, places, model, visibility, (&scalar, &motors));
-    let clear_traces =
-        (!model.traces.is_empty()).then(|| quote!(#visibility fn clear_traces(&mut self) {}));
-    let overlay = super::overlay::stub(krate, model, visibility, &scalar);
-    let params = super::params::stub(krate, places, model, visibility, (&scalar, &links, &motors));
-    let phases = (0..model.motors.len()).map(|motor| quote::format_ident!("motor_{}", motor));
-    let at_time = at_time(krate, visibility, has_laws, (&scalar, &motors, &methods));
-    let (names, types): (Vec<_>, Vec<_>) = methods.into_iter().unzip();
-    let (picture, _) = super::items::picture(krate, model);
     let implementation = implementation(krate, header, &scalar, &motors);
+    let methods = distinct(methods(
+        krate,
+        header,
+        places,
+        model,
+        has_laws,
+        (&scalar, &links, &motors),
+    ));
     quote! {
         #(#attributes)*
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
-        #visibility struct #name;
+        #[derive(#krate::generated::Clone, #krate::generated::Copy, #krate::generated::Debug, #krate::generated::PartialEq)]
+        #visibility struct #name {}
 
-        #[allow(dead_code, unused_variables, clippy::all, clippy::pedantic, reason = "never run: the mechanism has errors")]
+        #[allow(dead_code, unused_imports, unused_variables, clippy::all, clippy::pedantic, reason = "never run: the mechanism has errors")]
         const _: () = {
-            impl #name {
-                #visibility const REPORT: &'static ::core::primitive::str = "";
-                #visibility const COST: #krate::Cost = #krate::Cost::NOTHING;
-                #visibility const LOOP_COSTS: [#krate::Cost; 0] = [];
-                #[must_use]
-                #visibility const fn new() -> Self {
-                    Self
-                }
-                #visibility fn motors(&self) -> [#scalar; #motors] {
-                    loop {}
-                }
-                #visibility fn move_to<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS]) -> ::core::result::Result<(), #krate::Blocked<[#scalar; MOTORS]>> {
-                    loop {}
-                }
-                #visibility fn turn_to(&mut self #(, #phases: impl ::core::marker::Sized)*)
-                    -> ::core::result::Result<(), #krate::Blocked<[#scalar; #motors]>>
-                {
-                    loop {}
-                }
-                #visibility fn range<const MOTORS: usize>(motors: [#scalar; MOTORS])
-                    -> ::core::option::Option<#krate::InRange<Self, [#scalar; MOTORS]>>
-                {
-                    ::core::option::Option::None
-                }
-                #visibility fn move_within<const MOTORS: usize>(&mut self, motors: #krate::InRange<Self, [#scalar; MOTORS]>) {}
-                #visibility fn solve_many<const MOTORS: usize>(
-                    &self,
-                    motors: &[[#scalar; MOTORS]],
-                    columns: &mut #krate::Columns<'_, #scalar, #links>,
-                ) -> ::core::result::Result<(), #krate::BlockedAt<[#scalar; MOTORS]>> {
-                    loop {}
-                }
-                #visibility fn move_many<const MOTORS: usize>(
-                    instances: &mut [Self],
-                    motors: &[[#scalar; MOTORS]],
-                ) -> ::core::result::Result<(), #krate::BlockedAt<[#scalar; MOTORS]>> {
-                    loop {}
-                }
-                #visibility fn move_toward<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS])
-                    -> ::core::result::Result<#krate::Reached<[#scalar; MOTORS]>, #krate::Blocked<[#scalar; MOTORS]>>
-                {
-                    loop {}
-                }
-                #visibility fn poses(&self) -> &[#krate::Pose<#scalar>; #links] {
-                    loop {}
-                }
-                #visibility const EXTENT: [[#scalar; 2]; 2] = [[0.0; 2]; 2];
-                #visibility fn picture<const W: ::core::primitive::usize, const H: ::core::primitive::usize>() -> #picture<W, H> {
-                    loop {}
-                }
-                #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
-                #rates
-                #forces
-                #at_time
-                #clear_traces
-                #overlay
-                #params
-                #(
-                    #visibility fn #names(&self) -> #types {
-                        loop {}
-                    }
-                )*
-            }
+            use #krate::generated::parameters::*;
 
-            impl ::core::default::Default for #name {
+            #methods
+
+            impl #krate::generated::Default for #name {
                 fn default() -> Self {
-                    Self
+                    Self {}
                 }
             }
 
             #implementation
         };
     }
+}
+
+/// The methods of the struct; a name may stand more than once.
+fn methods(
+    krate: &TokenStream,
+    header: &Header,
+    places: &Places,
+    model: &Model,
+    has_laws: bool,
+    (scalar, links, motors): (&TokenStream, &Literal, &Literal),
+) -> TokenStream {
+    let Header {
+        visibility, name, ..
+    } = header;
+    let accessors = accessors(krate, places, model, (scalar, motors));
+    let rates = rates(krate, model, visibility, (scalar, links, motors));
+    let forces = super::forces::stub(krate, places, model, visibility, (scalar, motors));
+    let clear_traces =
+        (!model.traces.is_empty()).then(|| quote!(#visibility fn clear_traces(&mut self) {}));
+    let overlay = super::overlay::stub(krate, model, visibility, scalar);
+    let params = super::params::stub(krate, places, model, visibility, (scalar, links, motors));
+    let phases = model.motors.iter().map(|_| quote!(_));
+    let at_time = at_time(krate, visibility, has_laws, (scalar, motors));
+    let (names, types): (Vec<_>, Vec<_>) = accessors.into_iter().unzip();
+    let (picture, _) = super::items::picture(model);
+    quote! {
+    impl #name {
+        #visibility const REPORT: &'static #krate::generated::str = "";
+        #visibility const COST: #krate::Cost = #krate::Cost::NOTHING;
+        #visibility const LOOP_COSTS: [#krate::Cost; 0] = [];
+        #[must_use]
+        #visibility const fn new() -> Self {
+            Self {}
+        }
+        #visibility fn motors(&self) -> [#scalar; #motors] {
+            loop {}
+        }
+        #visibility fn move_to<const MOTORS: #krate::generated::usize>(&mut self, motors: [#scalar; MOTORS]) -> #krate::generated::Result<(), #krate::Blocked<[#scalar; MOTORS]>> {
+            loop {}
+        }
+        #visibility fn turn_to(&mut self #(, #phases: impl #krate::generated::Sized)*)
+            -> #krate::generated::Result<(), #krate::Blocked<[#scalar; #motors]>>
+        {
+            loop {}
+        }
+        #visibility fn range<const MOTORS: #krate::generated::usize>(motors: [#scalar; MOTORS])
+            -> #krate::generated::Option<#krate::InRange<Self, [#scalar; MOTORS]>>
+        {
+            #krate::generated::Option::None
+        }
+        #visibility fn move_within<const MOTORS: #krate::generated::usize>(&mut self, motors: #krate::InRange<Self, [#scalar; MOTORS]>) {}
+        #visibility fn solve_many<const MOTORS: #krate::generated::usize>(
+            &self,
+            motors: &[[#scalar; MOTORS]],
+            columns: &mut #krate::Columns<'_, #scalar, #links>,
+        ) -> #krate::generated::Result<(), #krate::BlockedAt<[#scalar; MOTORS]>> {
+            loop {}
+        }
+        #visibility fn move_many<const MOTORS: #krate::generated::usize>(
+            instances: &mut [Self],
+            motors: &[[#scalar; MOTORS]],
+        ) -> #krate::generated::Result<(), #krate::BlockedAt<[#scalar; MOTORS]>> {
+            loop {}
+        }
+        #visibility fn move_toward<const MOTORS: #krate::generated::usize>(&mut self, motors: [#scalar; MOTORS])
+            -> #krate::generated::Result<#krate::Reached<[#scalar; MOTORS]>, #krate::Blocked<[#scalar; MOTORS]>>
+        {
+            loop {}
+        }
+        #visibility fn poses(&self) -> &[#krate::Pose<#scalar>; #links] {
+            loop {}
+        }
+        #visibility const EXTENT: [[#scalar; 2]; 2] = [[0.0; 2]; 2];
+        #visibility fn picture<const W: #krate::generated::usize, const H: #krate::generated::usize>() -> #krate::#picture<{ W }, { H }> {
+            loop {}
+        }
+        #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
+        #(
+            #visibility fn #names(&self) -> #types {
+                loop {}
+            }
+        )*
+        #rates
+        #forces
+        #at_time
+        #clear_traces
+        #overlay
+        #params
+    }
+    }
+}
+
+/// The methods of an implementation, each once: what has the name of something else is reported elsewhere.
+fn distinct(methods: TokenStream) -> TokenStream {
+    let Ok(mut methods) = syn::parse2::<ItemImpl>(methods.clone()) else {
+        return methods;
+    };
+    let mut names: Vec<Ident> = Vec::new();
+    methods.items.retain(|item| {
+        let name = match item {
+            ImplItem::Const(item) => &item.ident,
+            ImplItem::Fn(item) => &item.sig.ident,
+            _ => return true,
+        };
+        let is_new = !names.contains(name);
+        names.push(name.clone());
+        is_new
+    });
+    methods.into_token_stream()
 }
 
 /// The trait, never run either.
@@ -134,25 +181,25 @@ fn implementation(
             impl #krate::Mechanism for #name {
                 type Scalar = #scalar;
                 type Motors = [#scalar; #motors];
-                const NAME: &'static ::core::primitive::str = #text;
-                const REPORT: &'static ::core::primitive::str = "";
+                const NAME: &'static #krate::generated::str = #text;
+                const REPORT: &'static #krate::generated::str = "";
                 const COST: #krate::Cost = #krate::Cost::NOTHING;
                 const LOOP_COSTS: &'static [#krate::Cost] = &[];
-                const MOTORS: &'static [&'static ::core::primitive::str] = &[];
-                const LINKS: &'static [&'static ::core::primitive::str] = &[];
+                const MOTORS: &'static [&'static #krate::generated::str] = &[];
+                const LINKS: &'static [&'static #krate::generated::str] = &[];
                 const SHAPES: &'static [#krate::Shape<#scalar>] = &[];
                 const EXTENT: [[#scalar; 2]; 2] = [[0.0; 2]; 2];
                 fn new() -> Self {
-                    Self
+                    Self {}
                 }
                 fn motors(&self) -> [#scalar; #motors] {
                     loop {}
                 }
-                fn move_to(&mut self, motors: [#scalar; #motors]) -> ::core::result::Result<(), #krate::Blocked<[#scalar; #motors]>> {
+                fn move_to(&mut self, motors: [#scalar; #motors]) -> #krate::generated::Result<(), #krate::Blocked<[#scalar; #motors]>> {
                     loop {}
                 }
                 fn move_toward(&mut self, motors: [#scalar; #motors])
-                    -> ::core::result::Result<#krate::Reached<[#scalar; #motors]>, #krate::Blocked<[#scalar; #motors]>>
+                    -> #krate::generated::Result<#krate::Reached<[#scalar; #motors]>, #krate::Blocked<[#scalar; #motors]>>
                 {
                     loop {}
                 }
@@ -163,19 +210,19 @@ fn implementation(
     }
 }
 
-/// The method that laws add, unless something else is called so.
+/// The method that laws add.
 fn at_time(
     krate: &TokenStream,
     visibility: &syn::Visibility,
     has_laws: bool,
-    (scalar, motors, others): (&TokenStream, &Literal, &[(proc_macro2::Ident, TokenStream)]),
+    (scalar, motors): (&TokenStream, &Literal),
 ) -> TokenStream {
-    if !has_laws || others.iter().any(|(name, _)| name == "at_time") {
+    if !has_laws {
         return TokenStream::new();
     }
     quote! {
-        #visibility fn at_time(&mut self, t: ::core::primitive::f64)
-            -> ::core::result::Result<(), #krate::Blocked<[#scalar; #motors]>>
+        #visibility fn at_time(&mut self, t: #krate::generated::f64)
+            -> #krate::generated::Result<(), #krate::Blocked<[#scalar; #motors]>>
         {
             loop {}
         }
@@ -205,8 +252,8 @@ fn rates(
         (TokenStream::new(), TokenStream::new())
     };
     quote! {
-        #visibility fn move_with<const MOTORS: usize>(&mut self, motors: [#scalar; MOTORS], rates: [#scalar; MOTORS] #given)
-            -> ::core::result::Result<(), #krate::Blocked<[#scalar; MOTORS]>>
+        #visibility fn move_with<const MOTORS: #krate::generated::usize>(&mut self, motors: [#scalar; MOTORS], rates: [#scalar; MOTORS] #given)
+            -> #krate::generated::Result<(), #krate::Blocked<[#scalar; MOTORS]>>
         {
             loop {}
         }
@@ -215,7 +262,7 @@ fn rates(
         }
         #second
         #visibility fn influences(&self)
-            -> ::core::result::Result<[[#krate::Velocity<#scalar>; #links]; #motors], #krate::Blocked<[#scalar; #motors]>>
+            -> #krate::generated::Result<[[#krate::Velocity<#scalar>; #links]; #motors], #krate::Blocked<[#scalar; #motors]>>
         {
             loop {}
         }
@@ -228,20 +275,20 @@ fn accessors(
     places: &Places,
     model: &Model,
     (scalar, motors): (&TokenStream, &Literal),
-) -> Vec<(proc_macro2::Ident, TokenStream)> {
+) -> Vec<(Ident, TokenStream)> {
     let params = Literal::usize_unsuffixed(model.params.len());
     let isometry = quote!(#krate::Isometry2<#scalar>);
     let point = quote!(#krate::Point2<#scalar>);
     let vector = quote!(#krate::Vector2<#scalar>);
     let velocity = quote!(#krate::Velocity<#scalar>);
     let acceleration = quote!(#krate::Acceleration<#scalar>);
-    let mut methods: Vec<(proc_macro2::Ident, TokenStream)> = Vec::new();
+    let mut methods: Vec<(Ident, TokenStream)> = Vec::new();
     let mut tell = |name: &str, origin, kinds: [TokenStream; 3], rate: &str| {
         let [value, velocity, acceleration] = kinds;
         methods.push((user_ident(name, places, origin), value));
         if model.effects.sensitivity {
             let name = format!("{name}_sensitivity");
-            let found = quote!(::core::result::Result<[#velocity; #params], #krate::Blocked<[#scalar; #motors]>>);
+            let found = quote!(#krate::generated::Result<[#velocity; #params], #krate::Blocked<[#scalar; #motors]>>);
             methods.push((user_ident(&name, places, origin), found));
         }
         if model.effects.velocity {
@@ -274,12 +321,5 @@ fn accessors(
         tell(&joint.name, joint.origin, kinds, "rate");
     }
     methods.extend(super::traces::told(krate, places, model));
-    // What was declared twice is reported elsewhere: here each name may stand only once.
-    let mut seen = Vec::new();
-    methods.retain(|(name, _)| {
-        let new = !seen.contains(name);
-        seen.push(name.clone());
-        new
-    });
     methods
 }

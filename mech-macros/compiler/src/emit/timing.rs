@@ -4,16 +4,17 @@ use super::added::Added;
 use super::block::{binding, function, scalar};
 use super::flow::flows;
 use super::items::rested;
+use super::module;
 use super::moves::near;
 use super::rates::moved_with;
-use super::scope::{Scope, uses};
+use super::scope::{FunctionNames, Scope, uses};
 use super::stages::MOST_LETS;
 use super::step::position;
 use crate::Compiled;
 use crate::model::{JointKind, Model, Precision};
 use crate::program::{Program, Timed, Timing, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use std::collections::BTreeMap;
 
 /// What laws add to a mechanism. `rest` is what rates leave behind after a move without them.
@@ -28,30 +29,14 @@ pub(super) fn added(
         return Added::default();
     };
     Added {
-        imports: imports(krate, &compiled.program, timing),
-        methods: at_time(krate, model, compiled, visibility, (rest, record)),
-        steps: laws(model, &compiled.program, timing),
+        methods: at_time(model, compiled, visibility, (rest, record)),
+        steps: laws(krate, model, &compiled.program, timing),
         ..Added::default()
     }
 }
 
-/// What laws use beyond what is there anyway.
-fn imports(krate: &TokenStream, program: &Program, timing: &Timing) -> TokenStream {
-    let mut tokens = TokenStream::new();
-    if timing.program.has_exponentials() && !program.has_exponentials() {
-        tokens.extend(quote!(use #krate::generated::exp;));
-    }
-    if program.precision == Precision::F32 {
-        tokens.extend(quote!(
-            use ::core::primitive::f64;
-        ));
-    }
-    tokens
-}
-
 /// The method that moves the motors by their laws.
 fn at_time(
-    krate: &TokenStream,
     model: &Model,
     compiled: &Compiled,
     visibility: &syn::Visibility,
@@ -85,7 +70,7 @@ fn at_time(
     let moved = match &compiled.moving {
         Some(moving) => moved_with(moving, effects, &quote!(motors), record),
         None => rested(
-            quote!(advance(&mut self.position, motors, &COURSE, #near, step)),
+            quote!(generated::advance(&mut self.position, motors, &known::COURSE, #near, positions::step)),
             &quote!(#rest #record),
         ),
     };
@@ -108,11 +93,11 @@ fn at_time(
         /// # Errors
         #dead
         #visibility fn at_time(&mut self, t: f64) -> Result<(), Blocked<[#scalar; #count]>> {
-            let there = #krate::generated::finite([t], &[#first])
-                .and_then(|()| laws(self.position.motors, t));
+            let there = generated::finite([t], &[#first])
+                .and_then(|()| laws::laws(self.position.motors, t));
             let #found = match there {
-                Ok(there) => there,
-                Err(stop) => return Err(self.position.refuse(stop)),
+                Result::Ok(there) => there,
+                Result::Err(stop) => return Result::Err(Position::refuse(&self.position, stop)),
             };
             #moved
         }
@@ -120,7 +105,7 @@ fn at_time(
 }
 
 /// The laws as a function.
-fn laws(model: &Model, program: &Program, timing: &Timing) -> TokenStream {
+fn laws(krate: &TokenStream, model: &Model, program: &Program, timing: &Timing) -> TokenStream {
     let written = &*timing.program.divided(MOST_LETS);
     let mut scope = Scope::new(written, all_uses(written));
     let time = scope.fresh("t");
@@ -166,16 +151,17 @@ fn laws(model: &Model, program: &Program, timing: &Timing) -> TokenStream {
         ),
     };
     let time = used.map_or_else(|| quote!(_), |_| quote!(#time));
-    quote! {
+    let functions = quote! {
         #parts
 
         /// The motors at a time, by their laws.
         #[inline]
-        fn laws(mut motors: #motors, #time: f64) -> Result<#kind, Stop> {
+        pub(super) fn laws(mut motors: #motors, #time: f64) -> Result<#kind, Stop> {
             #body
             Ok(#result)
         }
-    }
+    };
+    module::module(krate, &format_ident!("laws"), &functions)
 }
 
 /// Everything that laws say, as statements.
@@ -193,8 +179,9 @@ fn in_place(written: &Program, scope: &mut Scope<'_>) -> TokenStream {
 fn in_parts(written: &Program, scope: &mut Scope<'_>) -> (TokenStream, TokenStream) {
     let (mut functions, mut calls) = (TokenStream::new(), TokenStream::new());
     let flows = flows(written);
+    let mut names = FunctionNames::default();
     for (number, (block, flow)) in written.block_ids().zip(&flows).enumerate() {
-        let name = scope.fresh(&format!("laws_part_{}", number + 1));
+        let name = scope.fresh_function(&mut names, &format!("laws_part_{}", number + 1));
         functions.extend(function(written, block, &name, flow, &position(written)));
         let [takes, gives] = [&flow.takes, &flow.gives].map(|values| -> Vec<Ident> {
             values.iter().map(|&value| scope.bind(value)).collect()

@@ -23,11 +23,11 @@ pub(super) fn added(
     }
     let scalar = scalar(program);
     let mut items = Added {
-        record: quote!(record_traces(self);),
-        instance_record: quote!(record_traces(instance)),
+        record: quote!(Traced::record(self);),
+        instance_record: quote!(Traced::record(instance)),
         trait_methods: quote! {
             fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
-                self.draw(canvas);
+                Self::draw(self, canvas);
             }
         },
         ..Added::default()
@@ -42,11 +42,11 @@ pub(super) fn added(
             trace.length
         );
         items.fields.extend(quote! {
-            #field: #krate::Trace<::core::primitive::#scalar, #length>,
+            #field: #krate::Trace<#krate::generated::#scalar, #length>,
         });
         items.at_rest.extend(quote!(#field: Trace::new(),));
-        pushes.extend(quote!(mechanism.#field.push(#place);));
-        clears.extend(quote!(self.#field.clear();));
+        pushes.extend(quote!(Trace::push(&mut self.#field, #place);));
+        clears.extend(quote!(Trace::clear(&mut self.#field);));
         items.methods.extend(quote! {
             #[doc = #doc]
             #[must_use]
@@ -61,15 +61,7 @@ pub(super) fn added(
             #clears
         }
     });
-    items.imports = quote! {
-        use #krate::generated::{Trace, move_many_then};
-
-        /// Notes where the traced points are.
-        #[inline]
-        fn record_traces(mechanism: &mut Itself) {
-            #pushes
-        }
-    };
+    items.records = pushes;
     items
 }
 
@@ -83,7 +75,7 @@ pub(super) fn told(
     model.traces.iter().map(move |trace| {
         let (_, method) = names(places, model, trace);
         let length = Literal::usize_unsuffixed(trace.length);
-        let given = quote!(&#krate::Trace<::core::primitive::#scalar, #length>);
+        let given = quote!(&#krate::Trace<#krate::generated::#scalar, #length>);
         (method, given)
     })
 }
@@ -106,11 +98,11 @@ fn place(model: &Model, program: &Program, trace: &Trace) -> TokenStream {
         None => number(program.precision, axis.at[part]),
         Some(kept) => {
             let kept = Literal::usize_unsuffixed(kept);
-            quote!(mechanism.position.kept[#kept])
+            quote!(self.position.kept[#kept])
         }
     });
     let index = Literal::usize_unsuffixed(program.place_of(axis.link).unwrap_or_default());
-    quote!(mechanism.position.poses[#index].apply([#x, #y]))
+    quote!(self.position.poses[#index].apply([#x, #y]))
 }
 
 /// The painting of all shapes and traces, from the plane farthest from the eye to the nearest.
@@ -133,22 +125,27 @@ pub(super) fn painting(places: &Places, model: &Model, program: &Program) -> Tok
     traces.sort_by_key(|(behind, _)| *behind);
     let mut tokens = TokenStream::new();
     let mut painted = 0;
-    let paint = |shapes: TokenStream| quote!(paint(#shapes, &self.position.poses, canvas););
+    let paint =
+        |shapes: TokenStream| quote!(generated::paint(#shapes, &self.position.poses, canvas););
     for (behind, trace) in traces {
         if behind > painted {
             let [from, to] = [painted, behind].map(Literal::usize_unsuffixed);
-            tokens.extend(paint(quote!(SHAPES.get(#from..#to).unwrap_or_default())));
+            tokens.extend(paint(
+                quote!(known::SHAPES.get(#from..#to).unwrap_or_default()),
+            ));
             painted = behind;
         }
         let (_, field) = names(places, model, trace);
         let color = Literal::u8_unsuffixed(trace.color);
-        tokens.extend(quote!(self.#field.draw(canvas, #color);));
+        tokens.extend(quote!(Trace::draw(&self.#field, canvas, #color);));
     }
     if painted == 0 {
-        tokens.extend(paint(quote!(SHAPES)));
+        tokens.extend(paint(quote!(known::SHAPES)));
     } else if painted < shapes.len() {
         let from = Literal::usize_unsuffixed(painted);
-        tokens.extend(paint(quote!(SHAPES.get(#from..).unwrap_or_default())));
+        tokens.extend(paint(
+            quote!(known::SHAPES.get(#from..).unwrap_or_default()),
+        ));
     }
     tokens
 }

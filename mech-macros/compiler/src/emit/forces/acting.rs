@@ -32,16 +32,16 @@ impl Writer<'_> {
             #[inline]
             #visibility fn hold_at(&mut self, motors: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
                 #loads
-                let held = advance_with(
+                let held = generated::advance_with(
                     &mut self.position,
                     Motors::new(motors),
-                    &COURSE,
+                    &known::COURSE,
                     |last, motors| #near(last, motors #arguments),
                     |last, motors| #far(last, motors #arguments),
-                    step,
+                    positions::step,
                 )?;
                 #rest
-                Ok(held.torques)
+                Result::Ok(held.torques)
             }
 
             /// The torques of the motors (the forces of those that slide) that hold it at rest where it is.
@@ -50,9 +50,9 @@ impl Writer<'_> {
             /// If the mechanism is at a dead point or a change point, where these are not determined.
             #visibility fn torques(&self) -> Result<[#scalar; #motors], #blocked> {
                 #loads
-                rates_at(&self.position, |last, motors| #far(last, motors #arguments))
+                generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments))
                     .map(|held| held.torques)
-                    .map_err(|stop| self.position.refuse(stop))
+                    .map_err(|stop| Position::refuse(&self.position, stop))
             }
         }
     }
@@ -85,10 +85,10 @@ impl Writer<'_> {
             /// If a rate is not finite, or the mechanism is at a dead point or a change point, where forces are not determined.
             #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> Result<#found, #blocked> {
                 #loads
-                finite(rates, &COURSE.names)
-                    .and_then(|()| finite(accelerations, &COURSE.names))
-                    .and_then(|()| rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
-                    .map_err(|stop| self.position.refuse(stop))
+                generated::finite(rates, &known::COURSE.names)
+                    .and_then(|()| generated::finite(accelerations, &known::COURSE.names))
+                    .and_then(|()| generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
+                    .map_err(|stop| Position::refuse(&self.position, stop))
             }
         };
         for (first, load) in model.actions.numbered_loads() {
@@ -120,10 +120,10 @@ impl Writer<'_> {
                     quote!(, along: [#scalar; 2]),
                     quote! {
                         let [x, y] = along;
-                        let length = sqrt(x * x + y * y);
+                        let length = generated::sqrt(x * x + y * y);
                         let is_direction = length > 0.0 && Real::is_finite(length);
                         if !is_direction {
-                            return Err(self.position.refuse(not_finite(#place)));
+                            return Result::Err(Position::refuse(&self.position, generated::not_finite(#place)));
                         }
                     },
                     quote!((response[#index] * x + response[#next] * y) / length),
@@ -146,8 +146,8 @@ impl Writer<'_> {
             /// If the mechanism is at a dead point or a change point, where this is not determined, or a direction is zero.
             #visibility fn #name(&self #direction) -> Result<[#scalar; #motors], #blocked> {
                 #test
-                let forces = self.forces([0.0; #motors], [0.0; #motors])?;
-                Ok(forces.responses.map(|response| -1.0 / (#follows)))
+                let forces = Self::forces(self, [0.0; #motors], [0.0; #motors])?;
+                Result::Ok(forces.responses.map(|response| -1.0 / (#follows)))
             }
         }
     }

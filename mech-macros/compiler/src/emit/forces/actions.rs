@@ -64,10 +64,10 @@ impl Writer<'_> {
             #visibility fn #set(&mut self, load: #kind) -> Result<(), #blocked> {
                 let is_finite = #test;
                 if !is_finite {
-                    return Err(self.position.refuse(not_finite(#name)));
+                    return Result::Err(Position::refuse(&self.position, generated::not_finite(#name)));
                 }
                 #put
-                Ok(())
+                Result::Ok(())
             }
         }
     }
@@ -98,7 +98,7 @@ impl Writer<'_> {
                 #[doc = #doc]
                 #[must_use]
                 #visibility fn #name(&self) -> #scalar {
-                    pull(#from, #to, #stiffness, #rest)
+                    generated::pull(#from, #to, #stiffness, #rest)
                 }
             })
         });

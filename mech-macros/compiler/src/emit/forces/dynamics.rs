@@ -37,12 +37,12 @@ impl Writer<'_> {
             /// # Errors
             /// If a rate is not finite; all of them then stay what they were.
             #visibility fn set_rates(&mut self, rates: [#scalar; #motors]) -> Result<(), #blocked> {
-                match finite(rates, &COURSE.names) {
-                    Ok(()) => {
+                match generated::finite(rates, &known::COURSE.names) {
+                    Result::Ok(()) => {
                         self.rates = rates;
-                        Ok(())
+                        Result::Ok(())
                     }
-                    Err(stop) => Err(self.position.refuse(stop)),
+                    Result::Err(stop) => Result::Err(Position::refuse(&self.position, stop)),
                 }
             }
 
@@ -54,10 +54,10 @@ impl Writer<'_> {
             #visibility fn second_rates(&self, torques: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
                 #loads
                 let rates = self.rates;
-                finite(torques, &COURSE.names)
-                    .and_then(|()| rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
-                    .and_then(|inertia| inertia.accelerations(torques, &COURSE.names))
-                    .map_err(|stop| self.position.refuse(stop))
+                generated::finite(torques, &known::COURSE.names)
+                    .and_then(|()| generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
+                    .and_then(|inertia| Inertia::accelerations(&inertia, torques, &known::COURSE.names))
+                    .map_err(|stop| Position::refuse(&self.position, stop))
             }
 
             /// The kinetic energy, and the potential energy of gravity and springs.
@@ -67,9 +67,9 @@ impl Writer<'_> {
             #visibility fn energy(&self) -> Result<[#scalar; 2], #blocked> {
                 #loads
                 let rates = self.rates;
-                rates_at(&self.position, |last, motors| #far(last, motors #arguments))
+                generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments))
                     .map(|inertia| [inertia.kinetic, inertia.potential])
-                    .map_err(|stop| self.position.refuse(stop))
+                    .map_err(|stop| Position::refuse(&self.position, stop))
             }
 
             /// Lets it move for a step of time under these torques of the motors (forces for those that slide): a step of
@@ -78,7 +78,7 @@ impl Writer<'_> {
             /// # Errors
             /// As for `simulate_by`.
             #visibility fn simulate(&mut self, time: #scalar, torques: [#scalar; #motors]) -> Result<(), #blocked> {
-                self.simulate_by(Gauss::Four, time, torques)
+                Self::simulate_by(self, Gauss::Four, time, torques)
             }
 
             /// The same by a method of one's choice: what is more exact takes longer.
@@ -92,24 +92,24 @@ impl Writer<'_> {
                     rates: self.rates,
                     torques,
                     time,
-                    names: &COURSE.names,
+                    names: &known::COURSE.names,
                     turning: &[#(#turning),*],
                 };
-                let simulated = simulate(&self.position, &moment, method, |position, motors, rates| {
-                    advance_with(
+                let simulated = generated::simulate(&self.position, &moment, method, |position, motors, rates| {
+                    generated::advance_with(
                         position,
                         motors,
-                        &COURSE,
+                        &known::COURSE,
                         |last, motors| #near(last, motors #arguments),
                         |last, motors| #far(last, motors #arguments),
-                        step,
+                        positions::step,
                     )
                 })?;
                 #velocities
                 self.position = simulated.position;
                 self.rates = simulated.rates;
                 #record
-                Ok(())
+                Result::Ok(())
             }
         }
     }
@@ -134,12 +134,12 @@ impl Writer<'_> {
             )
         };
         quote! {
-            match rates_at(&simulated.position, |last, motors| step_with(last, motors #given)) {
-                Ok(#found) => {
+            match generated::rates_at(&simulated.position, |last, motors| rates::step(last, motors #given)) {
+                Result::Ok(#found) => {
                     self.velocities = velocities;
                     #keep
                 }
-                Err(stop) => return Err(self.position.refuse(stop)),
+                Result::Err(stop) => return Result::Err(Position::refuse(&self.position, stop)),
             }
         }
     }

@@ -63,17 +63,11 @@ pub(super) fn added(
         rest: quote!(#rest #unmoved #record),
         record,
     };
-    let mut items = Added {
-        imports: quote! {
-            #[allow(unused_imports, reason = "which of them a mechanism needs depends on its effects")]
-            use #krate::generated::{Forces, Gauss, Holding, Inertia, Moment, Reaction, not_finite, pull, simulate};
-        },
-        ..Added::default()
-    };
+    let mut items = Added { ..Added::default() };
     let Writer { scalar, motors, .. } = &writer;
     if loads > 0 {
         let count = Literal::usize_unsuffixed(loads);
-        items.fields = quote!(loads: [::core::primitive::#scalar; #count],);
+        items.fields = quote!(loads: [#krate::generated::#scalar; #count],);
         items.at_rest = quote!(loads: [0.0; #count],);
         items.methods.extend(writer.loads());
     }
@@ -87,7 +81,7 @@ pub(super) fn added(
     if let Some(inertia) = &forced.inertia {
         items
             .fields
-            .extend(quote!(rates: [::core::primitive::#scalar; #motors],));
+            .extend(quote!(rates: [#krate::generated::#scalar; #motors],));
         items.at_rest.extend(quote!(rates: [0.0; #motors],));
         items.rest = unmoved;
         items
@@ -106,9 +100,9 @@ pub(super) fn added(
     ];
     for (further, name, what) in programs {
         if let Some(further) = further {
-            let cost = more(krate, (program, further), name, what, visibility);
+            let cost = more((program, further), name, what, visibility);
             items.methods.extend(cost);
-            items.steps.extend(step(further));
+            items.steps.extend(step(krate, further));
         }
     }
     items

@@ -19,7 +19,7 @@ pub(in crate::emit) fn stub(
         return tokens;
     }
     let blocked = quote!(#krate::Blocked<[#scalar; #motors]>);
-    let result = |what: TokenStream| quote!(::core::result::Result<#what, #blocked>);
+    let result = |what: TokenStream| quote!(#krate::generated::Result<#what, #blocked>);
     let done = result(quote!(()));
     let all = result(quote!([#scalar; #motors]));
     for load in &model.actions.loads {
@@ -53,7 +53,7 @@ pub(in crate::emit) fn stub(
         // How many loops are dyads is not known; there are no more of them than joints.
         let forces = result(quote!(#krate::Forces<#scalar, #motors, #joints, #loads, #joints>));
         tokens.extend(quote! {
-            #visibility const JOINTS: [&'static ::core::primitive::str; #joints] = [""; #joints];
+            #visibility const JOINTS: [&'static #krate::generated::str; #joints] = [""; #joints];
             #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> #forces { loop {} }
         });
         for load in &model.actions.loads {

@@ -129,7 +129,8 @@ pub(super) fn name(input: ParseStream, what: &str) -> Read<Ident> {
     if !input.peek(Ident::peek_any) {
         return Err(unexpected(input, what));
     }
-    let valid = input.peek(syn::Ident);
+    // What is a keyword to `syn`, and what became one in edition 2024, in which generated code is written.
+    let valid = input.peek(syn::Ident) && !comes_word(input, "gen");
     let ident = any_word(input).ok_or_else(|| unexpected(input, what))?;
     let text = match ident.to_string() {
         raw if raw.starts_with("r#") => format!("`{raw}` is a raw identifier; choose a plain name"),

@@ -6,7 +6,12 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 30] = [
+const RESERVED: [&str; 35] = [
+    "NAME",
+    "MOTORS",
+    "LINKS",
+    "SHAPES",
+    "view",
     "RATES_COST",
     "new",
     "move_with",

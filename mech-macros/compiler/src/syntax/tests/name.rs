@@ -90,6 +90,11 @@ fn names_are_names() {
         "link «type»;",
         &["`type` is a keyword of Rust; choose another name"],
     );
+    // In edition 2024, in which generated code is written.
+    told(
+        "link «gen»;",
+        &["`gen` is a keyword of Rust; choose another name"],
+    );
     told(
         "link «_»;",
         &["expected the name of a link, found `_`; give it a name"],

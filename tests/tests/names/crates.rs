@@ -1,0 +1,126 @@
+//! Crates of one line a case, checked by the compiler.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// So many lines are compiled at once.
+const BATCH: usize = 100;
+
+/// One case: a module on a line of its own.
+pub(crate) struct Line {
+    /// What it tries.
+    what: String,
+    code: String,
+    /// The errors that it should have.
+    errors: Vec<String>,
+}
+
+impl Line {
+    /// A case that should compile.
+    pub(crate) fn new(what: String, code: String) -> Self {
+        let errors = Vec::new();
+        Self { what, code, errors }
+    }
+
+    /// A case that should have some of these errors and no others.
+    pub(crate) fn refused(what: String, code: String, errors: Vec<String>) -> Self {
+        Self { what, code, errors }
+    }
+}
+
+/// Compiles all of them, and compares what the compiler says with what it should say.
+pub(crate) fn compile(name: &str, lines: &[Line]) {
+    let mut wrong = Vec::new();
+    for (number, batch) in lines.chunks(BATCH).enumerate() {
+        wrong.extend(check(&format!("{name}_{number}"), batch));
+    }
+    let count = wrong.len();
+    wrong.truncate(40);
+    assert!(count == 0, "{count} lines are wrong:\n{}", wrong.join("\n"));
+}
+
+/// What is wrong with the lines of a crate.
+fn check(name: &str, lines: &[Line]) -> Vec<String> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("names");
+    fs::create_dir_all(&folder).expect("a folder");
+    let source = folder.join(format!("{name}.rs"));
+    let mut text = "#![allow(warnings)] ".to_owned();
+    for (number, line) in lines.iter().enumerate() {
+        let code = line.code.replace('\n', " ");
+        text += &format!("mod case_{number} {{ {code} }}\n");
+    }
+    fs::write(&source, text).expect("a file");
+    let (library, libraries) = runtime();
+    let output = Command::new("rustc")
+        .args([
+            "--edition",
+            "2024",
+            "--crate-type",
+            "lib",
+            "--emit",
+            "metadata",
+            "--error-format",
+            "short",
+        ])
+        .arg("--extern")
+        .arg(format!("mech_runtime={}", library.display()))
+        .arg("-L")
+        .arg(format!("dependency={}", libraries.display()))
+        .arg("--out-dir")
+        .arg(&folder)
+        .arg(&source)
+        .output()
+        .expect("the compiler runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    let mut wrong = Vec::new();
+    let mut told = vec![false; lines.len()];
+    for error in said.lines().filter(|line| line.contains(": error")) {
+        let place = error
+            .split(".rs:")
+            .nth(1)
+            .and_then(|rest| rest.split(':').next());
+        let number = place.and_then(|number| number.parse::<usize>().ok());
+        let Some(line) = number.and_then(|number| lines.get(number.checked_sub(1)?)) else {
+            wrong.push(error.to_owned());
+            continue;
+        };
+        let is_expected = line.errors.iter().any(|expected| {
+            let first = expected.lines().next().unwrap_or_default();
+            error.ends_with(&format!(": error: {first}"))
+        });
+        if is_expected {
+            told[number.unwrap_or_default() - 1] = true;
+        } else {
+            wrong.push(format!("{}: {error}", line.what));
+        }
+    }
+    for (line, told) in lines.iter().zip(told) {
+        if !line.errors.is_empty() && !told {
+            wrong.push(format!("{}: nothing is said", line.what));
+        }
+    }
+    let should_compile = lines.iter().all(|line| line.errors.is_empty());
+    if output.status.success() != should_compile && wrong.is_empty() {
+        wrong.push(said.into_owned());
+    }
+    wrong
+}
+
+/// The library that these tests were built with, and where those are that it needs: beside this executable.
+fn runtime() -> (PathBuf, PathBuf) {
+    let this = std::env::current_exe().expect("the path of this executable");
+    let folder = this.parent().expect("its folder").to_owned();
+    let files = fs::read_dir(&folder).expect("the folder of libraries");
+    let newest = files
+        .filter_map(|file| {
+            let file = file.ok()?;
+            let name = file.file_name().into_string().ok()?;
+            let is_library = name.starts_with("libmech_runtime-") && name.ends_with(".rlib");
+            let changed = file.metadata().ok()?.modified().ok()?;
+            is_library.then(|| (changed, file.path()))
+        })
+        .max();
+    let (_, library) = newest.expect("the runtime was built");
+    (library, folder)
+}
