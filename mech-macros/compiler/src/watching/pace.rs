@@ -18,7 +18,7 @@ const BOXES_OF_ALL: usize = 16_384;
 /// An arm may become shorter than this part of what it is at the start only where a bound is lost anyway.
 const SHORT: f64 = 0.01;
 /// Of loops that are solved by iteration only their steps are bounded: so fast are they taken to turn.
-const ITERATED: f64 = 4.0;
+const ITERATED: f64 = 16.0;
 /// A bound through many loops is wide: nothing is taken to turn more than so many times as fast as what drives it, and no sine to
 /// change so fast.
 const MOST: f64 = 1024.0;
