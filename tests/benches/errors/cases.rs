@@ -4,20 +4,20 @@ use mech_tests::chain_text;
 use std::fmt::Write as _;
 
 /// A mechanism with an error.
-pub struct Case {
+pub(crate) struct Case {
     /// What is wrong.
-    pub name: &'static str,
-    pub links: usize,
-    pub text: String,
+    pub(crate) name: &'static str,
+    pub(crate) links: usize,
+    pub(crate) text: String,
     /// How many milliseconds its diagnosis may take in a build without optimisation.
-    pub most: f64,
+    pub(crate) most: f64,
 }
 
 /// What 20 links may take, and what 300 may.
 const MOST: [(usize, f64); 3] = [(10, 300.0), (60, 1000.0), (150, 1000.0)];
 
 /// Every case in every size.
-pub fn cases() -> Vec<Case> {
+pub(crate) fn cases() -> Vec<Case> {
     let mut cases = vec![ranges()];
     for (loops, most) in MOST {
         let links = 2 * loops + 1;
