@@ -5,11 +5,11 @@ use mech_compiler::compile;
 use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, MotorId, Origin,
 };
-use mech_compiler::repair::{Offers, Repair, apply_all, offers};
+use mech_compiler::repair::{Offers, Repair, Search, apply_all, offers};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::Places;
-use mech_tests::{Dice, grow};
+use mech_tests::{Dice, chain, grow};
 
 /// How many mechanisms a test tries.
 fn cases() -> u64 {
@@ -311,4 +311,44 @@ fn two_braces_too_many_are_found_and_can_be_removed() {
             "{what}: {wrong:?} {found:?}"
         );
     }
+}
+
+/// The work for one message is bounded, by a count that is the same on every machine; where it ends, the message says so.
+#[test]
+fn of_a_large_mechanism_not_all_repairs_are_tried() {
+    let mut model = chain(150);
+    let joint = model.joint_ids().nth(6).expect("a long chain");
+    model.motors.push(Motor::new(joint, Origin::default()));
+    let wrong = rejected(&model, "a long chain");
+    let found = assert_mended(&model, &wrong, "a long chain");
+    assert_eq!(found[0].search, Search::Bounded);
+    assert!(!found[0].single.is_empty());
+    let told = reporter::messages(&wrong, &found, &model, &Places::default());
+    assert!(
+        told[0]
+            .text
+            .ends_with("note: not all changes that might mend it were tried")
+    );
+    assert_eq!(found, offers(&model, &wrong));
+}
+
+/// A repair is tried without its proofs, which would take most of the time: this range is too wide whatever is repaired.
+#[test]
+fn repairs_are_tried_without_proofs_of_ranges() {
+    let with_range = |range: &str| {
+        let text = format!(
+            "struct M; link crank; link coupler; link rocker; link stay;
+            joint a = revolute(ground, crank) at (0, 0); joint b = revolute(crank, coupler) at (0.5, 1);
+            joint c = revolute(coupler, rocker) at (4, 3); joint d = revolute(ground, rocker) at (8, 0);
+            joint s = revolute(ground, stay) at (0, 9); joint t = revolute(stay, coupler) at (1, 8);
+            motor a {range};"
+        );
+        mech_compiler::syntax::parse(text.parse().expect("tokens")).model
+    };
+    let [free, ranged] = ["", "in -170 deg ..= 170 deg"].map(with_range);
+    let [free, ranged] = [free, ranged].map(|model| {
+        let wrong = rejected(&model, "a stay too many");
+        offers(&model, &wrong)
+    });
+    assert_eq!(free, ranged);
 }

@@ -172,15 +172,12 @@ fn saved(model: &Model, plan: &Plan, program: &Program, choices: &[Choice]) -> O
     (!all || saved != Cost::default()).then_some(saved)
 }
 
-/// Whether a mechanism compiles.
+/// Whether a mechanism compiles, as far as its start tells: declared ranges and accuracies are not looked into.
 ///
 /// # Errors
 /// As [`compile`].
 pub(crate) fn check(model: &Model) -> Result<(), Vec<Diagnosis>> {
-    // Only these depend on how it moves beyond its start.
-    let motion = model.accuracy.is_some() || model.motors.iter().any(|motor| motor.range.is_some());
-    let depth = if motion { Depth::Whole } else { Depth::Start };
-    coherent(model, depth).map(drop)
+    coherent(model, Depth::Start).map(drop)
 }
 
 /// How far a mechanism is looked into.
@@ -361,6 +358,10 @@ fn special(
     }
 }
 
+/// So many joints of a mechanism of one joint are tried for a motor where counting leaves no freedom; of a larger one fewer by the
+/// square of its size.
+const MOST_MOVED: usize = 40_000;
+
 /// What counting finds rigid may only lack a motor, if its lengths match.
 fn unless_matched(model: &Model, diagnoses: Vec<Diagnosis>) -> Vec<Diagnosis> {
     let turns = |joint: &JointId| {
@@ -371,7 +372,10 @@ fn unless_matched(model: &Model, diagnoses: Vec<Diagnosis>) -> Vec<Diagnosis> {
         ) && !joint.hidden
     };
     let moves = |joint: &JointId| matched::matched(&model.with_motor(*joint)).is_some();
-    let candidates: Vec<JointId> = model.joint_ids().filter(turns).filter(moves).collect();
+    // Each of them is assembled and moved: in a large mechanism not all are tried.
+    let most = MOST_MOVED.div_ceil(model.joints.len() * model.joints.len());
+    let joints = model.joint_ids().filter(turns).take(most);
+    let candidates: Vec<JointId> = joints.filter(moves).collect();
     match candidates[..] {
         [] => diagnoses,
         _ => vec![Diagnosis::NoMotor {

@@ -43,13 +43,15 @@ pub(crate) fn matched(model: &Model) -> Option<Matched> {
     evaluate::settle(&mut program).ok()?;
     let rollings = structure.rollings.clone();
     let moves = |motor: MotorId| {
-        let ways = [1.0, -1.0]
-            .map(|sign| NUDGES.map(|way| nudged(&lenient, &rollings, &program, motor, sign * way)));
-        let closes = ways
-            .iter()
-            .flatten()
-            .all(|outcome| *outcome != Outcome::Open);
-        closes && ways.iter().any(|way| way[0] == Outcome::Moved)
+        let both =
+            |way: f64| [way, -way].map(|way| nudged(&lenient, &rollings, &program, motor, way));
+        let [least, farther @ ..] = NUDGES;
+        // What cannot move at all is not tried farther.
+        let first = both(least);
+        let closes = |outcomes: [Outcome; 2]| !outcomes.contains(&Outcome::Open);
+        first.contains(&Outcome::Moved)
+            && closes(first)
+            && farther.into_iter().all(|way| closes(both(way)))
     };
     if model.motors.is_empty() || !model.motor_ids().all(moves) {
         return None;

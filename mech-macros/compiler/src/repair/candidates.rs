@@ -84,7 +84,7 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             repairs
         }
         Diagnosis::NotCarrier { joint, .. } => {
-            let named = model.link_ids().map(Some);
+            let named = structure::carriers(model, *joint).into_iter().map(Some);
             [None]
                 .into_iter()
                 .chain(named)

@@ -76,14 +76,16 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
                     offers.coupled.push(repair);
                 }
             }
-            Trial::Fails(found) => {
-                if all.len() > 1 && is_better(&found, all, index) {
-                    offers.partial.push(repair.clone());
-                }
-                failed.push((repair, found));
-            }
+            Trial::Fails => failed.push(repair),
             Trial::Untried => {}
         }
+    }
+    if all.len() > 1 {
+        let found = failed.iter().filter(|repair| {
+            let wrong = trials.wrong(repair);
+            !wrong.is_empty() && is_better(&wrong, all, index)
+        });
+        offers.partial = found.cloned().collect();
     }
     offers.coupled.retain(|repair| {
         let trial = trials.of(&[repair.clone(), Repair::AllowCoupled]);
@@ -179,20 +181,27 @@ fn is_better(found: &[Diagnosis], all: &[Diagnosis], index: usize) -> bool {
 }
 
 /// Searches for two changes that are enough together: after the first, whatever would mend what is then wrong.
-fn pairs(trials: &mut Trials<'_>, tried: &[(Repair, Vec<Diagnosis>)], offers: &mut Offers) {
+fn pairs(trials: &mut Trials<'_>, tried: &[Repair], offers: &mut Offers) {
     offers.search = Search::Pairs;
     let model = trials.model;
-    let mut halves: Vec<(usize, &Repair, &[Diagnosis])> = tried
+    let mut halves: Vec<(usize, &Repair, Vec<Diagnosis>)> = tried
         .iter()
-        .filter_map(|(repair, found)| Some((freedom(found)?, repair, &found[..])))
+        .filter_map(|repair| {
+            let found = trials.wrong(repair);
+            Some((freedom(&found)?, repair, found))
+        })
         .collect();
+    halves.retain(|(.., found)| !found.is_empty());
     halves.sort_by_key(|(freedom, _, found)| (*freedom, found.len()));
-    for (_, first, found) in halves {
+    for (_, first, found) in &halves {
+        if trials.exhausted {
+            return;
+        }
         for second in seconds(model, first, found) {
             if offers.pairs.len() >= PAIRS {
                 return;
             }
-            attempt(trials, offers, [first.clone(), second]);
+            attempt(trials, offers, [(*first).clone(), second]);
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::structure::{self, Diagnosis};
 
 /// What becomes of a mechanism that was changed to see whether that would mend it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Trial {
     /// It compiles, or would with a `near`.
     Closes,
@@ -14,7 +14,7 @@ pub(super) enum Trial {
     /// It moves as its motors say, but its loops wait for each other.
     Coupled,
     /// It does not compile.
-    Fails(Vec<Diagnosis>),
+    Fails,
     /// The change cannot be made, or there was no time left to try it.
     Untried,
 }
@@ -25,33 +25,32 @@ pub(super) enum Trial {
 pub(super) struct Trials<'m> {
     pub(super) model: &'m Model,
     left: usize,
-    /// The work of analysing a mechanism of this size.
-    light: usize,
-    /// The work of compiling it, once it is analysed.
-    heavy: usize,
+    /// Links and joints.
+    size: usize,
     known: Vec<(Vec<Repair>, Trial)>,
     /// Whether something was left untried.
     pub(super) exhausted: bool,
 }
 
-/// All the work that may be done for the messages about one mechanism. A unit is what it takes to analyse a link or a joint:
-/// about half a microsecond.
-const WORK: usize = 1_000_000;
-/// Every trial is counted at least so much: more than some hundred are not for a mechanism of a few links.
-const LEAST: usize = 1_000;
-/// The work of compiling a link or a joint.
-const COMPILING: usize = 20;
+/// All the work that may be done for the messages about one mechanism. A unit is about a microsecond where nothing is optimised.
+const WORK: usize = 250_000;
+/// The work of counting whether a link or a joint is held: changing the mechanism, and the rank of its joints.
+const COUNTING: usize = 20;
+/// The work of finding out why it is held.
+const EXPLAINING: usize = 60;
+/// The work of assembling a link or a joint.
+const COMPILING: usize = 130;
+/// Larger mechanisms take so many times longer for each link or joint as they have times this many.
+const LARGE: usize = 500;
 /// The work of assembling loops that are solved together.
-const COUPLED: usize = 200_000;
+const COUPLED: usize = 50_000;
 
 impl<'m> Trials<'m> {
     pub(super) fn new(model: &'m Model) -> Self {
-        let size = model.joints.len() + model.links.len();
         Self {
             model,
             left: WORK,
-            light: size.max(LEAST),
-            heavy: size * COMPILING,
+            size: model.joints.len() + model.links.len(),
             known: Vec::new(),
             exhausted: false,
         }
@@ -60,31 +59,49 @@ impl<'m> Trials<'m> {
     /// How it goes with these changes.
     pub(super) fn of(&mut self, repairs: &[Repair]) -> Trial {
         if let Some((_, trial)) = self.known.iter().find(|(known, _)| known == repairs) {
-            return trial.clone();
+            return *trial;
         }
-        if self.left == 0 {
-            self.exhausted = true;
+        if !self.has_work() {
             return Trial::Untried;
         }
         let trial = apply_all(repairs, self.model).map_or(Trial::Untried, |model| self.run(&model));
-        self.known.push((repairs.to_vec(), trial.clone()));
+        self.known.push((repairs.to_vec(), trial));
         trial
     }
 
-    fn spend(&mut self, work: usize) {
-        self.left = self.left.saturating_sub(work);
+    /// What is wrong with the structure after this change; nothing if there is no time left to find that out.
+    pub(super) fn wrong(&mut self, repair: &Repair) -> Vec<Diagnosis> {
+        if !self.has_work() {
+            return Vec::new();
+        }
+        self.spend(EXPLAINING);
+        let changed = repair.apply(self.model);
+        changed
+            .and_then(|model| structure::analyse(&model).err())
+            .unwrap_or_default()
+    }
+
+    fn has_work(&mut self) -> bool {
+        self.exhausted |= self.left == 0;
+        self.left > 0
+    }
+
+    /// Spends so much for each link and joint.
+    fn spend(&mut self, each: usize) {
+        let work = self.size * each;
+        self.left = self.left.saturating_sub(work + work * self.size / LARGE);
     }
 
     fn run(&mut self, model: &Model) -> Trial {
-        self.spend(self.light);
-        // What is not allowed to be redundant must pass the analysis: that is soon known.
-        if !model.allow.redundant
-            && let Err(diagnoses) = structure::analyse(model)
-        {
-            return Trial::Fails(diagnoses);
+        self.spend(COUNTING);
+        // What is not allowed to be redundant must pass the count: that is soon known.
+        if !model.allow.redundant && !structure::is_sound(model) {
+            return Trial::Fails;
         }
-        let coupled = if model.allow.coupled { COUPLED } else { 0 };
-        self.spend(self.heavy + coupled);
+        self.spend(COMPILING);
+        if model.allow.coupled {
+            self.left = self.left.saturating_sub(COUPLED);
+        }
         outcome(crate::check(model))
     }
 }
@@ -98,6 +115,6 @@ fn outcome(compiled: Result<(), Vec<Diagnosis>>) -> Trial {
         [Diagnosis::SeveralAssemblies { .. }] => Trial::Closes,
         [Diagnosis::CannotClose { .. } | Diagnosis::DeadStart { .. }] => Trial::OpensAtStart,
         [Diagnosis::NotSequential { .. }] => Trial::Coupled,
-        _ => Trial::Fails(diagnoses),
+        _ => Trial::Fails,
     }
 }

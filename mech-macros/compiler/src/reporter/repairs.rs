@@ -27,11 +27,15 @@ impl Words<'_> {
         let alone = alone
             .first()
             .map(|line| format!("\nhelp: for this alone, {line}"));
+        let some = !lines.is_empty() || alone.is_some();
+        let cut = some && offers.search == Search::Bounded;
+        let cut = cut.then(|| "\nnote: not all changes that might mend it were tried".to_owned());
         lines
             .iter()
             .enumerate()
             .map(|(index, line)| ["\nhelp: ", if index == 0 { "" } else { "or " }, line].concat())
             .chain(alone)
+            .chain(cut)
             .collect()
     }
 
@@ -46,7 +50,9 @@ impl Words<'_> {
             let note = match offers.search {
                 Search::Singles => "",
                 Search::Pairs => "\nnote: no single change mends it, nor were two found that do",
-                Search::Bounded => "\nnote: of the many changes that were tried, none mends it",
+                Search::Bounded => {
+                    "\nnote: not all changes were tried; of those that were, none mends it"
+                }
             };
             return note.to_owned();
         }

@@ -50,7 +50,7 @@ fn add_scaled(a: &Sparse, factor: Element, b: &Sparse) -> Sparse {
     }
 }
 
-/// A row in echelon form: its last column is its pivot.
+/// A row in echelon form: its last column is its pivot, and has one there.
 #[derive(Clone, Debug)]
 struct Pivot {
     row: Sparse,
@@ -91,22 +91,39 @@ impl Elimination {
 
     /// Adds a row.
     pub(crate) fn add(&mut self, row: Sparse) -> Added {
-        let mut row = sparse(row);
-        let mut made_of = vec![(self.added, Element::ONE)];
+        let made_of = vec![(self.added, Element::ONE)];
         self.added += 1;
-        while let Some(&(column, value)) = row.last() {
-            if let Some(pivot) = &self.pivots[column] {
-                let lead = pivot.row.last().map_or(Element::ONE, |&(_, lead)| lead);
-                let factor = -(value * lead.inverse());
-                row = add_scaled(&row, factor, &pivot.row);
-                made_of = add_scaled(&made_of, factor, &pivot.made_of);
-            } else {
-                self.pivots[column] = Some(Pivot { row, made_of });
-                self.rank += 1;
-                return Added::Independent;
+        match self.reduced(row, made_of) {
+            None => Added::Independent,
+            Some(made_of) => {
+                Added::Dependent(made_of.into_iter().map(|(index, _)| index).collect())
             }
         }
-        Added::Dependent(made_of.into_iter().map(|(index, _)| index).collect())
+    }
+
+    /// Adds a row without remembering how it came about, as all rows before it; whether it says something new.
+    pub(crate) fn extend(&mut self, row: Sparse) -> bool {
+        self.reduced(row, Sparse::new()).is_none()
+    }
+
+    /// Adds what is left of a row when those before it are taken away; if nothing is, gives what it was made of.
+    fn reduced(&mut self, row: Sparse, mut made_of: Sparse) -> Option<Sparse> {
+        let mut row = sparse(row);
+        while let Some(&(column, value)) = row.last() {
+            if let Some(pivot) = &self.pivots[column] {
+                row = add_scaled(&row, -value, &pivot.row);
+                made_of = add_scaled(&made_of, -value, &pivot.made_of);
+            } else {
+                let factor = value.inverse();
+                for (_, value) in row.iter_mut().chain(&mut made_of) {
+                    *value = *value * factor;
+                }
+                self.pivots[column] = Some(Pivot { row, made_of });
+                self.rank += 1;
+                return None;
+            }
+        }
+        Some(made_of)
     }
 
     /// A random vector of the right null space: one value a column, all zero if nothing is free.
@@ -116,14 +133,11 @@ impl Elimination {
             let value = match pivot {
                 None => dice.roll(),
                 Some(Pivot { row, .. }) => {
-                    let (lead, rest) = match row.split_last() {
-                        Some((&(_, lead), rest)) => (lead, rest),
-                        None => (Element::ONE, &[][..]),
-                    };
+                    let rest = row.split_last().map_or(&[][..], |(_, rest)| rest);
                     let sum = rest.iter().fold(Element::ZERO, |sum, &(column, value)| {
                         sum + value * motion[column]
                     });
-                    -(sum * lead.inverse())
+                    -sum
                 }
             };
             motion.push(value);

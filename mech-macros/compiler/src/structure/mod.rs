@@ -14,7 +14,7 @@ pub(crate) use graph::KinematicGraph;
 pub use pin::Pin;
 pub use rolling::{Factor, Rolling, RollingEnd};
 
-use crate::model::{Joint, JointId, JointKind, Model};
+use crate::model::{Joint, JointId, JointKind, LinkId, Model};
 
 /// What was found out about a coherent mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,6 +41,17 @@ pub fn analyse(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
     let structure = layout(model)?;
     verdict::verdict(model, &structure.pins, &structure.rollings)?;
     Ok(structure)
+}
+
+/// Whether [`analyse`] would find nothing wrong: counted without finding out why.
+pub(crate) fn is_sound(model: &Model) -> bool {
+    layout(model)
+        .is_ok_and(|structure| verdict::is_sound(model, &structure.pins, &structure.rollings))
+}
+
+/// The links that could carry a gear, belt or rack.
+pub(crate) fn carriers(model: &Model, joint: JointId) -> Vec<LinkId> {
+    rolling::carriers(model, &pin::pins(model), joint)
 }
 
 /// Finds out what is connected to what, without asking whether it moves.

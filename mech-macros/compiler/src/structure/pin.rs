@@ -2,6 +2,7 @@
 
 use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 use petgraph::unionfind::UnionFind;
+use std::collections::BTreeMap;
 
 /// An axis of rotation with all links that turn about it.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,43 +34,42 @@ pub(super) fn pins(model: &Model) -> Vec<Pin> {
         }
     }
     // Two points of a link on one spot are one axis: a sun and an arm on the same shaft.
+    let mut on_link: BTreeMap<LinkId, Vec<usize>> = BTreeMap::new();
     for (index, axis) in model.axes.iter().enumerate() {
-        let same = |other: &Axis| {
-            let point = axis.kind == AxisKind::Point && other.kind == AxisKind::Point;
-            point
-                && other.link == axis.link
-                && other.at == axis.at
-                && other.formulas == axis.formulas
+        if axis.kind != AxisKind::Point {
+            continue;
+        }
+        let known = on_link.entry(axis.link).or_default();
+        let same = |other: &&usize| {
+            let other: &Axis = &model.axes[**other];
+            other.at == axis.at && other.formulas == axis.formulas
         };
-        if let Some(first) = model.axes[..index].iter().position(same) {
+        if let Some(&first) = known.iter().find(same) {
             classes.union(first, index);
         }
+        known.push(index);
     }
-    let mut pins: Vec<(usize, Pin)> = Vec::new();
-    for id in model.joint_ids() {
-        if let JointKind::Revolute(a, _) = model.joint(id).kind {
-            let class = classes.find(a.index());
-            match pins.iter_mut().find(|(known, _)| *known == class) {
-                Some((_, pin)) => pin.joints.push(id),
-                None => pins.push((
-                    class,
-                    Pin {
-                        members: members(model, &classes, class),
-                        joints: vec![id],
-                    },
-                )),
-            }
-        }
-    }
-    pins.into_iter().map(|(_, pin)| pin).collect()
-}
-
-fn members(model: &Model, classes: &UnionFind<usize>, class: usize) -> Vec<(LinkId, AxisId)> {
-    let mut members: Vec<(LinkId, AxisId)> = Vec::new();
+    let mut members: BTreeMap<usize, Vec<(LinkId, AxisId)>> = BTreeMap::new();
     for (index, axis) in model.axes.iter().enumerate() {
-        if classes.find(index) == class && members.iter().all(|member| member.0 != axis.link) {
+        let members = members.entry(classes.find(index)).or_default();
+        if members.iter().all(|member| member.0 != axis.link) {
             members.push((axis.link, AxisId::new(index)));
         }
     }
-    members
+    let mut place: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut pins: Vec<Pin> = Vec::new();
+    for id in model.joint_ids() {
+        if let JointKind::Revolute(a, _) = model.joint(id).kind {
+            let class = classes.find(a.index());
+            let pin = *place.entry(class).or_insert_with(|| {
+                pins.push(Pin {
+                    members: members.remove(&class).unwrap_or_default(),
+                    joints: Vec::new(),
+                });
+                pins.len() - 1
+            });
+            pins[pin].joints.push(id);
+        }
+    }
+    pins
 }

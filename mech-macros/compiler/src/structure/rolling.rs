@@ -72,16 +72,11 @@ pub(crate) fn rollings(model: &Model, pins: &[Pin]) -> Result<Vec<Rolling>, Vec<
 }
 
 fn rolling(model: &Model, pins: &[Pin], joint: JointId) -> Result<Rolling, Diagnosis> {
-    let (a, b) = model.ends(joint);
     let on = match model.joint(joint).kind {
         JointKind::Gear { on, .. } | JointKind::Belt { on, .. } | JointKind::Rack { on, .. } => on,
         _ => None,
     };
-    let candidates: Vec<Rolling> = model
-        .link_ids()
-        .filter(|&carrier| carrier != a && carrier != b)
-        .filter_map(|carrier| carried(model, pins, joint, carrier))
-        .collect();
+    let candidates = candidates(model, pins, joint);
     if let Some(named) = on {
         let found = candidates
             .into_iter()
@@ -104,6 +99,22 @@ fn rolling(model: &Model, pins: &[Pin], joint: JointId) -> Result<Rolling, Diagn
             Err(Diagnosis::SeveralCarriers { joint, carriers })
         }
     }
+}
+
+/// The links that could carry it.
+pub(super) fn carriers(model: &Model, pins: &[Pin], joint: JointId) -> Vec<LinkId> {
+    let candidates = candidates(model, pins, joint).into_iter();
+    candidates.map(|rolling| rolling.carrier).collect()
+}
+
+/// The rolling on each link that could carry it.
+fn candidates(model: &Model, pins: &[Pin], joint: JointId) -> Vec<Rolling> {
+    let (a, b) = model.ends(joint);
+    model
+        .link_ids()
+        .filter(|&carrier| carrier != a && carrier != b)
+        .filter_map(|carrier| carried(model, pins, joint, carrier))
+        .collect()
 }
 
 /// The rolling on this carrier, if both axes keep their place in it: directly, or through a coaxial joint.

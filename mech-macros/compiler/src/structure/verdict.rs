@@ -2,7 +2,7 @@
 
 use super::constraints::Constraints;
 use super::diagnosis::Diagnosis;
-use super::elimination::{Added, Elimination};
+use super::elimination::{Added, Elimination, Sparse};
 use super::field::{Dice, Element};
 use super::graph::KinematicGraph;
 use super::pin::Pin;
@@ -92,14 +92,16 @@ impl<'m> Rank<'m> {
 
     /// The joints that move in a random motion of what is left free.
     fn moving(&self, motion: &[Element]) -> Vec<JointId> {
-        let moves = |id: &JointId| {
-            let rate = self.constraints.rate(*id).unwrap_or_default();
-            let sum = rate.iter().fold(Element::ZERO, |sum, &(column, factor)| {
-                sum + factor * motion[column]
-            });
-            !sum.is_zero()
-        };
+        let moves = |id: &JointId| !self.rate(*id, motion).is_zero();
         self.model.joint_ids().filter(moves).collect()
+    }
+
+    /// The rate of a joint's coordinate in a motion.
+    fn rate(&self, id: JointId, motion: &[Element]) -> Element {
+        let rate = self.constraints.rate(id).unwrap_or_default();
+        rate.iter().fold(Element::ZERO, |sum, &(column, factor)| {
+            sum + factor * motion[column]
+        })
     }
 
     /// The links that keep their place relative to this one in every motion of the joints.
@@ -115,17 +117,44 @@ impl<'m> Rank<'m> {
     /// Joints for motors that would take all freedom that is left: each of them alone where one is missing, all of them
     /// together where several are.
     fn candidates(&mut self) -> Vec<JointId> {
-        let motion = self.driven.random_motion(&mut self.dice);
-        let free = self.moving(&motion);
-        if self.driven.freedom() <= 1 {
+        // As many random motions as there are freedoms stand for all of them.
+        let freedom = self.driven.freedom();
+        let motions: Vec<Vec<Element>> = (0..freedom)
+            .map(|_| self.driven.random_motion(&mut self.dice))
+            .collect();
+        let free = motions
+            .first()
+            .map_or(Vec::new(), |motion| self.moving(motion));
+        if freedom <= 1 {
             return free;
         }
-        let mut driven = self.driven.clone();
-        let takes = |id: &JointId| {
-            driven.add(self.constraints.rate(*id).unwrap_or_default()) == Added::Independent
+        let mut taken = Elimination::new(freedom);
+        let rates = |id: &JointId| -> Sparse {
+            let rates = motions.iter().map(|motion| self.rate(*id, motion));
+            rates.enumerate().collect()
         };
+        let takes = |id: &JointId| taken.extend(rates(id));
         free.into_iter().filter(takes).collect()
     }
+}
+
+/// Whether the joints leave exactly the freedom that the motors take, and nothing is held twice: counted without finding out why.
+pub(super) fn is_sound(model: &Model, pins: &[Pin], rollings: &[Rolling]) -> bool {
+    let mut dice = Dice::new(SEED);
+    let constraints = Constraints::new(model, pins, rollings, &mut dice);
+    let mut rows = Elimination::new(constraints.unknowns());
+    let mut joints = model.joint_ids();
+    let mut motors = model.motor_ids();
+    joints.all(|id| {
+        constraints
+            .of_joint(id)
+            .into_iter()
+            .all(|row| rows.extend(row))
+    }) && motors.all(|id| {
+        let rate = constraints.rate(model.motor(id).joint);
+        rate.is_some_and(|row| rows.extend(row))
+    }) && rows.freedom() == 0
+        && !model.motors.is_empty()
 }
 
 /// Checks that the joints leave exactly the freedom that the motors take. Repairs are not looked for.
