@@ -3,6 +3,7 @@
 
 use mech_runtime::{Gauss, Phase, Pose, Scalar, mechanism};
 use proptest::prelude::*;
+use std::fmt::Debug;
 
 mechanism! {
     /// With everything that forces do.
@@ -20,6 +21,7 @@ mechanism! {
     gravity (0, -9.81);
     load push = force(coupler.tip);
     load twist = torque(rocker);
+    spring coil = linear(coupler.tip, ground.d) stiffness 3 rest 1;
     effects { velocity; acceleration; force; dynamics; trace coupler.tip 16; }
 }
 
@@ -114,7 +116,15 @@ fn is_somewhere<T: Scalar>(poses: &[Pose<T>]) {
     }
 }
 
-fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) {
+/// Tests that everything that was told is a number.
+#[track_caller]
+fn are_numbers(told: &impl Debug) {
+    let text = format!("{told:?}");
+    assert!(!text.contains("inf") && !text.contains("NaN"), "{text}");
+}
+
+/// Asks a mechanism, and tells whether it was moved.
+fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) -> bool {
     let before = *m;
     let refused = match which % 14 {
         0 => m.move_to([x]).is_err(),
@@ -130,17 +140,18 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) {
             m.simulate_by(method, 1e-3 * x, [y]).is_err()
         }
         9 => {
-            let _ = (m.forces([x], [y]), m.second_rates([z]), m.energy());
+            are_numbers(&m.forces([x], [y]).ok());
+            are_numbers(&m.second_rates([z]).ok());
+            are_numbers(&m.energy().ok());
             assert_eq!(*m, before);
             false
         }
         10 => {
-            let _ = (
-                m.push_advantage([x, y]),
-                m.twist_advantage(),
-                m.torques(),
-                m.influences(),
-            );
+            // An advantage may be infinite.
+            let advantages = (m.push_advantage([x, y]).ok(), m.twist_advantage().ok());
+            assert!(!format!("{advantages:?}").contains("NaN"));
+            are_numbers(&m.torques().ok());
+            are_numbers(&m.influences().ok());
             assert_eq!(*m, before);
             false
         }
@@ -166,7 +177,14 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) {
     };
     assert!(!refused || *m == before, "{m:?} was {before:?}");
     is_somewhere(m.poses());
-    assert!(m.rates()[0].is_finite() && m.velocities().iter().all(|rate| rate.angular.is_finite()));
+    are_numbers(m);
+    are_numbers(&(
+        m.coupler_tip(),
+        m.coupler_tip_velocity(),
+        m.coupler_tip_acceleration(),
+    ));
+    are_numbers(&(m.jd(), m.jd_rate(), m.jd_acceleration(), m.coil()));
+    !refused && [0, 1, 2, 3, 7, 8, 11].contains(&(which % 14))
 }
 
 fn ask_changing(m: &mut Changing, which: u8, numbers: [f64; 4]) {
@@ -183,7 +201,7 @@ fn ask_changing(m: &mut Changing, which: u8, numbers: [f64; 4]) {
         3 => m.set_rod(x).is_err(),
         4 => m.set_params([x]).is_err(),
         _ => {
-            let _ = m.sensitivities();
+            are_numbers(&m.sensitivities().ok());
             assert_eq!(*m, before);
             false
         }
@@ -239,8 +257,14 @@ proptest! {
     #[test]
     fn forces_of_any_size(asked in asked()) {
         let mut forced = Forced::new();
+        let mut been = Vec::new();
         for (which, numbers) in asked {
-            ask_forced(&mut forced, which, numbers);
+            if ask_forced(&mut forced, which, numbers) {
+                been.push(forced.coupler_tip());
+            }
+            let last = been.len().saturating_sub(16);
+            let traced: Vec<_> = forced.coupler_tip_trace().iter().collect();
+            prop_assert_eq!(&traced, &been[last..]);
         }
     }
 

@@ -158,11 +158,14 @@ fn the_step_to_a_position_never_knew_of_effects() {
         "effects { trace coupler.c 64; }",
         "effects { overlay; }",
         "load push = force(coupler.c); effects { force; }",
-        "load push = force(coupler.c); spring s = torsional(jd) stiffness 2; effects { velocity; acceleration; force; overlay; }",
+        "load push = force(coupler.c); spring s = torsional(ja) stiffness 2; effects { velocity; acceleration; force; overlay; }",
     ];
     for effects in all {
         assert_eq!(step(effects), alone, "{effects}");
     }
+    // Only a torsional spring at a joint that no motor drives has something carried: the angle of that joint.
+    let sprung = "spring s = torsional(jd) stiffness 2; effects { force; }";
+    assert!(solving(&format!("{FOUR_BAR} {sprung}")).contains("jd_angle"));
     // What acts costs nothing as long as nobody asks what it does.
     let heavy = FOUR_BAR.replace("point b = (1, 0);", "point b = (1, 0); mass 2 at (0.5, 0);");
     assert_ne!(heavy, FOUR_BAR);

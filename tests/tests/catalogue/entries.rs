@@ -487,6 +487,38 @@ motor a;",
         edit: (": f32", ": f64"),
     },
     Entry {
+        variant: "TooSmall",
+        example: "
+struct FourBar;
+const U = 1e-100;
+ground { point a = (0, 0); point d = (4 * U, 0); }
+link crank { point a = (0, 0); point b = (U, 0); }
+link coupler { point b = (0, 0); point c = (3.5 * U, 0); }
+link rocker { point d = (0, 0); point c = (3 * U, 0); }
+joint ja = revolute(ground.a, crank.a);
+joint jb = revolute(crank.b, coupler.b);
+joint jc = revolute(coupler.c, rocker.c);
+joint jd = revolute(ground.d, rocker.d);
+motor ja;
+start { coupler near 50 deg; }",
+        remedy: "Choose a unit in which the numbers are larger.",
+        edit: ("1e-100", "1e-3"),
+    },
+    Entry {
+        variant: "EndlessAccuracy",
+        example: "
+struct Rack;
+link pinion;
+link bar;
+joint turn = revolute(ground, pinion) at (0, 0);
+joint slide = prismatic(ground, bar) at (0, -1) along (1, 0);
+joint mesh = rack(pinion, bar, radius 1);
+motor turn;
+accuracy 1e-9;",
+        remedy: "Say how far the motor turns.",
+        edit: ("motor turn;", "motor turn in -100 ..= 100;"),
+    },
+    Entry {
         variant: "TooAccurate",
         example: "
 struct Arm: f32;
