@@ -116,7 +116,9 @@ fn runtime() -> (PathBuf, PathBuf) {
         .filter_map(|file| {
             let file = file.ok()?;
             let name = file.file_name().into_string().ok()?;
-            let is_library = name.starts_with("libmech_runtime-") && name.ends_with(".rlib");
+            let is_library = name
+                .strip_prefix("libmech_runtime-")
+                .is_some_and(|rest| rest.split_once('.').is_some_and(|(_, end)| end == "rlib"));
             let changed = file.metadata().ok()?.modified().ok()?;
             is_library.then(|| (changed, file.path()))
         })

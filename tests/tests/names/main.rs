@@ -20,6 +20,7 @@ const OTHERS: &[&str] = &[
     "Itself",
     "MOTORS",
     "NAME",
+    "SENSITIVITY_COST",
     "Same",
     "W",
     "auto",
@@ -160,7 +161,7 @@ fn a_keyword_is_refused_at_its_place() {
 }
 
 /// Those of some names that are tried in a role: all of them, if so many are wanted, else some that are spread over them.
-fn some_of<'n>(names: &'n [String], role: usize, wanted: usize) -> Vec<&'n str> {
+fn some_of(names: &[String], role: usize, wanted: usize) -> Vec<&str> {
     let step = (names.len() / wanted.min(names.len())).max(1);
     let spread = names.iter().skip(role % step).step_by(step);
     let others = names.iter().filter(|name| OTHERS.contains(&name.as_str()));

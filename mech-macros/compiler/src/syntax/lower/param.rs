@@ -57,7 +57,13 @@ impl Lowering {
     fn claim_setters(&mut self, name: &Ident) -> bool {
         let place = Place::at(name.span());
         if !std::mem::replace(&mut self.has_params, true) {
-            for method in ["params", "set_params", "PARAMS", "sensitivities"] {
+            for method in [
+                "params",
+                "set_params",
+                "PARAMS",
+                "sensitivities",
+                "SENSITIVITY_COST",
+            ] {
                 let owner = "a mechanism with params".to_owned();
                 if !self.claim_method(method.to_owned(), owner, place) {
                     return false;
