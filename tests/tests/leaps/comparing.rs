@@ -5,6 +5,7 @@ use super::judge::{Judge, Verdict};
 use super::reading::{Subject, bits};
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::program::Position;
+use std::time::{Duration, Instant};
 
 /// How a leap is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,6 +55,9 @@ pub(crate) struct Gone {
 const SAME: f64 = 1e-6;
 /// No random way is compared that takes more steps than this.
 pub(crate) const MOST_STEPS: f64 = 8_000.0;
+
+/// Nobody waits longer for the steps of one way: where each of them takes a second, nothing is decided.
+const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The part of a way that was gone.
 fn part(from: &[f64], to: &[f64], at: &[f64]) -> f64 {
@@ -105,13 +109,22 @@ pub(crate) fn in_a_leap(subject: &Subject, start: &Position<f64>, to: &[f64]) ->
     }
 }
 
-/// In so many steps.
-pub(crate) fn in_steps(subject: &Subject, start: &Position<f64>, to: &[f64], steps: f64) -> Gone {
+/// In so many steps; nothing, if that takes too long.
+pub(crate) fn in_steps(
+    subject: &Subject,
+    start: &Position<f64>,
+    to: &[f64],
+    steps: f64,
+) -> Option<Gone> {
+    let begin = Instant::now();
     let mut machine = Machine::new(&subject.compiled.program);
     machine.put_back(start.clone());
     let mut stop = None;
     let mut step = 1.0;
     while step <= steps && stop.is_none() {
+        if begin.elapsed() > PATIENCE {
+            return None;
+        }
         let goal = if step == steps {
             to.to_vec()
         } else {
@@ -123,10 +136,10 @@ pub(crate) fn in_steps(subject: &Subject, start: &Position<f64>, to: &[f64], ste
         }
         step += 1.0;
     }
-    Gone {
+    Some(Gone {
         at: machine.position().clone(),
         stop,
-    }
+    })
 }
 
 /// Whether two poses are far apart, and the first link that is, with how far.
@@ -169,7 +182,7 @@ fn rounding(subject: &Subject, at: &Position<f64>) -> f64 {
         .motors
         .iter()
         .fold(1.0_f64, |most, value| most.max(value.abs()));
-    (1e4 * f64::EPSILON * most * values).max(SAME).min(1e-2)
+    (1e4 * f64::EPSILON * most * values).clamp(SAME, 1e-2)
 }
 
 /// The same stop, whatever the loop that is told: several may be at their ends together.
@@ -336,7 +349,10 @@ pub(crate) fn compared(
         find(Kind::Open, text);
     }
     let count = small_steps(subject, start, to);
-    let steps = in_steps(subject, start, to, count);
+    let Some(steps) = in_steps(subject, start, to, count) else {
+        find(Kind::Undecided, format!("{count} steps take too long"));
+        return (findings, None);
+    };
     if let Some(text) = broken(subject, &steps.at) {
         find(Kind::Open, format!("in {count} steps: {text}"));
     }
@@ -353,15 +369,18 @@ pub(crate) fn compared(
             find(Kind::TooFar, text);
         }
         let believed = before_the_end(subject, start, to, steps, count);
-        return (findings, Some(believed));
+        return (findings, believed);
     }
     let Some((kind, text)) = difference(subject, &leap, &steps, way) else {
-        return (
-            findings,
-            Some(before_the_end(subject, start, to, steps, count)),
-        );
+        return (findings, before_the_end(subject, start, to, steps, count));
     };
-    let finer = in_steps(subject, start, to, 4.0 * count + 3.0);
+    let Some(finer) = in_steps(subject, start, to, 4.0 * count + 3.0) else {
+        find(
+            Kind::Undecided,
+            format!("{text}; finer steps take too long"),
+        );
+        return (findings, None);
+    };
     let stable = difference(subject, &steps, &finer, way).is_none();
     let verdict = judged(subject, start, to, 1.0).filter(|verdict| {
         // Where nothing else is sure, it has to agree with itself.
@@ -388,16 +407,16 @@ pub(crate) fn compared(
         (_, _, Some(true)) if !stable && difference(subject, &leap, &finer, way).is_none() => {
             Kind::StepsWrong
         }
-        (_, Some(false), Some(true)) | (true, None, None) => kind,
-        (_, Some(true), Some(true)) => kind,
         (_, Some(true), Some(false)) => Kind::StepsWrong,
-        // Whom nobody agrees with, not even its own steps, is wrong.
-        (false, Some(false), Some(false)) => kind,
+        // With the last one: whom nobody agrees with, not even its own steps, is wrong.
+        (_, Some(_), Some(true)) | (true, None, None) | (false, Some(false), Some(false)) => kind,
         _ => Kind::Undecided,
     };
     find(kind, text);
-    let believed = (for_finer == Some(true) || stable)
-        .then(|| before_the_end(subject, start, to, finer, count));
+    if for_finer != Some(true) && !stable {
+        return (findings, None);
+    }
+    let believed = before_the_end(subject, start, to, finer, count);
     (findings, believed)
 }
 
@@ -408,17 +427,12 @@ fn before_the_end(
     to: &[f64],
     gone: Gone,
     steps: f64,
-) -> Position<f64> {
+) -> Option<Position<f64>> {
     match gone.stop {
-        None => gone.at,
+        None => Some(gone.at),
         Some((part, _)) => {
-            in_steps(
-                subject,
-                start,
-                &between(&start.motors, to, 0.97 * part),
-                steps,
-            )
-            .at
+            let short = between(&start.motors, to, 0.97 * part);
+            in_steps(subject, start, &short, steps).map(|gone| gone.at)
         }
     }
 }

@@ -16,6 +16,8 @@ pub(crate) enum Kind {
     Prp,
     Rpp,
     Slot,
+    /// A parallelogram on a crank that is there, or what nearly is one: its change points are narrow dead zones then.
+    Parallelogram,
     Gear,
     Belt,
     Rack,
@@ -72,6 +74,7 @@ fn kinds() -> impl Strategy<Value = Kind> {
         1 => Just(Kind::Prp),
         1 => Just(Kind::Rpp),
         2 => Just(Kind::Slot),
+        4 => Just(Kind::Parallelogram),
         4 => Just(Kind::Gear),
         1 => Just(Kind::Belt),
         2 => Just(Kind::Rack),
@@ -150,6 +153,7 @@ impl Drawing {
             lines: String::new(),
             motors: Vec::new(),
             pivots: Vec::new(),
+            places: Vec::new(),
             slides: Vec::new(),
             coupled: false,
         };

@@ -200,7 +200,7 @@ impl Judge<'_> {
                     let at = self.coordinate(links, slide);
                     for (link, slopes) in at.slopes {
                         (0..3).for_each(|part| {
-                            all.add(row, link, part, sign * factor * slopes[part])
+                            all.add(row, link, part, sign * factor * slopes[part]);
                         });
                     }
                     sign * (at.value - self.coordinate(&self.anchor.links, slide).value)

@@ -24,7 +24,7 @@ pub(crate) fn wrong(subject: &Subject, targets: &[Vec<f64>]) -> Vec<String> {
     let found = targets
         .iter()
         .flat_map(|to| compared(subject, &start, &shortened(subject, &start, to, 20_000.0)).0);
-    found.filter(counts).map(told).collect()
+    found.filter(counts).map(|found| told(&found)).collect()
 }
 
 /// The same, each from where the one before led to.
@@ -35,7 +35,7 @@ fn wrong_in_a_row(subject: &Subject, targets: &[Vec<f64>]) -> Vec<String> {
     let (mut at, mut all) = (start.clone(), Vec::new());
     for to in targets {
         let (found, end) = compared(subject, &at, &shortened(subject, &at, to, 20_000.0));
-        all.extend(found.into_iter().filter(counts).map(told));
+        all.extend(found.into_iter().filter(counts).map(|found| told(&found)));
         at = end.unwrap_or_else(|| start.clone());
     }
     all
@@ -45,7 +45,7 @@ fn counts(finding: &Finding) -> bool {
     finding.kind != Kind::Undecided
 }
 
-fn told(finding: Finding) -> String {
+fn told(finding: &Finding) -> String {
     format!("{:?}: {}", finding.kind, finding.text)
 }
 
@@ -390,9 +390,9 @@ fn find(text: &str, reach: &[f64], count: usize) {
     let mut targets = targets(&subject, 4, count, reach);
     for (motor, declared) in subject.model.motors.iter().enumerate() {
         if let Some(range) = declared.range {
-            targets
-                .iter_mut()
-                .for_each(|to| to[motor] = to[motor].clamp(range.low, range.high));
+            for to in &mut targets {
+                to[motor] = to[motor].clamp(range.low, range.high);
+            }
         }
     }
     none("found once", &subject, &wrong_in_a_row(&subject, &targets));

@@ -215,14 +215,16 @@ impl<'m> Judge<'m> {
             return values.iter().copied().fold(f64::INFINITY, f64::min);
         }
         let lu = matrix.lu();
-        let probe = |seed: usize| {
-            let part =
-                |row: usize, _| ((row * 7 + seed * 3 + 1) as f64 * 1.618_033_988_7).fract() - 0.5;
-            let side = DVector::from_fn(unknowns, |row, _| part(row, 0));
+        let probe = |seed: f64| {
+            let mut part = seed;
+            let side = DVector::from_fn(unknowns, |_, _| {
+                part = (part + 0.618_033_988_7).fract();
+                part - 0.5
+            });
             lu.solve(&side)
                 .map_or(0.0, |answer| side.norm() / answer.norm())
         };
-        probe(0).min(probe(1))
+        probe(0.1).min(probe(0.57))
     }
 
     /// Follows the straight way to these motor values. `fineness` divides its steps.

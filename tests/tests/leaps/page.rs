@@ -40,6 +40,8 @@ pub(crate) struct Page {
     pub(crate) motors: Vec<(String, bool)>,
     /// Revolute joints: name and the two links.
     pub(crate) pivots: Vec<(usize, usize, usize)>,
+    /// Where they are.
+    pub(crate) places: Vec<[f64; 2]>,
     pub(crate) slides: Vec<(usize, usize, usize)>,
     pub(crate) coupled: bool,
 }
@@ -97,6 +99,7 @@ impl Page {
             "joint j{joint} = revolute({first}, {second}) at ({x:?}, {y:?});"
         );
         self.pivots.push((joint, a, b));
+        self.places.push([x, y]);
         joint
     }
 
@@ -148,6 +151,7 @@ impl Page {
             Kind::Gear | Kind::Belt => self.wheel(addition, points[0]),
             Kind::Rack => self.rack(addition, points[0], d),
             Kind::Cam => self.cam(addition, points[0], d),
+            Kind::Parallelogram => self.parallelogram(addition, points),
             Kind::Triad => self.triad(addition, points, [d, e]),
             Kind::Ring => self.ring(addition, points),
             Kind::Tied => self.tied(addition, points),
@@ -290,6 +294,29 @@ impl Page {
                 self.pivot(second, b, r);
             }
         }
+    }
+
+    /// A link that turns as another does, which turns on the same: by how much it is none is a small part of its size.
+    fn parallelogram(&mut self, addition: &Addition, [q, shift, ..]: [[f64; 2]; 6]) {
+        if self.pivots.is_empty() {
+            return;
+        }
+        let number = addition.picks[0] % self.pivots.len();
+        let (_, a, b) = self.pivots[number];
+        let (base, crank) = if addition.flips[0] { (b, a) } else { (a, b) };
+        let p = self.places[number];
+        if cross(minus(q, p), shift).abs() < 0.3 {
+            return;
+        }
+        let off = [0.0, 0.0, 0.0, 1e-2, -1e-3, 1e-4, -1e-5][addition.choice % 7];
+        let [c, d] = [(); 2].map(|()| self.link());
+        self.pivot(base, c, [p[0] + shift[0], p[1] + shift[1]]);
+        self.pivot(crank, d, q);
+        self.pivot(
+            d,
+            c,
+            [q[0] + shift[0] * (1.0 + off), q[1] + shift[1] * (1.0 + off)],
+        );
     }
 
     fn triad(&mut self, addition: &Addition, points: [[f64; 2]; 6], directions: [[f64; 2]; 2]) {

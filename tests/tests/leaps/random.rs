@@ -116,7 +116,9 @@ fn tally(strategy: &impl Strategy<Value = Drawing>, default: u64) -> Tally {
         let mut kinds: Vec<Kind> = found.iter().map(|one| one.kind).collect();
         kinds.sort_unstable();
         kinds.dedup();
-        found.iter().for_each(|one| tally.count(one));
+        for one in &found {
+            tally.count(one);
+        }
         for kind in kinds {
             if tally.wants(kind) {
                 let text = smallest(&mut tree, kind, seed);

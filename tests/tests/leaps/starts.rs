@@ -19,34 +19,37 @@ fn stuck(subject: &Subject) -> Vec<String> {
     let motors = &program.start.motors;
     let mut all = Vec::new();
     for motor in 0..motors.len() {
-        let mut stops = Vec::new();
         let ways = SMALL.iter().flat_map(|way| [*way, -*way]);
-        let goals = ways.map(|way| {
-            let mut goal = motors.clone();
-            goal[motor] += way;
-            goal
-        });
-        let free = goals.clone().any(|goal| {
-            let told = start.clone().move_to(&goal);
-            stops.extend(told.err());
-            told.is_ok()
-        });
-        let far = stops.iter().any(|stop| {
-            !matches!(
-                stop,
-                Stop::Open(_) | Stop::DeadPoint(_) | Stop::ChangePoint(_)
+        let goals: Vec<Vec<f64>> = ways
+            .map(|way| {
+                let mut goal = motors.clone();
+                goal[motor] += way;
+                goal
+            })
+            .collect();
+        let told: Vec<Result<(), Stop>> = goals
+            .iter()
+            .map(|goal| start.clone().move_to(goal))
+            .collect();
+        let is_limit = |told: &Result<(), Stop>| {
+            matches!(
+                told,
+                Err(Stop::Open(_) | Stop::DeadPoint(_) | Stop::ChangePoint(_))
             )
-        });
-        let judged = |goal: Vec<f64>| {
-            let mut judge = Judge::new(
-                &subject.model,
-                &subject.compiled.structure.rollings,
-                start.position(),
-            );
-            judge.follow(&goal, 1.0) == Verdict::Arrives
         };
-        if !free && (far || goals.clone().any(judged)) {
-            all.push(format!("motor {motor} does not move: {:?}", stops.first()));
+        let judged = |goal: &[f64]| {
+            let rollings = &subject.compiled.structure.rollings;
+            let mut judge = Judge::new(&subject.model, rollings, start.position());
+            judge.follow(goal, 1.0) == Verdict::Arrives
+        };
+        // Nothing so near is too far; and of two limits side by side one is none.
+        let all_limits = told.iter().all(is_limit);
+        let wrong = goals.iter().zip(&told).find(|(goal, told)| {
+            let suspicious = told.is_err() && (all_limits || !is_limit(told));
+            suspicious && judged(goal)
+        });
+        if let Some((goal, told)) = wrong {
+            all.push(format!("from {motors:?} to {goal:?}: {told:?}"));
         }
     }
     all

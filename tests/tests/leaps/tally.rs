@@ -58,8 +58,8 @@ impl Tally {
     /// Nothing was found but what is not counted.
     #[track_caller]
     pub(crate) fn assert_clean(&self) {
-        println!("{}", self.table());
         let wrong = self.kinds.keys().any(|kind| *kind != Kind::Undecided);
         assert!(!wrong, "{}", self.table());
+        println!("{}", self.table());
     }
 }
