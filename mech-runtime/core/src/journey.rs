@@ -343,6 +343,10 @@ fn piece<T: Real, J: Journey<T>>(
                 // What was blocked in a step that long is not in this one: on from here.
                 (from, done, aim) = (reach.to, reach.end, target);
             }
+            Event::None if let Some(other) = over(journey, &reach, aim) => {
+                // On the side it came from something else does not close: it is the other side that goes on.
+                (from, done, aim) = (other, reach.end, target);
+            }
             Event::None => {
                 settle(journey, &from, done, &mut reach);
                 note_sense(journey, &from, &mut reach.to);
@@ -411,6 +415,32 @@ fn leave<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position, to: &J::Po
         }
     }
     leaving
+}
+
+/// Where a step was stopped with a loop at its change point: the same place on the loop's other side, if that goes on.
+fn over<T: Real, J: Journey<T>>(
+    journey: &J,
+    reach: &Reach<J::Position, J::Stop, T>,
+    aim: T,
+) -> Option<J::Position> {
+    reach.stop.as_ref()?;
+    (0..journey.watches()).find_map(|index| {
+        let stands = journey.watch(index).at_zero == AtZero::GoOver
+            && is_near_zero(journey, &reach.to, index);
+        if !stands {
+            return None;
+        }
+        let mut other = reach.to.clone();
+        journey.turn_over(&mut other, index);
+        let goes_on = journey.at(&other, aim).is_ok();
+        goes_on.then_some(other)
+    })
+}
+
+/// Whether a sine is so near zero that the side of its loop shows in nothing that rounding leaves.
+fn is_near_zero<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
+    let sine = journey.sine(position, index);
+    sine * sine <= T::from_f64(T::EPSILON).sqrt()
 }
 
 /// Where a change point is arrived at in which pins meet, the directions of the links between them are those of the position

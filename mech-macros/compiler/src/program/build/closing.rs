@@ -23,6 +23,9 @@ pub(super) struct System {
     pub(super) sides: Vec<[Value; 2]>,
     /// How far it has grown, where something slides.
     pub(super) extent: Option<Value>,
+    /// For each leg of a middle link, whose pose the unknowns are, the arm of that link to the leg, and one over the leg's length: how
+    /// far the leg turns is a part of the step.
+    pub(super) legs: Vec<([Value; 2], Value)>,
     /// For each unknown whether it is an angle, where the determinant's sign does not tell all assemblies apart.
     pub(super) angles: Option<Vec<bool>>,
 }
@@ -275,6 +278,7 @@ impl Writer<'_> {
                 .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
                 .collect(),
             extent: self.extent(equation, &now),
+            legs: Vec::new(),
             angles: (equation.rings.len() > 1)
                 .then(|| now.iter().map(Solution::is_direction).collect()),
         };
@@ -311,11 +315,18 @@ impl Writer<'_> {
             columns,
             sides,
             extent,
+            legs,
             angles,
         } = system;
         let (steps, det) = self.steps(block, &columns, &gap);
         let det = self.builder.name(det, "det");
-        let step = angles.map(|angles| self.step_square(&steps, &angles, &sides));
+        let step = angles.map(|angles| {
+            if let ([turn, x, y], false) = (&steps[..], legs.is_empty()) {
+                self.legs_square([*turn, *x, *y], &legs)
+            } else {
+                self.step_square(&steps, &angles, &sides)
+            }
+        });
         let linear = self.choice().solver == Solver::Linear;
         let mut next = Vec::new();
         for ((now, step), name) in now.iter().zip(steps).zip(names) {
@@ -374,6 +385,20 @@ impl Writer<'_> {
             };
             let square = self.builder.mul(part, part);
             sum = self.builder.add(sum, square);
+        }
+        sum
+    }
+
+    /// The square of a step of a middle link on legs: how far it turns, and how far each leg does.
+    fn legs_square(&mut self, [turn, x, y]: [Value; 3], legs: &[([Value; 2], Value)]) -> Value {
+        let builder = &mut self.builder;
+        let mut sum = builder.mul(turn, turn);
+        for &(arm, inverse) in legs {
+            let (up, along) = (builder.mul(arm[1], turn), builder.mul(arm[0], turn));
+            let moved = [builder.sub(x, up), builder.add(y, along)];
+            let turned = builder.scaled(inverse, moved);
+            let square = builder.dot(turned, turned);
+            sum = builder.add(sum, square);
         }
         sum
     }

@@ -205,6 +205,7 @@ impl Writer<'_> {
                 .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
                 .collect(),
             extent: self.extent(equation, &full),
+            legs: Vec::new(),
             angles: Some(
                 tied.unknowns
                     .iter()

@@ -98,6 +98,7 @@ impl Writer<'_> {
             sides: Vec::new(),
             extent: None,
             angles: Some(vec![true, false, false]),
+            legs: Vec::new(),
         };
         for leg in triad.legs {
             self.leg_equation(leg, &now, &mut system);
@@ -129,6 +130,7 @@ impl Writer<'_> {
             column.push(rate);
         }
         system.sides.extend([reach, arm]);
+        system.legs.push((arm, inverse));
     }
 
     /// The way from a leg's foot to its head, and the arm of the middle link to the head.
