@@ -159,6 +159,16 @@ impl Real for DoubleDouble {
         (turns, rest * Self::TURN)
     }
 
+    fn whole_turns(self) -> Option<(i32, Self)> {
+        let turns = (self.high / Self::TURN.high).round();
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "a whole number within range"
+        )]
+        let whole = (turns.abs() <= f64::from(i32::MAX)).then_some(turns as i32)?;
+        Some((whole, self - Self::from_f64(turns) * Self::TURN))
+    }
+
     fn to_f64(self) -> f64 {
         self.high
     }

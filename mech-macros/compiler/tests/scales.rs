@@ -7,8 +7,10 @@ use mech_compiler::syntax::parse;
 use mech_compiler::{compile, reporter};
 use mech_core::Real;
 
-/// Mechanisms, each as a function of its unit, and whether its motor turns.
-const KINDS: [(fn(&str) -> String, bool); 4] = [
+/// A mechanism as a function of its unit, and whether its motor turns.
+type Kind = (fn(&str) -> String, bool);
+
+const KINDS: [Kind; 4] = [
     (four_bar, true),
     (slider_crank, true),
     (ram, false),

@@ -274,7 +274,8 @@ fn go_on<T: Real, J: Journey<T>>(
             target
         };
         let part = target - done;
-        if !(part > T::ZERO) {
+        // A way so long that a piece of it is lost in rounding.
+        if target <= done {
             break;
         }
         if let Ok(mut to) = journey.at(&position, target)

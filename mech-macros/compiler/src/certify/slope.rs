@@ -11,7 +11,7 @@ pub(crate) struct Slopes<'c> {
     cone: &'c Cone,
     values: Vec<Interval>,
     /// For each variable the slopes of all values.
-    slopes: Vec<Vec<Interval>>,
+    rates: Vec<Vec<Interval>>,
 }
 
 impl<'c> Slopes<'c> {
@@ -19,7 +19,7 @@ impl<'c> Slopes<'c> {
         let count = cone.nodes.len();
         Self {
             values: vec![Interval::ENTIRE; count],
-            slopes: vec![vec![Interval::ZERO; count]; cone.variables.len()],
+            rates: vec![vec![Interval::ZERO; count]; cone.variables.len()],
             cone,
         }
     }
@@ -31,7 +31,7 @@ impl<'c> Slopes<'c> {
                 Op::Motor(variable) => place[variable],
                 op => natural(op, |value| self.values[value.index()]).unwrap_or(Interval::ENTIRE),
             };
-            for (variable, slopes) in self.slopes.iter_mut().enumerate() {
+            for (variable, slopes) in self.rates.iter_mut().enumerate() {
                 slopes[index] = match node.op {
                     Op::Motor(own) if own == variable => Interval::ONE,
                     op => slope(op, &self.values, self.values[index], slopes),
@@ -47,7 +47,7 @@ impl<'c> Slopes<'c> {
 
     /// How fast a value changes with a variable.
     pub(crate) fn slope(&self, value: Value, variable: usize) -> Interval {
-        self.slopes[variable][value.index()]
+        self.rates[variable][value.index()]
     }
 }
 
@@ -112,9 +112,9 @@ fn slope(op: Op, values: &[Interval], result: Interval, slopes: &[Interval]) -> 
                 rate(a).hull(rate(b))
             }
         }
-        // From one whole number to the next nothing changes; what goes over to the next is followed elsewhere.
-        Op::Round(_) => Interval::ZERO,
-        Op::Constant(_)
+        // Between whole numbers nothing changes; what goes over to the next is followed elsewhere.
+        Op::Round(_)
+        | Op::Constant(_)
         | Op::Motor(_)
         | Op::Turns(_)
         | Op::Turned(..)

@@ -34,8 +34,9 @@ impl Growth {
     /// Whether both are of one loop, motor or param.
     fn is_like(self, other: Self) -> bool {
         match (self, other) {
-            (Self::NearZero(a), Self::NearZero(b)) => a == b,
-            (Self::FarOut(a, _), Self::FarOut(b, _)) => a == b,
+            (Self::NearZero(a), Self::NearZero(b)) | (Self::FarOut(a, _), Self::FarOut(b, _)) => {
+                a == b
+            }
             _ => false,
         }
     }

@@ -337,25 +337,18 @@ impl<'d> Paces<'d> {
             (Form::TurningLine { size, .. }, false) => 1.0 + pair(&goal.arms)[0][1] / size,
             (Form::CircleAndLine { .. } | Form::TwoLines { .. }, _) => 1.0,
         };
-        match free {
-            Some(free) => {
-                let sine = free.least_sine.max(f64::MIN_POSITIVE);
-                // Of two lines, what turns them moves their ways the more, the farther these are.
-                let twice = if matches!(closed.form, Form::TwoLines { .. }) {
-                    1.0 / sine
-                } else {
-                    1.0
-                };
-                bound.add(lever * twice / sine, &goal.moves);
-            }
-            None => {
-                bound.add(lever, &goal.moves);
-                if bound.rates.iter().any(|rate| *rate > 0.0) {
-                    bound.growth.push(Growth::NearZero(number));
-                    if matches!(closed.form, Form::TwoLines { .. }) {
-                        bound.growth.push(Growth::NearZero(number));
-                    }
-                }
+        let two_lines = matches!(closed.form, Form::TwoLines { .. });
+        if let Some(free) = free {
+            let sine = free.least_sine.max(f64::MIN_POSITIVE);
+            // Of two lines, what turns them moves their ways the more, the farther these are.
+            let twice = if two_lines { 1.0 / sine } else { 1.0 };
+            bound.add(lever * twice / sine, &goal.moves);
+        } else {
+            bound.add(lever, &goal.moves);
+            if bound.rates.iter().any(|rate| *rate > 0.0) {
+                let times = if two_lines { 2 } else { 1 };
+                let growth = std::iter::repeat_n(Growth::NearZero(number), times);
+                bound.growth.extend(growth);
             }
         }
         self.tame(&mut bound, MOST);

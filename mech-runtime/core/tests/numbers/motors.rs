@@ -115,7 +115,7 @@ fn assert_reduced(x: f64) {
     let (turns, rest) = turns_of(x);
     let (found, whole) = reduced(x, 0);
     assert!(
-        i128::from(whole) == turns || found.abs() > 3.14159,
+        i128::from(whole) == turns || found.abs() > core::f64::consts::PI - 1e-5,
         "{x:e}: {whole}, not {turns}"
     );
     if i128::from(whole) == turns {
@@ -132,7 +132,7 @@ fn assert_reduced_single(x: f32) {
     let (turns, rest) = turns_of(f64::from(x));
     let (found, whole) = reduced(x, 0);
     assert!(
-        i128::from(whole) == turns || found.abs() > 3.1415,
+        i128::from(whole) == turns || found.abs() > core::f32::consts::PI - 1e-4,
         "{x:e}: {whole}, not {turns}"
     );
     if i128::from(whole) == turns {
@@ -163,10 +163,8 @@ proptest! {
     #[test]
     fn turns_given_besides_are_added(turns in any::<i32>(), x in -1e9..1e9) {
         let ((rest, whole), (same, sum)) = (reduced(x, 0), reduced(x, turns));
-        match turns.checked_add(whole) {
-            Some(expected) => prop_assert_eq!((same, sum), (rest, expected)),
-            None => prop_assert_eq!((same, sum), (x, turns)),
-        }
+        let expected = turns.checked_add(whole).map_or((x, turns), |sum| (rest, sum));
+        prop_assert_eq!((same, sum), expected);
     }
 }
 
@@ -187,7 +185,7 @@ fn what_cannot_be_counted_stays_as_it_is() {
         let (rest, turns) = reduced(single, 7);
         assert!(rest.to_bits() == single.to_bits() && turns == 7);
     }
-    for x in [0.0, -0.0, 1.0, -3.14, f64::MIN_POSITIVE] {
+    for x in [0.0, -0.0, 1.0, -3.0, f64::MIN_POSITIVE] {
         assert_eq!(reduced(x, 3), (x, 3));
     }
 }

@@ -11,7 +11,7 @@ use std::time::Instant;
 fn costs() {
     let bar = |lengths| four_bar(lengths, 0.0, 0.5, 1.5);
     let tilted = |lengths| four_bar(lengths, 0.7, 1.7, 1.7);
-    let cases = [
+    let cases = vec![
         ("four-bar 4/1/3.5/3", bar([4.0, 1.0, 3.5, 3.0]), TURN[0]),
         ("four-bar 4/1/2/1.5", bar([4.0, 1.0, 2.0, 1.5]), TURN[0]),
         ("parallelogram", bar([2.0, 1.0, 2.0, 1.0]), TURN[0]),

@@ -81,17 +81,14 @@ impl Writer<'_> {
         for Sprung { joint, axes } in self.sprung.clone() {
             let name = format!("{}_angle", self.model.joint(joint).name);
             let kept = self.kept.len();
-            match self.whole_angle(axes) {
-                Some(angle) => {
-                    self.keep(self.builder.at_start(angle));
-                    self.kept[kept] = angle;
-                    self.builder.name(angle, name);
-                }
-                None => {
-                    let principal = self.angle_between(axes);
-                    let start = self.builder.at_start(principal);
-                    self.unwrapped(Turning::Joint(joint), principal, start, name);
-                }
+            if let Some(angle) = self.whole_angle(axes) {
+                self.keep(self.builder.at_start(angle));
+                self.kept[kept] = angle;
+                self.builder.name(angle, name);
+            } else {
+                let principal = self.angle_between(axes);
+                let start = self.builder.at_start(principal);
+                self.unwrapped(Turning::Joint(joint), principal, start, name);
             }
             self.joint_angles.push(JointAngle { joint, kept });
         }
