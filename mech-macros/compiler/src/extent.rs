@@ -1,4 +1,4 @@
-//! How much room a mechanism takes, found by moving it as the survey does: each motor alone through its range or through whole
+//! How much room a mechanism takes, found by moving it: each motor alone through its range or through whole
 //! turns, and all of them together in several proportions.
 
 use crate::evaluate::Machine;
@@ -9,6 +9,8 @@ use crate::walk::{Stretch, at, walk};
 
 /// How many operations it may cost.
 const BUDGET: usize = 150_000;
+/// Turns of a motor.
+const MOST_TURNS: i64 = 400;
 /// Samples in a turn.
 const SAMPLES: [usize; 2] = [24, 120];
 
@@ -18,7 +20,7 @@ pub(crate) fn extent(model: &Model, plan: &Plan, program: &Program) -> [[f64; 2]
     let mut around = Around::new(model, program);
     let mut machine = Machine::<f64>::new(program);
     around.look(&machine.position().poses);
-    walk(model, plan, |Stretch { ways, pieces }| {
+    walk(model, plan, MOST_TURNS, |Stretch { ways, pieces }| {
         let live = program.live.iter().filter(|live| **live).count() + around.points();
         let affordable = BUDGET / (live * pieces * ways.len()).max(1);
         let samples = pieces * affordable.clamp(SAMPLES[0], SAMPLES[1]);

@@ -6,8 +6,6 @@ use crate::plan::{Plan, Rational, Source, Step};
 use num_traits::{Signed, ToPrimitive};
 use std::f64::consts::TAU;
 
-/// Most turns of a motor that are looked at: behind gears it takes several until everything has turned.
-const MOST_TURNS: i64 = 400;
 /// Most turns of whatever turns fastest that are looked at one by one.
 const MOST_PIECES: usize = 64;
 
@@ -26,11 +24,16 @@ pub(crate) fn at(start: &[f64], ways: &[f64], part: f64) -> Vec<f64> {
     ways.map(|(start, way)| start + way * part).collect()
 }
 
-/// Walks all ways. The walker is given a stretch and tells whether it came to its end: who can turn all the way round need not
+/// Walks all ways, no more than so many turns of a motor: behind gears it takes several until everything has turned. The walker is given a stretch and tells whether it came to its end: who can turn all the way round need not
 /// turn back as well.
-pub(crate) fn walk(model: &Model, plan: &Plan, mut walker: impl FnMut(&Stretch) -> bool) {
+pub(crate) fn walk(
+    model: &Model,
+    plan: &Plan,
+    most_turns: i64,
+    mut walker: impl FnMut(&Stretch) -> bool,
+) {
     for motor in model.motor_ids() {
-        alone(model, plan, motor, &mut walker);
+        alone(model, plan, (motor, most_turns), &mut walker);
     }
     if model.motors.len() > 1 {
         together(model, &mut walker);
@@ -38,7 +41,12 @@ pub(crate) fn walk(model: &Model, plan: &Plan, mut walker: impl FnMut(&Stretch) 
 }
 
 /// Moves one motor through its range, the others at the start.
-fn alone(model: &Model, plan: &Plan, motor: MotorId, walker: &mut impl FnMut(&Stretch) -> bool) {
+fn alone(
+    model: &Model,
+    plan: &Plan,
+    (motor, most_turns): (MotorId, i64),
+    walker: &mut impl FnMut(&Stretch) -> bool,
+) {
     let index = motor.index();
     let start = plan.start.motors[index];
     let along = |way: f64, pieces: usize| {
@@ -56,7 +64,7 @@ fn alone(model: &Model, plan: &Plan, motor: MotorId, walker: &mut impl FnMut(&St
         JointKind::Revolute(..)
     );
     let (way, pieces) = if turns {
-        let (turns, pieces) = turns_of(plan, motor);
+        let (turns, pieces) = turns_of(plan, motor, most_turns);
         #[expect(clippy::cast_precision_loss, reason = "some hundred turns")]
         let way = TAU * turns as f64;
         (way, pieces)
@@ -90,7 +98,7 @@ fn together(model: &Model, walker: &mut impl FnMut(&Stretch) -> bool) {
 
 /// How many turns of a motor it takes until everything behind gears and cams has turned as a whole, and how many turns the fastest
 /// of it makes meanwhile.
-fn turns_of(plan: &Plan, motor: MotorId) -> (i64, usize) {
+fn turns_of(plan: &Plan, motor: MotorId, most_turns: i64) -> (i64, usize) {
     let parts = plan.steps.iter().flat_map(|step| match step {
         Step::Mesh(mesh) => &mesh.parts[..],
         Step::Cam(cam) => &cam.parts[..],
@@ -99,8 +107,8 @@ fn turns_of(plan: &Plan, motor: MotorId) -> (i64, usize) {
     let own = parts.filter(|(source, _)| plan.sources[*source] == Source::Motor(motor));
     let own: Vec<&Rational> = own.map(|(_, part)| part).collect();
     let turns = own.iter().fold(1, |turns, part| {
-        let denominator = part.denom().to_i64().unwrap_or(MOST_TURNS);
-        num_integer::lcm(turns, denominator.clamp(1, MOST_TURNS)).min(MOST_TURNS)
+        let denominator = part.denom().to_i64().unwrap_or(most_turns);
+        num_integer::lcm(turns, denominator.clamp(1, most_turns)).min(most_turns)
     });
     let fastest = own.iter().map(|part| part.abs().ceil().to_integer());
     let fastest = fastest

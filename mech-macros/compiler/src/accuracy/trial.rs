@@ -16,6 +16,8 @@ use std::f64::consts::TAU;
 
 /// How many operations a trial may cost.
 const BUDGET: usize = 1_200_000;
+/// Turns of a motor: what is read of more turns is read of their rest.
+const MOST_TURNS: i64 = 8;
 /// Samples in a turn.
 const SAMPLES: [usize; 2] = [24, 180];
 /// Samples where all motors wander about.
@@ -97,7 +99,7 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
         single: Machine::new(exact),
         rivals,
     };
-    walk(model, plan, |stretch| trial.straight(stretch));
+    walk(model, plan, MOST_TURNS, |stretch| trial.straight(stretch));
     if model.motors.len() > 1 {
         trial.about(model);
     }
