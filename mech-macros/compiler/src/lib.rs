@@ -373,7 +373,7 @@ fn unless_matched(model: &Model, diagnoses: Vec<Diagnosis>) -> Vec<Diagnosis> {
     };
     let moves = |joint: &JointId| matched::matched(&model.with_motor(*joint)).is_some();
     // Each of them is assembled and moved: in a large mechanism not all are tried.
-    let most = MOST_MOVED.div_ceil(model.joints.len() * model.joints.len());
+    let most = MOST_MOVED.div_ceil(model.joints.len().pow(2).max(1));
     let joints = model.joint_ids().filter(turns).take(most);
     let candidates: Vec<JointId> = joints.filter(moves).collect();
     match candidates[..] {

@@ -158,15 +158,15 @@ impl<'a> Domain<'a> {
                 exact.push(self.cutter.turns_until_whole(angle, input, part)?);
             }
         }
-        let whole = exact
-            .iter()
-            .fold(1, |whole, (_, d)| num_integer::lcm(whole, *d));
-        if whole > MOST_TURNS {
-            return None;
-        }
+        let whole = exact.iter().try_fold(1_i64, |whole, (_, d)| {
+            let times = d / num_integer::gcd(whole, *d).max(1);
+            let all = whole.checked_mul(times);
+            all.filter(|all| (1..=MOST_TURNS).contains(all))
+        })?;
         // Each turns so often while the motor makes so many turns; all of them have turned as a whole when the slowest has.
-        let often = exact.iter().map(|(n, d)| n * (whole / d));
-        let often = often.fold(0, num_integer::gcd::<i64>).max(1);
+        let mut often = exact.iter().map(|(n, d)| n.checked_mul(whole / d));
+        let often = often.try_fold(0, |often, own| Some(num_integer::gcd::<i64>(often, own?)))?;
+        let often = often.max(1);
         #[expect(clippy::cast_precision_loss, reason = "small whole numbers")]
         Some((TAU * whole as f64 / often as f64).next_up())
     }

@@ -21,8 +21,8 @@ impl Writer<'_> {
         margin: Value,
         solution: &[Solution<Value>],
     ) -> Value {
-        /// From here on the step towards length one is exact to a thousandth.
-        const STRETCH: f64 = 1.0 / 64.0;
+        /// A direction whose square is off by more than this after a step towards length one was no direction before.
+        const STRETCH: f64 = 1.0 / 1024.0;
         let builder = &mut self.builder;
         solution.iter().fold(margin, |margin, unknown| {
             let Solution::Direction(direction) = *unknown else {
