@@ -30,6 +30,9 @@ pub enum Growth {
     FarOut(usize, f64),
 }
 
+/// More causes of growth are not told one by one.
+const MOST_GROWTH: usize = 8;
+
 impl Growth {
     /// Whether both are of one loop, motor or param.
     fn is_like(self, other: Self) -> bool {
@@ -84,5 +87,8 @@ impl Bound {
                 None => self.growth.push(other),
             }
         }
+        // Of a long chain the last loops tell most, and a list of all before each would be longer than the rest of the program.
+        let beyond = self.growth.len().saturating_sub(MOST_GROWTH);
+        self.growth.drain(..beyond);
     }
 }

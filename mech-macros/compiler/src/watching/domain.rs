@@ -16,6 +16,8 @@ const MOST_TURNS: i64 = 1 << 20;
 pub(crate) struct Domain<'a> {
     pub(super) model: &'a Model,
     pub(super) cutter: Cutter<'a>,
+    /// The loops that a param has a part in.
+    pub(super) varying: BTreeSet<usize>,
     /// What was found out about each loop, by its number.
     pub(super) known: Vec<Known>,
 }
@@ -25,6 +27,7 @@ impl<'a> Domain<'a> {
         Self {
             model,
             cutter: Cutter::new(program),
+            varying: program.dependent_loops().into_iter().collect(),
             known: vec![Known::default(); loops],
         }
     }

@@ -51,7 +51,6 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
     if !(all_free && program.followed.is_empty()) {
         paces.look_at_all();
     }
-    let varying = program.dependent_loops();
     let mut decided = choices;
     for (_, closed) in program.all_closed() {
         let Some(choice) = decided.get_mut(closed.number) else {
@@ -61,7 +60,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
             choice.pins_near = free.least_distance_square < NEAR_PINS;
             continue;
         }
-        let varies = varying.contains(&closed.number);
+        let varies = domain.varying.contains(&closed.number);
         let passes = if closed.sided {
             varies || !touching::only_ends(&domain, closed)
         } else {

@@ -108,13 +108,7 @@ impl<'d> Paces<'d> {
     /// What a param does is known in its neighbourhood only.
     fn with_params(&self, bound: &mut Bound, number: usize) {
         let model = self.domain.model;
-        if !self
-            .domain
-            .cutter
-            .program
-            .dependent_loops()
-            .contains(&number)
-        {
+        if !self.domain.varying.contains(&number) {
             return;
         }
         let own = bound.rates.iter_mut().skip(model.motors.len());
