@@ -110,7 +110,7 @@ const MOST_GROWTH: f64 = 16.0;
 const MOST_STARTS: u32 = 16;
 const GAIN: f64 = 1e-9;
 /// More pieces than this are not gone at once: they are a mistake, or would take longer than anybody waits.
-const MOST_PIECES: u32 = 65_536;
+const MOST_PIECES: u32 = 1_048_576;
 /// So often at most is a piece tried that does not end where it should.
 const MOST_TRIES: u32 = 512;
 /// Each halving gives a digit of a binary fraction: no float has more.
