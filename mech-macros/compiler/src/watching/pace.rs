@@ -33,6 +33,8 @@ pub(super) struct Paces<'d> {
     values: BTreeMap<Value, Bound>,
     /// On how many boxes each cone may be looked at.
     boxes: usize,
+    /// For each input the fastest that turns with it.
+    fastest: Vec<f64>,
 }
 
 /// What a loop reaches for.
@@ -61,12 +63,15 @@ struct Swept {
 
 impl<'d> Paces<'d> {
     pub(super) fn new(domain: &'d Domain<'d>) -> Self {
-        Self {
+        let mut paces = Self {
             domain,
             loops: BTreeMap::new(),
             values: BTreeMap::new(),
             boxes: (BOXES_OF_ALL / domain.known.len().max(1)).clamp(8, MOST_BOXES),
-        }
+            fastest: Vec::new(),
+        };
+        paces.fastest = paces.fastest();
+        paces
     }
 
     /// Looks at all loops, one after another: what a loop needs is there before it.
@@ -121,9 +126,8 @@ impl<'d> Paces<'d> {
 
     /// Nothing is faster than what is said of all that is iterated.
     fn tame(&self, bound: &mut Bound, times: f64) {
-        let fastest = self.fastest();
         for (input, rate) in bound.rates.iter_mut().enumerate() {
-            let most = times * fastest.get(input).copied().unwrap_or(1.0);
+            let most = times * self.fastest.get(input).copied().unwrap_or(1.0);
             *rate = if rate.is_finite() {
                 rate.min(most)
             } else {
