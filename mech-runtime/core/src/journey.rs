@@ -12,6 +12,8 @@ use crate::Real;
 pub struct Watch<T> {
     /// By how much the square of the sine may change on the whole way, at most, as long as it does not grow.
     pub change: T,
+    /// Whether that is no bound but a guess, to be set right by what is seen on the way.
+    pub guessed: bool,
     /// What happens where the sine is zero and the loop closes on both sides.
     pub at_zero: AtZero,
 }
@@ -101,6 +103,10 @@ pub struct Halt<P, S, T> {
 
 /// In a piece in which a sine may come to zero its square changes by no more than this: zero is there then, or near.
 const PIECE: f64 = 0.02;
+/// A piece that is likely to be passed takes this part of the squares of its sines at its start.
+const LIKELY: f64 = 0.4;
+/// A little less than a short piece, whatever rounding does.
+const LIKELY_SHORT: f64 = 0.99 * PIECE;
 /// In one piece an angle that is followed over whole turns changes by no more than this: more than half a turn would be lost.
 const TURN: f64 = 2.5;
 /// Near their zeros earlier loops make later ones faster without end: pieces are no smaller than for so many times as fast.
@@ -154,12 +160,12 @@ fn is_far<T: Real, J: Journey<T>>(
     index: usize,
 ) -> bool {
     let speed = speed(journey, from, to, journey.growth(index));
-    let squares = squares(journey, from, to, index);
-    squares > T::from_f64(2.0) * journey.watch(index).change * part * speed
-        && (!journey.subdivides() || is_calm(journey, from, to, (index, squares)))
+    let (squares, watch) = (squares(journey, from, to, index), journey.watch(index));
+    squares > T::from_f64(2.0) * watch.change * part * speed
+        && (!watch.guessed || is_calm(journey, from, to, (index, squares)))
 }
 
-/// Whether a sine changes little: no rate bounds what is made from loops that are solved by iteration.
+/// Whether a sine changes little.
 fn is_calm<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -203,10 +209,37 @@ fn speed<T: Real, J: Journey<T>>(
     speed
 }
 
+/// A piece from here, no longer than this, that is likely to be passable; if none is, one that is short.
+fn likely<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, longest: T) -> T {
+    let mut length = longest;
+    for index in 0..journey.watches() {
+        let speed = speed(journey, from, from, journey.growth(index));
+        let change = journey.watch(index).change;
+        let passable = T::from_f64(LIKELY) * squares(journey, from, from, index) / (change * speed);
+        let short = T::from_f64(LIKELY_SHORT) / (change * slow(speed));
+        length = lesser(length, passable.max(short));
+    }
+    for index in 0..journey.follows() {
+        let speed = speed(journey, from, from, journey.turn_growth(index));
+        let short = T::from_f64(TURN) / (journey.turn(index) * slow(speed));
+        length = lesser(length, short);
+    }
+    length
+}
+
+/// So many times as fast at most something is taken to be where pieces are short.
+fn slow<T: Real>(speed: T) -> T {
+    lesser(T::from_f64(MOST_GROWTH), speed)
+}
+
+/// The lesser of two numbers: the first, if they are not ordered.
+fn lesser<T: Real>(a: T, b: T) -> T {
+    if b < a { b } else { a }
+}
+
 /// Whether a piece from here is so short that a loop which may come to zero in it does so once at most.
 fn is_short<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, part: T) -> bool {
-    let most = T::from_f64(MOST_GROWTH);
-    let faster = |change: T, growth: T| change * part * if growth < most { growth } else { most };
+    let faster = |change: T, growth: T| change * part * slow(growth);
     (0..journey.watches()).all(|index| {
         let speed = speed(journey, from, from, journey.growth(index));
         faster(journey.watch(index).change, speed) <= T::from_f64(PIECE)
@@ -235,7 +268,31 @@ pub fn halved<T: Real>(stops: impl Fn(T) -> bool) -> (T, T) {
     (end, blocked)
 }
 
-/// Goes to the target, past whatever is on the way.
+/// Goes to the target, past whatever is on the way; a way on which even the longest pieces would be too many is not begun.
+///
+/// # Errors
+/// How far it came and why it went no farther.
+pub fn arrive<T: Real, J: Journey<T>>(
+    journey: &J,
+    start: &J::Position,
+) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
+    if is_endless(journey) {
+        return Err(too_far(journey, start.clone(), T::ZERO));
+    }
+    go(journey, start)
+}
+
+/// Whether even the longest pieces would be too many.
+fn is_endless<T: Real, J: Journey<T>>(journey: &J) -> bool {
+    let most = T::from_f64(f64::from(MOST_PIECES));
+    let turn = T::from_f64(TURN);
+    // No sine is greater than one, so no piece in which one may come to zero can be passed in one step.
+    !(journey.pieces() <= most
+        && (0..journey.watches()).all(|index| journey.watch(index).change <= most)
+        && (0..journey.follows()).all(|index| journey.turn(index) / turn <= most))
+}
+
+/// Goes towards the target, past whatever is on the way.
 ///
 /// # Errors
 /// How far it came and why it went no farther.
@@ -266,6 +323,7 @@ fn go_on<T: Real, J: Journey<T>>(
     let two = T::from_f64(2.0);
     let mut length = most;
     for _ in 0..MOST_PIECES {
+        length = likely(journey, &position, length);
         let target = done + length;
         // The last piece may be a little longer rather than leave a splinter.
         let target = if target + length * T::HALF > T::ONE {

@@ -14,6 +14,8 @@ pub struct Watched<T: 'static, const MOTORS: usize> {
     pub rates: [T; MOTORS],
     /// What makes that more.
     pub growth: &'static [Growth<T>],
+    /// Whether these are no bounds but guesses.
+    pub guessed: bool,
     /// What happens at a change point.
     pub at_zero: AtZero,
     /// The joints of the loop whose coordinates are unknown.
@@ -204,6 +206,7 @@ where
         let watched = &self.course.watched[index];
         Watch {
             change: motors::change(watched.rates, &self.ways),
+            guessed: watched.guessed,
             at_zero: watched.at_zero,
         }
     }
@@ -384,7 +387,7 @@ where
     }
     let start = *position;
     let way = Way::new(course, &start, target, step);
-    match journey::go(&way, &start) {
+    match journey::arrive(&way, &start) {
         Ok(there) => {
             *position = there;
             Ok(())

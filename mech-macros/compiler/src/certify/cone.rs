@@ -4,7 +4,7 @@
 //! little. So a proof costs no more in a long chain than in a short one.
 
 use crate::plan::Solution;
-use crate::program::{Node, Number, Op, Program, Value};
+use crate::program::{Closed, Node, Number, Op, Program, Value};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a cone is made from where it is cut.
@@ -54,12 +54,22 @@ pub(crate) struct Cuts<'c> {
 
 impl<'p> Cutter<'p> {
     pub(crate) fn new(program: &'p Program) -> Self {
+        let start = |closed: &Closed| {
+            let vectors = closed.form.vectors();
+            let made = vectors.iter().flatten().copied();
+            made.chain([closed.slack, closed.floor]).max()
+        };
+        let closed = program.all_closed();
+        let starts: BTreeMap<usize, Value> = closed
+            .filter_map(|(_, closed)| Some((closed.number, start(closed)?)))
+            .collect();
         let mut found = BTreeMap::new();
         for (number, solutions) in &program.solutions {
             for (index, solution) in solutions.iter().enumerate() {
                 let mut note = |value: Value, share| {
-                    // What is constant is so whatever the loop does.
-                    if !matches!(program.node(value).op, Op::Constant(_)) {
+                    // What is constant is so whatever the loop does, and what was there before the loop is not found by it.
+                    let before = starts.get(number).is_some_and(|start| value <= *start);
+                    if !before && !matches!(program.node(value).op, Op::Constant(_)) {
                         found.entry(value).or_insert((*number, index, share));
                     }
                 };

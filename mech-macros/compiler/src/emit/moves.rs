@@ -47,11 +47,13 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
         let newton = program.newton(watch.block).map(|newton| &newton.place);
         let place = closed.or(newton).map_or("", String::as_str);
         let growth = growth(program.precision, &watch.growth);
+        let guessed = watch.guessed;
         quote! {
             Watched {
                 kept: #kept,
                 rates: [#(#rates),*],
                 growth: &[#(#growth),*],
+                guessed: #guessed,
                 at_zero: #at_zero,
                 place: #place,
             }

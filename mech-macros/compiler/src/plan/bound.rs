@@ -19,6 +19,8 @@ pub struct Bound {
     pub rates: Vec<f64>,
     /// What makes it faster. What stands there twice does so twice.
     pub growth: Vec<Growth>,
+    /// Whether that is no bound any more but a guess: of what was too wide to be of use.
+    pub guessed: bool,
 }
 
 /// What makes something faster without end.
@@ -52,6 +54,7 @@ impl Bound {
         Self {
             rates: vec![0.0; inputs],
             growth: Vec::new(),
+            guessed: false,
         }
     }
 
@@ -71,8 +74,12 @@ impl Bound {
             return;
         }
         for (rate, more) in self.rates.iter_mut().zip(&other.rates) {
-            *rate += factor * more;
+            // A factor without bound does nothing to what stands still.
+            if *more > 0.0 {
+                *rate += factor * more;
+            }
         }
+        self.guessed |= other.guessed;
         self.grow_like(&other.growth);
     }
 
@@ -89,6 +96,7 @@ impl Bound {
         }
         // Of a long chain the last loops tell most, and a list of all before each would be longer than the rest of the program.
         let beyond = self.growth.len().saturating_sub(MOST_GROWTH);
+        self.guessed |= beyond > 0;
         self.growth.drain(..beyond);
     }
 }

@@ -16,6 +16,8 @@ pub struct Watch {
     pub rates: Vec<f64>,
     /// What makes that more: loops by their place among those that are watched.
     pub growth: Vec<Growth<f64>>,
+    /// Whether these are no bounds but guesses.
+    pub guessed: bool,
     /// What happens at a change point.
     pub at_zero: AtZero,
 }

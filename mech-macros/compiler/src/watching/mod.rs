@@ -82,7 +82,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
     }
     let turning = program.followed.iter();
     let turning = turning
-        .map(|(what, angle)| (*what, paces.of_value(*angle)))
+        .map(|(what, angle)| (*what, paces.of_angle(*angle)))
         .collect();
     Decided {
         choices: decided,

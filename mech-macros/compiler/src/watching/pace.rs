@@ -19,10 +19,15 @@ const BOXES_OF_ALL: usize = 16_384;
 const SHORT: f64 = 0.01;
 /// Of loops that are solved by iteration only their steps are bounded: so fast are they taken to turn.
 const ITERATED: f64 = 16.0;
-/// A bound through many loops is wide: nothing is taken to turn more than so many times as fast as what drives it, and no sine to
-/// change so fast.
-const MOST: f64 = 1024.0;
-const MOST_OF_SINE: f64 = 256.0;
+/// A bound through many loops is wide: away from all dead points nothing is guessed to turn more than so many times as fast as what
+/// drives it, and no sine to change so fast.
+const MOST: f64 = 16.0;
+const MOST_OF_SINE: f64 = 4.0;
+/// What motors move directly is bounded well.
+const MOST_DIRECT: f64 = 256.0;
+/// By how much small sines of free loops make a bound greater, at most, if it is not one of them alone.
+const MOST_SHARP: f64 = 64.0;
+const MOST_SHARP_OF_ONE: f64 = 1024.0;
 /// How fast the square of a sine changes with a param, over its scale, at least.
 const WITH_PARAM: f64 = 4.0;
 
@@ -49,6 +54,8 @@ struct Goal {
     far: Vec<Growth>,
     /// The lengths of the arms, at least and at most.
     arms: Vec<[f64; 2]>,
+    /// Whether it is moved by motors and params alone.
+    direct: bool,
 }
 
 /// What a cone of vectors is, over all its boxes: for each variable how fast goal, arms and lines change.
@@ -106,7 +113,13 @@ impl<'d> Paces<'d> {
             Form::TwoLines { .. } => bound.add(1.0, &goal.turns),
         }
         self.with_params(&mut bound, closed.number);
-        self.tame(&mut bound, MOST_OF_SINE);
+        let most = if goal.direct {
+            MOST_DIRECT
+        } else {
+            MOST_OF_SINE
+        };
+        self.tame(&mut bound, most);
+        self.sharpen(&mut bound);
         bound
     }
 
@@ -122,17 +135,38 @@ impl<'d> Paces<'d> {
             let least = scale.map_or(0.0, |scale| WITH_PARAM / scale);
             *rate = rate.max(least);
         }
+        bound.guessed = true;
     }
 
-    /// Nothing is faster than what is said of all that is iterated.
+    /// Makes a bound that is too wide a guess.
     fn tame(&self, bound: &mut Bound, times: f64) {
         for (input, rate) in bound.rates.iter_mut().enumerate() {
             let most = times * self.fastest.get(input).copied().unwrap_or(1.0);
-            *rate = if rate.is_finite() {
-                rate.min(most)
-            } else {
-                most
+            if !(*rate <= most) {
+                *rate = most;
+                bound.guessed = true;
+            }
+        }
+    }
+
+    /// Takes the least sines of free loops for what they are: nobody watches these.
+    fn sharpen(&self, bound: &mut Bound) {
+        let (mut times, mut most) = (1.0, MOST_SHARP);
+        bound.growth.retain(|growth| {
+            let Growth::NearZero(number) = *growth else {
+                return true;
             };
+            let Some(free) = &self.domain.known[number].free else {
+                return true;
+            };
+            let own = f64::min(1.0 / free.least_sine, MOST_SHARP_OF_ONE);
+            times *= own;
+            most = f64::max(most, own);
+            false
+        });
+        bound.guessed |= times > most;
+        for rate in &mut bound.rates {
+            *rate *= f64::min(times, most);
         }
     }
 
@@ -188,6 +222,7 @@ impl<'d> Paces<'d> {
                 reach: 0.0,
                 far: Vec::new(),
                 arms: Vec::new(),
+                direct: false,
             };
         };
         let vectors = closed.form.vectors();
@@ -203,6 +238,10 @@ impl<'d> Paces<'d> {
             reach: swept.reach,
             far,
             arms: swept.lengths.clone(),
+            direct: cone
+                .variables
+                .iter()
+                .all(|variable| self.is_direct(*variable)),
         };
         let turning = swept.lines.iter().any(|turned| *turned > 0.0);
         let grows = !goal.far.is_empty() && (turning || !self.is_steady(&cone));
@@ -225,6 +264,15 @@ impl<'d> Paces<'d> {
             goal.arms.clear();
         }
         goal
+    }
+
+    /// Whether a variable is a motor or param, or in a constant ratio to some.
+    fn is_direct(&self, variable: Variable) -> bool {
+        match variable {
+            Variable::Input(_) => true,
+            Variable::Angle(angle) => self.domain.cutter.parts(angle).is_some(),
+            Variable::Found(..) => false,
+        }
     }
 
     /// Whether the outputs of a cone change no faster than some rate, however far its variables go.
@@ -318,6 +366,7 @@ impl<'d> Paces<'d> {
         let Some(closed) = self.closed(number) else {
             let size = self.domain.model.size();
             let unit = if direction { ITERATED } else { ITERATED * size };
+            bound.guessed = true;
             for input in 0..inputs {
                 let one = Bound::of_input(input, inputs);
                 bound.add(unit / self.unit(input), &one);
@@ -325,7 +374,6 @@ impl<'d> Paces<'d> {
             return bound;
         };
         let goal = self.goal(number).clone();
-        let free = self.domain.known[number].free.as_ref();
         let lever = match (&closed.form, direction) {
             (Form::TwoCircles { .. }, _) => {
                 1.0 / goal.arms.get(index).map_or(1.0, |[least, _]| *least)
@@ -336,25 +384,26 @@ impl<'d> Paces<'d> {
             (Form::CircleAndLine { .. } | Form::TwoLines { .. }, _) => 1.0,
         };
         let two_lines = matches!(closed.form, Form::TwoLines { .. });
-        if let Some(free) = free {
-            let sine = free.least_sine.max(f64::MIN_POSITIVE);
+        bound.add(lever, &goal.moves);
+        if bound.rates.iter().any(|rate| *rate > 0.0) {
             // Of two lines, what turns them moves their ways the more, the farther these are.
-            let twice = if two_lines { 1.0 / sine } else { 1.0 };
-            bound.add(lever * twice / sine, &goal.moves);
-        } else {
-            bound.add(lever, &goal.moves);
-            if bound.rates.iter().any(|rate| *rate > 0.0) {
-                let times = if two_lines { 2 } else { 1 };
-                let growth = std::iter::repeat_n(Growth::NearZero(number), times);
-                bound.growth.extend(growth);
-            }
+            let times = if two_lines { 2 } else { 1 };
+            let growth = std::iter::repeat_n(Growth::NearZero(number), times);
+            bound.growth.extend(growth);
         }
         self.tame(&mut bound, MOST);
         bound
     }
 
+    /// How fast an angle turns.
+    pub(super) fn of_angle(&mut self, angle: Value) -> Bound {
+        let mut bound = self.of_value(angle);
+        self.sharpen(&mut bound);
+        bound
+    }
+
     /// How fast a value changes: an angle, or what a law or a gear is made from.
-    pub(super) fn of_value(&mut self, value: Value) -> Bound {
+    fn of_value(&mut self, value: Value) -> Bound {
         if let Some(known) = self.values.get(&value) {
             return known.clone();
         }

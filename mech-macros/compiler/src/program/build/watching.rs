@@ -34,6 +34,7 @@ impl Writer<'_> {
             number: self.loops - 1,
             rates: watching.bound.rates,
             growth,
+            guessed: watching.bound.guessed,
             at_zero: watching.at_zero,
         });
     }
