@@ -50,6 +50,7 @@ pub(crate) fn proved(
     let domain = Domain::new(model, &program, choices.len());
     let whole = Cuts {
         through: &|_| true,
+        own: None,
         into: &|angle| domain.parts(angle).is_some(),
     };
     let tested: Vec<Value> = program.margins().map(|(_, closed)| closed.slack).collect();

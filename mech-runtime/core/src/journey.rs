@@ -119,6 +119,8 @@ const GAIN: f64 = 1e-9;
 const MOST_PIECES: u32 = 1_048_576;
 /// So often at most is a piece tried that does not end where it should.
 const MOST_TRIES: u32 = 512;
+/// Beside a dead point a place is looked for where nothing closes, which may be narrower than a piece by so many halvings.
+const NARROW: u32 = 20;
 /// Each halving gives a digit of a binary fraction: no float has more.
 const HALVINGS: u32 = 64;
 
@@ -634,9 +636,9 @@ fn least_sine<T: Real, J: Journey<T>>(
         sine * sine
     };
     let (mut a, mut b) = ((done, square(from)), (reach.end, square(&reach.to)));
-    // At an end it is not passed: it was left before, or is arrived at.
+    // At an end it is not passed: it was left before, or is arrived at. But at a dead point what is beyond may close again.
     if is_zero(journey, from, index) || is_zero(journey, &reach.to, index) {
-        return Event::None;
+        return blocked_at_ends(journey, from, done, reach.end);
     }
     if (journey.sine(from, index) > T::ZERO) != (journey.sine(&reach.to, index) > T::ZERO) {
         return change_of_sign(journey, from, (done, reach.end), index);
@@ -685,6 +687,25 @@ fn least_sine<T: Real, J: Journey<T>>(
             return Event::None;
         };
         at = vertex(a, middle, b);
+    }
+    Event::None
+}
+
+/// Looks for a place beside the ends of a piece where something does not close, however narrow it is.
+fn blocked_at_ends<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    end: T,
+) -> Event<T> {
+    let mut way = end - done;
+    for _ in 0..NARROW {
+        way = way * T::HALF;
+        for part in [done + way, end - way] {
+            if part > done && part < end && journey.at(from, part).is_err() {
+                return Event::Blocked(part);
+            }
+        }
     }
     Event::None
 }

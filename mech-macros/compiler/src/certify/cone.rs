@@ -48,6 +48,8 @@ pub(crate) struct Cutter<'p> {
 pub(crate) struct Cuts<'c> {
     /// Whether the solution of a loop, by its number, is written out.
     pub(crate) through: &'c dyn Fn(usize) -> bool,
+    /// The loop whose solution is asked for, if one is: that is written out.
+    pub(crate) own: Option<usize>,
     /// Whether an angle is written out, too, and not only its sine and cosine.
     pub(crate) into: &'c dyn Fn(Value) -> bool,
 }
@@ -140,11 +142,11 @@ impl<'p> Cutter<'p> {
         cut.is_some_and(|(variable, _)| !matches!(variable, Variable::Input(_)))
     }
 
-    /// The variable that stands for a value, if the program is cut there. What is asked for is not cut.
+    /// The variable that stands for a value, if the program is cut there.
     fn cut(&self, value: Value, outputs: &[Value], cuts: &Cuts<'_>) -> Option<(Variable, Share)> {
         if let Some(&(number, index, share)) = self.found.get(&value)
             && !(cuts.through)(number)
-            && !outputs.contains(&value)
+            && !(cuts.own == Some(number) && outputs.contains(&value))
         {
             return Some((Variable::Found(number, index), share));
         }

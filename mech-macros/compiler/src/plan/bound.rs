@@ -75,7 +75,7 @@ impl Bound {
         }
         for (rate, more) in self.rates.iter_mut().zip(&other.rates) {
             // A factor without bound does nothing to what stands still.
-            if *more > 0.0 {
+            if *more != 0.0 {
                 *rate += factor * more;
             }
         }

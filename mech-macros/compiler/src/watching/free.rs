@@ -36,6 +36,7 @@ fn proved(domain: &Domain<'_>, block: BlockId, closed: &Closed, left: &mut usize
     let asked = Asked::new(domain, block, closed);
     let alone = Cuts {
         through: &|_| false,
+        own: Some(closed.number),
         into: &|_| false,
     };
     let cone = domain.cutter.cone(&asked.outputs, &alone);
@@ -55,6 +56,7 @@ fn proved(domain: &Domain<'_>, block: BlockId, closed: &Closed, left: &mut usize
                 .get(number)
                 .is_some_and(|known| known.free.is_some())
         },
+        own: Some(closed.number),
         into: &|angle| domain.cutter.parts(angle).is_some(),
     };
     let cone = domain.cutter.cone(&asked.outputs, &together);

@@ -251,10 +251,13 @@ impl<'d> Paces<'d> {
             let [moved, arms, turned] =
                 [&swept.goal, &swept.arms, &swept.lines].map(|all| all[variable]);
             goal.turns.add(turned, &bound);
-            goal.moves.add(
-                farther * (moved + 3.0 * arms + swept.reach * turned),
-                &bound,
-            );
+            let swung = if turned > 0.0 {
+                swept.reach * turned
+            } else {
+                0.0
+            };
+            goal.moves
+                .add(farther * (moved + 3.0 * arms + swung), &bound);
         }
         let far = goal.far.clone();
         if grows && goal.moves.rates.iter().any(|rate| *rate > 0.0) {
@@ -329,8 +332,14 @@ impl<'d> Paces<'d> {
                 };
                 (unit, vec![Growth::FarOut(input, unit)])
             }
-            Variable::Found(number, _) => match self.loops.get(&number) {
+            Variable::Found(number, index) => match self.loops.get(&number) {
                 Some(goal) => {
+                    let start = match self.domain.solution(number, index) {
+                        Some(Solution::Slide(way)) => {
+                            self.domain.cutter.at_start[way.index()].abs()
+                        }
+                        _ => 0.0,
+                    };
                     let near = self.closed(number).filter(|closed| {
                         matches!(closed.form, Form::TwoLines { .. })
                             && self.domain.known[number].free.is_none()
@@ -338,7 +347,7 @@ impl<'d> Paces<'d> {
                     let arms: f64 = goal.arms.iter().map(|[_, most]| most).sum();
                     let mut far = goal.far.clone();
                     far.extend(near.map(|_| Growth::NearZero(number)));
-                    ((goal.reach + arms).max(size), far)
+                    ((goal.reach + arms).max(size).max(2.0 * start), far)
                 }
                 None => (4.0 * size, Vec::new()),
             },
@@ -453,11 +462,13 @@ impl<'d> Paces<'d> {
         swept.lengths =
             vec![[f64::INFINITY, 0.0]; (1..vectors.len()).filter(|&v| is_arm(v)).count()];
         let mut slopes = Slopes::new(cone);
+        let mut closes = false;
         for place in boxes(ranges, self.boxes) {
             slopes.run(&place);
             if slopes.value(slack).high() < -slopes.value(floor).abs().high() {
                 continue;
             }
+            closes = true;
             let length = |parts: [Interval; 2]| (parts[0].square() + parts[1].square()).sqrt();
             let mut arm = 0;
             for (number, vector) in vectors.iter().enumerate() {
@@ -484,6 +495,10 @@ impl<'d> Paces<'d> {
                 }
             }
         }
+        if !closes {
+            // It does where it was not looked: nothing is known.
+            swept.goal.fill(f64::INFINITY);
+        }
         for [least, most] in &mut swept.lengths {
             *least = least.max(SHORT * *most).max(f64::MIN_POSITIVE);
         }
@@ -495,6 +510,7 @@ impl<'d> Paces<'d> {
 /// Each loop by itself, and each angle.
 const ALONE: Cuts<'static> = Cuts {
     through: &|_| false,
+    own: None,
     into: &|_| false,
 };
 

@@ -15,6 +15,7 @@ const MOST_PARTS: usize = 512;
 pub(super) fn only_ends(domain: &Domain<'_>, closed: &Closed) -> bool {
     let cuts = Cuts {
         through: &|_| false,
+        own: None,
         into: &|_| false,
     };
     let cone = domain.cutter.cone(&[closed.slack, closed.floor], &cuts);
