@@ -24,8 +24,8 @@ pub(crate) fn at(start: &[f64], ways: &[f64], part: f64) -> Vec<f64> {
     ways.map(|(start, way)| start + way * part).collect()
 }
 
-/// Walks all ways, no more than so many turns of a motor: behind gears it takes several until everything has turned. The walker is given a stretch and tells whether it came to its end: who can turn all the way round need not
-/// turn back as well.
+/// Walks all ways, no more than so many turns of a motor: behind gears it takes several until everything has turned. The walker is
+/// given a stretch and tells whether it came to its end: who can turn all the way round need not turn back as well.
 pub(crate) fn walk(
     model: &Model,
     plan: &Plan,

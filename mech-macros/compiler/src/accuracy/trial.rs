@@ -25,7 +25,7 @@ const WANDERING: [usize; 2] = [240, 600];
 /// Parts of it are never near each other.
 const GOLDEN: f64 = 0.618_033_988_749_895;
 /// How near to its end rounding is looked at, as parts of a sample.
-const NEAR_THE_END: [f64; 3] = [0.25, 0.063, 0.016];
+const NEAR_THE_END: [f64; 5] = [0.25, 0.063, 0.016, 0.004, 0.001];
 /// Steps from a sample.
 const STEPS: usize = 2;
 /// Where several motors step at once: the most ways of doing so that are tried.
