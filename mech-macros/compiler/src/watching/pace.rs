@@ -2,6 +2,9 @@
 //!
 //! What a loop finds moves by no more than its goal does, over the length of an arm and the sine of the loop. That sine is known
 //! from below where the loop is free; where it is watched, the bound grows without end near its zero, and says so.
+//!
+//! Through several loops such bounds become far wider than any motion: a product of the worst of each. A bound that is too wide is
+//! cut down to a guess and says that, too: then a move goes no piece in which a sine is seen to change much.
 
 use super::domain::Domain;
 use crate::certify::Interval;
@@ -23,6 +26,8 @@ const ITERATED: f64 = 16.0;
 /// drives it, and no sine to change so fast.
 const MOST: f64 = 16.0;
 const MOST_OF_SINE: f64 = 4.0;
+/// Gears make faster what they are driven by, whatever that is.
+const MOST_OF_ANGLE: f64 = 65_536.0;
 /// What motors move directly is bounded well.
 const MOST_DIRECT: f64 = 256.0;
 /// By how much small sines of free loops make a bound greater, at most, if it is not one of them alone.
@@ -56,6 +61,8 @@ struct Goal {
     arms: Vec<[f64; 2]>,
     /// Whether it is moved by motors and params alone.
     direct: bool,
+    /// How fast what turns it turns with each input, at most: motors, and gears behind earlier loops.
+    driven: Vec<f64>,
 }
 
 /// What a cone of vectors is, over all its boxes: for each variable how fast goal, arms and lines change.
@@ -118,7 +125,7 @@ impl<'d> Paces<'d> {
         } else {
             MOST_OF_SINE
         };
-        self.tame(&mut bound, most);
+        tame(&mut bound, most, &goal.driven);
         self.sharpen(&mut bound);
         bound
     }
@@ -136,17 +143,6 @@ impl<'d> Paces<'d> {
             *rate = rate.max(least);
         }
         bound.guessed = true;
-    }
-
-    /// Makes a bound that is too wide a guess.
-    fn tame(&self, bound: &mut Bound, times: f64) {
-        for (input, rate) in bound.rates.iter_mut().enumerate() {
-            let most = times * self.fastest.get(input).copied().unwrap_or(1.0);
-            if !(*rate <= most) {
-                *rate = most;
-                bound.guessed = true;
-            }
-        }
     }
 
     /// Takes the least sines of free loops for what they are: nobody watches these.
@@ -223,6 +219,7 @@ impl<'d> Paces<'d> {
                 far: Vec::new(),
                 arms: Vec::new(),
                 direct: false,
+                driven: self.fastest.clone(),
             };
         };
         let vectors = closed.form.vectors();
@@ -242,12 +239,18 @@ impl<'d> Paces<'d> {
                 .variables
                 .iter()
                 .all(|variable| self.is_direct(*variable)),
+            driven: self.fastest.clone(),
         };
         let turning = swept.lines.iter().any(|turned| *turned > 0.0);
         let grows = !goal.far.is_empty() && (turning || !self.is_steady(&cone));
         let farther = if grows { 2.0 } else { 1.0 };
         for (variable, of) in cone.variables.iter().enumerate() {
             let bound = self.of_variable(*of);
+            if let Variable::Angle(_) = of {
+                for (driven, rate) in goal.driven.iter_mut().zip(&bound.rates) {
+                    *driven = driven.max(*rate);
+                }
+            }
             let [moved, arms, turned] =
                 [&swept.goal, &swept.arms, &swept.lines].map(|all| all[variable]);
             goal.turns.add(turned, &bound);
@@ -400,7 +403,7 @@ impl<'d> Paces<'d> {
             let growth = std::iter::repeat_n(Growth::NearZero(number), times);
             bound.growth.extend(growth);
         }
-        self.tame(&mut bound, MOST);
+        tame(&mut bound, MOST, &goal.driven);
         bound
     }
 
@@ -436,7 +439,12 @@ impl<'d> Paces<'d> {
             if !self.is_steady(&cone) {
                 bound.grow_like(&far);
             }
-            self.tame(&mut bound, MOST);
+            let most = if bound.rates.iter().all(|rate| rate.is_finite()) {
+                MOST_OF_ANGLE
+            } else {
+                MOST_DIRECT
+            };
+            tame(&mut bound, most, &self.fastest);
         }
         self.values.insert(value, bound.clone());
         bound
@@ -504,6 +512,17 @@ impl<'d> Paces<'d> {
         }
         swept.reach += swept.lengths.iter().map(|[_, most]| most).sum::<f64>();
         swept
+    }
+}
+
+/// Makes a bound that is too wide a guess: so many times as fast as what drives it.
+fn tame(bound: &mut Bound, times: f64, driven: &[f64]) {
+    for (rate, driven) in bound.rates.iter_mut().zip(driven) {
+        let most = times * driven;
+        if !(*rate <= most) {
+            *rate = most;
+            bound.guessed = true;
+        }
     }
 }
 
