@@ -9,7 +9,7 @@ use crate::program::{BlockId, Forces, Position, Program};
 use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
 use run::{Given, Runner};
-use way::{Going, Way};
+use way::Way;
 
 pub use sensitivity::{Followed, sensitivities};
 
@@ -91,7 +91,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// # Errors
     /// The reason why it cannot go there; it then stays where it was.
     pub fn move_to(&mut self, motors: &[T]) -> Result<(), Stop> {
-        self.go(motors, &vec![0; motors.len()], Going::ToItsEnd)
+        self.go(motors, &vec![0; motors.len()])
             .map_err(|halt| halt.stop)
     }
 
@@ -108,8 +108,7 @@ impl<'p, T: Real> Machine<'p, T> {
         inputs.truncate(motors);
         inputs.extend_from_slice(params);
         let turns = self.position.turns.clone();
-        self.go(&inputs, &turns, Going::ToItsEnd)
-            .map_err(|halt| halt.stop)
+        self.go(&inputs, &turns).map_err(|halt| halt.stop)
     }
 
     /// The values of the params, in order of declaration.
@@ -132,7 +131,7 @@ impl<'p, T: Real> Machine<'p, T> {
             .into_iter()
             .map(|turns| turns.try_into().ok())
             .collect();
-        self.go(&motors, &turns.ok_or(Stop::Overflow)?, Going::ToItsEnd)
+        self.go(&motors, &turns.ok_or(Stop::Overflow)?)
             .map_err(|halt| halt.stop)
     }
 
@@ -141,7 +140,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// # Errors
     /// If there are too few or too many values, or one is not finite; it then stays where it was.
     pub fn move_toward(&mut self, motors: &[T]) -> Result<Option<Stop>, Stop> {
-        match self.go(motors, &vec![0; motors.len()], Going::AsFarAsItGoes) {
+        match self.go(motors, &vec![0; motors.len()]) {
             Ok(()) => Ok(None),
             Err(Halt {
                 stop: stop @ (Stop::MotorCount | Stop::NotFinite(_)),
@@ -203,12 +202,7 @@ impl<'p, T: Real> Machine<'p, T> {
     }
 
     /// Exactly as the generated code's runtime does it.
-    fn go(
-        &mut self,
-        motors: &[T],
-        turns: &[i32],
-        going: Going,
-    ) -> Result<(), Halt<Position<T>, Stop, T>> {
+    fn go(&mut self, motors: &[T], turns: &[i32]) -> Result<(), Halt<Position<T>, Stop, T>> {
         let refuse = |stop| Halt {
             position: self.position.clone(),
             part: T::ZERO,
@@ -226,7 +220,7 @@ impl<'p, T: Real> Machine<'p, T> {
             return Err(refuse(Stop::NotFinite(motor)));
         }
         let way = Way::new(&self.runner, &self.position, motors, turns);
-        self.position = way.gone(going)?;
+        self.position = way.gone()?;
         Ok(())
     }
 }

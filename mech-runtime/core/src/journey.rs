@@ -116,7 +116,7 @@ const MOST_GROWTH: f64 = 16.0;
 const MOST_STARTS: u32 = 16;
 const GAIN: f64 = 1e-9;
 /// More pieces than this are not gone at once: they are a mistake, or would take longer than anybody waits.
-const MOST_PIECES: u32 = 1_048_576;
+const MOST_PIECES: u32 = 65_536;
 /// So often at most is a piece tried that does not end where it should.
 const MOST_TRIES: u32 = 512;
 /// Beside a dead point a place is looked for where nothing closes, which may be narrower than a piece by so many halvings.
@@ -270,20 +270,6 @@ pub fn halved<T: Real>(stops: impl Fn(T) -> bool) -> (T, T) {
     (end, blocked)
 }
 
-/// Goes to the target, past whatever is on the way; a way on which even the longest pieces would be too many is not begun.
-///
-/// # Errors
-/// How far it came and why it went no farther.
-pub fn arrive<T: Real, J: Journey<T>>(
-    journey: &J,
-    start: &J::Position,
-) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
-    if is_endless(journey) {
-        return Err(too_far(journey, start.clone(), T::ZERO));
-    }
-    go(journey, start)
-}
-
 /// Whether even the longest pieces would be too many.
 fn is_endless<T: Real, J: Journey<T>>(journey: &J) -> bool {
     let most = T::from_f64(f64::from(MOST_PIECES));
@@ -294,7 +280,7 @@ fn is_endless<T: Real, J: Journey<T>>(journey: &J) -> bool {
         && (0..journey.follows()).all(|index| journey.turn(index) / turn <= most))
 }
 
-/// Goes towards the target, past whatever is on the way.
+/// Goes to the target, past whatever is on the way. A way on which even the longest pieces would be too many is not begun.
 ///
 /// # Errors
 /// How far it came and why it went no farther.
@@ -302,6 +288,9 @@ pub fn go<T: Real, J: Journey<T>>(
     journey: &J,
     start: &J::Position,
 ) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
+    if is_endless(journey) {
+        return Err(too_far(journey, start.clone(), T::ZERO));
+    }
     let (mut position, mut done) = (start.clone(), T::ZERO);
     for _ in 1..MOST_STARTS {
         match go_on(journey, position, done) {
@@ -638,7 +627,12 @@ fn least_sine<T: Real, J: Journey<T>>(
     let (mut a, mut b) = ((done, square(from)), (reach.end, square(&reach.to)));
     // At an end it is not passed: it was left before, or is arrived at. But at a dead point what is beyond may close again.
     if is_zero(journey, from, index) || is_zero(journey, &reach.to, index) {
-        return blocked_at_ends(journey, from, done, reach.end);
+        // An iteration that fails there tells nothing.
+        return if journey.subdivides() {
+            Event::None
+        } else {
+            blocked_at_ends(journey, from, done, reach.end)
+        };
     }
     if (journey.sine(from, index) > T::ZERO) != (journey.sine(&reach.to, index) > T::ZERO) {
         return change_of_sign(journey, from, (done, reach.end), index);

@@ -387,7 +387,7 @@ where
     }
     let start = *position;
     let way = Way::new(course, &start, target, step);
-    match journey::arrive(&way, &start) {
+    match journey::go(&way, &start) {
         Ok(there) => {
             *position = there;
             Ok(())

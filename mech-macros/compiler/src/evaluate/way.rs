@@ -6,13 +6,6 @@ use crate::program::Position;
 use mech_core::journey::{self, Growth, Halt, Journey, Watch};
 use mech_core::{Real, motors};
 
-/// How far a way is gone.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Going {
-    ToItsEnd,
-    AsFarAsItGoes,
-}
-
 /// A move under way.
 pub(super) struct Way<'a, 'p, T> {
     runner: &'a Runner<'p>,
@@ -50,21 +43,14 @@ impl<'a, 'p, T: Real> Way<'a, 'p, T> {
     }
 
     /// Where it leads.
-    pub(super) fn gone(&self, going: Going) -> Result<Position<T>, Halt<Position<T>, Stop, T>> {
-        match (self.in_one_step(), going) {
-            (Some(position), _) => Ok(position),
-            (None, Going::ToItsEnd) => journey::arrive(self, self.start),
-            (None, Going::AsFarAsItGoes) => journey::go(self, self.start),
-        }
-    }
-
-    fn in_one_step(&self) -> Option<Position<T>> {
-        let mut position = self.at(self.start, T::ONE).ok()?;
-        let clear = journey::is_clear(self, self.start, &position, T::ONE);
-        clear.then(|| {
+    pub(super) fn gone(&self) -> Result<Position<T>, Halt<Position<T>, Stop, T>> {
+        if let Ok(mut position) = self.at(self.start, T::ONE)
+            && journey::is_clear(self, self.start, &position, T::ONE)
+        {
             self.note_sense(&mut position);
-            position
-        })
+            return Ok(position);
+        }
+        journey::go(self, self.start)
     }
 }
 
