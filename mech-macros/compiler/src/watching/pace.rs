@@ -519,7 +519,7 @@ impl<'d> Paces<'d> {
 fn tame(bound: &mut Bound, times: f64, driven: &[f64]) {
     for (rate, driven) in bound.rates.iter_mut().zip(driven) {
         let most = times * driven;
-        if !(*rate <= most) {
+        if rate.is_nan() || *rate > most {
             *rate = most;
             bound.guessed = true;
         }
