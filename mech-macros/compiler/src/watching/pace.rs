@@ -27,7 +27,7 @@ const ITERATED: f64 = 16.0;
 const MOST: f64 = 16.0;
 const MOST_OF_SINE: f64 = 4.0;
 /// Gears make faster what they are driven by, whatever that is.
-const MOST_OF_ANGLE: f64 = 65_536.0;
+const MOST_OF_ANGLE: f64 = 1024.0;
 /// What motors move directly is bounded well.
 const MOST_DIRECT: f64 = 256.0;
 /// By how much small sines of free loops make a bound greater, at most, if it is not one of them alone.
