@@ -54,6 +54,15 @@ pub(crate) struct Cuts<'c> {
     pub(crate) into: &'c dyn Fn(Value) -> bool,
 }
 
+impl Cuts<'_> {
+    /// Each loop by itself, and each angle.
+    pub(crate) const ALONE: Self = Self {
+        through: &|_| false,
+        own: None,
+        into: &|_| false,
+    };
+}
+
 impl<'p> Cutter<'p> {
     pub(crate) fn new(program: &'p Program) -> Self {
         let start = |closed: &Closed| {

@@ -35,9 +35,8 @@ pub(super) fn prove(domain: &mut Domain<'_>) {
 fn proved(domain: &Domain<'_>, block: BlockId, closed: &Closed, left: &mut usize) -> Option<Free> {
     let asked = Asked::new(domain, block, closed);
     let alone = Cuts {
-        through: &|_| false,
         own: Some(closed.number),
-        into: &|_| false,
+        ..Cuts::ALONE
     };
     let cone = domain.cutter.cone(&asked.outputs, &alone);
     let ranges: Vec<Interval> = cone

@@ -32,6 +32,7 @@ const MOST_OF_ANGLE: f64 = 1024.0;
 const MOST_DIRECT: f64 = 256.0;
 /// By how much small sines of free loops make a bound greater, at most, if it is not one of them alone.
 const MOST_SHARP: f64 = 64.0;
+/// The same for the smallest of them by itself.
 const MOST_SHARP_OF_ONE: f64 = 1024.0;
 /// How fast the square of a sine changes with a param, over its scale, at least.
 const WITH_PARAM: f64 = 4.0;
@@ -225,7 +226,7 @@ impl<'d> Paces<'d> {
         let vectors = closed.form.vectors();
         let mut outputs = vec![closed.slack, closed.floor];
         outputs.extend(vectors.iter().flatten());
-        let cone = self.domain.cutter.cone(&outputs, &ALONE);
+        let cone = self.domain.cutter.cone(&outputs, &Cuts::ALONE);
         let (ranges, far) = self.ranges(&cone);
         let swept = self.swept(&cone, &ranges, &closed.form);
         let two_lines = matches!(closed.form, Form::TwoLines { .. });
@@ -419,7 +420,7 @@ impl<'d> Paces<'d> {
         if let Some(known) = self.values.get(&value) {
             return known.clone();
         }
-        let cone = self.domain.cutter.cone(&[value], &ALONE);
+        let cone = self.domain.cutter.cone(&[value], &Cuts::ALONE);
         let (ranges, far) = self.ranges(&cone);
         let mut slopes = Slopes::new(&cone);
         let mut most = vec![0.0_f64; cone.variables.len()];
@@ -525,13 +526,6 @@ fn tame(bound: &mut Bound, times: f64, driven: &[f64]) {
         }
     }
 }
-
-/// Each loop by itself, and each angle.
-const ALONE: Cuts<'static> = Cuts {
-    through: &|_| false,
-    own: None,
-    into: &|_| false,
-};
 
 /// The lengths of two arms, or of one.
 fn pair(arms: &[[f64; 2]]) -> [[f64; 2]; 2] {

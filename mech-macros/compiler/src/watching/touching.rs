@@ -13,12 +13,9 @@ const MOST_PARTS: usize = 512;
 /// Whether a loop has dead points only. Known is that only of a loop of one variable that goes on in one sense while motors do:
 /// where its discriminant is zero, it changes with the variable.
 pub(super) fn only_ends(domain: &Domain<'_>, closed: &Closed) -> bool {
-    let cuts = Cuts {
-        through: &|_| false,
-        own: None,
-        into: &|_| false,
-    };
-    let cone = domain.cutter.cone(&[closed.slack, closed.floor], &cuts);
+    let cone = domain
+        .cutter
+        .cone(&[closed.slack, closed.floor], &Cuts::ALONE);
     let goes_on = match cone.variables[..] {
         [Variable::Angle(angle)] => domain.cutter.parts(angle).is_some(),
         [Variable::Input(_)] => true,
