@@ -34,7 +34,7 @@ const MOST_DIRECT: f64 = 256.0;
 const MOST_SHARP: f64 = 64.0;
 /// The same for the smallest of them by itself.
 const MOST_SHARP_OF_ONE: f64 = 1024.0;
-/// How fast the square of a sine changes with a param, over its scale, at least.
+/// How fast the square of a sine is guessed to change with a param, over its scale.
 const WITH_PARAM: f64 = 4.0;
 
 /// Finds bounds, each once.
@@ -139,9 +139,9 @@ impl<'d> Paces<'d> {
         }
         let own = bound.rates.iter_mut().skip(model.motors.len());
         for (rate, param) in own.zip(model.params.ids()) {
-            let scale = model.param_scale(param);
-            let least = scale.map_or(0.0, |scale| WITH_PARAM / scale);
-            *rate = rate.max(least);
+            if let Some(scale) = model.param_scale(param) {
+                *rate = WITH_PARAM / scale;
+            }
         }
         bound.guessed = true;
     }
