@@ -33,7 +33,7 @@ fn cases() -> u64 {
     std::env::var("MECH_CASES")
         .ok()
         .and_then(|cases| cases.parse().ok())
-        .unwrap_or(4_000)
+        .unwrap_or(1_000)
 }
 
 /// One way to compute a random mechanism.

@@ -16,7 +16,7 @@ fn cases() -> u64 {
     std::env::var("MECH_CASES")
         .ok()
         .and_then(|cases| cases.parse().ok())
-        .unwrap_or(1_500)
+        .unwrap_or(500)
 }
 
 /// A random mechanism, solved by this method, and its plan.

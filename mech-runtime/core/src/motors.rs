@@ -117,3 +117,21 @@ pub fn pieces<T: Real>(strides: impl IntoIterator<Item = T>, ways: &[T]) -> T {
     let parts = strides.into_iter().zip(ways);
     parts.fold(T::ONE, |most, (stride, way)| most.max(way.abs() / stride))
 }
+
+/// What lies as far beyond a number as another lies before it.
+#[inline]
+pub fn mirrored<T: Real>(before: T, at: T) -> T {
+    at + (at - before)
+}
+
+/// The same for a pose: the cosine and sine of its angle, and its origin.
+pub fn mirrored_pose<T: Real>([c, s, x, y]: [T; 4], [cos, sin, at_x, at_y]: [T; 4]) -> [T; 4] {
+    // By what it has turned, it is turned once more.
+    let (turned_cos, turned_sin) = (cos * c + sin * s, sin * c - cos * s);
+    [
+        cos * turned_cos - sin * turned_sin,
+        sin * turned_cos + cos * turned_sin,
+        mirrored(x, at_x),
+        mirrored(y, at_y),
+    ]
+}

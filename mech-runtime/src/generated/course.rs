@@ -1,11 +1,11 @@
 //! A move: in one step where nothing is in the way, else as a journey.
 
 use super::{Motors, Position, Stop, finite};
-use crate::{Blocked, Cause, Reached, Scalar};
+use crate::{Blocked, Cause, Pose, Reached, Scalar};
 use mech_core::journey::{self, AtZero, Growth, Journey, Watch};
 use mech_core::motors;
 
-/// A loop in closed form that has dead points or change points.
+/// A loop that has dead points or change points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Watched<T: 'static, const MOTORS: usize> {
     /// Where the sine of its transmission angle is kept; after it, the square of a sine below which rounding hides its sign.
@@ -18,6 +18,8 @@ pub struct Watched<T: 'static, const MOTORS: usize> {
     pub guessed: bool,
     /// What happens at a change point.
     pub at_zero: AtZero,
+    /// Whether it is solved by iteration.
+    pub iterated: bool,
     /// The joints of the loop whose coordinates are unknown.
     pub place: &'static str,
 }
@@ -208,6 +210,7 @@ where
             change: motors::change(watched.rates, &self.ways),
             guessed: watched.guessed,
             at_zero: watched.at_zero,
+            iterated: watched.iterated,
         }
     }
 
@@ -268,6 +271,28 @@ where
         {
             *sine = -*sine;
         }
+    }
+
+    fn beyond(&self, before: &Self::Position, at: &Self::Position) -> Self::Position {
+        let mut beyond = *at;
+        for (pose, before) in beyond.poses.iter_mut().zip(before.poses) {
+            let parts = |pose: Pose<T>| [pose.cos, pose.sin, pose.x, pose.y];
+            let [cos, sin, x, y] = motors::mirrored_pose(parts(before), parts(*pose));
+            *pose = Pose { cos, sin, x, y };
+        }
+        // Sines and senses stay as they are.
+        let angles = self.course.senses.unwrap_or(K);
+        let is_sine = |number: usize| {
+            let mut watched = self.course.watched.iter();
+            watched.any(|watched| number == watched.kept || number == watched.kept + 1)
+        };
+        let kept = beyond.kept.iter_mut().zip(before.kept).enumerate();
+        for (number, (kept, before)) in kept.take(angles) {
+            if !is_sine(number) {
+                *kept = motors::mirrored(before, *kept);
+            }
+        }
+        beyond
     }
 
     fn goes_on(&self, position: &Self::Position, index: usize) -> bool {

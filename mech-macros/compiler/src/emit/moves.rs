@@ -38,6 +38,7 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
     let watched = program.watches.iter().map(|watch| {
         let kept = Literal::usize_unsuffixed(watch.kept);
         let rates = watch.rates.iter().map(n);
+        let iterated = watch.iterated;
         let at_zero = match watch.at_zero {
             program::AtZero::Stay => quote!(AtZero::Stay),
             program::AtZero::GoOver => quote!(AtZero::GoOver),
@@ -55,6 +56,7 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
                 growth: &[#(#growth),*],
                 guessed: #guessed,
                 at_zero: #at_zero,
+                iterated: #iterated,
                 place: #place,
             }
         }

@@ -78,6 +78,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
             change: motors::change(rates, &self.ways),
             guessed: watch.guessed,
             at_zero: watch.at_zero,
+            iterated: watch.iterated,
         }
     }
 
@@ -115,6 +116,24 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
     fn turn_over(&self, position: &mut Position<T>, index: usize) {
         let sine = &mut position.kept[self.runner.program.watches[index].kept];
         *sine = -*sine;
+    }
+
+    fn beyond(&self, before: &Position<T>, at: &Position<T>) -> Position<T> {
+        let program = self.runner.program;
+        let mut beyond = at.clone();
+        for (pose, before) in beyond.poses.iter_mut().zip(&before.poses) {
+            *pose = motors::mirrored_pose(*before, *pose);
+        }
+        // Sines and senses stay as they are.
+        let angles = program.senses.unwrap_or(beyond.kept.len());
+        let is_sine = |number: usize| {
+            let mut watches = program.watches.iter();
+            watches.any(|watch| number == watch.kept || number == watch.kept + 1)
+        };
+        for number in (0..angles).filter(|number| !is_sine(*number)) {
+            beyond.kept[number] = motors::mirrored(before.kept[number], at.kept[number]);
+        }
+        beyond
     }
 
     fn goes_on(&self, position: &Position<T>, index: usize) -> bool {

@@ -1,9 +1,9 @@
-//! Loops in closed form that are watched while the mechanism moves.
+//! Loops that are watched while the mechanism moves.
 
 use super::node::BlockId;
 use mech_core::journey::{AtZero, Growth};
 
-/// A loop in closed form that has dead points or change points.
+/// A loop that has dead points or change points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Watch {
     /// Its block.
@@ -20,6 +20,8 @@ pub struct Watch {
     pub guessed: bool,
     /// What happens at a change point.
     pub at_zero: AtZero,
+    /// Whether it is solved by iteration, which fails at a change point.
+    pub iterated: bool,
 }
 
 /// An angle that is followed over whole turns.

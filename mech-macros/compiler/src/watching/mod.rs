@@ -80,6 +80,20 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
             at_zero,
         });
     }
+    // Where rolling ties unknowns there is no closed form, and nothing is proved.
+    let at_zero = match model.change_points {
+        AtChangePoints::GoOn => AtZero::GoOver,
+        AtChangePoints::Stop => AtZero::Stop,
+        AtChangePoints::KeepBranch => AtZero::Stay,
+    };
+    for (closing, choice) in plan.loops().zip(&mut decided) {
+        if at_zero != AtZero::Stay && closing.rings.len() == 1 && !closing.ties.is_empty() {
+            choice.watching = Some(Watching {
+                bound: paces.of_tied(),
+                at_zero,
+            });
+        }
+    }
     let turning = program.followed.iter();
     let turning = turning
         .map(|(what, angle)| (*what, paces.of_angle(*angle)))

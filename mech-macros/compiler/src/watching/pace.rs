@@ -131,6 +131,14 @@ impl<'d> Paces<'d> {
         bound
     }
 
+    /// How fast the square of a tied loop's sine is guessed to change.
+    pub(super) fn of_tied(&self) -> Bound {
+        let mut bound = Bound::still(self.inputs());
+        bound.rates.fill(f64::INFINITY);
+        tame(&mut bound, MOST_OF_SINE, &self.fastest);
+        bound
+    }
+
     /// What a param does is known in its neighbourhood only.
     fn with_params(&self, bound: &mut Bound, number: usize) {
         let model = self.domain.model;

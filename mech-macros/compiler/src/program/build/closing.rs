@@ -2,6 +2,7 @@
 
 use super::Writer;
 use super::rates::Closing;
+use super::watching::Kept;
 use crate::model::{Joint, JointKind, LinkId};
 use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
 use crate::program::choice::{MOST_ROUNDS, Solver};
@@ -28,6 +29,8 @@ pub(super) struct System {
     pub(super) legs: Vec<([Value; 2], Value)>,
     /// For each unknown whether it is an angle, where the determinant's sign does not tell all assemblies apart.
     pub(super) angles: Option<Vec<bool>>,
+    /// A number with the sign that the determinant must have, plus for that of the start, if it may change.
+    pub(super) side: Option<Value>,
 }
 
 impl Writer<'_> {
@@ -85,7 +88,12 @@ impl Writer<'_> {
         newton.sides.extend(self.spots(closing));
         self.builder.leave();
         let solution = match (&tied, &triad) {
-            (Some(tied), _) => self.all_directions(tied, &equation, &solution),
+            (Some(tied), _) => {
+                let all = self.all_directions(tied, &equation, &solution);
+                let turned = self.rounded_by_turns(tied, &equation, &solution);
+                self.watch_tied(block, tied, &equation, &all, turned);
+                all
+            }
             (None, Some(triad)) => self.expand(triad, &equation, &solution),
             (None, None) => {
                 self.watch_iteration(block, &equation, &solution);
@@ -125,7 +133,11 @@ impl Writer<'_> {
         let solutions: Vec<Solution<Value>> = firsts.iter().map(|(_, first)| *first).collect();
         let choice = self.choice();
         let (closed, solution) = self.dyad(closing, equation, &solutions, &choice)?;
-        self.keep_watch(block, closed.sine, closed.tiny_square, closed.sided);
+        let is = Kept {
+            sided: closed.sided && choice.goes_over(),
+            iterated: false,
+        };
+        self.keep_watch(block, [closed.sine, closed.tiny_square], is);
         for ((name, _), solution) in firsts.iter().zip(&solution) {
             match *solution {
                 Solution::Direction(direction) => {
@@ -281,6 +293,7 @@ impl Writer<'_> {
             legs: Vec::new(),
             angles: (equation.rings.len() > 1)
                 .then(|| now.iter().map(Solution::is_direction).collect()),
+            side: None,
         };
         self.advance(block, &names, scalars, &now, system)
     }
@@ -317,8 +330,17 @@ impl Writer<'_> {
             extent,
             legs,
             angles,
+            side,
         } = system;
         let (steps, det) = self.steps(block, &columns, &gap);
+        let det = match side {
+            Some(side) => {
+                let one = self.builder.constant(1.0);
+                let sign = self.builder.make(Op::CopySign(one, side));
+                self.builder.mul(sign, det)
+            }
+            None => det,
+        };
         let det = self.builder.name(det, "det");
         let step = angles.map(|angles| {
             if let ([turn, x, y], false) = (&steps[..], legs.is_empty()) {

@@ -6,7 +6,7 @@
 use super::Writer;
 use super::size::Size;
 use super::tangent::{Seed, Tangents};
-use super::tied::Tied;
+use super::tied::{Tied, all_columns};
 use crate::plan::{Algebra, Equation, Solution, Unknown};
 use crate::program::node::{Op, Value};
 use crate::program::{BlockId, Motion, RateMargin, System};
@@ -162,11 +162,7 @@ impl Writer<'_> {
         let moved = equation.map(|value| tangents.of(builder, value));
         let moved = moved.measure(&mut self.builder, solution);
         let mut gap: Vec<Value> = moved.rings.iter().flat_map(|walk| walk.gap).collect();
-        let column = |unknown: usize| -> Vec<Value> {
-            let walks = measure.rings.iter();
-            walks.flat_map(|walk| walk.columns[unknown]).collect()
-        };
-        let all: Vec<Vec<Value>> = (0..solution.len()).map(column).collect();
+        let all = all_columns(&measure, solution.len());
         let columns = match tied {
             None => all,
             Some(tied) => {

@@ -3,11 +3,14 @@
 use super::Writer;
 use super::closing::System;
 use crate::model::{JointId, LinkId};
-use crate::plan::{Algebra, Equation, Loop, Rational, Solution, Tie, Unknown};
+use crate::plan::{Algebra, Equation, Loop, Measure, Rational, Solution, Tie, Unknown};
 use crate::program::builder::Builder;
 use crate::program::newton::Newton;
 use crate::program::node::{BlockId, Op, Value};
 use num_traits::ToPrimitive;
+
+/// What a radian of an angle that is counted from the start adds to rounding, as a part of it.
+const OF_A_RADIAN: f64 = 0.125;
 
 /// How a direction or way of the equation follows from the unknowns of the loop and from what is known.
 struct Course {
@@ -193,25 +196,32 @@ impl Writer<'_> {
         let full = self.all_directions(tied, equation, &now);
         let measure = equation.measure(&mut self.builder, &full);
         let walks = || measure.rings.iter();
-        let column = |unknown: usize| -> Vec<Value> {
-            walks().flat_map(|walk| walk.columns[unknown]).collect()
+        let columns = tied.columns(&mut self.builder, &all_columns(&measure, full.len()));
+        let side = self.keep_side(&columns);
+        let sides: Vec<[Value; 2]> = walks()
+            .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
+            .collect();
+        let angles: Vec<bool> = tied
+            .unknowns
+            .iter()
+            .map(|(_, index)| matches!(equation.unknowns[*index], Unknown::Direction(_)))
+            .collect();
+        let slides = self.extent(equation, &full);
+        let turns = self.rounded_by_turns(tied, equation, &now);
+        let size = self.builder.constant(self.size_at_start(&sides));
+        let turns = self.builder.mul(size, turns);
+        let extent = match slides {
+            Some(slides) => self.builder.add(slides, turns),
+            None => turns,
         };
-        let all: Vec<Vec<Value>> = (0..full.len()).map(column).collect();
-        let columns = tied.columns(&mut self.builder, &all);
         let system = System {
             gap: walks().flat_map(|walk| walk.gap).collect(),
             columns,
-            sides: walks()
-                .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
-                .collect(),
-            extent: self.extent(equation, &full),
+            extent: Some(self.builder.name(extent, "extent")),
+            sides,
             legs: Vec::new(),
-            angles: Some(
-                tied.unknowns
-                    .iter()
-                    .map(|(_, index)| matches!(equation.unknowns[*index], Unknown::Direction(_)))
-                    .collect(),
-            ),
+            angles: Some(angles),
+            side,
         };
         let (newton, solution) = self.advance(block, &names, scalars, &now, system);
         let mut kept = kept.into_iter();
@@ -224,6 +234,38 @@ impl Writer<'_> {
             }
         }
         (newton, solution)
+    }
+
+    /// How much more is rounded where the angles of a tied loop have these values: they are counted from the start.
+    pub(super) fn rounded_by_turns(
+        &mut self,
+        tied: &Tied,
+        equation: &Equation<Value>,
+        unknowns: &[Solution<Value>],
+    ) -> Value {
+        let part = self.builder.constant(OF_A_RADIAN);
+        let mut sum = self.builder.constant(0.0);
+        for ((_, index), unknown) in tied.unknowns.iter().zip(unknowns) {
+            if let (Unknown::Direction(_), Solution::Slide(angle)) =
+                (equation.unknowns[*index], *unknown)
+            {
+                let angle = self.builder.abs(angle);
+                let share = self.builder.mul(part, angle);
+                sum = self.builder.add(sum, share);
+            }
+        }
+        sum
+    }
+
+    /// The columns of the unknowns of a tied loop where it is closed.
+    pub(super) fn tied_columns(
+        &mut self,
+        tied: &Tied,
+        equation: &Equation<Value>,
+        solution: &[Solution<Value>],
+    ) -> Vec<Vec<Value>> {
+        let measure = equation.measure(&mut self.builder, solution);
+        tied.columns(&mut self.builder, &all_columns(&measure, solution.len()))
     }
 
     /// All unknowns of the equation, from those of the tied loop.
@@ -282,6 +324,15 @@ impl Writer<'_> {
             Solution::Direction(_) => 0.0,
         }
     }
+}
+
+/// The rates of all gaps with each direction and way of an equation.
+pub(super) fn all_columns(measure: &Measure<Value>, unknowns: usize) -> Vec<Vec<Value>> {
+    let column = |unknown: usize| -> Vec<Value> {
+        let walks = measure.rings.iter();
+        walks.flat_map(|walk| walk.columns[unknown]).collect()
+    };
+    (0..unknowns).map(column).collect()
 }
 
 fn f64_of(part: &Rational) -> f64 {

@@ -99,6 +99,7 @@ impl Writer<'_> {
             extent: None,
             angles: Some(vec![true, false, false]),
             legs: Vec::new(),
+            side: None,
         };
         for leg in triad.legs {
             self.leg_equation(leg, &now, &mut system);

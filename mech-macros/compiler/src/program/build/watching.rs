@@ -1,26 +1,33 @@
 //! What is carried of loops that are watched: how near they are to their dead points and change points.
 
 use super::Writer;
+use super::tied::Tied;
 use crate::plan::{Algebra, Equation, Solution, Turning};
 use crate::program::builder::Builder;
 use crate::program::node::{BlockId, Value};
 use crate::program::{Bound, Follow, Growth, Watch};
-use mech_core::journey::{self, AtZero};
+use mech_core::journey;
+
+/// Of the square of a tied loop's sine so much of rounding hides the sign: an iteration ends where a gap is that small.
+const OF_ROUNDING: f64 = 32768.0;
+
+/// How a loop that is watched is solved.
+#[derive(Clone, Copy)]
+pub(super) struct Kept {
+    /// Whether its side is carried already.
+    pub(super) sided: bool,
+    /// Whether it is solved by iteration.
+    pub(super) iterated: bool,
+}
 
 impl Writer<'_> {
-    /// Carries what has to be known about a loop that is watched, if it is. The side of a dyad that is carried is so already.
-    pub(super) fn keep_watch(
-        &mut self,
-        block: BlockId,
-        sine: Value,
-        tiny_square: Value,
-        sided: bool,
-    ) {
+    /// Carries what has to be known about a loop that is watched, if it is.
+    pub(super) fn keep_watch(&mut self, block: BlockId, [sine, tiny_square]: [Value; 2], is: Kept) {
         let Some(watching) = self.choice().watching else {
             return;
         };
         let start = [sine, tiny_square].map(|value| self.builder.at_start(value));
-        if !(sided && watching.at_zero == AtZero::GoOver) {
+        if !is.sided {
             self.keep(start[0]);
         }
         self.keep(start[1]);
@@ -36,6 +43,7 @@ impl Writer<'_> {
             growth,
             guessed: watching.bound.guessed,
             at_zero: watching.at_zero,
+            iterated: is.iterated,
         });
     }
 
@@ -80,14 +88,72 @@ impl Writer<'_> {
         let [a, b] = walk.columns[..] else {
             return;
         };
+        let sine = self.sine_of([a, b]);
+        let epsilon = self.model.precision.epsilon();
+        let tiny_square = self.builder.constant(16.0 * epsilon);
+        let is = Kept {
+            sided: false,
+            iterated: true,
+        };
+        self.keep_watch(block, [sine, tiny_square], is);
+    }
+
+    /// The sine of a loop of two unknowns, as its columns were at the start: its determinant, as a part of the product of their lengths
+    /// there.
+    fn sine_of(&mut self, [a, b]: [[Value; 2]; 2]) -> Value {
         let length =
             |builder: &Builder, [x, y]: [Value; 2]| builder.at_start(x).hypot(builder.at_start(y));
         let reach = length(&self.builder, a) * length(&self.builder, b);
         let det = self.builder.cross(a, b);
         let scale = self.builder.constant(1.0 / reach);
-        let sine = self.builder.mul(scale, det);
-        let epsilon = self.model.precision.epsilon();
-        let tiny_square = self.builder.constant(16.0 * epsilon);
-        self.keep_watch(block, sine, tiny_square, false);
+        self.builder.mul(scale, det)
+    }
+
+    /// On which side of its change point a tied loop is, if that is carried: a number with its sign, plus at the start.
+    pub(super) fn keep_side(&mut self, columns: &[Vec<Value>]) -> Option<Value> {
+        self.choice().watching?;
+        let sine = self.sine_of(pair(columns)?);
+        let start = self.builder.at_start(sine);
+        Some(self.keep(start))
+    }
+
+    /// A tied loop goes on past its change points, or stops there: on its other side the iteration is begun from where it came.
+    pub(super) fn watch_tied(
+        &mut self,
+        block: BlockId,
+        tied: &Tied,
+        equation: &Equation<Value>,
+        solution: &[Solution<Value>],
+        turned: Value,
+    ) {
+        if self.choice().watching.is_none() {
+            return;
+        }
+        let columns = self.tied_columns(tied, equation, solution);
+        let Some(columns) = pair(&columns) else {
+            return;
+        };
+        let sine = self.sine_of(columns);
+        // As far as its angles have turned, so much more of the root of rounding hides the sign.
+        let part = self
+            .builder
+            .constant(OF_ROUNDING * self.model.precision.epsilon());
+        let share = self.builder.mul(part, turned);
+        let tiny_square = self.builder.add(part, share);
+        let is = Kept {
+            sided: true,
+            iterated: true,
+        };
+        self.keep_watch(block, [sine, tiny_square], is);
+    }
+}
+
+/// The two columns of a loop of two unknowns and one ring.
+fn pair(columns: &[Vec<Value>]) -> Option<[[Value; 2]; 2]> {
+    match columns {
+        [a, b] => {
+            Some([[*a.first()?, *a.get(1)?], [*b.first()?, *b.get(1)?]]).filter(|_| a.len() == 2)
+        }
+        _ => None,
     }
 }

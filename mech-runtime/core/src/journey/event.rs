@@ -1,0 +1,230 @@
+//! What happens to watched loops on a piece: where the sine of one is zero, or something does not close.
+
+use super::across::{is_near, is_stepped_over};
+use super::pace::{is_far, lesser};
+use super::piece::{Reach, is_zero, reach};
+use super::{AtZero, Journey};
+use crate::Real;
+
+/// Beside a dead point a place is looked for where nothing closes, which may be narrower than a piece by so many halvings.
+const NARROW: u32 = 20;
+/// Each halving gives a digit of a binary fraction: no float has more.
+const HALVINGS: u32 = 64;
+/// The square of a sine that is this part of those at both ends of a piece may be zero.
+const DIP: f64 = 0.0625;
+
+/// What happens to a watched loop on the way.
+pub(super) enum Event<T> {
+    None,
+    /// A loop passes its change point.
+    Zero(T, usize),
+    /// An iterated loop comes so near zero that it may have its change point there.
+    Near(T, usize),
+    /// Something does not close there.
+    Blocked(T),
+}
+
+impl<T: Copy> Event<T> {
+    /// The part of the way at which it is.
+    fn part(&self) -> Option<T> {
+        match *self {
+            Self::None => None,
+            Self::Zero(part, _) | Self::Near(part, _) | Self::Blocked(part) => Some(part),
+        }
+    }
+}
+
+pub(super) fn first_event<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    reach: &Reach<J::Position, J::Stop, T>,
+) -> Event<T> {
+    let mut first = Event::None;
+    for index in 0..journey.watches() {
+        if is_far(journey, from, &reach.to, reach.end - done, index) {
+            continue;
+        }
+        let event = least_sine(journey, from, done, reach, index);
+        let sooner = match (event.part(), first.part()) {
+            (None, _) => false,
+            (_, None) => true,
+            (Some(a), Some(b)) => a < b,
+        };
+        if sooner {
+            first = event;
+        }
+    }
+    first
+}
+
+/// Looks for the place where the square of a sine is least, by parabolas through three points: it is smooth, its root is not.
+fn least_sine<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    reach: &Reach<J::Position, J::Stop, T>,
+    index: usize,
+) -> Event<T> {
+    let watch = journey.watch(index);
+    let square = |position: &J::Position| {
+        let sine = journey.sine(position, index);
+        sine * sine
+    };
+    let (mut a, mut b) = ((done, square(from)), (reach.end, square(&reach.to)));
+    // At an end it is not passed: it was left before, or is arrived at. But at a dead point what is beyond may close again.
+    if is_zero(journey, from, index) || is_zero(journey, &reach.to, index) {
+        // An iteration that fails there tells nothing.
+        return if journey.subdivides() {
+            Event::None
+        } else {
+            blocked_at_ends(journey, from, done, reach.end)
+        };
+    }
+    if (journey.sine(from, index) > T::ZERO) != (journey.sine(&reach.to, index) > T::ZERO) {
+        return change_of_sign(journey, from, (done, reach.end), index);
+    }
+    // If the root goes straight through zero, it does so here.
+    let (left, right) = (a.1, b.1);
+    let mut at = a.0 + (b.0 - a.0) * (left.sqrt() / (left.sqrt() + right.sqrt()));
+    let mut least: Option<(T, T)> = None;
+    for _ in 0..HALVINGS {
+        if !(at > a.0 && at < b.0) {
+            break;
+        }
+        let Some(position) = arrived(journey, from, done, at) else {
+            return Event::Blocked(at);
+        };
+        let (value, zero) = (square(&position), is_zero(journey, &position, index));
+        if is_near(journey, &position, index) {
+            return Event::Near(at, index);
+        }
+        if zero {
+            return match watch.at_zero {
+                AtZero::Stay => Event::None,
+                AtZero::GoOver | AtZero::Stop => Event::Zero(at, index),
+            };
+        }
+        let found = (at, value);
+        least = match least {
+            // Falling towards an end: the least is there.
+            None if value >= a.1 || value >= b.1 => return Event::None,
+            None => Some(found),
+            Some(known) if value < known.1 => {
+                if at < known.0 {
+                    b = known;
+                } else {
+                    a = known;
+                }
+                Some(found)
+            }
+            Some(known) => {
+                if at < known.0 {
+                    a = found;
+                } else {
+                    b = found;
+                }
+                Some(known)
+            }
+        };
+        let Some(middle) = least else {
+            return Event::None;
+        };
+        at = vertex(a, middle, b);
+    }
+    // As small as rounding lets it be.
+    match least {
+        Some((at, value))
+            if is_stepped_over(journey, index)
+                && value < lesser(left, right) * T::from_f64(DIP) =>
+        {
+            Event::Near(at, index)
+        }
+        _ => Event::None,
+    }
+}
+
+/// The position at a part of the way, if it can be gone to. An iteration that fails from afar may come there in many steps.
+fn arrived<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    part: T,
+) -> Option<J::Position> {
+    match journey.at(from, part) {
+        Ok(position) => Some(position),
+        Err(_) if journey.subdivides() => {
+            let reach = reach(journey, from, done, part);
+            reach.stop.is_none().then_some(reach.to)
+        }
+        Err(_) => None,
+    }
+}
+
+/// Looks for a place beside the ends of a piece where something does not close, however narrow it is.
+fn blocked_at_ends<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    end: T,
+) -> Event<T> {
+    let mut way = end - done;
+    for _ in 0..NARROW {
+        way = way * T::HALF;
+        for part in [done + way, end - way] {
+            if part > done && part < end && journey.at(from, part).is_err() {
+                return Event::Blocked(part);
+            }
+        }
+    }
+    Event::None
+}
+
+/// Looks for the place where a sine changes its sign. Only two lines that cut each other do so by themselves: at the zero they
+/// lie on each other, or they do not cut each other at all.
+fn change_of_sign<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    (mut low, mut high): (T, T),
+    index: usize,
+) -> Event<T> {
+    let positive = journey.sine(from, index) > T::ZERO;
+    for _ in 0..HALVINGS {
+        let middle = low + (high - low) * T::HALF;
+        if !(middle > low && middle < high) {
+            break;
+        }
+        match journey.at(from, middle) {
+            Err(_) => return Event::Blocked(middle),
+            Ok(position) if is_zero(journey, &position, index) => {
+                return match journey.watch(index).at_zero {
+                    AtZero::Stay => Event::None,
+                    AtZero::GoOver | AtZero::Stop => Event::Zero(middle, index),
+                };
+            }
+            Ok(position) if (journey.sine(&position, index) > T::ZERO) == positive => low = middle,
+            Ok(_) => high = middle,
+        }
+    }
+    Event::Blocked(high)
+}
+
+/// Where the parabola through three points is least; beside the middle one where that is the place itself.
+fn vertex<T: Real>(a: (T, T), m: (T, T), b: (T, T)) -> T {
+    let (left, right) = (m.0 - a.0, b.0 - m.0);
+    let (falls, rises) = ((a.1 - m.1) / left, (b.1 - m.1) / right);
+    // The slopes at the middles of the two sides, and where between them zero lies.
+    let shift = (falls * right - rises * left) / (falls + rises) * T::HALF;
+    let at = m.0 + shift;
+    let nearest = (b.0 - a.0) * T::from_f64(1e-4);
+    // A step shorter than this tells nothing new on its side: the other side is looked at.
+    if shift.abs() < nearest {
+        let side = if left > right {
+            T::ZERO - nearest
+        } else {
+            nearest
+        };
+        return m.0 + side;
+    }
+    at
+}

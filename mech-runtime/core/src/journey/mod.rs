@@ -1,0 +1,239 @@
+//! A move from where a mechanism is to where its motors are told to go, past the change points and dead points between.
+//!
+//! Where a loop in closed form is near none of them, one step is enough, however long it is. Else the way is gone in pieces.
+//! What is watched is the sine of each such loop's transmission angle: its square is smooth in the motors and zero at a
+//! dead point, beyond which the loop does not close, and at a change point, beyond which it goes on. There velocity is
+//! continuous if the dyad goes over to its other side.
+
+mod across;
+mod event;
+mod pace;
+mod piece;
+
+use crate::Real;
+pub use pace::is_clear;
+use pace::{TURN, is_passable, is_short, likely};
+use piece::piece;
+
+/// A loop that is watched. All numbers are for the way from the start to the target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Watch<T> {
+    /// By how much the square of the sine may change on the whole way, at most, as long as it does not grow.
+    pub change: T,
+    /// Whether that is no bound but a guess, to be set right by what is seen on the way.
+    pub guessed: bool,
+    /// What happens where the sine is zero and the loop closes on both sides.
+    pub at_zero: AtZero,
+    /// Whether it is solved by iteration, which fails where the sine is zero.
+    pub iterated: bool,
+}
+
+/// What makes something change faster than its rates say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Growth<T> {
+    /// So many times as fast as one is greater than the sine of an earlier watched loop.
+    Near(usize),
+    /// So many times as fast as this motor or param is farther from zero than this, if it is.
+    Far(usize, T),
+}
+
+/// What a loop does at a change point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtZero {
+    /// It has none: it touches a dead point at most.
+    Stay,
+    /// It goes over to its other side.
+    GoOver,
+    /// It is blocked.
+    Stop,
+}
+
+/// A mechanism on its way from a start to a target.
+pub trait Journey<T: Real> {
+    /// Everything that is carried from one move to the next.
+    type Position: Clone;
+    /// Why it cannot be somewhere.
+    type Stop;
+
+    /// The position when this part of the way is done, from a position on the way.
+    ///
+    /// # Errors
+    /// Why it cannot be there.
+    fn at(&self, last: &Self::Position, part: T) -> Result<Self::Position, Self::Stop>;
+    /// How many loops are watched.
+    fn watches(&self) -> usize;
+    /// A loop that is watched.
+    fn watch(&self, index: usize) -> Watch<T>;
+    /// What makes the square of its sine change faster.
+    fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
+    /// How many angles are followed over whole turns.
+    fn follows(&self) -> usize;
+    /// By how much such an angle may change on the whole way, at most, as long as that does not grow.
+    fn turn(&self, index: usize) -> T;
+    /// What makes such an angle change faster.
+    fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
+    /// The value of a motor or param.
+    fn input(&self, position: &Self::Position, input: usize) -> T;
+    /// The sine of a watched loop, its sign the side on which its dyad lies.
+    fn sine(&self, position: &Self::Position, index: usize) -> T;
+    /// The square of a sine of this loop below which rounding hides its sign.
+    fn tiny_square(&self, position: &Self::Position, index: usize) -> T;
+    /// Puts the dyad of a watched loop on its other side.
+    fn turn_over(&self, position: &mut Self::Position, index: usize);
+    /// Where everything would be as far beyond a position as another is before it, if it went straight on: an iteration begins there.
+    fn beyond(&self, before: &Self::Position, at: &Self::Position) -> Self::Position;
+    /// Whether the motors that a watched loop follows go on in the sense in which they came.
+    fn goes_on(&self, position: &Self::Position, index: usize) -> bool;
+    /// Notes the sense in which the motors go.
+    fn note_sense(&self, position: &mut Self::Position);
+    /// Why it does not go so far at once.
+    fn too_far(&self) -> Self::Stop;
+    /// Why it stops at a change point that it may not pass.
+    fn stopped_at(&self, index: usize) -> Self::Stop;
+    /// In how many pieces the way has to be gone at least, where nothing tells how far coupled loops may leap.
+    fn pieces(&self) -> T {
+        T::ONE
+    }
+    /// Whether the way may be gone in one piece.
+    fn is_one_piece(&self) -> bool {
+        self.pieces() <= T::ONE
+    }
+    /// Whether a step that fails may work in smaller ones: where loops are solved by iteration.
+    fn subdivides(&self) -> bool;
+}
+
+/// Where a journey ended before its target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Halt<P, S, T> {
+    /// The position it reached.
+    pub position: P,
+    /// The part of the way that was done.
+    pub part: T,
+    /// Why it went no farther.
+    pub stop: S,
+}
+
+/// Where loops are solved by iteration, a way that was stopped is gone on with from there, so many times at most, as long as at
+/// least this part of it is gained: what failed from afar may work from near.
+const MOST_STARTS: u32 = 16;
+const GAIN: f64 = 1e-9;
+/// More pieces than this are not gone at once: they are a mistake, or would take longer than anybody waits.
+const MOST_PIECES: u32 = 65_536;
+/// So often at most is a piece tried that does not end where it should.
+const MOST_TRIES: u32 = 512;
+
+/// The part that can be gone of a way to a target that cannot be reached, and one a rounding beyond it that cannot be, where nothing
+/// is watched and a position depends on the motors alone: the same journey, but none of the positions on the way needs to be kept.
+/// `stops` tells whether it cannot be at a part of the way.
+pub fn halved<T: Real>(stops: impl Fn(T) -> bool) -> (T, T) {
+    let (mut end, mut blocked) = (T::ZERO, T::ONE);
+    for _ in 0..MOST_TRIES {
+        let middle = end + (blocked - end) * T::HALF;
+        if !(middle > end && middle < blocked) {
+            break;
+        }
+        if stops(middle) {
+            blocked = middle;
+        } else {
+            end = middle;
+        }
+    }
+    (end, blocked)
+}
+
+/// Whether even the longest pieces would be too many.
+fn is_endless<T: Real, J: Journey<T>>(journey: &J) -> bool {
+    let most = T::from_f64(f64::from(MOST_PIECES));
+    let turn = T::from_f64(TURN);
+    // No sine is greater than one, so no piece in which one may come to zero can be passed in one step.
+    !(journey.pieces() <= most
+        && (0..journey.watches()).all(|index| journey.watch(index).change <= most)
+        && (0..journey.follows()).all(|index| journey.turn(index) / turn <= most))
+}
+
+/// Goes to the target, past whatever is on the way. A way on which even the longest pieces would be too many is not begun.
+///
+/// # Errors
+/// How far it came and why it went no farther.
+pub fn go<T: Real, J: Journey<T>>(
+    journey: &J,
+    start: &J::Position,
+) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
+    if is_endless(journey) {
+        return Err(too_far(journey, start.clone(), T::ZERO));
+    }
+    let (mut position, mut done) = (start.clone(), T::ZERO);
+    for _ in 1..MOST_STARTS {
+        match go_on(journey, position, done) {
+            Err(halt) if journey.subdivides() && halt.part > done + T::from_f64(GAIN) => {
+                (position, done) = (halt.position, halt.part);
+            }
+            gone => return gone,
+        }
+    }
+    go_on(journey, position, done)
+}
+
+/// Goes on to the target from where a part of the way is done: in pieces that are as long as nothing can be in the way of them, and
+/// short where something may be.
+fn go_on<T: Real, J: Journey<T>>(
+    journey: &J,
+    mut position: J::Position,
+    mut done: T,
+) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
+    let most = T::ONE / journey.pieces();
+    let two = T::from_f64(2.0);
+    let mut length = most;
+    for _ in 0..MOST_PIECES {
+        length = likely(journey, &position, length);
+        let target = done + length;
+        // The last piece may be a little longer rather than leave a splinter.
+        let target = if target + length * T::HALF > T::ONE {
+            T::ONE
+        } else {
+            target
+        };
+        let part = target - done;
+        // A way so long that a piece of it is lost in rounding.
+        if target <= done {
+            break;
+        }
+        if let Ok(mut to) = journey.at(&position, target)
+            && is_passable(journey, &position, &to, part)
+        {
+            journey.note_sense(&mut to);
+            position = to;
+            done = target;
+        } else if is_short(journey, &position, part) {
+            let gone = piece(journey, position, done, target);
+            (position, done) = (gone.to, gone.end);
+            if let Some(stop) = gone.stop {
+                return Err(Halt {
+                    position,
+                    part: done,
+                    stop,
+                });
+            }
+        } else {
+            length = part * T::HALF;
+            continue;
+        }
+        if done >= T::ONE {
+            return Ok(position);
+        }
+        length = if part * two < most { part * two } else { most };
+    }
+    Err(too_far(journey, position, done))
+}
+
+fn too_far<T: Real, J: Journey<T>>(
+    journey: &J,
+    position: J::Position,
+    part: T,
+) -> Halt<J::Position, J::Stop, T> {
+    Halt {
+        position,
+        part,
+        stop: journey.too_far(),
+    }
+}

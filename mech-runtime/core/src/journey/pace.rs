@@ -1,0 +1,142 @@
+//! How long a piece may be: from the sines where it begins and how fast they change.
+
+use super::{Growth, Journey};
+use crate::Real;
+
+/// In a piece in which a sine may come to zero its square changes by no more than this: zero is there then, or near.
+pub(super) const PIECE: f64 = 0.02;
+/// A piece that is likely to be passed takes this part of the squares of its sines at its start.
+const LIKELY: f64 = 0.4;
+/// A little less than a short piece, whatever rounding does.
+const LIKELY_SHORT: f64 = 0.99 * PIECE;
+/// In one piece an angle that is followed over whole turns changes by no more than this: more than half a turn would be lost.
+pub(super) const TURN: f64 = 2.5;
+/// Near their zeros earlier loops make later ones faster without end: pieces are no smaller than for so many times as fast.
+const MOST_GROWTH: f64 = 16.0;
+
+/// Whether nothing can be in the way between two positions that are this part of the way apart: no watched loop comes to zero, and
+/// no angle loses a turn.
+#[inline]
+pub fn is_clear<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    part: T,
+) -> bool {
+    journey.is_one_piece() && is_passable(journey, from, to, part)
+}
+
+#[inline]
+pub(super) fn is_passable<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    part: T,
+) -> bool {
+    let most = T::from_f64(TURN);
+    (0..journey.watches()).all(|index| is_far(journey, from, to, part, index))
+        && (0..journey.follows()).all(|index| {
+            let speed = speed(journey, from, to, journey.turn_growth(index));
+            journey.turn(index) * part * speed <= most
+        })
+}
+
+/// Whether a watched loop stays away from zero, if those before it do: of the squares of its sine at both ends it has at least a
+/// quarter of their sum between them.
+#[inline]
+pub(super) fn is_far<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    part: T,
+    index: usize,
+) -> bool {
+    let speed = speed(journey, from, to, journey.growth(index));
+    let (squares, watch) = (squares(journey, from, to, index), journey.watch(index));
+    squares > T::from_f64(2.0) * watch.change * part * speed
+        && (!watch.guessed || is_calm(journey, from, to, (index, squares)))
+}
+
+/// Whether a sine changes little.
+fn is_calm<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    (index, squares): (usize, T),
+) -> bool {
+    let (a, b) = (journey.sine(from, index), journey.sine(to, index));
+    (a * a - b * b).abs() <= T::from_f64(0.25) * squares
+}
+
+#[inline]
+fn squares<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    index: usize,
+) -> T {
+    let (a, b) = (journey.sine(from, index), journey.sine(to, index));
+    a * a + b * b
+}
+
+/// How many times as fast something changes between two positions as its rates say.
+#[inline]
+fn speed<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &J::Position,
+    growth: impl Iterator<Item = Growth<T>>,
+) -> T {
+    let mut speed = T::ONE;
+    for growth in growth {
+        let times = match growth {
+            Growth::Near(index) => T::from_f64(2.0) / squares(journey, from, to, index).sqrt(),
+            Growth::Far(input, unit) => {
+                let [from, to] = [from, to].map(|at| journey.input(at, input).abs());
+                from.max(to) / unit
+            }
+        };
+        speed = speed * times.max(T::ONE);
+    }
+    speed
+}
+
+/// A piece from here, no longer than this, that is likely to be passable; if none is, one that is short.
+pub(super) fn likely<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, longest: T) -> T {
+    let mut length = longest;
+    for index in 0..journey.watches() {
+        let speed = speed(journey, from, from, journey.growth(index));
+        let change = journey.watch(index).change;
+        let passable = T::from_f64(LIKELY) * squares(journey, from, from, index) / (change * speed);
+        let short = T::from_f64(LIKELY_SHORT) / (change * slow(speed));
+        length = lesser(length, passable.max(short));
+    }
+    for index in 0..journey.follows() {
+        let speed = speed(journey, from, from, journey.turn_growth(index));
+        let short = T::from_f64(TURN) / (journey.turn(index) * slow(speed));
+        length = lesser(length, short);
+    }
+    length
+}
+
+/// So many times as fast at most something is taken to be where pieces are short.
+fn slow<T: Real>(speed: T) -> T {
+    lesser(T::from_f64(MOST_GROWTH), speed)
+}
+
+/// The lesser of two numbers: the first, if they are not ordered.
+pub(super) fn lesser<T: Real>(a: T, b: T) -> T {
+    if b < a { b } else { a }
+}
+
+/// Whether a piece from here is so short that a loop which may come to zero in it does so once at most.
+pub(super) fn is_short<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, part: T) -> bool {
+    let faster = |change: T, growth: T| change * part * slow(growth);
+    (0..journey.watches()).all(|index| {
+        let speed = speed(journey, from, from, journey.growth(index));
+        faster(journey.watch(index).change, speed) <= T::from_f64(PIECE)
+    }) && (0..journey.follows()).all(|index| {
+        let speed = speed(journey, from, from, journey.turn_growth(index));
+        faster(journey.turn(index), speed) <= T::from_f64(TURN)
+    })
+}

@@ -1,0 +1,263 @@
+//! A piece that is short enough for one change point of a loop at most: past it, or as far as it closes.
+
+use super::across::{bounces, is_stepped_over, meeting};
+use super::event::{Event, first_event};
+use super::{AtZero, Journey, MOST_TRIES};
+use crate::Real;
+
+/// Where a piece ends: at its target, or before it for a reason.
+pub(super) struct Reach<P, S, T> {
+    pub(super) to: P,
+    pub(super) end: T,
+    pub(super) stop: Option<S>,
+}
+
+/// Goes a piece that is short enough for one change point of a loop at most. It ends a little farther where a loop that is iterated
+/// stands at its change point.
+pub(super) fn piece<T: Real, J: Journey<T>>(
+    journey: &J,
+    mut from: J::Position,
+    mut done: T,
+    target: T,
+) -> Reach<J::Position, J::Stop, T> {
+    let mut aim = target;
+    // Each round passes a change point, or finds a dead point before its aim.
+    for _ in 0..=8 * journey.watches() {
+        let mut reach = reach(journey, &from, done, aim);
+        match leave(journey, &mut from, &reach.to) {
+            Leaving::Stopped(index) => {
+                return Reach {
+                    to: from,
+                    end: done,
+                    stop: Some(journey.stopped_at(index)),
+                };
+            }
+            Leaving::Other => reach = self::reach(journey, &from, done, aim),
+            Leaving::Same => {}
+        }
+        let event = first_event(journey, &from, done, &reach);
+        if let Some(meeting) = meeting(journey, (&from, done), &reach, &event) {
+            let passes = journey.watch(meeting.index).at_zero == AtZero::GoOver;
+            match meeting.beyond {
+                Some(beyond) if passes || !beyond.turned => {
+                    (from, done, aim) = (beyond.to, beyond.end, target);
+                    if done >= target {
+                        return Reach {
+                            to: from,
+                            end: done,
+                            stop: None,
+                        };
+                    }
+                    continue;
+                }
+                _ => {
+                    return Reach {
+                        to: meeting.before.0,
+                        end: meeting.before.1,
+                        stop: Some(journey.stopped_at(meeting.index)),
+                    };
+                }
+            }
+        }
+        match event {
+            Event::None if reach.stop.is_none() && reach.end < target => {
+                // What was blocked in a step that long is not in this one: on from here.
+                (from, done, aim) = (reach.to, reach.end, target);
+            }
+            Event::None if let Some(other) = over(journey, &reach, aim) => {
+                // On the side it came from something else does not close: it is the other side that goes on.
+                (from, done, aim) = (other, reach.end, target);
+            }
+            Event::None | Event::Near(..) => {
+                settle(journey, &from, done, &mut reach);
+                note_sense(journey, &from, &mut reach.to);
+                return reach;
+            }
+            Event::Blocked(part) => aim = part,
+            Event::Zero(part, index) => {
+                if let Ok(mut at_zero) = journey.at(&from, part) {
+                    journey.note_sense(&mut at_zero);
+                    from = at_zero;
+                    done = part;
+                }
+                if journey.watch(index).at_zero == AtZero::Stop {
+                    return Reach {
+                        to: from,
+                        end: done,
+                        stop: Some(journey.stopped_at(index)),
+                    };
+                }
+            }
+        }
+    }
+    match journey.at(&from, target) {
+        Ok(to) => Reach {
+            to,
+            end: target,
+            stop: None,
+        },
+        Err(stop) => Reach {
+            to: from,
+            end: done,
+            stop: Some(stop),
+        },
+    }
+}
+
+pub(super) fn is_zero<T: Real, J: Journey<T>>(
+    journey: &J,
+    position: &J::Position,
+    index: usize,
+) -> bool {
+    let sine = journey.sine(position, index);
+    !is_stepped_over(journey, index) && sine * sine <= journey.tiny_square(position, index)
+}
+
+/// On which side a change point is left.
+enum Leaving {
+    /// On the side it was arrived on, or there was none.
+    Same,
+    /// On the other side.
+    Other,
+    /// It may not be left in this sense.
+    Stopped(usize),
+}
+
+/// Where a loop stands at its change point, the sense in which it goes decides on which side it leaves.
+fn leave<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position, to: &J::Position) -> Leaving {
+    let mut leaving = Leaving::Same;
+    for index in 0..journey.watches() {
+        let leaves = is_zero(journey, from, index) && !is_zero(journey, to, index);
+        if leaves && journey.goes_on(from, index) {
+            match journey.watch(index).at_zero {
+                AtZero::Stay => {}
+                AtZero::Stop => return Leaving::Stopped(index),
+                AtZero::GoOver => {
+                    journey.turn_over(from, index);
+                    leaving = Leaving::Other;
+                }
+            }
+        }
+    }
+    leaving
+}
+
+/// Where a step was stopped with a loop at its change point: the same place on the loop's other side, if that goes on.
+fn over<T: Real, J: Journey<T>>(
+    journey: &J,
+    reach: &Reach<J::Position, J::Stop, T>,
+    aim: T,
+) -> Option<J::Position> {
+    reach.stop.as_ref()?;
+    (0..journey.watches()).find_map(|index| {
+        let watch = journey.watch(index);
+        let stands = watch.at_zero == AtZero::GoOver
+            && !watch.iterated
+            && is_near_zero(journey, &reach.to, index);
+        if !stands {
+            return None;
+        }
+        let mut other = reach.to.clone();
+        journey.turn_over(&mut other, index);
+        let goes_on = journey.at(&other, aim).is_ok();
+        goes_on.then_some(other)
+    })
+}
+
+/// Whether a sine is so near zero that the side of its loop shows in nothing that rounding leaves.
+fn is_near_zero<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
+    let sine = journey.sine(position, index);
+    sine * sine <= T::from_f64(T::EPSILON).sqrt()
+}
+
+/// Where a change point is arrived at in which pins meet, the directions of the links between them are those of the position
+/// before: let it be very near.
+fn settle<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    reach: &mut Reach<J::Position, J::Stop, T>,
+) {
+    let arrives = |index| {
+        journey.watch(index).at_zero == AtZero::GoOver
+            && is_zero(journey, &reach.to, index)
+            && !is_zero(journey, from, index)
+    };
+    if (0..journey.watches()).any(arrives) {
+        let before =
+            reach.end - (reach.end - done) * T::from_f64(T::EPSILON).sqrt() * T::from_f64(64.0);
+        if let Ok(near) = journey.at(from, before)
+            && let Ok(to) = journey.at(&near, reach.end)
+        {
+            reach.to = to;
+        }
+    }
+}
+
+/// The sense in which the motors go is that in which a change point was reached, as long as it is not left.
+fn note_sense<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, to: &mut J::Position) {
+    let rests = (0..journey.watches())
+        .any(|index| is_zero(journey, from, index) && is_zero(journey, to, index));
+    if !rests {
+        journey.note_sense(to);
+    }
+}
+
+/// Goes as far as it can in one step; by iteration, in as many as it takes.
+pub(super) fn reach<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    aim: T,
+) -> Reach<J::Position, J::Stop, T> {
+    let mut stop = match journey.at(from, aim) {
+        Ok(to) => {
+            return Reach {
+                to,
+                end: aim,
+                stop: None,
+            };
+        }
+        Err(stop) => stop,
+    };
+    let (mut to, mut end, mut blocked) = (from.clone(), done, aim);
+    let mut before = (from.clone(), done);
+    for _ in 0..MOST_TRIES {
+        let middle = end + (blocked - end) * T::HALF;
+        if !(middle > end && middle < blocked) {
+            break;
+        }
+        match journey.at(&to, middle) {
+            // It left the branch that it is on, where its sine comes to zero.
+            Ok(position) if bounces(journey, &before, (&to, end), (&position, middle)) => {
+                blocked = middle;
+            }
+            Ok(position) => {
+                // An iteration that failed to come far from a place may come there from a nearer one.
+                if journey.subdivides() {
+                    let far = end + (middle - end) * T::from_f64(4.0);
+                    blocked = if far < aim { far } else { aim };
+                }
+                before = (to, end);
+                (to, end) = (position, middle);
+                if blocked >= aim
+                    && journey.subdivides()
+                    && let Ok(position) = journey.at(&to, aim)
+                    && !bounces(journey, &before, (&to, end), (&position, aim))
+                {
+                    return Reach {
+                        to: position,
+                        end: aim,
+                        stop: None,
+                    };
+                }
+            }
+            Err(reason) => (stop, blocked) = (reason, middle),
+        }
+    }
+    Reach {
+        to,
+        end,
+        stop: Some(stop),
+    }
+}
