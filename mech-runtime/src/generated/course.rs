@@ -205,7 +205,15 @@ where
 
     #[inline]
     fn watch(&self, index: usize) -> Watch<T> {
-        let watched = &self.course.watched[index];
+        // Of a loop that is not there nothing is passed: the compiler cannot see that nobody asks.
+        let Some(watched) = self.course.watched.get(index) else {
+            return Watch {
+                change: T::ONE / T::ZERO,
+                guessed: false,
+                at_zero: AtZero::Stop,
+                iterated: false,
+            };
+        };
         Watch {
             change: motors::change(watched.rates, &self.ways),
             guessed: watched.guessed,
@@ -221,7 +229,9 @@ where
 
     #[inline]
     fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
-        self.course.watched[index].growth.iter().copied()
+        let watched = self.course.watched.get(index);
+        let growth = watched.map(|watched| watched.growth);
+        growth.into_iter().flatten().copied()
     }
 
     #[inline]
