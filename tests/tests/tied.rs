@@ -191,11 +191,10 @@ fn strays<T: Real>(model: &Model, ways: &[f64]) -> (f64, Vec<Stop>) {
     let (mut motor, mut most) = (0.0, 0.0_f64);
     let mut refused = Vec::new();
     for way in ways {
-        let ways = [*way, way + HAIR];
-        let gone = ways.map(|way| machine.move_to(&[T::from_f64(motor + way)]).map(|()| way));
-        match gone {
-            [_, Ok(way)] | [Ok(way), _] => motor += way,
-            [Err(stop), _] => refused.push(stop),
+        let mut go = |way: f64| machine.move_to(&[T::from_f64(motor + way)]).map(|()| way);
+        match go(*way).or_else(|stop| go(way + HAIR).map_err(|_| stop)) {
+            Ok(way) => motor += way,
+            Err(stop) => refused.push(stop),
         }
         let [cos, sin, ..] = machine.position().poses[3];
         most = most.max(sin.to_f64().atan2(cos.to_f64()).abs());

@@ -4,7 +4,7 @@ use super::{Growth, Journey};
 use crate::Real;
 
 /// In a piece in which a sine may come to zero its square changes by no more than this: zero is there then, or near.
-pub(super) const PIECE: f64 = 0.02;
+const PIECE: f64 = 0.02;
 /// A piece that is likely to be passed takes this part of the squares of its sines at its start.
 const LIKELY: f64 = 0.4;
 /// A little less than a short piece, whatever rounding does.
