@@ -24,7 +24,9 @@ const HEAD: &str = "# What effects cost\n\n\
     **Operations** are those of a position and, after the plus, what the effect adds (to each of the about ten times that a step of \
     time looks at its forces). **Time** is that of one such move, sine and cosine included, the next needing the last: the median of \
     many rounds in which all take turns. **State** is the size of the struct. **Code** is the size of the functions that make such \
-    moves, without those that are only called when something is in the way.\n\n";
+    moves, without those that are only called when something is in the way.\n\n\
+    The last mechanism shows what watching costs. A loop that may come to a dead point is watched: each move compares how near it is. \
+    A range that keeps it away is proved at compile time, and nothing is watched then.\n\n";
 
 fn main() -> ExitCode {
     match run(&env::args().skip(1).collect::<Vec<_>>()) {

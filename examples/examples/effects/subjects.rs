@@ -4,9 +4,11 @@ use crate::measure::Subject;
 use mech_runtime::mechanism;
 use std::hint::black_box;
 
-/// The angle of a move: a degree on, and nearly nothing of the last position, so that each needs the one before.
+/// The angle of a move: half a degree on, up to a quarter of a turn and back, and nearly nothing of the last position, so that each
+/// needs the one before.
 fn angle(number: u32, last: f64) -> f64 {
-    f64::from(number % 360).to_radians() * 0.25 + last * 1e-18
+    let step = number % 360;
+    f64::from(step.min(360 - step)).to_radians() * 0.5 + last * 1e-18
 }
 
 /// A module with a mechanism, and a function that moves it once.
@@ -151,8 +153,31 @@ kinds!(andrews, andrews_velocity, andrews_acceleration, andrews_held, andrews_ac
     start { beta = 0; k2 near 0; k5 near 0.49; k7 near 1.23; }
 });
 
+/// A four-bar whose crank comes to a dead point at 102 degrees, with a motor as it is declared here.
+macro_rules! rocking {
+    ($module:ident (motor $($motor:tt)*) => ($m:ident, $angle:ident) $moved:expr, $name:expr) => {
+        subject!($module: {
+            ground { point a = (0, 0); point d = (4, 0); }
+            link crank { point a = (0, 0); point b = (1.5, 0); }
+            link coupler { point b = (0, 0); point c = (3.4, 0); }
+            link rocker { point d = (0, 0); point c = (1.15, 0); }
+            joint ja = revolute(ground.a, crank.a);
+            joint jb = revolute(crank.b, coupler.b);
+            joint jc = revolute(coupler.c, rocker.c);
+            joint jd = revolute(ground.d, rocker.d);
+            motor $($motor)*;
+            start { coupler near 20 deg; }
+        } ($m, $angle) => $moved, || None, $name);
+    };
+}
+
+rocking!(rocking_watched (motor ja) => (m, angle) m.move_to([angle]), "watched: `move_to`");
+rocking!(rocking_proved (motor ja in 0 ..= 91 deg) => (m, angle) m.move_to([angle]), "proved: `move_to`");
+rocking!(rocking_within (motor ja in 0 ..= 91 deg) => (m, angle) { m.move_within([angle]); Ok::<(), ()>(()) },
+    "proved: `move_within`");
+
 /// All of them, by mechanism.
-pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
+pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 5] {
     [
         (
             "Four-bar (one loop)",
@@ -204,6 +229,14 @@ pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 4] {
                 andrews_driven::subject(),
                 andrews_traced::subject(),
                 andrews_shown::subject(),
+            ],
+        ),
+        (
+            "Four-bar with a dead point (one loop), watched or proved",
+            vec![
+                rocking_watched::subject(),
+                rocking_proved::subject(),
+                rocking_within::subject(),
             ],
         ),
     ]

@@ -124,6 +124,26 @@ pub fn mirrored<T: Real>(before: T, at: T) -> T {
     at + (at - before)
 }
 
+/// The same for what is carried. Sines and the squares after them stay as they are, and so do the senses at the end.
+#[inline]
+pub fn mirror_carried<T: Real>(
+    carried: &mut [T],
+    before: &[T],
+    senses: Option<usize>,
+    sines: impl Iterator<Item = usize> + Clone,
+) {
+    let is_sine = |number: usize| {
+        sines
+            .clone()
+            .any(|sine| number == sine || number == sine + 1)
+    };
+    let angles = senses.unwrap_or(carried.len());
+    let all = carried.iter_mut().zip(before).enumerate().take(angles);
+    for (_, (at, before)) in all.filter(|(number, _)| !is_sine(*number)) {
+        *at = mirrored(*before, *at);
+    }
+}
+
 /// The same for a pose: the cosine and sine of its angle, and its origin.
 pub fn mirrored_pose<T: Real>([c, s, x, y]: [T; 4], [cos, sin, at_x, at_y]: [T; 4]) -> [T; 4] {
     // By what it has turned, it is turned once more.

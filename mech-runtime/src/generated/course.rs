@@ -48,6 +48,8 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub function: bool,
     /// Whether steps that fail are subdivided.
     pub subdivides: bool,
+    /// Whether a watched loop is solved by iteration, so that its change points are stepped over.
+    pub steps_over: bool,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
     /// Up to this value of every motor all angles are within the range of the polynomials of sine and cosine.
@@ -290,18 +292,8 @@ where
             let [cos, sin, x, y] = motors::mirrored_pose(parts(before), parts(*pose));
             *pose = Pose { cos, sin, x, y };
         }
-        // Sines and senses stay as they are.
-        let angles = self.course.senses.unwrap_or(K);
-        let is_sine = |number: usize| {
-            let mut watched = self.course.watched.iter();
-            watched.any(|watched| number == watched.kept || number == watched.kept + 1)
-        };
-        let kept = beyond.kept.iter_mut().zip(before.kept).enumerate();
-        for (number, (kept, before)) in kept.take(angles) {
-            if !is_sine(number) {
-                *kept = motors::mirrored(before, *kept);
-            }
-        }
+        let sines = self.course.watched.iter().map(|watched| watched.kept);
+        motors::mirror_carried(&mut beyond.kept, &before.kept, self.course.senses, sines);
         beyond
     }
 
@@ -346,6 +338,10 @@ where
 
     fn subdivides(&self) -> bool {
         self.course.subdivides
+    }
+
+    fn steps_over(&self) -> bool {
+        self.course.steps_over
     }
 }
 

@@ -73,7 +73,8 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             quote!(Option::Some(#first))
         }
     };
-    let (subdivides, overflows) = (program.subdivides(), program.overflows);
+    let (subdivides, steps_over) = (program.subdivides(), program.steps_over());
+    let overflows = program.overflows;
     let function = program.is_function();
     let reach = if takes_sines(program) {
         number(program.precision, reach(program, plan))
@@ -106,6 +107,7 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             senses: #senses,
             function: #function,
             subdivides: #subdivides,
+            steps_over: #steps_over,
             overflows: #overflows,
             reach: #reach,
             strides: #strides,

@@ -124,15 +124,8 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         for (pose, before) in beyond.poses.iter_mut().zip(&before.poses) {
             *pose = motors::mirrored_pose(*before, *pose);
         }
-        // Sines and senses stay as they are.
-        let angles = program.senses.unwrap_or(beyond.kept.len());
-        let is_sine = |number: usize| {
-            let mut watches = program.watches.iter();
-            watches.any(|watch| number == watch.kept || number == watch.kept + 1)
-        };
-        for number in (0..angles).filter(|number| !is_sine(*number)) {
-            beyond.kept[number] = motors::mirrored(before.kept[number], at.kept[number]);
-        }
+        let sines = program.watches.iter().map(|watch| watch.kept);
+        motors::mirror_carried(&mut beyond.kept, &before.kept, program.senses, sines);
         beyond
     }
 
@@ -169,6 +162,10 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
 
     fn subdivides(&self) -> bool {
         self.subdivides
+    }
+
+    fn steps_over(&self) -> bool {
+        self.runner.program.steps_over()
     }
 }
 

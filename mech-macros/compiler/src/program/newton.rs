@@ -38,6 +38,11 @@ pub struct Newton {
     pub limits: Limits,
 }
 
+/// The greatest gap, as a part of a loop's size, that rounding leaves.
+pub(super) fn closed(epsilon: f64) -> f64 {
+    16.0 * epsilon
+}
+
 impl Newton {
     /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
     #[must_use]
@@ -93,13 +98,12 @@ impl Newton {
     /// first leaves no more than a thousandth of the loop's size, and each further one squares what is left.
     #[must_use]
     pub fn accept(&self, epsilon: f64) -> f64 {
-        let rounding = 16.0 * epsilon;
         match self.rounds {
-            Rounds::UntilClosed(_) => rounding,
+            Rounds::UntilClosed(_) => closed(epsilon),
             Rounds::Exactly(_) if self.linear => LINEAR_GAP,
             Rounds::Exactly(rounds) => {
                 let squared = (1..rounds.min(8)).fold(1e-3_f64, |left, _| left * left);
-                squared.max(rounding)
+                squared.max(closed(epsilon))
             }
         }
     }

@@ -13,7 +13,7 @@ mod touching;
 
 use crate::model::{AtChangePoints, Model};
 use crate::plan::{Bound, Plan, Turning};
-use crate::program::{AtZero, Choice, Solver, Watching, build_as};
+use crate::program::{AtZero, Choice, Closed, Growth, Program, Solver, Watching, build_as};
 pub(crate) use domain::{Domain, Read};
 use pace::Paces;
 
@@ -89,17 +89,48 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
     for (closing, choice) in plan.loops().zip(&mut decided) {
         if at_zero != AtZero::Stay && closing.rings.len() == 1 && !closing.ties.is_empty() {
             choice.watching = Some(Watching {
-                bound: paces.of_tied(),
+                bound: paces.of_tied(&closing.ties),
                 at_zero,
             });
         }
     }
     let turning = program.followed.iter();
-    let turning = turning
+    let turning: Vec<(Turning, Bound)> = turning
         .map(|(what, angle)| (*what, paces.of_angle(*angle)))
         .collect();
+    watch_nearly_stuck(&mut paces, &program, &mut decided, &turning);
     Decided {
         choices: decided,
         turning,
+    }
+}
+
+/// A loop that never comes to its dead point, but nearly, makes later ones fast there: it is watched too, if a bound asks for it.
+fn watch_nearly_stuck(
+    paces: &mut Paces<'_>,
+    program: &Program,
+    decided: &mut [Choice],
+    turning: &[(Turning, Bound)],
+) {
+    let asks = |bound: &Bound, number| bound.growth.contains(&Growth::NearZero(number));
+    // Bounds ask for earlier loops only.
+    let mut closed: Vec<&Closed> = program.all_closed().map(|(_, closed)| closed).collect();
+    closed.sort_by_key(|closed| std::cmp::Reverse(closed.number));
+    for closed in closed {
+        let watched = decided.iter().filter_map(|choice| choice.watching.as_ref());
+        let mut bounds = watched
+            .map(|watching| &watching.bound)
+            .chain(turning.iter().map(|(_, bound)| bound));
+        if !bounds.any(|bound| asks(bound, closed.number)) {
+            continue;
+        }
+        if let Some(choice) = decided.get_mut(closed.number)
+            && choice.watching.is_none()
+        {
+            choice.watching = Some(Watching {
+                bound: paces.of_sine(closed),
+                at_zero: AtZero::Stay,
+            });
+        }
     }
 }

@@ -10,8 +10,9 @@ use super::domain::Domain;
 use crate::certify::Interval;
 use crate::certify::cone::{Cone, Cuts, Variable};
 use crate::certify::slope::Slopes;
-use crate::plan::Solution;
+use crate::plan::{Rational, Solution, Tie, Unknown};
 use crate::program::{Bound, Closed, Form, Growth, Value};
+use num_traits::ToPrimitive as _;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -30,10 +31,8 @@ const MOST_OF_SINE: f64 = 4.0;
 const MOST_OF_ANGLE: f64 = 1024.0;
 /// What motors move directly is bounded well.
 const MOST_DIRECT: f64 = 256.0;
-/// By how much small sines of free loops make a bound greater, at most, if it is not one of them alone.
+/// By how much small sines of free loops make a bound greater, at most.
 const MOST_SHARP: f64 = 64.0;
-/// The same for the smallest of them by itself.
-const MOST_SHARP_OF_ONE: f64 = 1024.0;
 /// How fast the square of a sine is guessed to change with a param, over its scale.
 const WITH_PARAM: f64 = 4.0;
 
@@ -131,11 +130,24 @@ impl<'d> Paces<'d> {
         bound
     }
 
-    /// How fast the square of a tied loop's sine is guessed to change.
-    pub(super) fn of_tied(&self) -> Bound {
+    /// How fast the square of a tied loop's sine is guessed to change: as much faster as what ties it makes one unknown turn.
+    pub(super) fn of_tied(&self, ties: &[Tie]) -> Bound {
         let mut bound = Bound::still(self.inputs());
         bound.rates.fill(f64::INFINITY);
-        tame(&mut bound, MOST_OF_SINE, &self.fastest);
+        let size = self.domain.model.size().max(f64::MIN_POSITIVE);
+        let unit = |unknown: &Unknown| match unknown {
+            Unknown::Direction(_) => 1.0,
+            Unknown::Slide(_) => size,
+        };
+        let number = |part: &Rational| part.to_f64().unwrap_or(f64::INFINITY).abs();
+        let mut faster = 1.0_f64;
+        for tie in ties {
+            let parts = tie.parts.iter();
+            let parts = parts.map(|(of, part)| number(part) * unit(of) / unit(&tie.of));
+            let sources = tie.sources.iter().map(|(_, part)| number(part));
+            faster = parts.chain(sources).fold(faster, f64::max);
+        }
+        tame(&mut bound, MOST_OF_SINE * faster, &self.fastest);
         bound
     }
 
@@ -154,24 +166,25 @@ impl<'d> Paces<'d> {
         bound.guessed = true;
     }
 
-    /// Takes the least sines of free loops for what they are: nobody watches these.
+    /// Takes the least sines of free loops for what they are, but for those that are nearly zero: these have to be looked at.
     fn sharpen(&self, bound: &mut Bound) {
-        let (mut times, mut most) = (1.0, MOST_SHARP);
+        let mut times = 1.0;
         bound.growth.retain(|growth| {
             let Growth::NearZero(number) = *growth else {
                 return true;
             };
-            let Some(free) = &self.domain.known[number].free else {
-                return true;
-            };
-            let own = f64::min(1.0 / free.least_sine, MOST_SHARP_OF_ONE);
-            times *= own;
-            most = f64::max(most, own);
-            false
+            let known = &self.domain.known[number].free;
+            match known.as_ref().map(|free| 1.0 / free.least_sine) {
+                Some(own) if own <= MOST_SHARP => {
+                    times *= own;
+                    false
+                }
+                _ => true,
+            }
         });
-        bound.guessed |= times > most;
+        bound.guessed |= times > MOST_SHARP;
         for rate in &mut bound.rates {
-            *rate *= f64::min(times, most);
+            *rate *= f64::min(times, MOST_SHARP);
         }
     }
 

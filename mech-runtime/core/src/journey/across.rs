@@ -39,8 +39,11 @@ pub(super) struct Beyond<P, T> {
 
 /// Whether a loop that is passed over its change points is solved by iteration: it does not stand there.
 pub(super) fn is_stepped_over<T: Real, J: Journey<T>>(journey: &J, index: usize) -> bool {
-    let watch = journey.watch(index);
-    watch.iterated && watch.at_zero != AtZero::Stay
+    // Asked first: where the answer is known when this is compiled, nothing of this file is linked.
+    journey.steps_over() && {
+        let watch = journey.watch(index);
+        watch.iterated && watch.at_zero != AtZero::Stay
+    }
 }
 
 /// Whether such a loop is so near a zero of its sine that it may have a change point there.
@@ -49,8 +52,10 @@ pub(super) fn is_near<T: Real, J: Journey<T>>(
     position: &J::Position,
     index: usize,
 ) -> bool {
-    let sine = journey.sine(position, index);
-    is_stepped_over(journey, index) && sine * sine <= journey.tiny_square(position, index)
+    is_stepped_over(journey, index) && {
+        let sine = journey.sine(position, index);
+        sine * sine <= journey.tiny_square(position, index)
+    }
 }
 
 /// Whether the sine of such a loop would have another sign if it had gone straight on from two positions to a third.
@@ -61,12 +66,11 @@ pub(super) fn bounces<T: Real, J: Journey<T>>(
     (to, end): (&J::Position, T),
 ) -> bool {
     let gone = part - *begun;
-    (0..journey.watches()).any(|index| {
+    let bounces = |index| {
         let [a, b, c] = [before, at, to].map(|position| journey.sine(position, index));
-        is_stepped_over(journey, index)
-            && gone > T::ZERO
-            && (b + (b - a) * ((end - part) / gone)) * c < T::ZERO
-    })
+        gone > T::ZERO && (b + (b - a) * ((end - part) / gone)) * c < T::ZERO
+    };
+    (0..journey.watches()).any(|index| is_stepped_over(journey, index) && bounces(index))
 }
 
 /// What an iterated loop comes to: where nothing went on, or where its sine was found to be zero between.
@@ -76,6 +80,9 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
     reached: &Reach<J::Position, J::Stop, T>,
     event: &Event<T>,
 ) -> Option<Meeting<J::Position, T>> {
+    if !journey.steps_over() {
+        return None;
+    }
     let (part, index) = match *event {
         Event::None if reached.stop.is_some() => {
             let mut all = 0..journey.watches();

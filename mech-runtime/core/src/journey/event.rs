@@ -84,9 +84,10 @@ fn least_sine<T: Real, J: Journey<T>>(
     if (journey.sine(from, index) > T::ZERO) != (journey.sine(&reach.to, index) > T::ZERO) {
         return change_of_sign(journey, from, (done, reach.end), index);
     }
-    // If the root goes straight through zero, it does so here.
     let (left, right) = (a.1, b.1);
-    let mut at = a.0 + (b.0 - a.0) * (left.sqrt() / (left.sqrt() + right.sqrt()));
+    let mut ends = (from.clone(), reach.to.clone());
+    let mut narrowed = 0;
+    let mut at = straight(a, b);
     let mut least: Option<(T, T)> = None;
     for _ in 0..HALVINGS {
         if !(at > a.0 && at < b.0) {
@@ -95,20 +96,33 @@ fn least_sine<T: Real, J: Journey<T>>(
         let Some(position) = arrived(journey, from, done, at) else {
             return Event::Blocked(at);
         };
-        let (value, zero) = (square(&position), is_zero(journey, &position, index));
         if is_near(journey, &position, index) {
             return Event::Near(at, index);
         }
-        if zero {
+        if is_zero(journey, &position, index) {
+            // Beside an end rounding alone may hide a sign, so near to zero.
             return match watch.at_zero {
-                AtZero::Stay => Event::None,
-                AtZero::GoOver | AtZero::Stop => Event::Zero(at, index),
+                AtZero::GoOver | AtZero::Stop if narrowed == 0 => Event::Zero(at, index),
+                _ => Event::None,
             };
         }
+        let value = square(&position);
         let found = (at, value);
         least = match least {
-            // Falling towards an end: the least is there.
-            None if value >= a.1 || value >= b.1 => return Event::None,
+            // Falling towards an end: what is least lies beside it, unless nothing can.
+            None if value >= a.1 || value >= b.1 => {
+                if a.1 <= b.1 {
+                    (b, ends.1) = (found, position);
+                } else {
+                    (a, ends.0) = (found, position);
+                }
+                narrowed += 1;
+                if narrowed > NARROW || is_far(journey, &ends.0, &ends.1, b.0 - a.0, index) {
+                    return Event::None;
+                }
+                at = straight(a, b);
+                continue;
+            }
             None => Some(found),
             Some(known) if value < known.1 => {
                 if at < known.0 {
@@ -142,6 +156,12 @@ fn least_sine<T: Real, J: Journey<T>>(
         }
         _ => Event::None,
     }
+}
+
+/// Where the root of a square is zero between two places, if it goes straight through it.
+fn straight<T: Real>(a: (T, T), b: (T, T)) -> T {
+    let (left, right) = (a.1.sqrt(), b.1.sqrt());
+    a.0 + (b.0 - a.0) * (left / (left + right))
 }
 
 /// The position at a part of the way, if it can be gone to. An iteration that fails from afar may come there in many steps.

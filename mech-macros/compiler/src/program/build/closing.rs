@@ -207,6 +207,20 @@ impl Writer<'_> {
         Some(self.builder.name(extent, "extent"))
     }
 
+    /// The same for a loop of one unknown, whose joints hold once more what earlier loops hold: it closes as well as these know it.
+    fn redundant_extent(
+        &mut self,
+        equation: &Equation<Value>,
+        now: &[Solution<Value>],
+    ) -> Option<Value> {
+        let extent = self.extent(equation, now);
+        let doubt = (now.len() == 1).then(|| self.doubt()).flatten();
+        match (extent, doubt) {
+            (Some(extent), Some(doubt)) => Some(self.builder.add(extent, doubt)),
+            (extent, doubt) => extent.or(doubt),
+        }
+    }
+
     /// The pose that the last position left behind. A die was where the pin and the guide of its slot were.
     pub(super) fn last_pose(&mut self, link: LinkId) -> Pose<Value> {
         if let Some((pin, guide)) = self.model.link(link).die {
@@ -289,7 +303,7 @@ impl Writer<'_> {
             sides: walks()
                 .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
                 .collect(),
-            extent: self.extent(equation, &now),
+            extent: self.redundant_extent(equation, &now),
             legs: Vec::new(),
             angles: (equation.rings.len() > 1)
                 .then(|| now.iter().map(Solution::is_direction).collect()),

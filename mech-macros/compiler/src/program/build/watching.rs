@@ -4,6 +4,7 @@ use super::Writer;
 use super::tied::Tied;
 use crate::plan::{Algebra, Equation, Solution, Turning};
 use crate::program::builder::Builder;
+use crate::program::newton::closed;
 use crate::program::node::{BlockId, Value};
 use crate::program::{Bound, Follow, Growth, Watch};
 use mech_core::journey;
@@ -45,6 +46,30 @@ impl Writer<'_> {
             at_zero: watching.at_zero,
             iterated: is.iterated,
         });
+    }
+
+    /// By how much rounding displaces what the loops hold that are watched so far, in units of an accepted gap: near a zero of its sine
+    /// a loop turns by up to the root of rounding, and everything with it.
+    pub(super) fn doubt(&mut self) -> Option<Value> {
+        let epsilon = self.model.precision.epsilon();
+        let accepted = closed(epsilon);
+        let scale = self.builder.constant(self.model.size() / accepted);
+        let watches = self.watches.iter().map(|watch| watch.kept);
+        let sines: Vec<[Value; 2]> = watches
+            .map(|kept| [self.kept[kept], self.kept[kept + 1]])
+            .collect();
+        sines.into_iter().fold(None, |sum, [sine, tiny_square]| {
+            let builder = &mut self.builder;
+            let square = builder.mul(sine, sine);
+            let square = builder.add(square, tiny_square);
+            let root = builder.sqrt(square);
+            let turned = builder.div(tiny_square, root);
+            let displaced = builder.mul(scale, turned);
+            Some(match sum {
+                None => displaced,
+                Some(sum) => builder.add(sum, displaced),
+            })
+        })
     }
 
     /// What makes a bound grow, loops by their place among those that are watched so far.
