@@ -173,7 +173,7 @@ macro_rules! rocking {
 
 rocking!(rocking_watched (motor ja) => (m, angle) m.move_to([angle]), "watched: `move_to`");
 rocking!(rocking_proved (motor ja in 0 ..= 91 deg) => (m, angle) m.move_to([angle]), "proved: `move_to`");
-rocking!(rocking_within (motor ja in 0 ..= 91 deg) => (m, angle) { m.move_within([angle]); Ok::<(), ()>(()) },
+rocking!(rocking_within (motor ja in 0 ..= 91 deg) => (m, angle) { Subject0::range([angle]).map(|angle| m.move_within(angle)).ok_or(()) },
     "proved: `move_within`");
 
 /// All of them, by mechanism.

@@ -130,7 +130,7 @@ pub fn mirror_carried<T: Real>(
     carried: &mut [T],
     before: &[T],
     senses: Option<usize>,
-    sines: impl Iterator<Item = usize> + Clone,
+    sines: &(impl Iterator<Item = usize> + Clone),
 ) {
     let is_sine = |number: usize| {
         sines

@@ -33,6 +33,17 @@ pub struct Followed<T: 'static, const MOTORS: usize> {
     pub growth: &'static [Growth<T>],
 }
 
+/// How a position is found from the last one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stepping {
+    /// It depends on the motors alone: every loop is closed in closed form, and nothing is carried.
+    Afresh,
+    /// It depends on the last one too.
+    Onwards,
+    /// The same, and steps that fail are subdivided.
+    Subdivided,
+}
+
 /// What is known at compile time about every move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
@@ -44,10 +55,8 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub follows: &'static [Followed<T, MOTORS>],
     /// Where the senses of the motors are kept, if a loop passes change points.
     pub senses: Option<usize>,
-    /// Whether a position depends on the motors alone: every loop is closed in closed form, and nothing is carried.
-    pub function: bool,
-    /// Whether steps that fail are subdivided.
-    pub subdivides: bool,
+    /// How a position is found from the last one.
+    pub stepping: Stepping,
     /// Whether a watched loop is solved by iteration, so that its change points are stepped over.
     pub steps_over: bool,
     /// Whether something may move beyond the range of the numbers.
@@ -293,7 +302,7 @@ where
             *pose = Pose { cos, sin, x, y };
         }
         let sines = self.course.watched.iter().map(|watched| watched.kept);
-        motors::mirror_carried(&mut beyond.kept, &before.kept, self.course.senses, sines);
+        motors::mirror_carried(&mut beyond.kept, &before.kept, self.course.senses, &sines);
         beyond
     }
 
@@ -337,7 +346,7 @@ where
     }
 
     fn subdivides(&self) -> bool {
-        self.course.subdivides
+        self.course.stepping == Stepping::Subdivided
     }
 
     fn steps_over(&self) -> bool {
@@ -367,7 +376,7 @@ where
     // Without an operating system memory is scarce: there all moves share one step.
     #[cfg(not(feature = "std"))]
     let near = {
-        if course.function {
+        if course.stepping == Stepping::Afresh {
             return straight(position, target, course, &step);
         }
         let _ = near;
@@ -407,7 +416,7 @@ pub(super) fn follow<T, const M: usize, const L: usize, const K: usize, const W:
 where
     T: Scalar,
 {
-    if course.function {
+    if course.stepping == Stepping::Afresh {
         return straight(position, target, course, step);
     }
     if let Err(stop) = finite(target.values, &course.names) {

@@ -24,7 +24,7 @@ pub use arrows::{draw_accelerations, draw_force, draw_reactions, draw_velocities
 pub use coordinates::{
     angle, atan2, exp, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
 };
-pub use course::{Course, Followed, Watched, advance, approach};
+pub use course::{Course, Followed, Stepping, Watched, advance, approach};
 pub use dynamics::{Moment, Simulated, simulate};
 pub use forces::{Holding, Inertia, not_finite, pull};
 pub use loops::{closed, closes, determined, solve};

@@ -73,9 +73,14 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             quote!(Option::Some(#first))
         }
     };
-    let (subdivides, steps_over) = (program.subdivides(), program.steps_over());
-    let overflows = program.overflows;
-    let function = program.is_function();
+    let (steps_over, overflows) = (program.steps_over(), program.overflows);
+    let stepping = if program.is_function() {
+        quote!(Stepping::Afresh)
+    } else if program.subdivides() {
+        quote!(Stepping::Subdivided)
+    } else {
+        quote!(Stepping::Onwards)
+    };
     let reach = if takes_sines(program) {
         number(program.precision, reach(program, plan))
     } else {
@@ -105,8 +110,7 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             watched: [#(#watched),*],
             follows: &[#(#follows),*],
             senses: #senses,
-            function: #function,
-            subdivides: #subdivides,
+            stepping: #stepping,
             steps_over: #steps_over,
             overflows: #overflows,
             reach: #reach,

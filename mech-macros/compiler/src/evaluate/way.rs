@@ -125,7 +125,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
             *pose = motors::mirrored_pose(*before, *pose);
         }
         let sines = program.watches.iter().map(|watch| watch.kept);
-        motors::mirror_carried(&mut beyond.kept, &before.kept, program.senses, sines);
+        motors::mirror_carried(&mut beyond.kept, &before.kept, program.senses, &sines);
         beyond
     }
 

@@ -130,7 +130,7 @@ impl<'d> Paces<'d> {
         bound
     }
 
-    /// How fast the square of a tied loop's sine is guessed to change: as much faster as what ties it makes one unknown turn.
+    /// How fast the square of a tied loop's sine is guessed to change: as fast as what ties it makes an unknown turn, if that is faster.
     pub(super) fn of_tied(&self, ties: &[Tie]) -> Bound {
         let mut bound = Bound::still(self.inputs());
         bound.rates.fill(f64::INFINITY);
@@ -140,14 +140,14 @@ impl<'d> Paces<'d> {
             Unknown::Slide(_) => size,
         };
         let number = |part: &Rational| part.to_f64().unwrap_or(f64::INFINITY).abs();
-        let mut faster = 1.0_f64;
+        let mut most = MOST_OF_SINE;
         for tie in ties {
             let parts = tie.parts.iter();
             let parts = parts.map(|(of, part)| number(part) * unit(of) / unit(&tie.of));
             let sources = tie.sources.iter().map(|(_, part)| number(part));
-            faster = parts.chain(sources).fold(faster, f64::max);
+            most = parts.chain(sources).fold(most, f64::max);
         }
-        tame(&mut bound, MOST_OF_SINE * faster, &self.fastest);
+        tame(&mut bound, most, &self.fastest);
         bound
     }
 
