@@ -290,6 +290,60 @@ fn a_five_bar_that_nobody_drives_bounces_on_its_spring() {
     assert!(worst < 1e-6 * most, "{worst:e} of {most}");
 }
 
+mechanism! {
+    /// A block that a spring and a damper bring to rest.
+    struct Damped;
+    ground { point wall = (0, 0); }
+    link block { point pin = (1, 0); mass 1 at (1, 0); }
+    joint x = prismatic(ground, block) at (1, 0) along (1, 0);
+    motor x;
+    spring coil = linear(ground.wall, block.pin) stiffness 1000 rest 0.9;
+    damper oil = linear(ground.wall, block.pin) damping 80;
+    effects { dynamics; }
+}
+
+mechanism! {
+    /// A wheel on a swing arm, between a spring and a damper.
+    struct Suspension;
+    ground { point pivot = (0, 0); point seat = (0.1, 0.35); }
+    link arm { point pivot = (0, 0); point strut = (0.2, 0.02); mass 4 at (0.4, 0) inertia 0.1; }
+    joint turn = revolute(ground.pivot, arm.pivot);
+    motor turn;
+    start { turn = -10 deg; }
+    gravity (0, -9.81);
+    spring coil = linear(arm.strut, ground.seat) stiffness 60000 rest 0.36;
+    damper oil = linear(arm.strut, ground.seat) damping 2500;
+    effects { dynamics; }
+}
+
+/// What has come to rest stays there, however long it is waited for: its forces cancel each other but for rounding.
+#[test]
+fn what_rests_goes_on_to_rest() {
+    for time in [0.001, 0.002, 0.005, 0.0071, 0.01] {
+        for method in [Gauss::Two, Gauss::Four, Gauss::Six] {
+            let mut block = Damped::new();
+            for step in 0..4000 {
+                let told = block.simulate_by(method, time, [0.0]);
+                assert_eq!(told, Ok(()), "{method:?}, {time}: step {step}");
+            }
+            let [at] = block.motors();
+            assert!((at + 0.1).abs() < 1e-12, "{method:?}, {time}: at {at}");
+            assert!(block.rates()[0].abs() < 1e-10, "{method:?}, {time}");
+        }
+    }
+    for time in [1e-4, 3e-4, 9e-4, 1e-3] {
+        for method in [Gauss::Two, Gauss::Four, Gauss::Six] {
+            let mut arm = Suspension::new();
+            for step in 0..6000 {
+                let told = arm.simulate_by(method, time, [0.0]);
+                assert_eq!(told, Ok(()), "{method:?}, {time}: step {step}");
+            }
+            let [kinetic, _] = arm.energy().expect("regular");
+            assert!(kinetic < 1e-3, "{method:?}, {time}: {kinetic:e}");
+        }
+    }
+}
+
 #[test]
 fn what_cannot_be_simulated_is_refused_and_leaves_everything_as_it_was() {
     let mut machine = CrankRocker::new();

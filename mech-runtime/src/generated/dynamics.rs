@@ -36,6 +36,8 @@ pub struct Moment<T: 'static, const MOTORS: usize> {
     pub names: &'static [&'static str; MOTORS],
     /// Which of them turn, and may turn any number of times.
     pub turning: &'static [bool; MOTORS],
+    /// A radian for each that turns, the size of the mechanism for each that slides: what their values are rounded against.
+    pub scales: &'static [T; MOTORS],
 }
 
 /// A method: for each stage its time, its weight, and how much of each stage's second rate goes into its rate and its place.
@@ -140,6 +142,7 @@ where
         time,
         names,
         turning,
+        scales,
     } = *moment;
     if !Real::is_finite(time) {
         return Err(refuse(Stop::new("time", Cause::NotFinite)));
@@ -152,6 +155,7 @@ where
     let mut stages = [first; STAGES];
     let mut positions = [position; STAGES];
     let near = <T as Real>::from_f64(1024.0 * T::EPSILON);
+    let hidden = <T as Real>::from_f64(16.0 * T::EPSILON);
     let mut before = T::ONE;
     let mut settled = false;
     for _ in 0..ROUNDS {
@@ -168,9 +172,12 @@ where
         }
         let pairs = stages.iter().zip(&next).take(tableau.count);
         let change = change(pairs, rates, time);
+        let pairs = stages.iter().zip(&next).take(tableau.count);
+        let displaced = displaced(pairs, scales, time);
         stages = next;
-        // To rounding, or as near to it as it comes.
-        if change <= <T as Real>::from_f64(T::EPSILON) || (change >= before && change <= near) {
+        // To rounding, or as near to it as it comes: where forces cancel each other, to what displaces nothing.
+        let is_near = change <= near || displaced <= hidden;
+        if change <= <T as Real>::from_f64(T::EPSILON) || (change >= before && is_near) {
             settled = true;
             break;
         }
@@ -239,6 +246,22 @@ fn moved<T: Scalar, const M: usize>(motors: Motors<T, M>, way: [T; M]) -> Motors
         *value += way;
     }
     motors
+}
+
+/// By how much such a change displaces the motors, as a part of what their values are rounded against.
+fn displaced<'s, T: Scalar, const M: usize>(
+    stages: impl Iterator<Item = (&'s [T; M], &'s [T; M])>,
+    scales: &[T; M],
+    time: T,
+) -> T {
+    let mut most = T::ZERO;
+    for (old, new) in stages {
+        for ((old, new), scale) in old.iter().zip(new).zip(scales) {
+            let part = Real::abs(time * time * (*new - *old)) / *scale;
+            most = Real::max(most, part);
+        }
+    }
+    most
 }
 
 /// How much the second rates at the stages changed, given before and after: by how much of the rates that they bring about.

@@ -3,6 +3,7 @@
 use super::Writer;
 use crate::emit::motion::given;
 use crate::emit::moves::{far, near};
+use crate::emit::scope::number;
 use crate::model::JointKind;
 use crate::program::Program;
 use proc_macro2::TokenStream;
@@ -23,6 +24,11 @@ impl Writer<'_> {
         let turning = self.model.motors.iter().map(|motor| {
             let turns = matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..));
             turns && motor.range.is_none()
+        });
+        let scales = self.model.motors.iter().map(|motor| {
+            let slides = matches!(self.model.joint(motor.joint).kind, JointKind::Prismatic(..));
+            let scale = if slides { self.model.size() } else { 1.0 };
+            number(self.model.precision, scale)
         });
         let (velocities, record) = (self.velocities(), self.record);
         quote! {
@@ -94,6 +100,7 @@ impl Writer<'_> {
                     time,
                     names: &known::COURSE.names,
                     turning: &[#(#turning),*],
+                    scales: &[#(#scales),*],
                 };
                 let simulated = generated::simulate(&self.position, &moment, method, |position, motors, rates| {
                     generated::advance_with(
