@@ -38,11 +38,6 @@ pub struct Newton {
     pub limits: Limits,
 }
 
-/// The greatest gap, as a part of a loop's size, that rounding leaves.
-pub(super) fn closed(epsilon: f64) -> f64 {
-    16.0 * epsilon
-}
-
 impl Newton {
     /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
     #[must_use]
@@ -74,6 +69,23 @@ pub enum Rounds {
     Exactly(u32),
 }
 
+impl Rounds {
+    /// The greatest gap, as a part of a loop's size, that passes for closed after them. A fixed number of rounds is taken to be enough
+    /// if the first leaves no more than a thousandth of the loop's size, and each further one squares what is left.
+    #[must_use]
+    pub fn accept(self, linear: bool, epsilon: f64) -> f64 {
+        let rounding = 16.0 * epsilon;
+        match self {
+            Self::UntilClosed(_) => rounding,
+            Self::Exactly(_) if linear => LINEAR_GAP,
+            Self::Exactly(rounds) => {
+                let squared = (1..rounds.min(8)).fold(1e-3_f64, |left, _| left * left);
+                squared.max(rounding)
+            }
+        }
+    }
+}
+
 /// The sizes at the start that all tolerances are relative to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
@@ -94,18 +106,10 @@ impl Newton {
         4.0 * epsilon
     }
 
-    /// The greatest gap, as a part of the loop's size, that passes for closed. A fixed number of rounds is taken to be enough if the
-    /// first leaves no more than a thousandth of the loop's size, and each further one squares what is left.
+    /// The greatest gap, as a part of the loop's size, that passes for closed.
     #[must_use]
     pub fn accept(&self, epsilon: f64) -> f64 {
-        match self.rounds {
-            Rounds::UntilClosed(_) => closed(epsilon),
-            Rounds::Exactly(_) if self.linear => LINEAR_GAP,
-            Rounds::Exactly(rounds) => {
-                let squared = (1..rounds.min(8)).fold(1e-3_f64, |left, _| left * left);
-                squared.max(closed(epsilon))
-            }
-        }
+        self.rounds.accept(self.linear, epsilon)
     }
 
     /// The least determinant, its sign that of the start: a result below it is beyond a dead point or too near one. What is

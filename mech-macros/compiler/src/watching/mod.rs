@@ -95,10 +95,10 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
         }
     }
     let turning = program.followed.iter();
-    let turning: Vec<(Turning, Bound)> = turning
+    let turning = turning
         .map(|(what, angle)| (*what, paces.of_angle(*angle)))
         .collect();
-    watch_nearly_stuck(&mut paces, &program, &mut decided, &turning);
+    watch_nearly_stuck(&mut paces, &program, &mut decided);
     Decided {
         choices: decided,
         turning,
@@ -106,22 +106,14 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
 }
 
 /// A loop that never comes to its dead point, but nearly, makes later ones fast there: it is watched too, if a bound asks for it.
-fn watch_nearly_stuck(
-    paces: &mut Paces<'_>,
-    program: &Program,
-    decided: &mut [Choice],
-    turning: &[(Turning, Bound)],
-) {
-    let asks = |bound: &Bound, number| bound.growth.contains(&Growth::NearZero(number));
+fn watch_nearly_stuck(paces: &mut Paces<'_>, program: &Program, decided: &mut [Choice]) {
     // Bounds ask for earlier loops only.
     let mut closed: Vec<&Closed> = program.all_closed().map(|(_, closed)| closed).collect();
     closed.sort_by_key(|closed| std::cmp::Reverse(closed.number));
     for closed in closed {
-        let watched = decided.iter().filter_map(|choice| choice.watching.as_ref());
-        let mut bounds = watched
-            .map(|watching| &watching.bound)
-            .chain(turning.iter().map(|(_, bound)| bound));
-        if !bounds.any(|bound| asks(bound, closed.number)) {
+        let near = Growth::NearZero(closed.number);
+        let mut watched = decided.iter().filter_map(|choice| choice.watching.as_ref());
+        if !watched.any(|watching| watching.bound.growth.contains(&near)) {
             continue;
         }
         if let Some(choice) = decided.get_mut(closed.number)

@@ -31,8 +31,10 @@ const MOST_OF_SINE: f64 = 4.0;
 const MOST_OF_ANGLE: f64 = 1024.0;
 /// What motors move directly is bounded well.
 const MOST_DIRECT: f64 = 256.0;
-/// By how much small sines of free loops make a bound greater, at most.
+/// By how much small sines of free loops make a bound greater, at most, if it is not one of them alone.
 const MOST_SHARP: f64 = 64.0;
+/// The same for the smallest of them by itself, where it is not watched.
+const MOST_SHARP_OF_ONE: f64 = 1024.0;
 /// How fast the square of a sine is guessed to change with a param, over its scale.
 const WITH_PARAM: f64 = 4.0;
 
@@ -126,7 +128,7 @@ impl<'d> Paces<'d> {
             MOST_OF_SINE
         };
         tame(&mut bound, most, &goal.driven);
-        self.sharpen(&mut bound);
+        self.sharpen(&mut bound, 1.0 / MOST_SHARP);
         bound
     }
 
@@ -166,25 +168,26 @@ impl<'d> Paces<'d> {
         bound.guessed = true;
     }
 
-    /// Takes the least sines of free loops for what they are, but for those that are nearly zero: these have to be looked at.
-    fn sharpen(&self, bound: &mut Bound) {
-        let mut times = 1.0;
+    /// Takes the least sines of free loops for what they are, but for those below this: these are watched.
+    fn sharpen(&self, bound: &mut Bound, watched: f64) {
+        let (mut times, mut most) = (1.0, MOST_SHARP);
         bound.growth.retain(|growth| {
             let Growth::NearZero(number) = *growth else {
                 return true;
             };
-            let known = &self.domain.known[number].free;
-            match known.as_ref().map(|free| 1.0 / free.least_sine) {
-                Some(own) if own <= MOST_SHARP => {
+            match &self.domain.known[number].free {
+                Some(free) if free.least_sine >= watched => {
+                    let own = f64::min(1.0 / free.least_sine, MOST_SHARP_OF_ONE);
                     times *= own;
+                    most = f64::max(most, own);
                     false
                 }
                 _ => true,
             }
         });
-        bound.guessed |= times > MOST_SHARP;
+        bound.guessed |= times > most;
         for rate in &mut bound.rates {
-            *rate *= f64::min(times, MOST_SHARP);
+            *rate *= f64::min(times, most);
         }
     }
 
@@ -432,7 +435,7 @@ impl<'d> Paces<'d> {
     /// How fast an angle turns.
     pub(super) fn of_angle(&mut self, angle: Value) -> Bound {
         let mut bound = self.of_value(angle);
-        self.sharpen(&mut bound);
+        self.sharpen(&mut bound, 0.0);
         bound
     }
 

@@ -207,14 +207,25 @@ impl Writer<'_> {
         Some(self.builder.name(extent, "extent"))
     }
 
-    /// The same for a loop of one unknown, whose joints hold once more what earlier loops hold: it closes as well as these know it.
+    /// How many rounds a loop takes that is iterated.
+    fn rounds(&self) -> Rounds {
+        match self.choice().solver {
+            Solver::ClosedForm => Rounds::UntilClosed(MOST_ROUNDS),
+            Solver::Linear => Rounds::Exactly(1),
+            Solver::Newton(rounds) => rounds,
+        }
+    }
+
+    /// How far a loop has grown; one of one unknown, whose joints hold again what earlier loops hold, closes as well as these know it.
     fn redundant_extent(
         &mut self,
         equation: &Equation<Value>,
         now: &[Solution<Value>],
     ) -> Option<Value> {
         let extent = self.extent(equation, now);
-        let doubt = (now.len() == 1).then(|| self.doubt()).flatten();
+        let linear = self.choice().solver == Solver::Linear;
+        let accepted = self.rounds().accept(linear, self.model.precision.epsilon());
+        let doubt = (now.len() == 1).then(|| self.doubt(accepted)).flatten();
         match (extent, doubt) {
             (Some(extent), Some(doubt)) => Some(self.builder.add(extent, doubt)),
             (extent, doubt) => extent.or(doubt),
@@ -384,11 +395,6 @@ impl Writer<'_> {
         let solution = self.solved(block, now, &scalars);
         let histories = std::mem::take(&mut self.histories);
         self.remember(&histories, &solution);
-        let rounds = match self.choice().solver {
-            Solver::ClosedForm => Rounds::UntilClosed(MOST_ROUNDS),
-            Solver::Linear => Rounds::Exactly(1),
-            Solver::Newton(rounds) => rounds,
-        };
         let newton = Newton {
             number: self.loops - 1,
             place: String::new(),
@@ -400,7 +406,7 @@ impl Writer<'_> {
             sides,
             step,
             extent,
-            rounds,
+            rounds: self.rounds(),
             linear,
             limits: Limits::default(),
         };

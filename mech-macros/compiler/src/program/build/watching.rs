@@ -4,7 +4,6 @@ use super::Writer;
 use super::tied::Tied;
 use crate::plan::{Algebra, Equation, Solution, Turning};
 use crate::program::builder::Builder;
-use crate::program::newton::closed;
 use crate::program::node::{BlockId, Value};
 use crate::program::{Bound, Follow, Growth, Watch};
 use mech_core::journey;
@@ -48,11 +47,9 @@ impl Writer<'_> {
         });
     }
 
-    /// By how much rounding displaces what the loops hold that are watched so far, in units of an accepted gap: near a zero of its sine
-    /// a loop turns by up to the root of rounding, and everything with it.
-    pub(super) fn doubt(&mut self) -> Option<Value> {
-        let epsilon = self.model.precision.epsilon();
-        let accepted = closed(epsilon);
+    /// By how much rounding displaces what the loops hold that are watched so far, as a multiple of the part of a length that is
+    /// accepted as a gap: near a zero of its sine a loop turns by up to the root of rounding, and everything with it.
+    pub(super) fn doubt(&mut self, accepted: f64) -> Option<Value> {
         let scale = self.builder.constant(self.model.size() / accepted);
         let watches = self.watches.iter().map(|watch| watch.kept);
         let sines: Vec<[Value; 2]> = watches
