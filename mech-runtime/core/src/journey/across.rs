@@ -39,7 +39,7 @@ pub(super) struct Beyond<P, T> {
 
 /// Whether a loop that is passed over its change points is solved by iteration: it does not stand there.
 pub(super) fn is_stepped_over<T: Real, J: Journey<T>>(journey: &J, index: usize) -> bool {
-    // Asked first: where the answer is known when this is compiled, nothing of this file is linked.
+    // Asked first: it is the same for all loops.
     journey.steps_over() && {
         let watch = journey.watch(index);
         watch.iterated && watch.at_zero != AtZero::Stay
