@@ -89,8 +89,23 @@ fn assert_mended(model: &Model, diagnoses: &[Diagnosis], what: &str) -> Vec<Offe
     for message in reporter::messages(diagnoses, &found, model, &Places::default()) {
         let lines = message.text.lines().count();
         assert!(lines <= 8, "{what}: {}", message.text);
+        assert!(!repeats_itself(&message.text), "{what}: {}", message.text);
     }
     found
+}
+
+/// Whether a list of what could be replaced names something twice.
+fn repeats_itself(text: &str) -> bool {
+    let lists = text.split("replace ").skip(1);
+    lists
+        .filter_map(|list| list.split_once(" by "))
+        .any(|(list, _)| {
+            let names: Vec<&str> = list
+                .split(", ")
+                .flat_map(|names| names.split(" or "))
+                .collect();
+            (1..names.len()).any(|number| names[..number].contains(&names[number]))
+        })
 }
 
 fn can_take_a_motor(model: &Model, id: JointId) -> bool {

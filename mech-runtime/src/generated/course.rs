@@ -57,8 +57,6 @@ pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub senses: Option<usize>,
     /// How a position is found from the last one.
     pub stepping: Stepping,
-    /// Whether a watched loop is solved by iteration, so that its change points are stepped over.
-    pub steps_over: bool,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
     /// Up to this value of every motor all angles are within the range of the polynomials of sine and cosine.
@@ -347,10 +345,6 @@ where
 
     fn subdivides(&self) -> bool {
         self.course.stepping == Stepping::Subdivided
-    }
-
-    fn steps_over(&self) -> bool {
-        self.course.steps_over
     }
 }
 

@@ -142,7 +142,7 @@ where
         time,
         names,
         turning,
-        scales,
+        ..
     } = *moment;
     if !Real::is_finite(time) {
         return Err(refuse(Stop::new("time", Cause::NotFinite)));
@@ -171,17 +171,16 @@ where
             *next = accelerations.map_err(refuse).map_err(too_long)?;
         }
         let pairs = stages.iter().zip(&next).take(tableau.count);
-        let change = change(pairs, rates, time);
-        let pairs = stages.iter().zip(&next).take(tableau.count);
-        let displaced = displaced(pairs, scales, time);
+        let change = Change::between(pairs, moment);
         stages = next;
         // To rounding, or as near to it as it comes: where forces cancel each other, to what displaces nothing.
-        let is_near = change <= near || displaced <= hidden;
-        if change <= <T as Real>::from_f64(T::EPSILON) || (change >= before && is_near) {
+        let is_near = change.of_rates <= near || change.of_places <= hidden;
+        let is_exact = change.of_rates <= <T as Real>::from_f64(T::EPSILON);
+        if is_exact || (change.of_rates >= before && is_near) {
             settled = true;
             break;
         }
-        before = change;
+        before = change.of_rates;
     }
     if !settled {
         return Err(refuse(Stop::new("", Cause::StepTooLong)));
@@ -248,40 +247,36 @@ fn moved<T: Scalar, const M: usize>(motors: Motors<T, M>, way: [T; M]) -> Motors
     motors
 }
 
-/// By how much such a change displaces the motors, as a part of what their values are rounded against.
-fn displaced<'s, T: Scalar, const M: usize>(
-    stages: impl Iterator<Item = (&'s [T; M], &'s [T; M])>,
-    scales: &[T; M],
-    time: T,
-) -> T {
-    let mut most = T::ZERO;
-    for (old, new) in stages {
-        for ((old, new), scale) in old.iter().zip(new).zip(scales) {
-            let part = Real::abs(time * time * (*new - *old)) / *scale;
-            most = Real::max(most, part);
-        }
-    }
-    most
+/// How much the second rates at the stages changed.
+struct Change<T> {
+    /// As a part of the rates that they bring about.
+    of_rates: T,
+    /// As a part of what the values of the motors are rounded against.
+    of_places: T,
 }
 
-/// How much the second rates at the stages changed, given before and after: by how much of the rates that they bring about.
-fn change<'s, T: Scalar, const M: usize>(
-    stages: impl Iterator<Item = (&'s [T; M], &'s [T; M])>,
-    rates: [T; M],
-    time: T,
-) -> T {
-    let mut most = T::ZERO;
-    for (old, new) in stages {
-        for ((old, new), rate) in old.iter().zip(new).zip(rates) {
-            let brought = Real::abs(time * (*new - *old));
-            let whole = Real::abs(rate) + Real::abs(time * *new);
-            if brought > T::ZERO {
-                let part = brought / whole;
-                if part > most {
-                    most = part;
+impl<T: Scalar> Change<T> {
+    /// The change between each stage before and after.
+    fn between<'s, const M: usize>(
+        stages: impl Iterator<Item = (&'s [T; M], &'s [T; M])>,
+        moment: &Moment<T, M>,
+    ) -> Self {
+        let Moment { time, scales, .. } = *moment;
+        let (mut of_rates, mut of_places) = (T::ZERO, T::ZERO);
+        for (old, new) in stages {
+            let motors = old.iter().zip(new).zip(moment.rates).zip(scales);
+            for (((old, new), rate), scale) in motors {
+                let brought = Real::abs(time * (*new - *old));
+                if brought > T::ZERO {
+                    let whole = Real::abs(rate) + Real::abs(time * *new);
+                    of_rates = Real::max(of_rates, brought / whole);
+                    of_places = Real::max(of_places, Real::abs(time) * brought / *scale);
                 }
             }
         }
+        Self {
+            of_rates,
+            of_places,
+        }
     }
-    most
 }

@@ -73,7 +73,7 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             quote!(Option::Some(#first))
         }
     };
-    let (steps_over, overflows) = (program.steps_over(), program.overflows);
+    let overflows = program.overflows;
     let stepping = if program.is_function() {
         quote!(Stepping::Afresh)
     } else if program.subdivides() {
@@ -111,7 +111,6 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             follows: &[#(#follows),*],
             senses: #senses,
             stepping: #stepping,
-            steps_over: #steps_over,
             overflows: #overflows,
             reach: #reach,
             strides: #strides,

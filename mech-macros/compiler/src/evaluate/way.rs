@@ -163,10 +163,6 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
     fn subdivides(&self) -> bool {
         self.subdivides
     }
-
-    fn steps_over(&self) -> bool {
-        self.runner.program.steps_over()
-    }
 }
 
 fn in_precision<T: Real>(growth: Growth<f64>) -> Growth<T> {

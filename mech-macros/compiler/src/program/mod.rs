@@ -247,13 +247,6 @@ impl Program {
             && !rounds(|rounds| matches!(rounds, Rounds::Exactly(_)))
     }
 
-    /// Whether a watched loop is solved by iteration, so that its change points are stepped over.
-    #[must_use]
-    pub fn steps_over(&self) -> bool {
-        let mut watches = self.watches.iter();
-        watches.any(|watch| watch.iterated && watch.at_zero != AtZero::Stay)
-    }
-
     /// Whether a position is a function of the motors alone: every loop in closed form, and nothing carried.
     #[must_use]
     pub fn is_function(&self) -> bool {

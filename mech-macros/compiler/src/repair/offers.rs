@@ -109,9 +109,9 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     offers
         .elsewhere
         .retain(|repair| !single.iter().any(|known| same_place(known, repair)));
-    offers
-        .elsewhere
-        .dedup_by(|next, first| same_place(first, next));
+    for list in [&mut offers.elsewhere, &mut offers.partial] {
+        list.dedup_by(|next, first| same_place(first, next));
+    }
     if offers.is_empty() && is_held(diagnosis) {
         pairs(trials, &failed, &mut offers);
     }

@@ -5,8 +5,10 @@
 //! together with the free loops before it, from the motors on, through as many turns as bring everything back to where it was.
 //! What then is not proved is watched, with bounds on how fast it can change.
 
+mod boxes;
 mod domain;
 mod free;
+mod guess;
 mod known;
 mod pace;
 mod touching;

@@ -6,13 +6,14 @@
 //! Through several loops such bounds become far wider than any motion: a product of the worst of each. A bound that is too wide is
 //! cut down to a guess and says that, too: then a move goes no piece in which a sine is seen to change much.
 
+use super::boxes::boxes;
 use super::domain::Domain;
+use super::guess::{MOST, MOST_DIRECT, MOST_OF_ANGLE, MOST_OF_SINE, MOST_SHARP, tame};
 use crate::certify::Interval;
 use crate::certify::cone::{Cone, Cuts, Variable};
 use crate::certify::slope::Slopes;
-use crate::plan::{Rational, Solution, Tie, Unknown};
+use crate::plan::Solution;
 use crate::program::{Bound, Closed, Form, Growth, Value};
-use num_traits::ToPrimitive as _;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -23,30 +24,15 @@ const BOXES_OF_ALL: usize = 16_384;
 const SHORT: f64 = 0.01;
 /// Of loops that are solved by iteration only their steps are bounded: so fast are they taken to turn.
 const ITERATED: f64 = 16.0;
-/// A bound through many loops is wide: away from all dead points nothing is guessed to turn more than so many times as fast as what
-/// drives it, and no sine to change so fast.
-const MOST: f64 = 16.0;
-const MOST_OF_SINE: f64 = 4.0;
-/// Gears make faster what they are driven by, whatever that is.
-const MOST_OF_ANGLE: f64 = 1024.0;
-/// What motors move directly is bounded well.
-const MOST_DIRECT: f64 = 256.0;
-/// By how much small sines of free loops make a bound greater, at most, if it is not one of them alone.
-const MOST_SHARP: f64 = 64.0;
-/// The same for the smallest of them by itself, where it is not watched.
-const MOST_SHARP_OF_ONE: f64 = 1024.0;
-/// How fast the square of a sine is guessed to change with a param, over its scale.
-const WITH_PARAM: f64 = 4.0;
-
 /// Finds bounds, each once.
 pub(super) struct Paces<'d> {
-    domain: &'d Domain<'d>,
+    pub(super) domain: &'d Domain<'d>,
     loops: BTreeMap<usize, Goal>,
     values: BTreeMap<Value, Bound>,
     /// On how many boxes each cone may be looked at.
     boxes: usize,
     /// For each input the fastest that turns with it.
-    fastest: Vec<f64>,
+    pub(super) fastest: Vec<f64>,
 }
 
 /// What a loop reaches for.
@@ -97,7 +83,7 @@ impl<'d> Paces<'d> {
         }
     }
 
-    fn inputs(&self) -> usize {
+    pub(super) fn inputs(&self) -> usize {
         self.domain.model.inputs()
     }
 
@@ -132,83 +118,8 @@ impl<'d> Paces<'d> {
         bound
     }
 
-    /// How fast the square of a tied loop's sine is guessed to change: as fast as what ties it makes an unknown turn, if that is faster.
-    pub(super) fn of_tied(&self, ties: &[Tie]) -> Bound {
-        let mut bound = Bound::still(self.inputs());
-        bound.rates.fill(f64::INFINITY);
-        let size = self.domain.model.size().max(f64::MIN_POSITIVE);
-        let unit = |unknown: &Unknown| match unknown {
-            Unknown::Direction(_) => 1.0,
-            Unknown::Slide(_) => size,
-        };
-        let number = |part: &Rational| part.to_f64().unwrap_or(f64::INFINITY).abs();
-        let mut most = MOST_OF_SINE;
-        for tie in ties {
-            let parts = tie.parts.iter();
-            let parts = parts.map(|(of, part)| number(part) * unit(of) / unit(&tie.of));
-            let sources = tie.sources.iter().map(|(_, part)| number(part));
-            most = parts.chain(sources).fold(most, f64::max);
-        }
-        tame(&mut bound, most, &self.fastest);
-        bound
-    }
-
-    /// What a param does is known in its neighbourhood only.
-    fn with_params(&self, bound: &mut Bound, number: usize) {
-        let model = self.domain.model;
-        if !self.domain.varying.contains(&number) {
-            return;
-        }
-        let own = bound.rates.iter_mut().skip(model.motors.len());
-        for (rate, param) in own.zip(model.params.ids()) {
-            if let Some(scale) = model.param_scale(param) {
-                *rate = WITH_PARAM / scale;
-            }
-        }
-        bound.guessed = true;
-    }
-
-    /// Takes the least sines of free loops for what they are, but for those below this: these are watched.
-    fn sharpen(&self, bound: &mut Bound, watched: f64) {
-        let (mut times, mut most) = (1.0, MOST_SHARP);
-        bound.growth.retain(|growth| {
-            let Growth::NearZero(number) = *growth else {
-                return true;
-            };
-            match &self.domain.known[number].free {
-                Some(free) if free.least_sine >= watched => {
-                    let own = f64::min(1.0 / free.least_sine, MOST_SHARP_OF_ONE);
-                    times *= own;
-                    most = f64::max(most, own);
-                    false
-                }
-                _ => true,
-            }
-        });
-        bound.guessed |= times > most;
-        for rate in &mut bound.rates {
-            *rate *= f64::min(times, most);
-        }
-    }
-
-    /// For each input the fastest that turns with it, in radians, or in sizes of the mechanism.
-    fn fastest(&self) -> Vec<f64> {
-        let mut fastest: Vec<f64> = (0..self.inputs())
-            .map(|input| 1.0 / self.unit(input))
-            .collect();
-        let program = self.domain.cutter.program;
-        for node in &program.nodes {
-            if let crate::program::Op::Sin(angle) | crate::program::Op::Cos(angle) = node.op {
-                for (input, part) in self.domain.cutter.parts(angle).into_iter().flatten() {
-                    fastest[input] = fastest[input].max(part.abs());
-                }
-            }
-        }
-        fastest
-    }
-
     /// What is far for an input: a radian of what turns, the size of the mechanism for what slides.
-    fn unit(&self, input: usize) -> f64 {
+    pub(super) fn unit(&self, input: usize) -> f64 {
         let model = self.domain.model;
         let size = model.size().max(f64::MIN_POSITIVE);
         if self.domain.turns(input) {
@@ -540,17 +451,6 @@ impl<'d> Paces<'d> {
     }
 }
 
-/// Makes a bound that is too wide a guess: so many times as fast as what drives it.
-fn tame(bound: &mut Bound, times: f64, driven: &[f64]) {
-    for (rate, driven) in bound.rates.iter_mut().zip(driven) {
-        let most = times * driven;
-        if rate.is_nan() || *rate > most {
-            *rate = most;
-            bound.guessed = true;
-        }
-    }
-}
-
 /// The lengths of two arms, or of one.
 fn pair(arms: &[[f64; 2]]) -> [[f64; 2]; 2] {
     let arm = |index: usize| arms.get(index).copied().unwrap_or([1.0, 1.0]);
@@ -570,40 +470,4 @@ fn closes_nowhere_beyond(cone: &Cone, whole: &[Interval], (index, unit): (usize,
         slopes.run(&place);
         slopes.value(slack).high() < -slopes.value(floor).abs().high()
     })
-}
-
-/// Ranges cut into boxes, at most so many.
-fn boxes(ranges: &[Interval], most: usize) -> Vec<Vec<Interval>> {
-    let wide = ranges.iter().filter(|range| range.width() > 0.0).count();
-    let mut parts = 1_usize;
-    let affords = |parts: usize| {
-        let wide = u32::try_from(wide).unwrap_or(u32::MAX);
-        parts.checked_pow(wide).is_some_and(|all| all <= most)
-    };
-    while wide > 0 && affords(parts + 1) {
-        parts += 1;
-    }
-    let mut boxes = vec![Vec::new()];
-    for range in ranges {
-        let own = if range.width() > 0.0 { parts } else { 1 };
-        let mut next = Vec::with_capacity(boxes.len() * own);
-        for before in boxes {
-            for part in 0..own {
-                #[expect(clippy::cast_precision_loss, reason = "a few hundred parts")]
-                let at = |part: usize| {
-                    range.low() + (range.high() - range.low()) * (part as f64 / own as f64)
-                };
-                let mut place: Vec<Interval> = before.clone();
-                let high = if part + 1 == own {
-                    range.high()
-                } else {
-                    at(part + 1)
-                };
-                place.push(Interval::new(at(part), high));
-                next.push(place);
-            }
-        }
-        boxes = next;
-    }
-    boxes
 }

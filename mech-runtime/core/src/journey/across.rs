@@ -39,11 +39,8 @@ pub(super) struct Beyond<P, T> {
 
 /// Whether a loop that is passed over its change points is solved by iteration: it does not stand there.
 pub(super) fn is_stepped_over<T: Real, J: Journey<T>>(journey: &J, index: usize) -> bool {
-    // Asked first: it is the same for all loops.
-    journey.steps_over() && {
-        let watch = journey.watch(index);
-        watch.iterated && watch.at_zero != AtZero::Stay
-    }
+    let watch = journey.watch(index);
+    watch.iterated && watch.at_zero != AtZero::Stay
 }
 
 /// Whether such a loop is so near a zero of its sine that it may have a change point there.
@@ -80,9 +77,6 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
     reached: &Reach<J::Position, J::Stop, T>,
     event: &Event<T>,
 ) -> Option<Meeting<J::Position, T>> {
-    if !journey.steps_over() {
-        return None;
-    }
     let (part, index) = match *event {
         Event::None if reached.stop.is_some() => {
             let mut all = 0..journey.watches();

@@ -84,8 +84,9 @@ fn least_sine<T: Real, J: Journey<T>>(
     if (journey.sine(from, index) > T::ZERO) != (journey.sine(&reach.to, index) > T::ZERO) {
         return change_of_sign(journey, from, (done, reach.end), index);
     }
-    let (left, right) = (a.1, b.1);
-    let mut ends = (from.clone(), reach.to.clone());
+    let lesser_end = lesser(a.1, b.1);
+    // The ends of what is left beside an end, once it is narrowed.
+    let mut ends: Option<(J::Position, J::Position)> = None;
     let mut narrowed = 0;
     let mut at = straight(a, b);
     let mut least: Option<(T, T)> = None;
@@ -111,13 +112,14 @@ fn least_sine<T: Real, J: Journey<T>>(
         least = match least {
             // Falling towards an end: what is least lies beside it, unless nothing can.
             None if value >= a.1 || value >= b.1 => {
+                let (left, right) = ends.get_or_insert_with(|| (from.clone(), reach.to.clone()));
                 if a.1 <= b.1 {
-                    (b, ends.1) = (found, position);
+                    (b, *right) = (found, position);
                 } else {
-                    (a, ends.0) = (found, position);
+                    (a, *left) = (found, position);
                 }
                 narrowed += 1;
-                if narrowed > NARROW || is_far(journey, &ends.0, &ends.1, b.0 - a.0, index) {
+                if narrowed > NARROW || is_far(journey, left, right, b.0 - a.0, index) {
                     return Event::None;
                 }
                 at = straight(a, b);
@@ -149,8 +151,7 @@ fn least_sine<T: Real, J: Journey<T>>(
     // As small as rounding lets it be.
     match least {
         Some((at, value))
-            if is_stepped_over(journey, index)
-                && value < lesser(left, right) * T::from_f64(DIP) =>
+            if is_stepped_over(journey, index) && value < lesser_end * T::from_f64(DIP) =>
         {
             Event::Near(at, index)
         }

@@ -100,8 +100,6 @@ pub trait Journey<T: Real> {
     }
     /// Whether a step that fails may work in smaller ones: where loops are solved by iteration.
     fn subdivides(&self) -> bool;
-    /// Whether any watched loop is solved by iteration, so that its change points are stepped over.
-    fn steps_over(&self) -> bool;
 }
 
 /// Where a journey ended before its target.

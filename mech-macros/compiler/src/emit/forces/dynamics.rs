@@ -4,7 +4,7 @@ use super::Writer;
 use crate::emit::motion::given;
 use crate::emit::moves::{far, near};
 use crate::emit::scope::number;
-use crate::model::JointKind;
+use crate::model::{JointKind, Motor};
 use crate::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -21,15 +21,15 @@ impl Writer<'_> {
         let [_, arguments] = given(inertia);
         let (near, far) = (near(inertia), far(inertia));
         let (loads, blocked) = (self.given_loads(), self.blocked());
-        let turning = self.model.motors.iter().map(|motor| {
-            let turns = matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..));
-            turns && motor.range.is_none()
-        });
-        let scales = self.model.motors.iter().map(|motor| {
-            let slides = matches!(self.model.joint(motor.joint).kind, JointKind::Prismatic(..));
-            let scale = if slides { self.model.size() } else { 1.0 };
-            number(self.model.precision, scale)
-        });
+        let turns =
+            |motor: &Motor| matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..));
+        let motors_of_model = self.model.motors.iter();
+        let turning = motors_of_model
+            .clone()
+            .map(|motor| turns(motor) && motor.range.is_none());
+        let size = self.model.size();
+        let scales = motors_of_model
+            .map(|motor| number(self.model.precision, if turns(motor) { 1.0 } else { size }));
         let (velocities, record) = (self.velocities(), self.record);
         quote! {
             /// The rates of the motors: how fast they move, in radians or scene units a unit of time.

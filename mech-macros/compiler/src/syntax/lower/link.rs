@@ -8,6 +8,9 @@ use crate::syntax::ast::{Axis, Expr, Ground, Item, Link, Outline, Pair, Read, Sh
 
 /// Where shapes go that do not say: the ground has the first colour after the background, and each link the next.
 const GROUND_COLOR: u8 = 1;
+/// So many main colours for links the palette has; where they begin, and where their lighter and darker kinds do.
+const MAIN_COLORS: usize = 12;
+const FIRST_COLORS: [u8; 3] = [2, 34, 18];
 
 impl Lowering {
     pub(super) fn declare_ground(&mut self, ground: &Ground) {
@@ -235,10 +238,13 @@ fn error_of(item: &Item) -> Option<&crate::syntax::Message> {
     }
 }
 
-/// The colour of a link's shapes that name none: beginning anew after the last of the palette.
+/// The colour of a link's shapes that name none: round the main colours of the palette, then their lighter and their darker kinds, and
+/// so on. Ink, hatching and steel are no colours of links.
 fn color_of(link: LinkId) -> u8 {
-    match link.index().checked_sub(1) {
-        None => GROUND_COLOR,
-        Some(earlier) => u8::try_from(earlier % 254).map_or(u8::MAX, |step| step.saturating_add(2)),
-    }
+    let Some(earlier) = link.index().checked_sub(1) else {
+        return GROUND_COLOR;
+    };
+    let (round, place) = (earlier / MAIN_COLORS, earlier % MAIN_COLORS);
+    let first = FIRST_COLORS[round % FIRST_COLORS.len()];
+    u8::try_from(place).map_or(first, |place| first + place)
 }

@@ -220,8 +220,10 @@ fn shapes_have_planes_and_colors() {
     );
     let corners = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     assert_eq!(links[0].shapes[2].kind, ShapeKind::Polygon(corners));
-    let colors = [1, 2, 254, 255, 256].map(|n: usize| links[n].shapes[0].color);
-    assert_eq!(colors, [2, 3, 255, 2, 3]);
+    let colors = [1, 12, 13, 24, 25, 36, 37].map(|n: usize| links[n].shapes[0].color);
+    assert_eq!(colors, [2, 13, 34, 45, 18, 29, 2]);
+    let of_links = |color: u8| matches!(color, 2..=13 | 18..=29 | 34..=45);
+    assert!(links[1..].iter().all(|link| of_links(link.shapes[0].color)));
 }
 
 #[test]

@@ -1,0 +1,109 @@
+//! Bounds that are too wide cut down to guesses: through several loops they multiply, and become far wider than any motion.
+
+use super::pace::Paces;
+use crate::plan::{Rational, Tie, Unknown};
+use crate::program::{Bound, Growth, Op};
+use num_traits::ToPrimitive as _;
+
+/// A bound through many loops is wide: away from all dead points nothing is guessed to turn more than so many times as fast as what
+/// drives it, and no sine to change so fast.
+pub(super) const MOST: f64 = 16.0;
+pub(super) const MOST_OF_SINE: f64 = 4.0;
+/// Gears make faster what they are driven by, whatever that is.
+pub(super) const MOST_OF_ANGLE: f64 = 1024.0;
+/// What motors move directly is bounded well.
+pub(super) const MOST_DIRECT: f64 = 256.0;
+/// By how much small sines of free loops make a bound greater, at most, if it is not one of them alone.
+pub(super) const MOST_SHARP: f64 = 64.0;
+/// The same for the smallest of them by itself, where it is not watched.
+const MOST_SHARP_OF_ONE: f64 = 1024.0;
+/// How fast the square of a sine is guessed to change with a param, over its scale.
+const WITH_PARAM: f64 = 4.0;
+
+impl Paces<'_> {
+    /// How fast the square of a tied loop's sine is guessed to change: as fast as what ties it makes an unknown turn, if that is faster.
+    pub(super) fn of_tied(&self, ties: &[Tie]) -> Bound {
+        let mut bound = Bound::still(self.inputs());
+        bound.rates.fill(f64::INFINITY);
+        let size = self.domain.model.size().max(f64::MIN_POSITIVE);
+        let unit = |unknown: &Unknown| match unknown {
+            Unknown::Direction(_) => 1.0,
+            Unknown::Slide(_) => size,
+        };
+        let number = |part: &Rational| part.to_f64().unwrap_or(f64::INFINITY).abs();
+        let mut most = MOST_OF_SINE;
+        for tie in ties {
+            let parts = tie.parts.iter();
+            let parts = parts.map(|(of, part)| number(part) * unit(of) / unit(&tie.of));
+            let sources = tie.sources.iter().map(|(_, part)| number(part));
+            most = parts.chain(sources).fold(most, f64::max);
+        }
+        tame(&mut bound, most, &self.fastest);
+        bound
+    }
+
+    /// What a param does is known in its neighbourhood only.
+    pub(super) fn with_params(&self, bound: &mut Bound, number: usize) {
+        let model = self.domain.model;
+        if !self.domain.varying.contains(&number) {
+            return;
+        }
+        let own = bound.rates.iter_mut().skip(model.motors.len());
+        for (rate, param) in own.zip(model.params.ids()) {
+            if let Some(scale) = model.param_scale(param) {
+                *rate = WITH_PARAM / scale;
+            }
+        }
+        bound.guessed = true;
+    }
+
+    /// Takes the least sines of free loops for what they are, but for those below this: these are watched.
+    pub(super) fn sharpen(&self, bound: &mut Bound, watched: f64) {
+        let (mut times, mut most) = (1.0, MOST_SHARP);
+        bound.growth.retain(|growth| {
+            let Growth::NearZero(number) = *growth else {
+                return true;
+            };
+            match &self.domain.known[number].free {
+                Some(free) if free.least_sine >= watched => {
+                    let own = f64::min(1.0 / free.least_sine, MOST_SHARP_OF_ONE);
+                    times *= own;
+                    most = f64::max(most, own);
+                    false
+                }
+                _ => true,
+            }
+        });
+        bound.guessed |= times > most;
+        for rate in &mut bound.rates {
+            *rate *= f64::min(times, most);
+        }
+    }
+
+    /// For each input the fastest that turns with it, in radians, or in sizes of the mechanism.
+    pub(super) fn fastest(&self) -> Vec<f64> {
+        let mut fastest: Vec<f64> = (0..self.inputs())
+            .map(|input| 1.0 / self.unit(input))
+            .collect();
+        let program = self.domain.cutter.program;
+        for node in &program.nodes {
+            if let Op::Sin(angle) | Op::Cos(angle) = node.op {
+                for (input, part) in self.domain.cutter.parts(angle).into_iter().flatten() {
+                    fastest[input] = fastest[input].max(part.abs());
+                }
+            }
+        }
+        fastest
+    }
+}
+
+/// Makes a bound that is too wide a guess: so many times as fast as what drives it.
+pub(super) fn tame(bound: &mut Bound, times: f64, driven: &[f64]) {
+    for (rate, driven) in bound.rates.iter_mut().zip(driven) {
+        let most = times * driven;
+        if rate.is_nan() || *rate > most {
+            *rate = most;
+            bound.guessed = true;
+        }
+    }
+}
