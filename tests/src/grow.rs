@@ -9,6 +9,7 @@ use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, Near, Origin,
     Ratio, StartValue,
 };
+use std::cmp::Ordering;
 
 /// A mechanism and what is known about it.
 #[derive(Clone, Debug)]
@@ -173,10 +174,12 @@ impl Grown {
         self.rolling(dice, |dice, a, b| {
             let teeth = [12, 17, 20, 31, 40, 60];
             let (own, other) = (*dice.pick(&teeth), *dice.pick(&teeth));
-            let ratio = if dice.once_in(3) {
-                Ratio::Teeth(own, -other)
-            } else {
-                Ratio::Teeth(own, other)
+            let is_internal = dice.once_in(3);
+            // The ring is the larger.
+            let ratio = match (is_internal, own.cmp(&other)) {
+                (true, Ordering::Less) => Ratio::Teeth(own, -other),
+                (true, Ordering::Greater) => Ratio::Teeth(-own, other),
+                _ => Ratio::Teeth(own, other),
             };
             JointKind::Gear {
                 a,

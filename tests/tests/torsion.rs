@@ -8,6 +8,7 @@ use mech_compiler::program::{Forces, Position};
 use mech_compiler::syntax::parse;
 use mech_runtime::{Gauss, Phase, mechanism};
 use proptest::prelude::*;
+use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 
 /// A joint's coordinate between −π and π, computed from the poses alone.
@@ -143,7 +144,12 @@ proptest! {
         [p, q] in prop::array::uniform2(1..60_i32), inside in any::<bool>(), at in 0..2_usize,
         rest in -20.0..20.0, ways in ways(2),
     ) {
-        let q = if inside { -q } else { q };
+        // The ring is the larger.
+        let (p, q) = match (inside, p.cmp(&q)) {
+            (true, Ordering::Less) => (p, -q),
+            (true, Ordering::Greater) => (-p, q),
+            _ => (p, q),
+        };
         let planet = f64::from(p + q).abs().max(1.0);
         let [wheel, pin] = std::array::from_fn(|joint| if joint == at { "sprung" } else { ["wheel", "pin"][joint] });
         follow(&format!("struct Geared;

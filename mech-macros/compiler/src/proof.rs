@@ -1,11 +1,11 @@
 //! Declared ranges: proved by intervals to be free, or the reason why not.
 
 use crate::certify::cone::Cuts;
-use crate::certify::{Interval, Verdict, certify};
+use crate::certify::{Interval, Verdict, certify_counted, motors_of};
 use crate::evaluate;
 use crate::model::{AtChangePoints, JointId, Model, MotorId};
 use crate::plan::Plan;
-use crate::program::{BlockId, Choice, Program, Value, build_as};
+use crate::program::{BlockId, Choice, Closed, Program, Value, build_as};
 use crate::structure::{Diagnosis, RangeTrouble};
 use crate::watching::{Domain, Read};
 use std::f64::consts::TAU;
@@ -53,7 +53,15 @@ pub(crate) fn proved(
         own: None,
         into: &|angle| domain.parts(angle).is_some(),
     };
-    let tested: Vec<Value> = program.margins().map(|(_, closed)| closed.slack).collect();
+    // What was proved to close whatever moves it needs no other proof.
+    let is_free = |closed: &Closed| {
+        let choice = choices.get(closed.number);
+        choice.is_some_and(|choice| choice.watching.is_none())
+    };
+    let free = program.margins().filter(|(_, closed)| is_free(closed));
+    let free: Vec<BlockId> = free.map(|(block, _)| block).collect();
+    let tested = program.margins().filter(|(_, closed)| !is_free(closed));
+    let tested: Vec<Value> = tested.map(|(_, closed)| closed.slack).collect();
     let read = domain.read(&tested, &whole);
     let ranges: Vec<Interval> = model
         .motor_ids()
@@ -65,13 +73,16 @@ pub(crate) fn proved(
         unknowns: unknowns(block),
         trouble,
     };
-    let touching = match certify(&program, &ranges) {
+    let (verdict, _) = certify_counted(&program, &ranges, &free);
+    let touching = match verdict {
         Verdict::Proved { touching } => touching,
         Verdict::Blocked(blocked) => {
-            let others = blocked.at.iter().enumerate();
-            let others = others
-                .filter(|(motor, _)| *motor != blocked.motor)
-                .map(|(motor, at)| (MotorId::new(motor), *at));
+            let others = blocked
+                .motors
+                .iter()
+                .filter(|motor| **motor != blocked.motor);
+            let others =
+                others.filter_map(|&motor| Some((MotorId::new(motor), *blocked.at.get(motor)?)));
             let (low, high) = (blocked.interval.low(), blocked.interval.high());
             let onwards = (high - blocked.limit).abs() >= (low - blocked.limit).abs();
             let blocking = RangeTrouble::Blocked {
@@ -81,17 +92,27 @@ pub(crate) fn proved(
             };
             return Err(trouble(blocked.motor, blocked.block, blocking));
         }
-        Verdict::Undecided { block, place } => {
-            let between = place.get(ranged).map(|place| (place.low(), place.high()));
-            let between = between.unwrap_or_default();
-            return Err(trouble(ranged, block, RangeTrouble::Undecided { between }));
+        Verdict::Undecided {
+            block,
+            motors,
+            place,
+        } => {
+            let between = |motor: usize| {
+                let place = place.get(motor)?;
+                Some((MotorId::new(motor), (place.low(), place.high())))
+            };
+            let between: Vec<_> = motors.iter().filter_map(|&motor| between(motor)).collect();
+            let motor = ranged_of(model, &motors).unwrap_or(ranged);
+            return Err(trouble(motor, block, RangeTrouble::Undecided { between }));
         }
         Verdict::NoClosedForm { block } => {
-            return Err(trouble(ranged, block, RangeTrouble::Iterated));
+            let motor = ranged_of(model, &motors_of(&program, block)).unwrap_or(ranged);
+            return Err(trouble(motor, block, RangeTrouble::Iterated));
         }
     };
     if let (AtChangePoints::Stop, Some(&block)) = (model.change_points, touching.first()) {
-        return Err(trouble(ranged, block, RangeTrouble::Stops));
+        let motor = ranged_of(model, &motors_of(&program, block)).unwrap_or(ranged);
+        return Err(trouble(motor, block, RangeTrouble::Stops));
     }
     let touches: Vec<usize> = touching
         .iter()
@@ -149,6 +170,15 @@ fn range(domain: &Domain<'_>, read: &Read, id: MotorId) -> Result<Interval, Diag
             trouble: RangeTrouble::Missing,
         }),
     }
+}
+
+/// The first of these motors that has a range.
+fn ranged_of(model: &Model, motors: &[usize]) -> Option<usize> {
+    let has_range = |motor: &usize| {
+        let motor = model.motors.get(*motor);
+        motor.is_some_and(|motor| motor.range.is_some())
+    };
+    motors.iter().copied().find(has_range)
 }
 
 fn unknowns(plan: &Plan, program: &Program, block: BlockId) -> Vec<JointId> {

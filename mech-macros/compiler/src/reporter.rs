@@ -5,6 +5,7 @@ mod cam;
 mod carrier;
 mod exactness;
 mod held;
+mod mesh;
 mod names;
 mod order;
 mod params;
@@ -71,6 +72,15 @@ impl Words<'_> {
             Diagnosis::SeveralCarriers { joint, carriers } => (
                 self.at_joint(Some(joint)),
                 self.several_carriers(*joint, carriers),
+            ),
+            Diagnosis::NoMesh {
+                joint,
+                carrier,
+                ratio,
+                trouble,
+            } => (
+                self.at_joint(Some(joint)),
+                self.no_mesh(*joint, *carrier, *ratio, *trouble) + &self.help(offers),
             ),
             Diagnosis::Blocked {
                 motor,

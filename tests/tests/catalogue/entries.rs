@@ -89,6 +89,20 @@ motor b;",
         edit: ("20 : -60", "20 : -60 on arm"),
     },
     Entry {
+        variant: "NoMesh",
+        example: "
+struct Gears;
+link pinion;
+link wheel;
+joint a = revolute(ground, pinion) at (0, 0);
+joint b = revolute(ground, wheel) at (3, 0);
+joint mesh = gear(pinion, wheel, 1.0 : 5.0);
+motor a;",
+        remedy: "Pitch radii add up to the distance of the axes; of a ring and the wheel in it they differ by that. Teeth fit at any \
+                 distance except zero.",
+        edit: ("1.0 : 5.0", "0.5 : 2.5"),
+    },
+    Entry {
         variant: "Blocked",
         example: "
 struct Truss;

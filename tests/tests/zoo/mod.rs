@@ -91,8 +91,8 @@ mechanism! {
     joint d = revolute(ground, rocker) at (4, 0);
     joint e = revolute(ground, wheel) at (6, 0);
     joint f = revolute(ground, pointer) at (9, 0);
-    joint inner = gear(rocker, wheel, 60 : -13);
-    joint outer = gear(wheel, pointer, 1.5 : 1.0);
+    joint inner = gear(rocker, wheel, -60 : 13);
+    joint outer = gear(wheel, pointer, 1.8 : 1.2);
     motor a;
 }
 

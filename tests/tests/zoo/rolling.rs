@@ -93,7 +93,7 @@ mechanism! {
     joint c = revolute(rod, arm) at (2, 3);
     joint d = revolute(arm, right) at (4, 1.2);
     joint e = revolute(ground, right) at (4, 0);
-    joint mesh = gear(left, right, 30 : -20);
+    joint mesh = gear(left, right, -30 : 20);
     motor a;
 }
 
@@ -109,6 +109,6 @@ mechanism! {
     joint c = revolute(rod, arm) at (2, 3);
     joint d = revolute(arm, right) at (4, 1.2);
     joint e = revolute(ground, right) at (4, 0);
-    joint mesh = gear(left, right, 30 : -20);
+    joint mesh = gear(left, right, -30 : 20);
     motor c;
 }

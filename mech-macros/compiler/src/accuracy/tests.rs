@@ -49,7 +49,7 @@ const TIED: &str = "struct TiedFiveBar;
     joint c = revolute(rod, arm) at (2, 3);
     joint d = revolute(arm, right) at (4, 1.2);
     joint e = revolute(ground, right) at (4, 0);
-    joint mesh = gear(left, right, 30 : -20);
+    joint mesh = gear(left, right, -30 : 20);
     motor c;";
 
 fn model(text: &str, accuracy: f64) -> Model {

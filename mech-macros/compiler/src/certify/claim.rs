@@ -11,6 +11,16 @@ pub(super) enum Test {
     Divisor(Value),
 }
 
+impl Test {
+    /// What it is made of.
+    pub(super) fn values(self) -> Vec<Value> {
+        match self {
+            Self::Slack(slack, floor) => vec![slack, floor],
+            Self::Divisor(divisor) => vec![divisor],
+        }
+    }
+}
+
 /// What must hold for the loops to close that do not hang on an iteration, in the order in which they are found.
 pub(super) fn tests(program: &Program) -> Vec<(BlockId, Test)> {
     let mut hangs = vec![false; program.nodes.len()];

@@ -72,6 +72,7 @@ impl Line {
         at[self.motor] = wall;
         Verdict::Blocked(Blocked {
             block,
+            motors: search.motors().to_vec(),
             at,
             motor: self.motor,
             limit,

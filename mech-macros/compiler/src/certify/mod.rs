@@ -5,9 +5,11 @@
 //! half of a loop's floor that is left to it.
 
 pub(crate) mod always;
+mod carried;
 mod claim;
 pub(crate) mod cone;
 mod form;
+mod group;
 mod interval;
 mod line;
 mod operation;
@@ -18,11 +20,13 @@ mod tape;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use group::motors_of;
 pub use interval::Interval;
 
 use crate::program::{BlockId, BlockKind, Program};
 use claim::carried_sides;
-use search::Search;
+use group::{Group, groups};
+use search::{Search, Share};
 use tape::Tape;
 
 /// More loops than this that carry their side are not tried with every side of each.
@@ -43,7 +47,9 @@ pub enum Verdict {
     Undecided {
         /// The loop.
         block: BlockId,
-        /// For each motor the values at which it could not be told.
+        /// The motors that have a part in it, by their numbers.
+        motors: Vec<usize>,
+        /// For each motor of the mechanism the values at which it could not be told.
         place: Vec<Interval>,
     },
     /// Some loops are solved by iteration: for these there is no proof.
@@ -66,6 +72,8 @@ impl Verdict {
 pub struct Blocked {
     /// The loop that does not close.
     pub block: BlockId,
+    /// The motors that have a part in it, by their numbers.
+    pub motors: Vec<usize>,
     /// For each motor its value at a place where it does not.
     pub at: Vec<f64>,
     /// The motor that is moved to there, by its number, while all others have the values of that place.
@@ -90,12 +98,16 @@ pub struct Effort {
 /// without a range stays where it is at the start.
 #[must_use]
 pub fn certify(program: &Program, ranges: &[Interval]) -> Verdict {
-    certify_counted(program, ranges).0
+    certify_counted(program, ranges, &[]).0
 }
 
-/// The same, and what it took.
+/// The same where some loops are known to close everywhere; and what it took.
 #[must_use]
-pub fn certify_counted(program: &Program, ranges: &[Interval]) -> (Verdict, Effort) {
+pub fn certify_counted(
+    program: &Program,
+    ranges: &[Interval],
+    free: &[BlockId],
+) -> (Verdict, Effort) {
     let mut effort = Effort::default();
     let ranges: Vec<Interval> = program
         .start
@@ -104,13 +116,14 @@ pub fn certify_counted(program: &Program, ranges: &[Interval]) -> (Verdict, Effo
         .enumerate()
         .map(|(motor, &start)| ranges.get(motor).copied().unwrap_or(Interval::point(start)))
         .collect();
-    let verdict = on_start_sides(program, &ranges, &mut effort);
+    let groups = groups(program, free);
+    let verdict = on_sides(program, (&groups, &[]), &ranges, &mut effort);
     let iterated = program
         .block_ids()
         .find(|block| matches!(program.blocks[block.index()].kind, BlockKind::Newton(_)));
     let verdict = match (verdict, iterated) {
         (Verdict::Proved { touching }, None) => {
-            on_all_sides(program, &ranges, touching, &mut effort)
+            on_all_sides(program, &groups, &ranges, touching, &mut effort)
         }
         // What blocks a loop before an iteration is certain all the same.
         (verdict @ Verdict::Blocked(_), _) | (verdict, None) => verdict,
@@ -119,13 +132,34 @@ pub fn certify_counted(program: &Program, ranges: &[Interval]) -> (Verdict, Effo
     (verdict, effort)
 }
 
-fn on_start_sides(program: &Program, ranges: &[Interval], effort: &mut Effort) -> Verdict {
-    Search::new(Tape::new(program, &[]), program, ranges).verdict(effort)
+/// What is found of all groups, loops that carry their sides on that of the start or, if they are among `turned`, on the other.
+fn on_sides(
+    program: &Program,
+    (groups, turned): (&[Group], &[BlockId]),
+    ranges: &[Interval],
+    effort: &mut Effort,
+) -> Verdict {
+    let mut all = Vec::new();
+    let mut undecided = None;
+    for (number, group) in groups.iter().enumerate() {
+        let tape = Tape::new(program, group, turned);
+        let share = Share::of(effort, groups.len() - number);
+        match Search::new(tape, program, group, ranges).verdict(effort, share) {
+            Verdict::Proved { touching } => all.extend(touching),
+            blocked @ Verdict::Blocked(_) => return blocked,
+            // Another group may tell that it is blocked.
+            other => undecided = undecided.or(Some(other)),
+        }
+    }
+    all.sort_unstable();
+    all.dedup();
+    undecided.unwrap_or(Verdict::Proved { touching: all })
 }
 
 /// A loop that carries its side may change it where its slack touches zero: then everything must close on either side.
 fn on_all_sides(
     program: &Program,
+    groups: &[Group],
     ranges: &[Interval],
     mut touching: Vec<BlockId>,
     effort: &mut Effort,
@@ -139,26 +173,34 @@ fn on_all_sides(
             .copied()
             .filter(|&block| carries(block))
             .collect();
-        let place = || ranges.to_vec();
         if let Some(&block) = crossing.get(MOST_SIDES) {
+            let of = |group: &&Group| group.tests.iter().any(|(other, _)| *other == block);
+            let motors = groups.iter().find(of).map(|group| group.motors.clone());
             return Verdict::Undecided {
                 block,
-                place: place(),
+                motors: motors.unwrap_or_default(),
+                place: ranges.to_vec(),
             };
         }
         let Some(turned) = subsets(&crossing).find(|turned| !tried.contains(turned)) else {
             return Verdict::Proved { touching };
         };
-        match Search::new(Tape::new(program, &turned), program, ranges).verdict(effort) {
+        match on_sides(program, (groups, &turned), ranges, effort) {
             Verdict::Proved { touching: more } => {
                 touching.extend(more);
                 touching.sort_unstable();
                 touching.dedup();
             }
             // Whether it ever comes there on these sides is not known.
-            Verdict::Blocked(Blocked { block, at, .. }) => {
+            Verdict::Blocked(Blocked {
+                block, motors, at, ..
+            }) => {
                 let place = at.into_iter().map(Interval::point).collect();
-                return Verdict::Undecided { block, place };
+                return Verdict::Undecided {
+                    block,
+                    motors,
+                    place,
+                };
             }
             verdict => return verdict,
         }

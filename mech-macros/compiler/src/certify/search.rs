@@ -1,5 +1,6 @@
 //! Looks through the ranges of all motors, box by box.
 
+use super::group::Group;
 use super::line::Line;
 use super::tape::{Outcome, Tape};
 use super::{Blocked, Effort, Interval, Verdict};
@@ -18,6 +19,17 @@ const NEAR: f64 = 1e-8;
 /// Boxes narrower than this part of the range are not cut at all.
 const NARROW: f64 = 1e-14;
 
+/// How many numbers may be found.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Share(usize);
+
+impl Share {
+    /// An equal part of what is left after this effort.
+    pub(super) fn of(effort: &Effort, parts: usize) -> Self {
+        Self(BUDGET.saturating_sub(effort.evaluations) / parts.max(1))
+    }
+}
+
 /// What is seen on a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sight {
@@ -34,6 +46,8 @@ pub(super) enum Sight {
 /// A search through the ranges of the motors.
 pub(super) struct Search<'p> {
     pub(super) tape: Tape<'p>,
+    /// The motors that have a part in it, by their numbers.
+    motors: Vec<usize>,
     ranges: Vec<Interval>,
     start: Vec<f64>,
     boxes: usize,
@@ -43,15 +57,22 @@ pub(super) struct Search<'p> {
 }
 
 impl<'p> Search<'p> {
-    /// A search through ranges, one for each motor.
-    pub(super) fn new(tape: Tape<'p>, program: &'p Program, ranges: &[Interval]) -> Self {
-        let starts = program.start.motors.iter().zip(ranges);
+    /// A search through ranges, one for each motor of the mechanism, of which those in the group are looked through.
+    pub(super) fn new(
+        tape: Tape<'p>,
+        program: &'p Program,
+        group: &Group,
+        ranges: &[Interval],
+    ) -> Self {
+        let ranges = group.ranges(program, ranges);
+        let starts = program.start.motors.iter().zip(&ranges);
         Self {
             tape,
-            ranges: ranges.to_vec(),
+            motors: group.motors.clone(),
             start: starts
                 .map(|(start, range)| start.max(range.low()).min(range.high()))
                 .collect(),
+            ranges,
             boxes: 0,
             touching: Vec::new(),
             budget: BUDGET,
@@ -59,9 +80,10 @@ impl<'p> Search<'p> {
         }
     }
 
-    /// What is found, with what is left of the budget after this effort.
-    pub(super) fn verdict(mut self, effort: &mut Effort) -> Verdict {
-        self.budget = BUDGET.saturating_sub(effort.evaluations);
+    /// What is found with this share of the budget.
+    pub(super) fn verdict(mut self, effort: &mut Effort, share: Share) -> Verdict {
+        let Share(budget) = share;
+        self.budget = budget;
         self.for_clearance = self.for_clearance.min(self.budget / 2);
         let hopeless =
             self.tape.is_too_large() || self.ranges.iter().any(|range| !range.is_bounded());
@@ -69,10 +91,12 @@ impl<'p> Search<'p> {
             None => self.proved(),
             Some(block) if hopeless => {
                 let place = self.ranges.clone();
-                Verdict::Undecided { block, place }
+                self.undecided_at(block, place)
             }
-            Some(_) if self.ranges.len() == 1 => self.one_motor(),
-            Some(_) => self.boxes(),
+            Some(_) => match self.motors[..] {
+                [motor] => self.one_motor(motor),
+                _ => self.boxes(),
+            },
         };
         effort.boxes += self.boxes;
         effort.evaluations += self.tape.evaluations();
@@ -80,9 +104,9 @@ impl<'p> Search<'p> {
     }
 
     /// Both ways from the start.
-    fn one_motor(&mut self) -> Verdict {
-        let (start, range) = (self.start[0], self.ranges[0]);
-        let line = Line::new(0, self.start.clone(), range.width());
+    fn one_motor(&mut self, motor: usize) -> Verdict {
+        let (start, range) = (self.start[motor], self.ranges[motor]);
+        let line = Line::new(motor, self.start.clone(), range.width());
         let up = line.verdict(self, start, range.high());
         if let Verdict::Blocked(_) = up {
             return up;
@@ -137,7 +161,7 @@ impl<'p> Search<'p> {
     /// Which loop blocks in the middle of the last box, and how far one motor can be moved towards it.
     fn blocked(&mut self, test: usize) -> Verdict {
         let at = self.tape.centre().to_vec();
-        for motor in 0..at.len() {
+        for motor in self.motors.clone() {
             let range = self.ranges[motor];
             let line = Line::new(motor, at.clone(), range.width());
             let from = self.start[motor];
@@ -153,14 +177,31 @@ impl<'p> Search<'p> {
             }
         }
         match self.tape.block(test) {
-            Some(block) => Verdict::Blocked(Blocked {
-                block,
-                motor: 0,
-                limit: self.start.first().copied().unwrap_or_default(),
-                interval: Interval::point(at.first().copied().unwrap_or_default()),
-                at,
-            }),
+            Some(block) => {
+                let motor = self.motors.first().copied().unwrap_or_default();
+                Verdict::Blocked(Blocked {
+                    block,
+                    motors: self.motors.clone(),
+                    motor,
+                    limit: self.start.get(motor).copied().unwrap_or_default(),
+                    interval: Interval::point(at.get(motor).copied().unwrap_or_default()),
+                    at,
+                })
+            }
             None => self.proved(),
+        }
+    }
+
+    /// The motors that have a part in what is searched.
+    pub(super) fn motors(&self) -> &[usize] {
+        &self.motors
+    }
+
+    fn undecided_at(&self, block: BlockId, place: Vec<Interval>) -> Verdict {
+        Verdict::Undecided {
+            block,
+            motors: self.motors.clone(),
+            place,
         }
     }
 
@@ -173,7 +214,7 @@ impl<'p> Search<'p> {
 
     pub(super) fn undecided(&mut self, test: usize, place: Vec<Interval>) -> Verdict {
         match self.tape.block(test) {
-            Some(block) => Verdict::Undecided { block, place },
+            Some(block) => self.undecided_at(block, place),
             None => self.proved(),
         }
     }

@@ -1,8 +1,9 @@
 //! A program run on a box: every value as an interval and as an affine form. What both ways of bounding it leave is kept.
 
 use super::Interval;
-use super::claim::{Test, carried_sides, keeps_direction, tests};
+use super::claim::{Test, carried_sides, keeps_direction};
 use super::form::{Forms, Linear, Operand, greater, root, wave};
+use super::group::Group;
 use super::operation::{direction, natural, sign, strict_sign};
 use crate::program::{BlockId, Node, Op, Program, Slot, Value};
 
@@ -32,6 +33,8 @@ pub(super) struct Tape<'p> {
     tests: Vec<(BlockId, Test)>,
     /// Which values are directions, whatever they are made from.
     directions: Vec<bool>,
+    /// Which values do not change.
+    held: Vec<bool>,
     values: Vec<Interval>,
     /// The same in the middle of the box.
     middles: Vec<Interval>,
@@ -43,11 +46,15 @@ pub(super) struct Tape<'p> {
 }
 
 impl<'p> Tape<'p> {
-    /// The loops of a program that do not hang on an iteration, each of those that carry their side on that of the start, or, if
-    /// they are among `turned`, on the other.
-    pub(super) fn new(program: &'p Program, turned: &[BlockId]) -> Self {
+    /// Some of the tests of a program, each loop that carries its side on that of the start, or, if it is among `turned`, on the
+    /// other.
+    pub(super) fn new(program: &'p Program, group: &Group, turned: &[BlockId]) -> Self {
         let directions = keeps_direction(program);
-        let mut tape = Self::on(&program.nodes, program.inputs(), tests(program), directions);
+        let tests = group.tests.clone();
+        let mut tape = Self::on(&program.nodes, program.inputs(), tests, directions);
+        for &(value, at) in &group.held {
+            tape.hold(value, Interval::point(at));
+        }
         for (block, kept) in carried_sides(program) {
             let side = program.start.kept.get(kept).copied().unwrap_or(1.0);
             let turn = if turned.contains(&block) { -1.0 } else { 1.0 };
@@ -81,6 +88,7 @@ impl<'p> Tape<'p> {
             moving: Vec::new(),
             tests,
             directions,
+            held: vec![false; nodes.len()],
             values: vec![Interval::ENTIRE; nodes.len()],
             middles: vec![Interval::ENTIRE; nodes.len()],
             steps: vec![None; nodes.len()],
@@ -100,6 +108,13 @@ impl<'p> Tape<'p> {
         }
     }
 
+    /// A value that does not change, whatever it is made from.
+    fn hold(&mut self, value: Value, at: Interval) {
+        self.held[value.index()] = true;
+        self.values[value.index()] = at;
+        self.middles[value.index()] = at;
+    }
+
     /// Finds what tests need, and what else is asked for; does what can be done once and for all.
     fn sort(&mut self, found: &[Value]) {
         let nodes = self.nodes;
@@ -117,14 +132,15 @@ impl<'p> Tape<'p> {
             }
         }
         for index in (0..nodes.len()).rev() {
-            if needed[index].is_some() {
+            if needed[index].is_some() && !self.held[index] {
                 for operand in nodes[index].op.operands() {
                     needed[operand.index()] = Some(operand);
                 }
             }
         }
         let mut moves = vec![false; nodes.len()];
-        for value in needed.into_iter().flatten() {
+        let needed = needed.into_iter().flatten();
+        for value in needed.filter(|value| !self.held[value.index()]) {
             let op = nodes[value.index()].op;
             let moving =
                 matches!(op, Op::Motor(_)) || op.operands().any(|operand| moves[operand.index()]);

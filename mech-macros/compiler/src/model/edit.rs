@@ -1,8 +1,8 @@
 //! Changes to a mechanism, as a user would make them in the text: everything else follows, and is numbered anew.
 
 use super::{
-    Axis, AxisId, AxisKind, Joint, JointId, JointKind, LinkId, Model, Motor, MotorId, Shown, Start,
-    StartValue,
+    Axis, AxisId, AxisKind, Joint, JointId, JointKind, LinkId, Model, Motor, MotorId, Ratio, Shown,
+    Start, StartValue,
 };
 
 /// Changes to a mechanism. All ids are those of the mechanism that is changed, until [`Edit::finish`].
@@ -100,6 +100,15 @@ impl Edit {
     pub fn carry(&mut self, id: JointId, carrier: Option<LinkId>) {
         if let Some(on) = carrier_of(&mut self.model.joints[id.index()].kind) {
             *on = carrier;
+        }
+    }
+
+    /// Gives two wheels other sizes.
+    pub fn resize(&mut self, id: JointId, sizes: Ratio) {
+        if let JointKind::Gear { ratio, .. } | JointKind::Belt { ratio, .. } =
+            &mut self.model.joints[id.index()].kind
+        {
+            *ratio = sizes;
         }
     }
 

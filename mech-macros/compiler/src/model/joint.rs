@@ -96,6 +96,40 @@ pub enum Ratio {
     Radii(f64, f64),
 }
 
+impl Ratio {
+    /// Both sizes as they are written.
+    #[must_use]
+    pub fn sizes(self) -> [f64; 2] {
+        match self {
+            #[expect(clippy::cast_precision_loss, reason = "no wheel has so many teeth")]
+            Self::Teeth(a, b) => [a as f64, b as f64],
+            Self::Radii(a, b) => [a, b],
+        }
+    }
+
+    /// Whether one of the wheels is a ring.
+    #[must_use]
+    pub fn is_internal(self) -> bool {
+        self.sizes().iter().any(|size| *size < 0.0)
+    }
+
+    /// Whether one of the wheels is a ring, and is not larger than the wheel in it.
+    #[must_use]
+    pub fn ring_is_small(self) -> bool {
+        let [a, b] = self.sizes();
+        self.is_internal() && a + b >= 0.0
+    }
+
+    /// The same with the other wheel as the ring.
+    #[must_use]
+    pub fn turned_out(self) -> Self {
+        match self {
+            Self::Teeth(a, b) => Self::Teeth(-a, -b),
+            Self::Radii(a, b) => Self::Radii(-a, -b),
+        }
+    }
+}
+
 /// A motor: the coordinate of its joint is given from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motor {

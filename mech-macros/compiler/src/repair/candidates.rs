@@ -1,6 +1,6 @@
 //! What could be changed.
 
-use super::{Repair, drivable};
+use super::{Repair, drivable, sizes};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::structure::{self, Diagnosis};
 
@@ -90,6 +90,19 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
                 .chain(named)
                 .map(|on| Repair::Carry { joint: *joint, on })
                 .collect()
+        }
+        Diagnosis::NoMesh {
+            joint,
+            ratio,
+            trouble,
+            ..
+        } => {
+            let resize = |sizes| Repair::Resize {
+                joint: *joint,
+                sizes,
+            };
+            let sizes = sizes::fitting(*ratio, *trouble).into_iter();
+            sizes.map(resize).collect()
         }
         Diagnosis::DeadStart { .. } => model
             .motor_ids()

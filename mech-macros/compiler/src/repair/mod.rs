@@ -2,11 +2,12 @@
 
 mod candidates;
 mod offers;
+mod sizes;
 mod trial;
 
 pub use offers::{Offers, Search, offers};
 
-use crate::model::{Edit, JointId, JointKind, LinkId, Model, MotorId, StartValue};
+use crate::model::{Edit, JointId, JointKind, LinkId, Model, MotorId, Ratio, StartValue};
 
 /// A change that a user can make. The ids are those of the mechanism that is to be mended.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +54,13 @@ pub enum Repair {
         joint: JointId,
         /// Its carrier; none to leave it to be found.
         on: Option<LinkId>,
+    },
+    /// Give these wheels other sizes.
+    Resize {
+        /// The gear.
+        joint: JointId,
+        /// The sizes.
+        sizes: Ratio,
     },
 }
 
@@ -113,6 +121,10 @@ impl Repair {
             Self::Carry { joint, on } => {
                 edit.carry(joint, on);
                 model.joint(joint).kind.rolls()
+            }
+            Self::Resize { joint, sizes } => {
+                edit.resize(joint, sizes);
+                matches!(model.joint(joint).kind, JointKind::Gear { .. })
             }
         }
     }

@@ -60,11 +60,7 @@ impl Words<'_> {
                 "it could not be proved that motor {name} moves through its range, nor that it does not\nnote: it could not be told whether \
                  the loop of {} closes {}\nhelp: narrow the range, or leave it out: then every move is tested when it is made",
                 self.joints(unknowns),
-                if at(between.0) == at(between.1) {
-                    format!("at {}", at(between.0))
-                } else {
-                    format!("between {} and {}", at(between.0), at(between.1))
-                }
+                self.places(motor, between)
             ),
             RangeTrouble::Iterated => format!(
                 "the range of motor {name} cannot be proved: the loop of {} is solved by iteration, for which there is no proof\nhelp: \
@@ -90,6 +86,25 @@ impl Words<'_> {
             ),
         };
         (origin, text)
+    }
+
+    /// Where motors are: this one alone is not named again.
+    fn places(&self, motor: MotorId, places: &[(MotorId, (f64, f64))]) -> String {
+        let place = |&(other, (low, high)): &(MotorId, (f64, f64))| {
+            let [low, high] = [low, high].map(|value| self.motor_value(other, value));
+            let place = if low == high {
+                format!("at {low}")
+            } else {
+                format!("between {low} and {high}")
+            };
+            if other == motor && places.len() == 1 {
+                place
+            } else {
+                format!("with {} {place}", self.joint(self.model.motor(other).joint))
+            }
+        };
+        let places: Vec<String> = places.iter().map(place).collect();
+        places.join(" and ")
     }
 
     /// A value that is short of a dead point, as one would write it.

@@ -2,7 +2,7 @@
 
 use super::Words;
 use super::wording::{brief, one_of};
-use crate::model::{JointId, JointKind, MotorId};
+use crate::model::{JointId, JointKind, MotorId, Ratio};
 use crate::repair::{Offers, Repair, Search};
 
 /// A line is not made longer than this by putting several phrases on it.
@@ -121,7 +121,12 @@ impl Words<'_> {
             }
             _ => None,
         });
+        let sizes = named(repairs, |repair| match repair {
+            Repair::Resize { sizes, .. } => Some(format!("`{}`", written(*sizes))),
+            _ => None,
+        });
         let lists = [
+            ("write ", sizes, ""),
             ("remove ", gone, ""),
             ("replace ", slots, " by `slot(...)`"),
             ("replace ", welds, " by `revolute(...)`"),
@@ -222,6 +227,14 @@ impl Words<'_> {
             let name = &self.model.joint(joint).name;
             format!("start elsewhere, as `start {{ {name} = {text}; }}`")
         }
+    }
+}
+
+/// Two sizes as they are declared: teeth are whole, radii have a decimal point.
+pub(super) fn written(sizes: Ratio) -> String {
+    match sizes {
+        Ratio::Teeth(a, b) => format!("{a} : {b}"),
+        Ratio::Radii(a, b) => format!("{a:?} : {b:?}"),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What can be wrong with a mechanism, as data: tests match it, the reporter puts it into words.
 
-use crate::model::{AxisId, JointId, LinkId, MotorId, ParamId};
+use crate::model::{AxisId, JointId, LinkId, MotorId, ParamId, Ratio};
 
 /// Something that keeps a mechanism from moving as a mechanism should.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +34,17 @@ pub enum Diagnosis {
         joint: JointId,
         /// The links in which both parts keep their place.
         carriers: Vec<LinkId>,
+    },
+    /// These wheels cannot roll on each other.
+    NoMesh {
+        /// The gear or belt.
+        joint: JointId,
+        /// The link on which both turn.
+        carrier: LinkId,
+        /// Their sizes.
+        ratio: Ratio,
+        /// Why not.
+        trouble: MeshTrouble,
     },
     /// This motor's joint cannot move.
     Blocked {
@@ -167,6 +178,22 @@ pub enum Diagnosis {
     },
 }
 
+/// Why two wheels cannot roll on each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MeshTrouble {
+    /// They turn on one shaft.
+    OneShaft,
+    /// A ring is not larger than the wheel in it.
+    SmallRing,
+    /// The pitch radii contradict the places of the axes.
+    Distance {
+        /// How far apart the axes are, in scene units.
+        distance: f64,
+        /// How far apart the radii want them: their sum, or for a ring their difference.
+        asked: f64,
+    },
+}
+
 /// Why a declared range cannot stand.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RangeTrouble {
@@ -183,8 +210,8 @@ pub enum RangeTrouble {
     Stops,
     /// Neither a proof nor a dead point was found within the time there is: this is where it could not be told.
     Undecided {
-        /// The values of the motor.
-        between: (f64, f64),
+        /// For each motor that has a part in the loop its values there.
+        between: Vec<(MotorId, (f64, f64))>,
     },
     /// The loop is solved by iteration, for which there is no proof.
     Iterated,

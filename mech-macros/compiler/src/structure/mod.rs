@@ -5,11 +5,12 @@ mod diagnosis;
 mod elimination;
 mod field;
 mod graph;
+mod mesh;
 mod pin;
 mod rolling;
 mod verdict;
 
-pub use diagnosis::{Diagnosis, RangeTrouble};
+pub use diagnosis::{Diagnosis, MeshTrouble, RangeTrouble};
 pub(crate) use graph::KinematicGraph;
 pub use pin::Pin;
 pub use rolling::{Factor, Rolling, RollingEnd};

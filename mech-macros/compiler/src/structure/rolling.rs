@@ -1,6 +1,7 @@
 //! Gears, belts and racks, and the links that carry them.
 
 use super::diagnosis::Diagnosis;
+use super::mesh;
 use super::pin::Pin;
 use crate::model::{JointId, JointKind, LinkId, Model, Ratio};
 
@@ -59,7 +60,12 @@ pub(crate) fn rollings(model: &Model, pins: &[Pin]) -> Result<Vec<Rolling>, Vec<
         .joint_ids()
         .filter(|&joint| model.joint(joint).kind.rolls())
     {
-        match rolling(model, pins, joint) {
+        let rolling = rolling(model, pins, joint);
+        let rolling = rolling.and_then(|rolling| {
+            mesh::check(model, pins, &rolling)?;
+            Ok(rolling)
+        });
+        match rolling {
             Ok(rolling) => rollings.push(rolling),
             Err(diagnosis) => diagnoses.push(diagnosis),
         }

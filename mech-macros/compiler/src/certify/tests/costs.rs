@@ -110,7 +110,7 @@ fn show(name: &str, program: &Program, ranges: &[(f64, f64)]) {
         .map(|&(low, high)| Interval::new(low, high))
         .collect();
     let before = Instant::now();
-    let (verdict, Effort { boxes, evaluations }) = certify_counted(program, &ranges);
+    let (verdict, Effort { boxes, evaluations }) = certify_counted(program, &ranges, &[]);
     let time = before.elapsed().as_secs_f64() * 1e3;
     println!("{name:22} {boxes:6} boxes {evaluations:8} numbers {time:7.2} ms  {verdict:?}");
 }

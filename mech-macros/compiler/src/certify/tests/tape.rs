@@ -1,6 +1,8 @@
 //! Whatever a program computes somewhere in a box lies in what it computes on the box.
 
 use super::super::Interval;
+use super::super::claim::tests;
+use super::super::group::Group;
 use super::super::tape::Tape;
 use super::models::{chain, exhibit, four_bar, slider_crank};
 use proptest::prelude::*;
@@ -24,6 +26,15 @@ static PROGRAMS: LazyLock<Vec<Program>> = LazyLock::new(|| {
     ]
 });
 
+/// All tests of a program at once.
+fn whole(program: &Program) -> Group {
+    Group {
+        motors: (0..program.inputs()).collect(),
+        held: Vec::new(),
+        tests: tests(program),
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
@@ -36,7 +47,7 @@ proptest! {
     ) {
         let program = &PROGRAMS[which];
         let width = 10.0_f64.powf(digits);
-        let mut tape = Tape::new(program, &[]);
+        let mut tape = Tape::new(program, &whole(program), &[]);
         let place = vec![Interval::new(from, from + width); program.motors.len()];
         tape.run(&place);
         let all = tape.all();

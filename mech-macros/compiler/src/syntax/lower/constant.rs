@@ -25,6 +25,8 @@ struct Entry {
     statement: usize,
     /// None before it is computed, or if it could not be: then whoever uses it is not to blame.
     value: Option<Quantity>,
+    /// The same as an integer, if it is computed from integers alone.
+    integer: Option<i64>,
     /// What it is called in messages: a constant, or a param.
     word: &'static str,
 }
@@ -57,6 +59,7 @@ impl Constants {
                 name,
                 statement,
                 value: None,
+                integer: None,
                 word,
             });
         }
@@ -74,6 +77,19 @@ impl Constants {
     /// Whether there is a constant of this name, anywhere in the text.
     pub(super) fn has(&self, name: &str) -> bool {
         self.find(name).is_some()
+    }
+
+    /// The integer that this stands for, if it is computed from integers alone.
+    pub(super) fn integer(&self, name: &Ident) -> Option<i64> {
+        self.find(&name.to_string()).and_then(|entry| entry.integer)
+    }
+
+    /// Notes that a constant is computed from integers alone.
+    pub(super) fn set_integer(&mut self, name: &Ident, integer: Option<i64>) {
+        let text = name.to_string();
+        if let Some(entry) = self.entries.iter_mut().find(|entry| entry.name == text) {
+            entry.integer = integer;
+        }
     }
 
     /// Whether this stands for a number that depends on a param.

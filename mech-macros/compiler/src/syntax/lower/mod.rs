@@ -134,8 +134,13 @@ impl Lowering {
                         None
                     }
                 };
-                self.constants
-                    .declare(&constant.name, value, "constant", &mut self.report);
+                let is_declared =
+                    self.constants
+                        .declare(&constant.name, value, "constant", &mut self.report);
+                if let (true, Ok(expr)) = (is_declared, &constant.value) {
+                    let integer = self.integer(expr);
+                    self.constants.set_integer(&constant.name, integer);
+                }
             }
             Statement::Param(param) => self.declare_param(param),
             Statement::Ground(ground) => self.declare_ground(ground),

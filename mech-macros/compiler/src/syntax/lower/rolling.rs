@@ -118,7 +118,7 @@ impl Lowering {
             }
             self.wheel_size(part, size)
         });
-        Some(ratio(parts, [sizes[0]?, sizes[1]?]))
+        self.ratio(parts, [sizes[0]?, sizes[1]?])
     }
 
     fn gear_ratio(&mut self, parts: &[Expr; 2]) -> Option<Ratio> {
@@ -138,7 +138,24 @@ impl Lowering {
             self.report.tell(first.place.to(second.place), text);
             return None;
         }
-        Some(ratio(parts, sizes))
+        self.ratio(parts, sizes)
+    }
+
+    /// Numbers of teeth if both are integers, pitch radii if none is.
+    fn ratio(&mut self, parts: &[Expr; 2], sizes: [f64; 2]) -> Option<Ratio> {
+        let [first, second] = parts;
+        let (teeth, radius) = match parts.each_ref().map(|part| self.integer(part)) {
+            [Some(a), Some(b)] => return Some(Ratio::Teeth(a, b)),
+            [None, None] => return Some(Ratio::Radii(sizes[0], sizes[1])),
+            [Some(_), None] => (first, second),
+            [None, Some(_)] => (second, first),
+        };
+        let radii = sizes.map(|size| format!("{size:?}")).join(" : ");
+        let text = format!(
+            "`{teeth}` is a number of teeth, as it is whole, but `{radius}` a pitch radius; write `{radii}` for two radii, or two whole numbers"
+        );
+        self.report.tell(first.place.to(second.place), text);
+        None
     }
 
     /// The size of a wheel, unless it has more teeth than can be counted.
@@ -200,28 +217,11 @@ enum Rolled {
     Rack(f64),
 }
 
-/// Numbers of teeth if both are such, else radii.
-fn ratio(parts: &[Expr; 2], sizes: [f64; 2]) -> Ratio {
-    match parts.each_ref().map(teeth) {
-        [Some(a), Some(b)] => Ratio::Teeth(a, b),
-        _ => Ratio::Radii(sizes[0], sizes[1]),
-    }
-}
-
 /// The digits of an integer, with a sign or none.
 fn digits(part: &Expr) -> Option<&str> {
     match &part.kind {
         ExprKind::Integer(text) => Some(text),
         ExprKind::Negative(inner) => digits(inner),
-        _ => None,
-    }
-}
-
-/// A number of teeth: an integer as such, with a sign or none. Any other number is a radius.
-fn teeth(part: &Expr) -> Option<i64> {
-    match &part.kind {
-        ExprKind::Integer(digits) => digits.parse().ok(),
-        ExprKind::Negative(inner) => teeth(inner).and_then(i64::checked_neg),
         _ => None,
     }
 }

@@ -52,6 +52,30 @@ impl Lowering {
         }
     }
 
+    /// The value of an expression that is made from integers alone.
+    pub(super) fn integer(&self, expr: &Expr) -> Option<i64> {
+        let chain = |parts: &[(bool, Expr)], join: fn(i64, i64, bool) -> Option<i64>| {
+            let mut parts = parts.iter();
+            let (_, first) = parts.next()?;
+            parts.try_fold(self.integer(first)?, |sum, (inverse, part)| {
+                join(sum, self.integer(part)?, *inverse)
+            })
+        };
+        match &expr.kind {
+            ExprKind::Integer(digits) => digits.parse().ok(),
+            ExprKind::Constant(name) => self.constants.integer(name),
+            ExprKind::Negative(inner) => self.integer(inner)?.checked_neg(),
+            ExprKind::Sum(terms) => chain(terms, |sum, term, is_less| match is_less {
+                true => sum.checked_sub(term),
+                false => sum.checked_add(term),
+            }),
+            ExprKind::Product(factors) => chain(factors, |product, factor, divides| {
+                (!divides).then(|| product.checked_mul(factor))?
+            }),
+            _ => None,
+        }
+    }
+
     fn literal(&mut self, digits: &str, place: Place) -> Option<f64> {
         // The digits come from a literal, so they are a number; but one may be too large.
         let value = digits.parse().unwrap_or(f64::INFINITY);

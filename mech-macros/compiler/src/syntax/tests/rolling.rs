@@ -26,8 +26,9 @@ fn a_gear_has_teeth_or_radii() {
     assert_eq!(ratio("20 : 40"), Ratio::Teeth(20, 40));
     assert_eq!(ratio("20 : -60"), Ratio::Teeth(20, -60));
     assert_eq!(ratio("-1_000:0x10"), Ratio::Teeth(-1000, 16));
-    assert_eq!(ratio("1.5 : 3"), Ratio::Radii(1.5, 3.0));
-    assert_eq!(ratio("1 : A * 2"), Ratio::Radii(1.0, 4.0));
+    assert_eq!(ratio("1.5 : 3.0"), Ratio::Radii(1.5, 3.0));
+    assert_eq!(ratio("1 : A * 2"), Ratio::Teeth(1, 4));
+    assert_eq!(ratio("1.0 : A / 2"), Ratio::Radii(1.0, 1.0));
 }
 
 #[test]
@@ -41,8 +42,8 @@ fn a_belt_has_teeth_or_radii() {
     };
     assert_eq!(ratio("20 : 40"), Ratio::Teeth(20, 40));
     assert_eq!(ratio("1.0 : 3.0"), Ratio::Radii(1.0, 3.0));
-    assert_eq!(ratio("1 : A,"), Ratio::Radii(1.0, 2.0));
-    assert_eq!(ratio("A - 1 : --3"), Ratio::Radii(1.0, 3.0));
+    assert_eq!(ratio("1 : A,"), Ratio::Teeth(1, 2));
+    assert_eq!(ratio("A - 1 : --3"), Ratio::Teeth(1, 3));
 }
 
 #[test]
@@ -72,7 +73,7 @@ fn the_carrier_may_be_named() {
     };
     let bare = Some(LinkId::new(3));
     assert_eq!(carrier("gear(crank, rod, 20 : 40 on bare)"), bare);
-    assert_eq!(carrier("belt(crank, rod, 1.0 : A on bare,)"), bare);
+    assert_eq!(carrier("belt(crank, rod, 1.0 : 1.0 * A on bare,)"), bare);
     assert_eq!(carrier("rack(crank, rod, radius 2 * A on bare)"), bare);
     let ground = Some(LinkId::GROUND);
     assert_eq!(carrier("rack(crank, rod, radius A on ground,)"), ground);
@@ -181,6 +182,15 @@ fn sizes_are_those_of_wheels() {
     joint(
         "gear(crank, rod, «-20 : -40»)",
         &["only one wheel of a gear can be a ring; make one of the two positive"],
+    );
+    let mixed = "`20` is a number of teeth, as it is whole, but `1.5` a pitch radius; write `20.0 : 1.5` for two radii, or two whole \
+                 numbers";
+    joint("gear(crank, rod, «20 : 1.5»)", &[mixed]);
+    let mixed = "`A` is a number of teeth, as it is whole, but `A / 4` a pitch radius; write `0.5 : 2.0` for two radii, or two whole \
+                 numbers";
+    told(
+        &format!("const A = 2; joint d = belt(crank, rod, «A / 4 : A»); {LINKS}"),
+        &[mixed],
     );
     let belt = "a belt turns both wheels in the same sense; make both sizes positive";
     joint("belt(crank, rod, «0» : 40)", &[belt]);

@@ -1,0 +1,86 @@
+//! Loops that hang on the same motors are proved together, over these motors alone: what is on the boom of a digger does not care how
+//! the boom stands.
+
+use super::Interval;
+use super::carried::{Held, held};
+use super::claim::{Test, tests};
+use super::cone::Cutter;
+use crate::program::{BlockId, Op, Program, Value};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What must hold, and the motors that have a part in it.
+#[derive(Clone, Debug)]
+pub(super) struct Group {
+    /// By their numbers.
+    pub(super) motors: Vec<usize>,
+    /// What carries these loops stands still.
+    pub(super) held: Held,
+    /// In the order in which they are found.
+    pub(super) tests: Vec<(BlockId, Test)>,
+}
+
+impl Group {
+    /// These ranges, but for motors without a part: they stand where they are at the start.
+    pub(super) fn ranges(&self, program: &Program, ranges: &[Interval]) -> Vec<Interval> {
+        let all = ranges.iter().zip(&program.start.motors).enumerate();
+        let range = |(motor, (range, start)): (usize, (&Interval, &f64))| {
+            if self.motors.contains(&motor) {
+                *range
+            } else {
+                Interval::point(*start)
+            }
+        };
+        all.map(range).collect()
+    }
+}
+
+/// The tests of a program by their motors, the groups in the order of their first tests: all but those of loops that are free.
+pub(super) fn groups(program: &Program, free: &[BlockId]) -> Vec<Group> {
+    let cutter = Cutter::new(program);
+    let mut groups: Vec<Group> = Vec::new();
+    let mut loops: BTreeMap<BlockId, Held> = BTreeMap::new();
+    let tests = tests(program).into_iter();
+    for (block, test) in tests.filter(|(block, _)| !free.contains(block)) {
+        let held = loops.entry(block).or_insert_with(|| {
+            let closed = program.closed(block);
+            closed.map_or_else(Held::new, |closed| held(&cutter, closed))
+        });
+        let motors = motors(program, test.values(), held);
+        let same = |group: &&mut Group| group.motors == motors && group.held == *held;
+        match groups.iter_mut().find(same) {
+            Some(group) => group.tests.push((block, test)),
+            None => groups.push(Group {
+                motors,
+                held: held.clone(),
+                tests: vec![(block, test)],
+            }),
+        }
+    }
+    groups
+}
+
+/// The motors that have a part in a loop, by their numbers.
+pub(crate) fn motors_of(program: &Program, block: BlockId) -> Vec<usize> {
+    let values = program.nodes.iter().enumerate();
+    let own = values.filter(|(_, node)| node.block == block);
+    let own = own.map(|(index, _)| Value::at(index)).collect();
+    motors(program, own, &Held::new())
+}
+
+/// The motors of which some values are made, but for what is held.
+fn motors(program: &Program, values: Vec<Value>, held: &Held) -> Vec<usize> {
+    let mut waiting = values;
+    let mut seen: BTreeSet<Value> = BTreeSet::new();
+    let mut motors = BTreeSet::new();
+    while let Some(value) = waiting.pop() {
+        let is_held = held.iter().any(|(other, _)| *other == value);
+        if !is_held && seen.insert(value) {
+            let op = program.node(value).op;
+            if let Op::Motor(motor) = op {
+                motors.insert(motor);
+            }
+            waiting.extend(op.operands());
+        }
+    }
+    motors.into_iter().collect()
+}

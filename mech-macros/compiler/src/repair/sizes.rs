@@ -1,0 +1,60 @@
+//! Sizes of wheels that fit where their axes are.
+
+use crate::model::Ratio;
+use crate::structure::MeshTrouble;
+
+/// A wheel of fewer teeth than this is none.
+const FEWEST_TEETH: i64 = 12;
+/// Ratios are looked for among these numbers.
+const MOST_PARTS: i64 = 100;
+/// So exactly is a ratio met by whole numbers.
+const EXACT: f64 = 1e-9;
+
+/// What the sizes of a gear could be instead, the likely ones first: the same ratio, then one of the wheels as it is.
+pub(super) fn fitting(ratio: Ratio, trouble: MeshTrouble) -> Vec<Ratio> {
+    let distance = match trouble {
+        MeshTrouble::OneShaft => return Vec::new(),
+        MeshTrouble::SmallRing if ratio.turned_out().ring_is_small() => return Vec::new(),
+        MeshTrouble::SmallRing => return vec![ratio.turned_out()],
+        MeshTrouble::Distance { distance, .. } => distance,
+    };
+    let [a, b] = ratio.sizes();
+    let scale = distance / (a + b).abs();
+    let signed = |beside: f64| if a + b < 0.0 { -beside } else { beside };
+    let sizes = [
+        [a * scale, b * scale],
+        [a, signed(distance) - a],
+        [signed(distance) - b, b],
+    ];
+    let radii = sizes.map(|sizes| sizes.map(short));
+    let radii = radii.map(|[a, b]| Ratio::Radii(a, b));
+    let mut all: Vec<Ratio> = radii.into_iter().filter(is_gear).collect();
+    let place = all.len().min(1);
+    all.splice(place..place, teeth(a, b));
+    all
+}
+
+/// Whether there are two wheels, at most one of them a ring and that the larger.
+fn is_gear(ratio: &Ratio) -> bool {
+    let [a, b] = ratio.sizes();
+    let sizes = [a, b].iter().all(|size| size.is_normal());
+    sizes && (a > 0.0 || b > 0.0) && !ratio.ring_is_small()
+}
+
+/// Numbers of teeth of this ratio, if it is one of small numbers.
+fn teeth(a: f64, b: f64) -> Option<Ratio> {
+    let ratio = b / a;
+    let first = (1..=MOST_PARTS).find(|&first| {
+        let second = ratio * first as f64;
+        (second - second.round()).abs() <= EXACT && second.abs() <= MOST_PARTS as f64
+    })?;
+    let second = (ratio * first as f64).round() as i64;
+    let times = (FEWEST_TEETH + first.min(second.abs()) - 1) / first.min(second.abs());
+    let sign = if a < 0.0 { -1 } else { 1 };
+    Some(Ratio::Teeth(sign * first * times, sign * second * times))
+}
+
+/// A number as one would write it: four digits.
+fn short(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}

@@ -1,0 +1,130 @@
+//! Wheels fit where their axes are, or the error offers sizes that do.
+
+use mech_compiler::compile;
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::Model;
+use mech_compiler::structure::{Diagnosis, MeshTrouble};
+use mech_compiler::syntax::parse;
+use proptest::prelude::*;
+
+/// Two wheels on the ground, the axes as far apart as said.
+fn text(distance: [f64; 2], sizes: &str) -> String {
+    let [x, y] = distance;
+    format!(
+        "struct Gears; link pinion; link wheel;
+        ground {{ point a = (0.25, 0.5); point b = ({}, {}); }}
+        link pinion_arm {{ point tip = (0, 0); }}
+        joint a = revolute(ground, pinion) at (0.25, 0.5);
+        joint b = revolute(ground, wheel) at ({}, {});
+        joint c = weld(pinion, pinion_arm) at (1, 1);
+        joint mesh = gear(pinion, wheel, {sizes});
+        motor a;",
+        0.25 + x,
+        0.5 + y,
+        0.25 + x,
+        0.5 + y
+    )
+}
+
+fn model(text: &str) -> Model {
+    let parsed = parse(text.parse().expect("tokens"));
+    let texts: Vec<String> = parsed.errors.into_iter().map(|error| error.text).collect();
+    assert!(texts.is_empty(), "{texts:?}");
+    parsed.model
+}
+
+fn trouble(text: &str) -> Option<MeshTrouble> {
+    match compile(&model(text)).err()?.as_slice() {
+        [Diagnosis::NoMesh { trouble, .. }] => Some(*trouble),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Everything in backticks that is two sizes.
+fn offers(message: &str) -> Vec<String> {
+    let quoted = message.split('`').skip(1).step_by(2);
+    quoted
+        .filter(|text| text.contains(" : "))
+        .map(str::to_owned)
+        .collect()
+}
+
+/// How far the wheel turns with its pinion.
+fn turns(text: &str) -> f64 {
+    let compiled = compile(&model(text)).expect("wheels that mesh");
+    let mut machine = Machine::<f64>::new(&compiled.program);
+    let angle = |machine: &Machine<f64>| {
+        let pose = machine.position().poses[1];
+        f64::atan2(pose[1], pose[0])
+    };
+    let before = angle(&machine);
+    machine.move_to(&[0.01]).expect("it turns");
+    (angle(&machine) - before) / 0.01
+}
+
+/// The sizes of a text like `1.5 : -3.0`.
+fn sizes(text: &str) -> [f64; 2] {
+    let (a, b) = text.split_once(" : ").expect("two sizes");
+    [a, b].map(|size| size.parse().expect("a number"))
+}
+
+proptest! {
+    #[test]
+    fn radii_fit_where_they_add_up_to_the_distance(
+        way in prop::array::uniform2(0.5..4.0), share in 0.05..0.95,
+    ) {
+        let distance = f64::hypot(way[0], way[1]);
+        let (a, b) = (distance * share, distance * (1.0 - share));
+        prop_assert_eq!(trouble(&text(way, &format!("{a:?} : {b:?}"))), None);
+        // As rounded as a drawing.
+        prop_assert_eq!(trouble(&text(way, &format!("{a:.5} : {b:.5}"))), None);
+        // A ring around a wheel.
+        let (wheel, ring) = (a, a + distance);
+        prop_assert_eq!(trouble(&text(way, &format!("{wheel:?} : -{ring:?}"))), None);
+        prop_assert_eq!(trouble(&text(way, &format!("-{ring:?} : {wheel:?}"))), None);
+    }
+
+    #[test]
+    fn what_is_offered_meshes(
+        way in prop::array::uniform2(0.5..4.0), [a, b] in prop::array::uniform2(0.1..6.0), inside in any::<bool>(),
+    ) {
+        let distance = f64::hypot(way[0], way[1]);
+        let written = if inside { format!("{a:.2} : -{b:.2}") } else { format!("{a:.2} : {b:.2}") };
+        let [a, b] = sizes(&written);
+        prop_assume!(((a + b).abs() - distance).abs() > 0.01 && (a + b).abs() > 0.01);
+        let wrong = text(way, &written);
+        prop_assert!(trouble(&wrong).is_some());
+        let diagnoses = compile(&model(&wrong)).expect_err("it does not mesh");
+        let message = mech_compiler::reporter::text(&diagnoses[0], &model(&wrong));
+        let offers = offers(&message);
+        let small_ring = inside && a + b >= 0.0;
+        prop_assert!(!offers.is_empty() || small_ring, "{}", message);
+        for offer in offers {
+            let [first, second] = sizes(&offer);
+            let found = turns(&text(way, &offer));
+            prop_assert!((found + first / second).abs() < 1e-9, "{} turns by {}", offer, found);
+        }
+    }
+
+    #[test]
+    fn teeth_fit_at_any_distance(
+        way in prop::array::uniform2(0.01..400.0), [a, b] in prop::array::uniform2(1..90_u8),
+    ) {
+        prop_assert_eq!(trouble(&text(way, &format!("{a} : {b}"))), None);
+        if a != b {
+            let (wheel, ring) = (a.min(b), a.max(b));
+            prop_assert_eq!(trouble(&text(way, &format!("{wheel} : -{ring}"))), None);
+            let inside_out = trouble(&text(way, &format!("{ring} : -{wheel}")));
+            prop_assert_eq!(inside_out, Some(MeshTrouble::SmallRing));
+        }
+    }
+}
+
+#[test]
+fn wheels_on_one_shaft_do_not_mesh() {
+    for sizes in ["20 : 40", "1.0 : 2.0"] {
+        assert_eq!(trouble(&text([0.0; 2], sizes)), Some(MeshTrouble::OneShaft));
+    }
+    let belt = text([0.0; 2], "20 : 40").replace("gear(", "belt(");
+    assert_eq!(trouble(&belt), Some(MeshTrouble::OneShaft));
+}

@@ -1,0 +1,122 @@
+//! Ranges of several motors: what one motor alone moves is proved over that motor alone, wherever its carrier stands.
+
+use mech_compiler::compile;
+use mech_compiler::model::Model;
+use mech_compiler::reporter;
+use mech_compiler::structure::{Diagnosis, RangeTrouble};
+use mech_compiler::syntax::parse;
+use proptest::prelude::*;
+use std::fmt::Write as _;
+
+/// An arm of several links, each turned by a cylinder on the one before it, the first on the ground or on a turret.
+#[derive(Clone, Debug)]
+struct Digger {
+    turret: bool,
+    /// Of each link how long it is and how it leans, where on it its cylinder ends, and where on the one before it that begins.
+    links: Vec<([f64; 2], [f64; 2], [f64; 2])>,
+}
+
+/// Ends of the range of a cylinder.
+type Ends = [f64; 2];
+
+const NARROW: Ends = [-0.01, 0.01];
+
+impl Digger {
+    fn text(&self, ranges: &[Ends]) -> String {
+        let mut text = "struct Digger;\n".to_owned();
+        let mut carrier = "ground".to_owned();
+        if self.turret {
+            text += "link turret; joint t = revolute(ground, turret) at (0, -1); motor t;\n";
+            carrier = "turret".to_owned();
+        }
+        let mut pivot = [0.0, 0.0];
+        for (number, (&([length, lean], [along, beside], [back, below]), [low, high])) in
+            self.links.iter().zip(ranges).enumerate()
+        {
+            let (sin, cos) = lean.sin_cos();
+            let at = |x: f64, y: f64| [pivot[0] + cos * x - sin * y, pivot[1] + sin * x + cos * y];
+            let end = at(along * length, beside);
+            let begin = at(-back, -below);
+            let middle = [0.5 * (begin[0] + end[0]), 0.5 * (begin[1] + end[1])];
+            let way = [end[0] - begin[0], end[1] - begin[1]];
+            let _ = writeln!(
+                text,
+                "link l{number}; link c{number}; link r{number};
+                joint p{number} = revolute({carrier}, l{number}) at ({:?}, {:?});
+                joint b{number} = revolute({carrier}, c{number}) at ({:?}, {:?});
+                joint x{number} = prismatic(c{number}, r{number}) at ({:?}, {:?}) along ({:?}, {:?});
+                joint e{number} = revolute(r{number}, l{number}) at ({:?}, {:?});
+                motor x{number} in {low:?} ..= {high:?};",
+                pivot[0],
+                pivot[1],
+                begin[0],
+                begin[1],
+                middle[0],
+                middle[1],
+                way[0],
+                way[1],
+                end[0],
+                end[1],
+            );
+            pivot = at(length, 0.0);
+            carrier = format!("l{number}");
+        }
+        text
+    }
+}
+
+fn diggers() -> impl Strategy<Value = Digger> {
+    let link = (
+        [1.0..4.0_f64, -1.5..1.5],
+        [0.2..0.8_f64, 0.0..0.6],
+        [0.3..1.5_f64, 0.2..1.0],
+    );
+    (any::<bool>(), prop::collection::vec(link, 2..=4))
+        .prop_map(|(turret, links)| Digger { turret, links })
+}
+
+fn model(text: &str) -> Model {
+    let parsed = parse(text.parse().expect("tokens"));
+    assert!(parsed.errors.is_empty(), "{text}");
+    parsed.model
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn what_is_proved_of_each_cylinder_is_proved_of_all(
+        digger in diggers(), shares in prop::array::uniform4([0.1..0.95, 0.1..0.95]),
+    ) {
+        // As far as the triangle of pivot and cylinder lets it, by the law of cosines.
+        let ends = digger.links.iter().zip(shares).map(|(&([length, _], [along, beside], [back, below]), shares)| {
+            let [arm, base] = [f64::hypot(along * length, beside), f64::hypot(back, below)];
+            let own = f64::hypot(along * length + back, beside + below);
+            [shares[0] * ((arm - base).abs() - own), shares[1] * (arm + base - own)]
+        });
+        let ends: Vec<Ends> = ends.map(|[low, high]: Ends| [low.min(-0.001), high.max(0.001)]).collect();
+        for (one, own) in ends.iter().enumerate() {
+            let mut alone = vec![NARROW; ends.len()];
+            alone[one] = *own;
+            if let Err(wrong) = compile(&model(&digger.text(&alone))) {
+                // Then the error speaks of no motor that has no part in it.
+                for diagnosis in &wrong {
+                    let Diagnosis::Range { motor, trouble, .. } = diagnosis else {
+                        prop_assert!(false, "{:?}", diagnosis);
+                        unreachable!();
+                    };
+                    let others = match trouble {
+                        RangeTrouble::Blocked { others, .. } => others.len(),
+                        RangeTrouble::Undecided { between } => between.len() - 1,
+                        _ => 0,
+                    };
+                    let text = reporter::text(diagnosis, &model(&digger.text(&alone)));
+                    prop_assert_eq!(others, 0, "{} {:?}", text, motor);
+                }
+                return Err(TestCaseError::reject("it does not move so far"));
+            }
+        }
+        let all = compile(&model(&digger.text(&ends)));
+        prop_assert!(all.is_ok(), "{:?} {}", all.err(), digger.text(&ends));
+    }
+}
