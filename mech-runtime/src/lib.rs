@@ -4,8 +4,8 @@
 //! Everything begins with [`mechanism!`], whose documentation describes the language. It makes a struct; what a struct can
 //! do is also in the trait [`Mechanism`], for code that takes any. [`raster`] paints it.
 //!
-//! The crate is `no_std`, needs no allocator and has no `unsafe` code. Angles are in radians, lengths in scene units, y points
-//! up.
+//! The crate is `no_std`, needs no allocator and has no `unsafe` code. Large pictures are for the heap, with feature `std`: [`raster`]
+//! says what pictures take. Angles are in radians, lengths in scene units, y points up.
 #![cfg_attr(doctest, doc = include_str!("../../README.md"))]
 #![no_std]
 
@@ -46,6 +46,8 @@ pub use overlay::Overlay;
 pub use pose::Pose;
 pub use range::InRange;
 pub use raster::{Canvas, Frame, Palette, Smooth, Stage, View};
+#[cfg(feature = "std")]
+pub use raster::{HeapFrame, HeapSmooth, HeapStage};
 pub use rate::{Acceleration, Velocity};
 pub use scalar::Scalar;
 pub use shape::{Outline, Shape};
@@ -229,7 +231,8 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// Each is followed by `on plane n` and `color c`, which may be left out: plane 0, and a colour for each link. Planes are painted from
 /// the least to the greatest. `draw` paints them on any [`Canvas`]: a [`Frame`], a [`Smooth`], a [`Stage`], a file. `EXTENT` is the box
 /// that all of it needs for its whole motion, found at compile time; `picture()` gives an empty picture that looks at that, a `Frame`, or
-/// with `quality smooth;` a `Smooth`, whose edges are anti-aliased:
+/// with `quality smooth;` a `Smooth`, whose edges are anti-aliased. A large one would overflow the stack: `HeapFrame::of` and
+/// `HeapSmooth::of` make the same on the heap, of a size told at run time (feature `std`).
 ///
 /// ```
 /// mech_runtime::mechanism! {

@@ -7,7 +7,9 @@ use mech_gallery::{
     geared_piston::GearedPiston, jansen::JansenLeg, velocities::CouplerCurve, watt::Watt,
 };
 use mech_runtime::overlay::Arrows;
-use mech_runtime::{Canvas, Frame, Mechanism, Overlay, Palette, Smooth, View};
+use mech_runtime::{
+    Canvas, Frame, HeapFrame, HeapSmooth, Mechanism, Overlay, Palette, Smooth, View,
+};
 use std::path::PathBuf;
 
 const W: usize = 320;
@@ -51,17 +53,25 @@ fn compare(name: &str, file_of_it: &[u8], pixels: &[u8]) {
     assert_eq!(expected.len(), pixels.len());
 }
 
-/// Paints it in both qualities.
+/// Paints it in both qualities, in arrays and on the heap.
 fn looks(name: &str, view: View, paint: &Paint<'_>) {
     let mut frame = Box::new(Frame::<W, H>::new());
     frame.look_at(view);
     paint.on(&mut *frame);
+    let mut heap = HeapFrame::new(W, H).expect("it is small");
+    heap.look_at(view);
+    paint.on(&mut heap);
+    assert!(heap.pixels() == frame.pixels().as_flattened(), "{name}");
     let rgb = |entry: &u8| frame.palette().rgb(*entry);
     let pixels: Vec<u8> = frame.pixels().as_flattened().iter().flat_map(rgb).collect();
     compare(name, &frame.png().expect("a PNG"), &pixels);
     let mut smooth = Box::new(Smooth::<W, H>::new());
     smooth.look_at(view);
     paint.on(&mut *smooth);
+    let mut heap = HeapSmooth::new(W, H).expect("it is small");
+    heap.look_at(view);
+    paint.on(&mut heap);
+    assert!(heap.pixels() == smooth.pixels().as_flattened(), "{name}");
     let pixels = smooth
         .pixels()
         .as_flattened()

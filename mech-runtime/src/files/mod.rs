@@ -2,7 +2,7 @@
 //!
 //! | kind | of | by |
 //! |---|---|---|
-//! | PNG | a [`Frame`](crate::Frame) or [`Smooth`](crate::Smooth), or any [`Picture`] | [`Frame::png`](crate::Frame::png), [`Smooth::png`](crate::Smooth::png), [`Picture::write_png`] |
+//! | PNG | a [`Frame`](crate::Frame) or [`Smooth`](crate::Smooth), also on the heap, or any [`Picture`] | [`Frame::png`](crate::Frame::png), [`Smooth::png`](crate::Smooth::png), [`Picture::write_png`] |
 //! | animated GIF | frames with a palette | [`Gif`] |
 //! | animated PNG | frames with a palette, or pictures in true colour | [`Apng`] |
 //! | SVG | whatever draws on a [`Canvas`](crate::Canvas) | [`Svg`] |

@@ -1,10 +1,11 @@
 //! What is written to a file.
 
 use super::FileError;
-use crate::{Frame, Palette, Smooth};
+use crate::Palette;
+use crate::raster::{Grid, Indexed, Memory, Soft};
 
-/// A picture of any size, borrowed: entries of a palette, or true colours. A [`Frame`] is one, and
-/// so is a [`Smooth`].
+/// A picture of any size, borrowed: entries of a palette, or true colours. A [`Frame`](crate::Frame) is
+/// one, and so is a [`Smooth`](crate::Smooth); so are a [`HeapFrame`](crate::HeapFrame) and a [`HeapSmooth`](crate::HeapSmooth).
 ///
 /// ```
 /// use mech_runtime::Palette;
@@ -94,22 +95,22 @@ impl<'a> Picture<'a> {
     }
 }
 
-impl<'a, const W: usize, const H: usize> From<&'a Frame<W, H>> for Picture<'a> {
-    fn from(frame: &'a Frame<W, H>) -> Self {
-        let entries = frame.pixels().as_flattened();
+impl<'a, M: Memory> From<&'a Indexed<M>> for Picture<'a> {
+    fn from(frame: &'a Indexed<M>) -> Self {
+        let grid = frame.grid();
         Self {
-            size: [W, H],
-            pixels: Pixels::Indexed(entries, frame.palette()),
+            size: grid.size(),
+            pixels: Pixels::Indexed(grid.all(), frame.palette()),
         }
     }
 }
 
-impl<'a, const W: usize, const H: usize> From<&'a Smooth<W, H>> for Picture<'a> {
-    fn from(picture: &'a Smooth<W, H>) -> Self {
-        let pixels = picture.pixels().as_flattened();
+impl<'a, M: Memory> From<&'a Soft<M>> for Picture<'a> {
+    fn from(picture: &'a Soft<M>) -> Self {
+        let grid = picture.grid();
         Self {
-            size: [W, H],
-            pixels: Pixels::Rgba(pixels),
+            size: grid.size(),
+            pixels: Pixels::Rgba(grid.all()),
         }
     }
 }

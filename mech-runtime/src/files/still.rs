@@ -2,7 +2,7 @@
 
 use super::FileError;
 use super::picture::{Picture, Pixels};
-use crate::{Frame, Smooth};
+use crate::raster::{Indexed, Memory, Soft};
 use std::io::Write;
 use std::vec::Vec;
 
@@ -65,7 +65,7 @@ pub(super) fn compress<W: Write>(encoder: &mut png::Encoder<'_, W>, pixels: Pixe
     encoder.set_filter(png::Filter::NoFilter);
 }
 
-impl<const W: usize, const H: usize> Frame<W, H> {
+impl<M: Memory> Indexed<M> {
     /// The bytes of a PNG file of it: 8 bits a pixel, and the palette up to the last entry that is used. With feature `std`.
     ///
     /// ```
@@ -83,7 +83,7 @@ impl<const W: usize, const H: usize> Frame<W, H> {
     }
 }
 
-impl<const W: usize, const H: usize> Smooth<W, H> {
+impl<M: Memory> Soft<M> {
     /// The bytes of a PNG file of it, in true colour. With feature `std`.
     ///
     /// # Errors

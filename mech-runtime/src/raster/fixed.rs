@@ -6,8 +6,10 @@ use crate::{Real, Scalar};
 pub(super) const FRACTION: u32 = 40;
 /// Half a pixel.
 pub(super) const HALF: i64 = 1 << (FRACTION - 1);
-/// Positions beyond this many pixels are not kept as they are: a picture is never so large.
+/// Positions beyond this many pixels are not kept as they are: no picture is larger.
 pub(super) const FAR: i32 = 1 << 21;
+/// The most pixels a picture has in one direction.
+pub(super) const MOST: usize = 1 << 21;
 
 /// The first of the pixels `0..count` whose centre is at `position` or beyond; `count` if there is none.
 #[inline]

@@ -15,6 +15,18 @@
 //! below it: so shapes that share an edge leave no gap between them and paint no pixel twice. Whatever is not finite is
 //! not painted.
 //!
+//! # What pictures take
+//!
+//! | of a size known when compiled | of a size told at run time, on the heap | bytes a pixel | besides |
+//! |---|---|---|---|
+//! | [`Frame`] | `HeapFrame` | 1 | 0.8 KiB |
+//! | [`Smooth`] | `HeapSmooth` | 4 | 16 rows, and 2 KiB |
+//! | [`Stage`] | `HeapStage` | 2 | 2 KiB, and 40 bytes for each thing that it keeps account of |
+//!
+//! Those of a fixed size lie where they are put: in a variable, on the stack. Large ones overflow it, which cannot be caught: 1024 × 768
+//! pixels of a `Smooth` take 3.2 MB, and a thread has 2 MiB if nothing else is said. They can lie in a static. Those on the heap need
+//! feature `std`, and 3 KiB of stack. What is too large for memory is an error, `TooLarge`.
+//!
 //! With feature `embedded-graphics`, `raster::embedded` brings pictures to displays.
 
 mod arc;
@@ -29,6 +41,7 @@ mod fixed;
 mod font;
 mod frame;
 mod line;
+mod memory;
 mod paint;
 mod palette;
 mod polygon;
@@ -41,9 +54,20 @@ mod turn;
 mod view;
 
 pub use canvas::Canvas;
-pub use frame::Frame;
+#[cfg(feature = "std")]
+pub use frame::HeapFrame;
+pub use frame::{Frame, Indexed};
 pub use line::{bar, line};
+#[cfg(feature = "std")]
+pub(crate) use memory::Grid;
+pub use memory::{Array, Memory};
+#[cfg(feature = "std")]
+pub use memory::{Heap, TooLarge};
 pub use palette::Palette;
-pub use smooth::Smooth;
-pub use stage::{Area, Pass, Stage};
+#[cfg(feature = "std")]
+pub use smooth::HeapSmooth;
+pub use smooth::{Smooth, Soft};
+#[cfg(feature = "std")]
+pub use stage::HeapStage;
+pub use stage::{Area, Pass, Stage, Staged};
 pub use view::View;

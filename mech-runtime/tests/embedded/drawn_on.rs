@@ -35,7 +35,7 @@ impl DrawTarget for Plain {
     }
 }
 
-fn draw<D: DrawTarget<Color = Entry>>(target: &mut D) -> Result<(), D::Error> {
+pub(crate) fn draw<D: DrawTarget<Color = Entry>>(target: &mut D) -> Result<(), D::Error> {
     let filled = |entry| PrimitiveStyle::with_fill(Entry(entry));
     let framed = PrimitiveStyleBuilder::new()
         .fill_color(Entry(3))

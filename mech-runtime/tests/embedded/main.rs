@@ -1,6 +1,7 @@
 //! What the bridge to embedded-graphics promises: see the documentation of `raster::embedded`.
 
 mod drawn_on;
+mod heap;
 mod outlines;
 mod painted;
 mod panel;

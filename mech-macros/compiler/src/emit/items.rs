@@ -155,13 +155,13 @@ fn seen(
 ) -> TokenStream {
     let scalar = scalar(program);
     let links = Literal::usize_unsuffixed(program.poses.len());
-    let (picture, doc) = picture(model);
+    let [picture, doc] = picture(model);
     quote! {
                 /// The smallest upright box around all that is seen, wherever its motors move it: lower left and upper right
                 /// corner, in scene units.
                 #visibility const EXTENT: [[#scalar; 2]; 2] = known::EXTENT;
 
-                #[doc = #doc]
+                #doc
                 #[must_use]
                 #visibility fn picture<const W: usize, const H: usize>() -> #picture<{ W }, { H }> {
                     let mut picture = #picture::new();
@@ -183,16 +183,26 @@ fn seen(
 }
 
 /// The type of the pictures that it makes for itself, and what is said of them.
-pub(super) fn picture(model: &Model) -> (TokenStream, &'static str) {
+pub(super) fn picture(model: &Model) -> [TokenStream; 2] {
     match model.quality {
-        Quality::Hard => (
+        Quality::Hard => [
             quote!(Frame),
-            " An empty picture that looks at all of it, wherever its motors move it.",
-        ),
-        Quality::Smooth => (
+            quote! {
+                /// An empty picture that looks at all of it, wherever its motors move it.
+                ///
+                /// It takes `W` × `H` bytes on the stack, and 768 for its palette. For a large picture, which would overflow
+                /// the stack, `mech_runtime::HeapFrame::of` makes the same on the heap, with feature `std`.
+            },
+        ],
+        Quality::Smooth => [
             quote!(Smooth),
-            " An empty picture with soft edges that looks at all of it, wherever its motors move it.",
-        ),
+            quote! {
+                /// An empty picture with soft edges that looks at all of it, wherever its motors move it.
+                ///
+                /// It takes 4 × `W` × (`H` + 16) bytes on the stack, and 2 KiB besides. For a large picture, which would overflow
+                /// the stack, `mech_runtime::HeapSmooth::of` makes the same on the heap, with feature `std`.
+            },
+        ],
     }
 }
 

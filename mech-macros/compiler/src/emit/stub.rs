@@ -81,7 +81,7 @@ fn methods(
     let phases = model.motors.iter().map(|_| quote!(_));
     let at_time = at_time(krate, visibility, has_laws, (scalar, motors));
     let (names, types): (Vec<_>, Vec<_>) = accessors.into_iter().unzip();
-    let (picture, _) = super::items::picture(model);
+    let [picture, _] = super::items::picture(model);
     quote! {
     impl #name {
         #visibility const REPORT: &'static #krate::generated::str = "";

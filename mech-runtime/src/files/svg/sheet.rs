@@ -1,6 +1,7 @@
 //! What an SVG is drawn on.
 
-use crate::{Frame, Palette, Smooth, View};
+use crate::raster::{Indexed, Memory, Soft};
+use crate::{Palette, View};
 use core::fmt::Write;
 use std::{format, string::String};
 
@@ -86,18 +87,18 @@ impl Sheet {
 }
 
 /// Of the same size, with the same view and colours.
-impl<const W: usize, const H: usize> From<&Frame<W, H>> for Sheet {
-    fn from(frame: &Frame<W, H>) -> Self {
-        Self::new(W, H)
+impl<M: Memory> From<&Indexed<M>> for Sheet {
+    fn from(frame: &Indexed<M>) -> Self {
+        Self::new(frame.width(), frame.height())
             .look_at(frame.view())
             .palette(frame.palette().clone())
     }
 }
 
 /// Of the same size, with the same view and colours.
-impl<const W: usize, const H: usize> From<&Smooth<W, H>> for Sheet {
-    fn from(picture: &Smooth<W, H>) -> Self {
-        Self::new(W, H)
+impl<M: Memory> From<&Soft<M>> for Sheet {
+    fn from(picture: &Soft<M>) -> Self {
+        Self::new(picture.width(), picture.height())
             .look_at(picture.view())
             .palette(picture.palette().clone())
     }

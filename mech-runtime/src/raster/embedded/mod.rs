@@ -51,7 +51,7 @@
 //! Of a [`Stage`](super::Stage) a display needs to be sent only what has changed: `stage.frame().show_part(&mut display, &area.into(), rgb)` for
 //! each [area](super::Stage::changed). Drivers and panels: `docs/embedded.md` in the repository.
 //!
-//! A `Frame` is also a [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget) whose colours are [entries](Entry) of its palette:
+//! A `Frame`, also one on the heap, is a [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget) whose colours are [entries](Entry) of its palette:
 //! texts, primitives and images of embedded-graphics can be drawn on it beside the mechanism.
 
 mod entry;

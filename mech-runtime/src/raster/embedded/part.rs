@@ -7,15 +7,14 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
 /// The pixels of a picture that lie in a rectangle.
-pub(super) fn of(area: &Rectangle, width: usize, height: usize) -> Clip {
-    common([(*area, Point::zero())], width, height)
+pub(super) fn of(area: &Rectangle, size: [usize; 2]) -> Clip {
+    common([(*area, Point::zero())], size)
 }
 
 /// The pixels of a picture that lie in all these rectangles, each moved by so much.
 pub(super) fn common<const N: usize>(
     areas: [(Rectangle, Point); N],
-    width: usize,
-    height: usize,
+    [width, height]: [usize; 2],
 ) -> Clip {
     let columns = areas.map(|(area, way)| (area.top_left.x, way.x, area.size.width));
     let rows = areas.map(|(area, way)| (area.top_left.y, way.y, area.size.height));

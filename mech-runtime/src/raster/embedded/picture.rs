@@ -1,7 +1,8 @@
 //! Frames on displays.
 
 use super::part;
-use crate::Frame;
+use crate::raster::Indexed;
+use crate::raster::memory::{Grid, Memory};
 use crate::raster::spans::Clip;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
@@ -9,15 +10,15 @@ use embedded_graphics_core::image::ImageDrawable;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A frame in a display's colours, from [`Frame::image`]: embedded-graphics' `Image::new(&picture, point)` places it on a display.
+/// A frame in a display's colours, from [`Frame::image`](crate::Frame::image): embedded-graphics' `Image::new(&picture, point)` places it on a display.
 #[derive(Clone, Debug)]
-pub struct Picture<'f, C, const W: usize, const H: usize> {
-    frame: &'f Frame<W, H>,
+pub struct Picture<'f, C, M: Memory> {
+    frame: &'f Indexed<M>,
     /// Of each entry of the palette.
     colors: [C; 256],
 }
 
-impl<const W: usize, const H: usize> Frame<W, H> {
+impl<M: Memory> Indexed<M> {
     /// Shows the picture on a display, its upper left corner at the display's (0, 0), in one call of `fill_contiguous`. What does not
     /// go on the display is left out. `color` tells the display's colour from red, green and blue, once for each entry of the palette;
     /// [`rgb`](super::rgb) is one.
@@ -73,7 +74,7 @@ impl<const W: usize, const H: usize> Frame<W, H> {
     /// Image::new(&frame.image(rgb), Point::new(16, 16)).draw(&mut display)?;
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
-    pub fn image<C>(&self, color: impl Fn([u8; 3]) -> C) -> Picture<'_, C, W, H> {
+    pub fn image<C>(&self, color: impl Fn([u8; 3]) -> C) -> Picture<'_, C, M> {
         let entries = self.palette().entries();
         Picture {
             frame: self,
@@ -82,7 +83,7 @@ impl<const W: usize, const H: usize> Frame<W, H> {
     }
 }
 
-impl<C: PixelColor, const W: usize, const H: usize> Picture<'_, C, W, H> {
+impl<C: PixelColor, M: Memory> Picture<'_, C, M> {
     /// Puts a part of the picture on a display: what is at `origin` in the picture comes to the display's (0, 0).
     fn put<D: DrawTarget<Color = C>>(
         &self,
@@ -90,8 +91,9 @@ impl<C: PixelColor, const W: usize, const H: usize> Picture<'_, C, W, H> {
         part: &Rectangle,
         origin: Point,
     ) -> Result<(), D::Error> {
+        let grid = self.frame.grid();
         let areas = [(*part, Point::zero()), (display.bounding_box(), origin)];
-        let clip = part::common(areas, W, H);
+        let clip = part::common(areas, grid.size());
         let Clip {
             left,
             top,
@@ -105,23 +107,21 @@ impl<C: PixelColor, const W: usize, const H: usize> Picture<'_, C, W, H> {
         if clip.is_empty() {
             return Ok(());
         }
-        let rows = self.frame.pixels().get(top..bottom).unwrap_or_default();
-        let entries = rows
-            .iter()
-            .flat_map(|row| row.get(left..right).unwrap_or_default());
+        let rows = grid.rows(top..bottom);
+        let entries = rows.flat_map(|row| row.as_ref().get(left..right).unwrap_or_default());
         let colors = entries.map(|&entry| self.colors[usize::from(entry)]);
         let area = part::rectangle(Point::new(x, y), 0..bottom - top, 0..right - left);
         display.fill_contiguous(&area, colors)
     }
 }
 
-impl<C, const W: usize, const H: usize> OriginDimensions for Picture<'_, C, W, H> {
+impl<C, M: Memory> OriginDimensions for Picture<'_, C, M> {
     fn size(&self) -> Size {
         self.frame.size()
     }
 }
 
-impl<C: PixelColor, const W: usize, const H: usize> ImageDrawable for Picture<'_, C, W, H> {
+impl<C: PixelColor, M: Memory> ImageDrawable for Picture<'_, C, M> {
     type Color = C;
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {

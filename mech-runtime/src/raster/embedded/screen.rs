@@ -113,12 +113,12 @@ where
     F: Fn([u8; 3]) -> D::Color,
 {
     fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
-        let projection = self.view.projection(self.width, self.height);
+        let projection = self.view.projection([self.width, self.height]);
         self.paint(|strips| paint::outline(strips, projection, outline, pose, color));
     }
 
     fn text(&mut self, place: [T; 2], text: &str, color: u8) {
-        let place = self.view.projection(self.width, self.height).point(place);
+        let place = self.view.projection([self.width, self.height]).point(place);
         self.paint(|strips| paint::text(strips, place, text, color));
     }
 

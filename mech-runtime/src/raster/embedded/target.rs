@@ -2,7 +2,8 @@
 
 use super::Entry;
 use super::part;
-use crate::Frame;
+use crate::raster::Indexed;
+use crate::raster::memory::{Grid, Memory};
 use crate::raster::spans::{Clip, Spans};
 use core::convert::Infallible;
 use embedded_graphics_core::Pixel;
@@ -11,17 +12,17 @@ use embedded_graphics_core::geometry::{OriginDimensions, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
 /// In pixels.
-impl<const W: usize, const H: usize> OriginDimensions for Frame<W, H> {
+impl<M: Memory> OriginDimensions for Indexed<M> {
     fn size(&self) -> Size {
         // Larger ones overflow when embedded-graphics counts with them.
         let side = |pixels| i32::try_from(pixels).unwrap_or(i32::MAX).unsigned_abs();
-        Size::new(side(W), side(H))
+        Size::new(side(self.width()), side(self.height()))
     }
 }
 
 /// Colours are entries of the palette; what is outside is not drawn. (`clear` of the trait takes a colour and has to be called as
 /// `DrawTarget::clear(&mut frame, Entry(0))`, beside the frame's own.)
-impl<const W: usize, const H: usize> DrawTarget for Frame<W, H> {
+impl<M: Memory> DrawTarget for Indexed<M> {
     type Color = Entry;
     type Error = Infallible;
 
@@ -29,12 +30,12 @@ impl<const W: usize, const H: usize> DrawTarget for Frame<W, H> {
     where
         I: IntoIterator<Item = Pixel<Entry>>,
     {
-        let rows = self.pixels_mut();
+        let rows = self.grid_mut();
         for Pixel(point, Entry(entry)) in pixels {
             let (Ok(x), Ok(y)) = (usize::try_from(point.x), usize::try_from(point.y)) else {
                 continue;
             };
-            if let Some(pixel) = rows.get_mut(y).and_then(|row| row.get_mut(x)) {
+            if let Some(pixel) = rows.row_mut(y).and_then(|row| row.as_mut().get_mut(x)) {
                 *pixel = entry;
             }
         }
@@ -45,7 +46,7 @@ impl<const W: usize, const H: usize> DrawTarget for Frame<W, H> {
     where
         I: IntoIterator<Item = Entry>,
     {
-        let clip = part::of(area, W, H);
+        let clip = part::of(area, self.grid().size());
         if clip.is_empty() {
             return Ok(());
         }
@@ -60,9 +61,8 @@ impl<const W: usize, const H: usize> DrawTarget for Frame<W, H> {
         let outside = before(area.top_left.y) * width + before(area.top_left.x);
         skip(&mut colors, outside);
         let beside = width - (right - left) as u64;
-        let rows = self.pixels_mut().get_mut(top..bottom);
-        for row in rows.into_iter().flatten() {
-            let pixels = row.get_mut(left..right).unwrap_or_default();
+        for row in self.grid_mut().rows_mut(top..bottom) {
+            let pixels = row.as_mut().get_mut(left..right).unwrap_or_default();
             for (pixel, Entry(entry)) in pixels.iter_mut().zip(&mut colors) {
                 *pixel = entry;
             }
@@ -72,7 +72,7 @@ impl<const W: usize, const H: usize> DrawTarget for Frame<W, H> {
     }
 
     fn fill_solid(&mut self, area: &Rectangle, Entry(entry): Entry) -> Result<(), Infallible> {
-        let clip = part::of(area, W, H);
+        let clip = part::of(area, self.grid().size());
         let mut part = self.part(clip);
         for row in clip.top..clip.bottom {
             Spans::fill(&mut part, row, clip.left..clip.right, entry);
@@ -81,7 +81,7 @@ impl<const W: usize, const H: usize> DrawTarget for Frame<W, H> {
     }
 
     fn clear(&mut self, Entry(entry): Entry) -> Result<(), Infallible> {
-        self.pixels_mut().as_flattened_mut().fill(entry);
+        self.grid_mut().all_mut().fill(entry);
         Ok(())
     }
 }

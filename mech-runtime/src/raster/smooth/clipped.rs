@@ -39,10 +39,10 @@ impl<T: Scalar> Clipped<T> {
     }
 
     /// Adds what it covers in some rows, of which this is the first.
-    pub(super) fn cover<const W: usize>(
+    pub(super) fn cover<G: AsRef<[f32]> + AsMut<[f32]>>(
         &self,
         corners: &(impl Iterator<Item = [T; 2]> + Clone),
-        covers: &mut [Cover<W>],
+        covers: &mut [Cover<G>],
         top: usize,
     ) {
         let mut tail = self.last;
@@ -58,11 +58,11 @@ impl<T: Scalar> Clipped<T> {
 }
 
 /// Adds a side, from its upper end to its lower one.
-fn side<T: Scalar, const W: usize>(
+fn side<T: Scalar, G: AsRef<[f32]> + AsMut<[f32]>>(
     upper: [T; 2],
     lower: [T; 2],
     sign: f32,
-    covers: &mut [Cover<W>],
+    covers: &mut [Cover<G>],
     top: usize,
 ) {
     let rows = fixed::touched([upper[1], lower[1]], top + covers.len());

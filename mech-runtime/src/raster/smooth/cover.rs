@@ -6,18 +6,29 @@ use crate::raster::polygon::Rule;
 
 /// What the sides of a shape add in a row: the share of a pixel that is covered is the sum of all that is added up to it.
 #[derive(Clone)]
-pub(super) struct Cover<const W: usize> {
-    gains: [f32; W],
+pub(super) struct Cover<G> {
+    /// A number for each pixel.
+    gains: G,
     /// Where something is added.
     runs: Runs,
 }
 
-impl<const W: usize> Cover<W> {
-    pub(super) const fn new() -> Self {
+impl<G> Cover<G> {
+    /// Of a row of which nothing is covered: zero for each pixel.
+    pub(super) const fn new(gains: G) -> Self {
         Self {
-            gains: [0.0; W],
+            gains,
             runs: Runs::new(),
         }
+    }
+}
+
+impl<G: AsRef<[f32]> + AsMut<[f32]>> Cover<G> {
+    #[inline]
+    fn width(&self) -> f32 {
+        #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
+        let width = self.gains.as_ref().len() as f32;
+        width
     }
 
     /// Adds the part of a side that lies in the row, from one abscissa to another; everything to its right is covered by `gain`, its
@@ -25,8 +36,7 @@ impl<const W: usize> Cover<W> {
     #[inline]
     pub(super) fn add(&mut self, from: f32, to: f32, gain: f32) {
         let (left, right) = if from <= to { (from, to) } else { (to, from) };
-        #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
-        let width = W as f32;
+        let width = self.width();
         if left >= 0.0 && right < width {
             self.add_inside(left, right, gain);
         } else if right <= 0.0 {
@@ -52,7 +62,7 @@ impl<const W: usize> Cover<W> {
         let [first, last] = [left as u32, right as u32];
         #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
         let (x, y) = (left - first as f32, right - last as f32);
-        let Some(gains) = self.gains.get_mut(first as usize..) else {
+        let Some(gains) = self.gains.as_mut().get_mut(first as usize..) else {
             return;
         };
         if first == last {
@@ -64,41 +74,14 @@ impl<const W: usize> Cover<W> {
                 *here += gain - beyond;
             }
         } else {
-            Self::across(gains, [x, y], (right - left, last - first), gain);
-        }
-    }
-
-    /// Adds a side that leads through several pixels: from a place in the first to one in the last, and how far these are apart.
-    fn across(gains: &mut [f32], [x, y]: [f32; 2], (run, pixels): (f32, u32), gain: f32) {
-        // The share that is covered grows along the side as its square in the first and the last pixel, evenly between.
-        let slope = gain / run;
-        let mut covered = 0.5 * slope * (1.0 - x) * (1.0 - x);
-        let more = pixels as usize;
-        let mut pixels = gains.iter_mut().take(more + 2);
-        if let Some(pixel) = pixels.next() {
-            *pixel += covered;
-        }
-        let mut next = slope * (1.5 - x);
-        for pixel in pixels.by_ref().take(more - 1) {
-            *pixel += next - covered;
-            covered = next;
-            next += slope;
-        }
-        // In the last pixel all but what is beyond the side there; in the one after it, that too.
-        let beyond = 0.5 * slope * y * y;
-        if let Some(pixel) = pixels.next() {
-            *pixel += gain - beyond - covered;
-        }
-        if let Some(pixel) = pixels.next() {
-            *pixel += beyond;
+            across(gains, [x, y], (right - left, last - first), gain);
         }
     }
 
     /// Notes that something was added between two abscissas.
     #[inline]
     pub(super) fn touch(&mut self, from: f32, to: f32) {
-        #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
-        let width = W as f32;
+        let width = self.width();
         let (left, right) = if from <= to { (from, to) } else { (to, from) };
         if left < width {
             #[expect(
@@ -112,7 +95,13 @@ impl<const W: usize> Cover<W> {
 
     /// Gives the pixels of the row another colour, each as far as it is covered, and forgets what covers them.
     #[inline]
-    pub(super) fn settle(&mut self, rule: Rule, pixels: &mut [[u8; 4]; W], paint: [u8; 4]) {
+    pub(super) fn settle<R: AsMut<[[u8; 4]]> + ?Sized>(
+        &mut self,
+        rule: Rule,
+        pixels: &mut R,
+        paint: [u8; 4],
+    ) {
+        let (pixels, gains) = (pixels.as_mut(), self.gains.as_mut());
         let mut sum = 0.0;
         let mut end = 0;
         for (first, last) in self.runs.take() {
@@ -123,8 +112,8 @@ impl<const W: usize> Cover<W> {
                     paint,
                 );
             }
-            end = (last + 1).min(W);
-            let gains = self.gains.get_mut(first..end).unwrap_or_default();
+            end = (last + 1).min(gains.len());
+            let gains = gains.get_mut(first..end).unwrap_or_default();
             let pixels = pixels.get_mut(first..end).unwrap_or_default();
             for (pixel, gain) in pixels.iter_mut().zip(gains) {
                 sum += core::mem::take(gain);
@@ -140,6 +129,33 @@ impl<const W: usize> Cover<W> {
             share(rule, sum),
             paint,
         );
+    }
+}
+
+/// Adds a side that leads through several pixels: from a place in the first to one in the last, and how far these are apart.
+#[inline]
+fn across(gains: &mut [f32], [x, y]: [f32; 2], (run, pixels): (f32, u32), gain: f32) {
+    // The share that is covered grows along the side as its square in the first and the last pixel, evenly between.
+    let slope = gain / run;
+    let mut covered = 0.5 * slope * (1.0 - x) * (1.0 - x);
+    let more = pixels as usize;
+    let mut pixels = gains.iter_mut().take(more + 2);
+    if let Some(pixel) = pixels.next() {
+        *pixel += covered;
+    }
+    let mut next = slope * (1.5 - x);
+    for pixel in pixels.by_ref().take(more - 1) {
+        *pixel += next - covered;
+        covered = next;
+        next += slope;
+    }
+    // In the last pixel all but what is beyond the side there; in the one after it, that too.
+    let beyond = 0.5 * slope * y * y;
+    if let Some(pixel) = pixels.next() {
+        *pixel += gain - beyond - covered;
+    }
+    if let Some(pixel) = pixels.next() {
+        *pixel += beyond;
     }
 }
 

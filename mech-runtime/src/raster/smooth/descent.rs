@@ -40,7 +40,11 @@ impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Descent<'c, T, F> {
     }
 
     /// Adds what it covers between the borders of a row, to the right of it, with the sign of its way round.
-    pub(super) fn cover<const W: usize>(&mut self, [top, bottom]: [T; 2], cover: &mut Cover<W>) {
+    pub(super) fn cover<G: AsRef<[f32]> + AsMut<[f32]>>(
+        &mut self,
+        [top, bottom]: [T; 2],
+        cover: &mut Cover<G>,
+    ) {
         let sign = if self.tour.is_onward() { 1.0 } else { -1.0 };
         let mut y = top;
         while y < bottom

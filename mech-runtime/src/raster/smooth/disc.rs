@@ -1,11 +1,12 @@
 //! A circle within the margins of a picture, which are not looked at any more: first the rows in which its sides are steep, and the
 //! rows around its poles, pixel by pixel, if it is so large that these are flat.
 
-use super::Smooth;
+use super::Soft;
 use super::flank::{self, Flank};
 use super::mixing::{fill, in_255ths, mixed};
 use crate::Scalar;
 use crate::raster::fixed;
+use crate::raster::memory::{Grid, Memory};
 use core::ops::Range;
 use nalgebra::ComplexField;
 
@@ -58,17 +59,16 @@ impl<T: Scalar> Disc<T> {
     }
 
     /// Paints some of these rows.
-    pub(super) fn paint_steep<const W: usize, const H: usize>(
+    pub(super) fn paint_steep<M: Memory>(
         &self,
-        picture: &mut Smooth<W, H>,
+        picture: &mut Soft<M>,
         rows: Range<usize>,
         paint: [u8; 4],
     ) {
         let half = |border: usize| self.half(self.rise(border));
         let center = self.center[0].to_f32();
         let mut from = half(rows.start);
-        let places = picture.pixels.iter_mut().enumerate();
-        for (row, pixels) in places.skip(rows.start).take(rows.len()) {
+        for (row, pixels) in rows.clone().zip(picture.pixels.rows_mut(rows)) {
             let to = half(row + 1);
             let mean = 0.5 * (from + to);
             let bulge = self.bend / (mean * mean * mean);
@@ -91,15 +91,14 @@ impl<T: Scalar> Disc<T> {
     }
 
     /// Paints some rows around its poles.
-    pub(super) fn paint_poles<const W: usize, const H: usize>(
+    pub(super) fn paint_poles<M: Memory>(
         &self,
-        picture: &mut Smooth<W, H>,
+        picture: &mut Soft<M>,
         rows: Range<usize>,
         paint: [u8; 4],
     ) {
         let center = self.center[0].to_f32();
-        let places = picture.pixels.iter_mut().enumerate();
-        for (row, pixels) in places.skip(rows.start).take(rows.len()) {
+        for (row, pixels) in rows.clone().zip(picture.pixels.rows_mut(rows)) {
             let [one, other] = [row, row + 1].map(|border| self.rise(border).abs());
             let (near, far) = (one.min(other), one.max(other));
             #[expect(
@@ -117,6 +116,7 @@ impl<T: Scalar> Disc<T> {
             };
             // Where it is steep from border to border, all that is between is covered.
             let (left, right) = (left + 1, right.max(left + 1));
+            let pixels = pixels.as_mut();
             self.paint_columns(pixels, start..left, near, paint);
             if let Some(pixels) = pixels.get_mut(left..right) {
                 fill(pixels, paint);
@@ -127,9 +127,9 @@ impl<T: Scalar> Disc<T> {
 
     /// Gives some pixels of a row another colour, each as far as the circle is farther from its horizontal diameter than the nearer
     /// border of the row.
-    fn paint_columns<const W: usize>(
+    fn paint_columns(
         &self,
-        pixels: &mut [[u8; 4]; W],
+        pixels: &mut [[u8; 4]],
         columns: Range<usize>,
         near: f32,
         paint: [u8; 4],

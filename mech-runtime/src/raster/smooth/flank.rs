@@ -74,8 +74,8 @@ fn sum_to(end: f32) -> f32 {
 
 /// Gives what is between two flanks another colour, each pixel as far as it is covered; `false` if they share a pixel.
 #[inline]
-pub(super) fn fill_between<const W: usize>(
-    pixels: &mut [[u8; 4]; W],
+pub(super) fn fill_between<R: AsMut<[[u8; 4]]> + ?Sized>(
+    pixels: &mut R,
     [one, other]: [Flank; 2],
     paint: [u8; 4],
 ) -> bool {
@@ -88,7 +88,8 @@ pub(super) fn fill_between<const W: usize>(
         return false;
     }
     let [start, whole, border] = [left.first, left.end, right.first].map(|pixel| pixel as usize);
-    let end = W.min(right.end as usize);
+    let pixels = pixels.as_mut();
+    let end = pixels.len().min(right.end as usize);
     if let Some(pixels) = pixels.get_mut(start..whole) {
         left.paint(pixels, |beyond| beyond, paint);
     }

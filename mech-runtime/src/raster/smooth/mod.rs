@@ -11,10 +11,15 @@ mod runs;
 mod side;
 mod simple;
 
+use super::memory::{Array, Grid, Memory};
+#[cfg(feature = "std")]
+use super::memory::{Block, Heap, TooLarge, filled};
 use super::paint::{self, Fill};
 use super::polygon::Rule;
 use super::spans::{Clip, Spans};
 use super::{Canvas, Palette, View};
+#[cfg(feature = "std")]
+use crate::Mechanism;
 use crate::{Outline, Pose, Real, Scalar};
 use clipped::Clipped;
 use core::fmt;
@@ -23,6 +28,8 @@ use cover::Cover;
 use disc::Disc;
 use round::Round;
 use simple::Simple;
+#[cfg(feature = "std")]
+use std::vec::Vec;
 
 /// Rows of a polygon that are looked at together.
 const ROWS: usize = 16;
@@ -44,33 +51,69 @@ const ROWS: usize = 16;
 /// let [red, ..] = picture.pixel(28, 16).unwrap_or_default();
 /// assert!(0x2A < red && red < 0xFA); // between ink and paper
 /// ```
+///
+/// It takes four bytes a pixel, also for 16 rows that it does not show: 4 × `W` × (`H` + 16). To these come 768 bytes for its palette,
+/// 1.1 KiB for those rows, and its view. In a variable it lies on the stack. `Box::new(Smooth::new())` makes it there too, unless that
+/// is optimised away. A large picture overflows the stack: make it in a static, or as a `HeapSmooth` (feature `std`).
+///
+/// Besides the methods here it has those of every [`Soft`] picture.
+pub type Smooth<const W: usize, const H: usize> = Soft<Array<W, H>>;
+
+/// A [`Smooth`] of a size that is told at run time, on the heap: for pictures of any size. With feature `std`.
+///
+/// It takes four bytes a pixel on the heap, also for 16 rows that it does not show: 8.4 MB for 1920 × 1080 pixels. It is painted on as
+/// a `Smooth` is, and looks the same, pixel for pixel. What is farther right than 32,768 pixels may be less exact than 1/255. Besides
+/// the methods here it has those of every [`Soft`] picture.
+///
+/// ```
+/// use mech_runtime::{HeapSmooth, Mechanism, mechanism};
+///
+/// mechanism! {
+///     struct Arm;
+///     link upper { bar [(0, 0), (2, 0)] width 0.4; }
+///     link lower { bar [(2, 0), (3.5, 0)] width 0.3; }
+///     joint shoulder = revolute(ground, upper) at (0, 0);
+///     joint elbow = revolute(upper, lower) at (2, 0);
+///     motor shoulder; motor elbow;
+/// }
+/// let mut arm = Arm::new();
+/// arm.move_to([0.5, 1.0])?;
+/// let mut picture = HeapSmooth::of::<Arm>(1920, 1080)?; // looks at all that the arm reaches
+/// arm.draw(&mut picture);
+/// assert_eq!(picture.view(), Arm::view(1920, 1080));
+/// let file = picture.png()?; // for `std::fs::write("arm.png", file)`
+/// assert!(file.starts_with(b"\x89PNG"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[cfg(feature = "std")]
+pub type HeapSmooth = Soft<Heap>;
+
+/// A picture with soft edges, in true colour, with a view of the scene. With its pixels in an [`Array`] it is a [`Smooth`], with its
+/// pixels on the `Heap` a `HeapSmooth` (feature `std`).
 #[derive(Clone)]
-pub struct Smooth<const W: usize, const H: usize> {
-    pixels: [[[u8; 4]; W]; H],
+pub struct Soft<M: Memory> {
+    pixels: M::Pixels<[u8; 4]>,
     palette: Palette,
     view: View,
     /// Empty between two shapes.
-    covers: [Cover<W>; ROWS],
+    covers: [Cover<M::Gains>; ROWS],
 }
+
+/// What is seen where nothing is painted, until the palette is changed.
+const PAPER: [u8; 4] = Palette::TEXTBOOK.rgba(Palette::PAPER);
 
 impl<const W: usize, const H: usize> Smooth<W, H> {
     /// An empty picture, with the [textbook](Palette::TEXTBOOK) palette, that looks at the scene's origin with one pixel
     /// a unit.
     #[must_use]
     pub const fn new() -> Self {
-        let palette = Palette::TEXTBOOK;
+        let () = Array::<W, H>::IS_PAINTABLE;
         Self {
-            pixels: [[palette.rgba(Palette::PAPER); W]; H],
-            palette,
+            pixels: [[PAPER; W]; H],
+            palette: Palette::TEXTBOOK,
             view: View::new([0.0, 0.0], 1.0),
-            covers: [const { Cover::new() }; ROWS],
+            covers: [const { Cover::new([0.0; W]) }; ROWS],
         }
-    }
-
-    /// Paints everything in colour 0.
-    pub fn clear(&mut self) {
-        let paper = self.palette.rgba(Palette::PAPER);
-        self.pixels.as_flattened_mut().fill(paper);
     }
 
     /// The pixels: red, green, blue and opacity, row by row from the top.
@@ -78,11 +121,76 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
     pub const fn pixels(&self) -> &[[[u8; 4]; W]; H] {
         &self.pixels
     }
+}
+
+#[cfg(feature = "std")]
+impl HeapSmooth {
+    /// An empty picture so many pixels wide and high, with the [textbook](Palette::TEXTBOOK) palette, that looks at the scene's
+    /// origin with one pixel a unit. Either size may be zero.
+    ///
+    /// # Errors
+    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
+    pub fn new(width: usize, height: usize) -> Result<Self, TooLarge> {
+        let size = [width, height];
+        let pixels = Block::new(PAPER, size)?;
+        let mut covers = [const { Cover::new(Vec::new()) }; ROWS];
+        for cover in &mut covers {
+            *cover = Cover::new(filled(0.0, width).ok_or(TooLarge::Memory(size))?);
+        }
+        Ok(Self {
+            pixels,
+            palette: Palette::TEXTBOOK,
+            view: View::default(),
+            covers,
+        })
+    }
+
+    /// The same for a mechanism: it looks at all of it, wherever its motors move it.
+    ///
+    /// # Errors
+    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
+    pub fn of<A: Mechanism>(width: usize, height: usize) -> Result<Self, TooLarge> {
+        let mut picture = Self::new(width, height)?;
+        picture.look_at(A::view(width, height));
+        Ok(picture)
+    }
+
+    /// The pixels: red, green, blue and opacity, row by row from the top.
+    #[must_use]
+    pub fn pixels(&self) -> &[[u8; 4]] {
+        self.pixels.all()
+    }
+}
+
+impl<M: Memory> Soft<M> {
+    /// Paints everything in colour 0.
+    pub fn clear(&mut self) {
+        let paper = self.palette.rgba(Palette::PAPER);
+        self.pixels.all_mut().fill(paper);
+    }
+
+    /// How many pixels it is wide.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.pixels.size()[0]
+    }
+
+    /// How many pixels it is high.
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.pixels.size()[1]
+    }
+
+    /// What keeps the pixels.
+    #[cfg(feature = "std")]
+    pub(crate) const fn grid(&self) -> &M::Pixels<[u8; 4]> {
+        &self.pixels
+    }
 
     /// A pixel's red, green, blue and opacity; `x` counts from the left, `y` from the top.
     #[must_use]
     pub fn pixel(&self, x: usize, y: usize) -> Option<[u8; 4]> {
-        self.pixels.get(y)?.get(x).copied()
+        self.pixels.row(y)?.as_ref().get(x).copied()
     }
 
     /// The colours.
@@ -115,32 +223,33 @@ impl<const W: usize, const H: usize> Default for Smooth<W, H> {
 }
 
 /// The same pixels, colours and view.
-impl<const W: usize, const H: usize> PartialEq for Smooth<W, H> {
+impl<M: Memory> PartialEq for Soft<M> {
     fn eq(&self, other: &Self) -> bool {
         self.pixels == other.pixels && self.palette == other.palette && self.view == other.view
     }
 }
 
 /// Its size and view: nobody wants to read the pixels.
-impl<const W: usize, const H: usize> fmt::Debug for Smooth<W, H> {
+impl<M: Memory> fmt::Debug for Soft<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Smooth<{W}, {H}>")?;
+        let [width, height] = self.pixels.size();
+        write!(f, "{}Smooth<{width}, {height}>", M::PREFIX)?;
         f.debug_struct("")
             .field("view", &self.view)
             .finish_non_exhaustive()
     }
 }
 
-impl<T: Scalar, const W: usize, const H: usize> Canvas<T> for Smooth<W, H> {
+impl<T: Scalar, M: Memory> Canvas<T> for Soft<M> {
     fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
-        let projection = self.view.projection(W, H);
+        let projection = self.view.projection(self.pixels.size());
         paint::outline(self, projection, outline, pose, color);
     }
 
     fn text(&mut self, place: [T; 2], text: &str, color: u8) {
-        let place = self.view.projection(W, H).point(place);
+        let place = self.view.projection(self.pixels.size()).point(place);
         let mut dots = Dots {
-            rows: &mut self.pixels,
+            pixels: &mut self.pixels,
             palette: &self.palette,
         };
         paint::text(&mut dots, place, text, color);
@@ -151,11 +260,11 @@ impl<T: Scalar, const W: usize, const H: usize> Canvas<T> for Smooth<W, H> {
     }
 }
 
-impl<const W: usize, const H: usize> Smooth<W, H> {
+impl<M: Memory> Soft<M> {
     /// Paints a row by what covers it, and forgets that.
     #[inline]
     fn paint(&mut self, row: usize, place: usize, rule: Rule, paint: [u8; 4]) {
-        if let (Some(pixels), Some(cover)) = (self.pixels.get_mut(row), self.covers.get_mut(place))
+        if let (Some(pixels), Some(cover)) = (self.pixels.row_mut(row), self.covers.get_mut(place))
         {
             cover.settle(rule, pixels, paint);
         }
@@ -173,7 +282,7 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
             return;
         }
         let mut outer = Round::new(center, radius, rows.start, Self::FINENESS);
-        let holes = round::rows(center, hole, H);
+        let holes = round::rows(center, hole, self.height());
         let mut inner = None;
         for row in rows {
             let [cover, ..] = &mut self.covers;
@@ -193,7 +302,7 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
         rule: Rule,
         color: u8,
     ) {
-        let Some(clipped) = Clipped::new(corners, H) else {
+        let Some(clipped) = Clipped::new(corners, self.height()) else {
             return;
         };
         let paint = self.palette.rgba(color);
@@ -212,7 +321,7 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
     }
 }
 
-impl<const W: usize, const H: usize> Fill for Smooth<W, H> {
+impl<M: Memory> Fill for Soft<M> {
     // An error of a 512th of a pixel.
     const FINENESS: f32 = 50.3;
 
@@ -220,9 +329,9 @@ impl<const W: usize, const H: usize> Fill for Smooth<W, H> {
         if !(Real::is_finite(hole) && hole < radius) {
             return;
         }
-        let rows = round::rows(center, radius, H);
+        let rows = round::rows(center, radius, self.height());
         let paint = self.palette.rgba(color);
-        let Some(disc) = Disc::new(center, radius, W).filter(|_| hole <= T::ZERO) else {
+        let Some(disc) = Disc::new(center, radius, self.width()).filter(|_| hole <= T::ZERO) else {
             self.around(center, [radius, hole], rows, paint);
             return;
         };
@@ -246,7 +355,7 @@ impl<const W: usize, const H: usize> Fill for Smooth<W, H> {
         rule: Rule,
         color: u8,
     ) {
-        if let Some(simple) = Simple::new(corner, count, H) {
+        if let Some(simple) = Simple::new(corner, count, self.height()) {
             simple.paint(self, self.palette.rgba(color));
         } else {
             self.path_by(&(0..count).map(corner), rule, color);
@@ -259,19 +368,20 @@ impl<const W: usize, const H: usize> Fill for Smooth<W, H> {
 }
 
 /// Whole pixels of a picture.
-struct Dots<'f, const W: usize> {
-    rows: &'f mut [[[u8; 4]; W]],
+struct Dots<'f, G> {
+    pixels: &'f mut G,
     palette: &'f Palette,
 }
 
-impl<const W: usize> Spans for Dots<'_, W> {
+impl<G: Grid<[u8; 4]>> Spans for Dots<'_, G> {
     fn clip(&self) -> Clip {
-        Clip::all(W, self.rows.len())
+        let [width, height] = self.pixels.size();
+        Clip::all(width, height)
     }
 
     fn fill(&mut self, row: usize, columns: Range<usize>, color: u8) {
-        let row = self.rows.get_mut(row);
-        if let Some(pixels) = row.and_then(|row| row.get_mut(columns)) {
+        let row = self.pixels.row_mut(row);
+        if let Some(pixels) = row.and_then(|row| row.as_mut().get_mut(columns)) {
             pixels.fill(self.palette.rgba(color));
         }
     }

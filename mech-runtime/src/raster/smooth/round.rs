@@ -70,7 +70,12 @@ impl<T: Scalar> Round<T> {
     }
 
     /// Adds what it covers in a row, with a sign. Rows are asked for from the top.
-    pub(super) fn cover<const W: usize>(&mut self, row: usize, sign: f32, cover: &mut Cover<W>) {
+    pub(super) fn cover<G: AsRef<[f32]> + AsMut<[f32]>>(
+        &mut self,
+        row: usize,
+        sign: f32,
+        cover: &mut Cover<G>,
+    ) {
         let bottom = fixed::border::<T>(row + 1);
         let center = self.center[0];
         let (mut least, mut most) = (self.from[0], self.from[0]);

@@ -1,10 +1,11 @@
 //! Polygons whose corners go down once and up once, as those of every convex polygon do.
 
-use super::Smooth;
+use super::Soft;
 use super::descent::Descent;
 use super::flank::{self, Flank};
 use crate::raster::chain::Ways;
 use crate::raster::fixed;
+use crate::raster::memory::{Grid, Memory};
 use crate::raster::polygon::Rule;
 use crate::raster::tour::Tour;
 use crate::{Real, Scalar};
@@ -50,11 +51,8 @@ impl<'c, F> Simple<'c, F> {
     }
 
     /// Paints it row by row.
-    pub(super) fn paint<T: Scalar, const W: usize, const H: usize>(
-        &self,
-        picture: &mut Smooth<W, H>,
-        paint: [u8; 4],
-    ) where
+    pub(super) fn paint<T: Scalar, M: Memory>(&self, picture: &mut Soft<M>, paint: [u8; 4])
+    where
         F: Fn(usize) -> [T; 2],
     {
         let descent = |is_onward| {
@@ -90,14 +88,14 @@ fn whole_until<T: Scalar, F: Fn(usize) -> [T; 2]>(
 }
 
 /// Paints rows that one side each crosses from border to border.
-fn between_sides<T: Scalar, F: Fn(usize) -> [T; 2], const W: usize, const H: usize>(
-    picture: &mut Smooth<W, H>,
+fn between_sides<T: Scalar, F: Fn(usize) -> [T; 2], M: Memory>(
+    picture: &mut Soft<M>,
     ways: &mut [Descent<'_, T, F>; 2],
     rows: Range<usize>,
     paint: [u8; 4],
 ) {
     #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
-    let width = W as f32;
+    let width = picture.width() as f32;
     let mut y = fixed::border::<T>(rows.start);
     let [one, other] = ways;
     let (Some(one), Some(other)) = (one.side_from(y), other.side_from(y)) else {
@@ -112,7 +110,7 @@ fn between_sides<T: Scalar, F: Fn(usize) -> [T; 2], const W: usize, const H: usi
         let other = Flank::new(from[1], to[1], width);
         from = to;
         if let (Some(one), Some(other)) = (one, other)
-            && let Some(pixels) = picture.pixels.get_mut(row)
+            && let Some(pixels) = picture.pixels.row_mut(row)
             && flank::fill_between(pixels, [one, other], paint)
         {
             continue;
@@ -122,8 +120,8 @@ fn between_sides<T: Scalar, F: Fn(usize) -> [T; 2], const W: usize, const H: usi
 }
 
 /// Paints a row by what the sides in it cover.
-fn by_cover<T: Scalar, F: Fn(usize) -> [T; 2], const W: usize, const H: usize>(
-    picture: &mut Smooth<W, H>,
+fn by_cover<T: Scalar, F: Fn(usize) -> [T; 2], M: Memory>(
+    picture: &mut Soft<M>,
     ways: &mut [Descent<'_, T, F>; 2],
     row: usize,
     paint: [u8; 4],

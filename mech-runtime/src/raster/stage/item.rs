@@ -2,10 +2,12 @@
 
 use super::area::Areas;
 use crate::raster::spans::Clip;
+#[cfg(feature = "std")]
+use std::vec::Vec;
 
 /// One thing that is painted.
 #[derive(Clone, Copy)]
-pub(super) struct Item {
+pub struct Item {
     /// All that it is made of, in pixels, as one number: two things that differ have the same one time in 10¹⁹.
     pub(super) mark: u64,
     /// Where it is seen at most.
@@ -13,16 +15,41 @@ pub(super) struct Item {
 }
 
 impl Item {
-    const NONE: Self = Self {
+    pub(super) const NONE: Self = Self {
         mark: 0,
         clip: Clip::none(),
     };
 }
 
+/// Places for things.
+pub trait Places: AsRef<[Item]> {
+    /// The place of this number, if there is one.
+    fn place(&mut self, number: usize) -> Option<&mut Item>;
+}
+
+/// As many as there are.
+impl<const N: usize> Places for [Item; N] {
+    #[inline]
+    fn place(&mut self, number: usize) -> Option<&mut Item> {
+        self.get_mut(number)
+    }
+}
+
+/// As many as are asked for one after the other, while there is memory.
+#[cfg(feature = "std")]
+impl Places for Vec<Item> {
+    fn place(&mut self, number: usize) -> Option<&mut Item> {
+        if number == self.len() && self.try_reserve(1).is_ok() {
+            self.push(Item::NONE);
+        }
+        self.get_mut(number)
+    }
+}
+
 /// The things that were painted last, those beyond the last place together.
 #[derive(Clone)]
-pub(super) struct Items<const N: usize> {
-    kept: [Item; N],
+pub(super) struct Items<P> {
+    kept: P,
     /// How many there were, and how many there are now.
     before: usize,
     now: usize,
@@ -33,10 +60,11 @@ pub(super) struct Items<const N: usize> {
     rest: Item,
 }
 
-impl<const N: usize> Items<N> {
-    pub(super) const fn new() -> Self {
+impl<P> Items<P> {
+    /// None yet, with places for some.
+    pub(super) const fn new(places: P) -> Self {
         Self {
-            kept: [Item::NONE; N],
+            kept: places,
             before: 0,
             now: 0,
             alike: 0,
@@ -44,7 +72,9 @@ impl<const N: usize> Items<N> {
             rest: Item::NONE,
         }
     }
+}
 
+impl<P: Places> Items<P> {
     /// Now they are told again.
     pub(super) const fn begin(&mut self) {
         self.before = self.now;
@@ -55,7 +85,7 @@ impl<const N: usize> Items<N> {
 
     /// The next one: where it has changed, what it leaves and what it covers has to be painted again.
     pub(super) fn tell(&mut self, item: Item, changed: &mut Areas) {
-        if let Some(place) = self.kept.get_mut(self.now) {
+        if let Some(place) = self.kept.place(self.now) {
             let is_new = self.now >= self.before;
             let old = core::mem::replace(place, item);
             if is_new {
@@ -76,7 +106,8 @@ impl<const N: usize> Items<N> {
 
     /// That was all: gives how many of the first are as before, and have a place of their own.
     pub(super) fn end(&self, changed: &mut Areas) -> usize {
-        let gone = self.kept.get(self.now..self.before.min(N));
+        let kept = self.kept.as_ref();
+        let gone = kept.get(self.now..self.before.min(kept.len()));
         for item in gone.unwrap_or_default() {
             changed.add(item.clip);
         }
@@ -89,7 +120,7 @@ impl<const N: usize> Items<N> {
 
     /// Where the thing of this number is seen at most.
     pub(super) fn clip(&self, number: usize) -> Clip {
-        self.kept.get(number).unwrap_or(&self.rest).clip
+        self.kept.as_ref().get(number).unwrap_or(&self.rest).clip
     }
 }
 

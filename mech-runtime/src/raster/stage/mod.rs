@@ -6,14 +6,23 @@ mod item;
 mod pass;
 
 pub use area::Area;
+pub(super) use item::{Item, Places};
 pub use pass::Pass;
 
-use super::spans::Clip;
-use super::{Frame, Palette, View};
+#[cfg(feature = "std")]
+use super::HeapFrame;
+use super::memory::{Array, Memory};
+#[cfg(feature = "std")]
+use super::memory::{Heap, TooLarge};
+use super::{Frame, Indexed, Palette, View};
+#[cfg(feature = "std")]
+use crate::Mechanism;
 use area::Areas;
 use core::fmt;
 use item::Items;
 use pass::Task;
+#[cfg(feature = "std")]
+use std::vec::Vec;
 
 /// A [`Frame`] in which something moves: of each moment only those rectangles are painted again in which something has changed. It looks
 /// as though everything were painted, pixel for pixel.
@@ -45,36 +54,100 @@ use pass::Task;
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///
-/// It is two frames large: 8 KiB in the example, 113 KiB for 240 × 240 pixels.
+/// It takes two frames, 0.5 KiB, and 40 bytes for each of the `N` things (24 where addresses have 32 bits). These are 12.5 KiB in the
+/// example, 117 KiB for 240 × 240 pixels. In a variable it lies on the stack. `Box::new(Stage::new())` makes it there too, unless that
+/// is optimised away. A large one overflows the stack: make it in a static, or as a `HeapStage` (feature `std`).
+///
+/// Besides the method here it has those of every [`Staged`] picture.
+pub type Stage<const W: usize, const H: usize, const N: usize = 64> = Staged<Array<W, H>, N>;
+
+/// A [`Stage`] of a size that is told at run time, on the heap: for pictures of any size. With feature `std`.
+///
+/// It takes two frames on the heap, two bytes a pixel: 4.1 MB for 1920 × 1080 pixels. To these come 40 bytes for each thing that is
+/// painted: it keeps account of all. It is used as a `Stage` is, and looks the same, pixel for pixel. Besides the methods here it has
+/// those of every [`Staged`] picture.
+///
+/// ```
+/// use mech_runtime::{HeapStage, Mechanism, mechanism};
+///
+/// mechanism! {
+///     struct Crank;
+///     link crank { bar [(0, 0), (2, 0)] width 0.4; }
+///     joint a = revolute(ground, crank) at (0, 0);
+///     motor a;
+/// }
+/// let mut crank = Crank::new();
+/// let mut stage = HeapStage::of::<Crank>(1920, 1080)?;
+/// stage.show(|canvas| crank.draw(canvas));
+/// crank.move_to([0.1])?;
+/// stage.show(|canvas| crank.draw(canvas));
+/// assert!(stage.changed().all(|area| area.width < 1000)); // only where the crank is, and was
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[cfg(feature = "std")]
+pub type HeapStage = Staged<Heap, 0>;
+
+/// A picture in which something moves. With its pixels in an [`Array`] it is a [`Stage`], with its pixels on the `Heap` a `HeapStage`
+/// (feature `std`).
 #[derive(Clone)]
-pub struct Stage<const W: usize, const H: usize, const N: usize = 64> {
-    frame: Frame<W, H>,
+pub struct Staged<M: Memory, const N: usize> {
+    frame: Indexed<M>,
     /// What the first things paint that stand still, and how many these are.
-    ground: Frame<W, H>,
+    ground: Indexed<M>,
     still: usize,
-    items: Items<N>,
+    items: Items<M::Places<N>>,
     /// Whether the frame shows these things already.
     is_shown: bool,
     changed: Areas,
 }
 
 impl<const W: usize, const H: usize, const N: usize> Stage<W, H, N> {
-    /// An empty picture, as [`Frame::new`] gives it.
+    /// An empty picture, as [`Frame::new`](super::Frame::new) gives it.
     #[must_use]
     pub const fn new() -> Self {
         Self {
             frame: Frame::new(),
             ground: Frame::new(),
             still: 0,
-            items: Items::new(),
+            items: Items::new([Item::NONE; N]),
             is_shown: false,
             changed: Areas::new(),
         }
     }
+}
 
+#[cfg(feature = "std")]
+impl HeapStage {
+    /// An empty picture, as [`HeapFrame::new`](super::HeapFrame::new) gives it.
+    ///
+    /// # Errors
+    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
+    pub fn new(width: usize, height: usize) -> Result<Self, TooLarge> {
+        Ok(Self {
+            frame: HeapFrame::new(width, height)?,
+            ground: HeapFrame::new(width, height)?,
+            still: 0,
+            items: Items::new(Vec::new()),
+            is_shown: false,
+            changed: Areas::new(),
+        })
+    }
+
+    /// The same for a mechanism: it looks at all of it, wherever its motors move it.
+    ///
+    /// # Errors
+    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
+    pub fn of<A: Mechanism>(width: usize, height: usize) -> Result<Self, TooLarge> {
+        let mut stage = Self::new(width, height)?;
+        stage.look_at(A::view(width, height));
+        Ok(stage)
+    }
+}
+
+impl<M: Memory, const N: usize> Staged<M, N> {
     /// What is seen.
     #[must_use]
-    pub const fn frame(&self) -> &Frame<W, H> {
+    pub const fn frame(&self) -> &Indexed<M> {
         &self.frame
     }
 
@@ -90,8 +163,8 @@ impl<const W: usize, const H: usize, const N: usize> Stage<W, H, N> {
     }
 
     /// Shows what `paint` paints, on colour 0. It is called several times, and has to paint the same each time.
-    pub fn show(&mut self, paint: impl Fn(&mut Pass<'_, W, H, N>)) {
-        let all = Clip::all(W, H);
+    pub fn show(&mut self, paint: impl Fn(&mut Pass<'_, M, N>)) {
+        let all = self.frame.whole();
         self.changed = Areas::new();
         self.items.begin();
         self.pass(Task::Compare, &paint);
@@ -131,7 +204,7 @@ impl<const W: usize, const H: usize, const N: usize> Stage<W, H, N> {
         self.still = 0;
     }
 
-    fn pass(&mut self, task: Task, paint: &impl Fn(&mut Pass<'_, W, H, N>)) {
+    fn pass(&mut self, task: Task, paint: &impl Fn(&mut Pass<'_, M, N>)) {
         let view = self.frame.view();
         let frame = match task {
             Task::Ground(_) => &mut self.ground,
@@ -149,9 +222,10 @@ impl<const W: usize, const H: usize, const N: usize> Default for Stage<W, H, N> 
 }
 
 /// What is seen.
-impl<const W: usize, const H: usize, const N: usize> fmt::Debug for Stage<W, H, N> {
+impl<M: Memory, const N: usize> fmt::Debug for Staged<M, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Stage")
+        write!(f, "{}Stage", M::PREFIX)?;
+        f.debug_struct("")
             .field("frame", &self.frame)
             .finish_non_exhaustive()
     }

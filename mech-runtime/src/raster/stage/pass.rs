@@ -3,8 +3,9 @@
 use super::area::Areas;
 use super::extent::Extent;
 use super::item::Items;
+use crate::raster::memory::{Grid, Memory};
 use crate::raster::spans::Clip;
-use crate::raster::{Canvas, Frame, View, paint};
+use crate::raster::{Canvas, Indexed, View, paint};
 use crate::{Outline, Pose, Real, Scalar};
 use core::ops::Range;
 
@@ -20,21 +21,21 @@ pub(super) enum Task {
 }
 
 /// The [`Canvas`] on which a [`Stage`](super::Stage) lets things be painted.
-pub struct Pass<'s, const W: usize, const H: usize, const N: usize> {
-    frame: &'s mut Frame<W, H>,
+pub struct Pass<'s, M: Memory, const N: usize> {
+    frame: &'s mut Indexed<M>,
     view: View,
-    items: &'s mut Items<N>,
+    items: &'s mut Items<M::Places<N>>,
     changed: &'s mut Areas,
     task: Task,
     /// The number of the next thing.
     next: usize,
 }
 
-impl<'s, const W: usize, const H: usize, const N: usize> Pass<'s, W, H, N> {
+impl<'s, M: Memory, const N: usize> Pass<'s, M, N> {
     pub(super) fn new(
-        frame: &'s mut Frame<W, H>,
+        frame: &'s mut Indexed<M>,
         view: View,
-        items: &'s mut Items<N>,
+        items: &'s mut Items<M::Places<N>>,
         changed: &'s mut Areas,
         task: Task,
     ) -> Self {
@@ -54,7 +55,7 @@ impl<'s, const W: usize, const H: usize, const N: usize> Pass<'s, W, H, N> {
         self.next += 1;
         let within = match &self.task {
             Task::Compare => return None,
-            Task::Ground(numbers) => numbers.contains(&number).then_some(Clip::all(W, H)),
+            Task::Ground(numbers) => numbers.contains(&number).then(|| self.frame.whole()),
             Task::Paint(first, within) => (number >= *first).then_some(*within),
         };
         let clip = within?.and(self.items.clip(number));
@@ -62,11 +63,12 @@ impl<'s, const W: usize, const H: usize, const N: usize> Pass<'s, W, H, N> {
     }
 }
 
-impl<T: Scalar, const W: usize, const H: usize, const N: usize> Canvas<T> for Pass<'_, W, H, N> {
+impl<T: Scalar, M: Memory, const N: usize> Canvas<T> for Pass<'_, M, N> {
     fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
-        let projection = self.view.projection::<T>(W, H);
+        let size = self.frame.grid().size();
+        let projection = self.view.projection::<T>(size);
         if matches!(self.task, Task::Compare) {
-            let item = Extent::of_outline(projection, outline, pose, color).item([W, H]);
+            let item = Extent::of_outline(projection, outline, pose, color).item(size);
             self.items.tell(item, self.changed);
         } else if let Some(clip) = self.clip() {
             let mut part = self.frame.part(clip);
@@ -75,9 +77,10 @@ impl<T: Scalar, const W: usize, const H: usize, const N: usize> Canvas<T> for Pa
     }
 
     fn text(&mut self, place: [T; 2], text: &str, color: u8) {
-        let place = self.view.projection::<T>(W, H).point(place);
+        let size = self.frame.grid().size();
+        let place = self.view.projection::<T>(size).point(place);
         if matches!(self.task, Task::Compare) {
-            let item = Extent::of_text(place, text, color).item([W, H]);
+            let item = Extent::of_text(place, text, color).item(size);
             self.items.tell(item, self.changed);
         } else if let Some(clip) = self.clip() {
             paint::text(&mut self.frame.part(clip), place, text, color);
