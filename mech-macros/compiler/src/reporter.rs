@@ -3,6 +3,7 @@
 mod assembly;
 mod cam;
 mod carrier;
+mod drawing;
 mod exactness;
 mod held;
 mod names;
@@ -10,6 +11,7 @@ mod order;
 mod params;
 mod range;
 mod repairs;
+mod start;
 mod wording;
 
 use crate::model::{JointId, LinkId, Model, MotorId, Origin};
