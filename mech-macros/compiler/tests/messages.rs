@@ -159,7 +159,7 @@ fn the_start_of_a_joint_that_follows_is_offered_as_an_assembly() {
         assert_eq!(spot, (6, 30), "{told}");
         let offer = between(&told, "write `", "` instead");
         compiles(&FOUR_BAR.replace("START", offer));
-        let at = between(&told, "nearest to it, at ", " deg");
+        let at = between(&told, "is at ", " deg");
         let wanted = between(start, "= ", " deg")
             .parse::<f64>()
             .expect("a number");

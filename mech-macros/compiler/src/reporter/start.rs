@@ -63,7 +63,7 @@ impl Words<'_> {
             .map(|(link, angle)| format!("{} near {angle} deg;", self.model.link(*link).name));
         let clauses: Vec<_> = clauses.collect();
         format!(
-            "\nhelp: write `{}` instead: of all assemblies, that has {} nearest to it, at {}",
+            "\nhelp: write `{}` instead: then {} is at {}, as near as an assembly has it",
             clauses.join(" "),
             self.joint(joint),
             self.shown(joint, value)
