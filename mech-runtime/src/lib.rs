@@ -105,7 +105,8 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// Links may be given in frames of their own, with named axes, as above; joints make axes coincide, and where that leaves
 /// several assemblies, `near` says which one is meant. Or a mechanism is declared as in a drawing: links without axes, and
 /// joints placed in the scene. The frame of such a link is the scene's at the start, its points and shapes are given in
-/// scene coordinates, and the coordinate of every joint so placed is 0 at the start:
+/// scene coordinates, and the coordinate of every joint so placed is 0 at the start. One `at` suffices: from then on the link's own
+/// points and lines are in scene coordinates, too, and the law of a cam whose follower is so placed is 0 at the start:
 ///
 /// ```
 /// mech_runtime::mechanism! {
@@ -217,7 +218,8 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// ```
 ///
 /// Numbers and laws are made of `+ - * / ( )`, `PI`, constants, `deg` after a number, `sqrt`, `sin`, `cos`, `tan`, `atan`, `exp`,
-/// `abs`, `min` and `max`.
+/// `abs`, `min` and `max`. A number has no type and no other unit. An angle without `deg` is in radians: a start of more than a turn in
+/// plain digits, such as `60`, is an error. Constants of Rust cannot be seen; declare them in the mechanism by `const`.
 ///
 /// # Shapes and pictures
 ///

@@ -3,6 +3,7 @@
 mod assembly;
 mod cam;
 mod carrier;
+mod drawing;
 mod exactness;
 mod held;
 mod mesh;
@@ -11,6 +12,7 @@ mod order;
 mod params;
 mod range;
 mod repairs;
+mod start;
 mod wording;
 
 use crate::model::{JointId, LinkId, Model, MotorId, Origin};

@@ -11,6 +11,7 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+pub mod colors;
 pub mod contraction;
 pub mod dense;
 pub mod journey;

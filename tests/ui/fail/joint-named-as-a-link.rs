@@ -16,7 +16,10 @@ mechanism! {
     joint d = revolute(ground.p, rocker.shaft);
 
     motor a;
-    start { a = 60 deg; coupler near 30 deg; }
+    motor rocker;
+    start { a = 60 deg; rocker = 30 deg; coupler near 30 deg; }
+    spring s = torsional(rocker) stiffness 1;
+    show rocker;
 }
 
 fn main() {}

@@ -38,31 +38,8 @@ impl Words<'_> {
                     .map_or(self.model.origin, |link| self.model.link(*link).origin);
                 (origin, self.several(links, angles))
             }
-            Diagnosis::NotAsDrawn { link } => (
-                self.model.link(*link).origin,
-                format!(
-                    "link {} cannot stay where it is drawn{}\nhelp: draw it where those lengths lead, or change them to fit \
-                     the drawing",
-                    self.link(*link),
-                    self.not_drawn()
-                ),
-            ),
-            Diagnosis::StartNotFree { joint } => {
-                let value = self
-                    .model
-                    .start
-                    .values
-                    .iter()
-                    .find(|value| value.joint == *joint);
-                let (_, end) = self.model.ends(*joint);
-                let text = self.start_by_cam(*joint).unwrap_or_else(|| format!(
-                    "joint {} has no motor and nothing that rolls drives it: where it starts follows from the others\nhelp: to pick one \
-                     of several assemblies, write `{} near ANGLE;`",
-                    self.joint(*joint),
-                    self.model.link(end).name
-                ));
-                (value.map_or(self.model.origin, |value| value.origin), text)
-            }
+            Diagnosis::NotAsDrawn { link } => self.not_as_drawn(*link),
+            Diagnosis::StartNotFree { joint } => self.start_not_free(*joint),
             _ => (self.model.origin, String::new()),
         }
     }
@@ -111,25 +88,5 @@ impl Words<'_> {
         format!(
             "the mechanism can be assembled in {count} ways; `near` says which one is meant{shown}{more}"
         )
-    }
-
-    /// The links that are not in the drawing, as the reason why one that is cannot stay.
-    fn not_drawn(&self) -> String {
-        let links: Vec<LinkId> = self
-            .model
-            .declared_links()
-            .filter(|&link| !self.model.link(link).drawn)
-            .collect();
-        match links[..] {
-            [] => String::new(),
-            [_] => format!(
-                ": {}, which has lengths of its own, does not fit",
-                self.links(&links)
-            ),
-            _ => format!(
-                ": {}, which have lengths of their own, do not fit",
-                self.links(&links)
-            ),
-        }
     }
 }

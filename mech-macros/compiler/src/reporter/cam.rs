@@ -1,6 +1,7 @@
 //! Cams that cannot be followed.
 
 use super::Words;
+use super::wording::brief;
 use crate::model::{JointId, JointKind, Origin};
 
 impl Words<'_> {
@@ -32,6 +33,34 @@ impl Words<'_> {
             self.joint(shaft)
         );
         (law.origin, text)
+    }
+
+    /// What to say about a cam whose law does not begin where its follower is drawn, if there is one.
+    pub(super) fn cam_off_the_drawing(&self) -> Option<(Origin, String)> {
+        const SLACK: f64 = 1e-7;
+        let (cam, follower, law, value) =
+            self.model.cams().find_map(|(cam, shaft, follower, law)| {
+                let is_known = self.is_drawn(shaft) || self.model.motor_of(shaft).is_some();
+                let value = law.at(self.model.start.value(shaft));
+                (is_known && self.is_drawn(follower) && value.abs() > SLACK)
+                    .then_some((cam, follower, law, value))
+            })?;
+        let (sign, size) = if value < 0.0 {
+            ('+', -value)
+        } else {
+            ('-', value)
+        };
+        let (_, link) = self.model.ends(follower);
+        let text = format!(
+            "cam {} gives its follower {} at the start, but the coordinate of {} is 0 where it is drawn\nhelp: draw {} as it is at the \
+             start, and write `{} {sign} {size}`",
+            self.joint(cam),
+            brief(value),
+            self.joint(follower),
+            self.link(link),
+            law.written
+        );
+        Some((law.origin, text))
     }
 
     /// What to say about the start of a joint that follows a cam.

@@ -83,6 +83,11 @@ impl Words<'_> {
     }
 
     pub(super) fn rigid(&self, offers: &Offers) -> String {
+        if self.model.declared_links().next().is_none() {
+            return "there is no link: a mechanism has at least one, besides the ground\nhelp: declare one with a joint and a motor, as \
+                `link arm; joint a = revolute(ground, arm) at (0, 0); motor a;`"
+                .to_owned();
+        }
         format!(
             "nothing can move: the joints hold all links rigidly to `ground` (mobility 0){}",
             self.help_or_pairs(offers)
@@ -117,9 +122,39 @@ impl Words<'_> {
             format!("{freedom} motors are")
         };
         format!(
-            "{} free when all motors are held: {missing} missing{}",
+            "{} free when all motors are held: {missing} missing{}{}",
             self.the_joints(free, ["stays", "stay"]),
+            self.pins_that_turn(free),
             self.motor_help(offers)
+        )
+    }
+
+    /// Slots whose pins stay free to turn, though a motor drives their way: the two have one name.
+    fn pins_that_turn(&self, free: &[JointId]) -> String {
+        let driven = |&pin: &JointId| {
+            let joint = self.model.joint(pin);
+            let mut motors = self.model.motors.iter();
+            let way = motors.find(|motor| self.model.joint(motor.joint).name == joint.name)?;
+            joint.hidden.then_some((pin, way.joint))
+        };
+        let Some((pin, way)) = free.iter().find_map(driven) else {
+            return String::new();
+        };
+        let name = self.joint(way);
+        let (body, _) = self.model.ends(pin);
+        let (guide, _) = self.model.ends(way);
+        let note = format!(
+            "\nnote: motor {name} drives the way of slot {name}; nothing holds the angle of its pin"
+        );
+        if !self.is_drawn(way) {
+            return format!(
+                "{note}\nhelp: join the same two links by a `prismatic`, so that they only slide"
+            );
+        }
+        format!(
+            "{note}\nhelp: write `prismatic` for `slot`, so that {} and {} only slide",
+            self.link(body),
+            self.link(guide)
         )
     }
 

@@ -1,6 +1,7 @@
 //! The text of a mechanism: the only room that knows `syn` and spans.
 
 mod ast;
+mod color;
 mod grammar;
 mod lower;
 mod place;

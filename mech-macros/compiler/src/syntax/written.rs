@@ -45,6 +45,29 @@ impl Display for Expr {
     }
 }
 
+/// A number as it is written where it is multiplied or divided.
+pub(super) fn in_product(expr: &Expr) -> String {
+    bracketed(expr, Bond::Unit)
+}
+
+/// A number as it is written when it is given in degrees.
+pub(super) fn with_degrees(expr: &Expr) -> String {
+    match &expr.kind {
+        // A sign before the number binds less than the unit after it.
+        ExprKind::Negative(inner) => format!("-{}", with_degrees(inner)),
+        _ => format!("{} deg", bracketed(expr, Bond::Whole)),
+    }
+}
+
+/// A number: in brackets if it is held together less tightly than this.
+fn bracketed(expr: &Expr, bond: Bond) -> String {
+    if bond_of(expr) < bond {
+        format!("({expr})")
+    } else {
+        expr.to_string()
+    }
+}
+
 fn chain(
     parts: &[(bool, Expr)],
     [one, other]: [&str; 2],
@@ -60,13 +83,8 @@ fn chain(
     Ok(())
 }
 
-/// A part of an expression: in brackets if it is held together less tightly than this.
 fn part(expr: &Expr, bond: Bond, formatter: &mut Formatter) -> fmt::Result {
-    if bond_of(expr) < bond {
-        write!(formatter, "({expr})")
-    } else {
-        write!(formatter, "{expr}")
-    }
+    formatter.write_str(&bracketed(expr, bond))
 }
 
 fn bond_of(expr: &Expr) -> Bond {

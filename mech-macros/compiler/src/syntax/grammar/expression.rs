@@ -3,6 +3,7 @@
 use super::tokens::{
     advance, any_word, comes, in_parens, name, run, symbol, take, take_word, unexpected,
 };
+use super::{foreign, unit};
 use crate::model::{Extreme, Function};
 use crate::syntax::ast::{Expr, ExprKind, Pair, Read};
 use crate::syntax::{Message, Place, spelling};
@@ -49,6 +50,34 @@ pub(super) fn pair(input: ParseStream) -> Read<Pair> {
     Ok(Pair { x, y, place })
 }
 
+/// Reads a number after the word that says what it is.
+pub(super) fn labelled(input: ParseStream, label: &str) -> Read<Expr> {
+    if take_word(input, label).is_some() {
+        return expression(input);
+    }
+    let mut error = unexpected(input, &format!("`{label}`"));
+    if input.peek(Lit)
+        && let Ok(number) = expression(input)
+    {
+        error.place = number.place;
+        error.text = format!("expected `{label}` before this number; write `{label} {number}`");
+    }
+    Err(error)
+}
+
+/// Reads `(dx, dy)`.
+pub(super) fn direction(input: ParseStream) -> Read<Pair> {
+    if input.peek(token::Paren) {
+        return pair(input);
+    }
+    let otherwise = unexpected(input, "`(dx, dy)`");
+    let Ok(angle) = expression(input) else {
+        return Err(otherwise);
+    };
+    let text = format!("a direction has two parts; write `(cos({angle}), sin({angle}))`");
+    Err(Message::new(angle.place, text))
+}
+
 fn sum(input: ParseStream, depth: usize) -> Read<Expr> {
     let mut terms = vec![(false, product(input, depth)?)];
     while let Some(minus) = operator(input, "+", "-") {
@@ -62,7 +91,11 @@ fn product(input: ParseStream, depth: usize) -> Read<Expr> {
     while let Some(over) = operator(input, "*", "/") {
         factors.push((over, signed(input, depth)?));
     }
-    Ok(chain(factors, ExprKind::Product))
+    let product = chain(factors, ExprKind::Product);
+    if take(input, "%").is_some() {
+        return Err(foreign::remainder(&product, &with_unit(input, depth)?));
+    }
+    Ok(product)
 }
 
 /// Takes one of two operators: whether it was the second. The arrow before a direction is none.
@@ -94,6 +127,7 @@ fn signed(input: ParseStream, depth: usize) -> Read<Expr> {
         signs.push(place);
     }
     let number = with_unit(input, depth)?;
+    without_power(input, &number, depth)?;
     let Some(first) = signs.first() else {
         return Ok(number);
     };
@@ -107,6 +141,16 @@ fn signed(input: ParseStream, depth: usize) -> Read<Expr> {
     Ok(Expr { kind, place })
 }
 
+/// Complains about a power of this number.
+fn without_power(input: ParseStream, number: &Expr, depth: usize) -> Read<()> {
+    let mut operators = ["^", "**"].into_iter();
+    let Some(operator) = operators.find(|operator| comes(input, operator)) else {
+        return Ok(());
+    };
+    take(input, operator);
+    Err(foreign::power(operator, number, &with_unit(input, depth)?))
+}
+
 fn with_unit(input: ParseStream, depth: usize) -> Read<Expr> {
     let number = primary(input, depth)?;
     let number = match take_word(input, "deg") {
@@ -117,7 +161,13 @@ fn with_unit(input: ParseStream, depth: usize) -> Read<Expr> {
         Some(unit) => in_degrees(number, unit),
         None => number,
     };
-    Ok(number)
+    match unit::take_foreign(input) {
+        Some(unit) => {
+            let place = number.place.to(Place::at(unit.span()));
+            Err(unit::trouble(&number, &unit.to_string(), place))
+        }
+        None => Ok(number),
+    }
 }
 
 fn in_degrees(number: Expr, unit: Span) -> Expr {
@@ -197,12 +247,7 @@ fn literal(input: ParseStream) -> Read<Expr> {
     match suffix {
         "" => Ok(number),
         "deg" => Ok(in_degrees(number, literal.span())),
-        unit => {
-            let text = format!(
-                "unknown unit `{unit}`; lengths and angles in radians have none, degrees have `deg`"
-            );
-            Err(Message::new(place, text))
-        }
+        unit => Err(unit::trouble(&number, unit, place)),
     }
 }
 
@@ -211,6 +256,7 @@ fn named(input: ParseStream, depth: usize) -> Read<Expr> {
     if input.peek(token::Paren) {
         return call(input, &ident, depth);
     }
+    without_path(input, &ident)?;
     let place = Place::at(ident.span());
     let kind = if ident == "PI" {
         ExprKind::Pi
@@ -220,15 +266,35 @@ fn named(input: ParseStream, depth: usize) -> Read<Expr> {
     Ok(Expr { kind, place })
 }
 
+/// Complains about a path of Rust.
+fn without_path(input: ParseStream, first: &Ident) -> Read<()> {
+    let (mut last, mut end) = (first.clone(), None);
+    while take(input, "::").is_some() {
+        last = name(input, "a name")?;
+        end = Some(last.span());
+    }
+    let Some(end) = end else {
+        return Ok(());
+    };
+    let text = if last == "PI" {
+        "paths of Rust cannot be seen here; write `PI`".to_owned()
+    } else if last == "TAU" {
+        "paths of Rust cannot be seen here; write `(2 * PI)`".to_owned()
+    } else {
+        format!(
+            "paths of Rust cannot be seen here; declare `const {last} = ...;` in the mechanism and write `{last}`"
+        )
+    };
+    Err(Message::new(
+        Place::at(first.span()).to(Place::at(end)),
+        text,
+    ))
+}
+
 fn call(input: ParseStream, ident: &Ident, depth: usize) -> Read<Expr> {
     let function = FUNCTIONS.iter().find(|(name, _)| ident == name);
     let Some((_, called)) = function else {
-        let names = FUNCTIONS.map(|(name, _)| name);
-        let remedy = spelling::remedy(&ident.to_string(), &names);
-        return Err(Message::new(
-            Place::at(ident.span()),
-            format!("unknown function `{ident}`{remedy}"),
-        ));
+        return Err(unknown_function(input, ident, depth));
     };
     let (kind, place) = in_parens(input, "`(`", |input| {
         let first = sum(input, depth)?;
@@ -247,6 +313,40 @@ fn call(input: ParseStream, ident: &Ident, depth: usize) -> Read<Expr> {
         end: place.end,
     };
     Ok(Expr { kind, place })
+}
+
+/// The message about a call of a function that there is not.
+fn unknown_function(input: ParseStream, ident: &Ident, depth: usize) -> Message {
+    let name = ident.to_string();
+    let place = Place::at(ident.span());
+    let names = FUNCTIONS.map(|(name, _)| name);
+    if !foreign::is_function(&name) {
+        let remedy = spelling::remedy(&name, &names);
+        return Message::new(place, format!("unknown function `{name}`{remedy}"));
+    }
+    if let Ok((arguments, brackets)) = in_parens(input, "`(`", |input| arguments(input, depth))
+        && let Some(written) = foreign::call(&name, &arguments)
+    {
+        let text = format!("there is no `{name}`; write `{written}`");
+        return Message::new(place.to(brackets), text);
+    }
+    let names = spelling::list(&names);
+    Message::new(
+        place,
+        format!("unknown function `{name}`; there are {names}"),
+    )
+}
+
+/// Numbers with commas between them.
+fn arguments(input: ParseStream, depth: usize) -> Read<Vec<Expr>> {
+    let mut arguments = Vec::new();
+    while !input.is_empty() {
+        arguments.push(sum(input, depth)?);
+        if take(input, ",").is_none() {
+            break;
+        }
+    }
+    Ok(arguments)
 }
 
 /// Takes a word that stands for one of several things.

@@ -1,11 +1,13 @@
 //! The `struct` line.
 
+use super::ending::{missing_after, semicolon};
 use super::recover::skip;
 use super::statement::BEGINNINGS;
-use super::tokens::{any_word, name, symbol, take, told, unexpected};
+use super::tokens::{any_word, name, take, told, unexpected};
 use crate::model::Precision;
 use crate::syntax::ast::Read;
 use crate::syntax::{Header, Message, Place};
+use syn::buffer::Cursor;
 use syn::parse::ParseStream;
 use syn::{Attribute, Token, Visibility};
 
@@ -25,12 +27,13 @@ pub(super) fn comes(input: ParseStream) -> bool {
 pub(super) fn line(input: ParseStream, mut attributes: Vec<Attribute>) -> Line {
     let twice = attributes.iter().find_map(derived_anyway);
     attributes.retain(|attribute| derived_anyway(attribute).is_none());
+    let begin = input.cursor();
     let header = beginning(input, attributes);
     let (mut header, error) = match header {
         Ok(header) => (Some((header, Precision::default())), None),
         Err(error) => (None, Some(error)),
     };
-    let error = error.or_else(|| match ending(input) {
+    let error = error.or_else(|| match ending(input, begin) {
         Ok(given) => {
             if let Some((_, precision)) = &mut header {
                 *precision = given;
@@ -80,13 +83,17 @@ fn derived_anyway(attribute: &Attribute) -> Option<Message> {
 }
 
 /// `: f64;`
-fn ending(input: ParseStream) -> Read<Precision> {
+fn ending(input: ParseStream, begin: Cursor) -> Read<Precision> {
     let precision = match take(input, ":") {
         Some(_) => scalar(input)?,
         None if input.peek(Token![;]) => Precision::default(),
-        None => return Err(unexpected(input, "`;`, or `: f64` or `: f32`")),
+        None => {
+            let missing = "`;`, or `: f64` or `: f32`";
+            let forgotten = missing_after(input, begin, &BEGINNINGS, "`;`");
+            return Err(forgotten.unwrap_or_else(|| unexpected(input, missing)));
+        }
     };
-    symbol(input, ";")?;
+    semicolon(input, begin, &BEGINNINGS)?;
     Ok(precision)
 }
 

@@ -1,10 +1,11 @@
 //! What is fixed to a link: `{ point pin = (1, 0); circle (0, 0) radius 0.2; }`.
 
-use super::expression::{expression, pair};
+use super::ending::missing_after;
+use super::expression::{direction, expression, labelled, pair};
+use super::misplaced;
 use super::recover::{at_beginning, or_skip, skip, to_semicolon};
 use super::tokens::{
     any_word, comes, in_braces, in_brackets, name, symbol, take, take_tree, take_word, unexpected,
-    word,
 };
 use crate::model::AxisKind;
 use crate::syntax::ast::{
@@ -12,10 +13,11 @@ use crate::syntax::ast::{
 };
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
+use syn::LitStr;
 use syn::parse::ParseStream;
 
 /// The words that an item may begin with.
-const BEGINNINGS: [&str; 8] = [
+pub(super) const BEGINNINGS: [&str; 8] = [
     "point", "line", "circle", "ring", "polygon", "bar", "mass", "density",
 ];
 
@@ -50,17 +52,17 @@ fn item(input: ParseStream) -> Item {
 }
 
 fn unknown(input: ParseStream, keyword: &Ident) -> Item {
-    let remedy = match spelling::nearest(&keyword.to_string(), &BEGINNINGS) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!(
-            "what is fixed to a link begins with one of {}",
-            spelling::list(&BEGINNINGS)
-        ),
-    };
-    let error = Message::new(
-        Place::at(keyword.span()),
-        format!("unknown item `{keyword}`; {remedy}"),
-    );
+    let text = misplaced::as_item(&keyword.to_string()).unwrap_or_else(|| {
+        let remedy = match spelling::nearest(&keyword.to_string(), &BEGINNINGS) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!(
+                "what is fixed to a link begins with one of {}",
+                spelling::list(&BEGINNINGS)
+            ),
+        };
+        format!("unknown item `{keyword}`; {remedy}")
+    });
+    let error = Message::new(Place::at(keyword.span()), text);
     let name = if at_beginning(input, &BEGINNINGS) {
         None
     } else {
@@ -84,16 +86,23 @@ fn axis(input: ParseStream, kind: AxisKind) -> Item {
 }
 
 fn axis_value(input: ParseStream, kind: AxisKind) -> Read<(Pair, Option<Pair>)> {
+    let begin = input.cursor();
     symbol(input, "=")?;
     let at = pair(input)?;
     if take(input, "->").is_some() {
-        return Ok((at, Some(pair(input)?)));
+        return Ok((at, Some(direction(input)?)));
     }
     match kind {
         AxisKind::Point if comes(input, ";") => Ok((at, None)),
-        AxisKind::Point => Err(unexpected(input, "`;`, or `-> (dx, dy)`")),
+        AxisKind::Point => {
+            let missing = "`;`, or `-> (dx, dy)`";
+            let forgotten = missing_after(input, begin, &BEGINNINGS, "`;`");
+            Err(forgotten.unwrap_or_else(|| unexpected(input, missing)))
+        }
         AxisKind::Line => {
-            let mut error = unexpected(input, "`-> (dx, dy)`");
+            let missing = "`-> (dx, dy)`";
+            let forgotten = missing_after(input, begin, &BEGINNINGS, missing);
+            let mut error = forgotten.unwrap_or_else(|| unexpected(input, missing));
             error.text.push_str("; a line has a direction");
             Err(error)
         }
@@ -120,23 +129,42 @@ fn shape(input: ParseStream, keyword: Span, outline: fn(ParseStream) -> Read<Out
 /// Reads `on plane n color c`, each of which may be left out.
 pub(super) fn look(input: ParseStream) -> Read<(Option<Expr>, Option<Expr>)> {
     let plane = plane(input)?;
-    let color = take_word(input, "color")
-        .map(|_| expression(input))
-        .transpose()?;
+    let color = color(input)?;
     after_color(input)?;
     Ok((plane, color))
 }
 
 fn plane(input: ParseStream) -> Read<Option<Expr>> {
+    if let Some(word) = take_word(input, "plane") {
+        let plane = expression(input)?;
+        let text = format!("a plane is told by two words; write `on plane {plane}`");
+        return Err(Message::new(Place::at(word).to(plane.place), text));
+    }
     if take_word(input, "on").is_none() {
         return Ok(None);
     }
-    word(input, "plane")?;
+    labelled(input, "plane").map(Some)
+}
+
+fn color(input: ParseStream) -> Read<Option<Expr>> {
+    if let Some(word) = take_word(input, "colour") {
+        return Err(Message::new(Place::at(word), "write `color` for `colour`"));
+    }
+    if take_word(input, "color").is_none() {
+        return Ok(None);
+    }
+    if input.peek(LitStr) || comes(input, "#") {
+        let mut error = unexpected(input, "a number");
+        error.text.push_str("; ");
+        error.text.push_str(&crate::syntax::color::choices());
+        return Err(error);
+    }
     expression(input).map(Some)
 }
 
 fn after_color(input: ParseStream) -> Read<()> {
-    match take_word(input, "on") {
+    let on = take_word(input, "on").or_else(|| take_word(input, "plane"));
+    match on {
         Some(on) => Err(Message::new(
             Place::at(on),
             "`on plane` stands before `color`; swap the two",
@@ -147,32 +175,27 @@ fn after_color(input: ParseStream) -> Read<()> {
 
 fn circle(input: ParseStream) -> Read<Outline> {
     let center = pair(input)?;
-    word(input, "radius")?;
     Ok(Outline::Circle {
         center,
-        radius: expression(input)?,
+        radius: labelled(input, "radius")?,
     })
 }
 
 fn ring(input: ParseStream) -> Read<Outline> {
     let center = pair(input)?;
-    word(input, "radius")?;
-    let radius = expression(input)?;
-    word(input, "hole")?;
     Ok(Outline::Ring {
         center,
-        radius,
-        hole: expression(input)?,
+        radius: labelled(input, "radius")?,
+        hole: labelled(input, "hole")?,
     })
 }
 
 fn bar(input: ParseStream) -> Read<Outline> {
     let (pins, place) = in_brackets(input, "`[(x, y), ...]`", corners)?;
-    word(input, "width")?;
     Ok(Outline::Bar {
         pins,
         place,
-        width: expression(input)?,
+        width: labelled(input, "width")?,
     })
 }
 

@@ -1,11 +1,12 @@
 //! `joint name = kind(first, second, size) at (x, y) along (dx, dy);`
 
-use super::expression::{expression, one_of, pair};
+use super::expression::{direction, expression, labelled, one_of, pair};
 use super::recover::{at_beginning, to_semicolon};
 use super::statement::{BEGINNINGS, declared};
-use super::tokens::{in_parens, name, symbol, take, take_word, unexpected, word};
+use super::tokens::{comes_word, in_parens, name, symbol, take, take_word, unexpected};
+use crate::syntax::Message;
 use crate::syntax::ast::{
-    Clause, End, Expr, Joint, JointBody, JointWord, Read, Rolling, Size, Statement,
+    Clause, End, Expr, Joint, JointBody, JointWord, Pair, Read, Rolling, Size, Statement,
 };
 use proc_macro2::Ident;
 use syn::parse::ParseStream;
@@ -33,8 +34,8 @@ fn body(input: ParseStream) -> Read<JointBody> {
     symbol(input, "=")?;
     let (word, kind) = one_of(input, "a kind of joint", &WORDS)?;
     let ((ends, (rolling, law)), _) = in_parens(input, "`(`", |input| parts(input, kind))?;
-    let at = clause(input, "at")?;
-    let along = clause(input, "along")?;
+    let at = clause(input, "at", pair)?;
+    let along = clause(input, "along", direction)?;
     Ok(JointBody {
         word,
         kind,
@@ -66,7 +67,7 @@ fn parts(input: ParseStream, kind: JointWord) -> Read<Parts> {
         _ => None,
     };
     let size = match kind {
-        JointWord::Gear | JointWord::Belt => Some(ratio(input)?),
+        JointWord::Gear | JointWord::Belt => Some(ratio(input, [&first, &second])?),
         JointWord::Rack => Some(radius(input)?),
         JointWord::Revolute
         | JointWord::Prismatic
@@ -81,7 +82,9 @@ fn parts(input: ParseStream, kind: JointWord) -> Read<Parts> {
         }),
         None => None,
     };
-    take(input, ",");
+    if take(input, ",").is_some() && size_is_none(kind) {
+        two_links(input, kind, &first)?;
+    }
     Ok(([first, second], (rolling, law)))
 }
 
@@ -102,12 +105,47 @@ fn comma(input: ParseStream, next: &str) -> Read<()> {
     }
 }
 
-fn ratio(input: ParseStream) -> Read<Size> {
+fn ratio(input: ParseStream, [a, b]: [&End; 2]) -> Read<Size> {
     comma(input, "the teeth of both wheels, as `20 : 40`")?;
     let first = expression(input)?;
-    symbol(input, ":")?;
-    let second = expression(input)?;
-    Ok(Size::Ratio([first, second]))
+    if take(input, ":").is_some() {
+        let second = expression(input)?;
+        return Ok(Size::Ratio([first, second]));
+    }
+    let otherwise = unexpected(input, "`:`");
+    if take(input, ",").is_some() && !input.is_empty() {
+        let second = expression(input)?;
+        let text = format!("a ratio is written with `:`; write `{first} : {second}`");
+        return Err(Message::new(first.place.to(second.place), text));
+    }
+    if !input.is_empty() && !comes_word(input, "on") {
+        return Err(otherwise);
+    }
+    let text = format!(
+        "a ratio has two numbers; write `1 : {first}` if `{b}` is the larger wheel, or `{first} : 1` if `{a}` is"
+    );
+    Err(Message::new(first.place, text))
+}
+
+fn size_is_none(kind: JointWord) -> bool {
+    !matches!(
+        kind,
+        JointWord::Gear | JointWord::Belt | JointWord::Rack | JointWord::Cam
+    )
+}
+
+/// Complains about a third link.
+fn two_links(input: ParseStream, kind: JointWord, first: &End) -> Read<()> {
+    if input.is_empty() {
+        return Ok(());
+    }
+    let third = end(input)?;
+    let words = WORDS.iter().filter(|(_, word)| *word == kind);
+    let word: String = words.map(|(word, _)| *word).collect();
+    let text = format!(
+        "a joint joins two links; declare another one for the third, as `{word}({first}, {third})`"
+    );
+    Err(Message::new(third.place(), text))
 }
 
 fn carrier(input: ParseStream) -> Read<Option<Ident>> {
@@ -118,11 +156,14 @@ fn carrier(input: ParseStream) -> Read<Option<Ident>> {
 
 fn radius(input: ParseStream) -> Read<Size> {
     comma(input, "the radius of the pinion, as `radius 0.5`")?;
-    word(input, "radius")?;
-    Ok(Size::Radius(expression(input)?))
+    labelled(input, "radius").map(Size::Radius)
 }
 
-fn clause(input: ParseStream, keyword: &str) -> Read<Option<Clause>> {
+fn clause(
+    input: ParseStream,
+    keyword: &str,
+    value: fn(ParseStream) -> Read<Pair>,
+) -> Read<Option<Clause>> {
     // A joint without its `;` may stand before `at change points`.
     if at_beginning(input, &BEGINNINGS) {
         return Ok(None);
@@ -132,6 +173,6 @@ fn clause(input: ParseStream, keyword: &str) -> Read<Option<Clause>> {
     };
     Ok(Some(Clause {
         keyword,
-        value: pair(input)?,
+        value: value(input)?,
     }))
 }

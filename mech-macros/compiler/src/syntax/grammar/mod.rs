@@ -1,16 +1,20 @@
 //! From tokens to the tree of the text. What cannot be read is reported in the tree, and reading goes on after it.
 
 mod action;
+mod ending;
 mod expression;
+mod foreign;
 mod header;
 mod item;
 mod joint;
 mod method;
+mod misplaced;
 mod recover;
 mod setting;
 mod statement;
 mod tokens;
 mod trace;
+mod unit;
 
 use super::ast::Text;
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};

@@ -1,6 +1,7 @@
 //! Going on after an error.
 
-use super::tokens::{symbol, take, take_tree};
+use super::ending::{at_assignment, semicolon};
+use super::tokens::{take, take_tree};
 use crate::syntax::ast::Read;
 use proc_macro2::{Delimiter, TokenTree};
 use syn::parse::ParseStream;
@@ -13,8 +14,9 @@ pub(super) fn to_semicolon<T>(
     read: impl FnOnce(ParseStream) -> Read<T>,
 ) -> Read<T> {
     or_skip(input, beginnings, |input| {
+        let begin = input.cursor();
         let value = read(input)?;
-        symbol(input, ";")?;
+        semicolon(input, begin, beginnings)?;
         Ok(value)
     })
 }
@@ -34,7 +36,10 @@ pub(super) fn or_skip<T>(
 
 /// Leaves the statement behind: past its `;` or its braces, or up to where another statement clearly begins.
 pub(super) fn skip(input: ParseStream, beginnings: &[&str]) {
-    while !input.is_empty() && !at_beginning(input, beginnings) {
+    // In a list without such words, a statement is a name that is given a value.
+    let begins =
+        || at_beginning(input, beginnings) || beginnings.is_empty() && at_assignment(input);
+    while !input.is_empty() && !begins() {
         if take(input, ";").is_some() || ends_with_braces(take_tree(input)) {
             break;
         }

@@ -3,12 +3,12 @@
 use super::expression::expression;
 use super::joint::end;
 use super::recover::{or_skip, to_semicolon};
-use super::statement::{BEGINNINGS, declared};
+use super::statement::BEGINNINGS;
 use super::tokens::{any_word, comes, in_braces, name, symbol, take, take_word, unexpected};
 use super::trace::trace;
 use crate::syntax::ast::{Broken, Effect, Expr, Motor, Read, Start, StartClause, Statement};
 use crate::syntax::{Message, Place};
-use proc_macro2::Span;
+use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
 use syn::token;
 
@@ -30,22 +30,40 @@ pub(super) fn law_comes(input: ParseStream) -> bool {
 
 /// Reads `name = law in low ..= high by step;`.
 pub(super) fn motor(input: ParseStream) -> Statement {
-    declared(input, "the name of a joint", |input, joint| {
-        settled(input, |input| {
-            let law = take(input, "=").map(|_| expression(input)).transpose()?;
-            let range = take_word(input, "in").map(|_| range(input)).transpose()?;
-            let step = take_word(input, "by")
-                .map(|_| expression(input))
-                .transpose()?;
-            after_step(input)?;
-            Ok(Statement::Motor(Motor {
-                joint,
-                law,
-                range,
-                step,
-            }))
-        })
+    settled(input, |input| {
+        let joint = name(input, "the name of a joint")?;
+        one_motor(input, &joint)?;
+        let law = take(input, "=").map(|_| expression(input)).transpose()?;
+        let range = take_word(input, "in").map(|_| range(input)).transpose()?;
+        let step = take_word(input, "by")
+            .map(|_| expression(input))
+            .transpose()?;
+        after_step(input)?;
+        Ok(Statement::Motor(Motor {
+            joint,
+            law,
+            range,
+            step,
+        }))
     })
+}
+
+/// Complains about several joints in one `motor`.
+fn one_motor(input: ParseStream, first: &Ident) -> Read<()> {
+    let mut names = vec![first.clone()];
+    while take(input, ",").is_some() {
+        names.push(name(input, "the name of a joint")?);
+    }
+    let [_, .., last] = &names[..] else {
+        return Ok(());
+    };
+    let place = Place::at(first.span()).to(Place::at(last.span()));
+    let statements: Vec<_> = names.iter().map(|name| format!("motor {name};")).collect();
+    let text = format!(
+        "each motor has its own statement; write `{}`",
+        statements.join(" ")
+    );
+    Err(Message::new(place, text))
 }
 
 fn range(input: ParseStream) -> Read<[Expr; 2]> {

@@ -1,13 +1,15 @@
 //! The list of statements, and what each begins with.
 
+use super::ending::missing_after;
 use super::expression::expression;
 use super::header::{self, Line};
 use super::recover::{at_beginning, or_skip, skip, to_semicolon};
 use super::tokens::{any_word, comes_word, name, symbol, take, take_tree, told, unexpected};
-use super::{action, item, joint, method, setting};
+use super::{action, item, joint, method, misplaced, setting};
 use crate::syntax::ast::{Broken, Constant, Ground, Item, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
+use syn::buffer::Cursor;
 use syn::parse::ParseStream;
 use syn::{Attribute, token};
 
@@ -40,7 +42,7 @@ pub(super) fn text(input: ParseStream) -> Text {
         };
         if header::comes(input) {
             let Line { header, error } = header::line(input, attributes);
-            let misplaced = misplaced(
+            let misplaced = out_of_place(
                 header.as_ref().map(|(header, _)| &header.name),
                 first,
                 headed,
@@ -75,7 +77,7 @@ fn headless(beginning: Span) -> Message {
 }
 
 /// A `struct` line that stands where it should not.
-fn misplaced(name: Option<&Ident>, first: bool, headed: bool) -> Option<Message> {
+fn out_of_place(name: Option<&Ident>, first: bool, headed: bool) -> Option<Message> {
     let place = Place::at(name?.span());
     if headed {
         Some(Message::new(
@@ -151,6 +153,9 @@ fn not_yet(keyword: &Ident) -> Message {
 
 fn unknown(keyword: &Ident) -> Message {
     let text = keyword.to_string();
+    if let Some(trouble) = misplaced::as_statement(&text) {
+        return Message::new(Place::at(keyword.span()), trouble);
+    }
     let remedy = match spelling::nearest(&text, &BEGINNINGS) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!(
@@ -191,11 +196,28 @@ pub(super) fn declared(
 fn constant(input: ParseStream, what: &str, kind: fn(Constant) -> Statement) -> Statement {
     declared(input, what, |input, name| {
         let value = to_semicolon(input, &BEGINNINGS, |input| {
+            untyped(input)?;
             symbol(input, "=")?;
             expression(input)
         });
         kind(Constant { name, value })
     })
+}
+
+/// Complains about a type.
+fn untyped(input: ParseStream) -> Read<()> {
+    let Some(colon) = take(input, ":") else {
+        return Ok(());
+    };
+    let written = any_word(input);
+    let (place, text) = match &written {
+        Some(word) => (colon.to(Place::at(word.span())), format!(": {word}")),
+        None => (colon, ":".to_owned()),
+    };
+    Err(Message::new(
+        place,
+        format!("numbers have no type here; leave `{text}` out"),
+    ))
 }
 
 fn ground(input: ParseStream, keyword: Span) -> Statement {
@@ -204,19 +226,22 @@ fn ground(input: ParseStream, keyword: Span) -> Statement {
 }
 
 fn link(input: ParseStream) -> Statement {
+    let begin = input.cursor();
     declared(input, "the name of a link", |input, name| {
-        let items = or_skip(input, &BEGINNINGS, body);
+        let items = or_skip(input, &BEGINNINGS, |input| body(input, begin));
         Statement::Link(Link { name, items })
     })
 }
 
 /// `{ ... }` or `;`
-fn body(input: ParseStream) -> Read<Vec<Item>> {
+fn body(input: ParseStream, begin: Cursor) -> Read<Vec<Item>> {
     if take(input, ";").is_some() {
         return Ok(Vec::new());
     }
     if input.peek(token::Brace) {
         return item::items(input);
     }
-    Err(unexpected(input, "`{` or `;`"))
+    let missing = "`{` or `;`";
+    let forgotten = missing_after(input, begin, &BEGINNINGS, missing);
+    Err(forgotten.unwrap_or_else(|| unexpected(input, missing)))
 }

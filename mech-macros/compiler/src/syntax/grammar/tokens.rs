@@ -36,7 +36,7 @@ pub(super) fn unexpected(input: ParseStream, expected: &str) -> Message {
 }
 
 /// The first token of a tree, as text.
-fn beginning(tree: &TokenTree) -> String {
+pub(super) fn beginning(tree: &TokenTree) -> String {
     let TokenTree::Group(group) = tree else {
         return tree.to_string();
     };

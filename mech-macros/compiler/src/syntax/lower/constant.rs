@@ -1,5 +1,6 @@
 //! The constants and params, and where in the text each may be used.
 
+use super::law::{COORDINATE, TIME};
 use super::param::Quantity;
 use super::report::Report;
 use crate::syntax::ast::Statement;
@@ -10,6 +11,9 @@ use proc_macro2::Ident;
 const BUILT_IN: [&str; 11] = [
     "PI", "deg", "sqrt", "sin", "cos", "tan", "atan", "exp", "abs", "min", "max",
 ];
+
+/// What the variables of laws are called.
+const VARIABLES: [&str; 2] = [TIME, COORDINATE];
 
 /// All constants of the text.
 #[derive(Default)]
@@ -160,19 +164,41 @@ impl Constants {
                 let word = entry.word;
                 format!("{word} `{text}` is declared further down; move its line up")
             }
-            None => format!("unknown constant `{text}`{}", self.remedy(&text, here)),
+            None => self.unknown(&text, here),
         };
         report.tell(Place::at(name.span()), trouble);
         None
     }
 
-    fn remedy(&self, text: &str, here: usize) -> String {
+    /// What to say about a name that nothing has; one of Rust's may be meant, which a macro cannot see.
+    fn unknown(&self, text: &str, here: usize) -> String {
+        let beginning = format!("unknown constant `{text}`");
+        if text == "TAU" {
+            return format!("{beginning}; write `(2 * PI)`");
+        }
+        if text == "deg" {
+            return "`deg` stands after a number, as `30 deg`".to_owned();
+        }
+        if BUILT_IN.contains(&text) {
+            return format!("`{text}` is a function; write what it is of, as `{text}(...)`");
+        }
+        let known = self.known(here);
+        let remedy = spelling::remedy(text, &known);
+        let is_variable = VARIABLES.contains(&text);
+        if is_variable || spelling::nearest(text, &known).is_some() {
+            return format!("{beginning}{remedy}");
+        }
+        format!(
+            "{beginning}{remedy}\n\nhelp: what Rust declares cannot be seen here; declare `const {text} = ...;` in the mechanism"
+        )
+    }
+
+    fn known(&self, here: usize) -> Vec<&str> {
         let known = self.entries.iter().filter(|entry| entry.statement < here);
-        let known: Vec<_> = known
+        known
             .map(|entry| entry.name.as_str())
             .chain(["PI"])
             .chain(self.variable)
-            .collect();
-        spelling::remedy(text, &known)
+            .collect()
     }
 }

@@ -3,8 +3,8 @@
 use super::Lowering;
 use super::name::{Named, word_for};
 use crate::model::{self, LinkId, ShapeKind};
-use crate::syntax::Place;
-use crate::syntax::ast::{Axis, Expr, Ground, Item, Link, Outline, Pair, Read, Shape};
+use crate::syntax::ast::{Axis, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape};
+use crate::syntax::{Place, color};
 
 /// Where shapes go that do not say: the ground has the first colour after the background, and each link the next.
 const GROUND_COLOR: u8 = 1;
@@ -167,6 +167,13 @@ impl Lowering {
 
     /// An entry of the palette.
     pub(super) fn color(&mut self, color: &Expr) -> Option<u8> {
+        if let ExprKind::Constant(name) = &color.kind
+            && !self.constants.has(&name.to_string())
+        {
+            self.report
+                .tell(color.place, color::named(&name.to_string()));
+            return None;
+        }
         self.whole(color, "a color", [0, 255])
             .and_then(|color| u8::try_from(color).ok())
     }

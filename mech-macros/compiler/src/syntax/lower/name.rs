@@ -55,10 +55,18 @@ pub(super) enum Named {
     Broken,
 }
 
+/// What has taken a name.
+struct Entry {
+    name: String,
+    named: Named,
+    /// Whether a link and a joint claim it: whoever means the second is not to blame.
+    shared: bool,
+}
+
 /// The names of links and joints, and the methods that the generated struct will have.
 #[derive(Default)]
 pub(super) struct Names {
-    entries: Vec<(String, Named)>,
+    entries: Vec<Entry>,
     /// Each with what it is made for.
     methods: Vec<(String, String)>,
     /// Names of points and lines that are left out of the model because of an error; of all, if there is no name.
@@ -69,8 +77,22 @@ impl Names {
     fn get(&self, name: &str) -> Option<Named> {
         self.entries
             .iter()
-            .find(|(entry, _)| entry == name)
-            .map(|(_, named)| *named)
+            .find(|entry| entry.name == name)
+            .map(|entry| entry.named)
+    }
+
+    /// Notes that something else claims the name of a link or a joint, too.
+    pub(super) fn share(&mut self, name: &Ident) {
+        let mut entries = self.entries.iter_mut();
+        if let Some(entry) = entries.find(|entry| name == &entry.name) {
+            entry.shared = true;
+        }
+    }
+
+    /// Whether both a link and a joint claim this name.
+    pub(super) fn is_shared(&self, name: &Ident) -> bool {
+        let mut entries = self.entries.iter();
+        entries.any(|entry| entry.shared && name == &entry.name)
     }
 
     /// What this name stands for, if anything.
@@ -80,18 +102,22 @@ impl Names {
 
     /// Enters a name, unless it stands for something already.
     pub(super) fn enter(&mut self, name: &Ident, named: Named) {
-        match self.entries.iter_mut().find(|(entry, _)| name == entry) {
-            Some((_, entry @ Named::Broken)) => *entry = named,
+        match self.entries.iter_mut().find(|entry| name == &entry.name) {
+            Some(entry) if matches!(entry.named, Named::Broken) => entry.named = named,
             Some(_) => {}
-            None => self.entries.push((name.to_string(), named)),
+            None => self.entries.push(Entry {
+                name: name.to_string(),
+                named,
+                shared: false,
+            }),
         }
     }
 
     /// Gives a joint its id, now that it has one.
     pub(super) fn joint_is(&mut self, name: &Ident, id: JointId) {
         let mut entries = self.entries.iter_mut();
-        if let Some((_, named)) = entries.find(|(entry, _)| name == entry) {
-            *named = Named::Joint(Some(id));
+        if let Some(entry) = entries.find(|entry| name == &entry.name) {
+            entry.named = Named::Joint(Some(id));
         }
     }
 
@@ -111,16 +137,16 @@ impl Names {
         let links = self
             .entries
             .iter()
-            .filter(|(_, named)| matches!(named, Named::Link(_)));
-        links.map(|(name, _)| name.as_str()).collect()
+            .filter(|entry| matches!(entry.named, Named::Link(_)));
+        links.map(|entry| entry.name.as_str()).collect()
     }
 
     fn joints(&self) -> Vec<&str> {
         let joints = self
             .entries
             .iter()
-            .filter(|(_, named)| matches!(named, Named::Joint(_)));
-        joints.map(|(name, _)| name.as_str()).collect()
+            .filter(|entry| matches!(entry.named, Named::Joint(_)));
+        joints.map(|entry| entry.name.as_str()).collect()
     }
 }
 
@@ -152,6 +178,9 @@ impl Lowering {
         let message =
             format!("there is a {earlier} `{text}` already; choose another name for this {what}");
         self.report.tell(place, message);
+        if earlier != what {
+            self.names.share(name);
+        }
         false
     }
 
@@ -192,6 +221,7 @@ impl Lowering {
         let trouble = match self.names.get(&text) {
             Some(Named::Link(id)) => return Some(id),
             Some(Named::Broken) => return None,
+            Some(Named::Joint(_)) if self.names.is_shared(name) => return None,
             Some(Named::Joint(_)) => {
                 let links = self.names.links();
                 format!(
@@ -214,6 +244,7 @@ impl Lowering {
         let trouble = match self.names.get(&text) {
             Some(Named::Joint(id)) => return id,
             Some(Named::Broken) => return None,
+            Some(Named::Link(_)) if self.names.is_shared(name) => return None,
             Some(Named::Link(id)) => self.not_a_joint(id),
             None => format!(
                 "unknown joint `{text}`{}",

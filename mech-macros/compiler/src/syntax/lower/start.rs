@@ -5,8 +5,10 @@ use super::name::Named;
 use super::rolling;
 use crate::model::{JointId, JointKind, LinkId, Near, StartValue};
 use crate::syntax::Place;
-use crate::syntax::ast::{Start, StartClause};
+use crate::syntax::ast::{Expr, ExprKind, Start, StartClause};
+use crate::syntax::written::with_degrees;
 use proc_macro2::Ident;
+use std::f64::consts::TAU;
 
 impl Lowering {
     pub(super) fn lower_start(&mut self, start: &Start) {
@@ -35,15 +37,17 @@ impl Lowering {
     /// Complains about a name of the wrong kind.
     fn misfit(&mut self, clause: &StartClause, named: Option<Named>) {
         let name = &clause.name;
+        if self.names.is_shared(name) {
+            return;
+        }
         let text = match named {
             Some(Named::Link(_)) => {
                 format!(
-                    "`{name}` is a link; write `{name} near ...` to choose the assembly nearest to an angle"
+                    "`{name}` is a link; write `{name} near {}` to choose the assembly nearest to an angle",
+                    clause.value
                 )
             }
-            Some(Named::Joint(_)) if clause.near => {
-                format!("`{name}` is a joint; write `{name} = ...` to give its coordinate")
-            }
+            Some(Named::Joint(Some(joint))) if clause.near => self.near_a_joint(clause, joint),
             Some(Named::Joint(_) | Named::Broken) => return,
             None if clause.near => {
                 self.find_link(name);
@@ -57,6 +61,50 @@ impl Lowering {
         self.report.tell(Place::at(name.span()), text);
     }
 
+    /// What to write for `near` with a joint: its coordinate, if that can be given, or else the angle of a link.
+    fn near_a_joint(&self, clause: &StartClause, joint: JointId) -> String {
+        let (name, value) = (&clause.name, &clause.value);
+        let beginning = format!("`{name}` is a joint, and `near` takes a link");
+        if let Some(text) = self.no_coordinate(name, joint, "give") {
+            return format!("{beginning}; {text}");
+        }
+        if self.model.motor_of(joint).is_some() {
+            return format!("{beginning}; write `{name} = {value}`");
+        }
+        let (a, b) = self.model.ends(joint);
+        let link = [b, a]
+            .into_iter()
+            .find(|&link| link != LinkId::GROUND && self.model.link(link).die.is_none());
+        match (link, self.model.joint(joint).kind) {
+            (Some(link), JointKind::Revolute(..)) => {
+                let link = &self.model.link(link).name;
+                format!(
+                    "{beginning}; write `{link} near {value}`, with the angle of `{link}` in the scene"
+                )
+            }
+            (Some(link), _) => {
+                let link = &self.model.link(link).name;
+                format!(
+                    "{beginning}; choose the assembly by the angle of a link, such as `{link} near 0 deg`"
+                )
+            }
+            (None, _) => beginning,
+        }
+    }
+
+    /// Whether this is an angle that was hardly meant: more than a turn, in a plain number. Told if so.
+    fn is_degrees_perhaps(&mut self, angle: &Expr, value: f64) -> bool {
+        if value.abs() <= TAU || !is_plain(angle) {
+            return false;
+        }
+        let text = format!(
+            "`{angle}` is an angle in radians, more than a turn; write `{}`\n\nhelp: or give the number a name with `const`, if radians are meant",
+            with_degrees(angle)
+        );
+        self.report.tell(angle.place, text);
+        true
+    }
+
     fn near(&mut self, clause: &StartClause, link: LinkId) {
         let angle = self.value(&clause.value);
         let name = &clause.name;
@@ -67,7 +115,9 @@ impl Lowering {
             let text =
                 format!("there is a `near` for link `{name}` already; remove one of the two");
             self.report.tell(Place::at(name.span()), text);
-        } else if let Some(angle) = angle {
+        } else if let Some(angle) = angle
+            && !self.is_degrees_perhaps(&clause.value, angle)
+        {
             let origin = self.places.note(place(clause));
             self.model.start.near.push(Near {
                 link,
@@ -83,6 +133,10 @@ impl Lowering {
         };
         if let Some((place, text)) = self.start_trouble(clause, joint, value) {
             self.report.tell(place, text);
+            return;
+        }
+        let turns = matches!(self.model.joint(joint).kind, JointKind::Revolute(..));
+        if turns && self.is_degrees_perhaps(&clause.value, value) {
             return;
         }
         self.check_in_range(&clause.name, joint, (value, &clause.value));
@@ -162,6 +216,18 @@ impl Lowering {
             }
             _ => false,
         }
+    }
+}
+
+/// Whether a number is made of digits alone: nobody wrote `deg`, `PI` or a name.
+fn is_plain(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Integer(_) | ExprKind::Decimal(_) => true,
+        ExprKind::Negative(inner) => is_plain(inner),
+        ExprKind::Sum(parts) | ExprKind::Product(parts) => {
+            parts.iter().all(|(_, part)| is_plain(part))
+        }
+        _ => false,
     }
 }
 

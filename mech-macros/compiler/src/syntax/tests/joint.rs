@@ -112,7 +112,9 @@ fn a_joint_is_between_two_links() {
     );
     joint(
         "revolute(crank.pin, rod.eye, «bare»)",
-        &["expected `)`, found `bare`"],
+        &[
+            "a joint joins two links; declare another one for the third, as `revolute(crank.pin, bare)`",
+        ],
     );
 }
 

@@ -9,6 +9,7 @@ mod method;
 mod model;
 mod motor;
 mod name;
+mod offer;
 mod param;
 mod recovery;
 mod robust;
@@ -89,6 +90,13 @@ fn told_of(marked: &str, messages: &[&str]) -> Parsed {
         );
     }
     parsed
+}
+
+/// The message about a name of a number that is declared nowhere.
+fn unseen(name: &str, remedy: &str) -> String {
+    format!(
+        "unknown constant `{name}`; {remedy}\n\nhelp: what Rust declares cannot be seen here; declare `const {name} = ...;` in the mechanism"
+    )
 }
 
 /// The messages about a text after its `struct` line.

@@ -1,6 +1,6 @@
 //! Several errors in one text.
 
-use super::told;
+use super::{told, told_of, unseen};
 
 #[test]
 fn every_bad_statement_is_told_in_the_order_of_the_text() {
@@ -26,7 +26,7 @@ fn every_bad_statement_is_told_in_the_order_of_the_text() {
              `belt`, `weld`, `cam`",
             "unknown joint `c`; there are `a`, `b`",
             "unknown joint `c`; there are `a`, `b`",
-            "unknown constant `sqrt`; there are `A`, `PI`",
+            "`sqrt` is a function; write what it is of, as `sqrt(...)`",
             "expected a number, found `;`",
             "unknown method `fast`; there are `exact`, `newton`, `linear`",
         ],
@@ -38,12 +38,13 @@ fn every_bad_statement_is_told_in_the_order_of_the_text() {
 #[test]
 fn a_missing_semicolon_costs_one_statement() {
     let parsed = told(
-        "const A = 1\n«link» a { point p = (0, 0)\n«point» q = (0, 0); }\n\
-         joint d = revolute(ground, a) at (0, 0)\n«motor» d; link b;",
+        "const A = «1»\nlink a { point p = (0, 0«)»\npoint q = (0, 0); }\n\
+         joint d = revolute(ground, a) at (0, 0«)»\nmotor «d»\nlink b;",
         &[
-            "expected `;`, found `link`",
-            "expected `;`, or `-> (dx, dy)`, found `point`",
-            "expected `;`, found `motor`",
+            "expected `;` after `1`",
+            "expected `;` after `)`",
+            "expected `;` after `)`",
+            "expected `;` after `d`",
         ],
     );
     assert_eq!(parsed.model.links.len(), 3);
@@ -54,12 +55,12 @@ fn a_missing_semicolon_costs_one_statement() {
 fn a_setting_after_a_missing_semicolon_is_read() {
     use crate::model::{AtChangePoints, Target};
     let parsed = told(
-        "joint d = revolute(ground, a) at (0, 0)\n«at» change points stop; link a\n«accuracy» 1e-9;\n\
-         const A = 1\n«cost» cortex_m4f; link b;",
+        "joint d = revolute(ground, a) at (0, 0«)»\nat change points stop; link «a»\naccuracy 1e-9;\n\
+         const A = «1»\ncost cortex_m4f; link b;",
         &[
-            "expected `;`, found `at`",
-            "expected `{` or `;`, found `accuracy`",
-            "expected `;`, found `cost`",
+            "expected `;` after `)`",
+            "expected `{` or `;` after `a`",
+            "expected `;` after `1`",
         ],
     );
     let model = &parsed.model;
@@ -67,9 +68,24 @@ fn a_setting_after_a_missing_semicolon_is_read() {
     assert_eq!(model.change_points, AtChangePoints::Stop);
     assert_eq!(model.target, Target::CortexM4f);
     told(
-        "link a;\njoint d = revolute(ground, a)\n«at» change points stop;",
-        &["expected `;`, found `at`"],
+        "link a;\njoint d = revolute(ground, a«)»\nat change points stop;",
+        &["expected `;` after `)`"],
     );
+}
+
+#[test]
+fn a_missing_semicolon_is_missed_where_it_should_stand() {
+    told(
+        "link l; start { a = 1 «deg»\nl near 20 «deg»\nb = «2» }\neffects { «velocity» }",
+        &[
+            "expected `;` after `deg`",
+            "expected `;` after `deg`",
+            "expected `;` after `2`",
+            "expected `;` after `velocity`",
+        ],
+    );
+    told_of("struct «M»\nlink a;", &["expected `;` after `M`"]);
+    told_of("struct M: «f32»\nlink a;", &["expected `;` after `f32`"]);
 }
 
 #[test]
@@ -108,7 +124,7 @@ fn messages_come_in_the_order_of_the_text() {
             "unknown link `y`; there is only `ground`",
             "there is a joint `d` already; choose another name for this link",
             "unknown joint `z`; there are `d`, `e`",
-            "unknown constant `B`; there is only `PI`",
+            &unseen("B", "there is only `PI`"),
             "unknown link `v`; there is only `ground`",
             "unknown link `w`; there is only `ground`",
             "unknown constant `A1`; did you mean `A`?",

@@ -133,7 +133,12 @@ fn links_roll() {
             &format!("{kind}(crank, rod«)»"),
             &["expected `,` and the teeth of both wheels, as `20 : 40`"],
         );
-        joint(&format!("{kind}(crank, rod, 20«)»"), &["expected `:`"]);
+        joint(
+            &format!("{kind}(crank, rod, «20»)"),
+            &[
+                "a ratio has two numbers; write `1 : 20` if `rod` is the larger wheel, or `20 : 1` if `crank` is",
+            ],
+        );
         joint(
             &format!("{kind}(crank, rod, 20 : 40) «at» (0, 0)"),
             &[&format!(
@@ -165,7 +170,7 @@ fn links_roll() {
     );
     joint(
         "rack(crank, rod, «0.5»)",
-        &["expected `radius`, found `0.5`"],
+        &["expected `radius` before this number; write `radius 0.5`"],
     );
     let place = "a `rack` has no place of its own; its pinion turns and its bar slides where their other joints hold them";
     joint(

@@ -15,11 +15,13 @@ pub(super) fn with_crank(marked: &str, messages: &[&str]) -> Parsed {
 fn the_start_names_joints_and_links() {
     with_crank(
         "start { «crank» = 0; }",
-        &["`crank` is a link; write `crank near ...` to choose the assembly nearest to an angle"],
+        &["`crank` is a link; write `crank near 0` to choose the assembly nearest to an angle"],
     );
     with_crank(
         "start { «shaft» near 0; }",
-        &["`shaft` is a joint; write `shaft = ...` to give its coordinate"],
+        &[
+            "`shaft` is a joint, and `near` takes a link; write `crank near 0`, with the angle of `crank` in the scene",
+        ],
     );
     with_crank(
         "start { «shft» = 0; }",

@@ -183,7 +183,7 @@ fn the_start_of_a_slot_is_that_of_its_slide() {
         &format!("{slots}start {{ d = 1; «d» = 2; «e» near 0; }}"),
         &[
             "there is a start for joint `d` already; remove one of the two",
-            "`e` is a joint; write `e = ...` to give its coordinate",
+            "`e` is a joint, and `near` takes a link; choose the assembly by the angle of a link, such as `bare near 0 deg`",
         ],
     );
     told(

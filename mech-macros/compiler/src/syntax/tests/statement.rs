@@ -39,7 +39,7 @@ fn the_struct_line_says_f32_or_f64() {
         "pub «enum» M; link a;",
         &["expected `struct`, found `enum`"],
     );
-    told_of("struct «M»", &["expected `;`, or `: f64` or `: f32`"]);
+    told_of("struct «M»", &["expected `;` after `M`"]);
 }
 
 #[test]
@@ -80,6 +80,6 @@ fn unknown_statements_have_a_remedy() {
 
 #[test]
 fn a_message_about_the_end_points_at_the_end() {
-    told("link a; motor «a»", &["expected `;`"]);
+    told("link a; motor «a»", &["expected `;` after `a`"]);
     told("lin«k»", &["expected the name of a link"]);
 }

@@ -1,6 +1,6 @@
 //! Traces: what is understood of them, and what is told about those that cannot be.
 
-use super::{good, told};
+use super::{good, told, unseen};
 use crate::model::Trace;
 
 /// A mechanism with these effects.
@@ -105,7 +105,7 @@ fn the_length_of_a_trace_is_a_number_of_places() {
     }
     told(
         &with("trace crank.pin «M»;"),
-        &["unknown constant `M`; there are `N`, `PI`"],
+        &[&unseen("M", "there are `N`, `PI`")],
     );
     told(
         &with("trace crank.pin«;»"),

@@ -1,0 +1,85 @@
+//! Functions and operators of other languages, and how they are written here.
+
+use crate::syntax::ast::{Expr, ExprKind};
+use crate::syntax::written::{in_product, with_degrees};
+use crate::syntax::{Message, Place};
+
+/// Functions that look like one of ours, but are another.
+const FUNCTIONS: [&str; 27] = [
+    "acos", "arccos", "asin", "arcsin", "atan2", "arctan2", "sinh", "cosh", "tanh", "sind", "cosd",
+    "tand", "cot", "sec", "csc", "hypot", "pow", "powi", "powf", "exp2", "sgn", "sign", "signum",
+    "rad", "deg", "radians", "degrees",
+];
+
+/// Whether this names a function of another language.
+pub(super) fn is_function(name: &str) -> bool {
+    FUNCTIONS.contains(&name)
+}
+
+/// How a call of a function that there is not is written, if it can be.
+///
+/// In brackets, so that it may stand wherever the call stood.
+pub(super) fn call(name: &str, arguments: &[Expr]) -> Option<String> {
+    let texts: Vec<String> = arguments.iter().map(in_product).collect();
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    Some(match (name, arguments, &texts[..]) {
+        ("acos" | "arccos", _, [x]) => format!("(2 * atan(sqrt((1 - {x}) / (1 + {x}))))"),
+        ("asin" | "arcsin", _, [x]) => format!("(2 * atan({x} / (1 + sqrt(1 - {x} * {x}))))"),
+        ("atan2" | "arctan2", _, [y, x]) => {
+            format!("(2 * atan({y} / ({x} + sqrt({x} * {x} + {y} * {y}))))")
+        }
+        ("sinh", [x], _) => format!("((exp({x}) - exp(-({x}))) / 2)"),
+        ("cosh", [x], _) => format!("((exp({x}) + exp(-({x}))) / 2)"),
+        ("tanh", _, [x]) => format!("(1 - 2 / (exp(2 * {x}) + 1))"),
+        ("exp2", _, [x]) => format!("exp({} * {x})", std::f64::consts::LN_2),
+        ("sind" | "cosd" | "tand", [x], _) => {
+            format!("{}({})", name.trim_end_matches('d'), with_degrees(x))
+        }
+        ("cot", [x], _) => format!("(1 / tan({x}))"),
+        ("sec", [x], _) => format!("(1 / cos({x}))"),
+        ("csc", [x], _) => format!("(1 / sin({x}))"),
+        ("hypot", _, [x, y]) => format!("sqrt({x} * {x} + {y} * {y})"),
+        ("pow" | "powi" | "powf", [x, power], _) => powered(x, power)?,
+        ("sgn" | "sign" | "signum", [x], [text]) => format!("({text} / abs({x}))"),
+        ("rad" | "deg" | "radians" | "degrees", [x], _) => with_degrees(x),
+        _ => return None,
+    })
+}
+
+/// A power as it can be written, if it can be.
+fn powered(base: &Expr, power: &Expr) -> Option<String> {
+    const MOST: usize = 8;
+    let text = in_product(base);
+    match &power.kind {
+        ExprKind::Integer(digits) => {
+            let factors = digits
+                .parse()
+                .ok()
+                .filter(|count| (1..=MOST).contains(count));
+            Some(format!("({})", vec![text; factors?].join(" * ")))
+        }
+        ExprKind::Decimal(digits) if digits.parse() == Ok(0.5) => Some(format!("sqrt({base})")),
+        _ => None,
+    }
+}
+
+/// What to write for a power.
+pub(super) fn power(operator: &str, base: &Expr, power: &Expr) -> Message {
+    let text = match powered(base, power) {
+        Some(product) => format!("there is no `{operator}`; write `{product}`"),
+        None => {
+            format!("there is no `{operator}`; write the power as a product, such as `x * x * x`")
+        }
+    };
+    Message::new(base.place.to(power.place), text)
+}
+
+/// What to write for a remainder.
+pub(super) fn remainder(number: &Expr, divisor: &Expr) -> Message {
+    let place: Place = number.place.to(divisor.place);
+    let (number, divisor) = (in_product(number), in_product(divisor));
+    let text = format!(
+        "there is no `%`; what repeats is written with `sin` or `cos`, such as `sin(2 * PI * {number} / {divisor})`"
+    );
+    Message::new(place, text)
+}

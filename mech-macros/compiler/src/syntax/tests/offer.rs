@@ -1,0 +1,370 @@
+//! What newcomers write, and that what they are offered instead can be read.
+
+use super::{parsed, told_of};
+
+/// One message tells about the mark, and what it offers first is right in the mark's place.
+#[track_caller]
+fn offered(marked: &str, message: &str) {
+    let marked = format!("struct M;\n{marked}");
+    told_of(&marked, &[message]);
+    let (_, rest) = message.split_once('`').expect("something is quoted");
+    let quoted = message.split_once("write `").map_or(rest, |(_, rest)| rest);
+    let (offer, _) = quoted.split_once('`').expect("the quote ends");
+    assert_mended(&marked, offer);
+}
+
+/// Whether the text is right with this in the place of its mark.
+#[track_caller]
+fn assert_mended(marked: &str, offer: &str) {
+    let (before, rest) = marked.split_once('«').expect("a mark");
+    let (_, after) = rest.split_once('»').expect("its end");
+    let mended = format!("{before}{offer}{after}");
+    let errors = parsed(&mended).errors;
+    assert!(errors.is_empty(), "{mended}: {errors:?}");
+}
+
+/// The value of a constant that is offered.
+fn offered_value(wrong: &str) -> f64 {
+    let text = format!("struct M; const X = 3; const Y = 4; const A = {wrong};");
+    let message = &parsed(&text).errors[0].text;
+    let (_, rest) = message.split_once("write `").expect("an offer");
+    let (offer, _) = rest.split_once('`').expect("its end");
+    let text =
+        format!("struct M; const X = 3; const Y = 4; ground {{ point p = (2 / {offer}, 0); }}");
+    2.0 / super::good(&text).model.axes[0].at[0]
+}
+
+#[test]
+fn functions_of_other_languages_are_written_by_ours() {
+    for (wrong, value) in [
+        ("acos(0.5)", 0.5_f64.acos()),
+        ("acos(-0.9)", (-0.9_f64).acos()),
+        ("arcsin(X / 5)", 0.6_f64.asin()),
+        ("asin(0.5 - 1)", (-0.5_f64).asin()),
+        ("atan2(1, 2)", 1.0_f64.atan2(2.0)),
+        ("atan2(X, -Y)", 3.0_f64.atan2(-4.0)),
+        ("atan2(-X, 1 - Y)", (-3.0_f64).atan2(-3.0)),
+        ("sinh(X - 4)", (-1.0_f64).sinh()),
+        ("cosh(2)", 2.0_f64.cosh()),
+        ("tanh(-0.5)", (-0.5_f64).tanh()),
+        ("exp2(X)", 8.0),
+        ("sind(30)", 0.5),
+        ("cosd(X * 20)", 0.5),
+        ("cot(0.5)", 1.0 / 0.5_f64.tan()),
+        ("sec(0.5)", 1.0 / 0.5_f64.cos()),
+        ("hypot(X, Y)", 5.0),
+        ("hypot(X - 6, -Y)", 5.0),
+        ("pow(X + 1, 2)", 16.0),
+        ("pow(Y, 0.5)", 2.0),
+        ("sign(-X)", -1.0),
+        ("radians(90 + 90)", std::f64::consts::PI),
+        ("X ^ 2", 9.0),
+        ("(X - Y) ** 3", -1.0),
+        ("X ^ 1", 3.0),
+        ("Y ^ 0.5", 2.0),
+    ] {
+        let offered = offered_value(wrong);
+        assert!(
+            (offered - value).abs() < 1e-12,
+            "{wrong}: {offered} is not {value}"
+        );
+    }
+}
+
+#[test]
+fn no_function_is_taken_for_another() {
+    offered(
+        "const A = 1 + «acos(0.5)»;",
+        "there is no `acos`; write `(2 * atan(sqrt((1 - 0.5) / (1 + 0.5))))`",
+    );
+    offered(
+        "const A = «atan2(1, 2)»;",
+        "there is no `atan2`; write `(2 * atan(1 / (2 + sqrt(2 * 2 + 1 * 1))))`",
+    );
+    super::told(
+        "const A = «acos»();",
+        &[
+            "unknown function `acos`; there are `sqrt`, `sin`, `cos`, `tan`, `atan`, `exp`, `abs`, `min`, `max`",
+        ],
+    );
+    super::told(
+        "const A = «sin»;",
+        &["`sin` is a function; write what it is of, as `sin(...)`"],
+    );
+}
+
+#[test]
+fn operators_of_other_languages_are_written_by_ours() {
+    offered("const A = 1 - «2^2»;", "there is no `^`; write `(2 * 2)`");
+    offered(
+        "const A = 8 / «2 ** 3»;",
+        "there is no `**`; write `(2 * 2 * 2)`",
+    );
+    super::told(
+        "const A = «2 ^ 0.3»;",
+        &["there is no `^`; write the power as a product, such as `x * x * x`"],
+    );
+    let message = "there is no `%`; what repeats is written with `sin` or `cos`, such as `sin(2 * PI * t / 2)`";
+    super::told(&format!("{CRANK}motor j = «t % 2»;"), &[message]);
+    assert_mended(
+        &format!("struct M; {CRANK}motor j = «t % 2»;"),
+        "sin(2 * PI * t / 2)",
+    );
+}
+
+const CRANK: &str = "ground { point o = (0, 0); } link a { point o = (0, 0); point p = (1, 0); } link b { point p = (0, 0); } \
+    joint j = revolute(ground.o, a.o); joint k = revolute(a.p, b.p);\n";
+
+#[test]
+fn units_are_left_out_or_degrees() {
+    for (wrong, message) in [
+        ("«60 degrees»", "there is no unit `degrees`; write `60 deg`"),
+        (
+            "«(1 + 2) degrees»",
+            "there is no unit `degrees`; write `(1 + 2) deg`",
+        ),
+        (
+            "«1 rad»",
+            "a number without a unit is in radians; write `1`",
+        ),
+        (
+            "«90rad»",
+            "a number without a unit is in radians; write `90`",
+        ),
+        (
+            "«1.5 turns»",
+            "there is no unit `turns`; write `1.5 * 360 deg`",
+        ),
+        (
+            "2 * «10 mm»",
+            "lengths have no unit; write `10`, and all lengths in the same unit",
+        ),
+        (
+            "«10mm»",
+            "lengths have no unit; write `10`, and all lengths in the same unit",
+        ),
+        (
+            "«1 kg»",
+            "there is no unit `kg`; write `1`, in units that fit the others, such as m, kg and s",
+        ),
+        ("«1f64»", "a number has no type; write `1`"),
+    ] {
+        offered(&format!("const A = {wrong};"), message);
+    }
+    // The name of a joint is no unit.
+    super::told(
+        "link b; joint m = revolute(ground, b) at (0, 0); start { b near «1»\nm = 0; }",
+        &["expected `;` after `1`"],
+    );
+}
+
+#[test]
+fn numbers_have_no_type() {
+    super::told(
+        "const A«: f64» = 1;",
+        &["numbers have no type here; leave `: f64` out"],
+    );
+    assert_mended("struct M; const A«: f64» = 1;", "");
+    super::told(
+        "param a«: f32» = 1;",
+        &["numbers have no type here; leave `: f32` out"],
+    );
+}
+
+#[test]
+fn paths_of_rust_cannot_be_seen() {
+    offered(
+        "const A = 2 * «std::f64::consts::PI»;",
+        "paths of Rust cannot be seen here; write `PI`",
+    );
+    offered(
+        "const A = 2 / «TAU»;",
+        "unknown constant `TAU`; write `(2 * PI)`",
+    );
+    super::told(
+        "const A = «sizes::ROD»;",
+        &[
+            "paths of Rust cannot be seen here; declare `const ROD = ...;` in the mechanism and write `ROD`",
+        ],
+    );
+}
+
+#[test]
+fn a_ratio_has_two_numbers() {
+    let message =
+        "a ratio has two numbers; write `1 : 2` if `b` is the larger wheel, or `2 : 1` if `a` is";
+    let rolling = "joint g = gear(a, b, «2»";
+    offered(&format!("{CRANK}{rolling});"), message);
+    offered(&format!("{CRANK}{rolling} on ground);"), message);
+    assert_mended(&format!("struct M; {CRANK}{rolling});"), "2 : 1");
+    offered(
+        &format!("{CRANK}joint g = gear(a, b, «20, 40»);"),
+        "a ratio is written with `:`; write `20 : 40`",
+    );
+    offered(
+        &format!("{CRANK}joint g = rack(a, b, «0.5»);"),
+        "expected `radius` before this number; write `radius 0.5`",
+    );
+}
+
+#[test]
+fn a_joint_joins_two_links() {
+    let text = "link a; link b; joint j = revolute(ground, a, «b») at (0, 0);";
+    let message =
+        "a joint joins two links; declare another one for the third, as `revolute(ground, b)`";
+    super::told(text, &[message]);
+    super::good(
+        "struct M; link a; link b; joint j = revolute(ground, a) at (0, 0); joint k = revolute(ground, b) at (0, 0);",
+    );
+}
+
+#[test]
+fn a_look_is_told_by_its_words() {
+    offered(
+        "link a { circle (0, 0) radius 1 «plane 2»; }",
+        "a plane is told by two words; write `on plane 2`",
+    );
+    offered(
+        "link a { circle (0, 0) radius 1 on «2»; }",
+        "expected `plane` before this number; write `plane 2`",
+    );
+    offered(
+        "link a { circle (0, 0) «1»; }",
+        "expected `radius` before this number; write `radius 1`",
+    );
+    super::told(
+        "link a { circle (0, 0) radius 1 color 3 «plane» 2; }",
+        &["`on plane` stands before `color`; swap the two"],
+    );
+    super::told(
+        "link a { circle (0, 0) radius 1 «colour» 3; }",
+        &["write `color` for `colour`"],
+    );
+}
+
+#[test]
+fn a_color_is_a_number() {
+    let table = "a color is a number from 0 to 255: 0 paper, 1 ground, 2 blue, 3 orange, 4 teal, 5 red, 6 yellow, 7 purple, 8 green, \
+        9 pink, 10 sky, 11 brown, 12 olive, 13 slate, 14 ink, 15 eye, 16 hatch, 17 steel";
+    offered(
+        "link a { circle (0, 0) radius 1 color «red»; }",
+        &format!("a color is told by its number; write `5` for `red`\n\nnote: {table}"),
+    );
+    super::told(
+        "link a { circle (0, 0) radius 1 color «black»; }",
+        &[&format!(
+            "a color is told by its number, and no palette names one `black`\n\nnote: {table}"
+        )],
+    );
+    super::told(
+        "link a { circle (0, 0) radius 1 color «\"red\"»; }",
+        &[&format!("expected a number, found `\"red\"`; {table}")],
+    );
+    super::told(
+        "const red = 5; link a { circle (0, 0) radius 1 color red; }",
+        &[],
+    );
+}
+
+#[test]
+fn a_direction_has_two_parts() {
+    let message = "a direction has two parts; write `(cos(30 deg), sin(30 deg))`";
+    offered("link a { line l = (0, 0) -> «30 deg»; }", message);
+    offered("link a { point p = (0, 0) -> «30 deg»; }", message);
+    offered(
+        "link a; joint j = prismatic(ground, a) at (0, 0) along «30 deg»;",
+        message,
+    );
+}
+
+#[test]
+fn a_motor_has_a_statement_of_its_own() {
+    let marked = format!("struct M; {CRANK}motor «j, k»;");
+    told_of(
+        &marked,
+        &["each motor has its own statement; write `motor j; motor k;`"],
+    );
+    assert_mended(&marked, "j; motor k");
+    super::told(
+        "const A = 1«,» B = 2; link a; link b; joint j = revolute(a, b) at (0, 0); start { a near 1«,» b near 2; } effects { velocity«,» acceleration }",
+        &[
+            "expected `;`, found `,`; write a statement for each",
+            "expected `;`, found `,`; end each with `;`",
+            "expected `;`, found `,`; end each with `;`",
+        ],
+    );
+}
+
+#[test]
+fn words_stand_where_they_belong() {
+    offered(
+        "«let» x = 3;",
+        "numbers are declared by `const`; write `const` for `let`",
+    );
+    super::told(
+        "«use» std::f64;",
+        &["`use` belongs to Rust; write it outside of `mechanism!`"],
+    );
+    super::told(
+        "«point» p = (0, 0);",
+        &["`point` is fixed to a link; write it in the braces of `ground` or of a `link`"],
+    );
+    super::told(
+        "link a { «joint» j = revolute(ground, a) at (0, 0); }",
+        &["`joint` is a statement of its own; write it after the braces of the link"],
+    );
+}
+
+#[test]
+fn an_angle_of_many_radians_is_asked_about() {
+    let help = "\n\nhelp: or give the number a name with `const`, if radians are meant";
+    for (wrong, offer) in [
+        ("60", "60 deg"),
+        ("-7.5", "-7.5 deg"),
+        ("2 * 30", "(2 * 30) deg"),
+    ] {
+        let message =
+            format!("`{wrong}` is an angle in radians, more than a turn; write `{offer}`{help}");
+        offered(&format!("{CRANK}start {{ j = «{wrong}»; }}"), &message);
+        offered(&format!("{CRANK}start {{ a near «{wrong}»; }}"), &message);
+    }
+    let slide = "ground { line l = (0, 0) -> (1, 0); } link a { line l = (0, 0) -> (1, 0); } joint j = prismatic(ground.l, a.l);";
+    super::told(&format!("{slide} motor j; start {{ j = 60; }}"), &[]);
+    for right in ["6", "20 * PI", "720 deg", "START"] {
+        super::told(
+            &format!("{CRANK}const START = 60; motor j; start {{ j = {right}; }}"),
+            &[],
+        );
+    }
+}
+
+#[test]
+fn near_takes_a_link() {
+    let marked =
+        |settings: &str| format!("struct M; {CRANK}{settings}start {{ «k» near 20 deg; }}");
+    let beginning = "`k` is a joint, and `near` takes a link";
+    let angle = "write `b near 20 deg`, with the angle of `b` in the scene";
+    told_of(&marked(""), &[&format!("{beginning}; {angle}")]);
+    super::good(&format!("struct M; {CRANK}start {{ b near 20 deg; }}"));
+    told_of(
+        &marked("motor k; "),
+        &[&format!("{beginning}; write `k = 20 deg`")],
+    );
+    super::good(&format!(
+        "struct M; {CRANK}motor k; start {{ k = 20 deg; }}"
+    ));
+}
+
+#[test]
+fn a_name_that_two_claim_is_told_once() {
+    let second = "there is a link `b` already; choose another name for this joint";
+    super::told(
+        "link a; link b; joint «b» = revolute(a, b) at (0, 0); motor b; start { b = 1; b near 0; } spring s = torsional(b) stiffness 1; \
+         load l = torque(b); show b;",
+        &[second],
+    );
+    super::told(
+        "link a; joint d = revolute(ground, a) at (0, 0); link «d»; joint e = revolute(a, d) at (1, 0); motor d; start { d near 0; }",
+        &["there is a joint `d` already; choose another name for this link"],
+    );
+}

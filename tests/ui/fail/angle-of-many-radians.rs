@@ -1,0 +1,22 @@
+//! Degrees without their unit, and `near` for a joint.
+
+use mech_runtime::mechanism;
+
+mechanism! {
+    struct FourBar;
+
+    ground { point o = (0.0, 0.0); point p = (3.5, 0.0); }
+    link crank { point shaft = (0.0, 0.0); point pin = (1.0, 0.0); }
+    link coupler { point left = (0.0, 0.0); point right = (3.0, 0.0); }
+    link rocker { point shaft = (0.0, 0.0); point pin = (2.5, 0.0); }
+
+    joint a = revolute(ground.o, crank.shaft);
+    joint b = revolute(crank.pin, coupler.left);
+    joint c = revolute(coupler.right, rocker.pin);
+    joint d = revolute(ground.p, rocker.shaft);
+
+    motor a;
+    start { a = 60; coupler near -30; b near 20 deg; a near 60 deg; }
+}
+
+fn main() {}
