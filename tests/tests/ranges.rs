@@ -1,6 +1,7 @@
 //! Ranges of several motors: what one motor alone moves is proved over that motor alone, wherever its carrier stands.
 
 use mech_compiler::compile;
+use mech_compiler::evaluate::Machine;
 use mech_compiler::model::Model;
 use mech_compiler::reporter;
 use mech_compiler::structure::{Diagnosis, RangeTrouble};
@@ -118,5 +119,41 @@ proptest! {
         }
         let all = compile(&model(&digger.text(&ends)));
         prop_assert!(all.is_ok(), "{:?} {}", all.err(), digger.text(&ends));
+    }
+}
+
+/// A second loop stands on a ring of four links that almost is a parallelogram: the ring is proved never to come to its change point, but
+/// comes near, and there the second loop is fast.
+#[test]
+fn what_a_proved_loop_makes_fast_is_not_leapt_over() {
+    let text = "struct Near;
+        link l1; link l2; link l3; link l4; link l5;
+        joint j0 = revolute(ground, l1) at (2.39, -0.85);
+        joint j1 = revolute(ground, l2) at (1.17, -2.17);
+        joint j2 = revolute(l1, l3) at (0.8, -1.36);
+        joint j3 = revolute(l3, l2) at (-0.41878, -2.67868);
+        joint j4 = revolute(l2, l4) at (-1.1, -4.67);
+        joint j5 = revolute(ground, l5) at (3.21, 1.83);
+        joint j6 = revolute(l5, l4) at (0.94, -0.67);
+        motor j0 in -2.0495 ..= 1.0854;";
+    let compiled = compile(&model(text)).expect("a proved range");
+    let ends = |steps: u32| {
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        let (from, to) = (0.9037, -1.7145);
+        machine.move_to(&[from]).expect("within the range");
+        for step in 1..=steps {
+            let part = f64::from(step) / f64::from(steps);
+            let at = from + part * (to - from);
+            machine.move_to(&[at]).expect("within the range");
+        }
+        machine.position().poses.clone()
+    };
+    let exact = ends(10_000);
+    for steps in [1, 2, 7, 60] {
+        for (pose, exact) in ends(steps).iter().zip(&exact) {
+            for (number, exact) in pose.iter().zip(exact) {
+                assert!((number - exact).abs() < 1e-9, "{steps} steps");
+            }
+        }
     }
 }

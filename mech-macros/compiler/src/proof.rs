@@ -5,9 +5,12 @@ use crate::certify::{Interval, Verdict, certify_counted, motors_of};
 use crate::evaluate;
 use crate::model::{AtChangePoints, JointId, Model, MotorId};
 use crate::plan::Plan;
-use crate::program::{BlockId, Choice, Closed, Program, Value, build_as};
+use crate::program::{
+    AtZero, BlockId, Bound, Choice, Closed, Growth, Program, Value, Watching, build_as,
+};
 use crate::structure::{Diagnosis, RangeTrouble};
 use crate::watching::{Domain, Read};
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 /// A motor that has to make more turns than this until everything has turned as a whole needs a range.
@@ -119,15 +122,23 @@ pub(crate) fn proved(
         .filter_map(|&block| program.closed(block))
         .map(|closed| closed.number)
         .collect();
+    let asked = asked_for(plan, &choices, &touches);
     let settled = |(number, choice): (usize, Choice)| {
         if touches.contains(&number) {
-            choice
-        } else {
-            Choice {
-                watching: None,
-                proved: true,
-                ..choice
-            }
+            return choice;
+        }
+        let is_asked = asked.contains(&number);
+        Choice {
+            // It stays clear of its dead points, but others are the faster the nearer it comes.
+            watching: choice
+                .watching
+                .filter(|_| is_asked)
+                .map(|watching| Watching {
+                    at_zero: AtZero::Stay,
+                    ..watching
+                }),
+            proved: !is_asked,
+            ..choice
         }
     };
     let free: Vec<Choice> = choices.iter().cloned().enumerate().map(settled).collect();
@@ -137,6 +148,32 @@ pub(crate) fn proved(
     }
     proved.range = Some(ends(model));
     Ok((proved, free))
+}
+
+/// The loops whose sines bound how fast others change that are watched all the same, or angles that are followed over whole turns.
+fn asked_for(plan: &Plan, choices: &[Choice], touches: &[usize]) -> BTreeSet<usize> {
+    let near = |bound: &Bound| {
+        let growth = bound.growth.iter();
+        let near = growth.filter_map(|growth| match *growth {
+            Growth::NearZero(number) => Some(number),
+            Growth::FarOut(..) => None,
+        });
+        near.collect::<Vec<usize>>()
+    };
+    let mut asked: BTreeSet<usize> = plan
+        .turning
+        .iter()
+        .flat_map(|(_, bound)| near(bound))
+        .collect();
+    // Bounds ask for earlier loops only.
+    for (number, choice) in choices.iter().enumerate().rev() {
+        if let Some(watching) = &choice.watching
+            && (asked.contains(&number) || touches.contains(&number))
+        {
+            asked.extend(near(&watching.bound));
+        }
+    }
+    asked
 }
 
 /// The ends of all ranges; a motor without one may be anywhere.
