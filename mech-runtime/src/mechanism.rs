@@ -3,7 +3,10 @@
 use crate::{Blocked, Canvas, Cost, Pose, Reached, Scalar, Shape, View};
 use core::fmt::Debug;
 
-/// A mechanism made by [`mechanism!`](crate::mechanism). Each of these is also an inherent item of its struct.
+/// A mechanism made by [`mechanism!`](crate::mechanism).
+///
+/// Its struct has most of these as inherent items too: all but [`NAME`](Self::NAME), [`MOTORS`](Self::MOTORS), [`LINKS`](Self::LINKS),
+/// [`SHAPES`](Self::SHAPES) and [`view`](Self::view), for which the trait has to be in scope.
 pub trait Mechanism: Clone {
     /// `f32` or `f64`.
     type Scalar: Scalar;

@@ -28,7 +28,7 @@ impl Digger {
         let mut carrier = "ground".to_owned();
         if self.turret {
             text += "link turret; joint t = revolute(ground, turret) at (0, -1); motor t;\n";
-            carrier = "turret".to_owned();
+            "turret".clone_into(&mut carrier);
         }
         let mut pivot = [0.0, 0.0];
         for (number, (&([length, lean], [along, beside], [back, below]), [low, high])) in

@@ -50,7 +50,50 @@ pub(crate) fn proved(
         };
         return Ok((program, choices));
     }
-    let domain = Domain::new(model, &program, choices.len());
+    let touching = touching(model, plan, &choices, &program, ranged)?;
+    let touches: Vec<usize> = touching
+        .iter()
+        .filter_map(|&block| program.closed(block))
+        .map(|closed| closed.number)
+        .collect();
+    let asked = asked_for(plan, &choices, &touches);
+    let settled = |(number, choice): (usize, Choice)| {
+        if touches.contains(&number) {
+            return choice;
+        }
+        let is_asked = asked.contains(&number);
+        Choice {
+            // It stays clear of its dead points, but others are the faster the nearer it comes.
+            watching: choice
+                .watching
+                .filter(|_| is_asked)
+                .map(|watching| Watching {
+                    at_zero: AtZero::Stay,
+                    ..watching
+                }),
+            proved: !is_asked,
+            ..choice
+        }
+    };
+    let free: Vec<Choice> = choices.iter().cloned().enumerate().map(settled).collect();
+    let mut proved = build_as(model, plan, &free);
+    if evaluate::settle(&mut proved).is_err() {
+        return Ok((program, choices));
+    }
+    proved.range = Some(ends(model));
+    Ok((proved, free))
+}
+
+/// The loops that may come to within rounding of a dead point or change point, if all close wherever the motors are within their ranges.
+/// The first motor that has one is `ranged`.
+fn touching(
+    model: &Model,
+    plan: &Plan,
+    choices: &[Choice],
+    program: &Program,
+    ranged: usize,
+) -> Result<Vec<BlockId>, Diagnosis> {
+    let domain = Domain::new(model, program, choices.len());
     let whole = Cuts {
         through: &|_| true,
         own: None,
@@ -70,13 +113,13 @@ pub(crate) fn proved(
         .motor_ids()
         .map(|motor| range(&domain, &read, motor))
         .collect::<Result<_, _>>()?;
-    let unknowns = |block: BlockId| unknowns(plan, &program, block);
+    let unknowns = |block: BlockId| unknowns(plan, program, block);
     let trouble = |motor: usize, block: BlockId, trouble| Diagnosis::Range {
         motor: MotorId::new(motor),
         unknowns: unknowns(block),
         trouble,
     };
-    let (verdict, _) = certify_counted(&program, &ranges, &free);
+    let (verdict, _) = certify_counted(program, &ranges, &free);
     let touching = match verdict {
         Verdict::Proved { touching } => touching,
         Verdict::Blocked(blocked) => {
@@ -109,45 +152,15 @@ pub(crate) fn proved(
             return Err(trouble(motor, block, RangeTrouble::Undecided { between }));
         }
         Verdict::NoClosedForm { block } => {
-            let motor = ranged_of(model, &motors_of(&program, block)).unwrap_or(ranged);
+            let motor = ranged_of(model, &motors_of(program, block)).unwrap_or(ranged);
             return Err(trouble(motor, block, RangeTrouble::Iterated));
         }
     };
     if let (AtChangePoints::Stop, Some(&block)) = (model.change_points, touching.first()) {
-        let motor = ranged_of(model, &motors_of(&program, block)).unwrap_or(ranged);
+        let motor = ranged_of(model, &motors_of(program, block)).unwrap_or(ranged);
         return Err(trouble(motor, block, RangeTrouble::Stops));
     }
-    let touches: Vec<usize> = touching
-        .iter()
-        .filter_map(|&block| program.closed(block))
-        .map(|closed| closed.number)
-        .collect();
-    let asked = asked_for(plan, &choices, &touches);
-    let settled = |(number, choice): (usize, Choice)| {
-        if touches.contains(&number) {
-            return choice;
-        }
-        let is_asked = asked.contains(&number);
-        Choice {
-            // It stays clear of its dead points, but others are the faster the nearer it comes.
-            watching: choice
-                .watching
-                .filter(|_| is_asked)
-                .map(|watching| Watching {
-                    at_zero: AtZero::Stay,
-                    ..watching
-                }),
-            proved: !is_asked,
-            ..choice
-        }
-    };
-    let free: Vec<Choice> = choices.iter().cloned().enumerate().map(settled).collect();
-    let mut proved = build_as(model, plan, &free);
-    if evaluate::settle(&mut proved).is_err() {
-        return Ok((program, choices));
-    }
-    proved.range = Some(ends(model));
-    Ok((proved, free))
+    Ok(touching)
 }
 
 /// The loops whose sines bound how fast others change that are watched all the same, or angles that are followed over whole turns.

@@ -7,6 +7,7 @@ use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Precision, 
 use crate::plan::{Cam, ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
 use crate::program::{self, Program, Timing};
 use crate::structure::{Rolling, Structure};
+use num_traits::ToPrimitive as _;
 use std::fmt::Write;
 
 /// What was found about a program.
@@ -351,7 +352,20 @@ fn rolling_line(model: &Model, rolling: &Rolling) -> String {
     )
 }
 
-/// What a joint that rolling moves is moved by, exactly.
+/// A ratio as a fraction; where that comes from a pitch radius and is long, as a decimal number.
+fn fraction(part: &Rational) -> String {
+    /// No wheel has more teeth.
+    const MOST: i64 = 100_000;
+    let is_short = |whole: Option<i64>| whole.is_some_and(|whole| whole.abs() <= MOST);
+    match part.to_f64() {
+        Some(value) if !(is_short(part.numer().to_i64()) && is_short(part.denom().to_i64())) => {
+            format!("{value}")
+        }
+        _ => part.to_string(),
+    }
+}
+
+/// What a joint that rolling moves is moved by.
 fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
     let part = |(source, part): &(usize, Rational)| {
         let source = match plan.sources.get(*source) {
@@ -362,7 +376,7 @@ fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
             Some(Source::Way(joint)) => model.joint(*joint).name.clone(),
             None => String::new(),
         };
-        format!("{part} · {source}")
+        format!("{} · {source}", fraction(part))
     };
     let parts: Vec<String> = mesh.parts.iter().map(part).collect();
     let moved = &model.joint(mesh.connection.joint).name;

@@ -2,17 +2,18 @@
 
 use super::added::Added;
 use super::block::scalar;
+use super::coordinate::coordinate;
 use super::costs::costs;
 use super::effects;
 use super::known::known;
 use super::many::many;
 use super::moves::{named_motors, near, turn_to, within};
 use super::params;
-use super::scope::number;
 use super::step::step;
 use super::traces::painting;
 use crate::Compiled;
-use crate::model::{AxisId, JointKind, LinkId, Model, Origin, Quality};
+use crate::model::{AxisId, LinkId, Model, Origin, Quality};
+use crate::plan::Plan;
 use crate::program::Program;
 use crate::syntax::{Header, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -38,7 +39,7 @@ pub(crate) fn items(
         [program.inputs(), program.poses.len(), program.kept.len()].map(Literal::usize_unsuffixed);
     let doc = format!("\n```text\n{report}```");
     let step = step(krate, program);
-    let accessors = accessors(places, model, program, visibility);
+    let accessors = accessors(places, model, (plan, program), visibility);
     let Added {
         fields,
         at_rest,
@@ -355,7 +356,7 @@ pub(super) fn user_ident(name: &str, places: &Places, origin: Origin) -> Ident {
 fn accessors(
     places: &Places,
     model: &Model,
-    program: &Program,
+    (plan, program): (&Plan, &Program),
     visibility: &syn::Visibility,
 ) -> TokenStream {
     let scalar = scalar(program);
@@ -395,7 +396,7 @@ fn accessors(
         });
     }
     for joint in model.joint_ids().filter(|&id| model.shows_joint(id)) {
-        if let Some((unit, value)) = coordinate(model, program, joint) {
+        if let Some((unit, value)) = coordinate(model, plan, program, joint) {
             let joint = model.joint(joint);
             let name = user_ident(&joint.name, places, joint.origin);
             let doc = format!(" The coordinate of joint `{}`, in {unit}.", joint.name);
@@ -428,52 +429,4 @@ pub(super) fn pose(program: &Program, link: LinkId) -> TokenStream {
             quote!(self.position.poses[#index])
         }
     }
-}
-
-/// Whether a joint turns, and the axes between which its coordinate is measured; a gear has none.
-pub(super) fn coordinate_axes(
-    model: &Model,
-    joint: crate::model::JointId,
-) -> Option<(bool, AxisId, AxisId)> {
-    let declared = model.joint(joint);
-    let (turns, a, b) = match declared.kind {
-        JointKind::Revolute(a, b) => (true, a, b),
-        JointKind::Prismatic(a, b) => (false, a, b),
-        _ => return None,
-    };
-    (!declared.hidden).then(|| (turns, model.seen_axis(a), model.seen_axis(b)))
-}
-
-/// The unit and the expression of a joint's coordinate.
-fn coordinate(
-    model: &Model,
-    program: &Program,
-    joint: crate::model::JointId,
-) -> Option<(&'static str, TokenStream)> {
-    let (turns, a, b) = coordinate_axes(model, joint)?;
-    let motor = model.motor_of(joint);
-    let (unit, function) = if turns {
-        ("radians, between −π and π", quote!(generated::angle))
-    } else {
-        ("scene units", quote!(generated::slide))
-    };
-    if let Some(motor) = motor {
-        let index = Literal::usize_unsuffixed(motor.index());
-        let value = quote!(Self::motors(self)[#index]);
-        return Some(("radians or scene units, as given to its motor", value));
-    }
-    if let Some(kept) = program.kept_angle(joint) {
-        let kept = Literal::usize_unsuffixed(kept);
-        let value = quote!(self.position.kept[#kept]);
-        return Some(("radians, whole turns since the start included", value));
-    }
-    let axis = |id: AxisId| {
-        let axis = model.axis(id);
-        let at = params::place(model, program, id);
-        let [along, across] = axis.direction.map(|value| number(program.precision, value));
-        let pose = pose(program, axis.link);
-        quote!((#pose, #at, [#along, #across]))
-    };
-    let (a, b) = (axis(a), axis(b));
-    Some((unit, quote!(#function(#a, #b))))
 }

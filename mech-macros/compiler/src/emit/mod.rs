@@ -2,6 +2,7 @@
 
 mod added;
 mod block;
+mod coordinate;
 mod costs;
 mod effects;
 mod flow;

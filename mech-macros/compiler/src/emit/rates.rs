@@ -2,8 +2,9 @@
 
 use super::added::Added;
 use super::block::scalar;
+use super::coordinate::coordinate_axes;
 use super::costs::more;
-use super::items::{coordinate_axes, named_points, pose, user_ident};
+use super::items::{named_points, pose, user_ident};
 use super::motion::given;
 use super::moves::{far, near};
 use super::params;

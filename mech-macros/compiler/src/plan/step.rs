@@ -111,6 +111,18 @@ pub struct Connection {
     pub joint: JointId,
 }
 
+impl Connection {
+    /// Whether it goes forwards from the first to the second of these axes, or backwards; none if it joins others.
+    #[must_use]
+    pub fn turns_between(&self, [a, b]: [AxisId; 2]) -> Option<bool> {
+        match (self.from, self.to) {
+            (from, to) if (from, to) == (a, b) => Some(true),
+            (from, to) if (from, to) == (b, a) => Some(false),
+            _ => None,
+        }
+    }
+}
+
 /// What a connection allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConnectionKind {

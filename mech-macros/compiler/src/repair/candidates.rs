@@ -83,6 +83,18 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             }
             repairs
         }
+        Diagnosis::NotCarrier { .. } | Diagnosis::NoMesh { .. } => on_wheels(model, of),
+        Diagnosis::DeadStart { .. } => model
+            .motor_ids()
+            .flat_map(|motor| elsewhere(model, motor))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Other carriers, or other sizes, of wheels.
+fn on_wheels(model: &Model, of: &Diagnosis) -> Vec<Repair> {
+    match of {
         Diagnosis::NotCarrier { joint, .. } => {
             let named = structure::carriers(model, *joint).into_iter().map(Some);
             [None]
@@ -104,10 +116,6 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             let sizes = sizes::fitting(*ratio, *trouble).into_iter();
             sizes.map(resize).collect()
         }
-        Diagnosis::DeadStart { .. } => model
-            .motor_ids()
-            .flat_map(|motor| elsewhere(model, motor))
-            .collect(),
         _ => Vec::new(),
     }
 }

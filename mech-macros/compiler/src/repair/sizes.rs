@@ -4,9 +4,11 @@ use crate::model::Ratio;
 use crate::structure::MeshTrouble;
 
 /// A wheel of fewer teeth than this is none.
-const FEWEST_TEETH: i64 = 12;
+const FEWEST_TEETH: u8 = 12;
+/// Nor is one so many times as large as the other.
+const LARGEST: f64 = 100.0;
 /// Ratios are looked for among these numbers.
-const MOST_PARTS: i64 = 100;
+const MOST_PARTS: u8 = 100;
 /// So exactly is a ratio met by whole numbers.
 const EXACT: f64 = 1e-9;
 
@@ -38,20 +40,27 @@ pub(super) fn fitting(ratio: Ratio, trouble: MeshTrouble) -> Vec<Ratio> {
 fn is_gear(ratio: &Ratio) -> bool {
     let [a, b] = ratio.sizes();
     let sizes = [a, b].iter().all(|size| size.is_normal());
-    sizes && (a > 0.0 || b > 0.0) && !ratio.ring_is_small()
+    let [less, more] = [a.abs().min(b.abs()), a.abs().max(b.abs())];
+    sizes && more <= LARGEST * less && (a > 0.0 || b > 0.0) && !ratio.ring_is_small()
 }
 
 /// Numbers of teeth of this ratio, if it is one of small numbers.
 fn teeth(a: f64, b: f64) -> Option<Ratio> {
-    let ratio = b / a;
-    let first = (1..=MOST_PARTS).find(|&first| {
-        let second = ratio * first as f64;
-        (second - second.round()).abs() <= EXACT && second.abs() <= MOST_PARTS as f64
+    let ratio = (b / a).abs();
+    let fits = |first: u8, second: u8| {
+        (ratio * f64::from(first) - f64::from(second)).abs() <= EXACT * f64::from(second)
+    };
+    let all = || 1..=MOST_PARTS;
+    let (first, second) = all().find_map(|first| {
+        let second = all().find(|&second| fits(first, second))?;
+        Some((first, second))
     })?;
-    let second = (ratio * first as f64).round() as i64;
-    let times = (FEWEST_TEETH + first.min(second.abs()) - 1) / first.min(second.abs());
-    let sign = if a < 0.0 { -1 } else { 1 };
-    Some(Ratio::Teeth(sign * first * times, sign * second * times))
+    let times = i64::from(FEWEST_TEETH.div_ceil(first.min(second)));
+    let signed = |part: u8, size: f64| {
+        let teeth = times * i64::from(part);
+        if size < 0.0 { -teeth } else { teeth }
+    };
+    Some(Ratio::Teeth(signed(first, a), signed(second, b)))
 }
 
 /// A number as one would write it: four digits.

@@ -73,7 +73,7 @@ impl Writer<'_> {
     /// Whether a torsional spring needs the whole angle of this connection.
     fn is_sprung(&self, connection: Connection) -> bool {
         let mut sprung = self.sprung.iter();
-        sprung.any(|sprung| turns_between(connection, sprung.axes).is_some())
+        sprung.any(|sprung| connection.turns_between(sprung.axes).is_some())
     }
 
     /// Carries the angles of all joints with torsional springs from position to position.
@@ -112,7 +112,7 @@ impl Writer<'_> {
     fn whole_angle(&mut self, axes: [AxisId; 2]) -> Option<Value> {
         let mut known = self.whole_angles.iter();
         let (value, forwards) = known.find_map(|whole| {
-            let forwards = turns_between(whole.connection, axes)?;
+            let forwards = whole.connection.turns_between(axes)?;
             Some((whole.value, forwards))
         })?;
         Some(if forwards {
@@ -127,14 +127,5 @@ impl Writer<'_> {
         let [from, to] = axes.map(|axis| self.placement.heading(&mut self.builder, axis));
         let (sin, cos) = (self.builder.cross(from, to), self.builder.dot(from, to));
         self.builder.make(Op::Atan2(sin, cos))
-    }
-}
-
-/// Whether a connection turns forwards from the first to the second of these axes, or backwards; none if it joins others.
-fn turns_between(connection: Connection, [a, b]: [AxisId; 2]) -> Option<bool> {
-    match (connection.from, connection.to) {
-        (from, to) if (from, to) == (a, b) => Some(true),
-        (from, to) if (from, to) == (b, a) => Some(false),
-        _ => None,
     }
 }

@@ -65,9 +65,12 @@ impl Lowering {
             ExprKind::Integer(digits) => digits.parse().ok(),
             ExprKind::Constant(name) => self.constants.integer(name),
             ExprKind::Negative(inner) => self.integer(inner)?.checked_neg(),
-            ExprKind::Sum(terms) => chain(terms, |sum, term, is_less| match is_less {
-                true => sum.checked_sub(term),
-                false => sum.checked_add(term),
+            ExprKind::Sum(terms) => chain(terms, |sum, term, is_less| {
+                if is_less {
+                    sum.checked_sub(term)
+                } else {
+                    sum.checked_add(term)
+                }
             }),
             ExprKind::Product(factors) => chain(factors, |product, factor, divides| {
                 (!divides).then(|| product.checked_mul(factor))?

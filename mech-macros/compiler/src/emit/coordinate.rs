@@ -1,0 +1,105 @@
+//! The coordinates of joints.
+
+use super::items::pose;
+use super::params;
+use super::scope::number;
+use crate::model::{AxisId, JointId, JointKind, Model};
+use crate::plan::{Mesh, Plan, Rational, Source, Step};
+use crate::program::Program;
+use num_traits::ToPrimitive as _;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// Whether a joint turns, and the axes between which its coordinate is measured; a gear has none.
+pub(super) fn coordinate_axes(model: &Model, joint: JointId) -> Option<(bool, AxisId, AxisId)> {
+    let declared = model.joint(joint);
+    let (turns, a, b) = match declared.kind {
+        JointKind::Revolute(a, b) => (true, a, b),
+        JointKind::Prismatic(a, b) => (false, a, b),
+        _ => return None,
+    };
+    (!declared.hidden).then(|| (turns, model.seen_axis(a), model.seen_axis(b)))
+}
+
+/// The unit and the expression of a joint's coordinate.
+pub(super) fn coordinate(
+    model: &Model,
+    plan: &Plan,
+    program: &Program,
+    joint: JointId,
+) -> Option<(&'static str, TokenStream)> {
+    let (turns, a, b) = coordinate_axes(model, joint)?;
+    let motor = model.motor_of(joint);
+    let (unit, function) = if turns {
+        ("radians, between −π and π", quote!(generated::angle))
+    } else {
+        ("scene units", quote!(generated::slide))
+    };
+    if let Some(motor) = motor {
+        let index = Literal::usize_unsuffixed(motor.index());
+        let value = quote!(Self::motors(self)[#index]);
+        return Some(("radians or scene units, as given to its motor", value));
+    }
+    if let Some(kept) = program.kept_angle(joint) {
+        let kept = Literal::usize_unsuffixed(kept);
+        let value = quote!(self.position.kept[#kept]);
+        return Some(("radians, whole turns since the start included", value));
+    }
+    if let Some(value) = whole_angle(model, plan, program, joint) {
+        return Some(("radians, whole turns since the start included", value));
+    }
+    let axis = |id: AxisId| {
+        let axis = model.axis(id);
+        let at = params::place(model, program, id);
+        let [along, across] = axis.direction.map(|value| number(program.precision, value));
+        let pose = pose(program, axis.link);
+        quote!((#pose, #at, [#along, #across]))
+    };
+    let (a, b) = (axis(a), axis(b));
+    Some((unit, quote!(#function(#a, #b))))
+}
+
+/// The angle of a joint that motors turn by way of gears: it goes on over any number of turns, as they do.
+fn whole_angle(
+    model: &Model,
+    plan: &Plan,
+    program: &Program,
+    joint: JointId,
+) -> Option<TokenStream> {
+    let JointKind::Revolute(a, b) = model.joint(joint).kind else {
+        return None;
+    };
+    let meshes = plan.steps.iter().filter_map(|step| match step {
+        Step::Mesh(mesh) => Some(mesh),
+        _ => None,
+    });
+    let (mesh, start, forwards) = meshes.zip(&plan.start.meshes).find_map(|(mesh, start)| {
+        let forwards = mesh.connection.turns_between([a, b])?;
+        Some((mesh, *start, forwards))
+    })?;
+    let sign = if forwards { 1.0 } else { -1.0 };
+    let parts = motor_parts(plan, mesh)?;
+    let moved = parts
+        .iter()
+        .map(|(_, source, part)| part * plan.start.sources[*source]);
+    let start = start - moved.sum::<f64>();
+    let n = |value: f64| number(program.precision, value);
+    let start = n(sign * start);
+    let shares = parts.iter().map(|(motor, _, part)| {
+        let (part, index) = (n(sign * part), Literal::usize_unsuffixed(*motor));
+        quote!(+ #part * motors[#index])
+    });
+    Some(quote!({
+        let motors = Self::motors(self);
+        #start #(#shares)*
+    }))
+}
+
+/// For each motor that turns a gear the number of its source and its part; none if something else has a part, too.
+fn motor_parts(plan: &Plan, mesh: &Mesh) -> Option<Vec<(usize, usize, f64)>> {
+    let part = |(source, part): &(usize, Rational)| match plan.sources.get(*source) {
+        Some(Source::Motor(motor)) => Some((motor.index(), *source, part.to_f64()?)),
+        _ => None,
+    };
+    mesh.parts.iter().map(part).collect()
+}
