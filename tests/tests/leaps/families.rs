@@ -317,6 +317,23 @@ fn coupled_s1008() {
     );
 }
 
+/// A move that begins where one was stopped, at the edge of a dead zone, does not pass it: not even where rounding lets the loop close
+/// here and there beside the edge.
+#[test]
+fn narrow_dead_zones_are_not_passed_from_their_edge() {
+    for (text, to) in [
+        (include_str!("texts/s1002237.txt"), -21.204_729_507_848_814),
+        (include_str!("texts/s1000495.txt"), 0.815_875_395_140_976_1),
+    ] {
+        let subject = of(text);
+        none(
+            "a narrow dead zone",
+            &subject,
+            &wrong(&subject, &[vec![to]]),
+        );
+    }
+}
+
 #[test]
 fn coupled_s1022() {
     let subject = of(include_str!("texts/s1022.txt"));

@@ -4,30 +4,74 @@ use super::Interval;
 use super::cone::{Cone, Cuts, Cutter, Variable};
 use super::tape::Tape;
 use crate::plan::Solution;
-use crate::program::{Closed, Op, Value};
+use crate::program::{Closed, Op, Program, Value};
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
 /// At so many places it is looked whether a loop notices that it is turned, each time so far.
 const PLACES: usize = 12;
 const TURNS: [f64; 3] = [1.0, 2.3, 4.1];
+/// What rounding makes of a number, as a part of it.
+const TIGHT: f64 = 1e-9;
 /// Places are spread by multiples of this.
 const SPREAD: f64 = 0.618_033_988_749_894_9;
 
 /// Values that are held where they are at the start.
 pub(super) type Held = Vec<(Value, f64)>;
 
-/// The directions in which a loop is carried, at the start: if they have no part in its slack, it closes in one as in all others.
+/// The directions in which a loop is carried, at the start: if they have no part in its slack, it closes in one as in all others. What
+/// has a part must not be made from them.
 pub(super) fn held(cutter: &Cutter<'_>, closed: &Closed) -> Held {
     let cone = cutter.cone(&[closed.slack, closed.floor], &Cuts::ALONE);
-    let mut held = Held::new();
-    for (index, variable) in cone.variables.iter().enumerate() {
+    let variables = cone.variables.iter().enumerate();
+    let (mut with_part, mut without): (Vec<Vec<Value>>, Vec<Vec<Value>>) = (Vec::new(), Vec::new());
+    for (index, variable) in variables {
         let values = directions(cutter, *variable);
-        if !values.is_empty() && !has_part(&cone, index) {
-            let at_start = |value: Value| (value, cutter.at_start[value.index()]);
-            held.extend(values.into_iter().map(at_start));
+        if values.is_empty() || has_part(&cone, index) {
+            with_part.push(found(cutter, *variable));
+        } else {
+            without.push(values);
         }
     }
-    held
+    while let Some(values) = with_part.pop() {
+        let made_from = made_from(cutter.program, values);
+        let (used, unused) = without
+            .into_iter()
+            .partition(|values| values.iter().any(|value| made_from.contains(value)));
+        without = unused;
+        with_part.extend::<Vec<Vec<Value>>>(used);
+    }
+    let at_start = |value: Value| (value, cutter.at_start[value.index()]);
+    without.into_iter().flatten().map(at_start).collect()
+}
+
+/// The values that a variable stands for: none for what is given from outside.
+fn found(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
+    match variable {
+        Variable::Found(number, index) => match solution(cutter, number, index) {
+            Some(Solution::Slide(way)) => vec![way],
+            _ => directions(cutter, variable),
+        },
+        _ => directions(cutter, variable),
+    }
+}
+
+/// Everything that these values are made from, themselves among it.
+fn made_from(program: &Program, values: Vec<Value>) -> BTreeSet<Value> {
+    let mut made_from = BTreeSet::new();
+    let mut waiting = values;
+    while let Some(value) = waiting.pop() {
+        if made_from.insert(value) {
+            waiting.extend(program.node(value).op.operands());
+        }
+    }
+    made_from
+}
+
+fn solution(cutter: &Cutter<'_>, number: usize, index: usize) -> Option<Solution<Value>> {
+    let all = &cutter.program.solutions;
+    let (_, solutions) = all.iter().find(|(of, _)| *of == number)?;
+    solutions.get(index).copied()
 }
 
 /// Cosine and sine of what turns, as the program has them; of what slides nothing.
@@ -42,19 +86,15 @@ fn directions(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
             );
             of.map(|(index, _)| Value::at(index)).collect()
         }
-        Variable::Found(number, index) => {
-            let all = &program.solutions;
-            let found = all.iter().find(|(of, _)| *of == number);
-            match found.and_then(|(_, solutions)| solutions.get(index)) {
-                Some(Solution::Direction(direction)) => direction.to_vec(),
-                _ => Vec::new(),
-            }
-        }
+        Variable::Found(number, index) => match solution(cutter, number, index) {
+            Some(Solution::Direction(direction)) => direction.to_vec(),
+            _ => Vec::new(),
+        },
     }
 }
 
-/// Whether a variable has a part in the outputs of a cone. What is the same has enclosures that overlap wherever it is computed; what is
-/// not differs by more than rounding at some place.
+/// Whether a variable may have a part in the outputs of a cone. What is the same has enclosures that overlap wherever it is computed; what
+/// is not differs by more than rounding at some place. A wide enclosure tells nothing.
 fn has_part(cone: &Cone, variable: usize) -> bool {
     let mut tape = Tape::of(&cone.nodes, cone.variables.len(), Vec::new(), &cone.outputs);
     if tape.is_too_large() {
@@ -75,9 +115,17 @@ fn has_part(cone: &Cone, variable: usize) -> bool {
             place[variable] += turn;
             let after = outputs(&place);
             let mut both = before.iter().zip(&after);
-            both.any(|(a, b)| a.high() < b.low() || b.high() < a.low())
+            both.any(|(a, b)| {
+                let is_same = a.low() <= b.high() && b.low() <= a.high();
+                !(is_same && is_tight(*a) && is_tight(*b))
+            })
         })
     })
+}
+
+/// Whether an enclosure is as wide as rounding makes it.
+fn is_tight(range: Interval) -> bool {
+    range.width() <= TIGHT * (1.0 + range.abs().high())
 }
 
 /// Some place, the coordinates far from each other.
