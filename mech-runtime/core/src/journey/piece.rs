@@ -20,7 +20,7 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
     mut done: T,
     target: T,
 ) -> Reach<J::Position, J::Stop, T> {
-    let (begun, mut aim) = (done, target);
+    let mut aim = target;
     // Each round passes a change point, or finds a dead point before its aim.
     for _ in 0..=8 * journey.watches() {
         let mut reach = reach(journey, &from, done, aim);
@@ -94,10 +94,17 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
         // Beside a dead point rounding lets it close here and there: beyond lies what does not.
         return reach(journey, &from, done, aim);
     }
-    Reach {
-        to: from,
-        end: done,
-        stop: (done <= begun).then(|| journey.too_far()),
+    match journey.at(&from, target) {
+        Ok(to) => Reach {
+            to,
+            end: target,
+            stop: None,
+        },
+        Err(stop) => Reach {
+            to: from,
+            end: done,
+            stop: Some(stop),
+        },
     }
 }
 
