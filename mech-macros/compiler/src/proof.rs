@@ -35,9 +35,8 @@ pub(crate) fn proved(
         });
     }
     if let Some((joint, ..)) = model.cams().next() {
-        let ranged = model.motors.iter().position(|motor| motor.range.is_some());
         return Err(Diagnosis::Range {
-            motor: MotorId::new(ranged.unwrap_or_default()),
+            motor: MotorId::new(ranged),
             unknowns: Vec::new(),
             trouble: RangeTrouble::Cam(joint),
         });

@@ -28,13 +28,13 @@ pub(super) fn held(cutter: &Cutter<'_>, closed: &Closed) -> Held {
     for (index, variable) in variables {
         let values = directions(cutter, *variable);
         if values.is_empty() || has_part(&cone, index) {
-            with_part.push(found(cutter, *variable));
+            with_part.push(values_of(cutter, *variable));
         } else {
             without.push(values);
         }
     }
     while let Some(values) = with_part.pop() {
-        let made_from = made_from(cutter.program, values);
+        let made_from = made_from(cutter.program, values, &Held::new());
         let (used, unused) = without
             .into_iter()
             .partition(|values| values.iter().any(|value| made_from.contains(value)));
@@ -46,9 +46,9 @@ pub(super) fn held(cutter: &Cutter<'_>, closed: &Closed) -> Held {
 }
 
 /// The values that a variable stands for: none for what is given from outside.
-fn found(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
+fn values_of(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
     match variable {
-        Variable::Found(number, index) => match solution(cutter, number, index) {
+        Variable::Found(number, index) => match cutter.solution(number, index) {
             Some(Solution::Slide(way)) => vec![way],
             _ => directions(cutter, variable),
         },
@@ -56,22 +56,17 @@ fn found(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
     }
 }
 
-/// Everything that these values are made from, themselves among it.
-fn made_from(program: &Program, values: Vec<Value>) -> BTreeSet<Value> {
+/// Everything that these values are made from, themselves among it, but for what is held.
+pub(super) fn made_from(program: &Program, values: Vec<Value>, held: &Held) -> BTreeSet<Value> {
     let mut made_from = BTreeSet::new();
     let mut waiting = values;
     while let Some(value) = waiting.pop() {
-        if made_from.insert(value) {
+        let is_held = held.iter().any(|(other, _)| *other == value);
+        if !is_held && made_from.insert(value) {
             waiting.extend(program.node(value).op.operands());
         }
     }
     made_from
-}
-
-fn solution(cutter: &Cutter<'_>, number: usize, index: usize) -> Option<Solution<Value>> {
-    let all = &cutter.program.solutions;
-    let (_, solutions) = all.iter().find(|(of, _)| *of == number)?;
-    solutions.get(index).copied()
 }
 
 /// Cosine and sine of what turns, as the program has them; of what slides nothing.
@@ -86,7 +81,7 @@ fn directions(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
             );
             of.map(|(index, _)| Value::at(index)).collect()
         }
-        Variable::Found(number, index) => match solution(cutter, number, index) {
+        Variable::Found(number, index) => match cutter.solution(number, index) {
             Some(Solution::Direction(direction)) => direction.to_vec(),
             _ => Vec::new(),
         },

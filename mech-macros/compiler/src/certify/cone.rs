@@ -167,6 +167,16 @@ impl<'p> Cutter<'p> {
         }
     }
 
+    /// What a loop finds, both by number.
+    pub(crate) fn solution(&self, number: usize, index: usize) -> Option<Solution<Value>> {
+        let (_, found) = self
+            .program
+            .solutions
+            .iter()
+            .find(|(of, _)| *of == number)?;
+        found.get(index).copied()
+    }
+
     /// A sum of constant parts of inputs, if an angle is one: for each input the part.
     pub(crate) fn parts(&self, angle: Value) -> Option<BTreeMap<usize, f64>> {
         let node = self.program.node(angle);

@@ -2,7 +2,7 @@
 //! the boom stands.
 
 use super::Interval;
-use super::carried::{Held, held};
+use super::carried::{Held, held, made_from};
 use super::claim::{Test, tests};
 use super::cone::Cutter;
 use crate::program::{BlockId, Op, Program, Value};
@@ -69,18 +69,12 @@ pub(crate) fn motors_of(program: &Program, block: BlockId) -> Vec<usize> {
 
 /// The motors of which some values are made, but for what is held.
 fn motors(program: &Program, values: Vec<Value>, held: &Held) -> Vec<usize> {
-    let mut waiting = values;
-    let mut seen: BTreeSet<Value> = BTreeSet::new();
-    let mut motors = BTreeSet::new();
-    while let Some(value) = waiting.pop() {
-        let is_held = held.iter().any(|(other, _)| *other == value);
-        if !is_held && seen.insert(value) {
-            let op = program.node(value).op;
-            if let Op::Motor(motor) = op {
-                motors.insert(motor);
-            }
-            waiting.extend(op.operands());
-        }
-    }
+    let values = made_from(program, values, held).into_iter();
+    let motors: BTreeSet<usize> = values
+        .filter_map(|value| match program.node(value).op {
+            Op::Motor(motor) => Some(motor),
+            _ => None,
+        })
+        .collect();
     motors.into_iter().collect()
 }

@@ -120,9 +120,7 @@ impl<'a> Domain<'a> {
     }
 
     pub(super) fn solution(&self, number: usize, index: usize) -> Option<Solution<Value>> {
-        let solutions = &self.cutter.program.solutions;
-        let (_, found) = solutions.iter().find(|(of, _)| *of == number)?;
-        found.get(index).copied()
+        self.cutter.solution(number, index)
     }
 
     /// The ranges of the inputs of a cone that goes back to them, so that everything that turns has turned as a whole; none if no
