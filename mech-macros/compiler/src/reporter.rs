@@ -3,6 +3,7 @@
 mod assembly;
 mod cam;
 mod carrier;
+mod declaration;
 mod drawing;
 mod exactness;
 mod held;
@@ -16,7 +17,7 @@ mod start;
 mod wording;
 
 use crate::model::{JointId, LinkId, Model, MotorId, Origin};
-use crate::repair::{self, Offers};
+use crate::repair::{self, Offers, Repair};
 use crate::structure::Diagnosis;
 use crate::syntax::{Message, Places};
 
@@ -62,10 +63,11 @@ struct Words<'m> {
 impl Words<'_> {
     fn of(&self, diagnosis: &Diagnosis, offers: &Offers) -> Vec<(Origin, String)> {
         let told = match diagnosis {
-            Diagnosis::Loose { link } => (self.at_link(Some(link)), self.loose(*link)),
-            Diagnosis::Disconnected { links } => {
-                (self.at_link(links.first()), self.disconnected(links))
-            }
+            Diagnosis::Loose { link } => (self.at_link(Some(link)), self.loose(*link, offers)),
+            Diagnosis::Disconnected { links } => (
+                self.at_link(links.first()),
+                self.disconnected(links, offers),
+            ),
             Diagnosis::NotCarrier { joint, link } => (
                 self.at_joint(Some(joint)),
                 self.not_carrier(*joint, *link, offers),
@@ -165,22 +167,36 @@ impl Words<'_> {
         link.map_or(self.model.origin, |&link| self.model.link(link).origin)
     }
 
-    fn loose(&self, link: LinkId) -> String {
+    fn loose(&self, link: LinkId, offers: &Offers) -> String {
+        let joins = |repair: &Repair| matches!(repair, Repair::Declare(_));
+        let joined = offers.single.iter().any(joins) || !offers.pairs.is_empty();
+        let help = self.help(offers);
+        let help = if joined {
+            self.help_or_pairs(offers)
+        } else if help.is_empty() {
+            let joint = self.some_joint(link);
+            format!("\nhelp: declare a joint, as `joint NAME = {joint};`, or remove the link")
+        } else {
+            let joint = self.some_joint(link);
+            format!("{help}, or declare a joint, as `joint NAME = {joint};`")
+        };
         format!(
-            "nothing holds link {}: no joint joins it to anything\nhelp: declare a joint, as `joint NAME = {};`, or remove \
-             the link",
-            self.link(link),
-            self.some_joint(link)
+            "nothing holds link {}: no joint joins it to anything{help}",
+            self.link(link)
         )
     }
 
-    fn disconnected(&self, links: &[LinkId]) -> String {
+    fn disconnected(&self, links: &[LinkId], offers: &Offers) -> String {
         let links = self.moving(links);
+        let help = if offers.is_empty() {
+            "\nhelp: declare a joint between one of them and the ground or a link that is connected to it".to_owned()
+        } else {
+            self.help_or_pairs(offers)
+        };
         format!(
-            "{} {} not connected to the ground\nhelp: declare a joint between one of them and the ground or a link that is \
-             connected to it",
+            "{} {} not connected to the ground{help}",
             self.links(&links),
-            if links.len() == 1 { "is" } else { "are" }
+            if links.len() == 1 { "is" } else { "are" },
         )
     }
 

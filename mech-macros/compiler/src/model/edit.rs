@@ -1,8 +1,8 @@
 //! Changes to a mechanism, as a user would make them in the text: everything else follows, and is numbered anew.
 
 use super::{
-    Axis, AxisId, AxisKind, Joint, JointId, JointKind, LinkId, Model, Motor, MotorId, Ratio, Shown,
-    Start, StartValue,
+    Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, MotorId,
+    NewJoint, Origin, Ratio, Shown, Start, StartValue,
 };
 
 /// Changes to a mechanism. All ids are those of the mechanism that is changed, until [`Edit::finish`].
@@ -89,6 +89,21 @@ impl Edit {
         self.keeps_joint.extend([true, true]);
     }
 
+    /// Adds a link. Joints may be declared on it by the id that is returned.
+    pub fn add_link(&mut self, name: &str) -> LinkId {
+        let id = LinkId::new(self.model.links.len());
+        self.model.links.push(Link::new(name, Origin::default()));
+        self.keeps_link.push(true);
+        id
+    }
+
+    /// Declares a joint, after all others.
+    pub fn declare(&mut self, joint: &NewJoint) {
+        joint.declare(&mut self.model);
+        self.keeps_link.resize(self.model.links.len(), true);
+        self.keeps_joint.resize(self.model.joints.len(), true);
+    }
+
     /// Lets two welded links turn on each other.
     pub fn unweld(&mut self, id: JointId) {
         if let JointKind::Weld(a, b) = self.model.joint(id).kind {
@@ -126,7 +141,7 @@ impl Edit {
     pub fn finish(mut self) -> Model {
         self.follow();
         let axes = self.axes_in_use();
-        let (links, joints) = (numbers(&self.keeps_link), numbers(&self.keeps_joint));
+        let (links, joints) = (self.link_numbers(), numbers(&self.keeps_joint));
         let axis_numbers = numbers(&axes);
         let link = |id: LinkId| links[id.index()].map(LinkId::new);
         let joint = |id: JointId| joints[id.index()].map(JointId::new);
@@ -140,6 +155,7 @@ impl Edit {
             one.die = one.die.and_then(|(a, b)| Some((axis(a)?, axis(b)?)));
         }
         keep(&mut model.links, &self.keeps_link);
+        model.links.sort_by_key(|link| link.die.is_some());
         keep(&mut model.axes, &axes);
         keep(&mut model.joints, &self.keeps_joint);
         keep(&mut model.motors, &self.keeps_motor);
@@ -184,6 +200,26 @@ impl Edit {
         model
     }
 
+    /// The new numbers of links: dies come after all others.
+    fn link_numbers(&self) -> Vec<Option<usize>> {
+        let is_die: Vec<bool> = self
+            .model
+            .links
+            .iter()
+            .map(|link| link.die.is_some())
+            .collect();
+        let of = |dies: bool| {
+            let kept = self.keeps_link.iter().zip(&is_die);
+            let kept: Vec<bool> = kept.map(|(kept, die)| *kept && *die == dies).collect();
+            numbers(&kept)
+        };
+        let (declared, dies) = (of(false), of(true));
+        let before = declared.iter().flatten().count();
+        let moved = |number: Option<usize>| number.map(|number| number + before);
+        let all = declared.into_iter().zip(dies);
+        all.map(|(declared, die)| declared.or(moved(die))).collect()
+    }
+
     /// Takes away what cannot be without what was taken away.
     fn follow(&mut self) {
         let model = &self.model;
@@ -224,11 +260,8 @@ impl Edit {
             .zip(&self.keeps_joint)
             .filter(|(_, kept)| **kept);
         for (joint, _) in kept {
-            if let JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) =
-                joint.kind
-            {
-                used[a.index()] = true;
-                used[b.index()] = true;
+            for axis in joint.kind.axes().into_iter().flatten() {
+                used[axis.index()] = true;
             }
         }
         for (used, axis) in used.iter_mut().zip(&self.model.axes) {

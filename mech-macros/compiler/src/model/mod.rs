@@ -4,6 +4,8 @@
 //! maps back to where it was declared.
 
 mod action;
+mod declaration;
+mod drawing;
 mod edit;
 mod effects;
 mod id;
@@ -19,6 +21,8 @@ mod start;
 mod trace;
 
 pub use action::{Actions, Between, Damper, Load, LoadKind, Spring};
+pub use declaration::{Ends, NewJoint, NewKind};
+pub(crate) use drawing::{Drawn, FORWARD};
 pub use edit::Edit;
 pub use effects::Effects;
 pub use id::{AxisId, FormulaId, JointId, LawId, LinkId, MotorId, Origin, ParamId};
@@ -296,12 +300,12 @@ impl Model {
 
     /// The links of the axes that a joint makes coincide; what has none joins the ground to itself.
     fn axes_of(&self, id: JointId) -> (LinkId, LinkId) {
-        match self.joint(id).kind {
-            JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
+        self.joint(id)
+            .kind
+            .axes()
+            .map_or((LinkId::GROUND, LinkId::GROUND), |[a, b]| {
                 (self.axis(a).link, self.axis(b).link)
-            }
-            _ => (LinkId::GROUND, LinkId::GROUND),
-        }
+            })
     }
 
     /// The cams: the joint, its shaft, its follower and its law.

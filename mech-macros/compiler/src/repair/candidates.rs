@@ -1,6 +1,6 @@
 //! What could be changed.
 
-use super::{Repair, drivable, sizes};
+use super::{Repair, completions, drivable, sizes};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::structure::{self, Diagnosis};
 
@@ -17,6 +17,8 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             let mut links = ends(model, joints);
             links.extend(part);
             let joints = with_slides(model, joints, &mut links);
+            repairs.extend(completions::slots(model, &joints));
+            repairs.extend(completions::freed(model, &joints));
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
@@ -39,42 +41,36 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             }
             let mut links = ends(model, &joints);
             let joints = with_slides(model, &joints, &mut links);
+            repairs.extend(completions::slots(model, &joints));
+            repairs.extend(completions::freed(model, &joints));
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
         Diagnosis::Rigid => {
             let (links, joints): (Vec<_>, Vec<_>) =
                 (model.link_ids().collect(), model.joint_ids().collect());
-            on_part(model, &links, &joints)
-        }
-        Diagnosis::NoMotor {
-            freedom: 1,
-            candidates,
-        }
-        | Diagnosis::Undetermined {
-            freedom: 1,
-            candidates,
-            ..
-        } => {
-            let mut repairs = relocated_to(model, all, candidates);
-            let motors = ground_first(model, candidates.iter().copied());
-            repairs.extend(motors.map(|joint| Repair::AddMotors(vec![joint])));
+            let mut repairs = completions::slots(model, &joints);
+            repairs.extend(completions::freed(model, &joints));
+            repairs.extend(on_part(model, &links, &joints));
             repairs
         }
-        Diagnosis::NoMotor {
-            freedom,
-            candidates,
-        }
-        | Diagnosis::Undetermined {
-            freedom,
-            candidates,
-            ..
-        } => {
-            let free: Vec<JointId> = ground_first(model, model.joint_ids()).collect();
-            let mut repairs = vec![Repair::AddMotors(candidates.clone())];
-            repairs.extend(several(&free, *freedom).map(Repair::AddMotors));
+        Diagnosis::Loose { link } => {
+            let mut repairs = vec![Repair::RemoveLink(*link)];
+            repairs.extend(completions::joints(model));
             repairs
         }
+        Diagnosis::Disconnected { links } => {
+            let mut repairs = completions::joints(model);
+            repairs.extend(completions::fixed(model, links));
+            repairs
+        }
+        Diagnosis::NoMotor { candidates, .. } => {
+            let free: Vec<JointId> = model.joint_ids().collect();
+            free_to_move(model, all, of, &free, candidates)
+        }
+        Diagnosis::Undetermined {
+            free, candidates, ..
+        } => free_to_move(model, all, of, free, candidates),
         Diagnosis::NotSequential { .. } => {
             let mut repairs = vec![Repair::AllowCoupled];
             for motor in model.motor_ids() {
@@ -84,12 +80,62 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             repairs
         }
         Diagnosis::NotCarrier { .. } | Diagnosis::NoMesh { .. } => on_wheels(model, of),
-        Diagnosis::DeadStart { .. } => model
-            .motor_ids()
-            .flat_map(|motor| elsewhere(model, motor))
-            .collect(),
+        Diagnosis::DeadStart { .. } => {
+            let motors = model.motor_ids();
+            let mut repairs: Vec<Repair> =
+                motors.flat_map(|motor| elsewhere(model, motor)).collect();
+            for motor in model.motor_ids() {
+                let joints = ground_first(model, model.joint_ids());
+                repairs.extend(joints.map(|to| Repair::MoveMotor { motor, to }));
+            }
+            repairs
+        }
         _ => Vec::new(),
     }
+}
+
+/// Joints and links that may be missing, and motors.
+fn free_to_move(
+    model: &Model,
+    all: &[Diagnosis],
+    of: &Diagnosis,
+    free: &[JointId],
+    candidates: &[JointId],
+) -> Vec<Repair> {
+    let mut repairs = completions::joints(model);
+    repairs.extend(motors(model, all, of, candidates));
+    let on_ground = |joint: JointId| {
+        let (a, b) = model.ends(joint);
+        a == LinkId::GROUND || b == LinkId::GROUND
+    };
+    // A single crank without a motor is no link too many.
+    let lone = model.motors.is_empty();
+    let leaves = completions::leaves(model).into_iter();
+    let leaves = leaves.filter(|(_, joint)| free.contains(joint) && !(lone && on_ground(*joint)));
+    repairs.extend(leaves.map(|(link, _)| Repair::RemoveLink(link)));
+    repairs.extend(completions::guides(model, free));
+    repairs.extend(completions::connecting_links(model));
+    if !lone {
+        repairs.extend(completions::welds(model, free));
+    }
+    repairs
+}
+
+/// Motors that would hold what is free.
+fn motors(model: &Model, all: &[Diagnosis], of: &Diagnosis, candidates: &[JointId]) -> Vec<Repair> {
+    let (Diagnosis::NoMotor { freedom, .. } | Diagnosis::Undetermined { freedom, .. }) = of else {
+        return Vec::new();
+    };
+    if *freedom == 1 {
+        let mut repairs = relocated_to(model, all, candidates);
+        let motors = ground_first(model, candidates.iter().copied());
+        repairs.extend(motors.map(|joint| Repair::AddMotors(vec![joint])));
+        return repairs;
+    }
+    let free: Vec<JointId> = ground_first(model, model.joint_ids()).collect();
+    let mut repairs = vec![Repair::AddMotors(candidates.to_vec())];
+    repairs.extend(several(&free, *freedom).map(Repair::AddMotors));
+    repairs
 }
 
 /// Other carriers, or other sizes, of wheels.

@@ -1,10 +1,16 @@
 //! What would mend a mechanism: each change is made and the whole mechanism compiled again before it is offered.
 
 mod candidates;
+mod completions;
+mod declaration;
 mod offers;
+mod rank;
 mod sizes;
+mod sketch;
+mod translation;
 mod trial;
 
+pub use declaration::{Declaration, Purpose};
 pub use offers::{Offers, Search, offers};
 
 use crate::model::{Edit, JointId, JointKind, LinkId, Model, MotorId, Ratio, StartValue};
@@ -13,6 +19,8 @@ use crate::model::{Edit, JointId, JointKind, LinkId, Model, MotorId, Ratio, Star
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Repair {
+    /// Declare joints and links.
+    Declare(Declaration),
     /// Take this joint away.
     RemoveJoint(JointId),
     /// Take this link away, with all its joints and the motors on them.
@@ -74,6 +82,7 @@ impl Repair {
     /// Makes the change; tells whether it can be made.
     fn make(&self, model: &Model, edit: &mut Edit) -> bool {
         match *self {
+            Self::Declare(ref declaration) => declaration.make(model, edit),
             Self::RemoveJoint(joint) => {
                 edit.remove_joint(joint);
                 !model.joint(joint).hidden && !is_in_cam(model, joint)

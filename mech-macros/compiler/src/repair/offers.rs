@@ -1,9 +1,11 @@
 //! Which changes cure what is wrong.
 
-use super::Repair;
 use super::candidates::candidates;
+use super::rank::Ranking;
+use super::translation::translated;
 use super::trial::{Trial, Trials};
-use crate::model::{JointId, LinkId, Model};
+use super::{Declaration, Purpose, Repair};
+use crate::model::Model;
 use crate::structure::Diagnosis;
 
 /// What would mend a mechanism, as far as it was searched for. Everything in it was applied, and compiled.
@@ -62,10 +64,12 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     let mut offers = Offers::default();
     let mut failed = Vec::new();
     for repair in candidates(trials.model, all, diagnosis) {
-        if one_is_enough && !offers.single.is_empty() {
-            break;
-        }
-        if offers.single.iter().any(|known| same_place(known, &repair)) {
+        let told = |known: &Repair| {
+            let kind = std::mem::discriminant(&repair);
+            let same = one_is_enough && is_motor(known) && std::mem::discriminant(known) == kind;
+            same || same_place(known, &repair)
+        };
+        if offers.single.iter().any(told) || has_enough(&offers.single, &repair) {
             continue;
         }
         match trials.of(std::slice::from_ref(&repair)) {
@@ -97,12 +101,13 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
             .elsewhere
             .truncate(usize::from(offers.single.is_empty()));
     }
+    let ranking = Ranking::new(trials.model, diagnosis);
     for list in [
         &mut offers.single,
         &mut offers.elsewhere,
         &mut offers.partial,
     ] {
-        list.sort_by_key(declared);
+        list.sort_by_key(|repair| ranking.of(repair));
     }
     // The same in another direction.
     let single = &offers.single;
@@ -112,8 +117,11 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     for list in [&mut offers.elsewhere, &mut offers.partial] {
         list.dedup_by(|next, first| same_place(first, next));
     }
-    if offers.is_empty() && is_held(diagnosis) {
-        pairs(trials, &failed, &mut offers);
+    let others = failed.iter().any(|repair| !is_motor(repair));
+    let bare = offers.is_empty() && (is_held(diagnosis) || is_apart(diagnosis));
+    if bare || all.len() == 1 && others && is_free(diagnosis) && offers.single.iter().all(is_motor)
+    {
+        pairs(trials, &failed, &ranking, &mut offers);
     }
     if trials.exhausted {
         offers.search = Search::Bounded;
@@ -133,15 +141,23 @@ impl Offers {
     }
 }
 
-/// In which order changes are told: those of links and joints as declared, others as they were tried.
-fn declared(repair: &Repair) -> (usize, usize) {
-    match repair {
-        Repair::RemoveLink(link) => (1, link.index()),
-        Repair::RemoveJoint(joint) => (2, joint.index()),
-        Repair::MakeSlot { joint, .. } => (3, joint.index()),
-        Repair::Unweld(joint) => (4, joint.index()),
-        _ => (0, 0),
-    }
+/// Whether motors are added or moved.
+fn is_motor(repair: &Repair) -> bool {
+    matches!(
+        repair,
+        Repair::AddMotors(_) | Repair::MoveMotor { .. } | Repair::StartAt { .. }
+    )
+}
+
+/// Whether there are new joints enough that serve the same purpose.
+fn has_enough(found: &[Repair], repair: &Repair) -> bool {
+    const ENOUGH: usize = 2;
+    let purpose = |repair: &Repair| match repair {
+        Repair::Declare(Declaration { purpose, .. }) => Some(std::mem::discriminant(purpose)),
+        _ => None,
+    };
+    let same = |known: &&Repair| purpose(known) == purpose(repair);
+    purpose(repair).is_some() && found.iter().filter(same).count() >= ENOUGH
 }
 
 /// Whether two changes differ only in the direction of a slot.
@@ -159,6 +175,20 @@ fn is_held(diagnosis: &Diagnosis) -> bool {
             | Diagnosis::TooManyMotors { .. }
             | Diagnosis::Overdetermined { .. }
             | Diagnosis::Rigid
+    )
+}
+
+fn is_free(diagnosis: &Diagnosis) -> bool {
+    matches!(
+        diagnosis,
+        Diagnosis::Undetermined { .. } | Diagnosis::NoMotor { .. }
+    )
+}
+
+fn is_apart(diagnosis: &Diagnosis) -> bool {
+    matches!(
+        diagnosis,
+        Diagnosis::Loose { .. } | Diagnosis::Disconnected { .. }
     )
 }
 
@@ -181,33 +211,46 @@ fn is_better(found: &[Diagnosis], all: &[Diagnosis], index: usize) -> bool {
 }
 
 /// Searches for two changes that are enough together: after the first, whatever would mend what is then wrong.
-fn pairs(trials: &mut Trials<'_>, tried: &[Repair], offers: &mut Offers) {
+fn pairs(trials: &mut Trials<'_>, tried: &[Repair], ranking: &Ranking<'_>, offers: &mut Offers) {
     offers.search = Search::Pairs;
     let model = trials.model;
+    let tried = tried.iter().filter(|repair| is_half(repair));
     let mut halves: Vec<(usize, &Repair, Vec<Diagnosis>)> = tried
-        .iter()
         .filter_map(|repair| {
             let found = trials.wrong(repair);
             Some((freedom(&found)?, repair, found))
         })
         .collect();
     halves.retain(|(.., found)| !found.is_empty());
-    halves.sort_by_key(|(freedom, _, found)| (*freedom, found.len()));
+    halves.sort_by_key(|(freedom, repair, found)| {
+        let suggested = ranking.of(repair).0 == 0;
+        (!suggested, *freedom, found.len())
+    });
     for (_, first, found) in &halves {
-        if trials.exhausted {
-            return;
-        }
         for second in seconds(model, first, found) {
-            if offers.pairs.len() >= PAIRS {
-                return;
+            if !trials.exhausted && offers.pairs.len() < PAIRS {
+                attempt(trials, offers, [(*first).clone(), second]);
             }
-            attempt(trials, offers, [(*first).clone(), second]);
         }
+    }
+    offers.pairs.sort_by_key(|pair| ranking.of_pair(pair));
+}
+
+/// Whether a change may be one of two: not a motor first, nor new parts beside others that go.
+fn is_half(repair: &Repair) -> bool {
+    let part =
+        |purpose: Purpose| matches!(purpose, Purpose::Connect | Purpose::Stiffen | Purpose::Fix);
+    match repair {
+        Repair::Declare(Declaration { purpose, .. }) => !part(*purpose),
+        other => !is_motor(other),
     }
 }
 
 fn attempt(trials: &mut Trials<'_>, offers: &mut Offers, pair: [Repair; 2]) {
-    let same = |a: &Repair, b: &Repair| a == b || same_place(a, b);
+    let same = |a: &Repair, b: &Repair| {
+        let motors = matches!((a, b), (Repair::AddMotors(_), Repair::AddMotors(_)));
+        a == b || motors || same_place(a, b)
+    };
     let is_known = |[a, b]: &[Repair; 2]| {
         let [first, second] = &pair;
         (same(a, first) && same(b, second)) || (same(a, second) && same(b, first))
@@ -237,44 +280,13 @@ fn seconds(model: &Model, first: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
     };
     let seconds: Vec<Repair> = candidates(&changed, found, rest)
         .into_iter()
+        .filter(|second| is_half(second) || matches!(second, Repair::AddMotors(_)))
         .filter_map(|second| translated(&second, &changed, model))
         .collect();
     let adds = |repair: &Repair| matches!(repair, Repair::AddMotors(_));
-    let most = if seconds.iter().any(adds) {
-        MOTORS
-    } else {
-        usize::MAX
-    };
-    seconds.into_iter().take(most).collect()
-}
-
-/// A change to a changed mechanism, as one to the original: what has the same name is the same.
-fn translated(repair: &Repair, changed: &Model, original: &Model) -> Option<Repair> {
-    let joint = |id: JointId| {
-        let name = &changed.joint(id).name;
-        let same = |id: &JointId| original.joint(*id).name == *name && !original.joint(*id).hidden;
-        original.joint_ids().find(same)
-    };
-    let link = |id: LinkId| {
-        let name = &changed.link(id).name;
-        let same =
-            |id: &LinkId| original.link(*id).name == *name && original.link(*id).die.is_none();
-        original.link_ids().find(same)
-    };
-    Some(match repair {
-        Repair::RemoveJoint(id) => Repair::RemoveJoint(joint(*id)?),
-        Repair::RemoveLink(id) => Repair::RemoveLink(link(*id)?),
-        Repair::MakeSlot { joint: id, along } => Repair::MakeSlot {
-            joint: joint(*id)?,
-            along: *along,
-        },
-        Repair::Unweld(id) => Repair::Unweld(joint(*id)?),
-        Repair::RemoveMotor(id) => {
-            Repair::RemoveMotor(original.motor_of(joint(changed.motor(*id).joint)?)?)
-        }
-        Repair::AddMotors(ids) => {
-            Repair::AddMotors(ids.iter().map(|&id| joint(id)).collect::<Option<_>>()?)
-        }
-        _ => return None,
-    })
+    let (motors, others): (Vec<Repair>, Vec<Repair>) = seconds.into_iter().partition(adds);
+    others
+        .into_iter()
+        .chain(motors.into_iter().take(MOTORS))
+        .collect()
 }

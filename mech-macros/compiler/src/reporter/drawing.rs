@@ -52,7 +52,7 @@ impl Words<'_> {
     /// That what this link has of its own is given in the scene, because one of its joints is.
     fn given_in_the_scene(&self, link: LinkId) -> String {
         let own = self.model.joint_ids().find_map(|joint| {
-            let mut axes = axes_of(self.model.joint(joint).kind)?.into_iter();
+            let mut axes = self.model.joint(joint).kind.axes()?.into_iter();
             axes.find(|&id| {
                 let axis = self.model.axis(id);
                 axis.link == link && axis.name.is_some()
@@ -103,7 +103,7 @@ impl Words<'_> {
     /// Whether a joint joins axes that lie apart in the scene, each fixed to it.
     fn apart(&self, joint: JointId) -> Option<Apart> {
         let kind = self.model.joint(joint).kind;
-        let [a, b] = axes_of(kind)?;
+        let [a, b] = kind.axes()?;
         let (first, second) = (self.model.axis(a), self.model.axis(b));
         let in_scene =
             |axis: &Axis| axis.link == LinkId::GROUND || self.model.link(axis.link).drawn;
@@ -153,15 +153,5 @@ impl Words<'_> {
             JointKind::Weld(..) => format!("point {name} = ({x}, {y}) -> ({c}, {s});"),
             _ => format!("point {name} = ({x}, {y});"),
         }
-    }
-}
-
-/// What a joint joins, if that is axes.
-fn axes_of(kind: JointKind) -> Option<[AxisId; 2]> {
-    match kind {
-        JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
-            Some([a, b])
-        }
-        _ => None,
     }
 }

@@ -91,6 +91,17 @@ impl Words<'_> {
 
     /// A joint that would hold this link, in the words of the language.
     pub(super) fn some_joint(&self, link: LinkId) -> String {
+        let name = &self.model.link(link).name;
+        if self.model.links.iter().any(|link| link.drawn) {
+            let mut axes = self.model.axes.iter();
+            let point = axes.find(|axis| axis.link == link && axis.kind == AxisKind::Point);
+            return match point {
+                Some(Axis { at: [x, y], .. }) => {
+                    format!("revolute(ground, {name}) at ({x}, {y})")
+                }
+                None => format!("revolute(ground, {name}) at (X, Y)"),
+            };
+        }
         let named = |owner: LinkId| {
             let mut axes = self.model.axes.iter();
             axes.find(|axis| {
@@ -102,7 +113,7 @@ impl Words<'_> {
         let mut others = self.model.link_ids().filter(|&other| other != link);
         match (named(link), others.find_map(named)) {
             (Some(point), Some(other)) => format!("revolute({other}, {point})"),
-            _ => format!("revolute(ground, {}) at (X, Y)", self.model.link(link).name),
+            _ => format!("revolute(ground, {name}) at (X, Y)"),
         }
     }
 

@@ -11,6 +11,8 @@ const WIDTH: usize = 100;
 impl Words<'_> {
     /// The lines that say what would mend it, each after a line break: none if nothing was found.
     pub(super) fn help(&self, offers: &Offers) -> String {
+        const LINES: usize = 4;
+        const PAIRS: usize = 2;
         let mut lines = in_lines(&self.phrases(&offers.single));
         if !offers.elsewhere.is_empty() {
             let phrases = self.phrases(&offers.elsewhere).join(", or ");
@@ -23,6 +25,11 @@ impl Words<'_> {
                 "{phrases}, with `allow coupled;`: it settles everything, but the loops then wait for each other"
             ));
         }
+        if !lines.is_empty() {
+            let pairs = offers.pairs.iter().take(PAIRS);
+            lines.extend(pairs.map(|pair| self.together(pair)));
+        }
+        lines.truncate(LINES);
         let alone = in_lines(&self.phrases(&offers.partial));
         let alone = alone
             .first()
@@ -87,58 +94,62 @@ impl Words<'_> {
         }
     }
 
-    /// All these changes, those of a kind together.
+    /// All these changes, those of a kind together where the first of them is.
     fn phrases(&self, repairs: &[Repair]) -> Vec<String> {
-        let settings = repairs.iter().filter_map(|repair| match repair {
-            Repair::AllowRedundant => Some("add `allow redundant;`".to_owned()),
-            Repair::AllowCoupled => {
-                Some("add `allow coupled;` to solve these loops together".to_owned())
-            }
-            Repair::StartAt { motor, value } => Some(self.start_at(*motor, *value)),
-            _ => None,
-        });
-        let gone = named(repairs, |repair| match repair {
-            Repair::RemoveMotor(motor) => Some(self.motor_line(*motor)),
-            Repair::RemoveLink(link) => Some(format!("`link {}`", self.model.link(*link).name)),
-            Repair::RemoveJoint(joint) => Some(self.joint_line(*joint)),
-            _ => None,
-        });
-        let slots = named(repairs, |repair| match repair {
-            Repair::MakeSlot { joint, .. } => Some(self.joint_line(*joint)),
-            _ => None,
-        });
-        let welds = named(repairs, |repair| match repair {
-            Repair::Unweld(joint) => Some(self.joint_line(*joint)),
-            _ => None,
-        });
-        let unnamed = named(repairs, |repair| match repair {
-            Repair::Carry { joint, on: None } => Some(self.carrier_clause(*joint)),
-            _ => None,
-        });
-        let carriers = named(repairs, |repair| match repair {
-            Repair::Carry { on: Some(link), .. } => {
-                Some(format!("`on {}`", self.model.link(*link).name))
-            }
-            _ => None,
-        });
-        let sizes = named(repairs, |repair| match repair {
-            Repair::Resize { sizes, .. } => Some(format!("`{}`", written(*sizes))),
-            _ => None,
-        });
+        let alone = |(place, repair): (usize, &Repair)| {
+            let phrase = match repair {
+                Repair::Declare(declaration) => self.declaration(declaration),
+                Repair::AllowRedundant => "add `allow redundant;`".to_owned(),
+                Repair::AllowCoupled => {
+                    "add `allow coupled;` to solve these loops together".to_owned()
+                }
+                Repair::StartAt { motor, value } => self.start_at(*motor, *value),
+                _ => return None,
+            };
+            Some((place, phrase))
+        };
+        let mut phrases: Vec<(usize, String)> =
+            repairs.iter().enumerate().filter_map(alone).collect();
+        phrases.extend(self.moved_motors(repairs));
+        let listed = |before: &str, after: &str, name: &dyn Fn(&Repair) -> Option<String>| {
+            let names = named(repairs, name);
+            let place = repairs.iter().position(|repair| name(repair).is_some());
+            place.map(|place| (place, [before, &one_of(&names), after].concat()))
+        };
         let lists = [
-            ("write ", sizes, ""),
-            ("remove ", gone, ""),
-            ("replace ", slots, " by `slot(...)`"),
-            ("replace ", welds, " by `revolute(...)`"),
-            ("leave ", unnamed, " out"),
-            ("write ", carriers, ""),
+            listed("write ", "", &|repair| match repair {
+                Repair::Resize { sizes, .. } => Some(format!("`{}`", written(*sizes))),
+                _ => None,
+            }),
+            listed("remove ", "", &|repair| match repair {
+                Repair::RemoveMotor(motor) => Some(self.motor_line(*motor)),
+                Repair::RemoveLink(link) => Some(format!("`link {}`", self.model.link(*link).name)),
+                Repair::RemoveJoint(joint) => Some(self.joint_line(*joint)),
+                _ => None,
+            }),
+            listed("replace ", " by `slot(...)`", &|repair| match repair {
+                Repair::MakeSlot { joint, .. } => Some(self.joint_line(*joint)),
+                _ => None,
+            }),
+            listed("replace ", " by `revolute(...)`", &|repair| match repair {
+                Repair::Unweld(joint) => Some(self.joint_line(*joint)),
+                _ => None,
+            }),
+            listed("leave ", " out", &|repair| match repair {
+                Repair::Carry { joint, on: None } => Some(self.carrier_clause(*joint)),
+                _ => None,
+            }),
+            listed("write ", "", &|repair| match repair {
+                Repair::Carry { on: Some(link), .. } => {
+                    Some(format!("`on {}`", self.model.link(*link).name))
+                }
+                _ => None,
+            }),
         ];
-        let lists = lists.into_iter().filter(|(_, names, _)| !names.is_empty());
-        settings
-            .chain(self.moved_motors(repairs))
-            .chain(lists.map(|(before, names, after)| [before, &one_of(&names), after].concat()))
-            .chain(self.added_motors(repairs))
-            .collect()
+        phrases.extend(lists.into_iter().flatten());
+        phrases.extend(self.added_motors(repairs));
+        phrases.sort_by_key(|(place, _)| *place);
+        phrases.into_iter().map(|(_, phrase)| phrase).collect()
     }
 
     fn joint_line(&self, joint: JointId) -> String {
@@ -167,8 +178,8 @@ impl Words<'_> {
         }
     }
 
-    /// For each motor that could be moved, where to.
-    fn moved_motors(&self, repairs: &[Repair]) -> Vec<String> {
+    /// For each motor that could be moved, where to; each with its place in the list.
+    fn moved_motors(&self, repairs: &[Repair]) -> Vec<(usize, String)> {
         let moved = |repair: &Repair| match repair {
             Repair::MoveMotor { motor, .. } => Some(*motor),
             _ => None,
@@ -181,34 +192,44 @@ impl Words<'_> {
                 _ => None,
             });
             let from = self.joint(self.model.motor(motor).joint);
-            format!("move the motor from {from} to {}", one_of(&to))
+            let place = repairs
+                .iter()
+                .position(|repair| moved(repair) == Some(motor));
+            let phrase = format!("move the motor from {from} to {}", one_of(&to));
+            (place.unwrap_or(0), phrase)
         };
         motors.into_iter().map(phrase).collect()
     }
 
-    /// Motors on one joint each, or on several at once.
-    fn added_motors(&self, repairs: &[Repair]) -> Vec<String> {
+    /// Motors on one joint each, or on several at once; each with its place in the list.
+    fn added_motors(&self, repairs: &[Repair]) -> Vec<(usize, String)> {
         let line = |joint: JointId| format!("`motor {};`", self.model.joint(joint).name);
-        let mut alone = Vec::new();
+        let (mut alone, mut place) = (Vec::new(), 0);
         let mut phrases = Vec::new();
-        for repair in repairs {
+        for (number, repair) in repairs.iter().enumerate() {
             match repair {
-                Repair::AddMotors(joints) if joints.len() == 1 => alone.extend(joints),
+                Repair::AddMotors(joints) if joints.len() == 1 => {
+                    place = if alone.is_empty() { number } else { place };
+                    alone.extend(joints);
+                }
                 Repair::AddMotors(joints) => {
                     let lines: Vec<String> = joints.iter().map(|&joint| line(joint)).collect();
-                    phrases.push(format!("add {}", lines.join(" and ")));
+                    phrases.push((number, format!("add {}", lines.join(" and "))));
                 }
                 _ => {}
             }
         }
         let sits: Vec<String> = alone.iter().map(|&&joint| self.joint(joint)).collect();
         match (&alone[..], &sits[..]) {
-            ([only], _) => phrases.push(format!("add {}", line(**only))),
-            ([first, ..], [_, others @ ..]) => phrases.push(format!(
-                "add {}, or a motor on {} instead",
-                line(**first),
-                one_of(others)
-            )),
+            ([only], _) => phrases.push((place, format!("add {}", line(**only)))),
+            ([first, ..], [_, others @ ..]) => {
+                let phrase = format!(
+                    "add {}, or a motor on {} instead",
+                    line(**first),
+                    one_of(others)
+                );
+                phrases.push((place, phrase));
+            }
             _ => {}
         }
         phrases
@@ -242,12 +263,14 @@ fn named(repairs: &[Repair], name: impl Fn(&Repair) -> Option<String>) -> Vec<St
     repairs.iter().filter_map(name).collect()
 }
 
-/// Phrases on as few lines as they fit on.
+/// Phrases on as few lines as they fit on. What is to be written out has a line of its own.
 fn in_lines(phrases: &[String]) -> Vec<String> {
+    let written_out = |phrase: &str| phrase.contains(": add `") || phrase.contains(": write `");
     let mut lines: Vec<String> = Vec::new();
     for phrase in phrases {
+        let alone = |line: &str| written_out(line) || written_out(phrase);
         match lines.last_mut() {
-            Some(line) if line.len() + phrase.len() <= WIDTH => {
+            Some(line) if !alone(line) && line.len() + phrase.len() <= WIDTH => {
                 line.push_str(", or ");
                 line.push_str(phrase);
             }

@@ -50,6 +50,11 @@ pub(crate) fn is_sound(model: &Model) -> bool {
         .is_ok_and(|structure| verdict::is_sound(model, &structure.pins, &structure.rollings))
 }
 
+/// All pins of a mechanism, in the order of their first joint.
+pub(crate) fn pins(model: &Model) -> Vec<Pin> {
+    pin::pins(model)
+}
+
 /// The links that could carry a gear, belt or rack.
 pub(crate) fn carriers(model: &Model, joint: JointId) -> Vec<LinkId> {
     rolling::carriers(model, &pin::pins(model), joint)

@@ -10,6 +10,7 @@ mod spelling;
 mod tests;
 mod written;
 
+pub(crate) use lower::is_reserved;
 pub use place::{Message, Place, Places};
 
 use crate::model::Model;

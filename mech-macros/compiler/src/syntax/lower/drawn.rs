@@ -1,13 +1,9 @@
 //! Joints placed in the drawing, and the unnamed axes that they make.
 
 use super::Lowering;
-use super::param::Spot;
-use crate::model::{self, AxisId, AxisKind, LinkId, Origin};
+use crate::model::{AxisId, AxisKind, Drawn, FORWARD, LinkId, Origin};
 use crate::syntax::Place;
 use crate::syntax::ast::{Clause, End, Joint, JointBody, JointWord};
-
-/// The direction of whoever has none of its own: that of the frame.
-const FORWARD: [f64; 2] = [1.0, 0.0];
 
 impl Lowering {
     /// The axes of these kinds that the drawing puts here on the two links of a joint.
@@ -24,7 +20,7 @@ impl Lowering {
         let direction = self.drawn_direction(body, kinds);
         let links = [links[0]?, links[1]?];
         self.check_apart(joint, body, links)?;
-        let (at, direction) = (at?, direction?);
+        let ((at, formulas), direction) = (at?, direction?);
         let [a, b] = links;
         Some([(a, kinds[0]), (b, kinds[1])].map(|(link, kind)| {
             if let Some(drawn) = self.model.links.get_mut(link.index()) {
@@ -34,7 +30,13 @@ impl Lowering {
                 AxisKind::Point => FORWARD,
                 AxisKind::Line => direction,
             };
-            self.unnamed_axis(link, kind, at, direction, origin)
+            let drawn = Drawn {
+                kind,
+                at,
+                formulas,
+                direction,
+            };
+            self.model.drawn_axis(link, drawn, origin)
         }))
     }
 
@@ -78,36 +80,7 @@ impl Lowering {
 
     /// The axis at the origin of a link's frame.
     pub(super) fn frame_axis(&mut self, link: LinkId, origin: Origin) -> AxisId {
-        self.unnamed_axis(link, AxisKind::Point, Spot::default(), FORWARD, origin)
-    }
-
-    /// An axis that no text names. Joints on one spot share it.
-    fn unnamed_axis(
-        &mut self,
-        link: LinkId,
-        kind: AxisKind,
-        (at, formulas): Spot,
-        direction: [f64; 2],
-        origin: Origin,
-    ) -> AxisId {
-        let same = |axis: &model::Axis| {
-            let unnamed = axis.name.is_none() && axis.link == link;
-            let there = axis.at == at && axis.formulas == formulas;
-            unnamed && axis.kind == kind && there && axis.direction == direction
-        };
-        if let Some(index) = self.model.axes.iter().position(same) {
-            return AxisId::new(index);
-        }
-        let id = AxisId::new(self.model.axes.len());
-        self.model.axes.push(model::Axis {
-            link,
-            name: None,
-            origin,
-            kind,
-            at,
-            formulas,
-            direction,
-        });
-        id
+        self.model
+            .drawn_axis(link, Drawn::point([0.0, 0.0]), origin)
     }
 }

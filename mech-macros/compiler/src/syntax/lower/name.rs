@@ -1,7 +1,7 @@
 //! What the names mean.
 
 use super::Lowering;
-use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
+use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId};
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
@@ -43,6 +43,11 @@ const RESERVED: [&str; 35] = [
     "fmt",
     "REPORT",
 ];
+
+/// Whether every mechanism has a method of this name.
+pub(crate) fn is_reserved(name: &str) -> bool {
+    RESERVED.contains(&name)
+}
 
 /// What a name of the text stands for.
 #[derive(Clone, Copy)]
@@ -161,7 +166,7 @@ impl Lowering {
             self.report.tell(place, message);
             return false;
         }
-        if RESERVED.contains(&text.as_str()) {
+        if is_reserved(&text) {
             let message = format!(
                 "`{text}` is a method of every mechanism; choose another name for this {what}"
             );
@@ -246,13 +251,27 @@ impl Lowering {
             Some(Named::Broken) => return None,
             Some(Named::Link(_)) if self.names.is_shared(name) => return None,
             Some(Named::Link(id)) => self.not_a_joint(id),
-            None => format!(
-                "unknown joint `{text}`{}",
-                spelling::remedy(&text, &self.names.joints())
-            ),
+            None => match self.point_called(&text) {
+                Some(link) => format!(
+                    "`{text}` is a point of link `{}`, not a joint: a joint joins two links{}",
+                    self.model.link(link).name,
+                    spelling::remedy(&text, &self.names.joints())
+                ),
+                None => format!(
+                    "unknown joint `{text}`{}",
+                    spelling::remedy(&text, &self.names.joints())
+                ),
+            },
         };
         self.report.tell(Place::at(name.span()), trouble);
         None
+    }
+
+    /// The first link that has a point of this name.
+    fn point_called(&self, name: &str) -> Option<LinkId> {
+        let mut axes = self.model.axes.iter();
+        let called = |axis: &&Axis| axis.name.as_deref() == Some(name);
+        axes.find(called).map(|axis| axis.link)
     }
 
     fn not_a_joint(&self, link: LinkId) -> String {

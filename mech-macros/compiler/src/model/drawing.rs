@@ -1,0 +1,78 @@
+//! What the drawing fixes to links: axes that no text names.
+
+use super::{Axis, AxisId, AxisKind, FormulaId, JointKind, LinkId, Model, Origin};
+
+/// The direction of whoever has none of its own: that of the frame.
+pub(crate) const FORWARD: [f64; 2] = [1.0, 0.0];
+
+/// Where the drawing puts an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Drawn {
+    pub(crate) kind: AxisKind,
+    pub(crate) at: [f64; 2],
+    pub(crate) formulas: [Option<FormulaId>; 2],
+    pub(crate) direction: [f64; 2],
+}
+
+impl Drawn {
+    /// An axis of rotation.
+    pub(crate) fn point(at: [f64; 2]) -> Self {
+        Self {
+            kind: AxisKind::Point,
+            at,
+            formulas: [None; 2],
+            direction: FORWARD,
+        }
+    }
+
+    /// An axis of sliding.
+    pub(crate) fn line(at: [f64; 2], direction: [f64; 2]) -> Self {
+        Self {
+            kind: AxisKind::Line,
+            direction,
+            ..Self::point(at)
+        }
+    }
+}
+
+impl Model {
+    /// The axis that the drawing puts on a link. Joints on one spot share it.
+    pub(crate) fn drawn_axis(&mut self, link: LinkId, drawn: Drawn, origin: Origin) -> AxisId {
+        let Drawn {
+            kind,
+            at,
+            formulas,
+            direction,
+        } = drawn;
+        let same = |axis: &Axis| {
+            let unnamed = axis.name.is_none() && axis.link == link;
+            let there = axis.at == at && axis.formulas == formulas;
+            unnamed && axis.kind == kind && there && axis.direction == direction
+        };
+        if let Some(index) = self.axes.iter().position(same) {
+            return AxisId::new(index);
+        }
+        let id = AxisId::new(self.axes.len());
+        self.axes.push(Axis {
+            link,
+            name: None,
+            origin,
+            kind,
+            at,
+            formulas,
+            direction,
+        });
+        id
+    }
+}
+
+impl JointKind {
+    /// The two axes that it makes coincide, if it is a joint between axes.
+    #[must_use]
+    pub fn axes(self) -> Option<[AxisId; 2]> {
+        match self {
+            Self::Revolute(a, b) | Self::Prismatic(a, b) | Self::Weld(a, b) => Some([a, b]),
+            Self::Gear { .. } | Self::Belt { .. } | Self::Rack { .. } | Self::Cam { .. } => None,
+        }
+    }
+}

@@ -1,0 +1,363 @@
+//! What could be added: joints and links that a drawing suggests, and joints of other kinds.
+
+use super::Repair;
+use super::declaration::{Declaration, NewNames, Purpose, drawn, turns_freely};
+use super::sketch::{DrawnPin, LooseEnd, Sketch, distance, is_in_scene, unjoined};
+use crate::model::{AxisId, Ends, JointId, JointKind, LinkId, Model, NewJoint, NewKind};
+
+/// Ends that are no farther apart than this part of the size may be meant to be one.
+const NEAR: f64 = 0.15;
+/// Between more ends than these no links are tried.
+const FEW: usize = 4;
+/// So many welds are tried.
+const WELDS: usize = 3;
+
+/// The joints that the drawing suggests, the likeliest first: ends that nearly meet, then ends that stand alone.
+pub(super) fn joints(model: &Model) -> Vec<Repair> {
+    let sketch = Sketch::of(model);
+    let mut found = meeting(model, &sketch);
+    found.extend(points(model));
+    let ends = sketch.ends.iter().filter(|end| {
+        let on_ground = |pin: &DrawnPin| pin.links.contains(&LinkId::GROUND);
+        let pinned = are_joined(model, [LinkId::GROUND, end.link]);
+        !pinned && end.link != LinkId::GROUND && !sketch.pin_at(end.at).is_some_and(on_ground)
+    });
+    let grounded = |end: &LooseEnd| on_ground(model, end.link, end.name.as_deref(), end.at);
+    found.extend(ends.map(grounded));
+    found.extend(below(model, &sketch));
+    found
+}
+
+/// The joints between ends of links and pins, or ends of other links, that are near.
+fn meeting(model: &Model, sketch: &Sketch) -> Vec<Repair> {
+    let mut found: Vec<(f64, Repair)> = Vec::new();
+    let mut add = |end: &LooseEnd, other: LinkId, at: [f64; 2], apart: f64| {
+        let mut links = [other, end.link];
+        links.sort();
+        if apart > NEAR * sketch.size || are_joined(model, links) {
+            return;
+        }
+        let name = NewNames::new(model).like(end.name.as_deref(), "pin");
+        let joint = NewJoint {
+            name,
+            kind: NewKind::Revolute,
+            ends: Ends::Drawn { links, at },
+        };
+        found.push((
+            apart,
+            Declaration::joint(Purpose::Join { apart }, joint).into(),
+        ));
+    };
+    for (number, end) in sketch.ends.iter().enumerate() {
+        for pin in sketch.pins.iter().chain(&sketch.blocks) {
+            let first = pin.links.iter().min();
+            if let Some(&other) = first
+                && !pin.links.contains(&end.link)
+            {
+                add(end, other, pin.at, distance(end.at, pin.at));
+            }
+        }
+        for other in &sketch.ends[..number] {
+            if other.link != end.link {
+                add(other, end.link, other.at, distance(end.at, other.at));
+            }
+        }
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.into_iter().map(|(_, repair)| repair).collect()
+}
+
+/// Whether a joint joins two links directly.
+fn are_joined(model: &Model, [a, b]: [LinkId; 2]) -> bool {
+    model.joint_ids().any(|joint| {
+        let ends = model.ends(joint);
+        ends == (a, b) || ends == (b, a)
+    })
+}
+
+/// The joints between points of links with frames of their own: those of one name first.
+fn points(model: &Model) -> Vec<Repair> {
+    let free = unjoined(model);
+    let link = |id: AxisId| model.axis(id).link;
+    let own = |id: AxisId| !is_in_scene(model, link(id));
+    let mut pairs: Vec<[AxisId; 2]> = Vec::new();
+    for (number, &b) in free.iter().enumerate() {
+        let before = free[..number].iter().map(|&a| [a, b]);
+        pairs.extend(before.filter(|[a, b]| {
+            let links = [link(*a), link(*b)];
+            links[0] != links[1] && (own(*a) || own(*b)) && !are_joined(model, links)
+        }));
+    }
+    let differ = |[a, b]: &[AxisId; 2]| model.axis(*a).name != model.axis(*b).name;
+    pairs.sort_by_key(differ);
+    pairs.truncate(FEW);
+    let joint = |[a, b]: [AxisId; 2]| {
+        let joint = NewJoint {
+            name: NewNames::new(model).like(model.axis(b).name.as_deref(), "pin"),
+            kind: NewKind::Revolute,
+            ends: Ends::Points([a, b]),
+        };
+        let apart = 0.0;
+        Declaration::joint(Purpose::Join { apart }, joint).into()
+    };
+    pairs.into_iter().map(joint).collect()
+}
+
+fn on_ground(model: &Model, link: LinkId, name: Option<&str>, at: [f64; 2]) -> Repair {
+    let joint = NewJoint {
+        name: NewNames::new(model).like(name, "pin"),
+        kind: NewKind::Revolute,
+        ends: Ends::Drawn {
+            links: [LinkId::GROUND, link],
+            at,
+        },
+    };
+    Declaration::joint(Purpose::Ground, joint).into()
+}
+
+/// Where nothing tells how long the last link of a chain is: it ends at the height of the first pivot on the ground.
+fn below(model: &Model, sketch: &Sketch) -> Vec<Repair> {
+    let mut pivots = sketch.pins.iter();
+    let Some(pivot) = pivots.find(|pin| pin.links.contains(&LinkId::GROUND)) else {
+        return Vec::new();
+    };
+    let ends = sketch.ends.iter().map(|end| end.link);
+    let ends: Vec<LinkId> = ends.collect();
+    let lone = leaves(model).into_iter().filter_map(|(link, joint)| {
+        let (_, [x, y]) = drawn(model, joint)?;
+        let bare = model.link(link).shapes.is_empty() && !ends.contains(&link);
+        let apart = (y - pivot.at[1]).abs() > NEAR * sketch.size;
+        let apart = apart && !are_joined(model, [LinkId::GROUND, link]);
+        let at = [x, pivot.at[1]];
+        (bare && apart && sketch.pin_at(at).is_none()).then(|| on_ground(model, link, None, at))
+    });
+    lone.collect()
+}
+
+/// The links that hang on one joint, with that.
+pub(super) fn leaves(model: &Model) -> Vec<(LinkId, JointId)> {
+    let lone = model.declared_links().filter_map(|link| {
+        let mut joints = model.joint_ids().filter(|&joint| {
+            let (a, b) = model.ends(joint);
+            a == link || b == link
+        });
+        Some((link, joints.next()?)).filter(|_| joints.next().is_none())
+    });
+    lone.collect()
+}
+
+/// A link between two ends that no joint holds, or from a single one to the nearest pin that moves.
+pub(super) fn connecting_links(model: &Model) -> Vec<Repair> {
+    let Sketch {
+        ends, size, pins, ..
+    } = Sketch::of(model);
+    if ends.len() > FEW {
+        return Vec::new();
+    }
+    let mut found: Vec<[LooseEnd; 2]> = Vec::new();
+    for (number, b) in ends.iter().enumerate() {
+        let before = ends[..number].iter();
+        let others = before.filter(|a| a.link != b.link && distance(a.at, b.at) > NEAR * size);
+        found.extend(others.map(|a| [a.clone(), b.clone()]));
+    }
+    if let [end] = &ends[..] {
+        let moves = |pin: &&DrawnPin| {
+            !pin.links.contains(&LinkId::GROUND) && !pin.links.contains(&end.link)
+        };
+        let moving = pins.iter().filter(moves);
+        let nearest =
+            moving.min_by(|a, b| distance(a.at, end.at).total_cmp(&distance(b.at, end.at)));
+        found.extend(nearest.into_iter().filter_map(|pin| {
+            let pin = LooseEnd {
+                link: *pin.links.first()?,
+                name: None,
+                at: pin.at,
+            };
+            Some([pin, end.clone()])
+        }));
+    }
+    found.iter().map(|ends| connecting(model, ends)).collect()
+}
+
+fn connecting(model: &Model, ends: &[LooseEnd; 2]) -> Repair {
+    let mut names = NewNames::new(model);
+    let name = names.like(None, "bar");
+    let new = LinkId::new(model.links.len());
+    let joints = ends.each_ref().map(|end| NewJoint {
+        name: names.like(end.name.as_deref(), "pin"),
+        kind: NewKind::Revolute,
+        ends: Ends::Drawn {
+            links: [end.link, new],
+            at: end.at,
+        },
+    });
+    Repair::Declare(Declaration {
+        purpose: Purpose::Connect,
+        link: Some(name),
+        joints: joints.into(),
+        replaced: Vec::new(),
+    })
+}
+
+/// The links that these joints join could be one bent link. Those at the end of a chain are tried first.
+pub(super) fn welds(model: &Model, joints: &[JointId]) -> Vec<Repair> {
+    let leaves = leaves(model);
+    let mut inner: Vec<JointId> = joints
+        .iter()
+        .copied()
+        .filter(|&joint| {
+            let (a, b) = model.ends(joint);
+            a != LinkId::GROUND && b != LinkId::GROUND && turns_freely(model, joint)
+        })
+        .collect();
+    inner.sort_by_key(|joint| leaves.iter().all(|(_, held)| held != joint));
+    let weld = |joint: JointId| {
+        let (links, at) = drawn(model, joint)?;
+        Some(rewritten(
+            model,
+            Purpose::Stiffen,
+            joint,
+            NewKind::Weld,
+            links,
+            at,
+        ))
+    };
+    inner.into_iter().filter_map(weld).take(WELDS).collect()
+}
+
+/// The slots among these joints whose pins could keep their direction.
+pub(super) fn guides(model: &Model, joints: &[JointId]) -> Vec<Repair> {
+    let guide = |&pivot: &JointId| {
+        let JointKind::Revolute(point, die) = model.joint(pivot).kind else {
+            return None;
+        };
+        let (_, line) = model.link(model.axis(die).link).die?;
+        let slide = model.joint_ids().find(|&joint| {
+            let kind = model.joint(joint).kind;
+            matches!(kind, JointKind::Prismatic(guide, other) if guide == line && model.axis(other).link == model.axis(die).link)
+        })?;
+        let (point, line) = (model.axis(point), model.axis(line));
+        let is_drawn = [point, line]
+            .iter()
+            .all(|axis| axis.name.is_none() && axis.formulas == [None; 2]);
+        is_drawn.then(|| {
+            let links = [line.link, point.link];
+            let kind = NewKind::Prismatic(line.direction);
+            rewritten(model, Purpose::Guide, slide, kind, links, point.at)
+        })
+    };
+    joints.iter().filter_map(guide).collect()
+}
+
+/// The slides among these joints that could turn as well.
+pub(super) fn slots(model: &Model, joints: &[JointId]) -> Vec<Repair> {
+    let slot = |&joint: &JointId| {
+        let JointKind::Prismatic(line, _) = model.joint(joint).kind else {
+            return None;
+        };
+        let ([a, b], at) = drawn(model, joint)?;
+        let kind = NewKind::Slot(model.axis(line).direction);
+        let moving = |link: &LinkId| *link != LinkId::GROUND;
+        let ways = [[b, a], [a, b]]
+            .into_iter()
+            .filter(move |ends| moving(&ends[0]));
+        let ways: Vec<Repair> = ways
+            .map(|links| rewritten(model, Purpose::Turn, joint, kind, links, at))
+            .collect();
+        Some(ways)
+    };
+    joints.iter().filter_map(slot).flatten().collect()
+}
+
+fn rewritten(
+    model: &Model,
+    purpose: Purpose,
+    joint: JointId,
+    kind: NewKind,
+    links: [LinkId; 2],
+    at: [f64; 2],
+) -> Repair {
+    let new = NewJoint {
+        name: model.joint(joint).name.clone(),
+        kind,
+        ends: Ends::Drawn { links, at },
+    };
+    Declaration::instead(purpose, new, joint).into()
+}
+
+/// Where several of these joints pin links to the ground at one place: the links joined to each other.
+pub(super) fn freed(model: &Model, joints: &[JointId]) -> Vec<Repair> {
+    let pinned = |&joint: &JointId| {
+        let (links, at) = drawn(model, joint).filter(|_| turns_freely(model, joint))?;
+        let [a, b] = links;
+        match (a, b) {
+            (LinkId::GROUND, link) | (link, LinkId::GROUND) => Some((joint, link, at)),
+            _ => None,
+        }
+    };
+    let all: Vec<(JointId, LinkId, [f64; 2])> = model
+        .joint_ids()
+        .collect::<Vec<_>>()
+        .iter()
+        .filter_map(pinned)
+        .collect();
+    let sketch = Sketch::of(model);
+    let mut found = Vec::new();
+    for (number, &(first, base, at)) in all.iter().enumerate() {
+        let here = |other: &&(JointId, LinkId, [f64; 2])| sketch.is_same(other.2, at);
+        let others: Vec<_> = all[number + 1..].iter().filter(here).collect();
+        let is_first = !all[..number].iter().any(|other| here(&other));
+        let touched = joints.contains(&first) || others.iter().any(|one| joints.contains(&one.0));
+        if others.is_empty() || !is_first || !touched {
+            continue;
+        }
+        let joint = |&&(joint, link, _): &&(JointId, LinkId, [f64; 2])| NewJoint {
+            name: model.joint(joint).name.clone(),
+            kind: NewKind::Revolute,
+            ends: Ends::Drawn {
+                links: [base, link],
+                at,
+            },
+        };
+        let replaced = std::iter::once(first).chain(others.iter().map(|one| one.0));
+        found.push(Repair::Declare(Declaration {
+            purpose: Purpose::Free,
+            link: None,
+            joints: others.iter().map(joint).collect(),
+            replaced: replaced.collect(),
+        }));
+    }
+    found
+}
+
+/// One of these links, which float, could be a part of the ground: the one with the most joints first.
+pub(super) fn fixed(model: &Model, links: &[LinkId]) -> Vec<Repair> {
+    let places = |link: LinkId| {
+        let joints = model.joint_ids().filter_map(move |joint| {
+            let (ends, at) = drawn(model, joint)?;
+            ends.contains(&link).then_some(at)
+        });
+        joints.collect::<Vec<_>>()
+    };
+    let mut links: Vec<(LinkId, Vec<[f64; 2]>)> =
+        links.iter().map(|&link| (link, places(link))).collect();
+    links.sort_by_key(|(_, places)| std::cmp::Reverse(places.len()));
+    let weld = |(link, places): (LinkId, Vec<[f64; 2]>)| {
+        let joint = NewJoint {
+            name: NewNames::new(model).like(None, "frame"),
+            kind: NewKind::Weld,
+            ends: Ends::Drawn {
+                links: [LinkId::GROUND, link],
+                at: *places.first()?,
+            },
+        };
+        Some(Declaration::joint(Purpose::Fix, joint).into())
+    };
+    links.into_iter().filter_map(weld).take(FEW).collect()
+}
+
+impl From<Declaration> for Repair {
+    fn from(declaration: Declaration) -> Self {
+        Self::Declare(declaration)
+    }
+}

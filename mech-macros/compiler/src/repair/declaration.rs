@@ -1,0 +1,153 @@
+//! Links and joints that are to be declared.
+
+use super::is_in_cam;
+use crate::model::{Edit, JointId, JointKind, LinkId, Model, NewJoint};
+use crate::syntax;
+
+/// Links and joints that are to be declared, some in place of others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Declaration {
+    /// What they are for.
+    pub purpose: Purpose,
+    /// A link that is to be declared with them. Their ends mean it by the number after that of the last link.
+    pub link: Option<String>,
+    /// The joints.
+    pub joints: Vec<NewJoint>,
+    /// The joints that they stand for.
+    pub replaced: Vec<JointId>,
+}
+
+/// What a new joint is for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Purpose {
+    /// To pin a link to the ground.
+    Ground,
+    /// To join two links.
+    Join {
+        /// How far apart they are drawn where they are joined, in scene units.
+        apart: f64,
+    },
+    /// To connect two links by a third.
+    Connect,
+    /// To make one bent link of two.
+    Stiffen,
+    /// To let a link turn that only slides.
+    Turn,
+    /// To keep a link from turning that slides.
+    Guide,
+    /// To join links to each other that are pinned to the ground at one place.
+    Free,
+    /// To make a link a part of the ground.
+    Fix,
+}
+
+impl Declaration {
+    /// One joint besides all others.
+    pub(super) fn joint(purpose: Purpose, joint: NewJoint) -> Self {
+        Self {
+            purpose,
+            link: None,
+            joints: vec![joint],
+            replaced: Vec::new(),
+        }
+    }
+
+    /// One joint in place of another.
+    pub(super) fn instead(purpose: Purpose, joint: NewJoint, replaced: JointId) -> Self {
+        Self {
+            replaced: vec![replaced],
+            ..Self::joint(purpose, joint)
+        }
+    }
+
+    /// Makes the change; tells whether it can be made.
+    pub(super) fn make(&self, model: &Model, edit: &mut Edit) -> bool {
+        for &joint in &self.replaced {
+            edit.remove_joint(joint);
+        }
+        if let Some(link) = &self.link {
+            edit.add_link(link);
+        }
+        for joint in &self.joints {
+            edit.declare(joint);
+        }
+        let gives_way = |joint: &JointId| {
+            let declared = model.joint(*joint);
+            let between_axes = declared.kind.axes().is_some() && !declared.hidden;
+            between_axes && model.motor_of(*joint).is_none() && !is_in_cam(model, *joint)
+        };
+        self.replaced.iter().all(gives_way)
+    }
+
+    /// The names of the joints that it stands for and that have no heir of that name.
+    pub(crate) fn dropped<'m>(&self, model: &'m Model) -> Vec<&'m str> {
+        let names = self.replaced.iter().map(|&id| &*model.joint(id).name);
+        names
+            .filter(|name| self.joints.iter().all(|joint| joint.name != *name))
+            .collect()
+    }
+}
+
+/// Names for new links and joints.
+pub(super) struct NewNames<'m> {
+    model: &'m Model,
+    given: Vec<String>,
+}
+
+impl<'m> NewNames<'m> {
+    pub(super) fn new(model: &'m Model) -> Self {
+        Self {
+            model,
+            given: Vec::new(),
+        }
+    }
+
+    /// This name, if nothing is called so and no method of the generated struct could be; else a plain one with a number.
+    pub(super) fn like(&mut self, hint: Option<&str>, plain: &str) -> String {
+        let plain_one = |number: usize| match number {
+            1 => plain.to_owned(),
+            _ => format!("{plain}{number}"),
+        };
+        let hint = hint.filter(|hint| hint.chars().all(|letter| letter.is_ascii_alphanumeric()));
+        let hints = hint.map(ToOwned::to_owned).into_iter();
+        let mut names = hints.chain((1..).map(plain_one));
+        let name = names
+            .find(|name| self.is_new(name))
+            .unwrap_or_else(|| plain.to_owned());
+        self.given.push(name.clone());
+        name
+    }
+
+    fn is_new(&self, name: &str) -> bool {
+        let model = self.model;
+        let mut links = model.links.iter();
+        let mut joints = model.joints.iter();
+        let mut params = model.params.all().iter();
+        !(links.any(|link| link.name == name)
+            || joints.any(|joint| joint.name == name)
+            || params.any(|param| param.name == name)
+            || self.given.iter().any(|given| given == name)
+            || syntax::is_reserved(name))
+    }
+}
+
+/// The two links of a joint between axes, and where it is drawn; none if it is not drawn or depends on params.
+pub(super) fn drawn(model: &Model, joint: JointId) -> Option<([LinkId; 2], [f64; 2])> {
+    let axes = model.joint(joint).kind.axes()?;
+    let declared = axes.map(|id| model.axis(id));
+    let is_drawn = declared
+        .iter()
+        .all(|axis| axis.name.is_none() && axis.formulas == [None; 2]);
+    let links = declared.map(|axis| axis.link);
+    let in_scene = links
+        .iter()
+        .all(|&link| link == LinkId::GROUND || model.link(link).drawn);
+    (is_drawn && in_scene).then(|| (links, declared[0].at))
+}
+
+/// Whether a joint is revolute and nobody asked for its coordinate by a motor.
+pub(super) fn turns_freely(model: &Model, joint: JointId) -> bool {
+    let declared = model.joint(joint);
+    let turns = matches!(declared.kind, JointKind::Revolute(..)) && !declared.hidden;
+    turns && model.motor_of(joint).is_none() && !is_in_cam(model, joint)
+}

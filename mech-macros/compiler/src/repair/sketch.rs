@@ -1,0 +1,174 @@
+//! What a drawing shows: its pins, and the ends of links that no joint holds.
+
+use crate::model::{Axis, AxisId, AxisKind, JointKind, LinkId, Model, ShapeKind};
+
+/// Two places are one if they are no farther apart than this part of the size.
+const SAME: f64 = 1e-9;
+
+/// A pin as it is drawn.
+pub(super) struct DrawnPin {
+    pub(super) at: [f64; 2],
+    /// The links that turn on it, the ground among them.
+    pub(super) links: Vec<LinkId>,
+}
+
+/// A place on a link where a joint could be, and none is.
+#[derive(Clone)]
+pub(super) struct LooseEnd {
+    pub(super) link: LinkId,
+    /// The name of the point, if it has one.
+    pub(super) name: Option<String>,
+    pub(super) at: [f64; 2],
+}
+
+/// What is drawn in the scene. Places that depend on params are left out.
+pub(super) struct Sketch {
+    /// The diagonal of the box around all places.
+    pub(super) size: f64,
+    pub(super) pins: Vec<DrawnPin>,
+    /// The middles of what slides: each with what slides there.
+    pub(super) blocks: Vec<DrawnPin>,
+    pub(super) ends: Vec<LooseEnd>,
+}
+
+/// How far apart two places are.
+pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+impl Sketch {
+    pub(super) fn of(model: &Model) -> Self {
+        let mut sketch = Self {
+            size: size(model),
+            pins: Vec::new(),
+            blocks: Vec::new(),
+            ends: Vec::new(),
+        };
+        for joint in &model.joints {
+            match joint.kind {
+                JointKind::Revolute(a, b) => sketch.note_pin(model, [a, b]),
+                JointKind::Prismatic(a, b) => sketch.note_block(model, [a, b]),
+                _ => {}
+            }
+        }
+        for id in unjoined(model) {
+            let axis = model.axis(id);
+            let name = axis.name.clone();
+            if is_drawn(model, axis) {
+                sketch.note_end(model, axis.link, name, axis.at);
+            }
+        }
+        for link in model.declared_links().filter(|&id| is_in_scene(model, id)) {
+            for shape in &model.link(link).shapes {
+                if let ShapeKind::Bar { pins, .. } = &shape.kind {
+                    for at in [pins.first(), pins.last()].into_iter().flatten() {
+                        sketch.note_end(model, link, None, *at);
+                    }
+                }
+            }
+        }
+        sketch
+    }
+
+    pub(super) fn is_same(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        distance(a, b) <= SAME * self.size
+    }
+
+    /// The pin at a place.
+    pub(super) fn pin_at(&self, at: [f64; 2]) -> Option<&DrawnPin> {
+        self.pins.iter().find(|pin| self.is_same(pin.at, at))
+    }
+
+    fn note_block(&mut self, model: &Model, axes: [AxisId; 2]) {
+        let axes = axes.map(|id| model.axis(id));
+        if axes.iter().all(|axis| is_drawn(model, axis)) {
+            let links = axes.map(|axis| axis.link);
+            let moving = links.into_iter().filter(|link| *link != LinkId::GROUND);
+            self.blocks.push(DrawnPin {
+                at: axes[0].at,
+                links: moving.collect(),
+            });
+        }
+    }
+
+    fn note_pin(&mut self, model: &Model, axes: [AxisId; 2]) {
+        let axes = axes.map(|id| model.axis(id));
+        if !axes.iter().all(|axis| is_drawn(model, axis)) {
+            return;
+        }
+        let (at, links) = (axes[0].at, axes.map(|axis| axis.link));
+        let known = self.pins.iter().position(|pin| self.is_same(pin.at, at));
+        let known = known.unwrap_or_else(|| {
+            self.pins.push(DrawnPin {
+                at,
+                links: Vec::new(),
+            });
+            self.pins.len() - 1
+        });
+        for link in links {
+            if !self.pins[known].links.contains(&link) {
+                self.pins[known].links.push(link);
+            }
+        }
+    }
+
+    /// Notes the end of a link, unless a joint of that link is there.
+    fn note_end(&mut self, model: &Model, link: LinkId, name: Option<String>, at: [f64; 2]) {
+        let mut axes = joined(model).map(|id| model.axis(id));
+        let held = axes.any(|axis| axis.link == link && self.is_same(axis.at, at));
+        let mut ends = self.ends.iter();
+        let known = ends.any(|end| end.link == link && self.is_same(end.at, at));
+        if !held && !known {
+            self.ends.push(LooseEnd { link, name, at });
+        }
+    }
+}
+
+/// Whether an axis is where the drawing has it, whatever the params.
+fn is_drawn(model: &Model, axis: &Axis) -> bool {
+    is_in_scene(model, axis.link) && axis.formulas == [None; 2]
+}
+
+/// The axes that joints make coincide.
+fn joined(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
+    let axes = model.joints.iter().filter_map(|joint| joint.kind.axes());
+    axes.flatten()
+}
+
+/// The named points that no joint makes coincide with another. Those whose path is kept are there for that.
+pub(super) fn unjoined(model: &Model) -> Vec<AxisId> {
+    let ids = (0..model.axes.len()).map(AxisId::new);
+    let is_free = |id: &AxisId| {
+        let axis = model.axis(*id);
+        let named = axis.name.is_some() && axis.formulas == [None; 2];
+        let point = axis.kind == AxisKind::Point && model.link(axis.link).die.is_none();
+        let traced = model.traces.iter().any(|trace| trace.point == *id);
+        named && point && !traced && joined(model).all(|other| other != *id)
+    };
+    ids.filter(is_free).collect()
+}
+
+/// Whether the frame of a link is that of the scene: it is the ground, or drawn, or no joint says otherwise and others are drawn.
+pub(super) fn is_in_scene(model: &Model, link: LinkId) -> bool {
+    let declared = model.link(link);
+    let jointless = || joined(model).all(|id| model.axis(id).link != link);
+    let others = || model.links.iter().any(|link| link.drawn);
+    link == LinkId::GROUND || declared.drawn || declared.die.is_none() && others() && jointless()
+}
+
+/// The diagonal of the box around everything that is in the scene.
+fn size(model: &Model) -> f64 {
+    let axes = model
+        .axes
+        .iter()
+        .filter(|axis| is_in_scene(model, axis.link));
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for axis in axes {
+        for side in [0, 1] {
+            low[side] = low[side].min(axis.at[side]);
+            high[side] = high[side].max(axis.at[side]);
+        }
+    }
+    let diagonal = (high[0] - low[0]).hypot(high[1] - low[1]);
+    if diagonal.is_finite() { diagonal } else { 0.0 }
+}

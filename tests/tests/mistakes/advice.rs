@@ -1,0 +1,84 @@
+//! What messages advise, and doing it.
+
+use mech_compiler::syntax::parse;
+use mech_compiler::{compile, repair, reporter};
+
+/// What the compiler says of a text, from the text itself to the mechanism.
+pub(crate) fn messages(text: &str) -> Vec<String> {
+    let parsed = parse(text.parse().expect("tokens"));
+    let mut told: Vec<String> = parsed
+        .errors
+        .iter()
+        .map(|error| error.text.clone())
+        .collect();
+    if let Err(diagnoses) = compile(&parsed.model) {
+        let offers = repair::offers(&parsed.model, &diagnoses);
+        let all = reporter::messages(&diagnoses, &offers, &parsed.model, &parsed.places);
+        told.extend(all.into_iter().map(|message| message.text));
+    }
+    told
+}
+
+/// The lines of help, without the words that join them.
+fn help(message: &str) -> impl Iterator<Item = &str> {
+    message.lines().filter_map(|line| {
+        let line = line.trim().strip_prefix("help: ")?;
+        let line = line.strip_prefix("or ").unwrap_or(line);
+        let line = line.strip_prefix("for this alone, ").unwrap_or(line);
+        Some(line.strip_prefix("together: ").unwrap_or(line))
+    })
+}
+
+/// Each thing that could be done, in the order in which it is told.
+pub(crate) fn alternatives(message: &str) -> Vec<String> {
+    let mut all = Vec::new();
+    for phrase in help(message).flat_map(|line| line.split(", or ")) {
+        match phrase.strip_prefix("remove ") {
+            Some(list) if !list.contains(" and ") => {
+                let names = list.split("`, `").flat_map(|names| names.split("` or `"));
+                let names = names.map(|name| format!("remove `{}`", name.trim_matches('`')));
+                all.extend(names);
+            }
+            _ => all.push(phrase.to_owned()),
+        }
+    }
+    all
+}
+
+/// The advice that is written out in the words of the language, the whole line of it.
+pub(crate) fn written_out(message: &str) -> Vec<String> {
+    let is_written = |line: &&str| line.contains(": add `") || line.contains(": write `");
+    let lines = help(message).filter(is_written);
+    lines
+        // Two changes at once are tried as data, by `repairs`.
+        .filter(|line| line.matches(": add `").count() + line.matches(": write `").count() == 1)
+        .filter(|line| !line.contains("` and `"))
+        .filter(|line| !line.starts_with("remove "))
+        .map(str::to_owned)
+        .collect()
+}
+
+/// The text of a mechanism after what is written out was done.
+pub(crate) fn mended(text: &str, advice: &str) -> String {
+    let quoted: Vec<&str> = advice[advice.find(": ").expect("a colon")..]
+        .split('`')
+        .skip(1)
+        .step_by(2)
+        .collect();
+    let added = advice.contains(": add `");
+    let gone = quoted.iter().skip(usize::from(added));
+    let name = |statement: &str| statement.split_whitespace().nth(1).map(str::to_owned);
+    let left = gone
+        .filter_map(|statement| name(statement))
+        .fold(text.to_owned(), |text, joint| without(&text, &joint));
+    left + quoted.first().expect("a statement") + "\n"
+}
+
+/// The text without a joint.
+fn without(text: &str, joint: &str) -> String {
+    let start = text
+        .find(&format!("joint {joint} ="))
+        .unwrap_or_else(|| panic!("no joint {joint}\n{text}"));
+    let end = start + text[start..].find(';').expect("a semicolon") + 1;
+    format!("{}{}", &text[..start], &text[end..])
+}
