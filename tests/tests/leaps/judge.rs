@@ -95,7 +95,10 @@ impl<'m> Judge<'m> {
                 shafts: Vec::new(),
             },
             motors: at.motors[..model.motors.len()].to_vec(),
-            size: mech_tests::size(model).max(1e-9),
+            // One slide through the origin has no size.
+            size: Some(mech_tests::size(model))
+                .filter(|size| *size > 1e-9)
+                .unwrap_or(1.0),
             links,
         };
         let raw = |joint| judge.coordinate(&judge.links, joint).value;
