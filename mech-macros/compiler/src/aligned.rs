@@ -23,7 +23,7 @@ fn at(model: &Model, structure: &Structure, way: f64) -> Option<Plan> {
     let moved = moved(model, way);
     match plan::plan(&moved, structure) {
         Ok(plan) => Some(plan),
-        Err(Diagnosis::SeveralAssemblies { links, angles }) => {
+        Err(Diagnosis::SeveralAssemblies { links, angles, .. }) => {
             let behind = at_least_turning(model, structure, &links, &angles, way)?;
             plan::plan(&near(&moved, &links, behind), structure).ok()
         }

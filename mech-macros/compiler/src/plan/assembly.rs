@@ -7,10 +7,14 @@ use super::placement::{Coordinate, Placement};
 use super::search::search;
 use super::step::{Cam, Connection, ConnectionKind, Loop, Source, Step};
 use crate::model::{JointId, JointKind, LinkId, Model, Near};
-use crate::structure::Diagnosis;
+use crate::structure::{Diagnosis, LoopWay, OpenLoop};
+use std::f64::consts::TAU;
 
-/// With more assemblies than this still open the search stops and lists them.
+/// No more assemblies than this are told apart from each other.
 const MOST: usize = 64;
+
+/// Two assemblies are told apart by angles that differ by more than this.
+const APART: f64 = 1e-5;
 
 /// Where everything is at the start.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,6 +48,8 @@ struct Draft<'m> {
     placement: Placement<'m, f64>,
     meshes: Vec<f64>,
     cams: Vec<CamStart>,
+    /// Which of its ways each loop is closed in, in the order of the loops.
+    ways: Vec<usize>,
 }
 
 /// Assembles a mechanism.
@@ -57,7 +63,9 @@ pub(super) fn assemble(
         placement: Placement::new(&mut Numbers, model),
         meshes: Vec::new(),
         cams: Vec::new(),
+        ways: Vec::new(),
     }];
+    let mut many = false;
     let mut wishes: Vec<Near> = model.start.near.clone();
     for step in steps {
         drafts = match step {
@@ -96,13 +104,27 @@ pub(super) fn assemble(
             !ready
         });
         if drafts.len() > MOST {
-            return Err(several(model, &drafts));
+            many = true;
+            keep_alike(&mut drafts);
         }
     }
     match &drafts[..] {
-        [draft] => Ok(draft.finish(model, sources)),
-        _ => Err(several(model, &drafts)),
+        [draft] if !many => Ok(draft.finish(model, sources)),
+        _ => Err(several(model, steps, &drafts, many)),
     }
+}
+
+/// Of very many drafts, keeps the first and those in which one loop is closed otherwise.
+fn keep_alike(drafts: &mut Vec<Draft<'_>>) {
+    if let Some(first) = drafts.first().map(|draft| draft.ways.clone()) {
+        drafts.retain(|draft| differing(&draft.ways, &first).count() <= 1);
+    }
+}
+
+/// The loops that are closed otherwise.
+fn differing(a: &[usize], b: &[usize]) -> impl Iterator<Item = usize> {
+    let pairs: Vec<bool> = a.iter().zip(b).map(|(a, b)| a != b).collect();
+    (0..pairs.len()).filter(move |&number| pairs[number])
 }
 
 fn flat(pose: Pose<f64>) -> [f64; 4] {
@@ -242,8 +264,9 @@ fn closed<'m>(
         });
         match closure {
             Closure::Ways(ways) => {
-                for way in ways {
+                for (number, way) in ways.into_iter().enumerate() {
                     let mut draft = draft.clone();
+                    draft.ways.push(number);
                     equation.place(&mut Numbers, &mut draft.placement, closing, &way);
                     found.push(draft);
                 }
@@ -330,21 +353,26 @@ fn strayed(model: &Model, placement: &Placement<'_, f64>) -> Option<LinkId> {
     })
 }
 
+/// The angle of a link in the scene.
+fn angle(draft: &Draft<'_>, link: LinkId) -> f64 {
+    let [cos, sin] = draft.placement.pose(link).direction;
+    sin.atan2(cos)
+}
+
+/// By how much two angles differ, whole turns aside.
+fn turn(a: f64, b: f64) -> f64 {
+    let off = (a - b).abs() % TAU;
+    off.min(TAU - off)
+}
+
 /// Which links tell the assemblies apart, and by which angles.
-fn several(model: &Model, drafts: &[Draft<'_>]) -> Diagnosis {
+fn several(model: &Model, steps: &[Step], drafts: &[Draft<'_>], many: bool) -> Diagnosis {
     let placed = |link: &LinkId| {
         drafts
             .iter()
             .all(|draft| draft.placement.clusters.joined(*link, LinkId::GROUND))
     };
-    let angle = |draft: &Draft<'_>, link| {
-        let [cos, sin] = draft.placement.pose(link).direction;
-        sin.atan2(cos)
-    };
-    let same = |a: &Draft<'_>, b: &Draft<'_>, link| {
-        let off = (angle(a, link) - angle(b, link)).abs();
-        off.min(std::f64::consts::TAU - off) < 1e-5
-    };
+    let same = |a: &Draft<'_>, b: &Draft<'_>, link| turn(angle(a, link), angle(b, link)) < APART;
     let mut links: Vec<LinkId> = Vec::new();
     for link in model.declared_links().filter(placed) {
         let alike = |a: &Draft<'_>, b: &Draft<'_>| links.iter().all(|&link| same(a, b, link));
@@ -360,5 +388,80 @@ fn several(model: &Model, drafts: &[Draft<'_>]) -> Diagnosis {
         .iter()
         .map(|draft| links.iter().map(|&link| angle(draft, link)).collect())
         .collect();
-    Diagnosis::SeveralAssemblies { links, angles }
+    Diagnosis::SeveralAssemblies {
+        links,
+        angles,
+        loops: open_loops(model, steps, drafts),
+        many,
+    }
+}
+
+/// The loops that can be closed in several ways, all others as in the first draft.
+fn open_loops(model: &Model, steps: &[Step], drafts: &[Draft<'_>]) -> Vec<OpenLoop> {
+    let closings = steps.iter().filter_map(|step| match step {
+        Step::Close(closing) => Some(closing),
+        _ => None,
+    });
+    let Some((first, others)) = drafts.split_first() else {
+        return Vec::new();
+    };
+    let open = |(number, closing): (usize, &Loop)| {
+        let others = others.iter();
+        let others = others.filter(|draft| differing(&draft.ways, &first.ways).eq([number]));
+        let all: Vec<&Draft<'_>> = std::iter::once(first).chain(others).collect();
+        open_loop(model, steps, closing, &all)
+    };
+    closings.enumerate().filter_map(open).collect()
+}
+
+/// A loop by the link whose angle tells its ways apart best, and by the joint whose coordinate does.
+fn open_loop(
+    model: &Model,
+    steps: &[Step],
+    closing: &Loop,
+    drafts: &[&Draft<'_>],
+) -> Option<OpenLoop> {
+    let least = |differ: &dyn Fn(&Draft<'_>, &Draft<'_>) -> f64| {
+        let pairs = drafts
+            .iter()
+            .enumerate()
+            .flat_map(|(number, a)| drafts[..number].iter().map(move |b| (a, b)));
+        pairs
+            .map(|(a, b)| differ(a, b))
+            .fold(f64::INFINITY, f64::min)
+    };
+    let best = |all: Vec<(f64, usize)>| all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    let unknowns = closing.unknowns();
+    let ends = unknowns
+        .iter()
+        .flat_map(|&joint| <[LinkId; 2]>::from(model.ends(joint)))
+        .filter(|link| model.declared_links().any(|declared| declared == *link));
+    let ends = ends.map(|link| {
+        let differ = least(&|a, b| turn(angle(a, link), angle(b, link)));
+        (differ, link.index())
+    });
+    let (differ, link) = best(ends.collect())?;
+    if drafts.len() < 2 || differ < APART {
+        return None;
+    }
+    let shown = unknowns.iter().filter(|id| !model.joint(**id).hidden);
+    let joints = shown.map(|&joint| {
+        let at = |draft: &Draft<'_>| draft.coordinate(model, steps, joint);
+        let differ = match model.joint(joint).kind {
+            JointKind::Revolute(..) => least(&|a, b| turn(at(a), at(b))),
+            _ => least(&|a, b| (at(a) - at(b)).abs()),
+        };
+        (differ, joint.index())
+    });
+    let joint = JointId::new(best(joints.collect())?.1);
+    let link = LinkId::new(link);
+    let ways = drafts.iter().map(|draft| LoopWay {
+        angle: angle(draft, link),
+        coordinate: draft.coordinate(model, steps, joint),
+    });
+    Some(OpenLoop {
+        joint,
+        link,
+        ways: ways.collect(),
+    })
 }

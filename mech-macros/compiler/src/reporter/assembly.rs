@@ -4,7 +4,10 @@ use super::Words;
 use super::wording::{brief, places_enough, rounded};
 use crate::model::{JointId, LinkId, Origin, Start};
 use crate::repair::Offers;
-use crate::structure::Diagnosis;
+use crate::structure::{Diagnosis, LoopWay, OpenLoop};
+
+/// More assemblies than these are not listed, but loop by loop.
+const LISTED: usize = 4;
 
 impl Words<'_> {
     pub(super) fn assembly(&self, diagnosis: &Diagnosis, offers: &Offers) -> (Origin, String) {
@@ -32,11 +35,29 @@ impl Words<'_> {
                     self.start_elsewhere(offers)
                 ),
             ),
-            Diagnosis::SeveralAssemblies { links, angles } => {
+            Diagnosis::SeveralAssemblies {
+                links,
+                angles,
+                loops,
+                many,
+            } => {
                 let origin = links
                     .first()
                     .map_or(self.model.origin, |link| self.model.link(*link).origin);
-                (origin, self.several(links, angles))
+                let help = if *many || angles.len() > LISTED {
+                    self.one_by_one(loops)
+                } else {
+                    self.all_assemblies(links, angles, loops)
+                };
+                let count = if *many {
+                    "more than 64".to_owned()
+                } else {
+                    angles.len().to_string()
+                };
+                let text = format!(
+                    "the mechanism can be assembled in {count} ways; `near` says which one is meant{help}"
+                );
+                (origin, text)
             }
             Diagnosis::NotAsDrawn { link } => self.not_as_drawn(*link),
             Diagnosis::StartNotFree { joint } => self.start_not_free(*joint),
@@ -59,34 +80,68 @@ impl Words<'_> {
         }
     }
 
-    fn several(&self, links: &[LinkId], angles: &[Vec<f64>]) -> String {
+    /// A statement for each assembly. That of a single loop tells where its joint is then.
+    fn all_assemblies(&self, links: &[LinkId], angles: &[Vec<f64>], loops: &[OpenLoop]) -> String {
         let places = places_enough(links.len(), angles);
-        let (before, after) = if self.model.start == Start::default() {
-            ("`start { ", " }`")
-        } else {
-            ("`", "` to `start`")
-        };
-        let clause = |angles: &Vec<f64>| {
+        let clause = |(number, angles): (usize, &Vec<f64>)| {
             let parts = links.iter().zip(angles).map(|(link, angle)| {
                 let angle = rounded(angle.to_degrees(), places);
                 format!("{} near {angle} deg;", self.model.link(*link).name)
             });
             let parts = parts.collect::<Vec<_>>().join(" ");
-            format!("\nhelp: add {before}{parts}{after}")
+            let then = match loops {
+                [OpenLoop { joint, ways, .. }] => ways.get(number).map(|way| {
+                    let at = self.shown(*joint, way.coordinate);
+                    format!(": {} is then at {at}", self.joint(*joint))
+                }),
+                _ => None,
+            };
+            format!(
+                "\nhelp: add {}{}",
+                self.in_start(&parts),
+                then.unwrap_or_default()
+            )
         };
-        let shown: String = angles.iter().take(8).map(clause).collect();
-        let more = if angles.len() > 8 {
-            "\nnote: there are more"
+        angles.iter().enumerate().map(clause).collect()
+    }
+
+    /// A statement for the first assembly, and for each loop what would close it otherwise.
+    fn one_by_one(&self, loops: &[OpenLoop]) -> String {
+        let clause = |open: &OpenLoop, way: &LoopWay| {
+            let angles: Vec<Vec<f64>> = open.ways.iter().map(|way| vec![way.angle]).collect();
+            let angle = rounded(way.angle.to_degrees(), places_enough(1, &angles));
+            format!("{} near {angle} deg;", self.model.link(open.link).name)
+        };
+        let first = loops
+            .iter()
+            .filter_map(|open| Some(clause(open, open.ways.first()?)));
+        let first: Vec<String> = first.collect();
+        let others = loops.iter().map(|open| {
+            let Some((first, others)) = open.ways.split_first() else {
+                return String::new();
+            };
+            let joint = self.joint(open.joint);
+            let first = self.shown(open.joint, first.coordinate);
+            let others = others.iter().map(|way| {
+                let there = self.shown(open.joint, way.coordinate);
+                format!("`{}` puts it at {there}", clause(open, way))
+            });
+            let others: Vec<String> = others.collect();
+            format!(
+                "\nhelp: {joint} is then at {first}; instead {}",
+                others.join(", ")
+            )
+        });
+        let others: String = others.collect();
+        format!("\nhelp: add {}{others}", self.in_start(&first.join(" ")))
+    }
+
+    /// Clauses, and where they go.
+    fn in_start(&self, clauses: &str) -> String {
+        if self.model.start == Start::default() {
+            format!("`start {{ {clauses} }}`")
         } else {
-            ""
-        };
-        let count = if angles.len() > 64 {
-            "more than 64".to_owned()
-        } else {
-            angles.len().to_string()
-        };
-        format!(
-            "the mechanism can be assembled in {count} ways; `near` says which one is meant{shown}{more}"
-        )
+            format!("`{clauses}` to `start`")
+        }
     }
 }

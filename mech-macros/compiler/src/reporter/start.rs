@@ -36,7 +36,7 @@ impl Words<'_> {
                 ),
                 None => "\nhelp: leave this out".to_owned(),
             },
-            Err(Diagnosis::SeveralAssemblies { links, angles }) => {
+            Err(Diagnosis::SeveralAssemblies { links, angles, .. }) => {
                 let places = places_enough(links.len(), &angles);
                 let found = angles.iter().take(MOST).filter_map(|angles| {
                     let angles = angles
@@ -77,7 +77,7 @@ impl Words<'_> {
         }
     }
 
-    fn shown(&self, joint: JointId, value: f64) -> String {
+    pub(super) fn shown(&self, joint: JointId, value: f64) -> String {
         match self.model.joint(joint).kind {
             JointKind::Revolute(..) => format!("{} deg", brief(value.to_degrees())),
             _ => brief(value),

@@ -131,8 +131,13 @@ pub enum Diagnosis {
     SeveralAssemblies {
         /// The links whose directions tell the assemblies apart.
         links: Vec<LinkId>,
-        /// For each assembly the angle of each of these links, in radians.
+        /// For each assembly the angle of each of these links, in radians. Of very many, only those in which one loop differs
+        /// from the first.
         angles: Vec<Vec<f64>>,
+        /// The loops that can be closed in several ways.
+        loops: Vec<OpenLoop>,
+        /// Whether there are more than are looked at.
+        many: bool,
     },
     /// A link of the drawing would have to be elsewhere for the mechanism to close.
     NotAsDrawn {
@@ -176,6 +181,26 @@ pub enum Diagnosis {
         /// The greatest error of a position that is to be expected when everything is solved as exactly as it can be.
         best: f64,
     },
+}
+
+/// A loop that can be closed in several ways.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenLoop {
+    /// The joint by whose coordinate they differ most.
+    pub joint: JointId,
+    /// The link by whose direction they differ most.
+    pub link: LinkId,
+    /// The ways, the first of them that of the first assembly.
+    pub ways: Vec<LoopWay>,
+}
+
+/// One way in which a loop can be closed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoopWay {
+    /// The angle of the link in the scene, in radians.
+    pub angle: f64,
+    /// The coordinate of the joint, in radians or scene units.
+    pub coordinate: f64,
 }
 
 /// Why two wheels cannot roll on each other.

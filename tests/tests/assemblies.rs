@@ -1,0 +1,180 @@
+//! A mechanism that can be assembled in several ways: one statement settles it, and each of its loops can be turned over by itself.
+
+use mech_compiler::model::{JointId, JointKind, Model, Near, Origin};
+use mech_compiler::structure::{Diagnosis, LoopWay, OpenLoop};
+use mech_compiler::syntax::parse;
+use mech_compiler::{Compiled, compile, reporter};
+use mech_tests::{Dice, grow, in_own_frames};
+
+fn model(text: &str) -> Model {
+    let parsed = parse(text.parse().expect("tokens"));
+    let texts: Vec<String> = parsed.errors.into_iter().map(|error| error.text).collect();
+    assert!(texts.is_empty(), "{texts:?}\n{text}");
+    parsed.model
+}
+
+/// Legs of two loops each, in frames of their own, that one crank moves through gears.
+fn legs(count: usize) -> String {
+    let shafts = |leg: usize| {
+        let [a, d] = [3 * leg, 3 * leg + 2];
+        format!("point a{leg} = ({a}, 0); point d{leg} = ({d} - 0.5, -0.5);")
+    };
+    let ground: String = (0..count).map(shafts).collect();
+    let each = |leg: usize| {
+        format!(
+            "link crank{leg} {{ point a = (0, 0); point b = (0.4, 0); }}
+            link rod{leg} {{ point b = (0, 0); point c = (1.4, 0); point e = (1.4, 0.8); }}
+            link knee{leg} {{ point d = (0, 0); point c = (1.1, 0); point f = (1, -1); }}
+            link shin{leg} {{ point f = (0, 0); point h = (1.2, 0); }}
+            link foot{leg} {{ point e = (0, 0); point h = (1.3, 0); }}
+            joint ja{leg} = revolute(ground.a{leg}, crank{leg}.a);
+            joint jb{leg} = revolute(crank{leg}.b, rod{leg}.b);
+            joint jc{leg} = revolute(rod{leg}.c, knee{leg}.c);
+            joint jd{leg} = revolute(ground.d{leg}, knee{leg}.d);
+            joint jf{leg} = revolute(knee{leg}.f, shin{leg}.f);
+            joint je{leg} = revolute(rod{leg}.e, foot{leg}.e);
+            joint jh{leg} = revolute(shin{leg}.h, foot{leg}.h);\n"
+        )
+    };
+    let gears = (1..count).map(|leg| {
+        format!(
+            "joint mesh{leg} = gear(crank{}, crank{leg}, 20 : 20 on ground);\n",
+            leg - 1
+        )
+    });
+    let parts: String = (0..count).map(each).chain(gears).collect();
+    format!("struct Legs;\nground {{ {ground} }}\n{parts}motor ja0;\n")
+}
+
+fn message(text: &str) -> String {
+    let model = model(text);
+    let wrong = compile(&model).expect_err("several assemblies");
+    assert_eq!(wrong.len(), 1, "{wrong:?}");
+    reporter::text(&wrong[0], &model)
+}
+
+/// Everything in backticks of a line.
+fn quoted(line: &str) -> Vec<&str> {
+    line.split('`').skip(1).step_by(2).collect()
+}
+
+#[test]
+fn what_is_told_is_enough() {
+    for count in [1, 2, 6] {
+        let text = legs(count);
+        let told = message(&text);
+        let first = told
+            .lines()
+            .find(|line| line.starts_with("help: "))
+            .expect("help");
+        let start = quoted(first)[0].to_owned();
+        let all = start.matches(" near ").count();
+        assert_eq!(all, 2 * count, "a loop has no clause\n{told}");
+        assert!(compile(&model(&format!("{text}{start}"))).is_ok(), "{told}");
+        // Each loop can be turned over in that statement.
+        let others = told.lines().filter(|line| line.contains("; instead `"));
+        let mut turned = 0;
+        for line in others {
+            let (_, instead) = line.split_once("; instead ").expect("the other way");
+            let clause = quoted(instead)[0];
+            let link = clause.split(" near ").next().expect("a link");
+            let clauses = start.trim_start_matches("start { ").trim_end_matches(" }");
+            let clauses = clauses.split_inclusive(';').map(str::trim);
+            let changed: Vec<&str> = clauses
+                .map(|one| {
+                    if one.starts_with(&format!("{link} ")) {
+                        clause
+                    } else {
+                        one
+                    }
+                })
+                .collect();
+            let text = format!("{text}start {{ {} }}", changed.join(" "));
+            assert!(compile(&model(&text)).is_ok(), "{line}\n{told}");
+            turned += 1;
+        }
+        assert_eq!(turned, if count == 1 { 0 } else { 2 * count }, "{told}");
+    }
+}
+
+/// The coordinate of a joint at the start.
+fn coordinate(model: &Model, compiled: &Compiled, joint: JointId) -> f64 {
+    let axes = match model.joint(joint).kind {
+        JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => [a, b],
+        other => panic!("{other:?}"),
+    };
+    let [from, to] = axes.map(|id| {
+        let axis = model.axis(id);
+        let [c, s, x, y] = compiled.plan.start.poses[axis.link.index()];
+        let turned = |[u, v]: [f64; 2]| [c * u - s * v, s * u + c * v];
+        let [u, v] = turned(axis.at);
+        ([x + u, y + v], turned(axis.direction))
+    });
+    let (([x, y], [c, s]), ([u, v], [d, t])) = (from, to);
+    match model.joint(joint).kind {
+        JointKind::Revolute(..) => (c * t - s * d).atan2(c * d + s * t),
+        _ => (u - x) * c + (v - y) * s,
+    }
+}
+
+/// The mechanism with the first way of each loop, but another of one.
+fn chosen(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> Model {
+    let mut chosen = model.clone();
+    for (number, open) in loops.iter().enumerate() {
+        let way = other.map_or(0, |(turned, way)| if turned == number { way } else { 0 });
+        chosen.start.near.push(Near {
+            link: open.link,
+            angle: open.ways[way].angle,
+            origin: Origin::default(),
+        });
+    }
+    chosen
+}
+
+#[test]
+fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
+    let (mut compared, mut open) = (0, 0);
+    for seed in 0..300 {
+        let mut dice = Dice::new(seed);
+        let additions = 2 + dice.below(5);
+        let drawn = grow(&mut dice, additions).model;
+        let (mut free, _) = in_own_frames(&drawn, &mut dice);
+        free.start.near.clear();
+        let Err(wrong) = compile(&free) else {
+            continue;
+        };
+        let [Diagnosis::SeveralAssemblies { loops, .. }] = &wrong[..] else {
+            continue;
+        };
+        let ways = loops
+            .iter()
+            .enumerate()
+            .flat_map(|(number, open)| (0..open.ways.len()).map(move |way| (number, way)));
+        for (number, way) in ways {
+            let model = chosen(&free, loops, Some((number, way)));
+            let Ok(compiled) = compile(&model) else {
+                // Slides may have two ways of one direction: no clause settles these.
+                open += 1;
+                continue;
+            };
+            let OpenLoop {
+                joint, ref ways, ..
+            } = loops[number];
+            let LoopWay {
+                coordinate: told, ..
+            } = ways[way];
+            let is = coordinate(&model, &compiled, joint);
+            let off = match model.joint(joint).kind {
+                JointKind::Revolute(..) => (0.5 * (is - told)).sin().abs(),
+                _ => (is - told).abs(),
+            };
+            assert!(off < 1e-6, "seed {seed}, loop {number}: {is}, told {told}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 200, "only {compared} assemblies");
+    assert!(
+        20 * open < compared,
+        "{open} of {compared} assemblies stay open"
+    );
+}
