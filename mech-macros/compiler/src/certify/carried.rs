@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
 /// At so many places it is looked whether a loop notices that it is turned, each time so far.
-const PLACES: usize = 12;
+const PLACES: usize = 4;
 const TURNS: [f64; 3] = [1.0, 2.3, 4.1];
 /// What rounding makes of a number, as a part of it.
 const TIGHT: f64 = 1e-9;
@@ -88,34 +88,67 @@ fn directions(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
     }
 }
 
-/// Whether a variable may have a part in the outputs of a cone. What is the same has enclosures that overlap wherever it is computed; what
-/// is not differs by more than rounding at some place. A wide enclosure tells nothing.
+/// Whether a variable may have a part in the outputs of a cone.
 fn has_part(cone: &Cone, variable: usize) -> bool {
-    let mut tape = Tape::of(&cone.nodes, cone.variables.len(), Vec::new(), &cone.outputs);
+    turned_along(cone, variable, &cone.outputs, &[]).is_none()
+}
+
+/// Which vectors turn along with a variable, if it has no other part in them and none in the numbers. What is the same has enclosures that
+/// overlap wherever it is computed; what is not differs by more than rounding at some place. A wide enclosure tells nothing.
+pub(crate) fn turned_along(
+    cone: &Cone,
+    variable: usize,
+    numbers: &[Value],
+    vectors: &[[Value; 2]],
+) -> Option<Vec<bool>> {
+    let outputs: Vec<Value> = numbers
+        .iter()
+        .chain(vectors.iter().flatten())
+        .copied()
+        .collect();
+    let mut tape = Tape::of(&cone.nodes, cone.variables.len(), Vec::new(), &outputs);
     if tape.is_too_large() {
-        return true;
+        return None;
     }
-    let mut outputs = |place: &[f64]| -> Vec<Interval> {
+    let mut values = |place: &[f64]| -> Vec<Interval> {
         let place: Vec<Interval> = place.iter().copied().map(Interval::point).collect();
         tape.run(&place);
-        cone.outputs
-            .iter()
-            .map(|value| tape.value(*value))
-            .collect()
+        outputs.iter().map(|value| tape.value(*value)).collect()
     };
-    (0..PLACES).any(|number| {
+    let (mut stays, mut turns) = (vec![true; vectors.len()], vec![true; vectors.len()]);
+    for number in 0..PLACES {
         let mut place = place(cone, number);
-        let before = outputs(&place);
-        TURNS.iter().any(|turn| {
+        let before = values(&place);
+        for turn in TURNS {
             place[variable] += turn;
-            let after = outputs(&place);
-            let mut both = before.iter().zip(&after);
-            both.any(|(a, b)| {
-                let is_same = a.low() <= b.high() && b.low() <= a.high();
-                !(is_same && is_tight(*a) && is_tight(*b))
-            })
-        })
-    })
+            let after = values(&place);
+            let whole = place[variable] - self::place(cone, number)[variable];
+            let (cos, sin) = (Interval::point(whole).cos(), Interval::point(whole).sin());
+            let same = |index: usize| is_same(before[index], after[index]);
+            if !(0..numbers.len()).all(same) {
+                return None;
+            }
+            for vector in 0..vectors.len() {
+                let [x, y] = [0, 1].map(|part| numbers.len() + 2 * vector + part);
+                let [u, v] = [
+                    cos * before[x] - sin * before[y],
+                    sin * before[x] + cos * before[y],
+                ];
+                stays[vector] &= same(x) && same(y);
+                turns[vector] &= is_same(u, after[x]) && is_same(v, after[y]);
+            }
+        }
+    }
+    let all = stays
+        .iter()
+        .zip(&turns)
+        .all(|(stays, turns)| *stays || *turns);
+    // What does both is nothing at all.
+    all.then(|| stays.into_iter().map(|stays| !stays).collect())
+}
+
+fn is_same(a: Interval, b: Interval) -> bool {
+    a.low() <= b.high() && b.low() <= a.high() && is_tight(a) && is_tight(b)
 }
 
 /// Whether an enclosure is as wide as rounding makes it.

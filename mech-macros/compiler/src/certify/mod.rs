@@ -5,7 +5,7 @@
 //! half of a loop's floor that is left to it.
 
 pub(crate) mod always;
-mod carried;
+pub(crate) mod carried;
 mod claim;
 pub(crate) mod cone;
 mod form;

@@ -119,6 +119,18 @@ impl<'a> Domain<'a> {
         }
     }
 
+    /// The angle of a variable at the start, if it is a direction.
+    pub(super) fn angle_of(&self, variable: Variable) -> Option<f64> {
+        match variable {
+            Variable::Input(_) => None,
+            Variable::Angle(angle) => Some(self.cutter.at_start[angle.index()]),
+            Variable::Found(number, index) => match self.solution(number, index)? {
+                Solution::Slide(_) => None,
+                solution @ Solution::Direction(_) => Some(self.angle_at_start(&solution)),
+            },
+        }
+    }
+
     pub(super) fn solution(&self, number: usize, index: usize) -> Option<Solution<Value>> {
         self.cutter.solution(number, index)
     }

@@ -4,10 +4,11 @@ use super::domain::Domain;
 use super::known::{Free, Known};
 use crate::certify::Interval;
 use crate::certify::always::{Question, always_closes};
+use crate::certify::carried;
 use crate::certify::cone::{Cone, Cuts, Variable};
 use crate::plan::Solution;
 use crate::program::{BlockId, Closed, Form, Value};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// How many numbers may be found for a loop by itself, for one together with those before it, and for all loops.
 const ALONE: usize = 60_000;
@@ -44,8 +45,14 @@ fn proved(domain: &Domain<'_>, block: BlockId, closed: &Closed, left: &mut usize
         .iter()
         .map(|variable| domain.of_variable(*variable))
         .collect();
-    let found = asked.answer(&cone, &ranges, (ALONE, left));
-    if found.is_some() || !hangs_together(domain, &cone) {
+    let carriers = asked.carriers(domain, &cone);
+    let held = carriers.iter().fold(ranges.clone(), |mut held, carrier| {
+        held[carrier.variable] = Interval::point(carrier.start);
+        held
+    });
+    let found = asked.answer(&cone, &held, (ALONE, left));
+    let found = found.map(|free| turned_along(free, &carriers, &ranges));
+    if found.is_some() || !hangs_together(domain, &cone, &carriers) {
         return found;
     }
     let together = Cuts {
@@ -63,8 +70,39 @@ fn proved(domain: &Domain<'_>, block: BlockId, closed: &Closed, left: &mut usize
     asked.answer(&cone, &ranges, (TOGETHER, left))
 }
 
-/// Whether the variables of a loop by itself may follow from each other.
-fn hangs_together(domain: &Domain<'_>, cone: &Cone) -> bool {
+/// A direction that carries a loop as a whole: whether it closes is the same in all of them.
+struct Carrier {
+    /// Its number in the cone.
+    variable: usize,
+    /// Its angle at the start.
+    start: f64,
+    /// For each unknown whether it turns along.
+    along: Vec<bool>,
+}
+
+/// What a loop finds where its carriers are anywhere, from what it finds where they are at the start.
+fn turned_along(mut free: Free, carriers: &[Carrier], ranges: &[Interval]) -> Free {
+    for carrier in carriers {
+        let turn = ranges[carrier.variable] - Interval::point(carrier.start);
+        let unknowns = free.ranges.iter_mut().zip(&carrier.along);
+        for (range, _) in unknowns.filter(|(_, along)| **along) {
+            *range = range.map(|range| all_if_wide(range + turn));
+        }
+    }
+    free
+}
+
+/// A range of angles; anything at all if it is a whole turn.
+fn all_if_wide(range: Interval) -> Interval {
+    if range.width() < TAU {
+        range
+    } else {
+        Interval::new(-PI.next_up(), PI.next_up())
+    }
+}
+
+/// Whether the variables of a loop by itself may follow from each other, but for those that carry it.
+fn hangs_together(domain: &Domain<'_>, cone: &Cone, carriers: &[Carrier]) -> bool {
     let is_free = |number: usize| {
         domain
             .known
@@ -73,8 +111,11 @@ fn hangs_together(domain: &Domain<'_>, cone: &Cone) -> bool {
     };
     let found =
         |variable: &Variable| matches!(variable, Variable::Found(number, _) if is_free(*number));
+    let has_part = |index: &usize| carriers.iter().all(|carrier| carrier.variable != *index);
+    let with_part = (0..cone.variables.len()).filter(has_part);
+    let with_part: Vec<Variable> = with_part.map(|index| cone.variables[index]).collect();
     let mut inputs = Vec::new();
-    for variable in &cone.variables {
+    for variable in &with_part {
         match *variable {
             Variable::Angle(angle) => {
                 inputs.extend(
@@ -93,7 +134,7 @@ fn hangs_together(domain: &Domain<'_>, cone: &Cone) -> bool {
     let count = inputs.len();
     inputs.sort_unstable();
     inputs.dedup();
-    inputs.len() < count || cone.variables.iter().any(found)
+    inputs.len() < count || with_part.iter().any(found)
 }
 
 /// What is asked about a loop.
@@ -126,6 +167,41 @@ impl<'c> Asked<'c> {
             outputs,
             unknowns,
         }
+    }
+
+    /// The directions among the variables of a cone that carry the loop.
+    fn carriers(&self, domain: &Domain<'_>, cone: &Cone) -> Vec<Carrier> {
+        let output = |value: Value| cone.outputs[self.place(value)];
+        let vector = |vector: [Value; 2]| vector.map(output);
+        let mut numbers = vec![cone.outputs[0], cone.outputs[1], cone.outputs[2]];
+        let mut vectors = Vec::new();
+        for (solution, _) in &self.unknowns {
+            match *solution {
+                Solution::Direction(direction) => vectors.push(vector(direction)),
+                Solution::Slide(way) => numbers.push(output(way)),
+            }
+        }
+        let directions = vectors.len();
+        vectors.extend(self.closed.form.vectors().into_iter().map(vector));
+        let carrier = |(variable, what): (usize, &Variable)| {
+            let start = domain.angle_of(*what)?;
+            let turned = carried::turned_along(cone, variable, &numbers, &vectors)?;
+            let mut turned = turned.into_iter().take(directions);
+            let along = self.unknowns.iter().map(|(solution, _)| match solution {
+                Solution::Direction(_) => turned.next().unwrap_or_default(),
+                Solution::Slide(_) => false,
+            });
+            Some(Carrier {
+                variable,
+                start,
+                along: along.collect(),
+            })
+        };
+        cone.variables
+            .iter()
+            .enumerate()
+            .filter_map(carrier)
+            .collect()
     }
 
     /// Where a value of the program is among the outputs of a cone.
