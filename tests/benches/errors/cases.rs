@@ -18,7 +18,7 @@ const MOST: [(usize, f64); 3] = [(10, 300.0), (60, 1000.0), (150, 1000.0)];
 
 /// Every case in every size.
 pub(crate) fn cases() -> Vec<Case> {
-    let mut cases = vec![ranges()];
+    let mut cases = vec![ranges(), range()];
     for (loops, most) in MOST {
         let links = 2 * loops + 1;
         let wrong: [(&str, String); 9] = [
@@ -113,6 +113,16 @@ fn ranges() -> Case {
         name: "wrong joint, ranges",
         links: 10,
         text,
+        most: 300.0,
+    }
+}
+
+/// A turret with six cylinders one upon the other, the last with a range to beyond its dead point.
+fn range() -> Case {
+    Case {
+        name: "range too long",
+        links: 20,
+        text: include_str!("digger.txt").to_owned(),
         most: 300.0,
     }
 }
