@@ -353,3 +353,88 @@ fn two_links_that_hang_on_a_plate() {
     assert_advised(&drawing, &STYLES, "add `motor b;` and `motor f;`");
     assert_advised(&drawing, &STYLES, "remove `link ab` and `link fg`");
 }
+
+/// Relatives of the cases above.
+#[test]
+fn a_rod_that_is_not_joined_to_its_block() {
+    let drawing = Drawing {
+        points: &[('A', 0.0, 0.0), ('B', 1.0, 1.0), ('C', 4.0, 0.0)],
+        links: &["AB", "BC"],
+        grounded: "A",
+        rest: "link block; joint x = prismatic(ground, block) at (4, 0) along (1, 0); motor a;",
+    };
+    let wanted = "join `bc` and `block`: add `joint pin = revolute(bc, block) at (4, 0);`";
+    assert_advised(&drawing, &[Style::Bars, Style::Bare], wanted);
+    assert_advised(
+        &drawing,
+        &[Style::Points],
+        &wanted.replace("joint pin", "joint c"),
+    );
+}
+
+#[test]
+fn a_coupler_whose_joints_are_forgotten() {
+    let text = "struct Drawn; link ab; link cd; link bc { point b = (1, 2); point c = (4, 3); }
+        joint a = revolute(ground, ab) at (0, 0);
+        joint d = revolute(ground, cd) at (4, 0);
+        motor a;";
+    let told = messages(text).join("\n");
+    let wanted = "together: join `ab` and `bc`: add `joint b = revolute(ab, bc) at (1, 2);` and join `cd` and `bc`: add `joint c = revolute(cd, bc) at (4, 3);`";
+    assert!(told.contains(wanted), "{told}");
+}
+
+#[test]
+fn a_missing_coupler() {
+    let drawing = Drawing {
+        points: &[
+            ('A', 0.0, 0.0),
+            ('B', 1.0, 2.0),
+            ('C', 4.0, 3.0),
+            ('D', 4.0, 0.0),
+        ],
+        links: &["AB", "CD"],
+        grounded: "AD",
+        rest: "motor a;",
+    };
+    let told = messages(&drawing.text(Style::Points)).join("\n");
+    let wanted = "connect `ab` and `cd`: add `link bar; joint b = revolute(ab, bar) at (1, 2); joint c = revolute(cd, bar) at (4, 3);`";
+    assert!(told.contains(wanted), "{told}");
+}
+
+#[test]
+fn nothing_is_pinned_to_the_ground() {
+    let drawing = Drawing {
+        points: &[
+            ('A', 0.0, 0.0),
+            ('B', 1.0, 2.0),
+            ('C', 4.0, 3.0),
+            ('D', 4.0, 0.0),
+        ],
+        links: &["AB", "BC", "CD"],
+        grounded: "",
+        rest: "motor b;",
+    };
+    let told = messages(&drawing.text(Style::Points)).join("\n");
+    let wanted = "together: pin `ab` to the ground: add `joint a = revolute(ground, ab) at (0, 0);` and pin `cd` to the ground: add `joint d = revolute(ground, cd) at (4, 0);`";
+    assert!(told.contains(wanted), "{told}");
+}
+
+#[test]
+fn one_bent_link_drawn_as_two_bars() {
+    let drawing = Drawing {
+        points: &[
+            ('A', 0.0, 0.0),
+            ('B', 1.0, 2.0),
+            ('M', 2.5, 2.5),
+            ('C', 4.0, 3.0),
+            ('D', 4.0, 0.0),
+        ],
+        links: &["AB", "BM", "MC", "CD"],
+        grounded: "AD",
+        rest: "motor a;",
+    };
+    let told = messages(&drawing.text(Style::Points)).join("\n");
+    let wanted =
+        "make one bent link of `bm` and `mc`: write `joint m = weld(bm, mc) at (2.5, 2.5);`";
+    assert!(told.contains(wanted), "{told}");
+}

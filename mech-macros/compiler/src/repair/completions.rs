@@ -17,6 +17,8 @@ pub(super) fn joints(model: &Model) -> Vec<Repair> {
     let sketch = Sketch::of(model);
     let mut found = meeting(model, &sketch);
     found.extend(points(model));
+    let bare = bare_leaves(model, &sketch);
+    found.extend(reaching(model, &sketch, &bare));
     let ends = sketch.ends.iter().filter(|end| {
         let on_ground = |pin: &DrawnPin| pin.links.contains(&LinkId::GROUND);
         let pinned = are_joined(model, [LinkId::GROUND, end.link]);
@@ -24,7 +26,8 @@ pub(super) fn joints(model: &Model) -> Vec<Repair> {
     });
     let grounded = |end: &LooseEnd| on_ground(model, end.link, end.name.as_deref(), end.at);
     found.extend(ends.map(grounded));
-    found.extend(below(model, &sketch));
+    found.extend(below(model, &sketch, &bare));
+    found.extend(apexes(model, &bare));
     found
 }
 
@@ -38,15 +41,7 @@ fn meeting(model: &Model, sketch: &Sketch) -> Vec<Repair> {
             return;
         }
         let name = NewNames::new(model).like(end.name.as_deref(), "pin");
-        let joint = NewJoint {
-            name,
-            kind: NewKind::Revolute,
-            ends: Ends::Drawn { links, at },
-        };
-        found.push((
-            apart,
-            Declaration::joint(Purpose::Join { apart }, joint).into(),
-        ));
+        found.push((apart, joined(Purpose::Join { apart }, name, links, at)));
     };
     for (number, end) in sketch.ends.iter().enumerate() {
         for pin in sketch.pins.iter().chain(&sketch.blocks) {
@@ -73,6 +68,12 @@ fn are_joined(model: &Model, [a, b]: [LinkId; 2]) -> bool {
         let ends = model.ends(joint);
         ends == (a, b) || ends == (b, a)
     })
+}
+
+/// Whether two links are joined, or both are to a third: one more joint would make a triangle that cannot move.
+fn are_held(model: &Model, [a, b]: [LinkId; 2]) -> bool {
+    let both = |third: LinkId| are_joined(model, [a, third]) && are_joined(model, [b, third]);
+    are_joined(model, [a, b]) || model.link_ids().any(both)
 }
 
 /// The joints between points of links with frames of their own: those of one name first.
@@ -104,34 +105,100 @@ fn points(model: &Model) -> Vec<Repair> {
 }
 
 fn on_ground(model: &Model, link: LinkId, name: Option<&str>, at: [f64; 2]) -> Repair {
+    let name = NewNames::new(model).like(name, "pin");
+    joined(Purpose::Ground, name, [LinkId::GROUND, link], at)
+}
+
+/// The links that hang on one joint, and of which nothing else is drawn, each with the place of that joint.
+fn bare_leaves(model: &Model, sketch: &Sketch) -> Vec<(LinkId, [f64; 2])> {
+    let leaves = leaves(model).into_iter();
+    let bare = leaves.filter(|(link, _)| {
+        let ends = sketch.ends.iter().any(|end| end.link == *link);
+        model.link(*link).shapes.is_empty() && !ends
+    });
+    bare.filter_map(|(link, joint)| Some((link, drawn(model, joint)?.1)))
+        .collect()
+}
+
+/// The joints between ends of links, or what slides, and links that could reach there.
+fn reaching(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
+    let ends = sketch.ends.iter();
+    let ends = ends.map(|end| (end.link, end.name.as_deref(), end.at));
+    let blocks = sketch.blocks.iter();
+    let blocks = blocks.flat_map(|block| block.links.iter().map(|&link| (link, None, block.at)));
+    let moving = ends
+        .chain(blocks)
+        .filter(|(link, ..)| *link != LinkId::GROUND);
+    let joints = moving.flat_map(|(end, name, at)| {
+        let others = bare.iter().map(|(link, _)| *link);
+        let others = others.filter(move |&link| link != end && !are_held(model, [link, end]));
+        others.map(move |link| {
+            let mut links = [link, end];
+            links.sort();
+            let name = NewNames::new(model).like(name, "pin");
+            joined(Purpose::Join { apart: 0.0 }, name, links, at)
+        })
+    });
+    joints.collect()
+}
+
+fn joined(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> Repair {
     let joint = NewJoint {
-        name: NewNames::new(model).like(name, "pin"),
+        name,
         kind: NewKind::Revolute,
-        ends: Ends::Drawn {
-            links: [LinkId::GROUND, link],
-            at,
-        },
+        ends: Ends::Drawn { links, at },
     };
-    Declaration::joint(Purpose::Ground, joint).into()
+    Declaration::joint(purpose, joint).into()
 }
 
 /// Where nothing tells how long the last link of a chain is: it ends at the height of the first pivot on the ground.
-fn below(model: &Model, sketch: &Sketch) -> Vec<Repair> {
+fn below(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
     let mut pivots = sketch.pins.iter();
     let Some(pivot) = pivots.find(|pin| pin.links.contains(&LinkId::GROUND)) else {
         return Vec::new();
     };
-    let ends = sketch.ends.iter().map(|end| end.link);
-    let ends: Vec<LinkId> = ends.collect();
-    let lone = leaves(model).into_iter().filter_map(|(link, joint)| {
-        let (_, [x, y]) = drawn(model, joint)?;
-        let bare = model.link(link).shapes.is_empty() && !ends.contains(&link);
+    let lone = bare.iter().filter_map(|&(link, [x, y])| {
         let apart = (y - pivot.at[1]).abs() > NEAR * sketch.size;
         let apart = apart && !are_joined(model, [LinkId::GROUND, link]);
         let at = [x, pivot.at[1]];
-        (bare && apart && sketch.pin_at(at).is_none()).then(|| on_ground(model, link, None, at))
+        (apart && sketch.pin_at(at).is_none()).then(|| on_ground(model, link, None, at))
     });
     lone.collect()
+}
+
+/// Where nothing tells where two links meet: over the middle of the joints on which they hang.
+fn apexes(model: &Model, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
+    let mut found = Vec::new();
+    for (number, &(b, q)) in bare.iter().enumerate() {
+        for &(a, p) in &bare[..number] {
+            let width = distance(p, q);
+            if width == 0.0 || are_held(model, [a, b]) {
+                continue;
+            }
+            let over = if q[0] < p[0] { -0.5 } else { 0.5 };
+            let at = [
+                0.5 * (p[0] + q[0]) - over * (q[1] - p[1]),
+                0.5 * (p[1] + q[1]) + over * (q[0] - p[0]),
+            ];
+            let name = NewNames::new(model).like(None, "pin");
+            found.push(joined(
+                Purpose::Meet,
+                name,
+                [a, b],
+                at.map(|part| handy(part, width)),
+            ));
+        }
+    }
+    found
+}
+
+/// A coordinate with as many digits as somebody would write where things are so far apart.
+fn handy(coordinate: f64, width: f64) -> f64 {
+    let fine = |places: &i32| 10.0_f64.powi(-places) <= 0.1 * width;
+    let places = (0..12).find(fine).unwrap_or(12);
+    let places = usize::try_from(places).unwrap_or_default();
+    let text = format!("{coordinate:.places$}");
+    text.parse::<f64>().map_or(coordinate, |short| short + 0.0)
 }
 
 /// The links that hang on one joint, with that.

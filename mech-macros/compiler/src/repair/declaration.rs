@@ -27,6 +27,8 @@ pub enum Purpose {
         /// How far apart they are drawn where they are joined, in scene units.
         apart: f64,
     },
+    /// To join two links somewhere: nothing tells where.
+    Meet,
     /// To connect two links by a third.
     Connect,
     /// To make one bent link of two.

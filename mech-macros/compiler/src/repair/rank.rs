@@ -26,7 +26,7 @@ impl<'m> Ranking<'m> {
         match repair {
             Repair::Declare(Declaration { purpose, .. }) => match purpose {
                 Purpose::Ground | Purpose::Join { .. } => (0, 0),
-                Purpose::Fix => (0, 1),
+                Purpose::Fix | Purpose::Meet => (0, 1),
                 Purpose::Turn | Purpose::Guide | Purpose::Free => (3, 0),
                 Purpose::Connect => (9, 0),
                 Purpose::Stiffen => (10, 0),

@@ -51,6 +51,7 @@ impl Words<'_> {
                 brief(apart)
             ),
             Purpose::Join { .. } => format!("join {} and {}", name(0), name(1)),
+            Purpose::Meet => format!("join {} and {}, for example here", name(0), name(1)),
             Purpose::Connect => format!("connect {} and {}", name(0), name(1)),
             Purpose::Stiffen => format!("make one bent link of {} and {}", name(0), name(1)),
             Purpose::Turn => format!("let {} turn", name(0)),
