@@ -227,12 +227,14 @@ fn pairs(trials: &mut Trials<'_>, tried: &[Repair], ranking: &Ranking<'_>, offer
         (!suggested, *freedom, found.len())
     });
     for (_, first, found) in &halves {
+        if trials.exhausted || offers.pairs.len() >= PAIRS {
+            break;
+        }
         for second in seconds(model, first, found) {
-            if !trials.exhausted && offers.pairs.len() < PAIRS {
-                attempt(trials, offers, [(*first).clone(), second]);
-            }
+            attempt(trials, offers, [(*first).clone(), second]);
         }
     }
+    offers.pairs.truncate(PAIRS);
     offers.pairs.sort_by_key(|pair| ranking.of_pair(pair));
 }
 
