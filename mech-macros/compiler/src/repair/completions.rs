@@ -7,28 +7,36 @@ use crate::model::{AxisId, Ends, JointId, JointKind, LinkId, Model, NewJoint, Ne
 
 /// Ends that are no farther apart than this part of the size may be meant to be one.
 const NEAR: f64 = 0.15;
-/// Between more ends than these no links are tried.
+/// So many joints of a kind are tried, and links between no more ends than these.
 const FEW: usize = 4;
 /// So many welds are tried.
 const WELDS: usize = 3;
 
-/// The joints that the drawing suggests, the likeliest first: ends that nearly meet, then ends that stand alone.
+/// The joints that the drawing suggests, the likeliest first: ends that nearly meet, then ends that stand alone. Of each kind a few.
 pub(super) fn joints(model: &Model) -> Vec<Repair> {
     let sketch = Sketch::of(model);
-    let mut found = meeting(model, &sketch);
-    found.extend(points(model));
     let bare = bare_leaves(model, &sketch);
-    found.extend(reaching(model, &sketch, &bare));
+    let kinds = [
+        meeting(model, &sketch),
+        points(model),
+        reaching(model, &sketch, &bare),
+        alone(model, &sketch),
+        below(model, &sketch, &bare),
+        apexes(model, &bare),
+    ];
+    let few = kinds.into_iter().map(|kind| kind.into_iter().take(FEW));
+    few.flatten().collect()
+}
+
+/// The pivots on the ground where ends stand alone.
+fn alone(model: &Model, sketch: &Sketch) -> Vec<Repair> {
     let ends = sketch.ends.iter().filter(|end| {
         let on_ground = |pin: &DrawnPin| pin.links.contains(&LinkId::GROUND);
         let pinned = are_joined(model, [LinkId::GROUND, end.link]);
         !pinned && end.link != LinkId::GROUND && !sketch.pin_at(end.at).is_some_and(on_ground)
     });
     let grounded = |end: &LooseEnd| on_ground(model, end.link, end.name.as_deref(), end.at);
-    found.extend(ends.map(grounded));
-    found.extend(below(model, &sketch, &bare));
-    found.extend(apexes(model, &bare));
-    found
+    ends.map(grounded).collect()
 }
 
 /// The joints between ends of links and pins, or ends of other links, that are near.
@@ -333,7 +341,7 @@ pub(super) fn slots(model: &Model, joints: &[JointId]) -> Vec<Repair> {
             .collect();
         Some(ways)
     };
-    joints.iter().filter_map(slot).flatten().collect()
+    joints.iter().filter_map(slot).flatten().take(FEW).collect()
 }
 
 fn rewritten(

@@ -238,12 +238,13 @@ fn pairs(trials: &mut Trials<'_>, tried: &[Repair], ranking: &Ranking<'_>, offer
     offers.pairs.sort_by_key(|pair| ranking.of_pair(pair));
 }
 
-/// Whether a change may be one of two: not a motor first, nor new parts beside others that go.
+/// Whether a change may be one of two: a joint that the drawing suggests, or something that goes. There is no time for all of them.
 fn is_half(repair: &Repair) -> bool {
-    let part =
-        |purpose: Purpose| matches!(purpose, Purpose::Connect | Purpose::Stiffen | Purpose::Fix);
     match repair {
-        Repair::Declare(Declaration { purpose, .. }) => !part(*purpose),
+        Repair::Declare(Declaration { purpose, .. }) => matches!(
+            purpose,
+            Purpose::Ground | Purpose::Join { .. } | Purpose::Meet | Purpose::Free
+        ),
         other => !is_motor(other),
     }
 }
@@ -280,11 +281,13 @@ fn seconds(model: &Model, first: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
     let (Some(changed), Some(rest)) = (first.apply(model), found.first()) else {
         return Vec::new();
     };
-    let seconds: Vec<Repair> = candidates(&changed, found, rest)
-        .into_iter()
-        .filter(|second| is_half(second) || matches!(second, Repair::AddMotors(_)))
-        .filter_map(|second| translated(&second, &changed, model))
-        .collect();
+    let mut seconds: Vec<Repair> = Vec::new();
+    for second in candidates(&changed, found, rest) {
+        let fits = is_half(&second) || matches!(second, Repair::AddMotors(_));
+        if fits && !has_enough(&seconds, &second) {
+            seconds.extend(translated(&second, &changed, model));
+        }
+    }
     let adds = |repair: &Repair| matches!(repair, Repair::AddMotors(_));
     let (motors, others): (Vec<Repair>, Vec<Repair>) = seconds.into_iter().partition(adds);
     others
