@@ -125,15 +125,17 @@ const FOUR_BAR: [(char, f64, f64); 4] = [
     ('D', 4.0, 0.0),
 ];
 
+const UPRIGHT: [(char, f64, f64); 4] = [
+    ('A', 0.0, 0.0),
+    ('B', 1.0, 2.0),
+    ('C', 4.0, 3.0),
+    ('D', 4.0, 0.0),
+];
+
 #[test]
 fn an_ungrounded_pivot() {
     let drawing = Drawing {
-        points: &[
-            ('A', 0.0, 0.0),
-            ('B', 1.0, 2.0),
-            ('C', 4.0, 3.0),
-            ('D', 4.0, 0.0),
-        ],
+        points: &UPRIGHT,
         links: &["AB", "BC", "CD"],
         grounded: "A",
         rest: "motor a;",
@@ -147,12 +149,7 @@ fn an_ungrounded_pivot() {
 #[test]
 fn a_brace() {
     let drawing = Drawing {
-        points: &[
-            ('A', 0.0, 0.0),
-            ('B', 1.0, 2.0),
-            ('C', 4.0, 3.0),
-            ('D', 4.0, 0.0),
-        ],
+        points: &UPRIGHT,
         links: &["AB", "BC", "CD", "BD"],
         grounded: "AD",
         rest: "motor a;",
@@ -386,12 +383,7 @@ fn a_coupler_whose_joints_are_forgotten() {
 #[test]
 fn a_missing_coupler() {
     let drawing = Drawing {
-        points: &[
-            ('A', 0.0, 0.0),
-            ('B', 1.0, 2.0),
-            ('C', 4.0, 3.0),
-            ('D', 4.0, 0.0),
-        ],
+        points: &UPRIGHT,
         links: &["AB", "CD"],
         grounded: "AD",
         rest: "motor a;",
@@ -404,12 +396,7 @@ fn a_missing_coupler() {
 #[test]
 fn nothing_is_pinned_to_the_ground() {
     let drawing = Drawing {
-        points: &[
-            ('A', 0.0, 0.0),
-            ('B', 1.0, 2.0),
-            ('C', 4.0, 3.0),
-            ('D', 4.0, 0.0),
-        ],
+        points: &UPRIGHT,
         links: &["AB", "BC", "CD"],
         grounded: "",
         rest: "motor b;",

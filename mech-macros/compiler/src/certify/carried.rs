@@ -118,11 +118,12 @@ pub(crate) fn turned_along(
     let (mut stays, mut turns) = (vec![true; vectors.len()], vec![true; vectors.len()]);
     for number in 0..PLACES {
         let mut place = place(cone, number);
+        let from = place[variable];
         let before = values(&place);
         for turn in TURNS {
             place[variable] += turn;
             let after = values(&place);
-            let whole = place[variable] - self::place(cone, number)[variable];
+            let whole = place[variable] - from;
             let (cos, sin) = (Interval::point(whole).cos(), Interval::point(whole).sin());
             let same = |index: usize| is_same(before[index], after[index]);
             if !(0..numbers.len()).all(same) {

@@ -1,5 +1,6 @@
 //! What could be changed.
 
+use super::sketch::Sketch;
 use super::{Repair, completions, drivable, sizes};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::structure::{self, Diagnosis};
@@ -56,11 +57,11 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
         }
         Diagnosis::Loose { link } => {
             let mut repairs = vec![Repair::RemoveLink(*link)];
-            repairs.extend(completions::joints(model));
+            repairs.extend(completions::joints(model, &Sketch::of(model)));
             repairs
         }
         Diagnosis::Disconnected { links } => {
-            let mut repairs = completions::joints(model);
+            let mut repairs = completions::joints(model, &Sketch::of(model));
             repairs.extend(completions::fixed(model, links));
             repairs
         }
@@ -102,7 +103,8 @@ fn free_to_move(
     free: &[JointId],
     candidates: &[JointId],
 ) -> Vec<Repair> {
-    let mut repairs = completions::joints(model);
+    let sketch = Sketch::of(model);
+    let mut repairs = completions::joints(model, &sketch);
     repairs.extend(motors(model, all, of, candidates));
     let on_ground = |joint: JointId| {
         let (a, b) = model.ends(joint);
@@ -114,7 +116,7 @@ fn free_to_move(
     let leaves = leaves.filter(|(_, joint)| free.contains(joint) && !(lone && on_ground(*joint)));
     repairs.extend(leaves.map(|(link, _)| Repair::RemoveLink(link)));
     repairs.extend(completions::guides(model, free));
-    repairs.extend(completions::connecting_links(model));
+    repairs.extend(completions::connecting_links(model, &sketch));
     if !lone {
         repairs.extend(completions::welds(model, free));
     }

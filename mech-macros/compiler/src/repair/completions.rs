@@ -13,15 +13,14 @@ const FEW: usize = 4;
 const WELDS: usize = 3;
 
 /// The joints that the drawing suggests, the likeliest first: ends that nearly meet, then ends that stand alone. Of each kind a few.
-pub(super) fn joints(model: &Model) -> Vec<Repair> {
-    let sketch = Sketch::of(model);
-    let bare = bare_leaves(model, &sketch);
+pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
+    let bare = bare_leaves(model, sketch);
     let kinds = [
-        meeting(model, &sketch),
+        meeting(model, sketch),
         points(model),
-        reaching(model, &sketch, &bare),
-        alone(model, &sketch),
-        below(model, &sketch, &bare),
+        reaching(model, sketch, &bare),
+        alone(model, sketch),
+        below(model, sketch, &bare),
         apexes(model, &bare),
     ];
     let few = kinds.into_iter().map(|kind| kind.into_iter().take(FEW));
@@ -222,10 +221,10 @@ pub(super) fn leaves(model: &Model) -> Vec<(LinkId, JointId)> {
 }
 
 /// A link between two ends that no joint holds, or from a single one to the nearest pin that moves.
-pub(super) fn connecting_links(model: &Model) -> Vec<Repair> {
+pub(super) fn connecting_links(model: &Model, sketch: &Sketch) -> Vec<Repair> {
     let Sketch {
         ends, size, pins, ..
-    } = Sketch::of(model);
+    } = sketch;
     if ends.len() > FEW {
         return Vec::new();
     }

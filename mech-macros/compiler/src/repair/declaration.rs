@@ -1,6 +1,7 @@
 //! Links and joints that are to be declared.
 
 use super::is_in_cam;
+use super::sketch::is_drawn;
 use crate::model::{Edit, JointId, JointKind, LinkId, Model, NewJoint};
 use crate::syntax;
 
@@ -137,14 +138,10 @@ impl<'m> NewNames<'m> {
 pub(super) fn drawn(model: &Model, joint: JointId) -> Option<([LinkId; 2], [f64; 2])> {
     let axes = model.joint(joint).kind.axes()?;
     let declared = axes.map(|id| model.axis(id));
-    let is_drawn = declared
-        .iter()
-        .all(|axis| axis.name.is_none() && axis.formulas == [None; 2]);
+    let unnamed = declared.iter().all(|axis| axis.name.is_none());
     let links = declared.map(|axis| axis.link);
-    let in_scene = links
-        .iter()
-        .all(|&link| link == LinkId::GROUND || model.link(link).drawn);
-    (is_drawn && in_scene).then(|| (links, declared[0].at))
+    let drawn = unnamed && declared.iter().all(|axis| is_drawn(model, axis));
+    drawn.then(|| (links, declared[0].at))
 }
 
 /// Whether a joint is revolute and nobody asked for its coordinate by a motor.

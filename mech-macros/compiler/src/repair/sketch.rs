@@ -125,7 +125,7 @@ impl Sketch {
 }
 
 /// Whether an axis is where the drawing has it, whatever the params.
-fn is_drawn(model: &Model, axis: &Axis) -> bool {
+pub(super) fn is_drawn(model: &Model, axis: &Axis) -> bool {
     is_in_scene(model, axis.link) && axis.formulas == [None; 2]
 }
 
