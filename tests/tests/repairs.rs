@@ -8,7 +8,7 @@ use mech_compiler::model::{
 use mech_compiler::repair::{Offers, Repair, Search, apply_all, offers};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
-use mech_compiler::syntax::Places;
+use mech_compiler::syntax::{Places, parse};
 use mech_tests::{Dice, chain, grow};
 
 /// How many mechanisms a test tries.
@@ -94,8 +94,14 @@ fn assert_mended(model: &Model, diagnoses: &[Diagnosis], what: &str) -> Vec<Offe
     found
 }
 
-/// Whether a list of what could be replaced names something twice.
+/// Whether something is offered twice, or a list of what could be replaced names something twice.
 fn repeats_itself(text: &str) -> bool {
+    let helps = text.lines().filter_map(|line| line.strip_prefix("help: "));
+    let phrases = helps.flat_map(|line| line.strip_prefix("or ").unwrap_or(line).split(", or "));
+    let phrases: Vec<&str> = phrases.collect();
+    if (1..phrases.len()).any(|number| phrases[..number].contains(&phrases[number])) {
+        return true;
+    }
     let lists = text.split("replace ").skip(1);
     lists
         .filter_map(|list| list.split_once(" by "))
@@ -366,4 +372,45 @@ fn repairs_are_tried_without_proofs_of_ranges() {
         offers(&model, &wrong)
     });
     assert_eq!(free, ranged);
+}
+
+#[test]
+fn one_choice_of_several_motors_is_offered_beside_something_else() {
+    let text = "struct Two;
+        ground { point a = (0, 0); point d = (0.8, 0); point w = (9, 0); }
+        link crank { point a = (0, 0); point b = (2.2, 0); } link coupler { point b = (0, 0); }
+        link rocker { point d = (0, 0); point c = (2.4, 0); }
+        link wheel { point w = (0, 0); } link spur { point w = (0, 0); }
+        joint a = revolute(ground.a, crank.a); joint b = revolute(crank.b, coupler.b);
+        joint c = revolute(coupler.b, rocker.c); joint d = revolute(ground.d, rocker.d);
+        joint w = revolute(ground.w, wheel.w); joint s = revolute(wheel.w, spur.w);
+        joint mesh = gear(crank, wheel, 30 : 17);
+        motor a;";
+    let model = parse(text.parse().expect("tokens")).model;
+    let diagnoses = rejected(&model, text);
+    let found = assert_mended(&model, &diagnoses, text);
+    let adds = |repair: &&Repair| matches!(repair, Repair::AddMotors(_));
+    let added: Vec<usize> = found
+        .iter()
+        .map(|offers| offers.partial.iter().filter(adds).count())
+        .collect();
+    assert_eq!(added, [0, 1]);
+}
+
+#[test]
+fn wheels_on_one_shaft_may_go() {
+    for beside in [
+        "",
+        "link c; joint r = revolute(ground, c) at (3, 0); joint next = gear(b, c, 20 : 40);",
+        "link c; joint r = revolute(ground, c) at (3, 0); joint up = gear(a, c, 20 : 40); joint down = gear(c, b, 30 : 30);",
+    ] {
+        let text = format!(
+            "struct Shaft; link a; link b; joint p = revolute(ground, a) at (0, 0); joint q = revolute(ground, b) at (0, 0);
+            joint mesh = gear(a, b, 20 : 40); {beside} motor p;"
+        );
+        let model = parse(text.parse().expect("tokens")).model;
+        let diagnoses = rejected(&model, &text);
+        let found = assert_mended(&model, &diagnoses, &text);
+        assert!(found.iter().all(|offers| !offers.is_empty()), "{text}");
+    }
 }

@@ -84,7 +84,7 @@ impl Words<'_> {
                 trouble,
             } => (
                 self.at_joint(Some(joint)),
-                self.no_mesh(*joint, *carrier, *ratio, *trouble) + &self.help(offers),
+                self.no_mesh(*joint, *carrier, *ratio, *trouble) + &self.help_or_pairs(offers),
             ),
             Diagnosis::Blocked {
                 motor,

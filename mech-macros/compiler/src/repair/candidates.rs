@@ -3,7 +3,7 @@
 use super::sketch::Sketch;
 use super::{Repair, completions, drivable, sizes};
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
-use crate::structure::{self, Diagnosis};
+use crate::structure::{self, Diagnosis, MeshTrouble};
 
 /// All single changes that might cure this, the likely ones first.
 pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Vec<Repair> {
@@ -136,8 +136,14 @@ fn motors(model: &Model, all: &[Diagnosis], of: &Diagnosis, candidates: &[JointI
     }
     let free: Vec<JointId> = ground_first(model, model.joint_ids()).collect();
     let mut repairs = vec![Repair::AddMotors(candidates.to_vec())];
-    repairs.extend(several(&free, *freedom).map(Repair::AddMotors));
+    let others = several(&free, *freedom).filter(|joints| !same_joints(joints, candidates));
+    repairs.extend(others.map(Repair::AddMotors));
     repairs
+}
+
+/// Whether these are the same joints, in whatever order.
+fn same_joints(some: &[JointId], others: &[JointId]) -> bool {
+    some.len() == others.len() && some.iter().all(|joint| others.contains(joint))
 }
 
 /// Other carriers, or other sizes, of wheels.
@@ -149,6 +155,18 @@ fn on_wheels(model: &Model, of: &Diagnosis) -> Vec<Repair> {
                 .into_iter()
                 .chain(named)
                 .map(|on| Repair::Carry { joint: *joint, on })
+                .collect()
+        }
+        Diagnosis::NoMesh {
+            joint,
+            trouble: MeshTrouble::OneShaft,
+            ..
+        } => {
+            let (a, b) = model.ends(*joint);
+            let links = [b, a].map(Repair::RemoveLink);
+            [Repair::RemoveJoint(*joint)]
+                .into_iter()
+                .chain(links)
                 .collect()
         }
         Diagnosis::NoMesh {

@@ -6,7 +6,7 @@ use super::translation::translated;
 use super::trial::{Trial, Trials};
 use super::{Declaration, Purpose, Repair};
 use crate::model::Model;
-use crate::structure::Diagnosis;
+use crate::structure::{Diagnosis, MeshTrouble};
 
 /// What would mend a mechanism, as far as it was searched for. Everything in it was applied, and compiled.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -90,6 +90,13 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
             !wrong.is_empty() && is_better(&wrong, all, index)
         });
         offers.partial = found.cloned().collect();
+        if one_is_enough {
+            let motor = offers.partial.iter().position(is_motor);
+            let mut number = 0..;
+            offers
+                .partial
+                .retain(|repair| number.next() == motor || !is_motor(repair));
+        }
     }
     offers.coupled.retain(|repair| {
         let trial = trials.of(&[repair.clone(), Repair::AllowCoupled]);
@@ -118,7 +125,8 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
         list.dedup_by(|next, first| same_place(first, next));
     }
     let others = failed.iter().any(|repair| !is_motor(repair));
-    let bare = offers.is_empty() && (is_held(diagnosis) || is_apart(diagnosis));
+    let hard = is_held(diagnosis) || is_apart(diagnosis) || is_one_shaft(diagnosis);
+    let bare = offers.is_empty() && hard;
     if bare || all.len() == 1 && others && is_free(diagnosis) && offers.single.iter().all(is_motor)
     {
         pairs(trials, &failed, &ranking, &mut offers);
@@ -189,6 +197,16 @@ fn is_apart(diagnosis: &Diagnosis) -> bool {
     matches!(
         diagnosis,
         Diagnosis::Loose { .. } | Diagnosis::Disconnected { .. }
+    )
+}
+
+fn is_one_shaft(diagnosis: &Diagnosis) -> bool {
+    matches!(
+        diagnosis,
+        Diagnosis::NoMesh {
+            trouble: MeshTrouble::OneShaft,
+            ..
+        }
     )
 }
 

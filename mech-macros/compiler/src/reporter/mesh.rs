@@ -19,8 +19,8 @@ impl Words<'_> {
         let [one, other] = ratio.sizes().map(|size| brief(size.abs()));
         match trouble {
             MeshTrouble::OneShaft => format!(
-                "{what} joins two wheels on one shaft: {first} and {second} turn about the same point of {}\nhelp: let one \
-                 of them turn on another shaft, or join them by `weld` if they turn together",
+                "{what} joins two wheels on one shaft: {first} and {second} turn about the same point of {}\nnote: \
+                 wheels that mesh turn on two shafts; those that turn together are joined by `weld`",
                 self.link(carrier)
             ),
             MeshTrouble::SmallRing => {

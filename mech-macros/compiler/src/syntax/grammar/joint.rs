@@ -4,10 +4,10 @@ use super::expression::{direction, expression, labelled, one_of, pair};
 use super::recover::{at_beginning, to_semicolon};
 use super::statement::{BEGINNINGS, declared};
 use super::tokens::{comes_word, in_parens, name, symbol, take, take_word, unexpected};
-use crate::syntax::Message;
 use crate::syntax::ast::{
     Clause, End, Expr, Joint, JointBody, JointWord, Pair, Read, Rolling, Size, Statement,
 };
+use crate::syntax::{Message, Place};
 use proc_macro2::Ident;
 use syn::parse::ParseStream;
 
@@ -36,6 +36,9 @@ fn body(input: ParseStream) -> Read<JointBody> {
     let ((ends, (rolling, law)), _) = in_parens(input, "`(`", |input| parts(input, kind))?;
     let at = clause(input, "at", pair)?;
     let along = clause(input, "along", direction)?;
+    if rolling.is_some() {
+        carrier_outside(input)?;
+    }
     Ok(JointBody {
         word,
         kind,
@@ -152,6 +155,20 @@ fn carrier(input: ParseStream) -> Read<Option<Ident>> {
     take_word(input, "on")
         .map(|_| name(input, "the name of a link"))
         .transpose()
+}
+
+/// Complains about a carrier that is named after the brackets.
+fn carrier_outside(input: ParseStream) -> Read<()> {
+    let Some(keyword) = take_word(input, "on") else {
+        return Ok(());
+    };
+    let link = name(input, "the name of a link")?;
+    let text =
+        format!("the carrier is named within the brackets; write `on {link})` for `) on {link}`");
+    Err(Message::new(
+        Place::at(keyword).to(Place::at(link.span())),
+        text,
+    ))
 }
 
 fn radius(input: ParseStream) -> Read<Size> {

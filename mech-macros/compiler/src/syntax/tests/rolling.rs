@@ -118,6 +118,10 @@ fn a_carrier_is_another_link() {
         "revolute(crank.pin, rod.eye «on» bare)",
         &["expected `)`, found `on`"],
     );
+    joint(
+        "gear(crank, rod, 1 : 2) «on bare»",
+        &["the carrier is named within the brackets; write `on bare)` for `) on bare`"],
+    );
 }
 
 #[test]
