@@ -148,6 +148,31 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// it goes on with them (`0.001 * q` is a screw) they count, an angle that loops have solved beginning between −π and π. Where the
 /// law has no value a move is an error, [`Cause::Overflow`]. What laws are made of is said [below](#laws).
 ///
+/// Motors count whole turns, and so do joints that motors turn by way of gears and belts. The coordinate of any other joint that turns is
+/// between −π and π, unless it is asked to go on:
+///
+/// ```
+/// mech_runtime::mechanism! {
+///     struct DragLink;
+///     link crank; link coupler; link rocker;
+///     joint a = revolute(ground, crank) at (0, 0);
+///     joint b = revolute(crank, coupler) at (0, 2);
+///     joint c = revolute(coupler, rocker) at (2.4, 1.6);
+///     joint d = revolute(ground, rocker) at (0.8, 0);
+///     motor a;
+///     continuous d;                               // `continuous b, d;` for several
+/// }
+/// let turn = core::f64::consts::TAU;
+/// let mut drag_link = DragLink::new();
+/// drag_link.move_to([3.0 * turn])?;
+/// assert!((drag_link.d() - 3.0 * turn).abs() < 1e-12);
+/// assert!(drag_link.b().abs() < 1e-12);           // not asked
+/// # Ok::<(), mech_runtime::Blocked>(())
+/// ```
+///
+/// It is exact however far a move goes: where the joint may turn by half a turn or more, the move is made in pieces. It takes a number of
+/// memory, an arc tangent a move, and what the pieces take.
+///
 /// `allow redundant;` lets a mechanism pass that moves only because its lengths match exactly; `allow coupled;` solves loops
 /// together that wait for each other.
 ///

@@ -78,6 +78,7 @@ in_both_precisions! {
             joint e = revolute(ground, wheel) at (6, 0);
             joint mesh = gear(rocker, wheel, 30 : 10);
             motor a;
+            continuous c, e;
         }
         /// A cam, and what its follower drives.
         Lifter {

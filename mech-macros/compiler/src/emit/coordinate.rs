@@ -31,7 +31,10 @@ pub(super) fn coordinate(
     let (turns, a, b) = coordinate_axes(model, joint)?;
     let motor = model.motor_of(joint);
     let (unit, function) = if turns {
-        ("radians, between −π and π", quote!(generated::angle))
+        (
+            "radians, between −π and π; `continuous` lets it count whole turns",
+            quote!(generated::angle),
+        )
     } else {
         ("scene units", quote!(generated::slide))
     };

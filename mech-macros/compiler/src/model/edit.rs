@@ -191,6 +191,7 @@ impl Edit {
         if let Some(shown) = &mut model.show {
             *shown = shown.iter().copied().filter_map(still).collect();
         }
+        model.continuous = model.continuous.iter().copied().filter_map(joint).collect();
         model.traces.retain_mut(|trace| {
             axis(trace.point).is_some_and(|id| {
                 trace.point = id;

@@ -139,6 +139,8 @@ pub struct Model {
     pub quality: Quality,
     /// What is asked for: what nothing of it depends on is not computed. Without, everything is.
     pub show: Option<Vec<Shown>>,
+    /// The revolute joints whose coordinates are to go on over whole turns.
+    pub continuous: Vec<JointId>,
     /// What is let pass.
     pub allow: Allowances,
     /// What is computed beyond positions.
@@ -180,6 +182,7 @@ impl Model {
             change_points: AtChangePoints::default(),
             quality: Quality::default(),
             show: None,
+            continuous: Vec::new(),
             allow: Allowances::default(),
             effects: Effects::default(),
             actions: Actions::default(),

@@ -1,6 +1,6 @@
 //! What is asked of a mechanism.
 
-use super::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
+use super::{AxisId, AxisKind, Between, JointId, JointKind, LinkId, Model};
 
 /// One of the things that are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,6 +81,26 @@ impl Model {
     #[must_use]
     pub fn shows_joint(&self, joint: JointId) -> bool {
         self.shows(Shown::Joint(joint))
+    }
+
+    /// The revolute joints whose coordinates a position carries over whole turns, where no motor gives them: those for which that
+    /// was asked, and those with torsional springs, if forces are computed.
+    #[must_use]
+    pub fn continuous_joints(&self) -> Vec<JointId> {
+        let springs = self.actions.springs.iter();
+        let sprung = springs.filter_map(|spring| match spring.between {
+            Between::Joint(joint) => Some(joint),
+            Between::Points(..) => None,
+        });
+        let sprung = sprung.filter(|_| self.effects.needs_actions());
+        let asked = self.continuous.iter().copied();
+        let mut joints: Vec<JointId> = asked
+            .chain(sprung)
+            .filter(|&joint| self.motor_of(joint).is_none())
+            .collect();
+        joints.sort_unstable();
+        joints.dedup();
+        joints
     }
 
     fn shows(&self, wanted: Shown) -> bool {

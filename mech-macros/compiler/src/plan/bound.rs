@@ -7,7 +7,7 @@ use crate::model::JointId;
 pub enum Turning {
     /// What gears, belts, racks and cams are solved from, by its number among the sources of the plan.
     Source(usize),
-    /// The coordinate of a joint, which a torsional spring needs.
+    /// The coordinate of a joint that is carried.
     Joint(JointId),
 }
 

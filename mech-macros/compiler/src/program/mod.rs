@@ -73,7 +73,7 @@ pub struct Program {
     pub places: Vec<Place>,
     /// What each loop that it solves finds, by the loop's number in the plan.
     pub(crate) solutions: Vec<(usize, Vec<Solution<Value>>)>,
-    /// The coordinates of joints that are carried over any number of turns: torsional springs need them.
+    /// The coordinates of joints that are carried over any number of turns: where that is asked for, and where torsional springs need it.
     pub joint_angles: Vec<JointAngle>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,

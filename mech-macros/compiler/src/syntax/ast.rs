@@ -65,6 +65,8 @@ pub(super) enum Statement {
     Load(Box<Load>),
     /// `show a, b.c;`
     Show { keyword: Span, what: Vec<End> },
+    /// `continuous a, b;`
+    Continuous { keyword: Span, joints: Vec<Ident> },
     /// `allow redundant;`
     Allow(Ident),
     /// Something that could not be read.

@@ -3,6 +3,7 @@
 mod acting;
 mod cam;
 mod closing;
+mod continuous;
 mod dyad;
 mod equilibrium;
 mod idle;
@@ -14,7 +15,6 @@ mod rates;
 mod reaction;
 mod sensitivity;
 mod size;
-mod sprung;
 mod tangent;
 mod tied;
 mod triad;
@@ -172,7 +172,7 @@ fn write(
         closings: Vec::new(),
         followed: Vec::new(),
         angles: Vec::new(),
-        sprung: sprung::sprung_joints(model),
+        continuous: continuous::continuous_joints(model),
         whole_angles: Vec::new(),
         joint_angles: Vec::new(),
         sources: vec![None; plan.sources.len()],
@@ -190,7 +190,7 @@ fn write(
             Step::Close(ring) => writer.close(ring),
         }
     }
-    writer.carry_sprung();
+    writer.carry_continuous();
     writer.keep_senses();
     writer.keep_places();
     writer.finish(links, further)
@@ -285,10 +285,10 @@ struct Writer<'m> {
     followed: Vec<cam::Followed>,
     /// Angles between two directions that are followed over any number of turns.
     angles: Vec<(Value, [[Value; 2]; 2])>,
-    /// The joints with torsional springs that no motor drives.
-    sprung: Vec<sprung::Sprung>,
+    /// The joints whose coordinates are carried.
+    continuous: Vec<continuous::Continuous>,
     /// Their angles, whole turns included, as far as gears and cams give them.
-    whole_angles: Vec<sprung::WholeAngle>,
+    whole_angles: Vec<continuous::WholeAngle>,
     /// Where these angles are carried from position to position.
     joint_angles: Vec<JointAngle>,
     /// The histories of the present loop's unknowns, if its start is predicted.

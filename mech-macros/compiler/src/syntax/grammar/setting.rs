@@ -139,6 +139,17 @@ pub(super) fn show(input: ParseStream, keyword: Span) -> Statement {
     })
 }
 
+/// Reads `a, b;`.
+pub(super) fn continuous(input: ParseStream, keyword: Span) -> Statement {
+    settled(input, |input| {
+        let mut joints = vec![name(input, "the name of a joint")?];
+        while take(input, ",").is_some() && !input.peek(token::Semi) {
+            joints.push(name(input, "the name of a joint")?);
+        }
+        Ok(Statement::Continuous { keyword, joints })
+    })
+}
+
 /// Reads `redundant;`.
 pub(super) fn allow(input: ParseStream) -> Statement {
     settled(input, |input| {

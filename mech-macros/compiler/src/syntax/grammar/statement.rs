@@ -14,16 +14,52 @@ use syn::parse::ParseStream;
 use syn::{Attribute, token};
 
 /// The words that a statement may begin with.
-pub(super) const BEGINNINGS: [&str; 20] = [
-    "const", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost", "at",
-    "allow", "effects", "show", "quality", "param", "certify", "gravity", "spring", "damper",
+pub(super) const BEGINNINGS: [&str; 21] = [
+    "const",
+    "ground",
+    "link",
+    "joint",
+    "motor",
+    "start",
+    "method",
+    "accuracy",
+    "cost",
+    "at",
+    "allow",
+    "effects",
+    "show",
+    "quality",
+    "param",
+    "certify",
+    "gravity",
+    "spring",
+    "damper",
     "load",
+    "continuous",
 ];
 
 /// Those of them that stand for something today.
-const SUPPORTED: [&str; 19] = [
-    "const", "param", "ground", "link", "joint", "motor", "start", "method", "accuracy", "cost",
-    "at", "allow", "effects", "show", "quality", "gravity", "spring", "damper", "load",
+const SUPPORTED: [&str; 20] = [
+    "const",
+    "param",
+    "ground",
+    "link",
+    "joint",
+    "motor",
+    "start",
+    "method",
+    "accuracy",
+    "cost",
+    "at",
+    "allow",
+    "effects",
+    "show",
+    "continuous",
+    "quality",
+    "gravity",
+    "spring",
+    "damper",
+    "load",
 ];
 
 /// Reads everything.
@@ -133,6 +169,7 @@ fn statement(input: ParseStream) -> Statement {
         "at" => method::change_points(input, keyword.span()),
         "effects" => setting::effects(input, keyword.span()),
         "show" => setting::show(input, keyword.span()),
+        "continuous" => setting::continuous(input, keyword.span()),
         "quality" => setting::quality(input, keyword.span()),
         "gravity" => action::gravity(input, keyword.span()),
         "spring" => action::spring(input),

@@ -3,6 +3,7 @@
 mod action;
 mod cam;
 mod constant;
+mod continuous;
 mod drawn;
 mod effect;
 mod joint;
@@ -42,6 +43,7 @@ pub(super) fn lower(text: Text) -> Parsed {
     lowering.pass(&text.statements, Lowering::join_joints);
     lowering.pass(&text.statements, Lowering::set);
     lowering.pass(&text.statements, Lowering::begin);
+    lowering.pass(&text.statements, Lowering::carry);
     lowering.start_by_laws();
     lowering.check_unlisted();
     lowering.check_effects();
@@ -198,6 +200,13 @@ impl Lowering {
             Statement::Start(start) => self.lower_start(start),
             Statement::Show { keyword, what } => self.lower_show(*keyword, what),
             _ => {}
+        }
+    }
+
+    /// Sixth: what of it goes on over whole turns, where it is shown.
+    fn carry(&mut self, statement: &Statement) {
+        if let Statement::Continuous { keyword, joints } = statement {
+            self.lower_continuous(*keyword, joints);
         }
     }
 

@@ -27,7 +27,7 @@ joint f = weld(rod, slider); joint g = weld(crank, ground) at (1, 0);
 joint d = prismatic(ground, slider) at (3, 0) along (cos(30 deg), -sin(30deg));
 joint e = rack(crank, slider, radius sqrt(2) / 2 on ground);
 motor a in 0 ..= 2 * PI by 1 deg;
-accuracy 1e-9; cost cortex_m4f; at change points keep branch; effects { velocity; } show crank, rod.p; allow coupled; param x = 1; certify;
+accuracy 1e-9; cost cortex_m4f; at change points keep branch; effects { velocity; } show crank, rod.p; continuous shaft, drawn; allow coupled; param x = 1; certify;
 ";
 
 /// Changes one token somewhere, in brackets or out of them.

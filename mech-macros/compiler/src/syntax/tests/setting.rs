@@ -228,3 +228,46 @@ fn things_are_shown_once() {
         &["a mechanism has one `show`; put everything into the first"],
     );
 }
+
+#[test]
+fn what_is_continuous_turns_and_is_shown() {
+    use crate::model::JointId;
+    let continuous = |text| with_crank(text, &[]).model.continuous;
+    assert_eq!(continuous(""), []);
+    assert_eq!(continuous("continuous shaft,;"), [JointId::new(0)]);
+    assert_eq!(
+        continuous("continuous drawn, shaft; show crank, shaft, drawn; motor shaft;"),
+        [JointId::new(2), JointId::new(0)]
+    );
+    with_crank(
+        "continuous «shft», «crank», «p»;",
+        &[
+            "unknown joint `shft`; did you mean `shaft`?",
+            "`crank` is a link; name one of its joints: `shaft`",
+            "`p` is a point of link `crank`, not a joint: a joint joins two links; there are `shaft`, `mesh`, `drawn`",
+        ],
+    );
+    with_crank(
+        "continuous drawn, «mesh», «drawn»;",
+        &[
+            "`mesh` is a gear, which has no coordinate; ask for that of the joint of one of its wheels",
+            "`drawn` is continuous already; remove one of the two",
+        ],
+    );
+    with_crank(
+        "link block; joint way = prismatic(ground, block) at (0, 0) along (1, 0); continuous «way»;",
+        &["joint `way` slides: its coordinate has no turns; leave this out"],
+    );
+    with_crank(
+        "continuous drawn, «shaft»; show crank, drawn;",
+        &["`show` leaves the coordinate of `shaft` out; add it there, or leave this out"],
+    );
+    with_crank(
+        "continuous drawn; «continuous» shaft;",
+        &["a mechanism has one `continuous`; put all joints into the first"],
+    );
+    told(
+        "continuous«;»",
+        &["expected the name of a joint, found `;`"],
+    );
+}

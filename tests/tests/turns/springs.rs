@@ -1,38 +1,15 @@
-//! Torsional springs over any number of turns: coordinates go on where they are, whatever way a mechanism takes, and torques are
-//! slopes of the energy. Coordinates are followed here by hand, in small steps.
+//! Torsional springs: torques are slopes of the energy, over any number of turns.
 
+use super::by_hand::{Follower, near, part, principal};
+use super::subjects::{behind, drag_link, geared, meshing};
+use super::ways;
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{JointId, JointKind, Model};
 use mech_compiler::program::{Forces, Position};
 use mech_compiler::syntax::parse;
 use mech_runtime::{Gauss, Phase, mechanism};
 use proptest::prelude::*;
-use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
-
-/// A joint's coordinate between −π and π, computed from the poses alone.
-fn principal(model: &Model, joint: JointId, position: &Position<f64>) -> f64 {
-    let JointKind::Revolute(a, b) = model.joint(joint).kind else {
-        panic!("a torsional spring at a joint that does not turn");
-    };
-    let heading = |axis| {
-        let axis = model.axis(axis);
-        let [cos, sin] = match axis.link.index() {
-            0 => [1.0, 0.0],
-            link => [position.poses[link - 1][0], position.poses[link - 1][1]],
-        };
-        let [x, y] = axis.direction;
-        [cos * x - sin * y, sin * x + cos * y]
-    };
-    let ([a, b], [c, d]) = (heading(a), heading(b));
-    (a * d - b * c).atan2(a * c + b * d)
-}
-
-/// The value of an angle that is nearest to another one.
-fn near(principal: f64, last: f64) -> f64 {
-    principal + TAU * ((last - principal) / TAU).round()
-}
 
 /// Moves through random targets and compares, at each, with a second machine that goes there in steps of this length.
 fn follow(text: &str, ways: &[Vec<f64>], step: f64) {
@@ -49,28 +26,15 @@ fn follow(text: &str, ways: &[Vec<f64>], step: f64) {
         .find(|&id| model.joint(id).name == "sprung")
         .expect("a joint of this name");
     let mut machine = Machine::<f64>::new(&compiled.program);
-    let mut slow = Machine::<f64>::new(&compiled.program);
-    let mut angle = principal(&model, joint, slow.position());
+    let slow = Machine::<f64>::new(&compiled.program);
+    let mut slow = Follower::new(&model, slow, &[joint], step);
     for way in ways {
-        let from = slow.position().motors.clone();
-        let to: Vec<f64> = from.iter().zip(way).map(|(from, way)| from + way).collect();
+        let to = part(&machine.position().motors, way, 1.0);
         machine
             .move_to(&to)
             .unwrap_or_else(|stop| panic!("{stop:?}\n{text}"));
-        let longest = way.iter().fold(0.0_f64, |most, way| most.max(way.abs()));
-        let pieces = (longest / step).ceil().max(1.0);
-        let mut piece = 0.0;
-        while piece < pieces {
-            piece += 1.0;
-            let between: Vec<f64> = from
-                .iter()
-                .zip(way)
-                .map(|(from, way)| from + way * (piece / pieces))
-                .collect();
-            slow.move_to(&between)
-                .unwrap_or_else(|stop| panic!("{stop:?}\n{text}"));
-            angle = near(principal(&model, joint, slow.position()), angle);
-        }
+        assert!(slow.go(way), "{text}");
+        let angle = slow.angles[0];
         let potential = |position: &Position<f64>| {
             let mut machine = Machine::<f64>::new(inertia);
             machine.put_back(position.clone());
@@ -95,7 +59,7 @@ fn follow(text: &str, ways: &[Vec<f64>], step: f64) {
         for (motor, torque) in torques.iter().enumerate() {
             let h = 1e-4 * step;
             let energy = |by: f64| {
-                let mut machine = slow.clone();
+                let mut machine = slow.machine.clone();
                 let mut to = machine.position().motors.clone();
                 to[motor] += by;
                 machine.move_to(&to).expect("so near");
@@ -112,8 +76,11 @@ fn follow(text: &str, ways: &[Vec<f64>], step: f64) {
     }
 }
 
-fn ways(motors: usize) -> impl Strategy<Value = Vec<Vec<f64>>> {
-    prop::collection::vec(prop::collection::vec(-16.0..16.0, motors), 1..5)
+/// A spring at the joint `sprung`, and what shows that it pulls.
+fn coil(rest: f64) -> String {
+    format!(
+        "spring coil = torsional(sprung) stiffness 2 rest {rest}; effects {{ force; dynamics; }}"
+    )
 }
 
 proptest! {
@@ -125,17 +92,9 @@ proptest! {
         [crank, coupler, rocker] in prop::array::uniform3(2.0..3.0),
         at in 0..4_usize, rest in -20.0..20.0, ways in ways(1),
     ) {
-        let [a, b, c, d] = std::array::from_fn(|joint| if joint == at { "sprung" } else { ["a", "b", "c", "d"][joint] });
-        follow(&format!("struct Drag;
-            ground {{ point a = (0, 0); point d = (0.8, 0); }}
-            link crank {{ point a = (0, 0); point b = ({crank}, 0); mass 1 at (0, 0) inertia 1; }}
-            link coupler {{ point b = (0, 0); point c = ({coupler}, 0); }}
-            link rocker {{ point d = (0, 0); point c = ({rocker}, 0); }}
-            joint {a} = revolute(ground.a, crank.a); joint {b} = revolute(crank.b, coupler.b);
-            joint {c} = revolute(coupler.c, rocker.c); joint {d} = revolute(ground.d, rocker.d);
-            motor {a}; start {{ {a} = 60 deg; coupler near -60 deg; }}
-            spring coil = torsional(sprung) stiffness 2 rest {rest};
-            effects {{ force; dynamics; }}"), &ways, 0.05);
+        let joints = std::array::from_fn(|joint| if joint == at { "sprung" } else { ["a", "b", "c", "d"][joint] });
+        let text = drag_link([crank, coupler, rocker], joints, &coil(rest));
+        follow(&text, &ways, 0.05);
     }
 
     /// Wheels on each other, and planets that turn on an arm and follow two motors.
@@ -144,24 +103,8 @@ proptest! {
         [p, q] in prop::array::uniform2(1..60_i32), inside in any::<bool>(), at in 0..2_usize,
         rest in -20.0..20.0, ways in ways(2),
     ) {
-        // The ring is the larger.
-        let (p, q) = match (inside, p.cmp(&q)) {
-            (true, Ordering::Less) => (p, -q),
-            (true, Ordering::Greater) => (-p, q),
-            _ => (p, q),
-        };
-        let planet = f64::from(p + q).abs().max(1.0);
-        let [wheel, pin] = std::array::from_fn(|joint| if joint == at { "sprung" } else { ["wheel", "pin"][joint] });
-        follow(&format!("struct Geared;
-            ground {{ point o = (0, 0); point w = ({shaft}, 0); }}
-            link sun {{ point o = (0, 0); mass 1 at (0, 0) inertia 1; }} link arm {{ point o = (0, 0); point p = ({planet}, 0); mass 1 at (0, 0) inertia 1; }}
-            link planet {{ point p = (0, 0); }} link big {{ point w = (0, 0); }}
-            joint s = revolute(ground.o, sun.o); joint r = revolute(ground.o, arm.o);
-            joint {pin} = revolute(arm.p, planet.p); joint {wheel} = revolute(ground.w, big.w);
-            joint inner = gear(sun, planet, {p} : {q}); joint outer = gear(sun, big, {q} : {p});
-            motor s; motor r;
-            spring coil = torsional(sprung) stiffness 2 rest {rest};
-            effects {{ force; dynamics; }}", shaft = f64::from(p + q)), &ways, 0.05 / 60.0);
+        let joints = std::array::from_fn(|joint| if joint == at { "sprung" } else { ["wheel", "pin"][joint] });
+        follow(&geared(meshing(p, q, inside), joints, &coil(rest)), &ways, 0.05 / 60.0);
     }
 
     /// A wheel that a drag link turns, and another one that a cam turns.
@@ -170,23 +113,12 @@ proptest! {
         [crank, coupler, rocker] in prop::array::uniform3(2.0..3.0),
         (cam, turns) in (any::<bool>(), -2..3_i32), rest in -20.0..20.0, ways in ways(1),
     ) {
-        let behind = if cam {
+        let by = if cam {
             format!("joint f = cam(d, sprung, {turns} * q + sin(q));")
         } else {
             "joint f = gear(rocker, wheel, 30 : 20);".to_owned()
         };
-        follow(&format!("struct Behind;
-            ground {{ point a = (0, 0); point d = (0.8, 0); point w = (9, 0); }}
-            link crank {{ point a = (0, 0); point b = ({crank}, 0); mass 1 at (0, 0) inertia 1; }}
-            link coupler {{ point b = (0, 0); point c = ({coupler}, 0); }}
-            link rocker {{ point d = (0, 0); point c = ({rocker}, 0); }} link wheel {{ point w = (0, 0); }}
-            joint a = revolute(ground.a, crank.a); joint b = revolute(crank.b, coupler.b);
-            joint c = revolute(coupler.c, rocker.c); joint d = revolute(ground.d, rocker.d);
-            joint sprung = revolute(ground.w, wheel.w);
-            {behind}
-            motor a; start {{ a = 60 deg; coupler near -60 deg; }}
-            spring coil = torsional(sprung) stiffness 2 rest {rest};
-            effects {{ force; dynamics; }}"), &ways, 0.02);
+        follow(&behind([crank, coupler, rocker], "sprung", &by, &coil(rest)), &ways, 0.02);
     }
 }
 

@@ -1,7 +1,7 @@
-//! The coordinates of joints that torsional springs turn, over any number of turns.
+//! The coordinates of joints that go on over any number of turns: where that is asked for, and where torsional springs need it.
 
 use super::Writer;
-use crate::model::{AxisId, Between, JointId, JointKind, Law, Model};
+use crate::model::{AxisId, JointId, JointKind, Law, Model};
 use crate::plan::{Algebra, Cam, Connection, Mesh, Turning};
 use crate::program::JointAngle;
 use crate::program::node::{Op, Value};
@@ -12,42 +12,30 @@ pub(super) struct WholeAngle {
     value: Value,
 }
 
-/// A joint with a torsional spring that no motor drives: a motor's own value includes its whole turns.
+/// A joint whose coordinate is carried: no motor gives it.
 #[derive(Clone, Copy)]
-pub(super) struct Sprung {
+pub(super) struct Continuous {
     joint: JointId,
     axes: [AxisId; 2],
 }
 
-/// The joints with torsional springs that no motor drives, if forces are asked for.
-pub(super) fn sprung_joints(model: &Model) -> Vec<Sprung> {
-    if !model.effects.needs_actions() {
-        return Vec::new();
-    }
-    let springs = model.actions.springs.iter();
-    let mut joints: Vec<JointId> = springs
-        .filter_map(|spring| match spring.between {
-            Between::Joint(joint) => Some(joint),
-            Between::Points(..) => None,
-        })
-        .filter(|&joint| model.motor_of(joint).is_none())
-        .collect();
-    joints.sort_unstable();
-    joints.dedup();
+/// The joints whose coordinates are carried.
+pub(super) fn continuous_joints(model: &Model) -> Vec<Continuous> {
     let revolute = |joint| match model.joint(joint).kind {
-        JointKind::Revolute(a, b) => Some(Sprung {
+        JointKind::Revolute(a, b) => Some(Continuous {
             joint,
             axes: [a, b],
         }),
         _ => None,
     };
-    joints.into_iter().filter_map(revolute).collect()
+    let joints = model.continuous_joints().into_iter();
+    joints.filter_map(revolute).collect()
 }
 
 impl Writer<'_> {
-    /// Notes the whole angle of a joint that gears turn, if a torsional spring needs it.
+    /// Notes the whole angle of a joint that gears turn, if it is carried.
     pub(super) fn note_mesh(&mut self, mesh: &Mesh, offset: Value) {
-        if !self.is_sprung(mesh.connection) {
+        if !self.is_continuous(mesh.connection) {
             return;
         }
         let mut value = offset;
@@ -59,9 +47,9 @@ impl Writer<'_> {
         self.whole_angles.push(WholeAngle { connection, value });
     }
 
-    /// Notes the whole angle of a joint that a cam turns, if a torsional spring needs it.
+    /// Notes the whole angle of a joint that a cam turns, if it is carried.
     pub(super) fn note_cam(&mut self, cam: &Cam, law: &Law) {
-        if !self.is_sprung(cam.connection) {
+        if !self.is_continuous(cam.connection) {
             return;
         }
         let shaft = self.shaft(cam, law.winding() == Some(0.0));
@@ -70,15 +58,15 @@ impl Writer<'_> {
         self.whole_angles.push(WholeAngle { connection, value });
     }
 
-    /// Whether a torsional spring needs the whole angle of this connection.
-    fn is_sprung(&self, connection: Connection) -> bool {
-        let mut sprung = self.sprung.iter();
-        sprung.any(|sprung| connection.turns_between(sprung.axes).is_some())
+    /// Whether the whole angle of this connection is carried.
+    fn is_continuous(&self, connection: Connection) -> bool {
+        let mut carried = self.continuous.iter();
+        carried.any(|carried| connection.turns_between(carried.axes).is_some())
     }
 
-    /// Carries the angles of all joints with torsional springs from position to position.
-    pub(super) fn carry_sprung(&mut self) {
-        for Sprung { joint, axes } in self.sprung.clone() {
+    /// Carries these angles from position to position.
+    pub(super) fn carry_continuous(&mut self) {
+        for Continuous { joint, axes } in self.continuous.clone() {
             let name = format!("{}_angle", self.model.joint(joint).name);
             let kept = self.kept.len();
             if let Some(angle) = self.whole_angle(axes) {
