@@ -10,6 +10,7 @@ mod equations;
 mod families;
 mod judge;
 mod page;
+mod parallel;
 mod proved;
 mod random;
 mod reading;

@@ -34,15 +34,51 @@ impl<T: Copy> Event<T> {
     }
 }
 
+/// The first thing that happens to a watched loop on a piece.
+///
+/// Behind a change point nothing is as it will be once its loop has gone over: what another loop does before may be hidden by what it
+/// seems to do there. So the way up to it is looked at again, until nothing happens before.
 pub(super) fn first_event<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
     done: T,
     reach: &Reach<J::Position, J::Stop, T>,
 ) -> Event<T> {
+    let mut first = soonest(journey, from, done, reach, |_, _| true);
+    for _ in 1..journey.watches() {
+        let (Event::Zero(part, passed) | Event::Near(part, passed)) = first else {
+            break;
+        };
+        let Some(to) = arrived(journey, from, done, part) else {
+            break;
+        };
+        let before = Reach {
+            to,
+            end: part,
+            stop: None,
+        };
+        // What comes to zero there as well is not passed before.
+        let is_away = |index, to: &J::Position| index != passed && !is_zero(journey, to, index);
+        match soonest(journey, from, done, &before, is_away) {
+            Event::None => break,
+            sooner => first = sooner,
+        }
+    }
+    first
+}
+
+/// The first of the events that are found on a piece for those loops that are looked at where it ends.
+fn soonest<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    done: T,
+    reach: &Reach<J::Position, J::Stop, T>,
+    looks_at: impl Fn(usize, &J::Position) -> bool,
+) -> Event<T> {
     let mut first = Event::None;
     for index in 0..journey.watches() {
-        if is_far(journey, from, &reach.to, reach.end - done, index) {
+        let is_far = is_far(journey, from, &reach.to, reach.end - done, index);
+        if is_far || !looks_at(index, &reach.to) {
             continue;
         }
         let event = least_sine(journey, from, done, reach, index);
