@@ -66,10 +66,11 @@ fn unsound(subject: &Subject, seed: u64) -> Option<String> {
         let start = machine.position().clone();
         let judged = number < JUDGED;
         let to = within(subject, &mut dice, &start.motors, judged);
-        let watched = !subject.compiled.program.watches.is_empty();
+        let program = &subject.compiled.program;
+        let in_pieces = !program.watches.is_empty() || !program.follows.is_empty();
         if let Err(stop) = machine.move_to(&to) {
-            // What is still watched may be refused many turns at once.
-            if watched && stop == Stop::TooFar {
+            // What is still watched, or counts turns, may be refused many turns at once.
+            if in_pieces && stop == Stop::TooFar {
                 continue;
             }
             return Some(format!("from {:?} to {to:?}: {stop:?}", start.motors));
