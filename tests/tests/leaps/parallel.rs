@@ -55,7 +55,7 @@ fn row(least: f64) -> impl Strategy<Value = Vec<Cell>> {
 }
 
 /// Moves of the crank, one after the other.
-fn ways() -> impl Strategy<Value = Vec<f64>> {
+fn moves() -> impl Strategy<Value = Vec<f64>> {
     prop::collection::vec(-7.0..7.0, 1..4)
 }
 
@@ -96,11 +96,11 @@ fn text(cells: &[Cell], method: &str) -> String {
 }
 
 /// Moves a row and looks at all its cranks.
-fn stay_parallel(text: &str, ways: &[f64]) {
+fn stay_parallel(text: &str, moves: &[f64]) {
     let subject = Subject::read(text).unwrap_or_else(|wrong| panic!("{wrong}\n{text}"));
     let mut machine = Machine::<f64>::new(&subject.compiled.program);
-    for way in ways {
-        let to = machine.position().motors[0] + way;
+    for by in moves {
+        let to = machine.position().motors[0] + by;
         machine
             .move_to(&[to])
             .unwrap_or_else(|stop| panic!("{stop:?} to {to}\n{text}"));
@@ -119,13 +119,13 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
 
     #[test]
-    fn all_cranks_stay_parallel(cells in row(-6.0), ways in ways()) {
-        stay_parallel(&text(&cells, ""), &ways);
+    fn all_cranks_stay_parallel(cells in row(-6.0), moves in moves()) {
+        stay_parallel(&text(&cells, ""), &moves);
     }
 
     /// Nearer to each other iterated loops do not always pass them.
     #[test]
-    fn all_cranks_stay_parallel_by_iteration(cells in row(-4.0), ways in ways()) {
-        stay_parallel(&text(&cells, "method newton;"), &ways);
+    fn all_cranks_stay_parallel_by_iteration(cells in row(-4.0), moves in moves()) {
+        stay_parallel(&text(&cells, "method newton;"), &moves);
     }
 }

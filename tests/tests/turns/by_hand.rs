@@ -65,7 +65,7 @@ impl<'a> Follower<'a> {
     }
 
     /// Moves all motors by so much; whether it went all the way.
-    pub(super) fn go(&mut self, way: &[f64]) -> bool {
+    pub(super) fn move_by(&mut self, way: &[f64]) -> bool {
         let from = self.machine.position().motors.clone();
         let longest = way.iter().fold(0.0_f64, |most, way| most.max(way.abs()));
         let pieces = (longest / self.step).ceil().max(1.0);

@@ -1,29 +1,28 @@
 //! Coordinates that are asked to be continuous, of any joint.
 
 use super::by_hand::{Follower, near, part, principal};
-use super::subjects::{behind, drag_link, geared, meshing};
-use super::ways;
+use super::moves;
+use super::subjects::{behind, drag_link, geared, meshing, model};
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointId, JointKind, Model};
-use mech_compiler::syntax::parse;
 use mech_runtime::{Phase, mechanism};
 use mech_tests::{Dice, grow};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
-/// Moves by each of these ways at once, and by hand in steps of this length: all coordinates are the same.
-fn follow(model: &Model, ways: &[Vec<f64>], step: f64, about: &str) {
+/// Makes each of these moves at once, and by hand in steps of this length: all coordinates are the same.
+fn follow(model: &Model, moves: &[Vec<f64>], step: f64, about: &str) {
     let compiled = compile(model).unwrap_or_else(|wrong| panic!("{wrong:?}\n{about}"));
     let program = &compiled.program;
     let mut machine = Machine::<f64>::new(program);
     let joints = model.continuous_joints();
     let slow = Machine::<f64>::new(program);
     let mut slow = Follower::new(model, slow, &joints, step);
-    for way in ways {
-        let to = part(&machine.position().motors, way, 1.0);
+    for by in moves {
+        let to = part(&machine.position().motors, by, 1.0);
         let went = machine.move_to(&to).is_ok();
-        assert_eq!(went, slow.go(way), "{about}");
+        assert_eq!(went, slow.move_by(by), "{about}");
         if !went {
             return;
         }
@@ -33,61 +32,58 @@ fn follow(model: &Model, ways: &[Vec<f64>], step: f64, about: &str) {
             let name = &model.joint(*joint).name;
             assert!(
                 (told - angle).abs() < 1e-6 * (1.0 + angle.abs()),
-                "{name} is told to be at {told}, by hand {angle}\n{about}\n{ways:?}"
+                "{name} is told to be at {told}, by hand {angle}\n{about}\n{moves:?}"
             );
             let exact = near(principal(model, *joint, machine.position()), told);
             assert!(
                 (told - exact).abs() < 1e-9 * (1.0 + told.abs()),
-                "{name} is told to be at {told}, but looks like {exact}\n{about}\n{ways:?}"
+                "{name} is told to be at {told}, but looks like {exact}\n{about}\n{moves:?}"
             );
         }
     }
 }
 
-fn follow_text(text: &str, ways: &[Vec<f64>], step: f64) {
-    let parsed = parse(text.parse().expect("tokens"));
-    let errors: Vec<&String> = parsed.errors.iter().map(|error| &error.text).collect();
-    assert!(errors.is_empty(), "{errors:?}\n{text}");
-    follow(&parsed.model, ways, step, text);
+fn follow_text(text: &str, moves: &[Vec<f64>], step: f64) {
+    follow(&model(text), moves, step, text);
 }
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
 
     #[test]
-    fn drag_links_go_on(lengths in prop::array::uniform3(2.0..3.0), ways in ways(1)) {
+    fn drag_links_go_on(lengths in prop::array::uniform3(2.0..3.0), moves in moves(1)) {
         let asked = "continuous a, b, c, d;";
-        follow_text(&drag_link(lengths, ["a", "b", "c", "d"], asked), &ways, 0.05);
+        follow_text(&drag_link(lengths, ["a", "b", "c", "d"], asked), &moves, 0.05);
     }
 
     #[test]
     fn gears_go_on(
-        [p, q] in prop::array::uniform2(1..60_i32), inside in any::<bool>(), ways in ways(2),
+        [p, q] in prop::array::uniform2(1..60_i32), inside in any::<bool>(), moves in moves(2),
     ) {
         let asked = "continuous wheel, pin;";
-        follow_text(&geared(meshing(p, q, inside), ["wheel", "pin"], asked), &ways, 0.05 / 60.0);
+        follow_text(&geared(meshing(p, q, inside), ["wheel", "pin"], asked), &moves, 0.05 / 60.0);
     }
 
     #[test]
     fn wheels_and_cams_behind_loops_go_on(
         lengths in prop::array::uniform3(2.0..3.0),
-        (cam, turns) in (any::<bool>(), -2..3_i32), ways in ways(1),
+        (cam, turns) in (any::<bool>(), -2..3_i32), moves in moves(1),
     ) {
         let by = if cam {
             format!("joint f = cam(d, wheel_pin, {turns} * q + sin(q));")
         } else {
             "joint f = gear(rocker, wheel, 30 : 20);".to_owned()
         };
-        follow_text(&behind(lengths, "wheel_pin", &by, "continuous d, wheel_pin;"), &ways, 0.02);
+        follow_text(&behind(lengths, "wheel_pin", &by, "continuous d, wheel_pin;"), &moves, 0.02);
     }
 
     /// Every joint that turns, of anything.
     #[test]
-    fn random_mechanisms_go_on(seed in any::<u64>(), additions in 1..6_usize, ways in ways(1)) {
+    fn random_mechanisms_go_on(seed in any::<u64>(), additions in 1..6_usize, moves in moves(1)) {
         let mut model = grow(&mut Dice::new(seed), additions).model;
         let turns = |&joint: &JointId| matches!(model.joint(joint).kind, JointKind::Revolute(..)) && !model.joint(joint).hidden;
         model.continuous = model.joint_ids().filter(turns).collect();
-        follow(&model, &ways, 0.01, &format!("seed {seed}, {additions} additions"));
+        follow(&model, &moves, 0.01, &format!("seed {seed}, {additions} additions"));
     }
 }
 

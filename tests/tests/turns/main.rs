@@ -9,6 +9,6 @@ mod subjects;
 use proptest::prelude::*;
 
 /// Moves of so many motors, one after the other.
-fn ways(motors: usize) -> impl Strategy<Value = Vec<Vec<f64>>> {
+fn moves(motors: usize) -> impl Strategy<Value = Vec<Vec<f64>>> {
     prop::collection::vec(prop::collection::vec(-16.0..16.0, motors), 1..5)
 }

@@ -1,22 +1,18 @@
 //! Torsional springs: torques are slopes of the energy, over any number of turns.
 
 use super::by_hand::{Follower, near, part, principal};
-use super::subjects::{behind, drag_link, geared, meshing};
-use super::ways;
+use super::moves;
+use super::subjects::{behind, drag_link, geared, meshing, model};
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::program::{Forces, Position};
-use mech_compiler::syntax::parse;
 use mech_runtime::{Gauss, Phase, mechanism};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
 /// Moves through random targets and compares, at each, with a second machine that goes there in steps of this length.
-fn follow(text: &str, ways: &[Vec<f64>], step: f64) {
-    let parsed = parse(text.parse().expect("tokens"));
-    let errors: Vec<&String> = parsed.errors.iter().map(|error| &error.text).collect();
-    assert!(errors.is_empty(), "{errors:?}\n{text}");
-    let model = parsed.model;
+fn follow(text: &str, moves: &[Vec<f64>], step: f64) {
+    let model = model(text);
     let compiled = compile(&model).unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}"));
     let inertia = compiled.forced.inertia.as_ref().expect("asked for");
     let holding = compiled.forced.holding.as_ref().expect("asked for");
@@ -28,17 +24,17 @@ fn follow(text: &str, ways: &[Vec<f64>], step: f64) {
     let mut machine = Machine::<f64>::new(&compiled.program);
     let slow = Machine::<f64>::new(&compiled.program);
     let mut slow = Follower::new(&model, slow, &[joint], step);
-    for way in ways {
-        let to = part(&machine.position().motors, way, 1.0);
+    for by in moves {
+        let to = part(&machine.position().motors, by, 1.0);
         machine
             .move_to(&to)
             .unwrap_or_else(|stop| panic!("{stop:?}\n{text}"));
-        assert!(slow.go(way), "{text}");
+        assert!(slow.move_by(by), "{text}");
         let angle = slow.angles[0];
         let potential = |position: &Position<f64>| {
             let mut machine = Machine::<f64>::new(inertia);
             machine.put_back(position.clone());
-            let rates = vec![0.0; way.len()];
+            let rates = vec![0.0; by.len()];
             match machine.forces(&rates, &rates, &[]) {
                 Ok(Forces::Inertia(felt)) => felt.energy[1],
                 other => panic!("{other:?}\n{text}"),
@@ -48,11 +44,11 @@ fn follow(text: &str, ways: &[Vec<f64>], step: f64) {
         let (told, expected) = (potential(machine.position()), by_hand(angle));
         assert!(
             (told - expected).abs() <= 1e-8 * (1.0 + expected),
-            "energy {told}, by hand {expected} at {angle}\n{text}\n{ways:?}"
+            "energy {told}, by hand {expected} at {angle}\n{text}\n{moves:?}"
         );
         let mut held = Machine::<f64>::new(holding);
         held.put_back(machine.position().clone());
-        let zero = vec![0.0; way.len()];
+        let zero = vec![0.0; by.len()];
         let Ok(Forces::Holding(torques)) = held.forces(&zero, &zero, &[]) else {
             panic!("{text}");
         };
@@ -70,7 +66,7 @@ fn follow(text: &str, ways: &[Vec<f64>], step: f64) {
             let rounding = 1e-14 * expected / h + 1e-6 * (1.0 + slope.abs());
             assert!(
                 (torque - slope).abs() <= rounding,
-                "torque {torque}, slope {slope} at {angle}\n{text}\n{ways:?}"
+                "torque {torque}, slope {slope} at {angle}\n{text}\n{moves:?}"
             );
         }
     }
@@ -90,35 +86,35 @@ proptest! {
     #[test]
     fn springs_in_drag_links_go_on(
         [crank, coupler, rocker] in prop::array::uniform3(2.0..3.0),
-        at in 0..4_usize, rest in -20.0..20.0, ways in ways(1),
+        at in 0..4_usize, rest in -20.0..20.0, moves in moves(1),
     ) {
         let joints = std::array::from_fn(|joint| if joint == at { "sprung" } else { ["a", "b", "c", "d"][joint] });
         let text = drag_link([crank, coupler, rocker], joints, &coil(rest));
-        follow(&text, &ways, 0.05);
+        follow(&text, &moves, 0.05);
     }
 
     /// Wheels on each other, and planets that turn on an arm and follow two motors.
     #[test]
     fn springs_behind_gears_go_on(
         [p, q] in prop::array::uniform2(1..60_i32), inside in any::<bool>(), at in 0..2_usize,
-        rest in -20.0..20.0, ways in ways(2),
+        rest in -20.0..20.0, moves in moves(2),
     ) {
         let joints = std::array::from_fn(|joint| if joint == at { "sprung" } else { ["wheel", "pin"][joint] });
-        follow(&geared(meshing(p, q, inside), joints, &coil(rest)), &ways, 0.05 / 60.0);
+        follow(&geared(meshing(p, q, inside), joints, &coil(rest)), &moves, 0.05 / 60.0);
     }
 
     /// A wheel that a drag link turns, and another one that a cam turns.
     #[test]
     fn springs_behind_loops_and_cams_go_on(
         [crank, coupler, rocker] in prop::array::uniform3(2.0..3.0),
-        (cam, turns) in (any::<bool>(), -2..3_i32), rest in -20.0..20.0, ways in ways(1),
+        (cam, turns) in (any::<bool>(), -2..3_i32), rest in -20.0..20.0, moves in moves(1),
     ) {
         let by = if cam {
             format!("joint f = cam(d, sprung, {turns} * q + sin(q));")
         } else {
             "joint f = gear(rocker, wheel, 30 : 20);".to_owned()
         };
-        follow(&behind([crank, coupler, rocker], "sprung", &by, &coil(rest)), &ways, 0.02);
+        follow(&behind([crank, coupler, rocker], "sprung", &by, &coil(rest)), &moves, 0.02);
     }
 }
 

@@ -131,10 +131,7 @@ fn effect(input: ParseStream) -> Read<Effect> {
 /// Reads `a, b.c;`.
 pub(super) fn show(input: ParseStream, keyword: Span) -> Statement {
     settled(input, |input| {
-        let mut what = vec![end(input)?];
-        while take(input, ",").is_some() && !input.peek(token::Semi) {
-            what.push(end(input)?);
-        }
+        let what = listed(input, end)?;
         Ok(Statement::Show { keyword, what })
     })
 }
@@ -142,12 +139,18 @@ pub(super) fn show(input: ParseStream, keyword: Span) -> Statement {
 /// Reads `a, b;`.
 pub(super) fn continuous(input: ParseStream, keyword: Span) -> Statement {
     settled(input, |input| {
-        let mut joints = vec![name(input, "the name of a joint")?];
-        while take(input, ",").is_some() && !input.peek(token::Semi) {
-            joints.push(name(input, "the name of a joint")?);
-        }
+        let joints = listed(input, |input| name(input, "the name of a joint"))?;
         Ok(Statement::Continuous { keyword, joints })
     })
+}
+
+/// Reads one or more of something, with commas between them.
+fn listed<T>(input: ParseStream, one: impl Fn(ParseStream) -> Read<T>) -> Read<Vec<T>> {
+    let mut all = vec![one(input)?];
+    while take(input, ",").is_some() && !input.peek(token::Semi) {
+        all.push(one(input)?);
+    }
+    Ok(all)
 }
 
 /// Reads `redundant;`.

@@ -16,6 +16,7 @@ use syn::{Attribute, token};
 /// The words that a statement may begin with.
 pub(super) const BEGINNINGS: [&str; 21] = [
     "const",
+    "param",
     "ground",
     "link",
     "joint",
@@ -28,39 +29,17 @@ pub(super) const BEGINNINGS: [&str; 21] = [
     "allow",
     "effects",
     "show",
+    "continuous",
     "quality",
-    "param",
-    "certify",
     "gravity",
     "spring",
     "damper",
     "load",
-    "continuous",
+    NOT_YET,
 ];
 
-/// Those of them that stand for something today.
-const SUPPORTED: [&str; 20] = [
-    "const",
-    "param",
-    "ground",
-    "link",
-    "joint",
-    "motor",
-    "start",
-    "method",
-    "accuracy",
-    "cost",
-    "at",
-    "allow",
-    "effects",
-    "show",
-    "continuous",
-    "quality",
-    "gravity",
-    "spring",
-    "damper",
-    "load",
-];
+/// That of them which stands for nothing today.
+const NOT_YET: &str = "certify";
 
 /// Reads everything.
 pub(super) fn text(input: ParseStream) -> Text {
@@ -176,7 +155,7 @@ fn statement(input: ParseStream) -> Statement {
         "damper" => action::damper(input),
         "load" => action::load(input),
         "allow" => setting::allow(input),
-        "certify" => left_behind(input, not_yet(&keyword)),
+        NOT_YET => left_behind(input, not_yet(&keyword)),
         _ => left_behind(input, unknown(&keyword)),
     }
 }
@@ -193,12 +172,15 @@ fn unknown(keyword: &Ident) -> Message {
     if let Some(trouble) = misplaced::as_statement(&text) {
         return Message::new(Place::at(keyword.span()), trouble);
     }
-    let remedy = match spelling::nearest(&text, &BEGINNINGS) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!(
+    let remedy = if let Some(near) = spelling::nearest(&text, &BEGINNINGS) {
+        format!("did you mean `{near}`?")
+    } else {
+        let supported = BEGINNINGS.into_iter().filter(|&word| word != NOT_YET);
+        let supported: Vec<&str> = supported.collect();
+        format!(
             "a statement begins with one of {}",
-            spelling::list(&SUPPORTED)
-        ),
+            spelling::list(&supported)
+        )
     };
     Message::new(
         Place::at(keyword.span()),
