@@ -530,7 +530,7 @@ joint mesh = rack(pinion, bar, radius 1);
 motor turn;
 accuracy 1e-9;",
         remedy: "Say how far the motor turns.",
-        edit: ("motor turn;", "motor turn in -100 ..= 100;"),
+        edit: ("motor turn;", "motor turn in -3600 deg ..= 3600 deg;"),
     },
     Entry {
         variant: "TooAccurate",

@@ -18,7 +18,8 @@ in_both_precisions! {
             joint x = prismatic(ground, bar) at (0, -0.5) along (1, 0);
             joint r = rack(drum, bar, radius 0.5);
             joint s = prismatic(ground, slide) at (0, 3) along (1, 0);
-            motor a in -100 ..= 100;
+            const FAR = 100;
+            motor a in -FAR ..= FAR;
             motor s;
         }
     }

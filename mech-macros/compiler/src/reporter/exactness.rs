@@ -35,7 +35,7 @@ impl Words<'_> {
         let motor = &self.model.joint(self.model.motor(motor).joint).name;
         format!(
             "no accuracy holds however far motor `{motor}` turns: rounding errors of `{}` grow with its turns\nhelp: declare how far it \
-             turns, `motor {motor} in -100 ..= 100;` for example, or leave `accuracy {accuracy:e};` out",
+             turns, `motor {motor} in -3600 deg ..= 3600 deg;` for example, or leave `accuracy {accuracy:e};` out",
             self.model.name
         )
     }

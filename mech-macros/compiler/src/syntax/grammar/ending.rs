@@ -26,7 +26,12 @@ pub(super) fn missing_after(
     missing: &str,
 ) -> Option<Message> {
     let next = input.is_empty() || at_beginning(input, beginnings) || at_assignment(input);
-    let last = last_between(begin, input.cursor()).filter(|_| next)?;
+    next.then(|| after_last(input, begin, missing)).flatten()
+}
+
+/// The message that something is missing after what was read last, if anything was.
+pub(super) fn after_last(input: ParseStream, begin: Cursor, missing: &str) -> Option<Message> {
+    let last = last_between(begin, input.cursor())?;
     let (text, place) = match &last {
         TokenTree::Group(group) => (closing(group.delimiter()), Place::at(group.span_close())),
         tree => (beginning(tree), Place::at(tree.span())),

@@ -1,5 +1,6 @@
 //! Motors, the start and what is wanted: everything that refers to links and joints declared elsewhere.
 
+use super::ending::after_last;
 use super::expression::expression;
 use super::joint::end;
 use super::recover::{or_skip, to_semicolon};
@@ -113,18 +114,34 @@ fn clause(input: ParseStream) -> Read<StartClause> {
 
 /// Reads `{ velocity; trace a.b 256; }`.
 pub(super) fn effects(input: ParseStream, keyword: Span) -> Statement {
-    match or_skip(input, &BEGINNINGS, |input| in_braces(input, "`{`", effect)) {
+    let in_braces = |input: ParseStream| {
+        let all = in_braces(input, "`{`", effect);
+        all.map_err(|mut error| {
+            if let Some((effect, _)) = input.cursor().ident() {
+                error.text += &format!("; write `effects {{ {effect}; }}`");
+            }
+            error
+        })
+    };
+    match or_skip(input, &BEGINNINGS, in_braces) {
         Ok(effects) => Statement::Effects { keyword, effects },
         Err(error) => Statement::Broken(Broken { error, name: None }),
     }
 }
 
 fn effect(input: ParseStream) -> Read<Effect> {
+    let begin = input.cursor();
     to_semicolon(input, &[], |input| {
         if take_word(input, "trace").is_some() {
             return trace(input).map(Effect::Trace);
         }
-        name(input, "the name of an effect").map(Effect::Plain)
+        let effect = name(input, "the name of an effect")?;
+        // No number stands here: a word is the next effect.
+        let next = input.cursor().ident();
+        match next.and_then(|_| after_last(input, begin, "`;`")) {
+            Some(missing) => Err(missing),
+            None => Ok(Effect::Plain(effect)),
+        }
     })
 }
 

@@ -1,6 +1,7 @@
 //! From the tree of the text to the model: names get their meaning, numbers their value.
 
 mod action;
+mod angle;
 mod cam;
 mod constant;
 mod continuous;

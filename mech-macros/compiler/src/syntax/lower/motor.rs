@@ -31,7 +31,10 @@ impl Lowering {
         let Some(joint) = joint else {
             return;
         };
-        if let (Some(range), Some([low, high])) = (range, &motor.range) {
+        if let (Some(range), Some(ends @ [low, high])) = (range, &motor.range) {
+            if let JointKind::Revolute(..) = self.model.joint(joint).kind {
+                self.ask_about_degrees(ends, range);
+            }
             self.ranges.push(Ranged {
                 joint,
                 range,

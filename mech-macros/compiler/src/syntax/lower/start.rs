@@ -5,10 +5,8 @@ use super::name::Named;
 use super::rolling;
 use crate::model::{JointId, JointKind, LinkId, Near, StartValue};
 use crate::syntax::Place;
-use crate::syntax::ast::{Expr, ExprKind, Start, StartClause};
-use crate::syntax::written::with_degrees;
+use crate::syntax::ast::{Start, StartClause};
 use proc_macro2::Ident;
-use std::f64::consts::TAU;
 
 impl Lowering {
     pub(super) fn lower_start(&mut self, start: &Start) {
@@ -90,19 +88,6 @@ impl Lowering {
             }
             (None, _) => beginning,
         }
-    }
-
-    /// Whether this is an angle that was hardly meant: more than a turn, in a plain number. Told if so.
-    fn is_degrees_perhaps(&mut self, angle: &Expr, value: f64) -> bool {
-        if value.abs() <= TAU || !is_plain(angle) {
-            return false;
-        }
-        let text = format!(
-            "`{angle}` is an angle in radians, more than a turn; write `{}`\n\nhelp: or give the number a name with `const`, if radians are meant",
-            with_degrees(angle)
-        );
-        self.report.tell(angle.place, text);
-        true
     }
 
     fn near(&mut self, clause: &StartClause, link: LinkId) {
@@ -216,18 +201,6 @@ impl Lowering {
             }
             _ => false,
         }
-    }
-}
-
-/// Whether a number is made of digits alone: nobody wrote `deg`, `PI` or a name.
-fn is_plain(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Integer(_) | ExprKind::Decimal(_) => true,
-        ExprKind::Negative(inner) => is_plain(inner),
-        ExprKind::Sum(parts) | ExprKind::Product(parts) => {
-            parts.iter().all(|(_, part)| is_plain(part))
-        }
-        _ => false,
     }
 }
 

@@ -172,7 +172,7 @@ fn a_motor_starts_in_its_range() {
     for good in [
         "motor shaft in 0 ..= 1; start { shaft = 1; }",
         "motor shaft in 0 ..= 1; start { shaft = 0; }",
-        "start { shaft = 6.2; } motor shaft in 6 ..= 8;",
+        "start { shaft = 6.2; } motor shaft in 6 ..= 6.25;",
         "motor shaft in -1 ..= 0;",
         // The same angle, computed in two ways that differ by a rounding.
         "motor shaft in PI / 7 ..= PI / 3; start { shaft = 60 deg; }",

@@ -339,6 +339,43 @@ fn an_angle_of_many_radians_is_asked_about() {
 }
 
 #[test]
+fn a_range_of_many_radians_is_asked_about() {
+    let help = "\n\nhelp: or give the number a name with `const`, if radians are meant";
+    for (wrong, offer) in [
+        ("0 ..= 90", "0 deg ..= 90 deg"),
+        ("-7.5 ..= 3", "-7.5 deg ..= 3 deg"),
+        ("0 ..= 2 * 30", "0 deg ..= (2 * 30) deg"),
+    ] {
+        let message = format!("`{wrong}` is in radians, more than a turn; write `{offer}`{help}");
+        offered(&format!("{CRANK}motor j in «{wrong}»;"), &message);
+    }
+    for right in ["-6 ..= 6", "0 ..= 20 * PI", "0 ..= 720 deg", "0 ..= FAR"] {
+        super::told(&format!("const FAR = 90; {CRANK}motor j in {right};"), &[]);
+    }
+    let slide = "ground { line l = (0, 0) -> (1, 0); } link a { line l = (0, 0) -> (1, 0); } joint j = prismatic(ground.l, a.l);";
+    super::told(&format!("{slide} motor j in 0 ..= 90;"), &[]);
+}
+
+#[test]
+fn effects_stand_in_braces_each_with_its_end() {
+    let message = |after: &str| format!("expected `;` after `{after}`");
+    super::told(
+        "effects { «velocity» acceleration; }",
+        &[&message("velocity")],
+    );
+    super::told(
+        "effects { velocity; «force» dynamics overlay }",
+        &[&message("force")],
+    );
+    super::told("effects { velocity; acceleration; }", &[]);
+    super::told(
+        "effects «velocity»;",
+        &["expected `{`, found `velocity`; write `effects { velocity; }`"],
+    );
+    super::told("effects «7»;", &["expected `{`, found `7`"]);
+}
+
+#[test]
 fn near_takes_a_link() {
     let marked =
         |settings: &str| format!("struct M; {CRANK}{settings}start {{ «k» near 20 deg; }}");

@@ -35,6 +35,6 @@ fn a_number_is_offered_as_it_was_written() {
                 "the range of motor `shaft` ends before it begins; write `-1 ..= {offered}`"
             )],
         );
-        with_crank(&format!("{settled} -1 ..= {offered};"), &[]);
+        with_crank(&format!("{settled} -LONG ..= {offered};"), &[]);
     }
 }
