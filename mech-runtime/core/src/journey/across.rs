@@ -1,14 +1,19 @@
-//! Past the change point of a loop that is solved by iteration: there the iteration fails, so it is begun beyond it.
+//! Past change points without a position between: those of loops that are solved by iteration, which fails there, and those of several
+//! loops that are so near each other that rounding hides which comes first.
 
-use super::event::Event;
+use super::event::{Event, arrived};
 use super::pace::lesser;
-use super::piece::{Reach, reach};
+use super::piece::{Reach, is_zero, reach};
 use super::{AtZero, Journey};
-use crate::{Real, motors};
+use crate::Real;
 
 /// How far beyond it is begun, in fourth roots of the precision: both what curves a straight way and what rounding does to it are
 /// small then beside the distance from the other branch.
 const WAYS: [f64; 2] = [8.0, 32.0];
+/// The same for loops in closed form, whose positions are as exact as rounding lets them be.
+const TOGETHER: [f64; 3] = [0.25, NEAREST, 2.0];
+/// What comes to zero nearer to another than this is passed with it.
+pub(super) const NEAREST: f64 = 0.03125;
 /// The first step back from it changes the sine by no more than this part of it, each next one is so much longer, or shorter where
 /// it fails: beside it no iteration reaches far.
 const FIRST: f64 = 0.25;
@@ -33,8 +38,8 @@ pub(super) struct Beyond<P, T> {
     pub(super) to: P,
     /// The part of the way that is done there.
     pub(super) end: T,
-    /// Whether it is on the loop's other side.
-    pub(super) turned: bool,
+    /// The first loop on its other side that may not go over.
+    pub(super) stopped: Option<usize>,
 }
 
 /// Whether a loop that is passed over its change points is solved by iteration: it does not stand there.
@@ -96,7 +101,7 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
         let stand = reach(journey, from, done, start);
         (stand.to, stand.end)
     };
-    let beyond = across(journey, (&before.0, before.1), index);
+    let beyond = across(journey, (from, done), (&before.0, before.1), index);
     // Beyond a dead point there is nothing.
     (beyond.is_some() || reached.stop.is_none()).then_some(Meeting {
         index,
@@ -106,38 +111,126 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
 }
 
 /// So many fourth roots of the precision as a part of the way.
-fn way<T: Real, J: Journey<T>>(journey: &J, index: usize, times: f64) -> T {
+pub(super) fn way<T: Real, J: Journey<T>>(journey: &J, index: usize, times: f64) -> T {
     T::from_f64(times) * T::from_f64(T::EPSILON).sqrt().sqrt() / journey.watch(index).change
 }
 
 /// The position a little farther, from one before a zero of a sine: that which everything goes straight on to.
 fn across<T: Real, J: Journey<T>>(
     journey: &J,
+    from: (&J::Position, T),
     (position, part): (&J::Position, T),
     index: usize,
 ) -> Option<Beyond<J::Position, T>> {
     WAYS.into_iter().find_map(|times| {
         let way = lesser(way(journey, index, times), T::ONE - part);
-        let end = part + way;
         let last = back(journey, (position, part), (way, index))?;
         let before = back(
             journey,
             (&last, part - way),
             (way * T::from_f64(2.0), index),
         )?;
-        let mut beyond = journey.beyond(&before, &last);
-        let sine = |position| journey.sine(position, index);
-        let ahead = motors::mirrored(sine(&before), sine(&last));
-        let turned = ahead * sine(&last) < T::ZERO;
-        if turned {
+        let line = Line {
+            before: (&before, part - way * T::from_f64(3.0)),
+            last: (&last, part - way),
+        };
+        if !line.leads_through(journey, from) {
+            return None;
+        }
+        line.beyond(journey, part + way, |other| other == index)
+    })
+}
+
+/// The position beyond a zero of a loop in closed form beside which others come to theirs: that which everything goes straight on to.
+pub(super) fn together<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    (part, index): (T, usize),
+) -> Option<Beyond<J::Position, T>> {
+    TOGETHER.into_iter().find_map(|times| {
+        let way = way(journey, index, times);
+        let [begun, last_part] = [3.0, 1.0].map(|ways| part - way * T::from_f64(ways));
+        let before = arrived(journey, from, done, begun)?;
+        let last = arrived(journey, &before, begun, last_part)?;
+        let line = Line {
+            before: (&before, begun),
+            last: (&last, last_part),
+        };
+        if !line.leads_through(journey, (from, done)) {
+            return None;
+        }
+        line.beyond(journey, lesser(part + way, T::ONE), |other| other == index)
+    })
+}
+
+/// Two positions before a zero, and the parts of the way that are done there.
+struct Line<'a, P, T> {
+    before: (&'a P, T),
+    last: (&'a P, T),
+}
+
+impl<P: Clone, T: Real> Line<'_, P, T> {
+    /// The sine of a loop where everything goes straight on to.
+    fn sine<J: Journey<T, Position = P>>(&self, journey: &J, index: usize, end: T) -> T {
+        let ((before, begun), (last, part)) = (self.before, self.last);
+        let [a, b] = [before, last].map(|position| journey.sine(position, index));
+        b + (b - a) * ((end - part) / (part - begun))
+    }
+
+    /// Whether a sine is where everything goes straight on to.
+    fn meets<J: Journey<T, Position = P>>(
+        &self,
+        journey: &J,
+        (position, part): (&P, T),
+        index: usize,
+    ) -> bool {
+        // On another branch the sine is another.
+        let (sine, ahead) = (
+            journey.sine(position, index),
+            self.sine(journey, index, part),
+        );
+        (sine - ahead).abs() <= T::from_f64(OFF) * ahead.abs()
+    }
+
+    /// Whether a position behind its first is on it: else a zero that was passed lies between.
+    fn leads_through<J: Journey<T, Position = P>>(&self, journey: &J, at: (&P, T)) -> bool {
+        let passes = |index: &usize| journey.watch(*index).at_zero != AtZero::Stay;
+        let mut watched = (0..journey.watches()).filter(passes);
+        at.1 <= self.before.1 || watched.all(|index| self.meets(journey, at, index))
+    }
+
+    /// The position there, if everything goes straight on: loops whose sines change their signs are on their other sides. The sines
+    /// of the loops that are looked at have to be what was foreseen.
+    fn beyond<J: Journey<T, Position = P>>(
+        &self,
+        journey: &J,
+        end: T,
+        looks_at: impl Fn(usize) -> bool,
+    ) -> Option<Beyond<P, T>> {
+        let last = self.last.0;
+        let mut beyond = journey.beyond(self.before.0, last);
+        let mut stopped = None;
+        let turns = |index| {
+            journey.watch(index).at_zero != AtZero::Stay
+                && self.sine(journey, index, end) * journey.sine(last, index) < T::ZERO
+        };
+        for index in (0..journey.watches()).filter(|index| turns(*index)) {
             journey.turn_over(&mut beyond, index);
+            if journey.watch(index).at_zero == AtZero::Stop {
+                stopped = stopped.or(Some(index));
+            }
         }
         let to = journey.at(&beyond, end).ok()?;
-        // On another branch the sine is another.
-        let off = (sine(&to) - ahead).abs();
-        (off <= T::from_f64(OFF) * ahead.abs()).then_some(())?;
-        Some(Beyond { to, end, turned })
-    })
+        // Where a sine is zero nothing tells on which side its loop is: only the end of the way may be there.
+        let is_clear = |index| end >= T::ONE && !turns(index) || !is_zero(journey, &to, index);
+        let holds = |index| {
+            let passes = journey.watch(index).at_zero != AtZero::Stay;
+            let meets = || self.meets(journey, (&to, end), index);
+            (!passes || is_clear(index)) && (!(looks_at(index) || turns(index)) || meets())
+        };
+        let all = (0..journey.watches()).all(holds);
+        all.then_some(Beyond { to, end, stopped })
+    }
 }
 
 /// The position so far back on the way.

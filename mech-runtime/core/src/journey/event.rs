@@ -1,6 +1,6 @@
 //! What happens to watched loops on a piece: where the sine of one is zero, or something does not close.
 
-use super::across::{is_near, is_stepped_over};
+use super::across::{NEAREST, is_near, is_stepped_over, way};
 use super::pace::{is_far, lesser};
 use super::piece::{Reach, is_zero, reach};
 use super::{AtZero, Journey};
@@ -10,6 +10,9 @@ use crate::Real;
 const NARROW: u32 = 20;
 /// Each halving gives a digit of a binary fraction: no float has more.
 const HALVINGS: u32 = 64;
+/// Where another loop has its zero, a square has a kink, and parabolas come nearer slowly: each time after so many the longer side of
+/// what is left is halved.
+const HALVED: u32 = 3;
 /// The square of a sine that is this part of those at both ends of a piece may be zero.
 const DIP: f64 = 0.0625;
 
@@ -44,22 +47,25 @@ pub(super) fn first_event<T: Real, J: Journey<T>>(
     done: T,
     reach: &Reach<J::Position, J::Stop, T>,
 ) -> Event<T> {
-    let mut first = soonest(journey, from, done, reach, |_, _| true);
+    let mut first = soonest(journey, from, done, reach, |_| true);
     for _ in 1..journey.watches() {
         let (Event::Zero(part, passed) | Event::Near(part, passed)) = first else {
             break;
         };
-        let Some(to) = arrived(journey, from, done, part) else {
+        // Not quite: where pins meet nothing tells how other loops stand. What comes to zero so near is passed together.
+        let end = part - way(journey, passed, NEAREST);
+        let Some(to) = (end > done)
+            .then(|| arrived(journey, from, done, end))
+            .flatten()
+        else {
             break;
         };
         let before = Reach {
             to,
-            end: part,
+            end,
             stop: None,
         };
-        // What comes to zero there as well is not passed before.
-        let is_away = |index, to: &J::Position| index != passed && !is_zero(journey, to, index);
-        match soonest(journey, from, done, &before, is_away) {
+        match soonest(journey, from, done, &before, |index| index != passed) {
             Event::None => break,
             sooner => first = sooner,
         }
@@ -73,12 +79,12 @@ fn soonest<T: Real, J: Journey<T>>(
     from: &J::Position,
     done: T,
     reach: &Reach<J::Position, J::Stop, T>,
-    looks_at: impl Fn(usize, &J::Position) -> bool,
+    looks_at: impl Fn(usize) -> bool,
 ) -> Event<T> {
     let mut first = Event::None;
     for index in 0..journey.watches() {
         let is_far = is_far(journey, from, &reach.to, reach.end - done, index);
-        if is_far || !looks_at(index, &reach.to) {
+        if is_far || !looks_at(index) {
             continue;
         }
         let event = least_sine(journey, from, done, reach, index);
@@ -126,7 +132,7 @@ fn least_sine<T: Real, J: Journey<T>>(
     let mut narrowed = 0;
     let mut at = straight(a, b);
     let mut least: Option<(T, T)> = None;
-    for _ in 0..HALVINGS {
+    for round in 1..=HALVINGS {
         if !(at > a.0 && at < b.0) {
             break;
         }
@@ -182,7 +188,11 @@ fn least_sine<T: Real, J: Journey<T>>(
         let Some(middle) = least else {
             return Event::None;
         };
-        at = vertex(a, middle, b);
+        at = if round % HALVED == 0 {
+            halved(a.0, middle.0, b.0)
+        } else {
+            vertex(a, middle, b)
+        };
     }
     // As small as rounding lets it be.
     match least {
@@ -202,7 +212,7 @@ fn straight<T: Real>(a: (T, T), b: (T, T)) -> T {
 }
 
 /// The position at a part of the way, if it can be gone to. An iteration that fails from afar may come there in many steps.
-fn arrived<T: Real, J: Journey<T>>(
+pub(super) fn arrived<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
     done: T,
@@ -264,6 +274,12 @@ fn change_of_sign<T: Real, J: Journey<T>>(
         }
     }
     Event::Blocked(high)
+}
+
+/// The middle of the longer side.
+fn halved<T: Real>(a: T, m: T, b: T) -> T {
+    let side = if m - a > b - m { a } else { b };
+    m + (side - m) * T::HALF
 }
 
 /// Where the parabola through three points is least; beside the middle one where that is the place itself.

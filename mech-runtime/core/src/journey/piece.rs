@@ -1,9 +1,13 @@
 //! A piece that is short enough for one change point of a loop at most: past it, or as far as it closes.
 
-use super::across::{bounces, is_stepped_over, meeting};
+use super::across::{bounces, is_stepped_over, meeting, together, way};
 use super::event::{Event, first_event};
-use super::{AtZero, Journey, MOST_TRIES};
+use super::pace::lesser;
+use super::{AtZero, Growth, Journey, MOST_TRIES};
 use crate::Real;
+
+/// So many roundings displace a loop, at most.
+const ROUNDINGS: f64 = 64.0;
 
 /// Where a piece ends: at its target, or before it for a reason.
 pub(super) struct Reach<P, S, T> {
@@ -12,13 +16,13 @@ pub(super) struct Reach<P, S, T> {
     pub(super) stop: Option<S>,
 }
 
-/// Goes a piece that is short enough for one change point of a loop at most. It ends a little farther where a loop that is iterated
-/// stands at its change point.
+/// Goes a piece that is short enough for one change point of a loop at most. It ends a little farther where a loop would stand at its
+/// change point, unless the way ends there.
 pub(super) fn piece<T: Real, J: Journey<T>>(
     journey: &J,
     mut from: J::Position,
     mut done: T,
-    target: T,
+    mut target: T,
 ) -> Reach<J::Position, J::Stop, T> {
     let mut aim = target;
     // Each round passes a change point, or finds a dead point before its aim.
@@ -37,9 +41,8 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
         }
         let event = first_event(journey, &from, done, &reach);
         if let Some(meeting) = meeting(journey, (&from, done), &reach, &event) {
-            let passes = journey.watch(meeting.index).at_zero == AtZero::GoOver;
             match meeting.beyond {
-                Some(beyond) if passes || !beyond.turned => {
+                Some(beyond) if beyond.stopped.is_none() => {
                     (from, done, aim) = (beyond.to, beyond.end, target);
                     if done >= target {
                         return Reach {
@@ -68,12 +71,33 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
                 // On the side it came from something else does not close: it is the other side that goes on.
                 (from, done, aim) = (other, reach.end, target);
             }
+            Event::None
+                if reach.stop.is_none()
+                    && target < T::ONE
+                    && let Some(index) = stands(journey, &reach.to) =>
+            {
+                target = lesser(target + way(journey, index, 1.0), T::ONE);
+                aim = target;
+            }
             Event::None | Event::Near(..) => {
                 settle(journey, &from, done, &mut reach);
                 note_sense(journey, &from, &mut reach.to);
                 return reach;
             }
             Event::Blocked(part) => aim = part,
+            Event::Zero(part, index)
+                if let Some(beyond) = together(journey, (&from, done), (part, index))
+                    && beyond.stopped.is_none() =>
+            {
+                (from, done, aim) = (beyond.to, beyond.end, target);
+                if done >= target {
+                    return Reach {
+                        to: from,
+                        end: done,
+                        stop: None,
+                    };
+                }
+            }
             Event::Zero(part, index) => {
                 if let Ok(mut at_zero) = journey.at(&from, part) {
                     journey.note_sense(&mut at_zero);
@@ -114,7 +138,28 @@ pub(super) fn is_zero<T: Real, J: Journey<T>>(
     index: usize,
 ) -> bool {
     let sine = journey.sine(position, index);
-    !is_stepped_over(journey, index) && sine * sine <= journey.tiny_square(position, index)
+    let tiny = journey.tiny_square(position, index) + passed_on(journey, position, index);
+    !is_stepped_over(journey, index) && sine * sine <= tiny
+}
+
+/// What rounding does to an earlier loop near its zero is so many times as great as one is greater than its sine: the square of what
+/// of this is passed on to a sine.
+fn passed_on<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> T {
+    let rounding = T::from_f64(ROUNDINGS * T::EPSILON);
+    journey.growth(index).fold(T::ZERO, |sum, growth| {
+        let Growth::Near(earlier) = growth else {
+            return sum;
+        };
+        let sine = journey.sine(position, earlier);
+        sum + rounding * rounding / (sine * sine).max(rounding)
+    })
+}
+
+/// A loop that stands at its change point.
+fn stands<T: Real, J: Journey<T>>(journey: &J, position: &J::Position) -> Option<usize> {
+    (0..journey.watches()).find(|index| {
+        journey.watch(*index).at_zero == AtZero::GoOver && is_zero(journey, position, *index)
+    })
 }
 
 /// On which side a change point is left.
@@ -169,7 +214,11 @@ fn over<T: Real, J: Journey<T>>(
 }
 
 /// Whether a sine is so near zero that the side of its loop shows in nothing that rounding leaves.
-fn is_near_zero<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
+pub(super) fn is_near_zero<T: Real, J: Journey<T>>(
+    journey: &J,
+    position: &J::Position,
+    index: usize,
+) -> bool {
     let sine = journey.sine(position, index);
     sine * sine <= T::from_f64(T::EPSILON).sqrt()
 }
