@@ -214,11 +214,7 @@ fn over<T: Real, J: Journey<T>>(
 }
 
 /// Whether a sine is so near zero that the side of its loop shows in nothing that rounding leaves.
-pub(super) fn is_near_zero<T: Real, J: Journey<T>>(
-    journey: &J,
-    position: &J::Position,
-    index: usize,
-) -> bool {
+fn is_near_zero<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index: usize) -> bool {
     let sine = journey.sine(position, index);
     sine * sine <= T::from_f64(T::EPSILON).sqrt()
 }
