@@ -16,7 +16,7 @@ mechanism! {
     joint b = revolute(crank, coupler) at (0.8, 0.6);
     joint c = revolute(coupler, rocker) at (3.3, 2.9);
     joint d = revolute(ground, rocker) at (4, 0);
-    motor a in -7 ..= 7;
+    motor a in -420 deg ..= 420 deg;
     effects { velocity; trace coupler.tip 5; trace crank.pin 3 color 7; }
 }
 
