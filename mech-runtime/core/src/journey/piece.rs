@@ -71,13 +71,8 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
                 // On the side it came from something else does not close: it is the other side that goes on.
                 (from, done, aim) = (other, reach.end, target);
             }
-            Event::None
-                if reach.stop.is_none()
-                    && target < T::ONE
-                    && let Some(index) = stands(journey, &reach.to) =>
-            {
-                target = lesser(target + way(journey, index, 1.0), T::ONE);
-                aim = target;
+            Event::None if let Some(farther) = farther(journey, &reach, target) => {
+                (aim, target) = (farther, farther);
             }
             Event::None | Event::Near(..) => {
                 settle(journey, &from, done, &mut reach);
@@ -155,11 +150,18 @@ fn passed_on<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index:
     })
 }
 
-/// A loop that stands at its change point.
-fn stands<T: Real, J: Journey<T>>(journey: &J, position: &J::Position) -> Option<usize> {
-    (0..journey.watches()).find(|index| {
-        journey.watch(*index).at_zero == AtZero::GoOver && is_zero(journey, position, *index)
-    })
+/// A target a little farther, if a loop would stand at its change point at this one and the way goes on.
+fn farther<T: Real, J: Journey<T>>(
+    journey: &J,
+    reach: &Reach<J::Position, J::Stop, T>,
+    target: T,
+) -> Option<T> {
+    let stands = |index: &usize| {
+        journey.watch(*index).at_zero == AtZero::GoOver && is_zero(journey, &reach.to, *index)
+    };
+    let goes_on = reach.stop.is_none() && target < T::ONE;
+    let index = (0..journey.watches()).find(|index| goes_on && stands(index))?;
+    Some(lesser(target + way(journey, index, 1.0), T::ONE))
 }
 
 /// On which side a change point is left.
