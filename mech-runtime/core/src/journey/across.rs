@@ -38,8 +38,8 @@ pub(super) struct Beyond<P, T> {
     pub(super) to: P,
     /// The part of the way that is done there.
     pub(super) end: T,
-    /// The first loop on its other side that may not go over.
-    pub(super) stopped: Option<usize>,
+    /// Whether a loop is on its other side that may not go over.
+    pub(super) stops: bool,
 }
 
 /// Whether a loop that is passed over its change points is solved by iteration: it does not stand there.
@@ -94,7 +94,7 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
         _ => return None,
     };
     // Not so near that rounding tells more than the position.
-    let start = part - way(journey, index, WAYS[0]) * T::HALF;
+    let start = part - distance(journey, index, WAYS[0]) * T::HALF;
     let before = if start <= done {
         (from.clone(), done)
     } else {
@@ -110,8 +110,8 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
     })
 }
 
-/// So many fourth roots of the precision as a part of the way.
-pub(super) fn way<T: Real, J: Journey<T>>(journey: &J, index: usize, times: f64) -> T {
+/// A distance from a zero: so many fourth roots of the precision, as a part of the way.
+pub(super) fn distance<T: Real, J: Journey<T>>(journey: &J, index: usize, times: f64) -> T {
     T::from_f64(times) * T::from_f64(T::EPSILON).sqrt().sqrt() / journey.watch(index).change
 }
 
@@ -123,7 +123,7 @@ fn across<T: Real, J: Journey<T>>(
     index: usize,
 ) -> Option<Beyond<J::Position, T>> {
     WAYS.into_iter().find_map(|times| {
-        let way = lesser(way(journey, index, times), T::ONE - part);
+        let way = lesser(distance(journey, index, times), T::ONE - part);
         let last = back(journey, (position, part), (way, index))?;
         let before = back(
             journey,
@@ -134,10 +134,7 @@ fn across<T: Real, J: Journey<T>>(
             before: (&before, part - way * T::from_f64(3.0)),
             last: (&last, part - way),
         };
-        if !line.leads_through(journey, from) {
-            return None;
-        }
-        line.beyond(journey, part + way, |other| other == index)
+        line.beyond(journey, from, part + way, index)
     })
 }
 
@@ -148,7 +145,7 @@ pub(super) fn together<T: Real, J: Journey<T>>(
     (part, index): (T, usize),
 ) -> Option<Beyond<J::Position, T>> {
     TOGETHER.into_iter().find_map(|times| {
-        let way = way(journey, index, times);
+        let way = distance(journey, index, times);
         let [begun, last_part] = [3.0, 1.0].map(|ways| part - way * T::from_f64(ways));
         let before = arrived(journey, from, done, begun)?;
         let last = arrived(journey, &before, begun, last_part)?;
@@ -156,10 +153,7 @@ pub(super) fn together<T: Real, J: Journey<T>>(
             before: (&before, begun),
             last: (&last, last_part),
         };
-        if !line.leads_through(journey, (from, done)) {
-            return None;
-        }
-        line.beyond(journey, lesser(part + way, T::ONE), |other| other == index)
+        line.beyond(journey, (from, done), lesser(part + way, T::ONE), index)
     })
 }
 
@@ -199,26 +193,28 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         at.1 <= self.before.1 || watched.all(|index| self.meets(journey, at, index))
     }
 
-    /// The position there, if everything goes straight on: loops whose sines change their signs are on their other sides. The sines
-    /// of the loops that are looked at have to be what was foreseen.
+    /// The position there, if everything goes straight on: loops whose sines change their signs are on their other sides. Their sines
+    /// and that of the loop at its zero have to be what was foreseen, and the line has to lead through where the piece began.
     fn beyond<J: Journey<T, Position = P>>(
         &self,
         journey: &J,
+        from: (&P, T),
         end: T,
-        looks_at: impl Fn(usize) -> bool,
+        at_zero: usize,
     ) -> Option<Beyond<P, T>> {
+        if !self.leads_through(journey, from) {
+            return None;
+        }
         let last = self.last.0;
         let mut beyond = journey.beyond(self.before.0, last);
-        let mut stopped = None;
+        let mut stops = false;
         let turns = |index| {
             journey.watch(index).at_zero != AtZero::Stay
                 && self.sine(journey, index, end) * journey.sine(last, index) < T::ZERO
         };
         for index in (0..journey.watches()).filter(|index| turns(*index)) {
             journey.turn_over(&mut beyond, index);
-            if journey.watch(index).at_zero == AtZero::Stop {
-                stopped = stopped.or(Some(index));
-            }
+            stops |= journey.watch(index).at_zero == AtZero::Stop;
         }
         let to = journey.at(&beyond, end).ok()?;
         // Where a sine is zero nothing tells on which side its loop is: only the end of the way may be there.
@@ -226,10 +222,10 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         let holds = |index| {
             let passes = journey.watch(index).at_zero != AtZero::Stay;
             let meets = || self.meets(journey, (&to, end), index);
-            (!passes || is_clear(index)) && (!(looks_at(index) || turns(index)) || meets())
+            (!passes || is_clear(index)) && (!(index == at_zero || turns(index)) || meets())
         };
         let all = (0..journey.watches()).all(holds);
-        all.then_some(Beyond { to, end, stopped })
+        all.then_some(Beyond { to, end, stops })
     }
 }
 

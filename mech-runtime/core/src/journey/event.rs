@@ -1,6 +1,6 @@
 //! What happens to watched loops on a piece: where the sine of one is zero, or something does not close.
 
-use super::across::{NEAREST, is_near, is_stepped_over, way};
+use super::across::{NEAREST, distance, is_near, is_stepped_over};
 use super::pace::{is_far, lesser};
 use super::piece::{Reach, is_zero, reach};
 use super::{AtZero, Journey};
@@ -12,7 +12,7 @@ const NARROW: u32 = 20;
 const HALVINGS: u32 = 64;
 /// Where another loop has its zero, a square has a kink, and parabolas come nearer slowly: each time after so many the longer side of
 /// what is left is halved.
-const HALVED: u32 = 3;
+const HALVED_EVERY: u32 = 3;
 /// The square of a sine that is this part of those at both ends of a piece may be zero.
 const DIP: f64 = 0.0625;
 
@@ -53,7 +53,7 @@ pub(super) fn first_event<T: Real, J: Journey<T>>(
             break;
         };
         // Not quite: where pins meet nothing tells how other loops stand. What comes to zero so near is passed together.
-        let end = part - way(journey, passed, NEAREST);
+        let end = part - distance(journey, passed, NEAREST);
         let Some(to) = (end > done)
             .then(|| arrived(journey, from, done, end))
             .flatten()
@@ -188,8 +188,8 @@ fn least_sine<T: Real, J: Journey<T>>(
         let Some(middle) = least else {
             return Event::None;
         };
-        at = if round % HALVED == 0 {
-            halved(a.0, middle.0, b.0)
+        at = if round % HALVED_EVERY == 0 {
+            middle_of_longer(a.0, middle.0, b.0)
         } else {
             vertex(a, middle, b)
         };
@@ -277,7 +277,7 @@ fn change_of_sign<T: Real, J: Journey<T>>(
 }
 
 /// The middle of the longer side.
-fn halved<T: Real>(a: T, m: T, b: T) -> T {
+fn middle_of_longer<T: Real>(a: T, m: T, b: T) -> T {
     let side = if m - a > b - m { a } else { b };
     m + (side - m) * T::HALF
 }

@@ -1,6 +1,6 @@
 //! A piece that is short enough for one change point of a loop at most: past it, or as far as it closes.
 
-use super::across::{bounces, is_stepped_over, meeting, together, way};
+use super::across::{bounces, distance, is_stepped_over, meeting, together};
 use super::event::{Event, first_event};
 use super::pace::lesser;
 use super::{AtZero, Growth, Journey, MOST_TRIES};
@@ -40,27 +40,29 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
             Leaving::Same => {}
         }
         let event = first_event(journey, &from, done, &reach);
-        if let Some(meeting) = meeting(journey, (&from, done), &reach, &event) {
-            match meeting.beyond {
-                Some(beyond) if beyond.stopped.is_none() => {
-                    (from, done, aim) = (beyond.to, beyond.end, target);
-                    if done >= target {
-                        return Reach {
-                            to: from,
-                            end: done,
-                            stop: None,
-                        };
-                    }
-                    continue;
-                }
-                _ => {
-                    return Reach {
-                        to: meeting.before.0,
-                        end: meeting.before.1,
-                        stop: Some(journey.stopped_at(meeting.index)),
-                    };
-                }
+        let mut meeting = meeting(journey, (&from, done), &reach, &event);
+        let beyond = match (&mut meeting, &event) {
+            (Some(meeting), _) => meeting.beyond.take(),
+            (None, Event::Zero(part, index)) => together(journey, (&from, done), (*part, *index)),
+            _ => None,
+        };
+        if let Some(beyond) = beyond.filter(|beyond| !beyond.stops) {
+            (from, done, aim) = (beyond.to, beyond.end, target);
+            if done >= target {
+                return Reach {
+                    to: from,
+                    end: done,
+                    stop: None,
+                };
             }
+            continue;
+        }
+        if let Some(meeting) = meeting {
+            return Reach {
+                to: meeting.before.0,
+                end: meeting.before.1,
+                stop: Some(journey.stopped_at(meeting.index)),
+            };
         }
         match event {
             Event::None if reach.stop.is_none() && reach.end < target => {
@@ -80,19 +82,6 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
                 return reach;
             }
             Event::Blocked(part) => aim = part,
-            Event::Zero(part, index)
-                if let Some(beyond) = together(journey, (&from, done), (part, index))
-                    && beyond.stopped.is_none() =>
-            {
-                (from, done, aim) = (beyond.to, beyond.end, target);
-                if done >= target {
-                    return Reach {
-                        to: from,
-                        end: done,
-                        stop: None,
-                    };
-                }
-            }
             Event::Zero(part, index) => {
                 if let Ok(mut at_zero) = journey.at(&from, part) {
                     journey.note_sense(&mut at_zero);
@@ -161,7 +150,7 @@ fn farther<T: Real, J: Journey<T>>(
     };
     let goes_on = reach.stop.is_none() && target < T::ONE;
     let index = (0..journey.watches()).find(|index| goes_on && stands(index))?;
-    Some(lesser(target + way(journey, index, 1.0), T::ONE))
+    Some(lesser(target + distance(journey, index, 1.0), T::ONE))
 }
 
 /// On which side a change point is left.
