@@ -324,6 +324,11 @@ where
         }
     }
 
+    fn is_open(&self, stop: &Stop, index: usize) -> bool {
+        let place = self.course.watched.get(index).map(|watched| watched.place);
+        stop.cause == Cause::Open && place == Some(stop.place)
+    }
+
     fn stopped_at(&self, index: usize) -> Stop {
         let place = self.course.watched.get(index).map(|watched| watched.place);
         Stop::new(place.unwrap_or_default(), Cause::ChangePoint)

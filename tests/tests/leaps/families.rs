@@ -307,7 +307,6 @@ fn robots_whose_loops_wait_for_each_other() {
 }
 
 #[test]
-#[ignore = "near a dead point of its coupled loops small steps pass a place where the loop behind them does not close; the leap is right"]
 fn coupled_s1008() {
     let subject = of(include_str!("texts/s1008.txt"));
     none(

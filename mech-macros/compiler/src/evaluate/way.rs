@@ -144,6 +144,10 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         }
     }
 
+    fn is_open(&self, stop: &Stop, index: usize) -> bool {
+        *stop == Stop::Open(self.runner.program.watches[index].block)
+    }
+
     fn stopped_at(&self, index: usize) -> Stop {
         Stop::ChangePoint(self.runner.program.watches[index].block)
     }

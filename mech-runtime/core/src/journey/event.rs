@@ -116,12 +116,7 @@ fn least_sine<T: Real, J: Journey<T>>(
     let (mut a, mut b) = ((done, square(from)), (reach.end, square(&reach.to)));
     // At an end it is not passed: it was left before, or is arrived at. But at a dead point what is beyond may close again.
     if is_zero(journey, from, index) || is_zero(journey, &reach.to, index) {
-        // An iteration that fails there tells nothing.
-        return if journey.subdivides() {
-            Event::None
-        } else {
-            blocked_at_ends(journey, from, done, reach.end)
-        };
+        return blocked_at_ends(journey, from, done, reach.end, index);
     }
     if (journey.sine(from, index) > T::ZERO) != (journey.sine(&reach.to, index) > T::ZERO) {
         return change_of_sign(journey, from, (done, reach.end), index);
@@ -228,18 +223,30 @@ pub(super) fn arrived<T: Real, J: Journey<T>>(
     }
 }
 
-/// Looks for a place beside the ends of a piece where something does not close, however narrow it is.
+/// Looks for a place beside the ends of a piece where something does not close, however narrow it is. Where loops are iterated it has
+/// to be this one in closed form, as an iteration that fails tells nothing, and so far away that what iterations leave of an error
+/// does not decide.
 fn blocked_at_ends<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
     done: T,
     end: T,
+    index: usize,
 ) -> Event<T> {
+    let watch = journey.watch(index);
+    let is_blocked = |part| {
+        let stop = journey.at(from, part).err();
+        let is_it = |stop| !watch.iterated && journey.is_open(&stop, index);
+        stop.is_some_and(|stop| !journey.subdivides() || is_it(stop))
+    };
     let mut way = end - done;
     for _ in 0..NARROW {
         way = way * T::HALF;
+        if journey.subdivides() && way * watch.change < T::from_f64(T::EPSILON).sqrt() {
+            break;
+        }
         for part in [done + way, end - way] {
-            if part > done && part < end && journey.at(from, part).is_err() {
+            if part > done && part < end && is_blocked(part) {
                 return Event::Blocked(part);
             }
         }

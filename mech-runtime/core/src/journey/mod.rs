@@ -88,6 +88,8 @@ pub trait Journey<T: Real> {
     fn note_sense(&self, position: &mut Self::Position);
     /// Why it does not go so far at once.
     fn too_far(&self) -> Self::Stop;
+    /// Whether a stop says of this watched loop that it does not close.
+    fn is_open(&self, stop: &Self::Stop, index: usize) -> bool;
     /// Why it stops at a change point that it may not pass.
     fn stopped_at(&self, index: usize) -> Self::Stop;
     /// In how many pieces the way has to be gone at least, where nothing tells how far coupled loops may leap.
