@@ -1,6 +1,7 @@
 //! What tests and benches of the whole house share.
 
 mod cam;
+mod cases;
 mod chain;
 mod closure;
 mod dice;
@@ -9,6 +10,7 @@ mod source;
 mod varied;
 
 pub use cam::{add_cam, law};
+pub use cases::{cases, seeds};
 pub use chain::{chain, chain_text};
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;

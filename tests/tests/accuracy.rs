@@ -276,15 +276,14 @@ fn nothing_in_the_gallery_is_worse_than_predicted() {
 }
 
 fn cases() -> u64 {
-    let cases = std::env::var("MECH_CASES").ok();
-    cases.and_then(|cases| cases.parse().ok()).unwrap_or(100)
+    mech_tests::cases(100)
 }
 
 #[test]
 fn nothing_at_random_is_worse_than_predicted() {
     for precision in [Precision::F64, Precision::F32] {
         let mut seen = Seen::default();
-        for seed in 0..cases() {
+        for seed in mech_tests::seeds(cases()) {
             let mut dice = Dice::new(seed);
             let additions = 1 + dice.below(5);
             let mut model = grow(&mut dice, additions).model;

@@ -240,12 +240,9 @@ fn anything_with_cams() {
 }
 
 fn try_all(anything: impl Fn(&mut Dice) -> Model) {
-    let cases = std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(5_000);
+    let cases = mech_tests::cases(5_000);
     let (mut accepted, mut moved) = (0, 0);
-    for seed in 0..cases {
+    for seed in mech_tests::seeds(cases) {
         let mut dice = Dice::new(seed);
         let model = anything(&mut dice);
         let compiled = match compile(&model) {

@@ -323,17 +323,14 @@ fn a_law_that_does_not_vary_holds_its_follower() {
 }
 
 fn cases() -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(200)
+    mech_tests::cases(200)
 }
 
 /// Random mechanisms with random cams: each follower is where its law has it, and what is shown alone moves as in the whole.
 #[test]
 fn random_followers_are_where_their_laws_have_them() {
     let (mut compiled, mut moved) = (0, 0);
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(6);
         let mut model = grow(&mut dice, additions).model;

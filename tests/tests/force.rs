@@ -13,10 +13,7 @@ use mech_compiler::{Compiled, compile};
 use mech_tests::{Dice, bodies, grow, grow_coupled, size};
 
 fn cases() -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(200)
+    mech_tests::cases(200)
 }
 
 /// Puts random masses on all links, and lets random things act on them.
@@ -494,7 +491,7 @@ fn slopes(
 #[test]
 fn forces_in_random_mechanisms_obey_newton_and_euler_and_virtual_work() {
     let mut seen = Seen::default();
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(7);
         let mut model = if seed % 4 == 3 {

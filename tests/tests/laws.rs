@@ -10,10 +10,7 @@ use mech_tests::{Dice, grow, size};
 use proc_macro2::TokenStream;
 
 fn cases() -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(200)
+    mech_tests::cases(200)
 }
 
 /// A random expression in `t` that is smooth wherever it has a value.
@@ -104,7 +101,7 @@ fn five(at: impl Fn(f64) -> f64, time: f64, step: f64) -> [f64; 5] {
 fn rates_of_random_laws_are_their_derivatives() {
     const STEP: f64 = 1e-3;
     let (mut compared, mut worst) = (0, 0.0_f64);
-    for seed in 0..5 * cases() {
+    for seed in mech_tests::seeds(5 * cases()) {
         let mut dice = Dice::new(seed);
         let depth = 1 + u32::try_from(dice.below(4)).expect("small");
         let text = smooth(&mut dice, depth);
@@ -215,7 +212,7 @@ fn jet(law: &Law, time: f64) -> Jet {
 #[test]
 fn laws_with_corners_have_the_rates_of_the_side_they_are_on() {
     let mut compared = 0;
-    for seed in 0..5 * cases() {
+    for seed in mech_tests::seeds(5 * cases()) {
         let mut dice = Dice::new(seed);
         let depth = u32::try_from(dice.below(4)).expect("small");
         let text = cornered(&mut dice, depth);
@@ -289,7 +286,7 @@ fn lawful(dice: &mut Dice, seed: u64) -> Model {
 fn velocities_in_time_are_those_of_positions_in_time() {
     const STEP: f64 = 1e-3;
     let mut compared = 0;
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let mut dice = Dice::new(seed);
         let model = lawful(&mut dice, seed);
         let Ok(compiled) = compile(&model) else {

@@ -30,10 +30,7 @@ const METHODS: [Method; 5] = [
 ];
 
 fn cases() -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(1_000)
+    mech_tests::cases(1_000)
 }
 
 /// One way to compute a random mechanism.
@@ -406,7 +403,7 @@ fn moved<T: Real>(
 /// All failures of the mechanisms of the first seeds.
 fn failures(precision: Precision, only: &[Method], wanted: Wanted) -> Vec<String> {
     let mut failures = Vec::new();
-    for seed in 0..cases().div_ceil(SEGMENTS) {
+    for seed in mech_tests::seeds(cases().div_ceil(SEGMENTS)) {
         let method = METHODS[usize::try_from(seed).unwrap_or(0) % METHODS.len()];
         if !only.contains(&method) {
             continue;

@@ -3,7 +3,7 @@
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{Axis, AxisId, JointId, JointKind, LinkId, Model, MotorId};
-use mech_tests::{Dice, grow, grow_coupled};
+use mech_tests::{Dice, cases, grow, grow_coupled, seeds};
 use std::collections::BTreeSet;
 
 /// The same mechanism, declared in another order.
@@ -105,16 +105,9 @@ fn outcome(model: &Model) -> Result<BTreeSet<(BTreeSet<String>, usize)>, String>
         .collect())
 }
 
-fn cases(usual: u64) -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(usual)
-}
-
 #[test]
 fn shuffled_declarations_make_the_same_mechanism() {
-    for seed in 0..cases(2_000) {
+    for seed in seeds(cases(2_000)) {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(8);
         let grown = grow(&mut dice, additions);
@@ -158,7 +151,7 @@ fn moves(model: &Model, dice: &mut Dice) -> Vec<Vec<f64>> {
 #[test]
 fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
     let mut compiled = 0;
-    for seed in 0..cases(600) {
+    for seed in seeds(cases(600)) {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(4);
         let model = grow_coupled(&mut dice, additions).model;

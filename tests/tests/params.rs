@@ -18,10 +18,7 @@ const STEP: f64 = 1e-3;
 
 /// How many random mechanisms.
 fn cases() -> u32 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(200)
+    u32::try_from(mech_tests::cases(200)).expect("not so many")
 }
 
 /// A random mechanism with params.
@@ -234,7 +231,7 @@ fn apart(a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
 fn params_are_numbers_that_may_be_changed() {
     let (mut moved, mut changed, mut blocked) = (0, 0, 0);
     let mut worst = [0.0_f64; 3];
-    for seed in 0..u64::from(cases()) {
+    for seed in mech_tests::seeds(u64::from(cases())) {
         let (model, mut dice) = varied(seed);
         let (Ok(with), Ok(without)) = (
             compile(&model),
@@ -313,7 +310,7 @@ fn params_are_numbers_that_may_be_changed() {
 fn what_is_set_might_have_been_declared() {
     let mut compared = 0;
     let mut worst = 0.0_f64;
-    for seed in 0..u64::from(cases()) {
+    for seed in mech_tests::seeds(u64::from(cases())) {
         let (drawn, mut dice) = varied(seed);
         let mut model = {
             let mut plain = drawn.clone();
@@ -359,7 +356,7 @@ fn what_is_set_might_have_been_declared() {
 fn tolerances_follow_the_size() {
     let mut compared = 0;
     let mut worst = [0.0_f64; 2];
-    for seed in 0..u64::from(cases()) {
+    for seed in mech_tests::seeds(u64::from(cases())) {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(8);
         let mut model = grow(&mut dice, additions).model;
@@ -429,7 +426,7 @@ fn params_go_with_every_method() {
     let methods = [Method::Linear, Method::NewtonSteps(2), Method::Newton];
     let passing = [AtChangePoints::KeepBranch, AtChangePoints::Stop];
     let (mut changed, mut worst) = (0, 0.0_f64);
-    for seed in 0..u64::from(cases()) {
+    for seed in mech_tests::seeds(u64::from(cases())) {
         let (mut model, mut dice) = varied(seed);
         match dice.below(4) {
             3 => {

@@ -7,10 +7,7 @@ use mech_tests::{Dice, Grown, grow, in_own_frames, size, with_ground, worst_gap,
 
 /// How many mechanisms a test tries.
 fn cases() -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(2_000)
+    mech_tests::cases(2_000)
 }
 
 fn grown(seed: u64) -> (Dice, Grown) {
@@ -33,7 +30,7 @@ fn told(
 
 #[test]
 fn what_is_coherent_by_construction_is_accepted_and_understood() {
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let (_, grown) = grown(seed);
         let compiled = compile(&grown.model)
             .unwrap_or_else(|wrong| panic!("seed {seed}: {}", told(&wrong, &grown.model)));
@@ -62,7 +59,7 @@ fn what_is_coherent_by_construction_is_accepted_and_understood() {
 
 #[test]
 fn it_starts_as_it_was_drawn() {
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let (_, grown) = grown(seed);
         let compiled = compile(&grown.model).expect("coherent");
         for pose in &compiled.program.start.poses {
@@ -79,7 +76,7 @@ fn it_starts_as_it_was_drawn() {
 #[test]
 fn in_own_frames_it_is_assembled_the_same_way() {
     let mut others = 0;
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let (mut dice, grown) = grown(seed);
         let (model, poses) = in_own_frames(&grown.model, &mut dice);
         let compiled = match compile(&model) {
@@ -111,7 +108,7 @@ fn in_own_frames_it_is_assembled_the_same_way() {
 
 #[test]
 fn it_moves_and_closes_or_stays_where_it_was() {
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let (mut dice, grown) = grown(seed);
         let compiled = compile(&grown.model).expect("coherent");
         let mut machine = Machine::<f64>::new(&compiled.program);

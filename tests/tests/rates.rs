@@ -12,10 +12,7 @@ use mech_tests::{Dice, add_cam, bodies, grow, grow_coupled, size};
 const STEP: f64 = 1e-3;
 
 fn cases() -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(200)
+    mech_tests::cases(200)
 }
 
 /// What was compared.
@@ -155,7 +152,7 @@ fn with_effects(model: &mut Model) {
 #[test]
 fn rates_of_random_mechanisms_are_those_of_their_positions() {
     let mut seen = Seen::default();
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(8);
         let mut model = grow(&mut dice, additions).model;
@@ -173,7 +170,7 @@ fn rates_of_random_mechanisms_are_those_of_their_positions() {
 #[test]
 fn rates_of_what_is_solved_together_are_those_of_its_positions() {
     let mut seen = Seen::default();
-    for seed in 0..cases() / 2 {
+    for seed in mech_tests::seeds(cases() / 2) {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(3);
         let mut model = grow_coupled(&mut dice, additions).model;
@@ -187,7 +184,7 @@ fn rates_of_what_is_solved_together_are_those_of_its_positions() {
 #[test]
 fn rates_of_followers_are_those_of_their_positions() {
     let mut seen = Seen::default();
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(6);
         let mut model = grow(&mut dice, additions).model;
@@ -206,7 +203,7 @@ fn rates_of_followers_are_those_of_their_positions() {
 #[test]
 fn what_is_shown_moves_as_it_does_in_the_whole() {
     let mut compared = 0;
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let mut dice = Dice::new(seed);
         let additions = 2 + dice.below(6);
         let mut whole = grow(&mut dice, additions).model;

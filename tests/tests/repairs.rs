@@ -13,10 +13,7 @@ use mech_tests::{Dice, chain, grow};
 
 /// How many mechanisms a test tries.
 fn cases() -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(200)
+    mech_tests::cases(200)
 }
 
 fn coherent(seed: u64) -> (Dice, Model) {
@@ -204,7 +201,7 @@ fn brace_two(model: &mut Model, dice: &mut Dice) -> LinkId {
 
 #[test]
 fn a_brace_too_many_is_found_and_can_be_removed() {
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let (mut dice, mut model) = coherent(seed);
         let link = brace_two(&mut model, &mut dice);
         let what = format!("seed {seed}");
@@ -222,7 +219,7 @@ fn a_brace_too_many_is_found_and_can_be_removed() {
 
 #[test]
 fn a_missing_motor_is_found_and_can_be_put_back() {
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let (mut dice, whole) = coherent(seed);
         let motor = MotorId::new(dice.below(whole.motors.len()));
         let joint = whole.motor(motor).joint;
@@ -246,7 +243,7 @@ fn a_missing_motor_is_found_and_can_be_put_back() {
 
 #[test]
 fn a_motor_too_many_is_found_and_can_be_removed() {
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let (mut dice, whole) = coherent(seed);
         let free: Vec<JointId> = whole
             .joint_ids()
@@ -280,7 +277,7 @@ fn a_motor_too_many_is_found_and_can_be_removed() {
 
 #[test]
 fn a_missing_joint_is_found() {
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let (mut dice, whole) = coherent(seed);
         let joint = JointId::new(dice.below(whole.joints.len()));
         let model = whole.without_joint(joint);
@@ -312,7 +309,7 @@ fn a_missing_joint_is_found() {
 
 #[test]
 fn two_braces_too_many_are_found_and_can_be_removed() {
-    for seed in 0..cases() / 10 {
+    for seed in mech_tests::seeds(cases() / 10) {
         let (mut dice, mut model) = coherent(seed);
         for _ in 0..2 {
             brace_two(&mut model, &mut dice);

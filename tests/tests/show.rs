@@ -13,10 +13,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 fn cases() -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(500)
+    mech_tests::cases(500)
 }
 
 /// A random mechanism, solved by this method, and its plan.
@@ -153,7 +150,7 @@ fn reached(program: &Program, link: LinkId) -> BTreeSet<usize> {
 #[test]
 fn exactly_the_loops_are_solved_that_what_is_shown_depends_on() {
     let (mut fewer, mut other) = (0, 0);
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let mut dice = Dice::new(seed);
         for method in [Method::Exact, Method::Newton] {
             let Some((model, plan)) = case(&mut dice, method) else {
@@ -181,7 +178,7 @@ fn exactly_the_loops_are_solved_that_what_is_shown_depends_on() {
 #[test]
 fn what_is_shown_moves_as_in_the_whole_to_the_last_bit() {
     let mut moved = 0;
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let mut dice = Dice::new(seed);
         for method in [Method::Exact, Method::NewtonSteps(4), Method::Linear] {
             let Some((model, plan)) = case(&mut dice, method) else {

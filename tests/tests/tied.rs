@@ -12,10 +12,7 @@ use proptest::test_runner::RngSeed;
 use std::f64::consts::TAU;
 
 fn cases() -> u64 {
-    std::env::var("MECH_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(200)
+    mech_tests::cases(200)
 }
 
 /// The way of a slide.
@@ -113,7 +110,7 @@ fn hold(model: &Model, dice: &mut Dice) -> usize {
 #[test]
 fn what_rolls_in_random_loops_keeps_its_ratio() {
     let mut looked = 0;
-    for seed in 0..cases() {
+    for seed in mech_tests::seeds(cases()) {
         let mut dice = Dice::new(seed);
         let additions = 1 + dice.below(3);
         let model = grow_coupled(&mut dice, additions).model;

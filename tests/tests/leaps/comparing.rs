@@ -157,7 +157,7 @@ fn offs(subject: &Subject, a: &[[f64; 4]], b: &[[f64; 4]]) -> impl Iterator<Item
 }
 
 /// How much rounding may do to a position: more where it is near a dead point.
-fn rounding(subject: &Subject, at: &Position<f64>) -> f64 {
+pub(crate) fn rounding(subject: &Subject, at: &Position<f64>) -> f64 {
     let small = 1e-7;
     let poses = subject.poses(at);
     let mut most = 1.0_f64;

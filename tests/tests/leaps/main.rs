@@ -14,19 +14,6 @@ mod parallel;
 mod proved;
 mod random;
 mod reading;
+mod shown;
 mod starts;
 mod tally;
-
-/// How many mechanisms a test tries.
-fn cases(default: u64) -> u64 {
-    let cases = std::env::var("MECH_CASES").ok();
-    cases
-        .and_then(|cases| cases.parse().ok())
-        .unwrap_or(default)
-}
-
-/// From which seed on.
-fn first_seed() -> u64 {
-    let seed = std::env::var("MECH_SEED").ok();
-    seed.and_then(|seed| seed.parse().ok()).unwrap_or(0)
-}

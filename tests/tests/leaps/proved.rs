@@ -6,11 +6,10 @@ use super::families::with;
 use super::judge::{Judge, Verdict};
 use super::random::runner;
 use super::reading::Subject;
-use super::{cases, first_seed};
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::JointKind;
 use mech_compiler::program::Position;
-use mech_tests::Dice;
+use mech_tests::{Dice, cases, seeds};
 use proptest::strategy::{Strategy as _, ValueTree as _};
 
 /// Random positions of each mechanism.
@@ -116,7 +115,7 @@ fn agrees(
 fn what_is_proved_is_free_everywhere() {
     let strategy = sequential(4);
     let (mut proved, mut wrong) = (0, Vec::new());
-    for seed in first_seed()..first_seed() + cases(12) {
+    for seed in seeds(cases(12)) {
         let drawn = strategy
             .new_tree(&mut runner(seed))
             .expect("a drawing")

@@ -4,14 +4,13 @@ use super::comparing::{Finding, Kind, MOST_STEPS, compared, shortened};
 use super::drawing::{Drawing, Drawn, coupled, sequential};
 use super::reading::Subject;
 use super::tally::Tally;
-use super::{cases, first_seed};
 use mech_compiler::evaluate::Machine;
-use mech_tests::Dice;
+use mech_tests::{Dice, cases, seeds};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 /// Ways that one mechanism goes.
-const WAYS: u64 = 4;
+const WAYS: u64 = 5;
 /// More tries than this to make an example smaller are not made; none where nobody asked for long runs.
 const SHRINKS: usize = 30;
 
@@ -24,7 +23,7 @@ pub(crate) fn runner(seed: u64) -> TestRunner {
 }
 
 /// A target: by a little, by some turns, or far away.
-fn target(dice: &mut Dice, drawn: &Drawn, subject: &Subject, at: &[f64]) -> Vec<f64> {
+pub(crate) fn target(dice: &mut Dice, drawn: &Drawn, subject: &Subject, at: &[f64]) -> Vec<f64> {
     let turn = *dice.pick(&[0.3, 3.0, 7.0, 7.0, 40.0, 300.0]);
     let slide = *dice.pick(&[0.1, 1.0, 4.0, 20.0]) * mech_tests::size(&subject.model).max(1.0);
     let only = dice.below(2 * at.len());
@@ -95,7 +94,7 @@ fn smallest<T: ValueTree<Value = Drawing>>(tree: &mut T, kind: Kind, seed: u64) 
 /// Compares leaps of the mechanisms of many seeds.
 fn tally(strategy: &impl Strategy<Value = Drawing>, default: u64) -> Tally {
     let mut tally = Tally::default();
-    for seed in first_seed()..first_seed() + cases(default) {
+    for seed in seeds(cases(default)) {
         let mut tree = strategy.new_tree(&mut runner(seed)).expect("a drawing");
         let drawn = tree.current().drawn();
         let subject = match Subject::read(&drawn.text) {

@@ -5,8 +5,8 @@ use super::families::of;
 use super::judge::{Judge, Verdict};
 use super::random::runner;
 use super::reading::Subject;
-use super::{cases, first_seed};
 use mech_compiler::evaluate::{Machine, Stop};
+use mech_tests::{cases, seeds};
 use proptest::strategy::{Strategy, ValueTree as _};
 
 /// Moves that are tried.
@@ -57,7 +57,7 @@ fn stuck(subject: &Subject) -> Vec<String> {
 
 fn stuck_of(strategy: &impl Strategy<Value = Drawing>, default: u64) -> Vec<String> {
     let mut all = Vec::new();
-    for seed in first_seed()..first_seed() + cases(default) {
+    for seed in seeds(cases(default)) {
         let drawn = strategy
             .new_tree(&mut runner(seed))
             .expect("a drawing")

@@ -43,10 +43,7 @@ const KEYWORDS: &[&str] = &[
 
 /// How many mechanisms are compiled of each subject.
 fn cases() -> usize {
-    match std::env::var("MECH_CASES") {
-        Ok(cases) => cases.parse().expect("MECH_CASES is a number"),
-        Err(_) => 3,
-    }
+    usize::try_from(mech_tests::cases(3)).expect("not so many")
 }
 
 /// The expansion of a mechanism.
