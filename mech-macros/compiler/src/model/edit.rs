@@ -4,6 +4,7 @@ use super::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, MotorId,
     NewJoint, Origin, Ratio, Shown, Start, StartValue,
 };
+use crate::bug::bug;
 
 /// Changes to a mechanism. All ids are those of the mechanism that is changed, until [`Edit::finish`].
 #[derive(Clone, Debug)]
@@ -160,13 +161,13 @@ impl Edit {
         keep(&mut model.joints, &self.keeps_joint);
         keep(&mut model.motors, &self.keeps_motor);
         for one in &mut model.axes {
-            one.link = link(one.link).unwrap_or(one.link);
+            one.link = kept(one.link, link);
         }
         for one in &mut model.joints {
             renumber(&mut one.kind, link, axis, joint);
         }
         for one in &mut model.motors {
-            one.joint = joint(one.joint).unwrap_or(one.joint);
+            one.joint = kept(one.joint, joint);
         }
         let Start { values, near } = &mut model.start;
         values.retain_mut(|value| {
@@ -354,24 +355,29 @@ fn renumber(
     }
     match kind {
         JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
-            *a = axis(*a).unwrap_or(*a);
-            *b = axis(*b).unwrap_or(*b);
+            *a = kept(*a, &axis);
+            *b = kept(*b, &axis);
         }
         JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => {
-            *a = link(*a).unwrap_or(*a);
-            *b = link(*b).unwrap_or(*b);
+            *a = kept(*a, &link);
+            *b = kept(*b, &link);
         }
         JointKind::Rack { pinion, bar, .. } => {
-            *pinion = link(*pinion).unwrap_or(*pinion);
-            *bar = link(*bar).unwrap_or(*bar);
+            *pinion = kept(*pinion, &link);
+            *bar = kept(*bar, &link);
         }
         JointKind::Cam {
             shaft, follower, ..
         } => {
-            *shaft = joint(*shaft).unwrap_or(*shaft);
-            *follower = joint(*follower).unwrap_or(*follower);
+            *shaft = kept(*shaft, &joint);
+            *follower = kept(*follower, &joint);
         }
     }
+}
+
+/// The new id of what something that is kept needs, and which is therefore kept itself.
+fn kept<I: Copy + std::fmt::Debug>(id: I, new: impl Fn(I) -> Option<I>) -> I {
+    new(id).unwrap_or_else(|| bug!("an edit keeps what needs {id:?}, which it takes away"))
 }
 
 /// For everything that is kept its new number.
@@ -388,7 +394,12 @@ fn numbers(kept: &[bool]) -> Vec<Option<usize>> {
 
 fn keep<T>(list: &mut Vec<T>, kept: &[bool]) {
     let mut kept = kept.iter();
-    list.retain(|_| kept.next().copied().unwrap_or(true));
+    list.retain(|_| {
+        let Some(kept) = kept.next() else {
+            bug!("an edit does not say whether all of a list is kept");
+        };
+        *kept
+    });
 }
 
 #[cfg(test)]
