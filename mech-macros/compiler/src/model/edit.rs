@@ -1,8 +1,8 @@
 //! Changes to a mechanism, as a user would make them in the text: everything else follows, and is numbered anew.
 
 use super::{
-    Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, MotorId,
-    NewJoint, Origin, Ratio, Shown, Start, StartValue,
+    Actions, Axis, AxisId, AxisKind, Between, Joint, JointId, JointKind, Link, LinkId, LoadKind,
+    Model, Motor, MotorId, NewJoint, Origin, Ratio, Shown, Start, StartValue,
 };
 use crate::bug::bug;
 
@@ -199,6 +199,7 @@ impl Edit {
                 true
             })
         });
+        renumber_actions(&mut model.actions, link, axis, joint);
         model
     }
 
@@ -373,6 +374,41 @@ fn renumber(
             *follower = kept(*follower, &joint);
         }
     }
+}
+
+/// Springs, dampers and loads go with what they act on.
+fn renumber_actions(
+    actions: &mut Actions,
+    link: impl Fn(LinkId) -> Option<LinkId>,
+    axis: impl Fn(AxisId) -> Option<AxisId>,
+    joint: impl Fn(JointId) -> Option<JointId>,
+) {
+    let held = |between: &mut Between| {
+        let new = match *between {
+            Between::Points(a, b) => axis(a).zip(axis(b)).map(|(a, b)| Between::Points(a, b)),
+            Between::Joint(id) => joint(id).map(Between::Joint),
+        };
+        new.is_some_and(|new| {
+            *between = new;
+            true
+        })
+    };
+    actions
+        .springs
+        .retain_mut(|spring| held(&mut spring.between));
+    actions
+        .dampers
+        .retain_mut(|damper| held(&mut damper.between));
+    actions.loads.retain_mut(|load| {
+        let new = match load.kind {
+            LoadKind::Force(point) => axis(point).map(LoadKind::Force),
+            LoadKind::Torque(on) => link(on).map(LoadKind::Torque),
+        };
+        new.is_some_and(|new| {
+            load.kind = new;
+            true
+        })
+    });
 }
 
 /// The new id of what something that is kept needs, and which is therefore kept itself.
