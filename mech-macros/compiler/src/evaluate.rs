@@ -114,10 +114,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// The values of the params, in order of declaration.
     #[must_use]
     pub fn params(&self) -> &[T] {
-        self.position
-            .motors
-            .get(self.runner.program.motors.len()..)
-            .unwrap_or_default()
+        &self.position.motors[self.runner.program.motors.len()..]
     }
 
     /// Gives the motors these phases; all of them have to turn.
@@ -212,8 +209,7 @@ impl<'p, T: Real> Machine<'p, T> {
         if motors.len() != all && motors.len() != own || turns.len() != motors.len() {
             return Err(refuse(Stop::MotorCount));
         }
-        let rest = motors.len()..;
-        let params = self.position.motors.get(rest).unwrap_or_default();
+        let params = &self.position.motors[motors.len()..];
         let motors = &[motors, params].concat()[..];
         let turns = &[turns, &vec![0; params.len()]].concat()[..];
         if let Some(motor) = motors.iter().position(|value| !value.is_finite()) {

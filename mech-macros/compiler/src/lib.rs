@@ -6,6 +6,7 @@
 
 pub mod accuracy;
 mod aligned;
+mod bug;
 pub mod certify;
 pub mod cost;
 mod emit;
@@ -27,6 +28,7 @@ mod walk;
 mod watching;
 
 use accuracy::{Prediction, Solved};
+use bug::bug;
 use cost::Cost;
 use evaluate::{Machine, Stop};
 use matched::Matched;
@@ -140,21 +142,18 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
 
 /// The motors that move nothing that has a mass.
 fn massless(inertia: &Program) -> Vec<MotorId> {
-    let Some(Forces::Inertia(found)) = inertia
+    let forces = inertia
         .motion
         .as_ref()
-        .and_then(|motion| motion.forces.as_ref())
-    else {
-        return Vec::new();
+        .and_then(|motion| motion.forces.as_ref());
+    let Some(Forces::Inertia(found)) = forces else {
+        bug!("a program for the inertia does not find it");
     };
     let nothing = Op::Constant(Number::new(0.0));
     let rows = found.matrix.iter().enumerate();
-    rows.filter(|(motor, row)| {
-        row.get(*motor)
-            .is_some_and(|&own| inertia.node(own).op == nothing)
-    })
-    .map(|(motor, _)| MotorId::new(motor))
-    .collect()
+    rows.filter(|&(motor, row)| inertia.node(row[motor]).op == nothing)
+        .map(|(motor, _)| MotorId::new(motor))
+        .collect()
 }
 
 /// What it saves that only what is shown is computed.
@@ -414,6 +413,15 @@ fn unsettled(plan: &Plan, program: &Program, stop: Stop) -> Diagnosis {
 #[must_use]
 pub fn expand(input: TokenStream) -> TokenStream {
     let (krate, body) = split(input);
+    bug::guarded(
+        &body,
+        || expanded(&krate, body.clone()),
+        || stub(&krate, body.clone()),
+    )
+}
+
+/// What a mechanism expands to.
+fn expanded(krate: &TokenStream, body: TokenStream) -> TokenStream {
     let Parsed {
         header,
         model,
@@ -428,7 +436,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
     let fail = |messages: &[Message]| {
         let (errors, stub) = (
             all_errors(messages),
-            emit::stub(&krate, &header, &places, &model, (motors, has_laws)),
+            emit::stub(krate, &header, &places, &model, (motors, has_laws)),
         );
         quote!(#errors #stub)
     };
@@ -436,12 +444,21 @@ pub fn expand(input: TokenStream) -> TokenStream {
         return fail(&errors);
     }
     match compile(&model) {
-        Ok(compiled) => emit::items(&krate, &header, &places, &model, &compiled),
+        Ok(compiled) => emit::items(krate, &header, &places, &model, &compiled),
         Err(diagnoses) => {
             let offers = repair::offers(&model, &diagnoses);
             fail(&reporter::messages(&diagnoses, &offers, &model, &places))
         }
     }
+}
+
+/// The type of a mechanism without what it does; nothing for a text without a header.
+fn stub(krate: &TokenStream, body: TokenStream) -> TokenStream {
+    let parsed = syntax::parse(body);
+    let given = (parsed.motors, parsed.has_laws);
+    parsed.header.map_or_else(TokenStream::new, |header| {
+        emit::stub(krate, &header, &parsed.places, &parsed.model, given)
+    })
 }
 
 fn all_errors(errors: &[Message]) -> TokenStream {

@@ -128,7 +128,7 @@ impl<'m> Scene<'m> {
     }
 
     fn pose(&self, link: LinkId) -> [f64; 4] {
-        self.poses.get(link.index()).copied().unwrap_or(GROUND)
+        self.poses[link.index()]
     }
 
     /// The place and the direction of an axis.

@@ -1,5 +1,6 @@
 //! Declared ranges: proved by intervals to be free, or the reason why not.
 
+use crate::bug::bug;
 use crate::certify::cone::Cuts;
 use crate::certify::{Interval, Verdict, certify_counted, motors_of};
 use crate::evaluate;
@@ -126,8 +127,7 @@ fn touching(
                 .motors
                 .iter()
                 .filter(|motor| **motor != blocked.motor);
-            let others =
-                others.filter_map(|&motor| Some((MotorId::new(motor), *blocked.at.get(motor)?)));
+            let others = others.map(|&motor| (MotorId::new(motor), blocked.at[motor]));
             let (low, high) = (blocked.interval.low(), blocked.interval.high());
             let onwards = (high - blocked.limit).abs() >= (low - blocked.limit).abs();
             let blocking = RangeTrouble::Blocked {
@@ -142,11 +142,11 @@ fn touching(
             motors,
             place,
         } => {
-            let between = |motor: usize| {
-                let place = place.get(motor)?;
-                Some((MotorId::new(motor), (place.low(), place.high())))
+            let between = |&motor: &usize| {
+                let place = place[motor];
+                (MotorId::new(motor), (place.low(), place.high()))
             };
-            let between: Vec<_> = motors.iter().filter_map(|&motor| between(motor)).collect();
+            let between: Vec<_> = motors.iter().map(between).collect();
             let motor = ranged_of(model, &motors).unwrap_or(ranged);
             return Err(trouble(motor, block, RangeTrouble::Undecided { between }));
         }
@@ -233,8 +233,8 @@ fn ranged_of(model: &Model, motors: &[usize]) -> Option<usize> {
 fn unknowns(plan: &Plan, program: &Program, block: BlockId) -> Vec<JointId> {
     let closed = program.closed(block).map(|closed| closed.number);
     let number = closed.or_else(|| program.newton(block).map(|newton| newton.number));
-    number
-        .and_then(|number| plan.loops().nth(number))
-        .map(crate::plan::Loop::unknowns)
-        .unwrap_or_default()
+    let Some(ring) = number.and_then(|number| plan.loops().nth(number)) else {
+        bug!("block {} closes no loop of the plan", block.index());
+    };
+    ring.unknowns()
 }

@@ -2,6 +2,7 @@
 
 use crate::Forced;
 use crate::accuracy::{Prediction, Solved};
+use crate::bug::bug;
 use crate::cost::{self, Cost};
 use crate::model::{Joint, JointId, JointKind, LinkId, Method, Model, Precision, Ratio, Trace};
 use crate::plan::{Cam, ConnectionKind, Loop, Mesh, Plan, Rational, Source, Step};
@@ -222,7 +223,7 @@ fn trace_line(model: &Model, trace: &Trace) -> String {
     format!(
         "{}.{}: the last {places}, {} bytes",
         name(model, axis.link),
-        axis.name.as_deref().unwrap_or_default(),
+        axis.own_name(),
         trace.length * 2 * number
     )
 }
@@ -342,7 +343,7 @@ fn rolling_line(model: &Model, rolling: &Rolling) -> String {
             ..
         } => format!("belt {a} : {b}"),
         JointKind::Rack { radius, .. } => format!("rack, radius {radius}"),
-        _ => String::new(),
+        kind => bug!("{kind:?} is told as something that rolls"),
     };
     let [a, b] = rolling.ends.map(|(end, _)| name(model, end.link()));
     format!(
@@ -368,13 +369,12 @@ fn fraction(part: &Rational) -> String {
 /// What a joint that rolling moves is moved by.
 fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
     let part = |(source, part): &(usize, Rational)| {
-        let source = match plan.sources.get(*source) {
-            Some(Source::Motor(motor)) => model.joint(model.motor(*motor).joint).name.clone(),
-            Some(Source::Angle { from, to }) => {
-                format!("angle of {} on {}", name(model, *to), name(model, *from))
+        let source = match plan.sources[*source] {
+            Source::Motor(motor) => model.joint(model.motor(motor).joint).name.clone(),
+            Source::Angle { from, to } => {
+                format!("angle of {} on {}", name(model, to), name(model, from))
             }
-            Some(Source::Way(joint)) => model.joint(*joint).name.clone(),
-            None => String::new(),
+            Source::Way(joint) => model.joint(joint).name.clone(),
         };
         format!("{} · {source}", fraction(part))
     };

@@ -1,6 +1,7 @@
 //! The ways on which a mechanism is tried at compile time: each motor alone through its range, or through whole turns, and all
 //! of them together in several proportions, always straight from the start.
 
+use crate::bug::bug;
 use crate::model::{JointKind, Model, MotorId};
 use crate::plan::{Plan, Rational, Source, Step};
 use num_traits::{Signed, ToPrimitive};
@@ -107,6 +108,7 @@ fn turns_of(plan: &Plan, motor: MotorId, most_turns: i64) -> (i64, usize) {
     let own = parts.filter(|(source, _)| plan.sources[*source] == Source::Motor(motor));
     let own: Vec<&Rational> = own.map(|(_, part)| part).collect();
     let turns = own.iter().fold(1, |turns, part| {
+        // One that is larger is beyond the most that is walked anyway.
         let denominator = part.denom().to_i64().unwrap_or(most_turns);
         num_integer::lcm(turns, denominator.clamp(1, most_turns)).min(most_turns)
     });
@@ -115,8 +117,9 @@ fn turns_of(plan: &Plan, motor: MotorId, most_turns: i64) -> (i64, usize) {
         .filter_map(|part| part.to_usize())
         .max()
         .unwrap_or(1);
-    let turns_of_all = usize::try_from(turns)
-        .unwrap_or(1)
-        .saturating_mul(fastest.max(1));
+    let Ok(whole) = usize::try_from(turns) else {
+        bug!("a motor makes {turns} turns");
+    };
+    let turns_of_all = whole.saturating_mul(fastest.max(1));
     (turns, turns_of_all.clamp(1, MOST_PIECES))
 }

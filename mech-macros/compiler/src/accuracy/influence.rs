@@ -26,10 +26,8 @@ impl Influence {
             .map(|_| Self::on(program, loops, Vec::new()))
             .collect();
         for (number, roots) in program.blocks.iter().filter_map(|block| roots(&block.kind)) {
-            if let Some(entry) = found.get_mut(number) {
-                *entry = Self::on(program, loops, roots);
-                entry.loops[number] = true;
-            }
+            found[number] = Self::on(program, loops, roots);
+            found[number].loops[number] = true;
         }
         found
     }
@@ -65,9 +63,7 @@ impl Influence {
     }
 
     fn note(&mut self, number: usize) {
-        if let Some(entry) = self.loops.get_mut(number) {
-            *entry = true;
-        }
+        self.loops[number] = true;
     }
 }
 

@@ -76,7 +76,7 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
     let operations = |program: &Program| {
         let live = program.live.iter().filter(|live| **live).count();
         let cost = cost::of_program(program);
-        live.max(usize::try_from(cost.additions + cost.multiplications).unwrap_or(0))
+        live.max((cost.additions + cost.multiplications) as usize)
     };
     let steps = STEPS * patterns.len();
     let per_sample = operations(exact) * (2 + steps)
@@ -111,6 +111,7 @@ fn patterns(model: &Model) -> Vec<Vec<f64>> {
     let steps: Vec<f64> = model
         .motors
         .iter()
+        // What has no step is not moved.
         .map(|motor| motor.step.unwrap_or(0.0))
         .collect();
     let moved: Vec<usize> = (0..steps.len())
@@ -271,7 +272,7 @@ impl Trial<'_, '_> {
         if self.rivals.iter().all(|rival| rival.stopped) {
             return;
         }
-        for pattern in directions.filter_map(|direction| self.patterns.get(direction)) {
+        for pattern in directions.map(|direction| &self.patterns[direction]) {
             let mut positions = Vec::with_capacity(STEPS);
             self.machine.put_back(position.clone());
             for step in 1..=STEPS {

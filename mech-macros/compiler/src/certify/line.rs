@@ -130,7 +130,7 @@ impl Line {
                 (Sight::Open(test) | Sight::BlockedInside(test), _) => test,
             };
             if search.is_spent() {
-                let (_, end) = waiting.first().copied().unwrap_or((near, far));
+                let end = waiting.first().map_or(far, |&(_, end)| end);
                 walk.open.get_or_insert((near, end, test));
                 break;
             }

@@ -23,6 +23,7 @@ mod tests;
 pub(crate) use group::motors_of;
 pub use interval::Interval;
 
+use crate::bug::bug;
 use crate::program::{BlockId, BlockKind, Program};
 use claim::carried_sides;
 use group::{Group, groups};
@@ -175,10 +176,12 @@ fn on_all_sides(
             .collect();
         if let Some(&block) = crossing.get(MOST_SIDES) {
             let of = |group: &&Group| group.tests.iter().any(|(other, _)| *other == block);
-            let motors = groups.iter().find(of).map(|group| group.motors.clone());
+            let Some(group) = groups.iter().find(of) else {
+                bug!("a loop whose slack touches zero is tested in no group");
+            };
             return Verdict::Undecided {
                 block,
-                motors: motors.unwrap_or_default(),
+                motors: group.motors.clone(),
                 place: ranges.to_vec(),
             };
         }

@@ -4,6 +4,7 @@ use super::group::Group;
 use super::line::Line;
 use super::tape::{Outcome, Tape};
 use super::{Blocked, Effort, Interval, Verdict};
+use crate::bug::bug;
 use crate::program::{BlockId, Program};
 use std::collections::VecDeque;
 
@@ -178,13 +179,15 @@ impl<'p> Search<'p> {
         }
         match self.tape.block(test) {
             Some(block) => {
-                let motor = self.motors.first().copied().unwrap_or_default();
+                let Some(&motor) = self.motors.first() else {
+                    bug!("a loop is blocked in which no motor has a part");
+                };
                 Verdict::Blocked(Blocked {
                     block,
                     motors: self.motors.clone(),
                     motor,
-                    limit: self.start.get(motor).copied().unwrap_or_default(),
-                    interval: Interval::point(at.get(motor).copied().unwrap_or_default()),
+                    limit: self.start[motor],
+                    interval: Interval::point(at[motor]),
                     at,
                 })
             }

@@ -29,6 +29,7 @@ impl<'c> Slopes<'c> {
         for (index, node) in self.cone.nodes.iter().enumerate() {
             self.values[index] = match node.op {
                 Op::Motor(variable) => place[variable],
+                // Of what comes from outside nothing is known.
                 op => natural(op, |value| self.values[value.index()]).unwrap_or(Interval::ENTIRE),
             };
             for (variable, slopes) in self.rates.iter_mut().enumerate() {

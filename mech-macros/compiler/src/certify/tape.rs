@@ -56,7 +56,7 @@ impl<'p> Tape<'p> {
             tape.hold(value, Interval::point(at));
         }
         for (block, kept) in carried_sides(program) {
-            let side = program.start.kept.get(kept).copied().unwrap_or(1.0);
+            let side = program.start.kept[kept];
             let turn = if turned.contains(&block) { -1.0 } else { 1.0 };
             tape.keep(kept, Interval::point(1.0_f64.copysign(turn * side)));
         }
@@ -205,7 +205,7 @@ impl<'p> Tape<'p> {
             let op = self.nodes[value.index()].op;
             let (by_value, by_middle) = match op {
                 Op::Motor(motor) => {
-                    let range = range.get(motor).copied().unwrap_or(Interval::ENTIRE);
+                    let range = range[motor];
                     self.forms.motor(step, motor, range);
                     (range, Interval::point(self.centre[motor]))
                 }
@@ -223,6 +223,7 @@ impl<'p> Tape<'p> {
     /// An operation on intervals.
     fn natural(&self, value: Value, values: &[Interval]) -> Interval {
         let op = self.nodes[value.index()].op;
+        // Of what comes from outside nothing is known.
         let range = natural(op, |operand| values[operand.index()]).unwrap_or(Interval::ENTIRE);
         match op {
             Op::Choose(test, ..)

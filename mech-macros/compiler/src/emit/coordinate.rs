@@ -4,9 +4,8 @@ use super::items::pose;
 use super::params;
 use super::scope::number;
 use crate::model::{AxisId, JointId, JointKind, Model};
-use crate::plan::{Mesh, Plan, Rational, Source, Step};
+use crate::plan::{Mesh, Plan, Rational, Source, Step, float_of};
 use crate::program::Program;
-use num_traits::ToPrimitive as _;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -100,8 +99,8 @@ fn whole_angle(
 
 /// For each motor that turns a gear the number of its source and its part; none if something else has a part, too.
 fn motor_parts(plan: &Plan, mesh: &Mesh) -> Option<Vec<(usize, usize, f64)>> {
-    let part = |(source, part): &(usize, Rational)| match plan.sources.get(*source) {
-        Some(Source::Motor(motor)) => Some((motor.index(), *source, part.to_f64()?)),
+    let part = |(source, part): &(usize, Rational)| match plan.sources[*source] {
+        Source::Motor(motor) => Some((motor.index(), *source, float_of(part))),
         _ => None,
     };
     mesh.parts.iter().map(part).collect()

@@ -2,6 +2,7 @@
 
 use super::block::{binding, system};
 use super::scope::{Scope, number};
+use crate::bug::bug;
 use crate::program::{BlockId, Newton, Op, Program, Rounds, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -190,7 +191,9 @@ fn contraction(
 /// The greatest of the absolute values.
 fn greatest(gap: &[TokenStream]) -> TokenStream {
     let mut parts = gap.iter().map(|part| quote!(#part.abs()));
-    let first = parts.next().unwrap_or_default();
+    let Some(first) = parts.next() else {
+        bug!("an iterated loop has no gap");
+    };
     parts.fold(first, |greatest, part| quote!(#greatest.max(#part)))
 }
 

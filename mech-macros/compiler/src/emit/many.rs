@@ -5,9 +5,8 @@ use super::params;
 use super::scope::number;
 use super::step::in_lanes;
 use crate::model::Precision;
-use crate::plan::{Plan, Step};
+use crate::plan::{Plan, Step, float_of};
 use crate::program::Program;
-use num_traits::ToPrimitive;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -133,9 +132,7 @@ pub(super) fn reach(program: &Program, plan: &Plan) -> f64 {
     });
     let gains = meshes.map(|mesh| {
         let parts = mesh.parts.iter();
-        parts
-            .map(|(_, part)| part.to_f64().unwrap_or(f64::INFINITY).abs())
-            .sum()
+        parts.map(|(_, part)| float_of(part).abs()).sum()
     });
     let gain = gains.fold(1.0, f64::max);
     let limit = match program.precision {

@@ -186,7 +186,8 @@ pub(super) fn found(program: &Program) -> (TokenStream, &'static str) {
             (quote!(Holding<#scalar, #motors>), "what holds it there")
         }
         Some((Some(Forces::Acting(acting)), _)) => {
-            let loads = acting.responses.first().map_or(0, Vec::len);
+            // One row for each motor, and there is one at least.
+            let loads = acting.responses[0].len();
             let sizes = [acting.reactions.len(), loads, acting.transmission.len()].map(literal);
             (
                 quote!(Forces<#scalar, #motors, #(#sizes),*>),

@@ -7,6 +7,7 @@ use super::module;
 use super::params;
 use super::scope::{ident, number};
 use super::step::takes_sines;
+use crate::bug::bug;
 use crate::model::{JointKind, Model, Motor, Precision};
 use crate::plan::Plan;
 use crate::program::{self, Program};
@@ -46,7 +47,9 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
         };
         let closed = program.closed(watch.block).map(|closed| &closed.place);
         let newton = program.newton(watch.block).map(|newton| &newton.place);
-        let place = closed.or(newton).map_or("", String::as_str);
+        let Some(place) = closed.or(newton) else {
+            bug!("a block is watched that closes no loop");
+        };
         let growth = growth(program.precision, &watch.growth);
         let guessed = watch.guessed;
         quote! {

@@ -200,8 +200,10 @@ impl Writer<'_> {
 
     /// The number of a link in a table: that of its pose and one, or 0 for the ground.
     fn link(&self, link: LinkId) -> Literal {
-        let place = self.program.place_of(link);
-        Literal::usize_unsuffixed(place.map_or(0, |place| place + 1))
+        Literal::usize_unsuffixed(match link {
+            LinkId::GROUND => 0,
+            link => self.program.kept_pose(link) + 1,
+        })
     }
 
     fn spot(&self, spot: Spot) -> TokenStream {

@@ -84,8 +84,7 @@ pub(super) fn added(
         methods,
         steps: sensitive
             .as_ref()
-            .map(|program| step(krate, program))
-            .unwrap_or_default(),
+            .map_or_else(TokenStream::new, |program| step(krate, program)),
         ..Added::default()
     }
 }

@@ -359,5 +359,5 @@ fn joint_rate(
 
 /// Where the rates of a link are kept.
 fn index(program: &Program, link: LinkId) -> Literal {
-    Literal::usize_unsuffixed(program.place_of(link).unwrap_or_default())
+    Literal::usize_unsuffixed(program.kept_pose(link))
 }

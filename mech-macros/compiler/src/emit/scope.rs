@@ -1,6 +1,7 @@
 //! The names in a generated function, and expressions that use them.
 
 use super::module;
+use crate::bug::bug;
 use crate::model::Precision;
 use crate::program::{BlockId, Op, Part, Program, Slot, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -12,7 +13,7 @@ pub(super) fn ident(name: &str) -> Ident {
     // Names come from the user's own identifiers, so they are identifiers too; a keyword becomes one by an underscore.
     let parsed =
         syn::parse_str::<Ident>(name).or_else(|_| syn::parse_str::<Ident>(&format!("{name}_")));
-    let mut ident = parsed.unwrap_or_else(|_| Ident::new("value", Span::mixed_site()));
+    let mut ident = parsed.unwrap_or_else(|_| bug!("`{name}` is to be a name"));
     ident.set_span(Span::mixed_site());
     ident
 }
@@ -29,7 +30,7 @@ pub(super) fn number(precision: Precision, value: f64) -> TokenStream {
     };
     let literal = text
         .parse::<Literal>()
-        .unwrap_or_else(|_| Literal::f64_unsuffixed(value.abs()));
+        .unwrap_or_else(|_| bug!("{value} is to be a constant"));
     if value < 0.0 {
         quote!(-#literal)
     } else {
@@ -100,7 +101,7 @@ impl<'p> Scope<'p> {
         if let Some(known) = self.last_poses.get(&link) {
             return known.clone();
         }
-        let name = self.program.links.get(link).map_or("link", String::as_str);
+        let name = &self.program.links[link];
         let name = self.fresh(&format!("last_{name}"));
         self.last_poses.insert(link, name.clone());
         name
@@ -202,7 +203,7 @@ impl<'p> Scope<'p> {
             | Op::Rate(_)
             | Op::Acceleration(_)
             | Op::Load(_)
-            | Op::Linear(..) => (quote!(()), Binding::Atom),
+            | Op::Linear(..) => bug!("a value from outside is read before it has a name"),
         }
     }
 

@@ -185,16 +185,13 @@ pub(super) fn methods(
 
 /// Where the rates of a link are.
 fn place(program: &Program, link: LinkId) -> Literal {
-    Literal::usize_unsuffixed(program.place_of(link).unwrap_or_default())
+    Literal::usize_unsuffixed(program.kept_pose(link))
 }
 
 /// What a point's method is called, and what it is.
 fn point_name(model: &Model, point: AxisId) -> (String, String) {
     let axis = model.axis(point);
-    let (link, name) = (
-        &model.link(axis.link).name,
-        axis.name.as_deref().unwrap_or_default(),
-    );
+    let (link, name) = (&model.link(axis.link).name, axis.own_name());
     (
         format!("{link}_{name}"),
         format!("point `{name}` of link `{link}`"),

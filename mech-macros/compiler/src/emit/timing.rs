@@ -11,6 +11,7 @@ use super::scope::{FunctionNames, Scope, uses};
 use super::stages::MOST_LETS;
 use super::step::position;
 use crate::Compiled;
+use crate::bug::bug;
 use crate::model::{JointKind, Model, Precision};
 use crate::program::{Program, Timed, Timing, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -59,8 +60,10 @@ fn at_time(
     } else {
         TokenStream::new()
     };
-    let first = model.lawful_motors().next();
-    let first = first.map_or("", |(motor, _)| program.motors[motor.index()].as_str());
+    let Some((first, _)) = model.lawful_motors().next() else {
+        bug!("there is a timing without a law");
+    };
+    let first = &program.motors[first.index()];
     let effects = model.effects;
     let found = match (effects.velocity, effects.acceleration) {
         (false, _) => quote!(motors),

@@ -83,10 +83,7 @@ pub(super) fn told(
 /// What a trace is of, and what it is called.
 fn names(places: &Places, model: &Model, trace: &Trace) -> (String, Ident) {
     let axis = model.axis(trace.point);
-    let (link, point) = (
-        &model.link(axis.link).name,
-        axis.name.as_deref().unwrap_or_default(),
-    );
+    let (link, point) = (&model.link(axis.link).name, axis.own_name());
     let field = user_ident(&format!("{link}_{point}_trace"), places, axis.origin);
     (format!("{link}.{point}"), field)
 }
@@ -101,7 +98,7 @@ fn place(model: &Model, program: &Program, trace: &Trace) -> TokenStream {
             quote!(self.position.kept[#kept])
         }
     });
-    let index = Literal::usize_unsuffixed(program.place_of(axis.link).unwrap_or_default());
+    let index = Literal::usize_unsuffixed(program.kept_pose(axis.link));
     quote!(self.position.poses[#index].apply([#x, #y]))
 }
 

@@ -1,9 +1,10 @@
 //! One step of a program: all its operations, one after the other.
 
 use super::{Moved, Stop};
+use crate::bug::bug;
 use crate::program::{
     BlockId, BlockKind, Closed, Forces, Motion, Newton, Op, Position, Program, RateMargin, Rounds,
-    Slot, Value,
+    Slot, System, Value,
 };
 use mech_core::Real;
 use mech_core::contraction::{before_first, contracts};
@@ -136,7 +137,10 @@ impl<'p> Runner<'p> {
     fn number(&self, block: BlockId) -> usize {
         let closed = self.program.closed(block).map(|closed| closed.number);
         let newton = self.program.newton(block).map(|newton| newton.number);
-        closed.or(newton).unwrap_or_default()
+        let Some(number) = closed.or(newton) else {
+            bug!("block {} closes no loop", block.index());
+        };
+        number
     }
 
     /// All values of the program.
@@ -192,9 +196,10 @@ impl<'p> Runner<'p> {
                 Op::Load(number) => given.loads.get(number).copied().unwrap_or(T::ZERO),
                 Op::Linear(system, index) => self.linear(system, index, &values),
                 Op::Solved(block, index) => self.scalar(block, index, &values),
-                op => op
-                    .apply(|value| values[value.index()])
-                    .unwrap_or(values[value.index()]),
+                op => {
+                    let made = op.apply(|value| values[value.index()]);
+                    made.unwrap_or_else(|| bug!("nothing gives {op:?}"))
+                }
             };
         }
         for margin in self.program.margins() {
@@ -232,23 +237,20 @@ impl<'p> Runner<'p> {
 
     /// An unknown of a linear system, or after these its determinant.
     fn linear<T: Real>(&self, system: usize, index: usize, values: &[T]) -> T {
-        let Some(system) = self
-            .program
-            .motion
-            .as_ref()
-            .and_then(|motion| motion.systems.get(system))
-        else {
-            return T::ZERO;
+        let Some(motion) = &self.program.motion else {
+            bug!("a linear system is read in a program without motion");
         };
-        let (unknowns, det) = self::solved(&system.columns, &system.right, values);
-        unknowns.get(index).copied().unwrap_or(det)
+        let System { columns, right, .. } = &motion.systems[system];
+        let (unknowns, det) = solved(columns, right, values);
+        unknown_or_det(&unknowns, det, index)
     }
 
     /// The present value of an unknown: it stands in the place of the node that reads it inside the iteration.
     fn scalar<T: Real>(&self, block: BlockId, index: usize, values: &[T]) -> T {
-        self.program.newton(block).map_or(values[0], |newton| {
-            values[newton.scalars[index].now.index()]
-        })
+        let Some(newton) = self.program.newton(block) else {
+            bug!("block {} iterates no loop", block.index());
+        };
+        values[newton.scalars[index].now.index()]
     }
 
     fn iterate<T: Real>(
@@ -286,7 +288,7 @@ impl<'p> Runner<'p> {
                 let op = self.program.node(value).op;
                 if let Op::Dense(_, index) = op {
                     let (steps, det) = dense.get_or_insert_with(|| system(newton, values));
-                    values[value.index()] = steps.get(index).copied().unwrap_or(*det);
+                    values[value.index()] = unknown_or_det(steps, *det, index);
                 } else if let Some(result) = op.apply(|value| values[value.index()]) {
                     values[value.index()] = result;
                 }
@@ -341,6 +343,15 @@ fn solved<T: Real>(columns: &[Vec<Value>], right: &[Value], values: &[T]) -> (Ve
     let mut steps: Vec<T> = right.iter().map(|right| -get(right)).collect();
     let det = solve(&mut rows, &mut steps);
     (steps, det)
+}
+
+/// An unknown of a system, or after these its determinant.
+fn unknown_or_det<T: Real>(unknowns: &[T], det: T, index: usize) -> T {
+    if index == unknowns.len() {
+        det
+    } else {
+        unknowns[index]
+    }
 }
 
 fn read<T: Real>(last: &Position<T>, slot: Slot) -> T {

@@ -1,5 +1,6 @@
 //! The laws of motors, at a time.
 
+use crate::bug::bug;
 use crate::program::{Op, Timing, Value};
 
 impl Timing {
@@ -15,7 +16,7 @@ impl Timing {
                 Op::Time => Some(time),
                 op => op.apply(|value: Value| values[value.index()]),
             };
-            values[value.index()] = found.unwrap_or_default();
+            values[value.index()] = found.unwrap_or_else(|| bug!("a law reads {op:?}"));
         }
         let get = |value: Value| values[value.index()];
         let timed = self.motors.iter().map(|timed| {

@@ -19,7 +19,7 @@ pub(super) fn drivers(model: &Model, plan: &Plan) -> Vec<Driver> {
     // Of each loop, the motors that lead to it in any way.
     let mut known: Vec<Vec<MotorId>> = Vec::new();
     for (number, ring) in rings.iter().enumerate() {
-        let before = ring.needs.iter().filter_map(|&need| known.get(need));
+        let before = ring.needs.iter().map(|&need| &known[need]);
         let mut all: Vec<MotorId> = before.flatten().copied().collect();
         for motor in model
             .motor_ids()

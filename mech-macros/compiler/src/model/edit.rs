@@ -1,9 +1,10 @@
 //! Changes to a mechanism, as a user would make them in the text: everything else follows, and is numbered anew.
 
 use super::{
-    Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, MotorId,
-    NewJoint, Origin, Ratio, Shown, Start, StartValue,
+    Actions, Axis, AxisId, AxisKind, Between, Joint, JointId, JointKind, Link, LinkId, LoadKind,
+    Model, Motor, MotorId, NewJoint, Origin, Ratio, Shown, Start, StartValue,
 };
+use crate::bug::bug;
 
 /// Changes to a mechanism. All ids are those of the mechanism that is changed, until [`Edit::finish`].
 #[derive(Clone, Debug)]
@@ -160,13 +161,13 @@ impl Edit {
         keep(&mut model.joints, &self.keeps_joint);
         keep(&mut model.motors, &self.keeps_motor);
         for one in &mut model.axes {
-            one.link = link(one.link).unwrap_or(one.link);
+            one.link = kept(one.link, link);
         }
         for one in &mut model.joints {
             renumber(&mut one.kind, link, axis, joint);
         }
         for one in &mut model.motors {
-            one.joint = joint(one.joint).unwrap_or(one.joint);
+            one.joint = kept(one.joint, joint);
         }
         let Start { values, near } = &mut model.start;
         values.retain_mut(|value| {
@@ -198,6 +199,7 @@ impl Edit {
                 true
             })
         });
+        renumber_actions(&mut model.actions, link, axis, joint);
         model
     }
 
@@ -354,24 +356,64 @@ fn renumber(
     }
     match kind {
         JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
-            *a = axis(*a).unwrap_or(*a);
-            *b = axis(*b).unwrap_or(*b);
+            *a = kept(*a, &axis);
+            *b = kept(*b, &axis);
         }
         JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => {
-            *a = link(*a).unwrap_or(*a);
-            *b = link(*b).unwrap_or(*b);
+            *a = kept(*a, &link);
+            *b = kept(*b, &link);
         }
         JointKind::Rack { pinion, bar, .. } => {
-            *pinion = link(*pinion).unwrap_or(*pinion);
-            *bar = link(*bar).unwrap_or(*bar);
+            *pinion = kept(*pinion, &link);
+            *bar = kept(*bar, &link);
         }
         JointKind::Cam {
             shaft, follower, ..
         } => {
-            *shaft = joint(*shaft).unwrap_or(*shaft);
-            *follower = joint(*follower).unwrap_or(*follower);
+            *shaft = kept(*shaft, &joint);
+            *follower = kept(*follower, &joint);
         }
     }
+}
+
+/// Springs, dampers and loads go with what they act on.
+fn renumber_actions(
+    actions: &mut Actions,
+    link: impl Fn(LinkId) -> Option<LinkId>,
+    axis: impl Fn(AxisId) -> Option<AxisId>,
+    joint: impl Fn(JointId) -> Option<JointId>,
+) {
+    let held = |between: &mut Between| {
+        let new = match *between {
+            Between::Points(a, b) => axis(a).zip(axis(b)).map(|(a, b)| Between::Points(a, b)),
+            Between::Joint(id) => joint(id).map(Between::Joint),
+        };
+        new.is_some_and(|new| {
+            *between = new;
+            true
+        })
+    };
+    actions
+        .springs
+        .retain_mut(|spring| held(&mut spring.between));
+    actions
+        .dampers
+        .retain_mut(|damper| held(&mut damper.between));
+    actions.loads.retain_mut(|load| {
+        let new = match load.kind {
+            LoadKind::Force(point) => axis(point).map(LoadKind::Force),
+            LoadKind::Torque(on) => link(on).map(LoadKind::Torque),
+        };
+        new.is_some_and(|new| {
+            load.kind = new;
+            true
+        })
+    });
+}
+
+/// The new id of what something that is kept needs, and which is therefore kept itself.
+fn kept<I: Copy + std::fmt::Debug>(id: I, new: impl Fn(I) -> Option<I>) -> I {
+    new(id).unwrap_or_else(|| bug!("an edit keeps what needs {id:?}, which it takes away"))
 }
 
 /// For everything that is kept its new number.
@@ -388,7 +430,12 @@ fn numbers(kept: &[bool]) -> Vec<Option<usize>> {
 
 fn keep<T>(list: &mut Vec<T>, kept: &[bool]) {
     let mut kept = kept.iter();
-    list.retain(|_| kept.next().copied().unwrap_or(true));
+    list.retain(|_| {
+        let Some(kept) = kept.next() else {
+            bug!("an edit does not say whether all of a list is kept");
+        };
+        *kept
+    });
 }
 
 #[cfg(test)]

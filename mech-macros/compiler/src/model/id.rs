@@ -1,5 +1,6 @@
 //! Numbers that cannot be mixed up.
 
+use crate::bug::bug;
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident) => {
         $(#[$doc])*
@@ -11,7 +12,7 @@ macro_rules! id {
             #[must_use]
             pub fn new(index: usize) -> Self {
                 // A list of 2^32 entries would not have fitted into the source that declares it.
-                Self(u32::try_from(index).unwrap_or(u32::MAX))
+                Self(u32::try_from(index).unwrap_or_else(|_| bug!("id {index} has more than 32 bits")))
             }
 
             /// The position in its list.

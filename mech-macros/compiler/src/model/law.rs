@@ -1,6 +1,7 @@
 //! Laws: functions of one variable, which a motor follows in time, or the follower of a cam.
 
 use super::Origin;
+use crate::bug::bug;
 
 /// A function of one variable: terms, each made from those before it, the last of which is its value.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,7 +102,10 @@ impl Law {
     /// Goes on by a term, which is made from earlier ones.
     pub fn push(&mut self, term: Term) -> TermId {
         self.terms.push(term);
-        TermId(u32::try_from(self.terms.len() - 1).unwrap_or(u32::MAX))
+        let Ok(number) = u32::try_from(self.terms.len() - 1) else {
+            bug!("a law has more than 2^32 terms");
+        };
+        TermId(number)
     }
 
     /// All terms, each after those from which it is made.
@@ -115,7 +119,7 @@ impl Law {
     pub fn at(&self, variable: f64) -> f64 {
         let mut values: Vec<f64> = Vec::with_capacity(self.terms.len());
         for term in &self.terms {
-            let get = |id: TermId| values.get(id.index()).copied().unwrap_or(f64::NAN);
+            let get = |id: TermId| values[id.index()];
             let value = match *term {
                 Term::Variable => variable,
                 Term::Number(number) => number,
@@ -129,7 +133,8 @@ impl Law {
             };
             values.push(value);
         }
-        values.pop().unwrap_or_default()
+        // Without a term it is zero.
+        values.pop().unwrap_or(0.0)
     }
 }
 
@@ -169,7 +174,7 @@ impl Law {
         let mut windings: Vec<Winding> = Vec::with_capacity(self.terms.len());
         let still = |a: f64, b: f64| (a == 0.0 && b == 0.0).then_some(0.0);
         for term in &self.terms {
-            let get = |id: TermId| windings.get(id.index()).copied().unwrap_or(Winding::Else);
+            let get = |id: TermId| windings[id.index()];
             let winding = match *term {
                 Term::Variable => Winding::By(1.0),
                 Term::Number(number) => Winding::Fixed(number),
@@ -194,6 +199,7 @@ impl Law {
             };
             windings.push(winding);
         }
+        // Without a term it is zero.
         windings.pop().unwrap_or(Winding::Fixed(0.0)).by()
     }
 

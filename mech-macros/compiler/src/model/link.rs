@@ -1,6 +1,7 @@
 //! Links, and what is rigidly fixed to them.
 
 use super::{AxisId, FormulaId, LinkId, Mass, Origin};
+use crate::bug::bug;
 
 /// A rigid body that moves in planes parallel to the screen.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +53,16 @@ pub struct Axis {
     pub formulas: [Option<FormulaId>; 2],
     /// Its direction, of length one, in the frame of the link.
     pub direction: [f64; 2],
+}
+
+impl Axis {
+    /// Its name, where only what has one is spoken of.
+    pub(crate) fn own_name(&self) -> &str {
+        let Some(name) = &self.name else {
+            bug!("an axis without a name is spoken of by its name");
+        };
+        name
+    }
 }
 
 /// What an axis allows.

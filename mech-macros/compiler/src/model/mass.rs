@@ -125,7 +125,8 @@ impl Mass {
 
     /// What is painted of it. It is measured from its first corner, so that what lies far from the origin is as exact as what is near.
     fn of_polygon(corners: &[[f64; 2]]) -> Self {
-        let [x0, y0] = corners.first().copied().unwrap_or_default();
+        // What has no corners has no mass, wherever it is.
+        let [x0, y0] = corners.first().copied().unwrap_or([0.0, 0.0]);
         let near: Vec<[f64; 2]> = corners.iter().map(|[x, y]| [x - x0, y - y0]).collect();
         let Moments {
             area,

@@ -164,7 +164,7 @@ impl Model {
             by: param,
         });
         let used = self.axes.iter().flat_map(|axis| axis.formulas).flatten();
-        let slopes = used.filter_map(|formula| slopes.get(formula.index()));
+        let slopes = used.map(|formula| slopes[formula.index()]);
         let steepest = slopes.map(|(_, slope)| slope.abs()).fold(0.0, f64::max);
         let scale = self.size().max(f64::MIN_POSITIVE) / steepest;
         scale.is_finite().then_some(scale)
@@ -185,8 +185,7 @@ impl Arithmetic for Slopes<'_> {
     }
 
     fn param(&mut self, param: ParamId) -> (f64, f64) {
-        let known = self.params.all.get(param.index());
-        let value = known.map_or(0.0, |param| param.value);
+        let value = self.params.all[param.index()].value;
         (value, if param == self.by { 1.0 } else { 0.0 })
     }
 

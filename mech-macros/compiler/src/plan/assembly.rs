@@ -6,6 +6,7 @@ use super::equation::Equation;
 use super::placement::{Coordinate, Placement};
 use super::search::search;
 use super::step::{Cam, Connection, ConnectionKind, Loop, Source, Step};
+use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId, Model, Near};
 use crate::structure::{Diagnosis, LoopWay, OpenLoop};
 use std::f64::consts::TAU;
@@ -208,7 +209,7 @@ impl Draft<'_> {
                 let [c, d] = self.placement.heading(&mut Numbers, to);
                 (a * d - b * c).atan2(a * c + b * d)
             }
-            _ => self.placement.way(&mut Numbers, joint).unwrap_or(0.0),
+            _ => self.placement.way(&mut Numbers, joint),
         }
     }
 
@@ -240,7 +241,7 @@ impl Draft<'_> {
                 let [c, d] = self.placement.pose(to).direction;
                 (a * d - b * c).atan2(a * c + b * d)
             }
-            Source::Way(joint) => self.placement.way(&mut Numbers, joint).unwrap_or(0.0),
+            Source::Way(joint) => self.placement.way(&mut Numbers, joint),
         }
     }
 }
@@ -257,9 +258,7 @@ fn closed<'m>(
     for draft in drafts {
         let equation = Equation::new(&mut Numbers, &draft.placement, closing);
         let closure = close(&equation).unwrap_or_else(|| {
-            let first = closing.tree.first().map_or(LinkId::GROUND, |connection| {
-                draft.placement.base(connection.from)
-            });
+            let first = draft.placement.base(closing.first().from);
             search(&equation, &|base| wanted(model, first, base), size(model))
         });
         match closure {
@@ -282,9 +281,9 @@ fn closed<'m>(
     if dead {
         return Err(Diagnosis::DeadStart { unknowns });
     }
-    let ring = closing.rings.last().map_or(&[][..], |ring| ring);
-    let Some(across) = ring.get(1).or(ring.first()) else {
-        return Err(Diagnosis::DeadStart { unknowns });
+    let ring = closing.rings.last();
+    let Some(across) = ring.and_then(|ring| ring.get(1).or(ring.first())) else {
+        bug!("a loop has no connection across which it closes");
     };
     Err(Diagnosis::CannotClose {
         unknowns,

@@ -62,9 +62,7 @@ impl Bound {
     #[must_use]
     pub fn of_input(input: usize, inputs: usize) -> Self {
         let mut bound = Self::still(inputs);
-        if let Some(rate) = bound.rates.get_mut(input) {
-            *rate = 1.0;
-        }
+        bound.rates[input] = 1.0;
         bound
     }
 

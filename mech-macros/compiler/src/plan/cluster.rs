@@ -1,5 +1,6 @@
 //! Clusters: sets of links whose relative positions are known.
 
+use crate::bug::bug;
 use crate::model::LinkId;
 
 /// A partition of the links. A cluster is named by its base: the ground if it is in it, else its first link.
@@ -37,7 +38,9 @@ impl Clusters {
 
     /// Merges the clusters with these bases; gives the base of the whole.
     pub(crate) fn merge(&mut self, bases: &[LinkId]) -> LinkId {
-        let whole = bases.iter().copied().min().unwrap_or(LinkId::GROUND);
+        let Some(whole) = bases.iter().copied().min() else {
+            bug!("no clusters are merged");
+        };
         for base in &mut self.base {
             if bases.contains(base) {
                 *base = whole;

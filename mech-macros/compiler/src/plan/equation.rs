@@ -231,9 +231,7 @@ impl<S: Copy + PartialEq> Equation<S> {
                 continue;
             };
             let part = algebra.scaled(way, slide.along);
-            let turning = slide
-                .turned_by
-                .and_then(|turning| Some((turning, now.get(turning)?)));
+            let turning = slide.turned_by.map(|turning| (turning, &now[turning]));
             if let Some((turning, Solution::Direction(direction))) = turning {
                 arms[turning] = Some(match arms[turning] {
                     Some(arm) => algebra.plus(arm, part),

@@ -1,13 +1,22 @@
 //! What is known of angles and slides because of gears, belts, racks, slides and welds: linear relations with constant
 //! rational coefficients, solved exactly.
 
+use crate::bug::bug;
 use crate::model::{JointId, LinkId};
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive as _, Zero};
 use std::collections::BTreeMap;
 
 /// An exact rational number.
 pub type Rational = BigRational;
+
+/// The nearest float of an exact number.
+pub(crate) fn float_of(exact: &Rational) -> f64 {
+    let Some(float) = exact.to_f64() else {
+        bug!("{exact} is no number");
+    };
+    float
+}
 
 /// How far something has moved since the start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -23,6 +23,7 @@ pub use bound::{Bound, Growth, Turning};
 pub use equation::Unknown;
 pub(crate) use equation::{Equation, Measure, Slide, Solution};
 pub use ledger::Rational;
+pub(crate) use ledger::float_of;
 pub use needed::Needed;
 pub(crate) use placement::{Coordinate, Placement};
 pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};

@@ -3,6 +3,7 @@
 use super::algebra::{Algebra, Pose};
 use super::cluster::Clusters;
 use super::step::{Connection, ConnectionKind};
+use crate::bug::bug;
 use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Model};
 
 /// The coordinate of a connection.
@@ -48,13 +49,17 @@ impl<'m, S: Copy> Placement<'m, S> {
     }
 
     /// The coordinate of a sliding joint whose links are in one cluster.
-    pub(crate) fn way<A: Algebra<Scalar = S>>(&self, algebra: &mut A, joint: JointId) -> Option<S> {
-        let JointKind::Prismatic(from, to) = self.model.joint(joint).kind else {
-            return None;
+    pub(crate) fn way<A: Algebra<Scalar = S>>(&self, algebra: &mut A, joint: JointId) -> S {
+        let joint = self.model.joint(joint);
+        let JointKind::Prismatic(from, to) = joint.kind else {
+            bug!(
+                "joint `{}` does not slide and is asked how far it did",
+                joint.name
+            );
         };
         let heading = self.heading(algebra, from);
         let span = self.span(algebra, from, to);
-        Some(algebra.dot(heading, span))
+        algebra.dot(heading, span)
     }
 
     /// The base of the cluster in which an axis is.

@@ -2,6 +2,7 @@
 
 use super::equation::Unknown;
 use super::ledger::Rational;
+use crate::bug::bug;
 use crate::model::{AxisId, JointId, LinkId, Model, MotorId};
 
 /// One step: it merges clusters of links, so that the links inside keep known relative positions.
@@ -133,6 +134,14 @@ pub enum ConnectionKind {
 }
 
 impl Loop {
+    /// The connection by which the first of its clusters hangs on what is known.
+    pub(crate) fn first(&self) -> Connection {
+        let Some(&first) = self.tree.first() else {
+            bug!("a loop has no cluster that is not known");
+        };
+        first
+    }
+
     /// The joints of unknown coordinate, in the order of the rings.
     #[must_use]
     pub fn unknowns(&self) -> Vec<JointId> {

@@ -21,6 +21,7 @@ pub(super) fn sets(connections: &[Between], rolls: &[Vec<LinkId>]) -> Vec<Vec<Li
         if let (Some(a), Some(b)) = (place(between.a), place(between.b))
             && let Some(parts) = count.held([a, b])
         {
+            // Among the parts are pins, too, after all clusters.
             let bases = parts.into_iter().filter_map(|part| clusters.get(part));
             found.push(bases.copied().collect());
         }

@@ -2,6 +2,7 @@
 
 use super::node::{BlockId, Node, Number, Op, Slot, Value};
 use super::{Block, BlockKind, Position};
+use crate::bug::bug;
 use crate::model::Axis;
 use crate::plan::Algebra;
 use std::collections::HashMap;
@@ -64,15 +65,26 @@ impl Builder {
 
     fn measured(&self, op: Op) -> f64 {
         let start = &self.start;
-        let known = match op {
-            Op::Motor(motor) => start.motors.get(motor).copied(),
-            Op::Last(Slot::Pose(link, part)) => {
-                start.poses.get(link).map(|pose| pose[part.index()])
+        match op {
+            Op::Motor(motor) => start.motors[motor],
+            Op::Last(Slot::Pose(link, part)) => start.poses[link][part.index()],
+            Op::Last(Slot::Kept(index)) => start.kept[index],
+            // At the start nothing has turned, moves or acts. Where unknowns begin is told afterwards.
+            Op::Turns(_)
+            | Op::Turned(..)
+            | Op::Unknown(..)
+            | Op::Solved(..)
+            | Op::Dense(..)
+            | Op::Time
+            | Op::Rate(_)
+            | Op::Acceleration(_)
+            | Op::Load(_)
+            | Op::Linear(..) => 0.0,
+            op => {
+                let made = op.apply(|value| self.at_start[value.index()]);
+                made.unwrap_or_else(|| bug!("nothing gives {op:?} at the start"))
             }
-            Op::Last(Slot::Kept(index)) => start.kept.get(index).copied(),
-            op => op.apply(|value| self.at_start[value.index()]),
-        };
-        known.unwrap_or_default()
+        }
     }
 
     /// Begins a new block.
@@ -86,7 +98,8 @@ impl Builder {
     }
 
     pub(super) fn current(&self) -> BlockId {
-        BlockId(u32::try_from(self.blocks.len().saturating_sub(1)).unwrap_or(u32::MAX))
+        // What is made before the first block stands in it.
+        BlockId::at(self.blocks.len().saturating_sub(1))
     }
 
     /// From here to [`leave`](Self::leave) whatever depends on the block's unknowns is made anew in every round.
@@ -113,7 +126,7 @@ impl Builder {
         };
         let iterated = self.inside.is_some()
             && (matches!(op, Op::Unknown(..) | Op::Dense(..)) || op.operands().any(depends));
-        let value = Value(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX));
+        let value = Value::at(self.nodes.len());
         self.at_start.push(self.measured(op));
         let varies = match op {
             Op::Motor(input) => input >= self.motors,
@@ -252,12 +265,9 @@ impl Algebra for Builder {
     }
 
     fn place(&mut self, axis: &Axis) -> [Value; 2] {
-        [0, 1].map(|part| {
-            let formula = axis.formulas[part].and_then(|id| self.formulas.get(id.index()));
-            match formula.copied() {
-                Some(value) => value,
-                None => self.constant(axis.at[part]),
-            }
+        [0, 1].map(|part| match axis.formulas[part] {
+            Some(id) => self.formulas[id.index()],
+            None => self.constant(axis.at[part]),
         })
     }
 

@@ -1,7 +1,8 @@
 //! Measures every loop at the start: tolerances are relative to what is found there.
 
-use super::node::{Op, Slot, Value};
+use super::node::{BlockId, Op, Slot, Value};
 use super::{BlockKind, Limits, Newton, Program};
+use crate::bug::bug;
 use mech_core::dense::solve;
 
 /// Sets the limits of all loops.
@@ -43,30 +44,41 @@ pub(super) fn calibrate(program: &mut Program) {
 /// All values at the start, where every loop is already closed.
 pub(crate) fn at_start(program: &Program) -> Vec<f64> {
     let mut values: Vec<f64> = Vec::with_capacity(program.nodes.len());
-    let first = |block: super::BlockId, index: usize| {
-        program
-            .newton(block)
-            .and_then(|newton| newton.scalars.get(index))
-            .map(|scalar| scalar.first)
+    let first = |block: BlockId, index: usize| {
+        let Some(newton) = program.newton(block) else {
+            bug!("block {} iterates no loop", block.index());
+        };
+        newton.scalars[index].first
     };
     for node in &program.nodes {
         let value = match node.op {
-            Op::Motor(motor) => program.start.motors.get(motor).copied(),
+            Op::Motor(motor) => program.start.motors[motor],
             Op::Last(slot) => last(program, slot),
             Op::Unknown(block, index) | Op::Solved(block, index) => {
-                first(block, index).map(|value| values[value.index()])
+                values[first(block, index).index()]
             }
-            Op::Dense(..) => Some(0.0),
-            op => op.apply(|value| values[value.index()]),
+            // At the start nothing has turned, moves or acts, and no step is missing.
+            Op::Turns(_)
+            | Op::Turned(..)
+            | Op::Dense(..)
+            | Op::Time
+            | Op::Rate(_)
+            | Op::Acceleration(_)
+            | Op::Load(_)
+            | Op::Linear(..) => 0.0,
+            op => {
+                let made = op.apply(|value| values[value.index()]);
+                made.unwrap_or_else(|| bug!("nothing gives {op:?} at the start"))
+            }
         };
-        values.push(value.unwrap_or_default());
+        values.push(value);
     }
     values
 }
 
-fn last(program: &Program, slot: Slot) -> Option<f64> {
+fn last(program: &Program, slot: Slot) -> f64 {
     match slot {
-        Slot::Pose(link, part) => Some(program.start.poses.get(link)?[part.index()]),
-        Slot::Kept(index) => program.start.kept.get(index).copied(),
+        Slot::Pose(link, part) => program.start.poses[link][part.index()],
+        Slot::Kept(index) => program.start.kept[index],
     }
 }

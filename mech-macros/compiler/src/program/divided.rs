@@ -64,10 +64,7 @@ impl Program {
     fn read_by(&self, value: Value) -> impl Iterator<Item = Value> {
         let op = self.node(value).op;
         let system = match op {
-            Op::Linear(number, _) => self
-                .motion
-                .as_ref()
-                .and_then(|motion| motion.systems.get(number)),
+            Op::Linear(number, _) => self.motion.as_ref().map(|motion| &motion.systems[number]),
             _ => None,
         };
         let read = system.into_iter().flat_map(System::coefficients);
@@ -127,9 +124,7 @@ impl Program {
             first.push(divided.blocks.len());
             divided.blocks.extend((0..=last).map(|_| block.clone()));
         }
-        let renumbered = |block: BlockId, part: usize| {
-            BlockId(u32::try_from(first[block.index()] + part).unwrap_or(u32::MAX))
-        };
+        let renumbered = |block: BlockId, part: usize| BlockId::at(first[block.index()] + part);
         for (node, &part) in divided.nodes.iter_mut().zip(parts) {
             node.block = renumbered(node.block, part);
             if let Op::Unknown(block, _) | Op::Solved(block, _) | Op::Dense(block, _) = &mut node.op
@@ -151,7 +146,8 @@ impl Program {
             .iter_mut()
             .flat_map(|motion| &mut motion.systems);
         for (number, system) in systems.enumerate() {
-            let part = solved.get(&number).copied().unwrap_or_default();
+            // A system that nothing reads may stand anywhere.
+            let part = solved.get(&number).copied().unwrap_or(0);
             system.block = renumbered(system.block, part);
         }
         divided

@@ -11,7 +11,7 @@ impl Builder {
         let mut values: Vec<Value> = Vec::with_capacity(law.terms().len());
         for term in law.terms() {
             // A term is made from earlier ones.
-            let get = |id: TermId| values.get(id.index()).copied().unwrap_or(variable);
+            let get = |id: TermId| values[id.index()];
             let value = match *term {
                 Term::Variable => variable,
                 Term::Number(number) => self.constant(number),
@@ -27,6 +27,7 @@ impl Builder {
         }
         match values.last() {
             Some(last) => *last,
+            // Without a term it is zero.
             None => self.constant(0.0),
         }
     }

@@ -1,5 +1,6 @@
 //! Values and the operations that make them.
 
+use crate::bug::bug;
 /// A scalar: the result of one node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Value(pub(super) u32);
@@ -7,7 +8,7 @@ pub struct Value(pub(super) u32);
 impl Value {
     /// The result of the node in this position.
     pub(crate) fn at(index: usize) -> Self {
-        Self(u32::try_from(index).unwrap_or(u32::MAX))
+        Self(number(index))
     }
 
     /// Its position among the nodes.
@@ -22,11 +23,21 @@ impl Value {
 pub struct BlockId(pub(super) u32);
 
 impl BlockId {
+    /// The block in this position.
+    pub(super) fn at(index: usize) -> Self {
+        Self(number(index))
+    }
+
     /// Its position among the blocks.
     #[must_use]
     pub fn index(self) -> usize {
         self.0 as usize
     }
+}
+
+/// A position as a number of 32 bits.
+fn number(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or_else(|_| bug!("a program has {index} values"))
 }
 
 /// A finite number with an equality that tells every two bit patterns apart.

@@ -44,7 +44,7 @@ impl Program {
     pub fn dependent(&self) -> Vec<bool> {
         let mut dependent: Vec<bool> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
-            let depends = |value: Value| dependent.get(value.index()).copied().unwrap_or(false);
+            let depends = |value: Value| dependent[value.index()];
             let is = match node.op {
                 Op::Motor(input) => input >= self.motors.len(),
                 Op::Solved(block, _) => iteration(&self.blocks, block).into_iter().any(depends),

@@ -2,6 +2,7 @@
 
 use super::node::{Number, Op, Slot};
 use super::{Position, Program};
+use crate::bug::bug;
 use crate::model::LinkId;
 
 /// The number of a link's pose among those of all declared links: so poses are numbered while a program is written, as long as
@@ -15,6 +16,14 @@ impl Program {
     #[must_use]
     pub fn place_of(&self, link: LinkId) -> Option<usize> {
         self.stored.binary_search(&link).ok()
+    }
+
+    /// The position of a pose that is kept, where only these are asked for.
+    pub(crate) fn kept_pose(&self, link: LinkId) -> usize {
+        let Some(place) = self.place_of(link) else {
+            bug!("the pose of link {} is not kept", link.index());
+        };
+        place
     }
 
     /// The links whose last pose is read, while poses are numbered among those of all links.
@@ -33,15 +42,14 @@ impl Program {
             .stored
             .iter()
             .filter_map(|&link| number_among_all(link));
-        poses.extend(numbers.filter_map(|number| all.get(number)));
+        poses.extend(numbers.map(|number| all[number]));
         for node in &mut self.nodes {
             if let Op::Last(Slot::Pose(number, part)) = node.op {
                 let place = self.stored.binary_search(&LinkId::new(number + 1));
-                node.op = match (place, all.get(number)) {
-                    (Ok(place), _) => Op::Last(Slot::Pose(place, part)),
+                node.op = match place {
+                    Ok(place) => Op::Last(Slot::Pose(place, part)),
                     // Nothing reads it.
-                    (Err(_), Some(pose)) => Op::Constant(Number::new(pose[part.index()])),
-                    (Err(_), None) => Op::Constant(Number::new(0.0)),
+                    Err(_) => Op::Constant(Number::new(all[number][part.index()])),
                 };
             }
         }

@@ -345,8 +345,7 @@ fn several(joints: &[JointId], count: usize) -> impl Iterator<Item = Vec<JointId
 /// A motor a little further or less far.
 fn elsewhere(model: &Model, motor: MotorId) -> [Repair; 2] {
     let joint = model.motor(motor).joint;
-    let given = model.start.values.iter().find(|value| value.joint == joint);
-    let value = given.map_or(0.0, |value| value.value);
+    let value = model.start.value(joint);
     [0.1, -0.1].map(|share| {
         let value = if let JointKind::Prismatic(..) = model.joint(joint).kind {
             value + share * if value == 0.0 { 1.0 } else { value.abs() }

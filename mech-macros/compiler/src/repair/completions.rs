@@ -3,6 +3,7 @@
 use super::Repair;
 use super::declaration::{Declaration, NewNames, Purpose, drawn, turns_freely};
 use super::sketch::{DrawnPin, LooseEnd, Sketch, distance, is_in_scene, unjoined};
+use crate::bug::bug;
 use crate::model::{AxisId, Ends, JointId, JointKind, LinkId, Model, NewJoint, NewKind};
 
 /// Ends that are no farther apart than this part of the size may be meant to be one.
@@ -201,11 +202,14 @@ fn apexes(model: &Model, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
 
 /// A coordinate with as many digits as somebody would write where things are so far apart.
 fn handy(coordinate: f64, width: f64) -> f64 {
-    let fine = |places: &i32| 10.0_f64.powi(-places) <= 0.1 * width;
-    let places = (0..12).find(fine).unwrap_or(12);
-    let places = usize::try_from(places).unwrap_or_default();
+    const MOST: u8 = 12;
+    let fine = |places: &u8| 10.0_f64.powi(-i32::from(*places)) <= 0.1 * width;
+    let places = usize::from((0..MOST).find(fine).unwrap_or(MOST));
     let text = format!("{coordinate:.places$}");
-    text.parse::<f64>().map_or(coordinate, |short| short + 0.0)
+    let Ok(short) = text.parse::<f64>() else {
+        bug!("`{text}` is no number");
+    };
+    short + 0.0
 }
 
 /// The links that hang on one joint, with that.

@@ -1,5 +1,6 @@
 //! Sizes of wheels that fit where their axes are.
 
+use crate::bug::bug;
 use crate::model::Ratio;
 use crate::structure::MeshTrouble;
 
@@ -65,5 +66,7 @@ fn teeth(a: f64, b: f64) -> Option<Ratio> {
 
 /// A number as one would write it: four digits.
 fn short(value: f64) -> f64 {
-    format!("{value:.3e}").parse().unwrap_or(value)
+    let text = format!("{value:.3e}");
+    text.parse()
+        .unwrap_or_else(|_| bug!("`{text}` is no number"))
 }

@@ -2,6 +2,7 @@
 
 use super::Words;
 use super::wording::{brief, places_enough, rounded};
+use crate::bug::bug;
 use crate::model::{JointId, LinkId, Origin, Start};
 use crate::repair::Offers;
 use crate::structure::{Diagnosis, LoopWay, OpenLoop};
@@ -41,9 +42,7 @@ impl Words<'_> {
                 loops,
                 many,
             } => {
-                let origin = links
-                    .first()
-                    .map_or(self.model.origin, |link| self.model.link(*link).origin);
+                let origin = self.at_link(links.first());
                 let help = if *many || angles.len() > LISTED {
                     self.one_by_one(loops)
                 } else {
@@ -61,7 +60,7 @@ impl Words<'_> {
             }
             Diagnosis::NotAsDrawn { link } => self.not_as_drawn(*link),
             Diagnosis::StartNotFree { joint } => self.start_not_free(*joint),
-            _ => (self.model.origin, String::new()),
+            other => bug!("nothing is said of {other:?}"),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::Words;
 use super::wording::{and, brief};
+use crate::bug::bug;
 use crate::model::{Ends, LinkId, NewJoint, NewKind};
 use crate::repair::{Declaration, Purpose};
 
@@ -36,9 +37,10 @@ impl Words<'_> {
             .filter(|link| link.index() < self.model.links.len())
             .collect();
         let name = |number: usize| {
-            links
-                .get(number)
-                .map_or(String::new(), |&link| self.link(link))
+            let Some(&link) = links.get(number) else {
+                bug!("a declaration joins nothing that is there");
+            };
+            self.link(link)
         };
         let moving = links.iter().find(|link| **link != LinkId::GROUND);
         let moving = moving.map_or(String::new(), |&link| self.link(link));
@@ -65,7 +67,7 @@ impl Words<'_> {
     fn new_joint(&self, joint: &NewJoint, new: Option<&str>) -> String {
         let link = |id: LinkId| match self.model.links.get(id.index()) {
             Some(link) => link.name.as_str(),
-            None => new.unwrap_or_default(),
+            None => new.unwrap_or_else(|| bug!("a joint joins a link that is not declared")),
         };
         let (word, along) = match joint.kind {
             NewKind::Revolute => ("revolute", None),
@@ -92,8 +94,7 @@ impl Words<'_> {
             Ends::Points(points) => {
                 let [a, b] = points.map(|id| {
                     let axis = self.model.axis(id);
-                    let point = axis.name.as_deref().unwrap_or_default();
-                    format!("{}.{point}", link(axis.link))
+                    format!("{}.{}", link(axis.link), axis.own_name())
                 });
                 format!("joint {name} = {word}({a}, {b});")
             }

@@ -140,7 +140,7 @@ impl Words<'_> {
     /// An axis as it is declared where the other one is.
     fn moved(&self, joint: JointId, given: AxisId, other: AxisId) -> String {
         let (axis, there) = (self.model.axis(given), self.model.axis(other));
-        let name = axis.name.as_deref().unwrap_or_default();
+        let name = axis.own_name();
         let (a, _) = self.model.ends(joint);
         let way = self.model.start.value(joint) * if a == axis.link { -1.0 } else { 1.0 };
         let [c, s] = there.direction;

@@ -38,7 +38,7 @@ impl Words<'_> {
             let text = format!(
                 "the mechanism is not sequential: {} cannot be solved alone\nnote: these loops have more than three \
                  unknowns each, and wait for each other: {round}{help}",
-                named.get(index).map_or("this loop", String::as_str)
+                named[index]
             );
             (at, text)
         };

@@ -6,10 +6,7 @@ use crate::model::{JointId, ParamId};
 impl Words<'_> {
     /// The name of a param.
     pub(super) fn param(&self, param: ParamId) -> &str {
-        let params = self.model.params.all();
-        params
-            .get(param.index())
-            .map_or("", |param| param.name.as_str())
+        &self.model.params.all()[param.index()].name
     }
 
     pub(super) fn matched_only(&self, joints: &[JointId], param: ParamId) -> String {

@@ -14,6 +14,7 @@ impl Words<'_> {
     ) -> (Origin, String) {
         let declared = self.model.motor(motor);
         let name = self.joint(declared.joint);
+        // A motor may have none, where others have.
         let origin = declared.range.map_or(declared.origin, |range| range.origin);
         let at = |value: f64| self.motor_value(motor, value);
         let text = match trouble {

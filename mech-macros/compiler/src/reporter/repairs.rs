@@ -2,6 +2,7 @@
 
 use super::Words;
 use super::wording::{brief, one_of};
+use crate::bug::bug;
 use crate::model::{JointId, JointKind, MotorId, Ratio};
 use crate::repair::{Offers, Repair, Search};
 
@@ -192,11 +193,12 @@ impl Words<'_> {
                 _ => None,
             });
             let from = self.joint(self.model.motor(motor).joint);
-            let place = repairs
-                .iter()
-                .position(|repair| moved(repair) == Some(motor));
+            let mut all = repairs.iter();
+            let Some(place) = all.position(|repair| moved(repair) == Some(motor)) else {
+                bug!("a motor is moved by no repair");
+            };
             let phrase = format!("move the motor from {from} to {}", one_of(&to));
-            (place.unwrap_or(0), phrase)
+            (place, phrase)
         };
         motors.into_iter().map(phrase).collect()
     }

@@ -2,6 +2,7 @@
 
 use super::Words;
 use super::wording::{brief, places_enough, rounded};
+use crate::bug::bug;
 use crate::model::{AxisId, JointId, JointKind, LinkId, Model, Near, Origin};
 use crate::plan::{self, Plan};
 use crate::structure::{self, Diagnosis};
@@ -12,7 +13,9 @@ const MOST: usize = 64;
 impl Words<'_> {
     pub(super) fn start_not_free(&self, joint: JointId) -> (Origin, String) {
         let mut values = self.model.start.values.iter();
-        let value = values.find(|value| value.joint == joint);
+        let Some(value) = values.find(|value| value.joint == joint) else {
+            bug!("a start that is not given is not free");
+        };
         let text = self.start_by_cam(joint).unwrap_or_else(|| {
             format!(
                 "joint {} has no motor and nothing that rolls drives it: where it starts follows from the others{}",
@@ -20,7 +23,7 @@ impl Words<'_> {
                 self.assembly_near(joint)
             )
         });
-        (value.map_or(self.model.origin, |value| value.origin), text)
+        (value.origin, text)
     }
 
     /// How to say which assembly is meant instead, from where the joint is in each.
@@ -92,8 +95,10 @@ const NO_ANGLE: &str =
 /// The start of a mechanism, without what it says of joints that follow from others.
 fn assembled(model: &mut Model) -> Result<Plan, Diagnosis> {
     loop {
-        let structure = structure::analyse(model)
-            .map_err(|diagnoses| diagnoses.into_iter().next().unwrap_or(Diagnosis::Rigid))?;
+        let structure = structure::analyse(model).map_err(|diagnoses| {
+            let first = diagnoses.into_iter().next();
+            first.unwrap_or_else(|| bug!("a structure is refused without a reason"))
+        })?;
         match plan::plan(model, &structure) {
             Err(Diagnosis::StartNotFree { joint }) => {
                 model.start.values.retain(|value| value.joint != joint);

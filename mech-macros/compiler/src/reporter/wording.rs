@@ -1,5 +1,6 @@
 //! Lists and numbers, as a reader wants them.
 
+use crate::bug::bug;
 /// An enumeration. Of very many, the last are only counted.
 pub(super) fn and(names: &[String]) -> String {
     const MOST: usize = 40;
@@ -27,8 +28,9 @@ pub(super) fn one_of(names: &[String]) -> String {
 
 /// After how many decimal places, in degrees, the assemblies can still be told apart.
 pub(super) fn places_enough(links: usize, angles: &[Vec<f64>]) -> usize {
-    let apart = |places: usize| {
-        let least = 4.0 * 0.1_f64.powi(i32::try_from(places).unwrap_or(0));
+    const MOST: u8 = 4;
+    let apart = |places: &u8| {
+        let least = 4.0 * 0.1_f64.powi(i32::from(*places));
         (0..links).all(|link| {
             let angles: Vec<f64> = angles
                 .iter()
@@ -42,14 +44,17 @@ pub(super) fn places_enough(links: usize, angles: &[Vec<f64>]) -> usize {
             turns.all(|turn| turn < 1e-3 || turn > least)
         })
     };
-    (0..4).find(|&places| apart(places)).unwrap_or(4)
+    usize::from((0..MOST).find(apart).unwrap_or(MOST))
 }
 
 /// A number with so many decimal places, without zeros at its end.
 pub(super) fn rounded(value: f64, places: usize) -> f64 {
     let text = format!("{value:.places$}");
     // Zero added: there is no point in a negative one.
-    text.parse::<f64>().map_or(value, |value| value + 0.0)
+    let Ok(value) = text.parse::<f64>() else {
+        bug!("`{text}` is no number");
+    };
+    value + 0.0
 }
 
 /// A number with as many digits as a reader wants.

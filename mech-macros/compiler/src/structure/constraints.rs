@@ -10,6 +10,7 @@ use super::elimination::Sparse;
 use super::field::{Dice, Element};
 use super::pin::Pin;
 use super::rolling::{Factor, Rolling, RollingEnd};
+use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId, Model};
 use petgraph::unionfind::UnionFind;
 
@@ -80,8 +81,8 @@ impl<'m> Constraints<'m> {
                 } else {
                     Element::ZERO
                 };
-                let mut row = self.rate(follower).unwrap_or_default();
-                let turning = self.rate(shaft).unwrap_or_default().into_iter();
+                let mut row = self.rate_of_coordinate(follower);
+                let turning = self.rate_of_coordinate(shaft).into_iter();
                 row.extend(turning.map(|(column, value)| (column, -(slope * value))));
                 vec![row]
             }
@@ -101,6 +102,15 @@ impl<'m> Constraints<'m> {
             }
             _ => None,
         }
+    }
+
+    /// The same of a joint that turns or slides.
+    pub(crate) fn rate_of_coordinate(&self, id: JointId) -> Sparse {
+        let Some(rate) = self.rate(id) else {
+            let name = &self.model.joint(id).name;
+            bug!("joint `{name}` has no coordinate and is asked for its rate");
+        };
+        rate
     }
 
     /// The rates of a link in a motion: of its angle and of its origin.
@@ -141,7 +151,7 @@ impl<'m> Constraints<'m> {
                     slide, forwards, ..
                 } => {
                     let factor = if forwards { factor } else { -factor };
-                    let rate = self.rate(slide).unwrap_or_default();
+                    let rate = self.rate_of_coordinate(slide);
                     row.extend(
                         rate.into_iter()
                             .map(|(column, value)| (column, factor * value)),

@@ -1,6 +1,7 @@
 //! Sparse elimination, row by row, that remembers how each row came about.
 
 use super::field::{Dice, Element};
+use crate::bug::bug;
 
 /// A sparse row or combination: columns in ascending order, no zeros.
 pub(crate) type Sparse = Vec<(usize, Element)>;
@@ -133,7 +134,9 @@ impl Elimination {
             let value = match pivot {
                 None => dice.roll(),
                 Some(Pivot { row, .. }) => {
-                    let rest = row.split_last().map_or(&[][..], |(_, rest)| rest);
+                    let Some((_, rest)) = row.split_last() else {
+                        bug!("an equation that stands for an unknown is empty");
+                    };
                     let sum = rest.iter().fold(Element::ZERO, |sum, &(column, value)| {
                         sum + value * motion[column]
                     });

@@ -93,8 +93,11 @@ impl Mul for Element {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let product = u128::from(self.0) * u128::from(other.0);
-        let low = u64::try_from(product & u128::from(P)).unwrap_or(0);
-        let high = u64::try_from(product >> 61).unwrap_or(0);
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "both factors have at most 61 bits, so each half has"
+        )]
+        let [low, high] = [product & u128::from(P), product >> 61].map(|half| half as u64);
         Self::reduced(low + high)
     }
 }

@@ -15,6 +15,7 @@ pub(crate) use graph::KinematicGraph;
 pub use pin::Pin;
 pub use rolling::{Factor, Rolling, RollingEnd};
 
+use crate::bug::bug;
 use crate::model::{Joint, JointId, JointKind, LinkId, Model};
 
 /// What was found out about a coherent mechanism.
@@ -112,5 +113,7 @@ pub fn mobility(model: &Model) -> i64 {
     };
     let taken: usize = model.joints.iter().map(taken).sum();
     let given = 3 * (model.links.len() - 1);
-    i64::try_from(given).unwrap_or(i64::MAX) - i64::try_from(taken).unwrap_or(i64::MAX)
+    let [given, taken] = [given, taken]
+        .map(|count| i64::try_from(count).unwrap_or_else(|_| bug!("{count} freedoms are counted")));
+    given - taken
 }

@@ -1,5 +1,6 @@
 //! Pins: several links on one axis of rotation (a multiple joint) are joined pairwise, whichever pairs were declared.
 
+use crate::bug::bug;
 use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 use petgraph::unionfind::UnionFind;
 use std::collections::BTreeMap;
@@ -62,8 +63,11 @@ pub(super) fn pins(model: &Model) -> Vec<Pin> {
         if let JointKind::Revolute(a, _) = model.joint(id).kind {
             let class = classes.find(a.index());
             let pin = *place.entry(class).or_insert_with(|| {
+                let Some(members) = members.remove(&class) else {
+                    bug!("a pin has no axes");
+                };
                 pins.push(Pin {
-                    members: members.remove(&class).unwrap_or_default(),
+                    members,
                     joints: Vec::new(),
                 });
                 pins.len() - 1

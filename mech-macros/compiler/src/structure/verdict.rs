@@ -57,7 +57,7 @@ impl<'m> Rank<'m> {
         let mut driven = joints.clone();
         let mut idle = Vec::new();
         for id in model.motor_ids() {
-            let row = constraints.rate(model.motor(id).joint).unwrap_or_default();
+            let row = constraints.rate_of_coordinate(model.motor(id).joint);
             if let Added::Dependent(rows) = driven.add(row) {
                 let among = rows
                     .iter()
@@ -98,6 +98,7 @@ impl<'m> Rank<'m> {
 
     /// The rate of a joint's coordinate in a motion.
     fn rate(&self, id: JointId, motion: &[Element]) -> Element {
+        // What has no coordinate does not move.
         let rate = self.constraints.rate(id).unwrap_or_default();
         rate.iter().fold(Element::ZERO, |sum, &(column, factor)| {
             sum + factor * motion[column]

@@ -1,5 +1,6 @@
 //! Places in the text, and messages that point at them.
 
+use crate::bug::bug;
 use crate::model::Origin;
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
@@ -53,7 +54,10 @@ impl Places {
     pub fn note(&mut self, place: Place) -> Origin {
         self.0.push(place);
         // `Origin(0)` is the default of things that no text declared, such as the ground.
-        Origin(u32::try_from(self.0.len()).unwrap_or(u32::MAX))
+        let Ok(number) = u32::try_from(self.0.len()) else {
+            bug!("more than 2^32 things were declared");
+        };
+        Origin(number)
     }
 
     /// The place of this origin; the macro's own call site if no text declared it.

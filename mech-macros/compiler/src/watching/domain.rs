@@ -39,8 +39,7 @@ impl<'a> Domain<'a> {
 
     /// What is given at the start.
     pub(crate) fn start(&self, input: usize) -> f64 {
-        let start = self.cutter.program.start.motors.get(input).copied();
-        start.unwrap_or_default()
+        self.cutter.program.start.motors[input]
     }
 
     /// Whether anything of an input is read.
@@ -102,6 +101,7 @@ impl<'a> Domain<'a> {
             Interval::point(*part) * (self.of_input(*input) - from)
         };
         let moved = parts.iter().map(moved).reduce(|sum, next| sum + next);
+        // What is made of no input does not move.
         let moved = moved.unwrap_or(Interval::ZERO);
         if moved.is_bounded() && moved.width() < TAU {
             Interval::point(self.cutter.at_start[angle.index()]) + moved

@@ -2,6 +2,7 @@
 
 use super::domain::Domain;
 use super::known::{Free, Known};
+use crate::bug::bug;
 use crate::certify::Interval;
 use crate::certify::always::{Question, always_closes};
 use crate::certify::carried;
@@ -26,9 +27,7 @@ pub(super) fn prove(domain: &mut Domain<'_>) {
             continue;
         }
         let free = proved(domain, block, closed, &mut left);
-        if let Some(known) = domain.known.get_mut(closed.number) {
-            *known = Known { free };
-        }
+        domain.known[closed.number] = Known { free };
     }
 }
 
@@ -56,12 +55,7 @@ fn proved(domain: &Domain<'_>, block: BlockId, closed: &Closed, left: &mut usize
         return found;
     }
     let together = Cuts {
-        through: &|number| {
-            domain
-                .known
-                .get(number)
-                .is_some_and(|known| known.free.is_some())
-        },
+        through: &|number| domain.known[number].free.is_some(),
         own: Some(closed.number),
         into: &|angle| domain.cutter.parts(angle).is_some(),
     };
@@ -103,12 +97,7 @@ fn all_if_wide(range: Interval) -> Interval {
 
 /// Whether the variables of a loop by itself may follow from each other, but for those that carry it.
 fn hangs_together(domain: &Domain<'_>, cone: &Cone, carriers: &[Carrier]) -> bool {
-    let is_free = |number: usize| {
-        domain
-            .known
-            .get(number)
-            .is_some_and(|known| known.free.is_some())
-    };
+    let is_free = |number: usize| domain.known[number].free.is_some();
     let found =
         |variable: &Variable| matches!(variable, Variable::Found(number, _) if is_free(*number));
     let has_part = |index: &usize| carriers.iter().all(|carrier| carrier.variable != *index);
@@ -188,7 +177,9 @@ impl<'c> Asked<'c> {
             let turned = carried::turned_along(cone, variable, &numbers, &vectors)?;
             let mut turned = turned.into_iter().take(directions);
             let along = self.unknowns.iter().map(|(solution, _)| match solution {
-                Solution::Direction(_) => turned.next().unwrap_or_default(),
+                Solution::Direction(_) => turned
+                    .next()
+                    .unwrap_or_else(|| bug!("a direction of a loop is not looked at")),
                 Solution::Slide(_) => false,
             });
             Some(Carrier {
@@ -206,10 +197,11 @@ impl<'c> Asked<'c> {
 
     /// Where a value of the program is among the outputs of a cone.
     fn place(&self, value: Value) -> usize {
-        self.outputs
-            .iter()
-            .position(|output| *output == value)
-            .unwrap_or(0)
+        let mut outputs = self.outputs.iter();
+        let Some(place) = outputs.position(|output| *output == value) else {
+            bug!("a value of a loop is not among its outputs");
+        };
+        place
     }
 
     fn answer(

@@ -1,9 +1,8 @@
 //! Bounds that are too wide cut down to guesses: through several loops they multiply, and become far wider than any motion.
 
 use super::pace::Paces;
-use crate::plan::{Rational, Tie, Unknown};
+use crate::plan::{Rational, Tie, Unknown, float_of};
 use crate::program::{Bound, Growth, Op};
-use num_traits::ToPrimitive as _;
 
 /// A bound through many loops is wide: away from all dead points nothing is guessed to turn more than so many times as fast as what
 /// drives it, and no sine to change so fast.
@@ -30,7 +29,7 @@ impl Paces<'_> {
             Unknown::Direction(_) => 1.0,
             Unknown::Slide(_) => size,
         };
-        let number = |part: &Rational| part.to_f64().unwrap_or(f64::INFINITY).abs();
+        let number = |part: &Rational| float_of(part).abs();
         let mut most = MOST_OF_SINE;
         for tie in ties {
             let parts = tie.parts.iter();

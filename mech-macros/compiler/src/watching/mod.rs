@@ -55,9 +55,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
     }
     let mut decided = choices;
     for (_, closed) in program.all_closed() {
-        let Some(choice) = decided.get_mut(closed.number) else {
-            continue;
-        };
+        let choice = &mut decided[closed.number];
         if let Some(free) = &domain.known[closed.number].free {
             choice.pins_near = free.least_distance_square < NEAR_PINS;
             continue;
@@ -118,9 +116,8 @@ fn watch_nearly_stuck(paces: &mut Paces<'_>, program: &Program, decided: &mut [C
         if !watched.any(|watching| watching.bound.growth.contains(&near)) {
             continue;
         }
-        if let Some(choice) = decided.get_mut(closed.number)
-            && choice.watching.is_none()
-        {
+        let choice = &mut decided[closed.number];
+        if choice.watching.is_none() {
             choice.watching = Some(Watching {
                 bound: paces.of_sine(closed),
                 at_zero: AtZero::Stay,

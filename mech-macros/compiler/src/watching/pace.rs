@@ -323,9 +323,7 @@ impl<'d> Paces<'d> {
         };
         let goal = self.goal(number).clone();
         let lever = match (&closed.form, direction) {
-            (Form::TwoCircles { .. }, _) => {
-                1.0 / goal.arms.get(index).map_or(1.0, |[least, _]| *least)
-            }
+            (Form::TwoCircles { .. }, _) => 1.0 / goal.arms[index][0],
             (Form::CircleAndLine { .. }, true) => 1.0 / pair(&goal.arms)[0][0],
             (Form::TurningLine { size, .. }, true) => 1.0 / size,
             (Form::TurningLine { size, .. }, false) => 1.0 + pair(&goal.arms)[0][1] / size,

@@ -33,8 +33,7 @@ impl Writer<'_> {
             LoadKind::Force(point) => {
                 let next = Literal::usize_unsuffixed(first + 1);
                 let axis = self.model.axis(point);
-                let (link, point) = (&self.model.link(axis.link).name, axis.name.as_deref());
-                let point = point.unwrap_or_default();
+                let (link, point) = (&self.model.link(axis.link).name, axis.own_name());
                 (
                     quote!([#scalar; 2]),
                     quote!([self.loads[#index], self.loads[#next]]),

@@ -1,7 +1,7 @@
 use super::{Edit, die_of};
 use crate::model::{
-    Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, MotorId, Near,
-    Origin, Ratio, StartValue,
+    Axis, AxisId, AxisKind, Between, Joint, JointId, JointKind, Link, LinkId, LoadKind, Model,
+    Motor, MotorId, Near, Origin, Ratio, StartValue,
 };
 
 /// A small generator (splitmix64).
@@ -290,4 +290,44 @@ fn motors_come_go_and_move() {
     let moved = model.with_motor_moved(MotorId::new(1), joint);
     assert_eq!(moved.motor(MotorId::new(1)).joint, joint);
     assert_eq!(moved.motors.len(), model.motors.len());
+}
+
+#[test]
+fn springs_and_loads_stay_on_what_they_act_on() {
+    let text = "struct Wound; link a { point p = (1, 0); } link b { point q = (2, 0); } link c { point r = (3, 0); } \
+        joint first = revolute(ground, a) at (0, 0); joint middle = revolute(a, b) at (1, 0); \
+        joint last = revolute(b, c) at (2, 0); motor first; motor middle; motor last; \
+        spring on_first = torsional(first) stiffness 1; spring on_last = torsional(last) stiffness 1; \
+        damper between = linear(a.p, c.r) damping 1; load push = force(c.r); load turn = torque(c); effects { force; }";
+    let parsed = crate::syntax::parse(text.parse().expect("tokens"));
+    assert!(parsed.errors.is_empty(), "{:?}", parsed.errors);
+    let before = parsed.model;
+    let first = JointId::new(0);
+    let after = before.without_joint(first);
+    let [spring] = &after.actions.springs[..] else {
+        panic!("one spring is left: {:?}", after.actions);
+    };
+    let Between::Joint(on) = spring.between else {
+        panic!("on a joint");
+    };
+    assert_eq!(
+        (&spring.name[..], &after.joint(on).name[..]),
+        ("on_last", "last")
+    );
+    let without_b = before.without_link(LinkId::new(2));
+    let [damper] = &without_b.actions.dampers[..] else {
+        panic!("the damper is left");
+    };
+    let Between::Points(p, r) = damper.between else {
+        panic!("between points");
+    };
+    let name = |id: AxisId| without_b.axis(id).own_name();
+    assert_eq!([name(p), name(r)], ["p", "r"]);
+    let [push, turn] = &without_b.actions.loads[..] else {
+        panic!("both loads are left");
+    };
+    let (LoadKind::Force(point), LoadKind::Torque(link)) = (push.kind, turn.kind) else {
+        panic!("a force and a torque");
+    };
+    assert_eq!((name(point), &without_b.link(link).name[..]), ("r", "c"));
 }

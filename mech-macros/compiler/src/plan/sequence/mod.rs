@@ -286,9 +286,7 @@ impl<'m> Search<'m> {
             .iter()
             .map(|&connection| self.clusters.base(self.link_of(connection).1))
             .collect();
-        let first = found.tree.first().map_or(LinkId::GROUND, |&connection| {
-            self.clusters.base(self.link_of(connection).0)
-        });
+        let first = self.clusters.base(self.link_of(found.first()).0);
         for &base in &bases {
             let angle = Source::Angle {
                 from: first,
@@ -368,7 +366,7 @@ impl<'m> Search<'m> {
     }
 
     /// The declared joint of a pin that joins these two links, or else one that joins their clusters, or else one that
-    /// holds the second.
+    /// holds the second, or else the first.
     fn named_on(&self, pin: &Pin, a: LinkId, b: LinkId) -> JointId {
         let ends = |joint: JointId| self.model.ends(joint);
         let bases = |joint| {

@@ -1,6 +1,7 @@
 //! What gears, belts and racks add to the search: joints they move, and directions they tie.
 
 use super::Search;
+use crate::bug::bug;
 use crate::model::{JointKind, LinkId};
 use crate::plan::equation::Unknown;
 use crate::plan::knowledge::Knowledge;
@@ -221,6 +222,9 @@ fn relation(rolling: &Rolling) -> Linear {
 fn exactly(factor: Factor) -> Rational {
     match factor {
         Factor::Whole(value) => BigRational::from_integer(value.into()),
-        Factor::Float(value) => BigRational::from_float(value).unwrap_or_else(one),
+        Factor::Float(value) => {
+            let exact = BigRational::from_float(value);
+            exact.unwrap_or_else(|| bug!("something rolls on a radius of {value}"))
+        }
     }
 }

@@ -7,6 +7,7 @@ use super::rates::Solved;
 use super::reaction::{Along, Part, Place, Push, Unknown};
 use super::tangent::Seed;
 use super::wrench::Wrench;
+use crate::bug::bug;
 use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
 use crate::plan::Algebra;
 use crate::program::node::{Op, Value};
@@ -86,7 +87,6 @@ impl Writer<'_> {
             .iter()
             .map(|ways| ways.iter().map(Rows::pattern).collect())
             .collect();
-        let zero = self.builder.constant(0.0);
         let (choices, blocks) = chosen(&pattern, unknowns.len())?;
         let rows: Vec<(&Vec<(usize, Value)>, Value)> = written
             .iter()
@@ -104,7 +104,9 @@ impl Writer<'_> {
                 found[unknown] = Some(value);
             }
         }
-        let found = found.into_iter().map(|value| value.unwrap_or(zero));
+        let found = found.into_iter().map(|value| {
+            value.unwrap_or_else(|| bug!("an unknown of the equilibrium is in none of its systems"))
+        });
         Some(found.collect())
     }
 
@@ -125,7 +127,10 @@ impl Writer<'_> {
             for &(unknown, factor) in parts {
                 if let Some(column) = block.unknowns.iter().position(|&other| other == unknown) {
                     columns[column][row] = factor;
-                } else if let Some(value) = found[unknown] {
+                } else {
+                    let Some(value) = found[unknown] else {
+                        bug!("an equilibrium needs an unknown that is found after it");
+                    };
                     let share = self.builder.mul(factor, value);
                     sum = self.builder.add(sum, share);
                 }
@@ -164,6 +169,7 @@ impl Writer<'_> {
         if points.is_empty() {
             let mut axes = self.model.axes.iter();
             let line = axes.find(|axis| axis.link == link && axis.kind == AxisKind::Line);
+            // Moments are taken about any point: on a line they are simple, and there may be none.
             points.push(line.map_or([0.0, 0.0], |axis| axis.at));
         }
         let ways = slides

@@ -2,10 +2,10 @@
 
 use super::Writer;
 use super::tangent::{Seed, Tangents};
+use crate::bug::bug;
 use crate::model::{JointId, JointKind};
-use crate::plan::{Algebra, Cam, ConnectionKind, Rational, Source};
+use crate::plan::{Algebra, Cam, ConnectionKind, Rational, Source, float_of};
 use crate::program::node::Value;
-use num_traits::ToPrimitive;
 
 /// A follower that was put where its cam has it.
 pub(super) struct Followed {
@@ -62,13 +62,13 @@ impl Writer<'_> {
     /// The coordinate of the shaft of a cam; less whole turns, if that is enough.
     pub(super) fn shaft(&mut self, cam: &Cam, in_one_turn: bool) -> Value {
         let mut starts = self.plan.start.cams.iter();
-        let mut offset = starts
-            .find(|start| start.cam == cam.by)
-            .map_or(0.0, |start| start.shaft);
+        let Some(start) = starts.find(|start| start.cam == cam.by) else {
+            bug!("cam `{}` starts nowhere", self.model.joint(cam.by).name);
+        };
+        let mut offset = start.shaft;
         let mut moved = self.builder.constant(0.0);
         for (number, exact) in &cam.parts {
-            let start = self.plan.start.sources.get(*number);
-            offset -= exact.to_f64().unwrap_or(0.0) * start.copied().unwrap_or_default();
+            offset -= float_of(exact) * self.plan.start.sources[*number];
             let share = self.part(*number, exact, in_one_turn);
             moved = self.builder.add(moved, share);
         }
@@ -81,7 +81,7 @@ impl Writer<'_> {
         match self.plan.sources[number] {
             Source::Angle { from, to } if in_one_turn && exact.is_integer() => {
                 let angle = self.principal(number, [from, to]);
-                let factor = self.builder.constant(exact.to_f64().unwrap_or(0.0));
+                let factor = self.builder.constant(float_of(exact));
                 self.builder.mul(factor, angle)
             }
             _ => self.share(number, exact, in_one_turn),

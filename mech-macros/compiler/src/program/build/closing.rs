@@ -55,9 +55,7 @@ impl Writer<'_> {
         for ring in &equation.rings {
             self.builder.name_vector(ring.offset, "known");
         }
-        let first = closing.tree.first().map_or(LinkId::GROUND, |connection| {
-            self.placement.base(connection.from)
-        });
+        let first = self.placement.base(closing.first().from);
         let choice = self.choice();
         if (choice.solver == Solver::ClosedForm || choice.goes_over())
             && let Some(solution) = self.in_closed_form(block, closing, &equation, (first, &place))
@@ -449,7 +447,7 @@ impl Writer<'_> {
         for walk in &measure.rings {
             self.builder.name_vector(walk.gap, "gap");
             for &(unknown, side) in &walk.sides {
-                if let Some(name) = unknown.and_then(|unknown| names.get(unknown)) {
+                if let Some(name) = unknown.map(|unknown| &names[unknown]) {
                     self.builder.name_vector(side, &format!("{name}_side"));
                 }
             }

@@ -68,6 +68,7 @@ impl Writer<'_> {
                     ..
                 } => self.circle_and_line(goal, ring.arms[0]?, along, firsts, choice),
                 Slide { along, .. } => {
+                    // The line may turn about the very point.
                     let arm = ring.arms[0].unwrap_or(self.builder.vector([0.0, 0.0]));
                     self.line_that_turns(goal, arm, along, firsts, choice)
                 }

@@ -35,7 +35,7 @@ use super::{
 use crate::model::{AxisId, Joint, JointKind, LinkId, Model};
 use crate::plan::{
     Algebra, Connection, ConnectionKind, Coordinate, Drive, Mesh, Needed, Placement, Plan, Pose,
-    Rational, Source, Step, Turning,
+    Rational, Source, Step, Turning, float_of,
 };
 use crate::structure::Structure;
 use mech_core::journey::AtZero;
@@ -206,6 +206,7 @@ fn strides(model: &Model) -> Vec<f64> {
     // Nor may a param go so far that lengths change by much.
     let params = model.params.ids().map(|param| {
         let scale = model.param_scale(param);
+        // What changes no length is not held back by much.
         scale.map_or(1.0, |scale| 0.02 * scale)
     });
     model.motors.iter().map(stride).chain(params).collect()
@@ -351,26 +352,11 @@ impl Writer<'_> {
         let name = self.model.joint(mesh.by).name.clone();
         self.builder
             .block(format!("mesh_{name}"), format!("Moved by `{name}`."));
-        let start = self
-            .plan
-            .start
-            .meshes
-            .get(self.meshes)
-            .copied()
-            .unwrap_or_default();
+        let mut offset = self.plan.start.meshes[self.meshes];
         self.meshes += 1;
-        let mut offset = start;
         let mut moved = self.builder.constant(0.0);
         for (number, exact) in &mesh.parts {
-            let part = exact.to_f64().unwrap_or(0.0);
-            offset -= part
-                * self
-                    .plan
-                    .start
-                    .sources
-                    .get(*number)
-                    .copied()
-                    .unwrap_or_default();
+            offset -= float_of(exact) * self.plan.start.sources[*number];
             let turns = mesh.connection.kind == ConnectionKind::Revolute;
             let share = self.share(*number, exact, turns);
             moved = self.builder.add(moved, share);
@@ -386,7 +372,7 @@ impl Writer<'_> {
     /// A part of what a source gives. Of a motor's whole turns, an angle needs only what they come to less whole turns.
     fn share(&mut self, number: usize, part: &Rational, is_angle: bool) -> Value {
         let source = self.source(number);
-        let factor = self.builder.constant(part.to_f64().unwrap_or(0.0));
+        let factor = self.builder.constant(float_of(part));
         let share = self.builder.mul(factor, source);
         let Source::Motor(motor) = self.plan.sources[number] else {
             return share;
@@ -426,21 +412,12 @@ impl Writer<'_> {
                 self.builder.name(value, name)
             }
             Source::Angle { from, to } => {
-                let start = self
-                    .plan
-                    .start
-                    .sources
-                    .get(number)
-                    .copied()
-                    .unwrap_or_default();
+                let start = self.plan.start.sources[number];
                 let principal = self.principal(number, [from, to]);
                 let name = format!("{}_angle", self.name_of(to));
                 self.unwrapped(Turning::Source(number), principal, start, name)
             }
-            Source::Way(joint) => {
-                let way = self.placement.way(&mut self.builder, joint);
-                way.unwrap_or_else(|| self.builder.constant(0.0))
-            }
+            Source::Way(joint) => self.placement.way(&mut self.builder, joint),
         };
         self.sources[number] = Some(value);
         value

@@ -195,6 +195,7 @@ impl Writer<'_> {
                 Some(now) => self.builder.make(Op::Choose(now, test, now)),
             });
         }
+        // Without an input nothing is ever steady.
         let never = self.builder.constant(-1.0);
         let now = self.builder.name(now.unwrap_or(never), "steady");
         let last = self.keep(-1.0);

@@ -101,9 +101,7 @@ impl Writer<'_> {
         let (motors, params) = (&self.model.motors, self.model.params.all());
         match motors.get(given) {
             Some(motor) => &self.model.joint(motor.joint).name,
-            None => params
-                .get(given.saturating_sub(motors.len()))
-                .map_or("", |param| param.name.as_str()),
+            None => &params[given - motors.len()].name,
         }
     }
 

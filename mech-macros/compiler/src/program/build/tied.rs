@@ -3,11 +3,10 @@
 use super::Writer;
 use super::closing::System;
 use crate::model::{JointId, LinkId};
-use crate::plan::{Algebra, Equation, Loop, Measure, Rational, Solution, Tie, Unknown};
+use crate::plan::{Algebra, Equation, Loop, Measure, Solution, Tie, Unknown, float_of};
 use crate::program::builder::Builder;
 use crate::program::newton::Newton;
 use crate::program::node::{BlockId, Op, Value};
-use num_traits::ToPrimitive;
 
 /// What a radian of an angle that is counted from the start adds to rounding, as a part of it.
 const OF_A_RADIAN: f64 = 0.125;
@@ -47,8 +46,7 @@ impl Tied {
     /// The columns of the unknowns, from those of all directions and ways.
     pub(super) fn columns(&self, builder: &mut Builder, all: &[Vec<Value>]) -> Vec<Vec<Value>> {
         let column = |place: usize| {
-            let rows = all.first().map_or(0, Vec::len);
-            let mut sum = vec![builder.constant(0.0); rows];
+            let mut sum = vec![builder.constant(0.0); all[place].len()];
             for (course, column) in self.courses.iter().zip(all) {
                 for (_, part) in course.parts.iter().filter(|(other, _)| *other == place) {
                     let part = builder.constant(*part);
@@ -128,7 +126,7 @@ impl Writer<'_> {
                     },
                 },
                 Some(tie) => {
-                    let part = |(other, part): &(Unknown, _)| Some((place(other)?, f64_of(part)));
+                    let part = |(other, part): &(Unknown, _)| Some((place(other)?, float_of(part)));
                     Course {
                         parts: tie.parts.iter().filter_map(part).collect(),
                         known: self.moved_by_sources(tie),
@@ -147,7 +145,7 @@ impl Writer<'_> {
         for (number, part) in &tie.sources {
             let start = self.plan.start.sources[*number];
             let share = self.share(*number, part, turns);
-            let start = self.builder.constant(start * f64_of(part));
+            let start = self.builder.constant(start * float_of(part));
             let moved = self.builder.sub(share, start);
             known = self.builder.add(known, moved);
         }
@@ -162,7 +160,7 @@ impl Writer<'_> {
                 let mut way = self.way_at_start(joint, first);
                 for (other, part) in &tie.parts {
                     if let Unknown::Slide(other) = *other {
-                        way -= f64_of(part) * self.way_at_start(other, first);
+                        way -= float_of(part) * self.way_at_start(other, first);
                     }
                 }
                 Start::Way(way)
@@ -333,8 +331,4 @@ pub(super) fn all_columns(measure: &Measure<Value>, unknowns: usize) -> Vec<Vec<
         walks.flat_map(|walk| walk.columns[unknown]).collect()
     };
     (0..unknowns).map(column).collect()
-}
-
-fn f64_of(part: &Rational) -> f64 {
-    part.to_f64().unwrap_or(0.0)
 }

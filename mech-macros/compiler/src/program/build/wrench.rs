@@ -2,6 +2,7 @@
 
 use super::Writer;
 use super::tangent::Tangents;
+use crate::bug::bug;
 use crate::model::{AxisId, Between, Damper, JointId, LinkId, LoadKind, Mass, Spring};
 use crate::plan::Algebra;
 use crate::program::node::{Op, Value};
@@ -274,7 +275,10 @@ impl Writer<'_> {
     fn deflection(&mut self, joint: JointId, rest: f64) -> Value {
         let rest = self.builder.constant(rest);
         // Only revolute joints have torsional springs, and the angles of all of these are known.
-        let angle = self.sprung_coordinate(joint).unwrap_or(rest);
+        let Some(angle) = self.sprung_coordinate(joint) else {
+            let name = &self.model.joint(joint).name;
+            bug!("a torsional spring is on joint `{name}`, whose angle is not known");
+        };
         self.builder.sub(angle, rest)
     }
 }

@@ -89,9 +89,7 @@ impl Lowering {
                 Mass::of_shapes(known, density)
             }
         };
-        if let Some(link) = self.model.links.get_mut(link.index()) {
-            link.mass = Some(mass);
-        }
+        self.model.links[link.index()].mass = Some(mass);
     }
 
     pub(super) fn lower_gravity(&mut self, keyword: Span, value: &Pair) {

@@ -23,9 +23,7 @@ impl Lowering {
         let ((at, formulas), direction) = (at?, direction?);
         let [a, b] = links;
         Some([(a, kinds[0]), (b, kinds[1])].map(|(link, kind)| {
-            if let Some(drawn) = self.model.links.get_mut(link.index()) {
-                drawn.drawn |= link != LinkId::GROUND;
-            }
+            self.model.links[link.index()].drawn |= link != LinkId::GROUND;
             let direction = match kind {
                 AxisKind::Point => FORWARD,
                 AxisKind::Line => direction,

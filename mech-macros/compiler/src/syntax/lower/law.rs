@@ -3,6 +3,7 @@
 use super::Lowering;
 use super::param::Quantity;
 use super::value::{add, finite, multiply, shown};
+use crate::bug::bug;
 use crate::model::{Extreme, Function, JointId, Law, LawId, StartValue, Term, TermId};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, ExprKind};
@@ -259,9 +260,10 @@ impl Lowering {
 
     fn statement_of(&self, joint: JointId) -> usize {
         let mut lawful = self.lawful.iter();
-        lawful
-            .find(|(id, _)| *id == joint)
-            .map_or(0, |(_, statement)| *statement)
+        lawful.find(|(id, _)| *id == joint).map_or_else(
+            || bug!("a law was given in no statement"),
+            |(_, statement)| *statement,
+        )
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Lowering;
 use super::name::{Named, word_for};
+use crate::bug::bug;
 use crate::model::{self, LinkId, ShapeKind};
 use crate::syntax::ast::{Axis, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape};
 use crate::syntax::{Place, color};
@@ -98,6 +99,7 @@ impl Lowering {
             return;
         }
         let origin = self.note(&axis.name);
+        // Something wrong was told: any place will do.
         let (at, formulas) = at.unwrap_or_default();
         self.model.axes.push(model::Axis {
             link,
@@ -150,14 +152,12 @@ impl Lowering {
             return;
         };
         let origin = self.places.note(Place::at(shape.keyword));
-        if let Some(link) = self.model.links.get_mut(link.index()) {
-            link.shapes.push(model::Shape {
-                origin,
-                kind,
-                plane,
-                color,
-            });
-        }
+        self.model.links[link.index()].shapes.push(model::Shape {
+            origin,
+            kind,
+            plane,
+            color,
+        });
     }
 
     /// The number of a plane.
@@ -253,5 +253,8 @@ fn color_of(link: LinkId) -> u8 {
     };
     let (round, place) = (earlier / MAIN_COLORS, earlier % MAIN_COLORS);
     let first = FIRST_COLORS[round % FIRST_COLORS.len()];
-    u8::try_from(place).map_or(first, |place| first + place)
+    let Ok(place) = u8::try_from(place) else {
+        bug!("color {place} is beyond the palette");
+    };
+    first + place
 }

@@ -115,7 +115,7 @@ impl Lowering {
                 let axis = self.model.axis(*point);
                 if links.contains(&axis.link) {
                     let link = &self.model.link(axis.link).name;
-                    let name = axis.name.as_deref().unwrap_or_default();
+                    let name = axis.own_name();
                     let text =
                         format!("`{link}.{name}` is shown with its link already; leave this out");
                     self.report.tell(*place, text);

@@ -91,7 +91,7 @@ impl Lowering {
         for trace in self.model.traces.clone() {
             let axis = self.model.axis(trace.point);
             let link = &self.model.link(axis.link).name;
-            let point = axis.name.clone().unwrap_or_default();
+            let point = axis.own_name();
             let method = format!("{link}_{point}_trace");
             let owner = format!("the trace of `{link}.{point}`");
             let place = self.places.get(trace.origin);

@@ -3,6 +3,7 @@
 use super::Lowering;
 use super::param::Quantity;
 use super::report::Report;
+use crate::bug::bug;
 use crate::model::{Formula, FormulaId, Function};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, ExprKind, Pair};
@@ -80,8 +81,10 @@ impl Lowering {
     }
 
     fn literal(&mut self, digits: &str, place: Place) -> Option<f64> {
-        // The digits come from a literal, so they are a number; but one may be too large.
-        let value = digits.parse().unwrap_or(f64::INFINITY);
+        // The digits come from a literal, so they are a number; one that is too large is read as infinite.
+        let Ok(value) = digits.parse() else {
+            bug!("`{digits}` is no number");
+        };
         finite(value, place, &mut self.report)
     }
 
