@@ -316,6 +316,17 @@ fn coupled_s1008() {
     );
 }
 
+/// A whole turn of what gears turn leads coupled loops back to where they were: nothing may be leapt over on the way.
+#[test]
+fn coupled_behind_gears_that_speed_up() {
+    let subject = of(include_str!("texts/s991460.txt"));
+    none(
+        "s991460",
+        &subject,
+        &wrong(&subject, &[vec![1.153_595_189_303_182_2], vec![-0.9]]),
+    );
+}
+
 /// A move that begins where one was stopped, at the edge of a dead zone, does not pass it: not even where rounding lets the loop close
 /// here and there beside the edge.
 #[test]

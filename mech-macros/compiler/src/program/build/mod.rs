@@ -15,6 +15,7 @@ mod rates;
 mod reaction;
 mod sensitivity;
 mod size;
+mod stride;
 mod tangent;
 mod tied;
 mod triad;
@@ -194,22 +195,6 @@ fn write(
     writer.keep_senses();
     writer.keep_places();
     writer.finish(links, further)
-}
-
-/// So short a way of a motor that coupled loops which close at both ends are not likely to be open between.
-fn strides(model: &Model) -> Vec<f64> {
-    let size = model.size();
-    let stride = |motor: &crate::model::Motor| match model.joint(motor.joint).kind {
-        JointKind::Revolute(..) => 0.25,
-        _ => 0.02 * size.max(f64::MIN_POSITIVE),
-    };
-    // Nor may a param go so far that lengths change by much.
-    let params = model.params.ids().map(|param| {
-        let scale = model.param_scale(param);
-        // What changes no length is not held back by much.
-        scale.map_or(1.0, |scale| 0.02 * scale)
-    });
-    model.motors.iter().map(stride).chain(params).collect()
 }
 
 /// For each motor and param whether only the rest of its value is read, and its whole turns apart from it: where gears turn by a part
@@ -536,7 +521,9 @@ impl Writer<'_> {
         let straight = |block: &Block| matches!(block.kind, BlockKind::Straight);
         let loops = !builder.blocks.iter().all(straight);
         let varies = (wanders || !model.params.is_empty()) && loops;
-        let strides = (winds || varies || builder.blocks.iter().any(leaps)).then(|| strides(model));
+        let is_coupled = builder.blocks.iter().any(leaps);
+        let strides =
+            (winds || varies || is_coupled).then(|| stride::strides(model, plan, is_coupled));
         let mut program = Program {
             name: model.name.clone(),
             precision: model.precision,
