@@ -221,7 +221,7 @@ fn range(domain: &Domain<'_>, read: &Read, id: MotorId) -> Result<Interval, Diag
     }
 }
 
-/// The first of these motors that has a range.
+/// The first of these motors that has a range. Where none has one, messages name the first motor that has.
 fn ranged_of(model: &Model, motors: &[usize]) -> Option<usize> {
     let has_range = |motor: &usize| {
         let motor = model.motors.get(*motor);

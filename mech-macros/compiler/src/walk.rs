@@ -112,6 +112,7 @@ fn turns_of(plan: &Plan, motor: MotorId, most_turns: i64) -> (i64, usize) {
         let denominator = part.denom().to_i64().unwrap_or(most_turns);
         num_integer::lcm(turns, denominator.clamp(1, most_turns)).min(most_turns)
     });
+    // One that no usize holds, beyond 2^64 turns, is left out.
     let fastest = own.iter().map(|part| part.abs().ceil().to_integer());
     let fastest = fastest
         .filter_map(|part| part.to_usize())

@@ -289,6 +289,7 @@ impl Model {
                 shaft, follower, ..
             } => {
                 let (shaft, follower) = (self.axes_of(shaft), self.axes_of(follower));
+                // Where they share none, an error is told: what the shaft is on will do.
                 let carrier = common(shaft, follower).unwrap_or(shaft.0);
                 (beside(shaft, carrier), beside(follower, carrier))
             }

@@ -75,6 +75,7 @@ impl<'m> Trials<'m> {
             return Vec::new();
         }
         self.spend(EXPLAINING);
+        // A change that cannot be made breaks nothing.
         let changed = repair.apply(self.model);
         changed
             .and_then(|model| structure::analyse(&model).err())

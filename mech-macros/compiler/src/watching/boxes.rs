@@ -7,6 +7,7 @@ pub(super) fn boxes(ranges: &[Interval], most: usize) -> Vec<Vec<Interval>> {
     let wide = ranges.iter().filter(|range| range.width() > 0.0).count();
     let mut parts = 1_usize;
     let affords = |parts: usize| {
+        // More than 32 bits hold is unaffordable either way.
         let wide = u32::try_from(wide).unwrap_or(u32::MAX);
         parts.checked_pow(wide).is_some_and(|all| all <= most)
     };

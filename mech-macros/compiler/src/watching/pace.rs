@@ -451,6 +451,7 @@ impl<'d> Paces<'d> {
 
 /// The lengths of two arms, or of one.
 fn pair(arms: &[[f64; 2]]) -> [[f64; 2]; 2] {
+    // Where there is no arm, its length is of no matter.
     let arm = |index: usize| arms.get(index).copied().unwrap_or([1.0, 1.0]);
     [arm(0), arm(1)]
 }
