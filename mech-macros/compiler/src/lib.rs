@@ -13,6 +13,7 @@ mod emit;
 pub mod evaluate;
 mod extent;
 pub mod graphs;
+mod guard;
 mod matched;
 pub mod model;
 pub mod plan;
@@ -413,7 +414,7 @@ fn unsettled(plan: &Plan, program: &Program, stop: Stop) -> Diagnosis {
 #[must_use]
 pub fn expand(input: TokenStream) -> TokenStream {
     let (krate, body) = split(input);
-    bug::guarded(
+    guard::guarded(
         &body,
         || expanded(&krate, body.clone()),
         || stub(&krate, body.clone()),

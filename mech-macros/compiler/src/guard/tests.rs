@@ -1,4 +1,5 @@
 use super::guarded;
+use crate::bug::bug;
 use crate::{expand, expanded, stub};
 use proc_macro2::TokenStream;
 use std::panic::catch_unwind;
