@@ -44,18 +44,17 @@ pub(super) fn calibrate(program: &mut Program) {
 /// All values at the start, where every loop is already closed.
 pub(crate) fn at_start(program: &Program) -> Vec<f64> {
     let mut values: Vec<f64> = Vec::with_capacity(program.nodes.len());
+    // What a loop finds that is left out, because nothing shown needs it, is read by nobody.
     let first = |block: BlockId, index: usize| {
-        let Some(newton) = program.newton(block) else {
-            bug!("block {} iterates no loop", block.index());
-        };
-        newton.scalars[index].first
+        let newton = program.newton(block)?;
+        Some(newton.scalars[index].first)
     };
     for node in &program.nodes {
         let value = match node.op {
             Op::Motor(motor) => program.start.motors[motor],
             Op::Last(slot) => last(program, slot),
             Op::Unknown(block, index) | Op::Solved(block, index) => {
-                values[first(block, index).index()]
+                first(block, index).map_or(0.0, |first| values[first.index()])
             }
             // At the start nothing has turned, moves or acts, and no step is missing.
             Op::Turns(_)
