@@ -1,7 +1,6 @@
 //! What a position costs: the operations of a program, counted, and weighed for a machine.
 
-use crate::bug::bug;
-use crate::model::{Precision, Target};
+use crate::model::{Precision, Target, in_32_bits};
 use crate::program::{Block, BlockId, BlockKind, Newton, Op, Program, Rounds, Value};
 use std::fmt;
 use std::iter::Sum;
@@ -90,11 +89,6 @@ impl Cycles {
     }
 }
 
-/// A number of things, as costs are counted.
-fn count(things: usize) -> u32 {
-    u32::try_from(things).unwrap_or_else(|_| bug!("{things} things are counted"))
-}
-
 impl Cost {
     /// About how many cycles it takes on a machine.
     #[must_use]
@@ -146,7 +140,7 @@ impl Cost {
 
     /// A dense system of so many unknowns by elimination with pivoting, with its determinant: n³/3 products and sums and a bit.
     fn dense(unknowns: usize) -> Self {
-        let n = count(unknowns.min(1000));
+        let n = in_32_bits(unknowns.min(1000));
         // In the column of each pivot the rest below it is compared, divided, and taken off row by row.
         let below = n * n.saturating_sub(1) / 2;
         let taken_off = n.saturating_sub(1) * n * (2 * n).saturating_sub(1) / 6;
@@ -259,7 +253,7 @@ pub fn of_rates(program: &Program, moving: &Program) -> Cost {
         .live_systems()
         .map(|system| Cost::dense(system.columns.len()));
     let tests = moving.motion.iter().map(|motion| Cost {
-        selections: count(motion.margins.len()),
+        selections: in_32_bits(motion.margins.len()),
         ..Cost::default()
     });
     let all: Cost = of_program(moving) + systems.chain(tests).sum();
@@ -329,7 +323,7 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
         _ => return Cost::default(),
     };
     // The greatest of the gap against a limit, and the determinant against its floor.
-    let gap = count(newton.gap.len());
+    let gap = in_32_bits(newton.gap.len());
     let grown = u32::from(newton.extent.is_some());
     let test = Cost {
         additions: grown,

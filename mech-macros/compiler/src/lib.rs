@@ -9,6 +9,7 @@ mod aligned;
 mod bug;
 pub mod certify;
 pub mod cost;
+mod digits;
 mod emit;
 pub mod evaluate;
 mod extent;

@@ -218,17 +218,9 @@ joint s = slot(a.p, ground.l); motor s;";
 /// Cures are tried without some joint, and the spring's joint then has another number.
 #[test]
 fn a_motor_too_many_is_told_beside_a_torsional_spring() {
-    let text = "struct Wound;
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (3.5, 0); }
-        link rocker { point d = (0, 0); point c = (3, 0); }
-        joint a = revolute(ground.a, crank.a); joint b = revolute(crank.b, coupler.b);
-        joint c = revolute(coupler.c, rocker.c); joint d = revolute(ground.d, rocker.d);
-        motor a; motor b; start { coupler near 50 deg; }
-        spring coil = torsional(d) stiffness 1 rest 6;
-        effects { force; }";
-    let (message, _) = message(text);
+    let text = FOUR_BAR.replace("START", "coupler near 50 deg;")
+        + " motor b; spring coil = torsional(d) stiffness 1 rest 6; effects { force; }";
+    let (message, _) = message(&text);
     let cause = "motor `b` is one too many: what moves there is already given by motor `a`\n";
     assert!(message.starts_with(cause), "{message}");
 }

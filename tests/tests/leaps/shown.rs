@@ -1,6 +1,6 @@
 //! What is shown alone leaps as it does in the whole mechanism, although fewer loops are watched on its way.
 
-use super::comparing::{MOST_STEPS, compared, rounding, shortened};
+use super::comparing::{MOST_STEPS, compared, off, rounding, shortened};
 use super::drawing::{Drawing, coupled, sequential};
 use super::random::{runner, target};
 use super::reading::Subject;
@@ -11,14 +11,6 @@ use proptest::strategy::{Strategy, ValueTree as _};
 
 /// Leaps of one mechanism.
 const LEAPS: u64 = 8;
-
-/// How far the link is off in the mechanism that shows it alone, where both are at the same motor values.
-fn off(whole: &Subject, link: LinkId, [at, shown]: [&Machine<'_, f64>; 2], place: usize) -> f64 {
-    let poses = whole.poses(at.position());
-    let ([c, s, x, y], [cos, sin, u, v]) = (poses[link.index()], shown.position().poses[place]);
-    let turned = (c - cos).abs().max((s - sin).abs());
-    turned.max((x - u).hypot(y - v) / whole.extent(&poses))
-}
 
 /// What is wrong with the leaps of a mechanism that shows one link, beside the whole; and how many were compared.
 fn wrong(seed: u64, drawing: &Drawing) -> (Vec<String>, u64) {
@@ -48,7 +40,9 @@ fn wrong(seed: u64, drawing: &Drawing) -> (Vec<String>, u64) {
         let why = if let Err(stop) = shown.move_to(&to) {
             Some(format!("{stop:?}"))
         } else {
-            let off = off(&whole, link, [&machine, &shown], place);
+            let poses = whole.poses(machine.position());
+            let (alone, extent) = (&shown.position().poses[place], whole.extent(&poses));
+            let off = off(alone, &poses[link.index()], extent);
             (off > rounding(&whole, machine.position())).then(|| format!("off by {off:.2e}"))
         };
         if let Some(why) = why {

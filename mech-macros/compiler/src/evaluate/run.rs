@@ -4,7 +4,7 @@ use super::{Moved, Stop};
 use crate::bug::bug;
 use crate::program::{
     BlockId, BlockKind, Closed, Forces, Motion, Newton, Op, Position, Program, RateMargin, Rounds,
-    Slot, System, Value,
+    System, Value,
 };
 use mech_core::Real;
 use mech_core::contraction::{before_first, contracts};
@@ -189,7 +189,7 @@ impl<'p> Runner<'p> {
                 Op::Turned(motor, numerator, denominator) => {
                     turned(turns[motor], numerator, denominator)
                 }
-                Op::Last(slot) => read(last, slot),
+                Op::Last(slot) => last.at(slot),
                 Op::Rate(motor) => given.rates[motor],
                 Op::Acceleration(motor) => given.accelerations[motor],
                 // Positions do not depend on loads, and are found without.
@@ -351,12 +351,5 @@ fn unknown_or_det<T: Real>(unknowns: &[T], det: T, index: usize) -> T {
         det
     } else {
         unknowns[index]
-    }
-}
-
-fn read<T: Real>(last: &Position<T>, slot: Slot) -> T {
-    match slot {
-        Slot::Kept(index) => last.kept[index],
-        Slot::Pose(link, part) => last.poses[link][part.index()],
     }
 }

@@ -161,13 +161,13 @@ impl Edit {
         keep(&mut model.joints, &self.keeps_joint);
         keep(&mut model.motors, &self.keeps_motor);
         for one in &mut model.axes {
-            one.link = kept(one.link, link);
+            one.link = new_id(one.link, link);
         }
         for one in &mut model.joints {
             renumber(&mut one.kind, link, axis, joint);
         }
         for one in &mut model.motors {
-            one.joint = kept(one.joint, joint);
+            one.joint = new_id(one.joint, joint);
         }
         let Start { values, near } = &mut model.start;
         values.retain_mut(|value| {
@@ -356,22 +356,22 @@ fn renumber(
     }
     match kind {
         JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) | JointKind::Weld(a, b) => {
-            *a = kept(*a, &axis);
-            *b = kept(*b, &axis);
+            *a = new_id(*a, &axis);
+            *b = new_id(*b, &axis);
         }
         JointKind::Gear { a, b, .. } | JointKind::Belt { a, b, .. } => {
-            *a = kept(*a, &link);
-            *b = kept(*b, &link);
+            *a = new_id(*a, &link);
+            *b = new_id(*b, &link);
         }
         JointKind::Rack { pinion, bar, .. } => {
-            *pinion = kept(*pinion, &link);
-            *bar = kept(*bar, &link);
+            *pinion = new_id(*pinion, &link);
+            *bar = new_id(*bar, &link);
         }
         JointKind::Cam {
             shaft, follower, ..
         } => {
-            *shaft = kept(*shaft, &joint);
-            *follower = kept(*follower, &joint);
+            *shaft = new_id(*shaft, &joint);
+            *follower = new_id(*follower, &joint);
         }
     }
 }
@@ -412,7 +412,7 @@ fn renumber_actions(
 }
 
 /// The new id of what something that is kept needs, and which is therefore kept itself.
-fn kept<I: Copy + std::fmt::Debug>(id: I, new: impl Fn(I) -> Option<I>) -> I {
+fn new_id<I: Copy + std::fmt::Debug>(id: I, new: impl Fn(I) -> Option<I>) -> I {
     new(id).unwrap_or_else(|| bug!("an edit keeps what needs {id:?}, which it takes away"))
 }
 

@@ -1,6 +1,12 @@
 //! Numbers that cannot be mixed up.
 
 use crate::bug::bug;
+
+/// A place in a list, or a count, in 32 bits: 2^32 entries would not fit into the source that declares them.
+pub(crate) fn in_32_bits(number: usize) -> u32 {
+    u32::try_from(number).unwrap_or_else(|_| bug!("{number} has more than 32 bits"))
+}
+
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident) => {
         $(#[$doc])*
@@ -11,8 +17,7 @@ macro_rules! id {
             /// The id of the `index`-th in its list.
             #[must_use]
             pub fn new(index: usize) -> Self {
-                // A list of 2^32 entries would not have fitted into the source that declares it.
-                Self(u32::try_from(index).unwrap_or_else(|_| bug!("id {index} has more than 32 bits")))
+                Self(in_32_bits(index))
             }
 
             /// The position in its list.

@@ -1,7 +1,7 @@
 //! Laws: functions of one variable, which a motor follows in time, or the follower of a cam.
 
 use super::Origin;
-use crate::bug::bug;
+use super::id::in_32_bits;
 
 /// A function of one variable: terms, each made from those before it, the last of which is its value.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,10 +102,7 @@ impl Law {
     /// Goes on by a term, which is made from earlier ones.
     pub fn push(&mut self, term: Term) -> TermId {
         self.terms.push(term);
-        let Ok(number) = u32::try_from(self.terms.len() - 1) else {
-            bug!("a law has more than 2^32 terms");
-        };
-        TermId(number)
+        TermId(in_32_bits(self.terms.len() - 1))
     }
 
     /// All terms, each after those from which it is made.

@@ -25,6 +25,7 @@ pub use declaration::{Ends, NewJoint, NewKind};
 pub(crate) use drawing::{Drawn, FORWARD};
 pub use edit::Edit;
 pub use effects::Effects;
+pub(crate) use id::in_32_bits;
 pub use id::{AxisId, FormulaId, JointId, LawId, LinkId, MotorId, Origin, ParamId};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use law::{Extreme, Function, Law, Term, TermId};

@@ -2,7 +2,6 @@
 
 use super::node::{BlockId, Node, Number, Op, Slot, Value};
 use super::{Block, BlockKind, Position};
-use crate::bug::bug;
 use crate::model::Axis;
 use crate::plan::Algebra;
 use std::collections::HashMap;
@@ -63,30 +62,6 @@ impl Builder {
         &self.start
     }
 
-    fn measured(&self, op: Op) -> f64 {
-        let start = &self.start;
-        match op {
-            Op::Motor(motor) => start.motors[motor],
-            Op::Last(Slot::Pose(link, part)) => start.poses[link][part.index()],
-            Op::Last(Slot::Kept(index)) => start.kept[index],
-            // At the start nothing has turned, moves or acts. Where unknowns begin is told afterwards.
-            Op::Turns(_)
-            | Op::Turned(..)
-            | Op::Unknown(..)
-            | Op::Solved(..)
-            | Op::Dense(..)
-            | Op::Time
-            | Op::Rate(_)
-            | Op::Acceleration(_)
-            | Op::Load(_)
-            | Op::Linear(..) => 0.0,
-            op => {
-                let made = op.apply(|value| self.at_start[value.index()]);
-                made.unwrap_or_else(|| bug!("nothing gives {op:?} at the start"))
-            }
-        }
-    }
-
     /// Begins a new block.
     pub(super) fn block(&mut self, name: String, title: String) -> BlockId {
         self.blocks.push(Block {
@@ -127,7 +102,9 @@ impl Builder {
         let iterated = self.inside.is_some()
             && (matches!(op, Op::Unknown(..) | Op::Dense(..)) || op.operands().any(depends));
         let value = Value::at(self.nodes.len());
-        self.at_start.push(self.measured(op));
+        // Where unknowns begin is told afterwards.
+        let at_start = op.at_start(&self.start, |value| self.at_start[value.index()]);
+        self.at_start.push(at_start);
         let varies = match op {
             Op::Motor(input) => input >= self.motors,
             op => op.operands().any(|operand| self.varies(operand)),

@@ -1,8 +1,7 @@
 //! Measures every loop at the start: tolerances are relative to what is found there.
 
-use super::node::{BlockId, Op, Slot, Value};
+use super::node::{BlockId, Op, Value};
 use super::{BlockKind, Limits, Newton, Program};
-use crate::bug::bug;
 use mech_core::dense::solve;
 
 /// Sets the limits of all loops.
@@ -50,34 +49,14 @@ pub(crate) fn at_start(program: &Program) -> Vec<f64> {
         Some(newton.scalars[index].first)
     };
     for node in &program.nodes {
+        let get = |value: Value| values[value.index()];
         let value = match node.op {
-            Op::Motor(motor) => program.start.motors[motor],
-            Op::Last(slot) => last(program, slot),
             Op::Unknown(block, index) | Op::Solved(block, index) => {
-                first(block, index).map_or(0.0, |first| values[first.index()])
+                first(block, index).map_or(0.0, get)
             }
-            // At the start nothing has turned, moves or acts, and no step is missing.
-            Op::Turns(_)
-            | Op::Turned(..)
-            | Op::Dense(..)
-            | Op::Time
-            | Op::Rate(_)
-            | Op::Acceleration(_)
-            | Op::Load(_)
-            | Op::Linear(..) => 0.0,
-            op => {
-                let made = op.apply(|value| values[value.index()]);
-                made.unwrap_or_else(|| bug!("nothing gives {op:?} at the start"))
-            }
+            op => op.at_start(&program.start, get),
         };
         values.push(value);
     }
     values
-}
-
-fn last(program: &Program, slot: Slot) -> f64 {
-    match slot {
-        Slot::Pose(link, part) => program.start.poses[link][part.index()],
-        Slot::Kept(index) => program.start.kept[index],
-    }
 }

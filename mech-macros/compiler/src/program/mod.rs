@@ -139,6 +139,16 @@ pub struct Position<T> {
     pub kept: Vec<T>,
 }
 
+impl<T: Copy> Position<T> {
+    /// What the position holds in a slot.
+    pub(crate) fn at(&self, slot: Slot) -> T {
+        match slot {
+            Slot::Kept(index) => self.kept[index],
+            Slot::Pose(link, part) => self.poses[link][part.index()],
+        }
+    }
+}
+
 impl Program {
     /// Whether its constants and its start are within the range of the scalar type.
     #[must_use]

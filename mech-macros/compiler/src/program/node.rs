@@ -1,6 +1,7 @@
 //! Values and the operations that make them.
 
-use crate::bug::bug;
+use crate::model::in_32_bits;
+
 /// A scalar: the result of one node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Value(pub(super) u32);
@@ -8,7 +9,7 @@ pub struct Value(pub(super) u32);
 impl Value {
     /// The result of the node in this position.
     pub(crate) fn at(index: usize) -> Self {
-        Self(number(index))
+        Self(in_32_bits(index))
     }
 
     /// Its position among the nodes.
@@ -25,7 +26,7 @@ pub struct BlockId(pub(super) u32);
 impl BlockId {
     /// The block in this position.
     pub(super) fn at(index: usize) -> Self {
-        Self(number(index))
+        Self(in_32_bits(index))
     }
 
     /// Its position among the blocks.
@@ -33,11 +34,6 @@ impl BlockId {
     pub fn index(self) -> usize {
         self.0 as usize
     }
-}
-
-/// A position as a number of 32 bits.
-fn number(index: usize) -> u32 {
-    u32::try_from(index).unwrap_or_else(|_| bug!("a program has {index} values"))
 }
 
 /// A finite number with an equality that tells every two bit patterns apart.

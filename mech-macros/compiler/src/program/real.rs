@@ -1,5 +1,6 @@
 //! The arithmetic of a program, the same in every reading of it.
 
+use super::Position;
 use super::node::{Op, Value};
 use mech_core::Real;
 
@@ -44,5 +45,15 @@ impl Op {
             Self::Round(a) => get(a).round(),
             Self::Exp(a) => get(a).exp(),
         })
+    }
+
+    /// What the operation gives at the start, where nothing has turned, moves or acts, and no step is missing.
+    pub(super) fn at_start(self, start: &Position<f64>, get: impl Fn(Value) -> f64) -> f64 {
+        match self {
+            Self::Motor(motor) => start.motors[motor],
+            Self::Last(slot) => start.at(slot),
+            // All else that comes from outside is zero.
+            op => op.apply(get).unwrap_or(0.0),
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Sizes of wheels that fit where their axes are.
 
-use crate::bug::bug;
+use crate::digits::of_four_digits;
 use crate::model::Ratio;
 use crate::structure::MeshTrouble;
 
@@ -29,7 +29,7 @@ pub(super) fn fitting(ratio: Ratio, trouble: MeshTrouble) -> Vec<Ratio> {
         [a, signed(distance) - a],
         [signed(distance) - b, b],
     ];
-    let radii = sizes.map(|sizes| sizes.map(short));
+    let radii = sizes.map(|sizes| sizes.map(of_four_digits));
     let radii = radii.map(|[a, b]| Ratio::Radii(a, b));
     let mut all: Vec<Ratio> = radii.into_iter().filter(is_gear).collect();
     let place = all.len().min(1);
@@ -62,11 +62,4 @@ fn teeth(a: f64, b: f64) -> Option<Ratio> {
         if size < 0.0 { -teeth } else { teeth }
     };
     Some(Ratio::Teeth(signed(first, a), signed(second, b)))
-}
-
-/// A number as one would write it: four digits.
-fn short(value: f64) -> f64 {
-    let text = format!("{value:.3e}");
-    text.parse()
-        .unwrap_or_else(|_| bug!("`{text}` is no number"))
 }

@@ -1,8 +1,9 @@
 //! The start: assembled in no way, or in several.
 
 use super::Words;
-use super::wording::{brief, places_enough, rounded};
+use super::wording::{brief, places_enough};
 use crate::bug::bug;
+use crate::digits::rounded;
 use crate::model::{JointId, LinkId, Origin, Start};
 use crate::repair::Offers;
 use crate::structure::{Diagnosis, LoopWay, OpenLoop};

@@ -1,8 +1,9 @@
 //! Starts of joints that follow from others.
 
 use super::Words;
-use super::wording::{brief, places_enough, rounded};
+use super::wording::{brief, places_enough};
 use crate::bug::bug;
+use crate::digits::rounded;
 use crate::model::{AxisId, JointId, JointKind, LinkId, Model, Near, Origin};
 use crate::plan::{self, Plan};
 use crate::structure::{self, Diagnosis};

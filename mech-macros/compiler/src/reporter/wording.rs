@@ -1,6 +1,7 @@
 //! Lists and numbers, as a reader wants them.
 
-use crate::bug::bug;
+use crate::digits::rounded;
+
 /// An enumeration. Of very many, the last are only counted.
 pub(super) fn and(names: &[String]) -> String {
     const MOST: usize = 40;
@@ -45,16 +46,6 @@ pub(super) fn places_enough(links: usize, angles: &[Vec<f64>]) -> usize {
         })
     };
     usize::from((0..MOST).find(apart).unwrap_or(MOST))
-}
-
-/// A number with so many decimal places, without zeros at its end.
-pub(super) fn rounded(value: f64, places: usize) -> f64 {
-    let text = format!("{value:.places$}");
-    // Zero added: there is no point in a negative one.
-    let Ok(value) = text.parse::<f64>() else {
-        bug!("`{text}` is no number");
-    };
-    value + 0.0
 }
 
 /// A number with as many digits as a reader wants.

@@ -1,7 +1,6 @@
 //! Places in the text, and messages that point at them.
 
-use crate::bug::bug;
-use crate::model::Origin;
+use crate::model::{Origin, in_32_bits};
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
@@ -54,10 +53,7 @@ impl Places {
     pub fn note(&mut self, place: Place) -> Origin {
         self.0.push(place);
         // `Origin(0)` is the default of things that no text declared, such as the ground.
-        let Ok(number) = u32::try_from(self.0.len()) else {
-            bug!("more than 2^32 things were declared");
-        };
-        Origin(number)
+        Origin(in_32_bits(self.0.len()))
     }
 
     /// The place of this origin; the macro's own call site if no text declared it.

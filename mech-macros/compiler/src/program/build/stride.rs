@@ -60,13 +60,13 @@ impl Most {
                     ConnectionKind::Revolute => self.turn,
                     ConnectionKind::Prismatic => self.slide,
                 };
-                all(&mesh.parts, most).collect()
+                rolling_by(&mesh.parts, most).collect()
             }
             Step::Close(closing) => {
                 let ties = closing.ties.iter();
                 ties.flat_map(|tie| match tie.of {
-                    Unknown::Direction(_) => all(&tie.sources, self.turn),
-                    Unknown::Slide(_) => all(&tie.sources, self.slide),
+                    Unknown::Direction(_) => rolling_by(&tie.sources, self.turn),
+                    Unknown::Slide(_) => rolling_by(&tie.sources, self.slide),
                 })
                 .collect()
             }
@@ -85,7 +85,8 @@ struct Rolling<'p> {
     most: f64,
 }
 
-fn all(parts: &[(usize, Rational)], most: f64) -> impl Iterator<Item = Rolling<'_>> {
+/// What moves by these parts of what sources move.
+fn rolling_by(parts: &[(usize, Rational)], most: f64) -> impl Iterator<Item = Rolling<'_>> {
     parts.iter().map(move |(source, part)| Rolling {
         source: *source,
         part,
