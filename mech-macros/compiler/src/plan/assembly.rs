@@ -209,7 +209,7 @@ impl Draft<'_> {
                 let [c, d] = self.placement.heading(&mut Numbers, to);
                 (a * d - b * c).atan2(a * c + b * d)
             }
-            _ => self.placement.slid(&mut Numbers, joint),
+            _ => self.placement.sliding_coordinate(&mut Numbers, joint),
         }
     }
 
@@ -241,7 +241,7 @@ impl Draft<'_> {
                 let [c, d] = self.placement.pose(to).direction;
                 (a * d - b * c).atan2(a * c + b * d)
             }
-            Source::Way(joint) => self.placement.slid(&mut Numbers, joint),
+            Source::Way(joint) => self.placement.sliding_coordinate(&mut Numbers, joint),
         }
     }
 }

@@ -49,7 +49,11 @@ impl<'m, S: Copy> Placement<'m, S> {
     }
 
     /// The coordinate of a sliding joint whose links are in one cluster.
-    pub(crate) fn slid<A: Algebra<Scalar = S>>(&self, algebra: &mut A, joint: JointId) -> S {
+    pub(crate) fn sliding_coordinate<A: Algebra<Scalar = S>>(
+        &self,
+        algebra: &mut A,
+        joint: JointId,
+    ) -> S {
         let joint = self.model.joint(joint);
         let JointKind::Prismatic(from, to) = joint.kind else {
             bug!(

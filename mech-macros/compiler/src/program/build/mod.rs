@@ -402,7 +402,7 @@ impl Writer<'_> {
                 let name = format!("{}_angle", self.name_of(to));
                 self.unwrapped(Turning::Source(number), principal, start, name)
             }
-            Source::Way(joint) => self.placement.slid(&mut self.builder, joint),
+            Source::Way(joint) => self.placement.sliding_coordinate(&mut self.builder, joint),
         };
         self.sources[number] = Some(value);
         value
