@@ -6,7 +6,7 @@ use mech_runtime::{Canvas, Frame, Outline, Palette, Pose};
 use proptest::prelude::*;
 use std::time::Duration;
 
-fn colors(pixels: &[u8], palette: &Palette) -> Vec<[u8; 4]> {
+pub(crate) fn colors(pixels: &[u8], palette: &Palette) -> Vec<[u8; 4]> {
     let opaque = |&entry| {
         let [red, green, blue] = palette.rgb(entry);
         [red, green, blue, 255]
@@ -14,11 +14,11 @@ fn colors(pixels: &[u8], palette: &Palette) -> Vec<[u8; 4]> {
     pixels.iter().map(opaque).collect()
 }
 
-fn whole<'a>(size: [usize; 2], pixels: &'a [u8], palette: &'a Palette) -> Picture<'a> {
+pub(crate) fn whole<'a>(size: [usize; 2], pixels: &'a [u8], palette: &'a Palette) -> Picture<'a> {
     Picture::indexed(size, pixels, palette).expect("whole")
 }
 
-fn gif<'a>(
+pub(crate) fn gif<'a>(
     pictures: impl IntoIterator<Item = Picture<'a>>,
     delay: Duration,
 ) -> Result<Vec<u8>, FileError> {
@@ -32,7 +32,7 @@ fn gif<'a>(
     Ok(bytes)
 }
 
-fn apng(pictures: &[Picture<'_>], delay: Duration) -> Result<Vec<u8>, FileError> {
+pub(crate) fn apng(pictures: &[Picture<'_>], delay: Duration) -> Result<Vec<u8>, FileError> {
     let (first, rest) = pictures.split_first().expect("a first one");
     let count = u32::try_from(pictures.len()).expect("a few");
     let mut bytes = Vec::new();
@@ -45,7 +45,7 @@ fn apng(pictures: &[Picture<'_>], delay: Duration) -> Result<Vec<u8>, FileError>
 }
 
 /// That the frames are seen in order, and that each begins at its moment to half a unit.
-fn check(film: &seen::Film, expected: &[Vec<[u8; 4]>], delay_in_units: f64) {
+pub(crate) fn check(film: &seen::Film, expected: &[Vec<[u8; 4]>], delay_in_units: f64) {
     assert_eq!(film.len(), expected.len());
     let mut begin = 0;
     for (index, ((seen, delay), expected)) in film.iter().zip(expected).enumerate() {

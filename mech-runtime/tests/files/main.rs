@@ -3,6 +3,8 @@
 
 mod animations;
 mod bad;
+mod extremes;
+mod hindered;
 mod seen;
 mod stills;
 mod vectors;
