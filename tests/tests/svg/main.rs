@@ -2,6 +2,7 @@
 
 mod moving;
 mod player;
+mod scenes;
 mod still;
 
 use mech_runtime::{Outline, Pose, Scalar, Shape, View};

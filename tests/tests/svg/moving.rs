@@ -11,6 +11,7 @@ use mech_gallery::watt::Watt;
 use mech_runtime::files::{AnimatedSvg, Sheet, animated};
 use mech_runtime::{Blocked, Canvas, Mechanism, Outline, Palette, Pose, Scalar, View, mechanism};
 use mech_tests::Dice;
+use proptest::prelude::*;
 use resvg::usvg::roxmltree::Document;
 use std::f64::consts::TAU;
 use std::time::Duration;
@@ -253,6 +254,43 @@ fn in_the_scene_in_either_precision() {
     in_the_scene::<f32>();
 }
 
+/// Lines that change little, or come and go: none is a trace.
+#[test]
+fn lines_that_are_no_traces() {
+    const MOMENTS: u32 = 90;
+    let mut svg = AnimatedSvg::new(Sheet::new(128, 96), Duration::from_secs(3));
+    let end = |moment: u32| 30.0 + 4.0 * (f64::from(moment) / f64::from(MOMENTS) * TAU).sin();
+    let is_there = |moment: u32| (30..60).contains(&moment);
+    for moment in 0..MOMENTS {
+        let spring = [0.0, 0.25, 0.75, 1.0].map(|share| end(moment) * share);
+        let heights = [0.0, 5.0, -5.0, 0.0];
+        let spring = std::array::from_fn::<_, 4, _>(|corner| [spring[corner], heights[corner]]);
+        let hook = [[-9.0, 0.0], [-9.0, 9.0], [-20.0, 9.0]];
+        svg.add(|canvas| {
+            let width = 1.0;
+            let [spring, hook]: [&[_]; 2] = [&spring, &hook];
+            for points in [Some(spring), is_there(moment).then_some(hook)]
+                .into_iter()
+                .flatten()
+            {
+                canvas.fill(Outline::Line { points, width }, Pose::identity(), 2);
+            }
+        });
+    }
+    let text = svg.finish();
+    let document = Document::parse(&text).expect("well-formed");
+    let player = Player::new(&document);
+    for moment in 0..MOMENTS {
+        let seen = player.seen((f64::from(moment) + 0.5) / f64::from(MOMENTS));
+        assert_eq!(seen.len(), if is_there(moment) { 2 } else { 1 }, "{moment}");
+        let points = numbers(&seen[0].0, "points");
+        assert!(
+            (points[6] - 64.0 - end(moment)).abs() < 0.1,
+            "{points:?} at {moment}"
+        );
+    }
+}
+
 #[test]
 fn nothing_moves() {
     let still = AnimatedSvg::new(Sheet::new(3, 2), Duration::ZERO).finish();
@@ -269,4 +307,42 @@ fn nothing_moves() {
         });
     }
     assert_eq!(svg.finish(), still);
+}
+
+mechanism! {
+    /// A wheel on a cart.
+    struct Cart;
+    ground { circle (0, 0) radius 0.3 on plane 3 color 1; }
+    link cart { point hub = (0, 0); polygon [(-0.5, -0.2), (0.5, -0.2), (0.5, 0.2), (-0.5, 0.2)] on plane 1 color 2; }
+    link wheel { point hub = (0, 0); polygon [(0, 0), (0.8, 0.2), (0.8, -0.2)] on plane 2 color 3; }
+    joint x = prismatic(ground, cart) at (0, 0) along (1, 0);
+    joint b = revolute(cart.hub, wheel.hub);
+    motor x;
+    motor b;
+}
+
+/// A wheel that turns once, or half a turn, from one of the first moments to the next.
+#[test]
+fn in_step_with_the_moments() {
+    for turns in [64.0, 127.0, -128.0, 256.0, 1024.0] {
+        let worst = deviation::<Cart>(View::new([0.0, 0.0], 20.0), |phase| {
+            [0.0, turns * phase * TAU]
+        });
+        assert!(worst < 0.1, "{worst} pixels");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+
+    /// However often something turns in a period, it turns so often, and that way round.
+    #[test]
+    fn as_often_as_it_turns(turns in -1500..1500_i32, sway in 0.0..0.4, swings in 0..5_i32, more in 0..5_i32) {
+        let worst = deviation::<Cart>(View::new([0.0, 0.0], 20.0), |phase| {
+            let angle = phase * TAU;
+            let there = 1.5 * (f64::from(swings) * angle).sin();
+            [there, f64::from(turns) * angle + sway * (f64::from(more) * angle).cos()]
+        });
+        prop_assert!(worst < 0.1, "{} pixels", worst);
+    }
 }

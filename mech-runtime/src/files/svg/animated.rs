@@ -1,9 +1,13 @@
 //! One period of a mechanism.
 
+use super::place::Place;
+use super::track::Track;
 use super::{AnimatedSvg, Sheet};
-use crate::{Blocked, Mechanism};
+use crate::{Blocked, Mechanism, Pose, Scalar, Shape};
+use core::iter;
 use std::string::String;
 use std::time::Duration;
+use std::vec::Vec;
 
 /// Moments of a period, at least and at most.
 const LEAST: u32 = 128;
@@ -12,11 +16,17 @@ const MOST: u32 = 4096;
 /// How far anything may be from a straight way between two moments, in pixels.
 const TOLERANCE: f64 = 0.02;
 
+/// How far anything may be from that way at a moment between the two, in pixels; and when that is. It is no simple part of the time:
+/// whatever turns once, or swings, from one moment to the next is elsewhere by then.
+const ASTRAY: f64 = 0.05;
+const BETWEEN: f64 = 0.381_966;
+
 /// One period of a mechanism's motion as SVG that moves by itself: see [`AnimatedSvg`].
 ///
 /// `motion` gives the motors' values at a phase in `0.0..1.0`. Everything that [`draw`](Mechanism::draw) draws is seen. The mechanism
 /// goes once through its period before anything is drawn, so that traces are those of a motion that goes on for ever. Moments are so
-/// near together that nothing is farther than a tenth of a pixel from where it should be (with 4096 of them at most).
+/// near together that nothing is farther than a tenth of a pixel from where it should be (with 4096 of them at most: what turns more
+/// than two thousand times in a period is seen to turn otherwise).
 ///
 /// ```
 /// use mech_runtime::files::{Sheet, animated};
@@ -56,9 +66,60 @@ pub fn animated<M: Mechanism>(
             }
         }
         let layers = svg.layers();
-        if moments >= MOST || layers.coarseness() <= TOLERANCE {
+        let is_fine = layers.coarseness() <= TOLERANCE;
+        if moments >= MOST || (is_fine && !goes_astray::<M>(sheet, moments, &motion)?) {
             return Ok(svg.written(&layers));
         }
         moments *= 2;
     }
+}
+
+/// Whether links are elsewhere between two moments than the moments tell, as those are that turn too fast for them.
+fn goes_astray<M: Mechanism>(
+    sheet: &Sheet,
+    moments: u32,
+    motion: impl Fn(f64) -> M::Motors,
+) -> Result<bool, Blocked<M::Motors>> {
+    let told = tracks::<M>(sheet, moments, 0.0, &motion)?;
+    let found = tracks::<M>(sheet, moments, BETWEEN, &motion)?;
+    let mut pairs = iter::zip(&told, &found);
+    Ok(pairs.any(|(told, found)| told.deviation(found, BETWEEN) > ASTRAY))
+}
+
+/// The tracks of all links, at moments that are so much of their distance late.
+fn tracks<M: Mechanism>(
+    sheet: &Sheet,
+    moments: u32,
+    late: f64,
+    motion: impl Fn(f64) -> M::Motors,
+) -> Result<Vec<Track>, Blocked<M::Motors>> {
+    let mut mechanism = M::new();
+    let mut tracks: Vec<_> = mechanism
+        .poses()
+        .iter()
+        .map(|_| Track::new(Vec::new()))
+        .collect();
+    for shape in M::SHAPES {
+        let link = shape.link.checked_sub(1);
+        if let Some(track) = link.and_then(|link| tracks.get_mut(link)) {
+            track.carry(reach(shape) * sheet.view.scale());
+        }
+    }
+    for moment in 0..moments {
+        mechanism.move_to(motion((f64::from(moment) + late) / f64::from(moments)))?;
+        for (track, pose) in tracks.iter_mut().zip(mechanism.poses()) {
+            track.go_on(Place::of(*pose, sheet).unwrap_or(Place::PICTURE));
+        }
+    }
+    Ok(tracks)
+}
+
+/// How far from the origin of its link a shape reaches, in scene units.
+fn reach<T: Scalar>(shape: &Shape<T>) -> f64 {
+    let (low, high) = shape.bounds(Pose::identity());
+    let [x, y] = [0, 1].map(|axis| {
+        let ends = [low[axis], high[axis]].map(|end: T| end.to_f64().abs());
+        ends[0].max(ends[1])
+    });
+    x.hypot(y)
 }

@@ -8,9 +8,13 @@ const NEAR: f64 = 0.75;
 /// Places of a trace that are nearer to each other than this, in pixels, are not told apart.
 const STEP: f64 = 0.5;
 
-/// If what is seen moment by moment is one line that always goes on from where it ended: the whole way of its end in one period.
+/// Whether all of a line is on the way is asked at so many moments: that tells traces from springs.
+const ASKED: usize = 16;
+
+/// If what is seen moment by moment is one line that always goes on from where it ended, does not go away, and is all on the way of
+/// its end: that whole way in one period.
 pub(super) fn whole_way(moments: &[Vec<Figure>]) -> Option<Figure> {
-    let seen = moments.iter().filter(|moment| !moment.is_empty());
+    let seen = moments.iter().skip_while(|moment| moment.is_empty());
     let lines = seen.map(|moment| match moment.as_slice() {
         [line] => Some((line, line.line()?)),
         _ => None,
@@ -27,16 +31,32 @@ pub(super) fn whole_way(moments: &[Vec<Figure>]) -> Option<Figure> {
     }
     // One that was there before the first moment has been round already.
     let is_new = lines.len() < moments.len();
-    let begin = if is_new { begin } else { &[] };
+    let mut way = Vec::new();
+    let begun = extend(&mut way, if is_new { begin } else { &[] });
     let ends = lines.iter().filter_map(|(_, points)| points.last());
-    let mut way: Vec<[f64; 2]> = Vec::new();
-    for &point in begin.iter().chain(ends) {
-        if way.last().is_none_or(|&last| distance(last, point) >= STEP) {
-            way.push(point);
-        }
+    let gone = extend(&mut way, ends);
+    // It begins with a step, and goes many more.
+    if gone == 0.0 || gone < begun {
+        return None;
     }
     way.extend(way.first().copied());
-    Some(first.through(way))
+    let asked = lines.iter().rev().step_by(lines.len().div_ceil(ASKED));
+    let mut points = asked.flat_map(|(_, points)| *points);
+    let is_way = points.all(|&point| is_on(point, &way));
+    is_way.then(|| first.through(way))
+}
+
+/// Goes on through those places that can be told apart; tells how far that is.
+fn extend<'a>(way: &mut Vec<[f64; 2]>, places: impl IntoIterator<Item = &'a [f64; 2]>) -> f64 {
+    let mut length = 0.0;
+    for &place in places {
+        let step = way.last().map(|&last| distance(last, place));
+        if step.is_none_or(|step| step >= STEP) {
+            length += step.unwrap_or_default();
+            way.push(place);
+        }
+    }
+    length
 }
 
 fn is_on(point: [f64; 2], line: &[[f64; 2]]) -> bool {

@@ -10,7 +10,7 @@ use std::{string::String, vec, vec::Vec};
 /// How far a moving figure may be from where it should be for want of key frames, in pixels.
 const TOLERANCE: f64 = 0.07;
 
-/// Decimals of what is given in pixels of a key frame, and of its time in percent.
+/// Decimals of what is given in pixels of a key frame; and of its time in percent, at least.
 const DECIMALS: usize = 2;
 const DECIMALS_OF_TIME: usize = 4;
 
@@ -33,6 +33,11 @@ impl Track {
     pub(super) const fn new(places: Vec<Place>) -> Self {
         let extent = 0.0;
         Self { places, extent }
+    }
+
+    /// Goes on to a place.
+    pub(super) fn go_on(&mut self, place: Place) {
+        self.places.push(place);
     }
 
     pub(super) fn places(&self) -> &[Place] {
@@ -75,6 +80,25 @@ impl Track {
             .fold(0.0, f64::max)
     }
 
+    /// How far, in pixels, something on it may be from where another track has it, each of whose moments is so much of the time to the
+    /// next later than its own.
+    pub(super) fn deviation(&self, later: &Self, late: f64) -> f64 {
+        let keys = self.keys();
+        // Where the last one is the first again, a motion that does not close would leap.
+        let ways = keys
+            .iter()
+            .zip(keys.iter().skip(1))
+            .take(keys.len().saturating_sub(2));
+        ways.zip(later.keys())
+            .map(|((before, after), key)| {
+                let told = middle(*before, *after, late);
+                let turn = (key.angle - told.angle + PI).rem_euclid(TAU) - PI;
+                let angle = told.angle + turn;
+                self.between(told, Key { angle, ..key })
+            })
+            .fold(0.0, f64::max)
+    }
+
     /// The way from one key to the other of what is farthest out.
     fn between(&self, one: Key, other: Key) -> f64 {
         let way = (other.x - one.x).hypot(other.y - one.y);
@@ -101,6 +125,12 @@ impl Track {
         let keys = self.keys();
         let last = keys.len().saturating_sub(1);
         let decimals = decimals_of_factor(self.extent).saturating_sub(3);
+        // What goes far in a period goes far in a small part of it.
+        let steps = keys.iter().zip(keys.iter().skip(1));
+        let way = steps.map(|(one, next)| self.between(*one, *next)).sum();
+        let decimals_of_time = decimals_of_factor(way)
+            .saturating_sub(4)
+            .max(DECIMALS_OF_TIME);
         let turns = keys.iter().any(|key| key.angle != 0.0);
         // Writing to a `String` cannot fail.
         let _ = write!(text, "@keyframes {name}{{");
@@ -111,7 +141,11 @@ impl Track {
             let _ = if index == last {
                 write!(text, "to")
             } else {
-                write!(text, "{}%", percent(index, last))
+                write!(
+                    text,
+                    "{}%",
+                    Number(100.0 * share(index, last), decimals_of_time)
+                )
             };
             let [x, y] = [x, y].map(|pixels| Number(pixels, DECIMALS));
             let _ = write!(text, "{{transform:translate({x}px,{y}px)");
