@@ -9,11 +9,11 @@ use std::time::Duration;
 
 /// A time as long as a file can say in one of its units, which is given.
 fn delay(unit: Duration) -> impl Strategy<Value = Duration> {
-    let most = unit * 65_535 - Duration::from_nanos(1);
+    let most = (unit * 65_535).saturating_sub(Duration::from_nanos(1));
     prop_oneof![
         (0_u64..1000).prop_map(Duration::from_nanos),
         (0_u64..1_000_000_000).prop_map(Duration::from_nanos),
-        (0_u32..3).prop_map(move |less| most - Duration::from_nanos(u64::from(less))),
+        (0_u32..3).prop_map(move |less| most.saturating_sub(Duration::from_nanos(u64::from(less)))),
         (0.0..1.0).prop_map(move |share| most.mul_f64(share)),
     ]
 }
