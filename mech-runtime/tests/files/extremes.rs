@@ -23,7 +23,7 @@ fn in_units(delay: Duration, unit: Duration) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6))]
+    #![proptest_config(ProptestConfig::with_cases(2))]
 
     /// Thousands of frames: each begins at its moment.
     #[test]
