@@ -2,7 +2,7 @@
 
 use super::added::Added;
 use super::{forces, overlay, params, rates, timing, traces};
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::model::Model;
 use crate::syntax::Places;
 use proc_macro2::TokenStream;

@@ -11,7 +11,7 @@ use super::moves::{named_motors, near, turn_to, within};
 use super::params;
 use super::step::step;
 use super::traces::painting;
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::model::{AxisId, LinkId, Model, Origin, Quality};
 use crate::plan::Plan;
 use crate::program::Program;

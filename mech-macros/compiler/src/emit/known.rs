@@ -5,7 +5,7 @@ use super::moves::course;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::position;
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::model::Model;
 use crate::program::Program;
 use proc_macro2::TokenStream;

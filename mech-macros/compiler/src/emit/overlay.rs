@@ -4,7 +4,7 @@ use super::added::Added;
 use super::block::scalar;
 use super::motion::found;
 use super::scope::number;
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::model::{JointId, JointKind, LinkId, Load, LoadKind, Model, Precision};
 use crate::program::Program;
 use crate::symbols::{self, Spot, Symbol};

@@ -8,7 +8,7 @@ use super::moves::near;
 use super::scope::number;
 use super::sensitivity;
 use super::step::step;
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::model::{AxisId, Model};
 use crate::program::Program;
 use crate::syntax::Places;

@@ -10,7 +10,7 @@ use super::moves::{far, near};
 use super::params;
 use super::scope::number;
 use super::step::step;
-use crate::Compiled;
+use crate::compiled::Compiled;
 use crate::model::{AxisId, Effects, LinkId, Model};
 use crate::program::Program;
 use crate::syntax::Places;

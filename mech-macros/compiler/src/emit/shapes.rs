@@ -100,7 +100,7 @@ pub(super) fn shapes(model: &Model, plan: &Plan, program: &Program) -> TokenStre
         quote!(Shape { link: #link, outline: #outline, color: #color })
     });
     let scalar = scalar(program);
-    let corners = crate::extent::extent(model, plan, program).map(|corner| {
+    let corners = crate::motion::extent::extent(model, plan, program).map(|corner| {
         let [x, y] = corner.map(|value| number(program.precision, value));
         quote!([#x, #y])
     });

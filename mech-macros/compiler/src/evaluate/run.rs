@@ -135,9 +135,7 @@ impl<'p> Runner<'p> {
 
     /// Which loop a block closes.
     fn number(&self, block: BlockId) -> usize {
-        let closed = self.program.closed(block).map(|closed| closed.number);
-        let newton = self.program.newton(block).map(|newton| newton.number);
-        let Some(number) = closed.or(newton) else {
+        let Some(number) = self.program.loop_of(block) else {
             bug!("block {} closes no loop", block.index());
         };
         number

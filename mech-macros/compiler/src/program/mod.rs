@@ -227,6 +227,16 @@ impl Program {
         }
     }
 
+    /// The number of the loop that a block solves, if it solves one.
+    #[must_use]
+    pub fn loop_of(&self, block: BlockId) -> Option<usize> {
+        match &self.blocks[block.index()].kind {
+            BlockKind::Straight => None,
+            BlockKind::Closed(closed) => Some(closed.number),
+            BlockKind::Newton(newton) => Some(newton.number),
+        }
+    }
+
     /// Whether there are powers of e in it.
     #[must_use]
     pub fn has_exponentials(&self) -> bool {

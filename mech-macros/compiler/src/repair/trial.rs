@@ -1,6 +1,7 @@
 //! Changes that are tried out.
 
 use super::{Repair, apply_all};
+use crate::compile::check;
 use crate::model::Model;
 use crate::structure::{self, Diagnosis};
 
@@ -103,7 +104,7 @@ impl<'m> Trials<'m> {
         if model.allow.coupled {
             self.left = self.left.saturating_sub(COUPLED);
         }
-        outcome(crate::check(model))
+        outcome(check(model))
     }
 }
 

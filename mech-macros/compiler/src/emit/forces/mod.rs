@@ -11,7 +11,7 @@ use super::added::Added;
 use super::block::scalar;
 use super::costs::more;
 use super::step::step;
-use crate::Forced;
+use crate::compiled::ForcePrograms;
 use crate::model::Model;
 use crate::program::Program;
 use crate::syntax::Places;
@@ -38,7 +38,7 @@ pub(super) fn added(
     krate: &TokenStream,
     places: &Places,
     model: &Model,
-    (program, forced): (&Program, &Forced),
+    (program, forced): (&Program, &ForcePrograms),
     visibility: &syn::Visibility,
     (rest, record): (&TokenStream, &TokenStream),
 ) -> Added {

@@ -1,16 +1,16 @@
 //! Moves programs beside the exact one, step by step as it was declared, and looks how far they are off.
 //!
 //! An iteration begins where the last position was, and squares what is left in each round: after two steps nothing is left of
-//! what was before. So not every step of a turn has to be made: here and there along the ways of [`walk`](crate::walk) two are,
+//! what was before. So not every step of a turn has to be made: here and there along the ways of [sweeps](crate::motion::sweep) two are,
 //! forwards and backwards, from where the mechanism exactly is.
 
 use super::extent::Extents;
 use crate::cost;
 use crate::evaluate::Machine;
 use crate::model::{JointKind, Model};
+use crate::motion::sweep::{Sweep, interpolate, sweep_motors};
 use crate::plan::Plan;
 use crate::program::{Position, Program};
-use crate::walk::{Stretch, at, walk};
 use mech_core::Real;
 use std::f64::consts::TAU;
 
@@ -99,9 +99,9 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
         single: Machine::new(exact),
         rivals,
     };
-    walk(model, plan, MOST_TURNS, |stretch| trial.straight(stretch));
+    sweep_motors(model, plan, MOST_TURNS, |sweep| trial.follow(sweep));
     if model.motors.len() > 1 {
-        trial.about(model);
+        trial.wander(model);
     }
     trial.found
 }
@@ -151,17 +151,20 @@ struct Trial<'a, 'p> {
 }
 
 impl Trial<'_, '_> {
-    /// Walks a stretch of the exact program's motion; tells whether it came to the end.
-    fn straight(&mut self, stretch: &Stretch) -> bool {
-        let Stretch { ways, pieces } = stretch;
-        let samples = pieces * (self.affordable / pieces).clamp(SAMPLES[0], SAMPLES[1]);
+    /// Follows the exact program along a sweep; returns whether it reached the end.
+    fn follow(&mut self, sweep: &Sweep) -> bool {
+        let Sweep {
+            displacements,
+            turns,
+        } = sweep;
+        let samples = turns * (self.affordable / turns).clamp(SAMPLES[0], SAMPLES[1]);
         let start = &self.exact.start;
         let mut machine = Machine::<f64>::new(self.exact);
         self.around(machine.position(), 0..self.patterns.len());
         for sample in 1..=samples {
             #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
             let part = sample as f64 / samples as f64;
-            let motors = representable(at(&start.motors, ways, part));
+            let motors = representable(interpolate(&start.motors, displacements, part));
             let before = machine.position().clone();
             if machine.move_to(&motors).is_ok() {
                 self.in_single(&before, machine.position());
@@ -175,7 +178,7 @@ impl Trial<'_, '_> {
     }
 
     /// Wanders about with all motors, turning back where it is blocked.
-    fn about(&mut self, model: &Model) {
+    fn wander(&mut self, model: &Model) {
         let size = model.size();
         let reach: Vec<f64> = model
             .motors
@@ -187,7 +190,7 @@ impl Trial<'_, '_> {
             .collect();
         let start = &self.exact.start.motors;
         // Each at a pace of its own, so that they meet everywhere.
-        let mut ways: Vec<f64> = (1_u32..)
+        let mut paces: Vec<f64> = (1_u32..)
             .zip(&reach)
             .map(|(motor, reach)| {
                 let whole = if reach.is_finite() { size } else { TAU };
@@ -197,26 +200,26 @@ impl Trial<'_, '_> {
         let mut machine = Machine::<f64>::new(self.exact);
         let samples = (4 * self.affordable).clamp(WANDERING[0], WANDERING[1]);
         for sample in 0..samples {
-            let turned = sample % ways.len();
+            let turned = sample % paces.len();
             let before = machine.position().clone();
-            let next = representable(at(&before.motors, &ways, 1.0));
+            let next = representable(interpolate(&before.motors, &paces, 1.0));
             let inside = |(motor, next): (usize, &f64)| {
                 let range = model.motors[motor].range;
                 range.is_none_or(|range| range.low <= *next && *next <= range.high)
                     && (next - start[motor]).abs() <= reach[motor]
             };
             if !next.iter().enumerate().all(inside) {
-                for way in &mut ways {
-                    *way = -*way;
+                for pace in &mut paces {
+                    *pace = -*pace;
                 }
-                ways[turned] = -ways[turned];
+                paces[turned] = -paces[turned];
                 continue;
             }
             if machine.move_to(&next).is_ok() {
                 self.in_single(&before, machine.position());
             } else {
                 self.end(&mut machine, &next);
-                ways[turned] = -ways[turned];
+                paces[turned] = -paces[turned];
             }
             let count = self.patterns.len().max(1);
             self.around(
@@ -241,7 +244,7 @@ impl Trial<'_, '_> {
         for part in NEAR_THE_END {
             machine.put_back(before.clone());
             if machine
-                .move_to(&representable(at(&end.motors, &back, part)))
+                .move_to(&representable(interpolate(&end.motors, &back, part)))
                 .is_ok()
             {
                 self.in_single(&before, machine.position());
@@ -338,7 +341,7 @@ fn note(worst: &mut [f64], off: impl Iterator<Item = f64>) {
 fn stepped(position: &Position<f64>, pattern: &[f64], steps: usize) -> Vec<f64> {
     #[expect(clippy::cast_precision_loss, reason = "a few steps")]
     let steps = steps as f64;
-    at(&position.motors, pattern, steps)
+    interpolate(&position.motors, pattern, steps)
 }
 
 /// The nearest values that both precisions have.

@@ -1,11 +1,10 @@
-//! How much room a mechanism takes, found by moving it: each motor alone through its range or through whole
-//! turns, and all of them together in several proportions.
+//! How much room a mechanism takes, found by sweeping its motors.
 
 use crate::evaluate::Machine;
 use crate::model::{LinkId, Model};
+use crate::motion::sweep::{Sweep, interpolate, sweep_motors};
 use crate::plan::Plan;
 use crate::program::Program;
-use crate::walk::{Stretch, at, walk};
 
 /// How many operations it may cost.
 const BUDGET: usize = 150_000;
@@ -20,16 +19,20 @@ pub(crate) fn extent(model: &Model, plan: &Plan, program: &Program) -> [[f64; 2]
     let mut around = Around::new(model, program);
     let mut machine = Machine::<f64>::new(program);
     around.look(&machine.position().poses);
-    walk(model, plan, MOST_TURNS, |Stretch { ways, pieces }| {
+    sweep_motors(model, plan, MOST_TURNS, |sweep| {
+        let Sweep {
+            displacements,
+            turns,
+        } = sweep;
         let live = program.live.iter().filter(|live| **live).count() + around.points();
-        let affordable = BUDGET / (live * pieces * ways.len()).max(1);
-        let samples = pieces * affordable.clamp(SAMPLES[0], SAMPLES[1]);
+        let affordable = BUDGET / (live * turns * displacements.len()).max(1);
+        let samples = turns * affordable.clamp(SAMPLES[0], SAMPLES[1]);
         machine = Machine::new(program);
         for sample in 1..=samples {
             #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
             let part = sample as f64 / samples as f64;
             if machine
-                .move_to(&at(&program.start.motors, ways, part))
+                .move_to(&interpolate(&program.start.motors, displacements, part))
                 .is_err()
             {
                 return false;
@@ -38,7 +41,7 @@ pub(crate) fn extent(model: &Model, plan: &Plan, program: &Program) -> [[f64; 2]
         }
         true
     });
-    around.told()
+    around.corners()
 }
 
 /// A box that grows, and what is looked at.
@@ -98,7 +101,7 @@ impl Around {
         }
     }
 
-    fn told(&self) -> [[f64; 2]; 2] {
+    fn corners(&self) -> [[f64; 2]; 2] {
         if self.low[0] <= self.high[0] {
             [self.low, self.high]
         } else {

@@ -1,5 +1,5 @@
-//! Mechanisms that counting condemns and that move all the same, because their lengths match exactly: parallelograms with a
-//! crank too many. Tested by moving.
+//! Overconstrained mechanisms: counting finds them rigid, but they move, because their lengths match exactly. A parallelogram with
+//! three cranks is one. They are tested by moving them.
 
 use crate::evaluate::{self, Machine};
 use crate::model::{Allowances, AxisId, Joint, JointId, JointKind, LinkId, Model, MotorId};
@@ -8,23 +8,23 @@ use crate::program::{self, Program};
 use crate::structure::{self, Factor, Rolling, RollingEnd, Structure};
 use std::f64::consts::TAU;
 
-/// How far each motor is moved, in radians, or as a part of the mechanism's size: far enough for a link that only touches its
-/// circle to leave it, by any order of contact that occurs. The first must be possible in one direction at least; where the
-/// others are, the joints must close there too.
-const NUDGES: [f64; 3] = [0.02, 0.11, 0.37];
+/// Displacements by which each motor is tried, in radians, or as a part of the mechanism's size. They are large enough for a link that
+/// only touches its circle to leave it. The first must be possible in one direction at least; where the others are, the joints must
+/// close there too.
+const DISPLACEMENTS: [f64; 3] = [0.02, 0.11, 0.37];
 
 /// The pose of the ground: cosine, sine, x and y.
 const GROUND: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
 /// A mechanism that moves because its lengths match.
-pub(crate) struct Matched {
-    pub(crate) structure: Structure,
-    pub(crate) plan: Plan,
+pub(super) struct Overconstrained {
+    pub(super) structure: Structure,
+    pub(super) plan: Plan,
 }
 
-/// Tries to assemble and to move a mechanism whose joints hold each other more than once.
-pub(crate) fn matched(model: &Model) -> Option<Matched> {
-    // Nobody would see a cam slip.
+/// Assembles and moves a mechanism whose joints hold each other more than once; none if it does not move.
+pub(super) fn assemble(model: &Model) -> Option<Overconstrained> {
+    // A cam that does not fit would go unnoticed.
     if model.cams().next().is_some() {
         return None;
     }
@@ -43,40 +43,45 @@ pub(crate) fn matched(model: &Model) -> Option<Matched> {
     evaluate::settle(&mut program).ok()?;
     let rollings = structure.rollings.clone();
     let moves = |motor: MotorId| {
-        let both =
-            |way: f64| [way, -way].map(|way| nudged(&lenient, &rollings, &program, motor, way));
-        let [least, farther @ ..] = NUDGES;
-        // What cannot move at all is not tried farther.
+        let both = |displacement: f64| {
+            [displacement, -displacement]
+                .map(|displacement| displace(&lenient, &rollings, &program, motor, displacement))
+        };
+        let [least, farther @ ..] = DISPLACEMENTS;
+        // A motor that cannot move at all is not tried farther.
         let first = both(least);
         let closes = |outcomes: [Outcome; 2]| !outcomes.contains(&Outcome::Open);
         first.contains(&Outcome::Moved)
             && closes(first)
-            && farther.into_iter().all(|way| closes(both(way)))
+            && farther
+                .into_iter()
+                .all(|displacement| closes(both(displacement)))
     };
     if model.motors.is_empty() || !model.motor_ids().all(moves) {
         return None;
     }
-    structure.redundant = too_many(&lenient, &plan);
-    Some(Matched { structure, plan })
+    structure.redundant = redundant_joints(&lenient, &plan);
+    Some(Overconstrained { structure, plan })
 }
 
-/// What became of a nudge.
+/// What became of a displacement.
 #[derive(Clone, Copy, PartialEq)]
 enum Outcome {
-    /// It went there.
+    /// The motor went there.
     Moved,
-    /// It could not go there.
+    /// The motor could not go there.
     Stopped,
-    /// It went there, but some joint that no loop needs does not close.
+    /// The motor went there, but a joint that no loop needs does not close.
     Open,
 }
 
-fn nudged(
+/// Moves one motor from the start, and tests whether all joints close there.
+fn displace(
     model: &Model,
     rollings: &[Rolling],
     program: &Program,
     motor: MotorId,
-    way: f64,
+    displacement: f64,
 ) -> Outcome {
     let mut machine = Machine::<f64>::new(program);
     let mut motors = machine.position().motors.clone();
@@ -85,7 +90,11 @@ fn nudged(
         JointKind::Prismatic(..)
     );
     let size = model.size();
-    motors[motor.index()] += if slides { way * size } else { way };
+    motors[motor.index()] += if slides {
+        displacement * size
+    } else {
+        displacement
+    };
     if machine.move_to(&motors).is_err() {
         return Outcome::Stopped;
     }
@@ -101,8 +110,8 @@ fn nudged(
             .iter()
             .any(|rolling| slip(rolling, &start, &now).abs() > 1e-9)
     };
-    // Turns are only known up to whole ones: the least nudge tells.
-    let open = now.gap() > 1e-9 * reach || (way.abs() <= NUDGES[0] && slips());
+    // Turns are only known up to whole ones: the least displacement is decisive.
+    let open = now.gap() > 1e-9 * reach || (displacement.abs() <= DISPLACEMENTS[0] && slips());
     if open { Outcome::Open } else { Outcome::Moved }
 }
 
@@ -213,7 +222,7 @@ fn slip(rolling: &Rolling, start: &Scene<'_>, now: &Scene<'_>) -> f64 {
 }
 
 /// The joints that were not needed to find where everything is.
-fn too_many(model: &Model, plan: &Plan) -> Vec<JointId> {
+fn redundant_joints(model: &Model, plan: &Plan) -> Vec<JointId> {
     let needed: Vec<JointId> = plan
         .steps
         .iter()

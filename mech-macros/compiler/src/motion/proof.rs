@@ -5,12 +5,12 @@ use crate::certify::cone::Cuts;
 use crate::certify::{Interval, Verdict, certify_counted, motors_of};
 use crate::evaluate;
 use crate::model::{AtChangePoints, JointId, Model, MotorId};
+use crate::motion::watching::{Domain, Read};
 use crate::plan::Plan;
 use crate::program::{
     AtZero, BlockId, Bound, Choice, Closed, Growth, Program, Value, Watching, build_as,
 };
 use crate::structure::{Diagnosis, RangeTrouble};
-use crate::watching::{Domain, Read};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
@@ -19,7 +19,7 @@ const MOST_TURNS: f64 = 4096.0;
 
 /// Proves that the mechanism moves wherever its motors are within their ranges, and takes out of the program what then needs no
 /// test; gives how its loops then are solved, too.
-pub(crate) fn proved(
+pub(crate) fn prove_ranges(
     model: &Model,
     plan: &Plan,
     choices: Vec<Choice>,
@@ -231,9 +231,10 @@ fn ranged_of(model: &Model, motors: &[usize]) -> Option<usize> {
 }
 
 fn unknowns(plan: &Plan, program: &Program, block: BlockId) -> Vec<JointId> {
-    let closed = program.closed(block).map(|closed| closed.number);
-    let number = closed.or_else(|| program.newton(block).map(|newton| newton.number));
-    let Some(ring) = number.and_then(|number| plan.loops().nth(number)) else {
+    let Some(ring) = program
+        .loop_of(block)
+        .and_then(|number| plan.loops().nth(number))
+    else {
         bug!("block {} closes no loop of the plan", block.index());
     };
     ring.unknowns()

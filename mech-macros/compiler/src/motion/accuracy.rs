@@ -43,7 +43,7 @@ pub struct Prediction {
 
 /// How a loop is solved.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Solved {
+pub struct SolvedLoop {
     /// Its number among the loops of the plan: some may be left out.
     pub number: usize,
     /// By which method, in words.
@@ -56,13 +56,13 @@ pub struct Solved {
 }
 
 /// How the loops of a program are solved.
-pub(crate) fn solved(program: &Program, prediction: Option<&Prediction>) -> Vec<Solved> {
+pub(crate) fn solved_loops(program: &Program, prediction: Option<&Prediction>) -> Vec<SolvedLoop> {
     let blocks = program.blocks.iter().filter_map(|block| match &block.kind {
         BlockKind::Straight => None,
         BlockKind::Closed(closed) => Some((closed.number, "exact".to_owned())),
         BlockKind::Newton(newton) => Some((newton.number, method(newton))),
     });
-    let of_loop = |((number, method), cost): ((usize, String), Cost)| Solved {
+    let of_loop = |((number, method), cost): ((usize, String), Cost)| SolvedLoop {
         number,
         method,
         error: prediction.and_then(|prediction| *prediction.loops.get(number)?),

@@ -1,6 +1,7 @@
 use super::guarded;
 use crate::bug::bug;
-use crate::{expand, expanded, stub};
+use crate::expand;
+use crate::expand::{analyse_and_emit, stub};
 use proc_macro2::TokenStream;
 use std::panic::catch_unwind;
 
@@ -86,7 +87,7 @@ fn outside_the_macro_the_panic_names_itself() {
 #[test]
 fn what_is_in_order_is_let_through() {
     let mechanism = tokens(CRANK);
-    let expansion = expanded(&krate(), mechanism);
+    let expansion = analyse_and_emit(&krate(), mechanism);
     let whole = expand(tokens(&format!("::mech_runtime; {CRANK}")));
     assert_eq!(whole.to_string(), expansion.to_string());
     assert!(!whole.to_string().contains("compile_error"));

@@ -1,0 +1,338 @@
+//! The driver: it builds a program, watches it move, and builds it again with what it learnt.
+//!
+//! ```text
+//! structure → plan → program ──────────────────────────→ Compiled
+//!                     │    ↑ choices: solver and watching of each loop
+//!                     └→ motion: watching, accuracy, proof of ranges
+//! ```
+
+mod change_point_start;
+mod overconstrained;
+
+use crate::bug::bug;
+use crate::compiled::{Compiled, ForcePrograms};
+use crate::cost::{self, Cost};
+use crate::evaluate::{self, Machine, Stop};
+use crate::model::{JointId, JointKind, Model, MotorId, ScaleTrouble};
+use crate::motion::accuracy::{self, Prediction};
+use crate::motion::proof;
+use crate::motion::watching::{self, Decided};
+use crate::plan::{self, Plan};
+use crate::program::{self, Choice, Forces, Further, Number, Op, Program};
+use crate::report;
+use crate::structure::{self, Diagnosis, Structure};
+use overconstrained::Overconstrained;
+
+/// Analyses a mechanism and builds its programs.
+///
+/// # Errors
+/// Everything that keeps the mechanism from moving as its motors say.
+pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
+    let Coherent {
+        structure,
+        plan,
+        program,
+        choices,
+        prediction,
+    } = analyse(model, Depth::WholeMotion)?;
+    let derive = |further: Further<'_>| {
+        let derived = program::build_further(model, &plan, &choices, &program, further)?;
+        Some(Program {
+            start: program.start.clone(),
+            range: program.range.clone(),
+            ..derived
+        })
+    };
+    let moving = derive(Further::Rates);
+    let forced = ForcePrograms {
+        holding: derive(Further::Holding),
+        acting: derive(Further::Acting(&structure)),
+        inertia: derive(Further::Inertia),
+    };
+    let massless = forced.inertia.as_ref().map_or(Vec::new(), massless_motors);
+    if !massless.is_empty() {
+        return Err(vec![Diagnosis::Massless { motors: massless }]);
+    }
+    let sensitive = derive(Further::Sensitivity);
+    let loops = accuracy::solved_loops(&program, prediction.as_ref());
+    let saved = saved_cost(model, &plan, &program, &choices);
+    let mut compiled = Compiled {
+        structure,
+        plan,
+        program,
+        moving,
+        forced,
+        timing: program::build_timing(model),
+        sensitive,
+        loops,
+        prediction,
+        saved,
+        report: String::new(),
+    };
+    compiled.report = report::report(model, &compiled);
+    Ok(compiled)
+}
+
+/// Checks whether a mechanism compiles, as far as its start tells: declared ranges and accuracies are not examined.
+///
+/// # Errors
+/// As [`compile`].
+pub(crate) fn check(model: &Model) -> Result<(), Vec<Diagnosis>> {
+    analyse(model, Depth::Start).map(drop)
+}
+
+/// The motors that move nothing that has a mass.
+fn massless_motors(inertia: &Program) -> Vec<MotorId> {
+    let forces = inertia
+        .motion
+        .as_ref()
+        .and_then(|motion| motion.forces.as_ref());
+    let Some(Forces::Inertia(found)) = forces else {
+        bug!("a program for the inertia does not compute it");
+    };
+    let zero = Op::Constant(Number::new(0.0));
+    let rows = found.matrix.iter().enumerate();
+    rows.filter(|&(motor, row)| inertia.node(row[motor]).op == zero)
+        .map(|(motor, _)| MotorId::new(motor))
+        .collect()
+}
+
+/// The operations that are saved where `show` leaves something out; none if nothing is left out.
+fn saved_cost(model: &Model, plan: &Plan, program: &Program, choices: &[Choice]) -> Option<Cost> {
+    model.show.as_ref()?;
+    let everything = Model {
+        show: None,
+        ..model.clone()
+    };
+    let whole = program::build_as(&everything, plan, choices);
+    let saved = cost::of_program(&whole).without(cost::of_program(program));
+    let needed = program::needed(model, plan, &program.stored);
+    let all_needed = needed.steps.iter().all(|needed| *needed)
+        && program.solved_loops().len() == plan.loops().count();
+    (!all_needed || saved != Cost::default()).then_some(saved)
+}
+
+/// How far a mechanism is examined.
+#[derive(Clone, Copy, PartialEq)]
+enum Depth {
+    /// At its start.
+    Start,
+    /// Through its whole motion.
+    WholeMotion,
+}
+
+/// A mechanism that was found coherent, with the program that moves it.
+struct Coherent {
+    structure: Structure,
+    plan: Plan,
+    program: Program,
+    /// How each loop of the plan is solved and watched.
+    choices: Vec<Choice>,
+    prediction: Option<Prediction>,
+}
+
+fn analyse(model: &Model, depth: Depth) -> Result<Coherent, Vec<Diagnosis>> {
+    if !model.fits() {
+        return Err(vec![Diagnosis::TooLarge]);
+    }
+    match model.scale_trouble() {
+        Some(ScaleTrouble::TooLarge) => return Err(vec![Diagnosis::TooLarge]),
+        Some(ScaleTrouble::TooSmall) => return Err(vec![Diagnosis::TooSmall]),
+        None => {}
+    }
+    let coherent = match structure::analyse(model) {
+        Ok(structure) => analyse_generic(model, structure, depth)?,
+        Err(diagnoses) => analyse_overconstrained(model, diagnoses, depth)?,
+    };
+    if coherent.program.fits() {
+        Ok(coherent)
+    } else {
+        Err(vec![Diagnosis::TooLarge])
+    }
+}
+
+/// Analyses a mechanism that moves whatever its lengths.
+fn analyse_generic(
+    model: &Model,
+    structure: Structure,
+    depth: Depth,
+) -> Result<Coherent, Vec<Diagnosis>> {
+    let plan = match plan::plan(model, &structure) {
+        Ok(plan) => plan,
+        Err(dead @ Diagnosis::DeadStart { .. }) => {
+            return match analyse_change_point_start(model, structure, depth) {
+                Some(Ok(coherent)) => Ok(coherent),
+                Some(Err(
+                    cause @ (Diagnosis::TooAccurate { .. }
+                    | Diagnosis::EndlessAccuracy { .. }
+                    | Diagnosis::Range { .. }),
+                )) => Err(vec![cause]),
+                Some(Err(_)) | None => Err(vec![dead]),
+            };
+        }
+        Err(diagnosis) => return Err(vec![diagnosis]),
+    };
+    build(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis])
+}
+
+/// Analyses a mechanism that starts at a change point: it is assembled beside it and moved there.
+fn analyse_change_point_start(
+    model: &Model,
+    structure: Structure,
+    depth: Depth,
+) -> Option<Result<Coherent, Diagnosis>> {
+    let plan = change_point_start::plan_beside(model, &structure)?;
+    let mut coherent = match build(model, structure, plan, depth) {
+        Ok(coherent) => coherent,
+        Err(diagnosis) => return Some(Err(diagnosis)),
+    };
+    let mut machine = Machine::<f64>::new(&coherent.program);
+    machine.move_to(&change_point_start::motors(model)).ok()?;
+    let start = machine.position().clone();
+    coherent.program.start = start;
+    Some(Ok(coherent))
+}
+
+/// Builds the program of a planned mechanism, at its start.
+fn build(
+    model: &Model,
+    structure: Structure,
+    mut plan: Plan,
+    depth: Depth,
+) -> Result<Coherent, Diagnosis> {
+    let method = model.method.unwrap_or_default();
+    let predictor = model.predictor;
+    let declared = |_| Choice {
+        predictor,
+        ..Choice::by(method)
+    };
+    let choices = plan.loops().map(declared).collect();
+    let (mut choices, prediction) = match depth {
+        Depth::Start => (choices, None),
+        Depth::WholeMotion => choose_by_motion(model, &mut plan, choices)?,
+    };
+    let mut program = program::build_as(model, &plan, &choices);
+    if let Err(stop) = evaluate::settle(&mut program) {
+        return Err(diagnose_start(&plan, &program, stop));
+    }
+    if depth == Depth::WholeMotion {
+        (program, choices) = proof::prove_ranges(model, &plan, choices, program)?;
+    }
+    Ok(Coherent {
+        structure,
+        plan,
+        program,
+        choices,
+        prediction,
+    })
+}
+
+/// Chooses how each loop is solved and watched, from how the mechanism moves.
+fn choose_by_motion(
+    model: &Model,
+    plan: &mut Plan,
+    choices: Vec<Choice>,
+) -> Result<(Vec<Choice>, Option<Prediction>), Diagnosis> {
+    let Decided { choices, turning } = watching::decide(model, plan, choices);
+    plan.turning = turning;
+    if let Some(accuracy) = model.accuracy {
+        let (choices, prediction) = accuracy::choose(model, plan, choices, accuracy)?;
+        return Ok((choices, Some(prediction)));
+    }
+    let prediction = accuracy::predict(model, plan, &choices);
+    Ok((choices, prediction))
+}
+
+/// Analyses a mechanism that moves, if it does, only because its lengths match.
+fn analyse_overconstrained(
+    model: &Model,
+    diagnoses: Vec<Diagnosis>,
+    depth: Depth,
+) -> Result<Coherent, Vec<Diagnosis>> {
+    let is_held = |diagnosis: &Diagnosis| {
+        matches!(
+            diagnosis,
+            Diagnosis::Blocked { .. } | Diagnosis::Overdetermined { .. }
+        )
+    };
+    if let [Diagnosis::Rigid] = diagnoses[..] {
+        return Err(missing_motor(model).map_or(diagnoses, |missing| vec![missing]));
+    }
+    let found = if diagnoses.iter().all(is_held) {
+        overconstrained::assemble(model)
+    } else {
+        None
+    };
+    let Some(Overconstrained {
+        mut structure,
+        plan,
+    }) = found
+    else {
+        return Err(diagnoses);
+    };
+    if structure.redundant.is_empty() {
+        structure.redundant = diagnoses.iter().flat_map(held_joints).collect();
+        structure.redundant.sort_unstable();
+        structure.redundant.dedup();
+    }
+    let joints = structure.redundant.clone();
+    let mut params = model.params.ids();
+    if let Some(param) = params.find(|&id| model.param_scale(id).is_some()) {
+        return Err(vec![Diagnosis::MatchedOnly { joints, param }]);
+    }
+    if model.allow.redundant {
+        build(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis])
+    } else {
+        Err(vec![Diagnosis::Overdetermined {
+            joints,
+            matched: true,
+        }])
+    }
+}
+
+/// So many joints of a mechanism of one joint are tried for a motor where counting leaves no freedom; of a larger one fewer by the
+/// square of its size.
+const MOST_MOVED: usize = 40_000;
+
+/// A mechanism that counting finds rigid may only lack a motor, if its lengths match: the joints that could have it.
+fn missing_motor(model: &Model) -> Option<Diagnosis> {
+    let can_have_motor = |joint: &JointId| {
+        let joint = model.joint(*joint);
+        matches!(
+            joint.kind,
+            JointKind::Revolute(..) | JointKind::Prismatic(..)
+        ) && !joint.hidden
+    };
+    let moves = |joint: &JointId| overconstrained::assemble(&model.with_motor(*joint)).is_some();
+    // Each of them is assembled and moved: in a large mechanism not all are tried.
+    let most = MOST_MOVED.div_ceil(model.joints.len().pow(2).max(1));
+    let joints = model.joint_ids().filter(can_have_motor).take(most);
+    let candidates: Vec<JointId> = joints.filter(moves).collect();
+    (!candidates.is_empty()).then_some(Diagnosis::NoMotor {
+        freedom: 1,
+        candidates,
+    })
+}
+
+fn held_joints(diagnosis: &Diagnosis) -> Vec<JointId> {
+    match diagnosis {
+        Diagnosis::Overdetermined { joints, .. } | Diagnosis::Blocked { joints, .. } => {
+            joints.clone()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Diagnoses a mechanism that its plan assembles but its program does not: a loop starts where its equations are singular.
+fn diagnose_start(plan: &Plan, program: &Program, stop: Stop) -> Diagnosis {
+    let number = match stop {
+        Stop::Open(block) | Stop::DeadPoint(block) => program.loop_of(block),
+        _ => None,
+    };
+    match number.and_then(|number| plan.loops().nth(number)) {
+        Some(ring) => Diagnosis::DeadStart {
+            unknowns: ring.unknowns(),
+        },
+        None => Diagnosis::TooLarge,
+    }
+}

@@ -1,0 +1,78 @@
+//! The door of the macro: tokens in, tokens out.
+
+mod guard;
+
+use crate::compile::compile;
+use crate::syntax::{self, Message, Parsed, Place};
+use crate::{emit, repair, reporter};
+use proc_macro2::{Span, TokenStream, TokenTree};
+use quote::quote;
+
+/// Expands the body of a `mechanism!`: the path of the runtime crate, a semicolon, and the text of the mechanism.
+#[must_use]
+pub fn expand(input: TokenStream) -> TokenStream {
+    let (krate, body) = split_crate_path(input);
+    guard::guarded(
+        &body,
+        || analyse_and_emit(&krate, body.clone()),
+        || stub(&krate, body.clone()),
+    )
+}
+
+/// The items of a mechanism, or its errors beside a stub of its type.
+fn analyse_and_emit(krate: &TokenStream, body: TokenStream) -> TokenStream {
+    let Parsed {
+        header,
+        model,
+        places,
+        errors,
+        motors,
+        has_laws,
+    } = syntax::parse(body);
+    let Some(header) = header else {
+        return compile_errors(&errors);
+    };
+    let fail = |messages: &[Message]| {
+        let (errors, stub) = (
+            compile_errors(messages),
+            emit::stub(krate, &header, &places, &model, (motors, has_laws)),
+        );
+        quote!(#errors #stub)
+    };
+    if !errors.is_empty() {
+        return fail(&errors);
+    }
+    match compile(&model) {
+        Ok(compiled) => emit::items(krate, &header, &places, &model, &compiled),
+        Err(diagnoses) => {
+            let offers = repair::offers(&model, &diagnoses);
+            fail(&reporter::messages(&diagnoses, &offers, &model, &places))
+        }
+    }
+}
+
+/// The type of a mechanism with methods that do nothing; no tokens for a text without a header.
+fn stub(krate: &TokenStream, body: TokenStream) -> TokenStream {
+    let parsed = syntax::parse(body);
+    let given = (parsed.motors, parsed.has_laws);
+    parsed.header.map_or_else(TokenStream::new, |header| {
+        emit::stub(krate, &header, &parsed.places, &parsed.model, given)
+    })
+}
+
+fn compile_errors(errors: &[Message]) -> TokenStream {
+    if errors.is_empty() {
+        let place = Place::at(Span::call_site());
+        return Message::new(place, "this mechanism could not be read").to_compile_error();
+    }
+    errors.iter().map(Message::to_compile_error).collect()
+}
+
+/// The tokens before the first semicolon, and those after it.
+fn split_crate_path(input: TokenStream) -> (TokenStream, TokenStream) {
+    let mut trees = input.into_iter();
+    let is_end =
+        |tree: &TokenTree| matches!(tree, TokenTree::Punct(punct) if punct.as_char() == ';');
+    let krate = trees.by_ref().take_while(|tree| !is_end(tree)).collect();
+    (krate, trees.collect())
+}

@@ -1,0 +1,8 @@
+//! What the compiler learns by watching a mechanism move: which loops have to be watched at run time, how exact each method is,
+//! whether declared ranges are free, and how much room the mechanism takes.
+
+pub mod accuracy;
+pub(crate) mod extent;
+pub(crate) mod proof;
+mod sweep;
+pub(crate) mod watching;

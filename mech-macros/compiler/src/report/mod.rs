@@ -1,0 +1,163 @@
+//! The report: what the analysis found, in plain text, for the terminal, the docs and the gallery.
+
+mod effects;
+mod loops;
+mod rolling;
+
+use crate::compiled::Compiled;
+use crate::cost;
+use crate::model::{Joint, JointId, JointKind, LinkId, Model};
+use crate::plan::Step;
+use crate::structure::Structure;
+use effects::{force_lines, trace_line};
+use loops::{accuracy, left_out, loop_line, method, needs_line, solved_line};
+use rolling::{cam_line, mesh_line, rolling_line};
+use std::fmt::Write;
+
+/// The report of a coherent mechanism.
+pub(crate) fn report(model: &Model, compiled: &Compiled) -> String {
+    let mut text = String::new();
+    // Writing into a string does not fail.
+    let _ = write(&mut text, model, compiled);
+    text
+}
+
+fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Result {
+    let Compiled {
+        structure,
+        plan,
+        program,
+        moving,
+        forced,
+        timing,
+        sensitive,
+        loops,
+        prediction,
+        saved,
+        ..
+    } = compiled;
+    let motors: Vec<JointId> = model.motors.iter().map(|motor| motor.joint).collect();
+    writeln!(text, "{}", model.name)?;
+    writeln!(text, "  mobility  {}", mobility(model, structure))?;
+    writeln!(text, "  motors    {}", joints(model, &motors))?;
+    for (motor, law) in model.lawful_motors() {
+        let joint = model.joint(model.motor(motor).joint);
+        writeln!(text, "  law       {} = {}", joint.name, law.written)?;
+    }
+    let params = model.params.all().iter();
+    let params: Vec<String> = params
+        .map(|param| format!("`{}` = {}", param.name, param.value))
+        .collect();
+    if !params.is_empty() {
+        writeln!(text, "  params    {}", params.join(", "))?;
+    }
+    writeln!(text, "  trunk     {}", joints(model, &structure.trunk))?;
+    writeln!(text, "  arms      {}", joints(model, &structure.arms))?;
+    if !structure.redundant.is_empty() {
+        writeln!(text, "  redundant {}", joints(model, &structure.redundant))?;
+    }
+    for rolling in &structure.rollings {
+        writeln!(text, "  rolling   {}", rolling_line(model, rolling))?;
+    }
+    for step in &plan.steps {
+        if let Step::Mesh(mesh) = step {
+            writeln!(text, "  moved     {}", mesh_line(model, plan, mesh))?;
+        }
+    }
+    for step in &plan.steps {
+        if let Step::Cam(cam) = step {
+            writeln!(text, "  cam       {}", cam_line(model, cam))?;
+        }
+    }
+    for (index, closing) in plan.loops().enumerate() {
+        writeln!(
+            text,
+            "  loop {:<4} {}",
+            index + 1,
+            loop_line(model, closing)
+        )?;
+        writeln!(text, "            {}", needs_line(model, plan, closing))?;
+        if let Some(solved) = loops.iter().find(|solved| solved.number == index) {
+            writeln!(text, "            {}", solved_line(solved))?;
+        }
+    }
+    writeln!(text, "  method    {}", method(model, program))?;
+    if let Some(prediction) = prediction {
+        writeln!(text, "  accuracy  {}", accuracy(model, prediction))?;
+    }
+    if let Some(saved) = saved {
+        writeln!(
+            text,
+            "  left out  {}: {saved}",
+            left_out(model, plan, program)
+        )?;
+    }
+    writeln!(text, "  cost      {}", cost::of_program(program))?;
+    if let Some(moving) = moving {
+        let kinds = if model.effects.acceleration {
+            "velocity and acceleration"
+        } else {
+            "velocity"
+        };
+        let more = cost::of_rates(program, moving);
+        writeln!(text, "  effects   {kinds}: {more} more")?;
+    }
+    if let Some(timing) = timing {
+        let more = cost::of_program(&timing.program);
+        writeln!(text, "  at time   {more} more")?;
+    }
+    for trace in &model.traces {
+        writeln!(text, "  trace     {}", trace_line(model, trace))?;
+    }
+    if let Some(sensitive) = sensitive {
+        let more = cost::of_program(sensitive);
+        writeln!(text, "  effects   sensitivity to the params: {more}")?;
+    }
+    if model.effects.needs_actions() {
+        force_lines(text, model, program, forced)?;
+    }
+    Ok(())
+}
+
+/// The mobility by counting, with what each kind of joint takes away.
+fn mobility(model: &Model, structure: &Structure) -> String {
+    let count =
+        |wanted: fn(&Joint) -> bool| model.joints.iter().filter(|joint| wanted(joint)).count();
+    let slots = count(|joint| joint.hidden);
+    let pairs = count(|joint| {
+        matches!(
+            joint.kind,
+            JointKind::Revolute(..) | JointKind::Prismatic(..)
+        )
+    }) - 2 * slots;
+    let welds = count(|joint| matches!(joint.kind, JointKind::Weld(..)));
+    let rolls = count(|joint| joint.kind.ties());
+    let mut text = format!(
+        "{} = 3·{} − 2·{pairs}",
+        structure.mobility,
+        model.declared_links().count()
+    );
+    for (what, times) in [("3·", welds), ("", slots + rolls)] {
+        if times > 0 {
+            text += &format!(" − {what}{times}");
+        }
+    }
+    text
+}
+
+fn joints(model: &Model, ids: &[JointId]) -> String {
+    if ids.is_empty() {
+        return "none".to_owned();
+    }
+    let mut names: Vec<&str> = ids
+        .iter()
+        .map(|&id| model.joint(id).name.as_str())
+        .collect();
+    // A slot is two joints of one name.
+    names.dedup();
+    names.join(" ")
+}
+
+fn name(model: &Model, link: LinkId) -> &str {
+    &model.link(link).name
+}

@@ -1,0 +1,92 @@
+//! The lines of a report about gears, belts, racks and cams.
+
+use super::name;
+use crate::bug::bug;
+use crate::model::{JointKind, Model, Ratio};
+use crate::plan::{Cam, Mesh, Plan, Rational, Source};
+use crate::structure::Rolling;
+use num_traits::ToPrimitive as _;
+
+pub(super) fn rolling_line(model: &Model, rolling: &Rolling) -> String {
+    let joint = model.joint(rolling.joint);
+    let size = match joint.kind {
+        JointKind::Gear {
+            ratio: Ratio::Teeth(a, b),
+            ..
+        } => format!("{a} : {b} teeth"),
+        JointKind::Belt {
+            ratio: Ratio::Teeth(a, b),
+            ..
+        } => format!("belt {a} : {b}"),
+        JointKind::Gear {
+            ratio: Ratio::Radii(a, b),
+            ..
+        } => format!("radii {a} : {b}"),
+        JointKind::Belt {
+            ratio: Ratio::Radii(a, b),
+            ..
+        } => format!("belt {a} : {b}"),
+        JointKind::Rack { radius, .. } => format!("rack, radius {radius}"),
+        kind => bug!("{kind:?} is reported as something that rolls"),
+    };
+    let [a, b] = rolling.ends.map(|(end, _)| name(model, end.link()));
+    format!(
+        "{}: {a} and {b}, {size}, on {}",
+        joint.name,
+        name(model, rolling.carrier)
+    )
+}
+
+/// A ratio as a fraction; where that comes from a pitch radius and is long, as a decimal number.
+fn fraction(part: &Rational) -> String {
+    /// No wheel has more teeth.
+    const MOST: i64 = 100_000;
+    let is_short = |whole: Option<i64>| whole.is_some_and(|whole| whole.abs() <= MOST);
+    match part.to_f64() {
+        Some(value) if !(is_short(part.numer().to_i64()) && is_short(part.denom().to_i64())) => {
+            format!("{value}")
+        }
+        _ => part.to_string(),
+    }
+}
+
+/// By which motors, angles and slides a joint is moved that rolling moves.
+pub(super) fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
+    let part = |(source, part): &(usize, Rational)| {
+        let source = match plan.sources[*source] {
+            Source::Motor(motor) => model.joint(model.motor(motor).joint).name.clone(),
+            Source::Angle { from, to } => {
+                format!("angle of {} on {}", name(model, to), name(model, from))
+            }
+            Source::Way(joint) => model.joint(joint).name.clone(),
+        };
+        format!("{} · {source}", fraction(part))
+    };
+    let parts: Vec<String> = mesh.parts.iter().map(part).collect();
+    let moved = &model.joint(mesh.connection.joint).name;
+    if parts.is_empty() {
+        format!("{moved} stands still")
+    } else {
+        format!("{moved} by {}", parts.join(" + "))
+    }
+}
+
+/// The joints of a cam, and its law.
+pub(super) fn cam_line(model: &Model, cam: &Cam) -> String {
+    let joint = model.joint(cam.by);
+    let JointKind::Cam {
+        shaft,
+        follower,
+        law,
+    } = joint.kind
+    else {
+        return String::new();
+    };
+    format!(
+        "{}: {} = {}, q the coordinate of {}",
+        joint.name,
+        model.joint(follower).name,
+        model.law(law).written,
+        model.joint(shaft).name
+    )
+}
