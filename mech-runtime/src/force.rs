@@ -16,7 +16,7 @@ pub struct Forces<
     pub reactions: [Reaction<T>; JOINTS],
     /// For each motor how fast each number of the loads is followed if it alone moves, at a rate of one: the velocity of the point
     /// of a force along x and y, the angular velocity of the link of a torque.
-    pub responses: [[T; LOADS]; MOTORS],
+    pub velocity_ratios: [[T; LOADS]; MOTORS],
     /// The transmission angles, from 0 to π/2, of the loops that are dyads, in the order in which they are solved.
     pub transmission: [T; DYADS],
 }

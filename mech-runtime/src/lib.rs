@@ -21,7 +21,7 @@ mod cost;
 #[cfg(feature = "std")]
 pub mod files;
 mod force;
-mod gauss;
+mod gauss_legendre;
 #[doc(hidden)]
 pub mod generated;
 mod mechanism;
@@ -38,7 +38,7 @@ pub use blocked::{Blocked, Cause, Reached};
 pub use columns::{BlockedAt, Columns};
 pub use cost::Cost;
 pub use force::{Forces, Reaction};
-pub use gauss::Gauss;
+pub use gauss_legendre::GaussLegendre;
 pub use mech_core::{Phase, Real};
 pub use mechanism::Mechanism;
 pub use nalgebra::{Isometry2, Point2, Vector2};
@@ -329,7 +329,7 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// What is not asked for is not there: no field, no instruction, no method. With `effects { velocity; acceleration; }` (either, or
 /// both; accelerations bring velocities with them) `move_with` takes the rates and second rates of the motors besides their
 /// values, and the mechanism tells how everything moves: `crank_velocity()` of a link (a [`Velocity`]), `rod_small_end_velocity()`
-/// of a named point, `h_rate()` of a joint, the same with `acceleration`; `influences()` are the velocities for a rate of one of
+/// of a named point, `h_rate()` of a joint, the same with `acceleration`; `influence_coefficients()` are the velocities for a rate of one of
 /// each motor alone. They are exact: every loop's rates solve the linear system that its positions come from. At a dead point or a
 /// change point, where they are not determined, `move_with` is an error, [`Cause::Singular`], not a large number. After a move
 /// without rates the mechanism rests.
@@ -396,8 +396,8 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// ## Motion under forces
 ///
 /// With `effects { dynamics; }` the mechanism has rates, and `simulate(time, torques)` lets it move for a step of time under torques of
-/// its motors, which may be zero, and everything that acts. `simulate_by` takes a method ([`Gauss`]): what is more exact takes longer.
-/// Each is symmetric in time, so that energy does not drift. `energy()` is kinetic and potential, `second_rates(torques)` how the
+/// its motors, which may be zero, and everything that acts. `simulate_by` takes a method ([`GaussLegendre`]): what is more exact takes longer.
+/// Each is symmetric in time, so that energy does not drift. `energy()` is kinetic and potential, `motor_accelerations(torques)` how the
 /// motors are accelerated. A step that is blocked or too long is an error, and leaves everything as it was.
 ///
 /// ```

@@ -10,7 +10,7 @@
 mod common;
 
 use common::{Threshold, compare};
-use mech_runtime::generated::{Sines, Within};
+use mech_runtime::generated::{Reduced, Sines};
 use mech_runtime::{Columns, mechanism};
 use std::hint::black_box;
 
@@ -80,7 +80,7 @@ macro_rules! bench {
                     return None;
                 }
                 for i in 0..BLOCK {
-                    let (sin, cos) = <Within as Sines<$float>>::sin_cos(angles[i]);
+                    let (sin, cos) = <Reduced as Sines<$float>>::sin_cos(angles[i]);
                     let (dx, dy) = (GROUND - cos, -sin);
                     let square = dx * dx + dy * dy;
                     let area = (FAR - square) * (square - NEAR);

@@ -1,7 +1,7 @@
 //! Whatever numbers a mechanism is given, in whatever order: it moves, or says why not and is as it was. Nothing panics, and what it
 //! tells are numbers.
 
-use mech_runtime::{Gauss, Phase, Pose, Scalar, mechanism};
+use mech_runtime::{GaussLegendre, Phase, Pose, Scalar, mechanism};
 use proptest::prelude::*;
 use std::fmt::Debug;
 
@@ -136,12 +136,16 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) -> bool {
         6 => m.set_rates([x]).is_err(),
         7 => m.simulate(x, [y]).is_err(),
         8 => {
-            let method = [Gauss::Two, Gauss::Four, Gauss::Six][usize::from(which) % 3];
+            let method = [
+                GaussLegendre::Order2,
+                GaussLegendre::Order4,
+                GaussLegendre::Order6,
+            ][usize::from(which) % 3];
             m.simulate_by(method, 1e-3 * x, [y]).is_err()
         }
         9 => {
             are_numbers(&m.forces([x], [y]).ok());
-            are_numbers(&m.second_rates([z]).ok());
+            are_numbers(&m.motor_accelerations([z]).ok());
             are_numbers(&m.energy().ok());
             assert_eq!(*m, before);
             false
@@ -151,7 +155,7 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) -> bool {
             let advantages = (m.push_advantage([x, y]).ok(), m.twist_advantage().ok());
             assert!(!format!("{advantages:?}").contains("NaN"));
             are_numbers(&m.torques().ok());
-            are_numbers(&m.influences().ok());
+            are_numbers(&m.influence_coefficients().ok());
             assert_eq!(*m, before);
             false
         }

@@ -6,7 +6,7 @@
     reason = "numbers are as they were published"
 )]
 
-use mech_runtime::{Cause, Gauss, mechanism};
+use mech_runtime::{Cause, GaussLegendre, mechanism};
 use std::f64::consts::{PI, TAU};
 
 mechanism! {
@@ -46,7 +46,7 @@ mechanism! {
 #[test]
 fn andrews_squeezer_is_where_the_literature_says_after_three_hundredths_of_a_second() {
     let mut squeezer = Andrews::new();
-    let first = squeezer.second_rates([0.033]).expect("regular")[0];
+    let first = squeezer.motor_accelerations([0.033]).expect("regular")[0];
     assert!(
         (first / 14_222.443_919_954_138_7 - 1.0).abs() < 1e-9,
         "{first}"
@@ -54,7 +54,7 @@ fn andrews_squeezer_is_where_the_literature_says_after_three_hundredths_of_a_sec
     let steps = 6000;
     for _ in 0..steps {
         squeezer
-            .simulate_by(Gauss::Six, 0.03 / f64::from(steps), [0.033])
+            .simulate_by(GaussLegendre::Order6, 0.03 / f64::from(steps), [0.033])
             .expect("it turns");
     }
     let [beta] = squeezer.motors();
@@ -105,7 +105,11 @@ fn a_pendulum_keeps_the_time_that_elliptic_integrals_tell() {
     // From 120 degrees, let go; after a quarter of a period it is at the bottom.
     let amplitude = TAU / 3.0;
     let quarter = quarter_period((amplitude / 2.0).sin()) * (1.5_f64 / 9.81).sqrt();
-    for (method, tolerance) in [(Gauss::Two, 2e-4), (Gauss::Four, 1e-8), (Gauss::Six, 1e-12)] {
+    for (method, tolerance) in [
+        (GaussLegendre::Order2, 2e-4),
+        (GaussLegendre::Order4, 1e-8),
+        (GaussLegendre::Order6, 1e-12),
+    ] {
         let mut pendulum = Pendulum::new();
         pendulum.move_to([amplitude - PI / 2.0]).expect("free");
         for _ in 0..200 {
@@ -131,11 +135,11 @@ fn the_orders_of_the_methods_are_those_of_gauss() {
         }
         pendulum.motors()[0]
     };
-    let exact = after(Gauss::Six, 4000);
+    let exact = after(GaussLegendre::Order6, 4000);
     for (method, steps, order) in [
-        (Gauss::Two, 100, 2),
-        (Gauss::Four, 50, 4),
-        (Gauss::Six, 20, 6),
+        (GaussLegendre::Order2, 100, 2),
+        (GaussLegendre::Order4, 50, 4),
+        (GaussLegendre::Order6, 20, 6),
     ] {
         let [coarse, fine] = [steps, 2 * steps].map(|steps| (after(method, steps) - exact).abs());
         let measured = (coarse / fine).log2();
@@ -192,7 +196,7 @@ fn power_is_the_change_of_energy() {
     // A constant torque does the work torque times angle.
     for _ in 0..4000 {
         machine
-            .simulate_by(Gauss::Six, 0.001, [1.75])
+            .simulate_by(GaussLegendre::Order6, 0.001, [1.75])
             .expect("it turns");
     }
     let work = 1.75 * machine.motors()[0];
@@ -240,7 +244,7 @@ fn a_double_pendulum_is_accelerated_as_in_the_book() {
             n * l * k * u * u * sin - n * g * k * q.sin(),
         );
         let second = inertia.lu().solve(&drive).expect("it has mass");
-        let found = pendulum.second_rates([0.0, 0.0]).expect("regular");
+        let found = pendulum.motor_accelerations([0.0, 0.0]).expect("regular");
         assert!(
             (found[0] - second[0]).abs() < 1e-11 * second.norm(),
             "{found:?}, {second}"
@@ -320,7 +324,11 @@ mechanism! {
 #[test]
 fn what_rests_goes_on_to_rest() {
     for time in [0.001, 0.002, 0.005, 0.0071, 0.01] {
-        for method in [Gauss::Two, Gauss::Four, Gauss::Six] {
+        for method in [
+            GaussLegendre::Order2,
+            GaussLegendre::Order4,
+            GaussLegendre::Order6,
+        ] {
             let mut block = Damped::new();
             for step in 0..4000 {
                 let told = block.simulate_by(method, time, [0.0]);
@@ -332,7 +340,11 @@ fn what_rests_goes_on_to_rest() {
         }
     }
     for time in [1e-4, 3e-4, 9e-4, 1e-3] {
-        for method in [Gauss::Two, Gauss::Four, Gauss::Six] {
+        for method in [
+            GaussLegendre::Order2,
+            GaussLegendre::Order4,
+            GaussLegendre::Order6,
+        ] {
             let mut arm = Suspension::new();
             for step in 0..6000 {
                 let told = arm.simulate_by(method, time, [0.0]);

@@ -151,7 +151,7 @@ fn the_step_to_a_position_never_knew_of_effects() {
         module(&expansion(&format!("{FOUR_BAR} {effects}")), "positions").to_owned()
     };
     let alone = step("");
-    assert!(alone.contains("fn near("));
+    assert!(alone.contains("fn step_reduced("));
     let all = [
         "effects { velocity; }",
         "effects { velocity; acceleration; }",
@@ -184,7 +184,7 @@ fn what_torques_at_rest_add() {
     ));
     let all = module(&all, "holding");
     let from = all.find("            /// The position at these motor values, what holds it there");
-    let to = all.find("            pub(super) fn near");
+    let to = all.find("            pub(super) fn step_reduced");
     let part = from.zip(to).map(|(from, to)| &all[from..to]);
     insta::assert_snapshot!(part.expect("a step that goes on to torques"));
 }

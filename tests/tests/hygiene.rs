@@ -166,7 +166,7 @@ mod patterns {
     struct H;
 
     ::mech_runtime::mechanism! {
-        pub(crate) struct Itself;
+        pub(crate) struct ThisMechanism;
 
         link crank;
         link coupler { point tip = (1.5, 3.0); }
@@ -190,7 +190,7 @@ mod patterns {
 
 #[test]
 fn constants_are_not_met_by_patterns() {
-    let mut itself = patterns::Itself::new();
+    let mut itself = patterns::ThisMechanism::new();
     itself.move_to([0.1, 0.2, 0.3]).expect("it moves");
     let before = itself;
     let [a, some, start] = itself

@@ -90,7 +90,7 @@ fn poses<T: Real>(position: &Position<T>) -> Vec<[f64; 4]> {
 /// Every bit of a position.
 fn bits<T: Real>(position: &Position<T>) -> Vec<u64> {
     let numbers = position.poses.iter().flatten();
-    let numbers = numbers.chain(&position.motors).chain(&position.kept);
+    let numbers = numbers.chain(&position.motors).chain(&position.state);
     numbers
         .map(|number| number.to_f64().to_bits())
         .chain(
@@ -166,7 +166,7 @@ fn whole<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(), Strin
     if poses.iter().flatten().any(|number| !number.is_finite()) {
         return Err("a pose is not finite".to_owned());
     }
-    if position.kept.iter().any(|number| !number.is_finite()) {
+    if position.state.iter().any(|number| !number.is_finite()) {
         return Err("what is carried is not finite".to_owned());
     }
     let size = extent(subject, &poses);

@@ -128,7 +128,7 @@ fn reached(program: &Program, link: LinkId) -> BTreeSet<usize> {
         waiting.extend(node.op.operands());
         match node.op {
             Op::Last(Slot::Pose(link, _)) => waiting.extend(program.poses[link]),
-            Op::Last(Slot::Kept(kept)) => waiting.push(program.kept[kept]),
+            Op::Last(Slot::State(state)) => waiting.push(program.state[state]),
             Op::Solved(block, _) => {
                 let newton = program.newton(block).expect("it is iterated");
                 loops.insert(newton.number);
@@ -189,7 +189,7 @@ fn what_is_shown_moves_as_in_the_whole_to_the_last_bit() {
             let whole = build(&model, &plan);
             let part = build(&showing(&model, vec![Shown::Link(link)]), &plan);
             // Where an angle is followed over whole turns a move is made in pieces, and an iteration ends elsewhere by a rounding.
-            if part.is_closed() || part.strides == whole.strides {
+            if part.is_closed() || part.max_steps == whole.max_steps {
                 let what = format!("seed {seed} {method:?}");
                 moved += same_motion(&mut dice, (&whole, &part), &what);
             }
@@ -219,7 +219,7 @@ fn same_motion(dice: &mut Dice, (whole, part): (&Program, &Program), what: &str)
         moved += 1;
         for link in &part.stored {
             let pose = |program: &Program, machine: &Machine<'_, f64>| {
-                let place = program.place_of(*link).expect("it is kept");
+                let place = program.place_of(*link).expect("it is state");
                 machine.position().poses[place].map(f64::to_bits)
             };
             assert_eq!(pose(whole, &everything), pose(part, &shown), "{what}");

@@ -101,7 +101,7 @@ fn at_a_dead_point_forces_are_an_error() {
         Err(Cause::Singular)
     );
     assert!(engine.forces([0.0], [0.0]).is_err());
-    assert!(engine.second_rates([0.0]).is_err());
+    assert!(engine.motor_accelerations([0.0]).is_err());
     let before = engine;
     assert!(engine.simulate(0.01, [0.0]).is_err());
     assert_eq!(engine, before);
@@ -201,7 +201,7 @@ fn generated_code_finds_what_the_interpreter_finds() {
             panic!("it is regular");
         };
         assert_eq!(driven.energy().expect("regular"), felt.energy);
-        let second = driven.second_rates([2.0]).expect("regular")[0];
+        let second = driven.motor_accelerations([2.0]).expect("regular")[0];
         let expected = (2.0 + felt.drive[0]) / felt.matrix[0][0];
         assert!((second - expected).abs() <= 1e-14 * expected.abs());
     }

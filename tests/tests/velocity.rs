@@ -160,7 +160,7 @@ fn a_four_bar_has_the_rates_that_three_programs_agree_on() {
         near(four_bar.d_rate(), rocker[0], 1.0, 1e-10);
         near(four_bar.c_rate(), rocker[0] - coupler[0], 1.0, 1e-10);
         near(four_bar.a_rate(), RATE, 1.0, 1e-15);
-        let [influence] = four_bar.influences().expect("it is regular");
+        let [influence] = four_bar.influence_coefficients().expect("it is regular");
         near(influence[1].angular * RATE, coupler[0], 1.0, 1e-10);
     }
 }
@@ -408,7 +408,10 @@ fn at_a_dead_point_rates_are_an_error_and_not_a_large_number() {
     assert_eq!(singular.reached, limit);
     assert_eq!(rocker, before);
     assert_eq!(
-        rocker.influences().expect_err("there too").cause,
+        rocker
+            .influence_coefficients()
+            .expect_err("there too")
+            .cause,
         Cause::Singular
     );
     // A thousandth before it they are determined, and large.

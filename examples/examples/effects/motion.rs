@@ -1,6 +1,6 @@
 //! What accuracy costs in motion under forces: how far energy drifts, against the time that a step takes.
 
-use mech_runtime::{Gauss, mechanism};
+use mech_runtime::{GaussLegendre, mechanism};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -40,11 +40,11 @@ pub(crate) fn section(turns: u32) -> Result<String, String> {
          radians. The default is order 4.\n\n| method | steps a turn | drift | lag | ns a step | µs a turn |\n|---|---|---|---|---|---|\n"
     );
     let end = f64::from(turns) * TURN;
-    let exact = follow(Gauss::Six, 800, end)?;
+    let exact = follow(GaussLegendre::Order6, 800, end)?;
     for (name, method) in [
-        ("order 2", Gauss::Two),
-        ("order 4", Gauss::Four),
-        ("order 6", Gauss::Six),
+        ("order 2", GaussLegendre::Order2),
+        ("order 4", GaussLegendre::Order4),
+        ("order 6", GaussLegendre::Order6),
     ] {
         for steps in [50, 100, 200, 400] {
             let found = follow(method, steps, end)?;
@@ -69,7 +69,7 @@ struct Followed {
     nanoseconds: f64,
 }
 
-fn follow(method: Gauss, steps: u32, end: f64) -> Result<Followed, String> {
+fn follow(method: GaussLegendre, steps: u32, end: f64) -> Result<Followed, String> {
     let stopped = |blocked: mech_runtime::Blocked| blocked.to_string();
     let mut machine = CrankRocker::new();
     machine.set_rates([RATE]).map_err(stopped)?;

@@ -1,15 +1,15 @@
 //! Runs a program now: for the studio, and to check the generated code against.
 
+mod journey;
 mod run;
 mod sensitivity;
 mod timing;
-mod way;
 
 use crate::program::{BlockId, Forces, Position, Program};
+use journey::Move;
 use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
 use run::{Given, Runner};
-use way::Way;
 
 pub use sensitivity::{Followed, sensitivities};
 
@@ -66,7 +66,7 @@ impl<'p, T: Real> Machine<'p, T> {
                 .iter()
                 .map(|pose| pose.map(T::from_f64))
                 .collect(),
-            kept: start.kept.iter().map(number).collect(),
+            state: start.state.iter().map(number).collect(),
         };
         Self {
             runner: Runner::new(program),
@@ -215,8 +215,8 @@ impl<'p, T: Real> Machine<'p, T> {
         if let Some(motor) = motors.iter().position(|value| !value.is_finite()) {
             return Err(refuse(Stop::NotFinite(motor)));
         }
-        let way = Way::new(&self.runner, &self.position, motors, turns);
-        self.position = way.gone()?;
+        let way = Move::new(&self.runner, &self.position, motors, turns);
+        self.position = way.run()?;
         Ok(())
     }
 }

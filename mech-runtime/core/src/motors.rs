@@ -1,18 +1,18 @@
-//! Motors on a move: how far they go, in which sense, and what that means for the loops that follow them.
+//! The motors of a move: their displacements and signs of motion, and what these mean for the loops that follow them.
 
 use crate::Real;
 
-/// How far a motor goes from one value, and whole turns besides, to another.
+/// The displacement of a motor from one value, and whole turns besides, to another.
 #[inline]
-pub fn way<T: Real>((from, turns): (T, i32), (to, more): (T, i32)) -> T {
-    let way = to - from;
+pub fn displacement<T: Real>((from, turns): (T, i32), (to, more): (T, i32)) -> T {
+    let difference = to - from;
     match more.wrapping_sub(turns) {
-        0 => way,
-        turns => way + T::TURN * T::from_i32(turns),
+        0 => difference,
+        turns => difference + T::TURN * T::from_i32(turns),
     }
 }
 
-/// The value of a motor that turns, with the whole turns in it counted among those given besides: the rest is between −π and π.
+/// The value of a motor that turns, with the whole turns in it counted among those given besides: the remainder is between −π and π.
 /// Beyond 2³¹ turns it stays as it is.
 #[inline]
 #[must_use]
@@ -21,7 +21,7 @@ pub fn reduced<T: Real>(value: T, turns: i32) -> (T, i32) {
         return (value, turns);
     }
     let split = value.whole_turns();
-    let sum = split.and_then(|(whole, rest)| Some((rest, turns.checked_add(whole)?)));
+    let sum = split.and_then(|(whole, remainder)| Some((remainder, turns.checked_add(whole)?)));
     sum.unwrap_or((value, turns))
 }
 
@@ -38,14 +38,17 @@ pub fn turned<T: Real>(turns: i32, numerator: i64, denominator: i64) -> T {
     }
     let small = (u16::try_from(numerator), u16::try_from(denominator));
     // Nearly every ratio is so small that one division of a processor of 32 bits does it.
-    let (rest, denominator) = if let (Ok(numerator), Ok(denominator)) = small {
-        let rest = small_rest(turns, numerator, denominator);
-        (T::from_i32(rest.into()), T::from_i32(denominator.into()))
+    let (remainder, denominator) = if let (Ok(numerator), Ok(denominator)) = small {
+        let remainder = small_remainder(turns, numerator, denominator);
+        (
+            T::from_i32(remainder.into()),
+            T::from_i32(denominator.into()),
+        )
     } else {
-        let rest = rest(turns, numerator, denominator);
-        (T::from_i64(rest), T::from_i64(denominator))
+        let remainder = remainder(turns, numerator, denominator);
+        (T::from_i64(remainder), T::from_i64(denominator))
     };
-    T::TURN * (rest / denominator)
+    T::TURN * (remainder / denominator)
 }
 
 /// `turns * numerator` less whole multiples of the denominator, which is greater than the numerator.
@@ -54,68 +57,76 @@ pub fn turned<T: Real>(turns: i32, numerator: i64, denominator: i64) -> T {
     clippy::cast_possible_truncation,
     reason = "what is left is less than the denominator"
 )]
-fn small_rest(turns: i32, numerator: u16, denominator: u16) -> u16 {
+fn small_remainder(turns: i32, numerator: u16, denominator: u16) -> u16 {
     let turns = turns.checked_rem_euclid(denominator.into()).unwrap_or(0);
     let product = turns.unsigned_abs().wrapping_mul(numerator.into());
     product.checked_rem(denominator.into()).unwrap_or(0) as u16
 }
 
 /// The same for any denominator, bit by bit of the turns: the product may have more bits than there are.
-fn rest(turns: i32, numerator: i64, denominator: i64) -> i64 {
+fn remainder(turns: i32, numerator: i64, denominator: i64) -> i64 {
     let less = |sum: i64| if sum < 0 { sum + denominator } else { sum };
     let back = denominator - numerator;
-    let mut rest = 0;
+    let mut remainder = 0;
     for bit in (0..i32::BITS).rev() {
         // Twice it, and then the numerator more, each less the denominator at once: so nothing overflows.
-        rest = less(rest - (denominator - rest));
+        remainder = less(remainder - (denominator - remainder));
         if turns.unsigned_abs() >> bit & 1 == 1 {
-            rest = less(rest - back);
+            remainder = less(remainder - back);
         }
     }
-    if turns < 0 && rest > 0 {
-        denominator - rest
+    if turns < 0 && remainder > 0 {
+        denominator - remainder
     } else {
-        rest
+        remainder
     }
 }
 
 /// By how much a quantity changes at most whose rates with the motors are no greater than these.
 #[inline]
-pub fn change<T: Real>(rates: impl IntoIterator<Item = T>, ways: &[T]) -> T {
-    let parts = rates.into_iter().zip(ways);
-    parts.fold(T::ZERO, |change, (rate, way)| change + rate * way.abs())
-}
-
-/// Positive if the motors that a quantity follows go on in these senses, negative if they go back.
-pub fn along<T: Real>(rates: impl IntoIterator<Item = T>, ways: &[T], senses: &[T]) -> T {
-    let parts = rates.into_iter().zip(ways).zip(senses);
-    parts.fold(T::ZERO, |along, ((rate, way), sense)| {
-        along + rate * *way * *sense
+pub fn change<T: Real>(rates: impl IntoIterator<Item = T>, displacements: &[T]) -> T {
+    let parts = rates.into_iter().zip(displacements);
+    parts.fold(T::ZERO, |change, (rate, displacement)| {
+        change + rate * displacement.abs()
     })
 }
 
-/// Notes the sense of every motor that goes: one, or minus one.
+/// Positive if the motors that a quantity follows go on with these signs of motion, negative if they go back.
+pub fn along<T: Real>(
+    rates: impl IntoIterator<Item = T>,
+    displacements: &[T],
+    motion_signs: &[T],
+) -> T {
+    let parts = rates.into_iter().zip(displacements).zip(motion_signs);
+    parts.fold(T::ZERO, |along, ((rate, displacement), sign)| {
+        along + rate * *displacement * *sign
+    })
+}
+
+/// Records the sign of motion of every motor that goes: one, or minus one.
 #[inline]
-pub fn note_senses<T: Real>(senses: &mut [T], ways: &[T]) {
-    for (sense, way) in senses.iter_mut().zip(ways) {
-        if *way != T::ZERO {
-            *sense = T::ONE.copysign(*way);
+pub fn note_motion_signs<T: Real>(motion_signs: &mut [T], displacements: &[T]) {
+    for (sign, displacement) in motion_signs.iter_mut().zip(displacements) {
+        if *displacement != T::ZERO {
+            *sign = T::ONE.copysign(*displacement);
         }
     }
 }
 
-/// Whether no motor goes farther than its stride.
+/// Whether no motor goes farther than its longest step.
 #[inline]
-pub fn in_one_piece<T: Real>(strides: impl IntoIterator<Item = T>, ways: &[T]) -> bool {
-    let mut parts = strides.into_iter().zip(ways);
-    parts.all(|(stride, way)| way.abs() <= stride)
+pub fn in_one_piece<T: Real>(max_steps: impl IntoIterator<Item = T>, displacements: &[T]) -> bool {
+    let mut parts = max_steps.into_iter().zip(displacements);
+    parts.all(|(max_step, displacement)| displacement.abs() <= max_step)
 }
 
-/// In how many pieces the motors have to go if in each they go no farther than these strides.
+/// In how many pieces the motors have to go if in each they go no farther than their longest steps.
 #[inline]
-pub fn pieces<T: Real>(strides: impl IntoIterator<Item = T>, ways: &[T]) -> T {
-    let parts = strides.into_iter().zip(ways);
-    parts.fold(T::ONE, |most, (stride, way)| most.max(way.abs() / stride))
+pub fn pieces<T: Real>(max_steps: impl IntoIterator<Item = T>, displacements: &[T]) -> T {
+    let parts = max_steps.into_iter().zip(displacements);
+    parts.fold(T::ONE, |most, (max_step, displacement)| {
+        most.max(displacement.abs() / max_step)
+    })
 }
 
 /// What lies as far beyond a number as another lies before it.
@@ -124,22 +135,23 @@ pub fn mirrored<T: Real>(before: T, at: T) -> T {
     at + (at - before)
 }
 
-/// The same for what is carried. Sines and the squares after them stay as they are, and so do the senses at the end.
+/// The same for the state of a position. Numbers of watched loops, by their indices, stay as they are, and so do the signs of motion
+/// at the end.
 #[inline]
-pub fn mirror_carried<T: Real>(
-    carried: &mut [T],
+pub fn mirror_state<T: Real>(
+    state: &mut [T],
     before: &[T],
-    senses: Option<usize>,
-    sines: &(impl Iterator<Item = usize> + Clone),
+    motion_signs: Option<usize>,
+    watched: &(impl Iterator<Item = [usize; 2]> + Clone),
 ) {
-    let is_sine = |number: usize| {
-        sines
+    let is_watched = |index: usize| {
+        watched
             .clone()
-            .any(|sine| number == sine || number == sine + 1)
+            .any(|[sine, square]| index == sine || index == square)
     };
-    let angles = senses.unwrap_or(carried.len());
-    let all = carried.iter_mut().zip(before).enumerate().take(angles);
-    for (_, (at, before)) in all.filter(|(number, _)| !is_sine(*number)) {
+    let angles = motion_signs.unwrap_or(state.len());
+    let all = state.iter_mut().zip(before).enumerate().take(angles);
+    for (_, (at, before)) in all.filter(|(index, _)| !is_watched(*index)) {
         *at = mirrored(*before, *at);
     }
 }

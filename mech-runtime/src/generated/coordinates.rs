@@ -28,7 +28,7 @@ pub fn sqrt<T: Scalar>(value: T) -> T {
 
 /// The greater of two numbers: the second, if they are not ordered.
 #[inline]
-pub fn greater<T: Scalar>(a: T, b: T) -> T {
+pub fn max<T: Scalar>(a: T, b: T) -> T {
     Real::max(a, b)
 }
 

@@ -1,11 +1,11 @@
-//! A step of time under forces, by methods of Gauss.
+//! A step of time under forces, by Gauss–Legendre collocation.
 //!
 //! The second rates at the stages are found by iteration: each stage is a position of its own that is moved along, so that dead
-//! points and limits are noticed as in any move. The methods are those of Gauss for equations of second order (Hairer, Nørsett and
+//! points and limits are noticed as in any move. The methods are those of Gauss and Legendre for equations of second order (Hairer, Nørsett and
 //! Wanner, *Solving Ordinary Differential Equations I*, II.14): symmetric, of twice the order of their stages.
 
 use super::{Inertia, Motors, Position, Stop};
-use crate::{Blocked, Cause, Gauss, Real, Scalar};
+use crate::{Blocked, Cause, GaussLegendre, Real, Scalar};
 
 /// The most stages of a method.
 const STAGES: usize = 3;
@@ -14,9 +14,9 @@ const ROUNDS: usize = 64;
 
 /// Where a step of time leads.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Simulated<T, const MOTORS: usize, const LINKS: usize, const KEPT: usize> {
+pub struct Simulated<T, const MOTORS: usize, const LINKS: usize, const STATE: usize> {
     /// The new position.
-    pub position: Position<T, MOTORS, LINKS, KEPT>,
+    pub position: Position<T, MOTORS, LINKS, STATE>,
     /// The rates of the motors there.
     pub rates: [T; MOTORS],
     /// Their second rates there.
@@ -52,15 +52,15 @@ struct Tableau<T> {
 }
 
 impl<T: Scalar> Tableau<T> {
-    fn of(method: Gauss) -> Self {
+    fn of(method: GaussLegendre) -> Self {
         let (count, times, weights, rates) = match method {
-            Gauss::Two => (
+            GaussLegendre::Order2 => (
                 1,
                 [0.5, 0.0, 0.0],
                 [1.0, 0.0, 0.0],
                 [[0.5, 0.0, 0.0], [0.0; 3], [0.0; 3]],
             ),
-            Gauss::Four => {
+            GaussLegendre::Order4 => {
                 // √3 / 6
                 let part = 0.288_675_134_594_812_9;
                 (
@@ -70,7 +70,7 @@ impl<T: Scalar> Tableau<T> {
                     [[0.25, 0.25 - part, 0.0], [0.25 + part, 0.25, 0.0], [0.0; 3]],
                 )
             }
-            Gauss::Six => {
+            GaussLegendre::Order6 => {
                 // √15
                 let root = 3.872_983_346_207_417;
                 let (far, near) = (5.0 / 36.0, 2.0 / 9.0);
@@ -125,7 +125,7 @@ impl<T: Scalar> Tableau<T> {
 pub fn simulate<T, const M: usize, const L: usize, const K: usize>(
     start: &Position<T, M, L, K>,
     moment: &Moment<T, M>,
-    method: Gauss,
+    method: GaussLegendre,
     to: impl Fn(
         &mut Position<T, M, L, K>,
         Motors<T, M>,

@@ -26,7 +26,7 @@ impl<T: Scalar, const M: usize, const J: usize, const L: usize, const D: usize> 
         let reactions = self.reactions.iter();
         all_finite(&self.torques)
             && all_finite(&self.transmission)
-            && self.responses.iter().all(|row| all_finite(row))
+            && self.velocity_ratios.iter().all(|row| all_finite(row))
             && reactions
                 .map(|reaction| reaction.x + reaction.y + reaction.torque)
                 .all(Real::is_finite)

@@ -15,9 +15,9 @@ pub trait Sines<T> {
 
 /// Of any angle.
 #[derive(Clone, Copy, Debug)]
-pub struct Anywhere;
+pub struct FullRange;
 
-impl<T: Scalar> Sines<T> for Anywhere {
+impl<T: Scalar> Sines<T> for FullRange {
     #[inline]
     fn sin_cos(angle: T) -> (T, T) {
         Real::sin_cos(angle)
@@ -26,16 +26,16 @@ impl<T: Scalar> Sines<T> for Anywhere {
 
 /// Of angles within the range of the polynomials, without a test: the same bits there.
 #[derive(Clone, Copy, Debug)]
-pub struct Within;
+pub struct Reduced;
 
-impl Sines<f64> for Within {
+impl Sines<f64> for Reduced {
     #[inline]
     fn sin_cos(angle: f64) -> (f64, f64) {
         trig::sin_cos_within_f64(angle)
     }
 }
 
-impl Sines<f32> for Within {
+impl Sines<f32> for Reduced {
     #[inline]
     fn sin_cos(angle: f32) -> (f32, f32) {
         trig::sin_cos_within_f32(angle)
@@ -218,7 +218,7 @@ pub fn move_many_then<
 /// The least of the margins of loops.
 #[inline]
 #[must_use]
-pub fn least<T: Scalar, const N: usize>(margins: [T; N]) -> T {
+pub fn min_margin<T: Scalar, const N: usize>(margins: [T; N]) -> T {
     let mut least = T::ONE;
     for margin in margins {
         // So written that what is not a number stays.

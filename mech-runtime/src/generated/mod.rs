@@ -1,10 +1,12 @@
 //! What generated code calls. Not for use by hand: it changes without notice.
 
+mod advance;
 mod arrows;
 mod coordinates;
-mod course;
 mod dynamics;
 mod forces;
+mod journey;
+mod limits;
 mod loops;
 mod many;
 pub mod parameters;
@@ -19,16 +21,17 @@ pub use crate::{
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Palette, Phase, Point2, Pose, Reached, Shape,
 };
-pub use crate::{Forces, Gauss, Reaction};
+pub use crate::{Forces, GaussLegendre, Reaction};
+pub use advance::{advance, approach};
 pub use arrows::{draw_accelerations, draw_force, draw_reactions, draw_velocities};
 pub use coordinates::{
-    angle, atan2, exp, greater, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
+    angle, atan2, exp, max, round, sin_cos, slide, slide_acceleration, slide_rate, sqrt,
 };
-pub use course::{Course, Followed, Stepping, Watched, advance, approach};
 pub use dynamics::{Moment, Simulated, simulate};
 pub use forces::{Holding, Inertia, not_finite, pull};
+pub use limits::{Followed, MoveLimits, Stepping, Watched};
 pub use loops::{closed, closes, determined, solve};
-pub use many::{Anywhere, Sines, Within, least, move_many, move_many_then, solve_many};
+pub use many::{FullRange, Reduced, Sines, min_margin, move_many, move_many_then, solve_many};
 pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::{AtZero, Growth};

@@ -28,7 +28,7 @@ functions! {
     index
     inertia
     influence
-    influences
+    influence_coefficients
     inside
     instance
     instances

@@ -105,17 +105,17 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
         Ok(())
     }
 
-    /// How far it is from here to there.
+    /// The displacement of each motor from here to the target, in radians or scene units.
     #[inline]
-    pub(super) fn way_to(&self, target: &Self) -> [T; MOTORS] {
-        let mut ways = [T::ZERO; MOTORS];
-        for (motor, way) in ways.iter_mut().enumerate() {
-            *way = mech_core::motors::way(
+    pub(super) fn displacement_to(&self, target: &Self) -> [T; MOTORS] {
+        let mut displacements = [T::ZERO; MOTORS];
+        for (motor, displacement) in displacements.iter_mut().enumerate() {
+            *displacement = mech_core::motors::displacement(
                 (self.values[motor], self.turns[motor]),
                 (target.values[motor], target.turns[motor]),
             );
         }
-        ways
+        displacements
     }
 
     /// Whether all values are finite numbers and none is farther from zero than this.
@@ -152,23 +152,23 @@ pub fn finite<T: Scalar, const MOTORS: usize>(
 
 /// Everything that is carried from one move to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Position<T, const MOTORS: usize, const LINKS: usize, const KEPT: usize> {
+pub struct Position<T, const MOTORS: usize, const LINKS: usize, const STATE: usize> {
     /// The values of the motors.
     pub motors: Motors<T, MOTORS>,
     /// The poses of the moving links.
     pub poses: [Pose<T>; LINKS],
     /// What is carried besides: angles that gears need, unwrapped; the sides of dyads that pass change points.
-    pub kept: [T; KEPT],
+    pub state: [T; STATE],
 }
 
-impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const KEPT: usize>
-    Position<T, MOTORS, LINKS, KEPT>
+impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const STATE: usize>
+    Position<T, MOTORS, LINKS, STATE>
 {
     /// The loops check themselves; what hangs on motors and gears alone may still overflow.
     #[inline]
     pub(super) fn is_finite(&self) -> bool {
         let finite = |pose: &Pose<T>| Real::is_finite(pose.cos + pose.sin + pose.x + pose.y);
-        self.poses.iter().all(finite) && self.kept.iter().all(|kept| Real::is_finite(*kept))
+        self.poses.iter().all(finite) && self.state.iter().all(|state| Real::is_finite(*state))
     }
 
     /// The message that it is stopped while it stays here.

@@ -1,7 +1,8 @@
 //! Moves that go on to the rates of everything.
 
-use super::course::{Way, follow};
-use super::{Course, Motors, Position, Stop};
+use super::advance::follow;
+use super::journey::Move;
+use super::{Motors, MoveLimits, Position, Stop};
 use crate::{Acceleration, Blocked, Cause, Real, Scalar, Velocity};
 use mech_core::journey;
 
@@ -35,8 +36,8 @@ impl<T: Scalar, const LINKS: usize> Rates for ([Velocity<T>; LINKS], [Accelerati
     }
 }
 
-/// Moves to the target and gives the rates there. `near` is the step for motor values within the course's reach, `far` that for
-/// any; `step` finds positions alone.
+/// Moves to the target and returns the rates there. `step_full` computes positions and rates for any motor values, `step_reduced` only
+/// within the limits' reduced range; `step` computes positions alone.
 ///
 /// # Errors
 /// If a motor's value is not finite, something is in the way, or rates are not determined there; it then stays where it was.
@@ -48,9 +49,12 @@ impl<T: Scalar, const LINKS: usize> Rates for ([Velocity<T>; LINKS], [Accelerati
 pub fn advance_with<T, R, const M: usize, const L: usize, const K: usize, const W: usize>(
     position: &mut Position<T, M, L, K>,
     target: Motors<T, M>,
-    course: &Course<T, M, W>,
-    near: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
-    far: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
+    limits: &MoveLimits<T, M, W>,
+    step_reduced: impl Fn(
+        &Position<T, M, L, K>,
+        Motors<T, M>,
+    ) -> Result<(Position<T, M, L, K>, R), Stop>,
+    step_full: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
     step: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 ) -> Result<R, Blocked<[T; M]>>
 where
@@ -59,24 +63,24 @@ where
 {
     // As in `advance`.
     #[cfg(not(feature = "std"))]
-    let near = {
-        let _ = near;
-        &far
+    let step_reduced = {
+        let _ = step_reduced;
+        &step_full
     };
-    if target.is_within(course.reach)
-        && course.contains(&target)
-        && let Ok((mut there, rates)) = near(position, target)
+    if target.is_within(limits.reduced_range)
+        && limits.contains(&target)
+        && let Ok((mut there, rates)) = step_reduced(position, target)
         && rates.is_finite()
-        && (!course.overflows || there.is_finite())
+        && (!limits.overflows || there.is_finite())
     {
-        let way = Way::new(course, position, target, &step);
-        if course.is_free() || journey::is_clear(&way, position, &there, T::ONE) {
-            journey::Journey::note_sense(&way, &mut there);
+        let going = Move::new(limits, position, target, &step);
+        if limits.is_free() || journey::is_clear(&going, position, &there, T::ONE) {
+            journey::Journey::note_motion_signs(&going, &mut there);
             *position = there;
             return Ok(rates);
         }
     }
-    follow_with(position, target, course, &far, &step)
+    follow_with(position, target, limits, &step_full, &step)
 }
 
 /// The same where something may be in the way.
@@ -85,8 +89,8 @@ where
 fn follow_with<T, R, const M: usize, const L: usize, const K: usize, const W: usize>(
     position: &mut Position<T, M, L, K>,
     target: Motors<T, M>,
-    course: &Course<T, M, W>,
-    far: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
+    limits: &MoveLimits<T, M, W>,
+    step_full: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
     step: &impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 ) -> Result<R, Blocked<[T; M]>>
 where
@@ -94,8 +98,8 @@ where
     R: Rates,
 {
     let start = *position;
-    follow(position, target, course, step)?;
-    rates_at(position, far).map_err(|stop| {
+    follow(position, target, limits, step)?;
+    rates_at(position, step_full).map_err(|stop| {
         let reached = position.motors.total();
         *position = start;
         Blocked::new(stop.place, stop.cause, reached)
@@ -108,13 +112,13 @@ where
 /// If they are not determined there, or not finite.
 pub fn rates_at<T, R, const M: usize, const L: usize, const K: usize>(
     position: &Position<T, M, L, K>,
-    far: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
+    step_full: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
 ) -> Result<R, Stop>
 where
     T: Scalar,
     R: Rates,
 {
-    match far(position, position.motors) {
+    match step_full(position, position.motors) {
         Ok((_, rates)) if rates.is_finite() => Ok(rates),
         Ok(_) => Err(Stop::new("", Cause::Overflow)),
         // What closed where it is and does not once more is at its limit.

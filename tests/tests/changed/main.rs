@@ -372,8 +372,8 @@ fn everything_else_goes_on_with_the_params_as_they_are() {
     assert_ne!(there.jd_rate(), 0.0);
     there.set_rod(4.6).expect("it closes");
     assert_eq!(there.jd_rate(), 0.0);
-    let influences = there.influences().expect("regular");
-    assert_eq!(influences.len(), 1);
+    let influence_coefficients = there.influence_coefficients().expect("regular");
+    assert_eq!(influence_coefficients.len(), 1);
 }
 
 /// Where a crank is made as long as the ground, the linkage is a parallelogram, which passes its change points as it came.

@@ -14,7 +14,7 @@ const CLOSED: f64 = 1e-9;
 /// What does not hold at a position.
 pub(crate) fn broken(subject: &Subject, at: &Position<f64>) -> Option<String> {
     let poses = subject.poses(at);
-    let numbers = poses.iter().flatten().chain(&at.motors).chain(&at.kept);
+    let numbers = poses.iter().flatten().chain(&at.motors).chain(&at.state);
     if numbers.into_iter().any(|number| !number.is_finite()) {
         return Some("something is not finite".to_owned());
     }

@@ -73,7 +73,7 @@ impl Subject {
 /// Every bit of a position.
 pub(crate) fn bits(position: &Position<f64>) -> Vec<u64> {
     let numbers = position.poses.iter().flatten();
-    let numbers = numbers.chain(&position.motors).chain(&position.kept);
+    let numbers = numbers.chain(&position.motors).chain(&position.state);
     let turns = position
         .turns
         .iter()

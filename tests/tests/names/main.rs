@@ -17,7 +17,7 @@ use subjects::{Role, SUBJECTS, Subject};
 /// Names that no expansion of the subjects has, and which have met something once, or are words of the language.
 const OTHERS: &[&str] = &[
     "H",
-    "Itself",
+    "ThisMechanism",
     "MOTORS",
     "NAME",
     "SENSITIVITY_COST",

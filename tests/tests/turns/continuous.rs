@@ -27,8 +27,8 @@ fn follow(model: &Model, moves: &[Vec<f64>], step: f64, about: &str) {
             return;
         }
         for (joint, angle) in joints.iter().zip(&slow.angles) {
-            let kept = program.kept_angle(*joint).expect("it is carried");
-            let told = machine.position().kept[kept];
+            let state = program.angle_state(*joint).expect("it is carried");
+            let told = machine.position().state[state];
             let name = &model.joint(*joint).name;
             assert!(
                 (told - angle).abs() < 1e-6 * (1.0 + angle.abs()),

@@ -6,7 +6,7 @@ use super::subjects::{behind, drag_link, geared, meshing, model};
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::program::{Forces, Position};
-use mech_runtime::{Gauss, Phase, mechanism};
+use mech_runtime::{GaussLegendre, Phase, mechanism};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -174,7 +174,7 @@ fn energy_is_kept_through_half_turns() {
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     for _ in 0..8000 {
         coiled
-            .simulate_by(Gauss::Six, 0.004, [0.0])
+            .simulate_by(GaussLegendre::Order6, 0.004, [0.0])
             .expect("it turns");
         let energy: f64 = coiled.energy().expect("regular").iter().sum();
         assert!((energy / start - 1.0).abs() < 1e-9, "{energy}, not {start}");

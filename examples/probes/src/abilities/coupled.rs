@@ -63,7 +63,7 @@ in_both_precisions! {
     use crate::abilities::teller::Teller;
     use crate::abilities::ways::{BAD, ways};
     use core::hint::black_box;
-    use mech_runtime::{Gauss, Real};
+    use mech_runtime::{GaussLegendre, Real};
 
     pub(super) fn ask(teller: &mut Teller<impl Listener>) {
         ways::<StephensonFar>(teller, 0.02);
@@ -79,7 +79,7 @@ in_both_precisions! {
             let outcome = m.move_with([way], [1.0], [0.5]);
             teller.tell("three-rates", &(outcome, m.velocities()));
             teller.tell("three-rates", &m.accelerations());
-            teller.tell("three-influences", &m.influences());
+            teller.tell("three-influence_coefficients", &m.influence_coefficients());
             teller.tell("three-sensitivities", &m.sensitivities());
             teller.tell("three-tip", &m.coupler_tip_sensitivity());
             teller.tell("three-param", &(m.set_reach(2.2 + way), m.poses()));
@@ -97,8 +97,8 @@ in_both_precisions! {
             teller.tell("six-rates", &m.accelerations());
             teller.tell("six-hold", &m.hold_at([way]));
             teller.tell("six-forces", &m.forces([way], [-way]));
-            teller.tell("six-energy", &(m.energy(), m.second_rates([way])));
-            for method in [Gauss::Two, Gauss::Four, Gauss::Six] {
+            teller.tell("six-energy", &(m.energy(), m.motor_accelerations([way])));
+            for method in [GaussLegendre::Order2, GaussLegendre::Order4, GaussLegendre::Order6] {
                 let outcome = m.simulate_by(black_box(method), 0.002, [way]);
                 teller.tell("six-simulated", &(outcome, m.poses()));
             }

@@ -55,7 +55,7 @@ in_both_precisions! {
     use crate::abilities::teller::Teller;
     use crate::abilities::ways::BAD;
     use core::hint::black_box;
-    use mech_runtime::{Gauss, Mechanism, Phase, Real};
+    use mech_runtime::{GaussLegendre, Mechanism, Phase, Real};
 
     pub(super) fn ask(teller: &mut Teller<impl Listener>) {
         macro_rules! simulated {
@@ -64,19 +64,19 @@ in_both_precisions! {
                 let name = <$mechanism>::NAME;
                 teller.tell(name, &m.set_rates([black_box(2.0); $motors]));
                 for _ in 0..black_box(4) {
-                    for method in [Gauss::Two, Gauss::Four, Gauss::Six] {
+                    for method in [GaussLegendre::Order2, GaussLegendre::Order4, GaussLegendre::Order6] {
                         let outcome = m.simulate_by(black_box(method), black_box(0.01), [black_box(0.5); $motors]);
                         teller.tell(name, &(outcome, m.motors(), m.rates()));
                         teller.tell(name, &m.poses());
                     }
                     teller.tell(name, &m.simulate(black_box(-0.02), [0.0; $motors]));
-                    teller.tell(name, &(m.energy(), m.second_rates([black_box(1.0); $motors])));
+                    teller.tell(name, &(m.energy(), m.motor_accelerations([black_box(1.0); $motors])));
                 }
                 for bad in [3.0, 30.0].into_iter().chain(BAD) {
                     let bad = Real::from_f64(black_box(bad));
                     teller.tell(name, &(m.simulate(bad, [0.0; $motors]), m.rates()));
                     teller.tell(name, &(m.simulate(0.01, [bad; $motors]), m.rates()));
-                    teller.tell(name, &(m.set_rates([bad; $motors]), m.second_rates([bad; $motors])));
+                    teller.tell(name, &(m.set_rates([bad; $motors]), m.motor_accelerations([bad; $motors])));
                     teller.tell(name, &(m.simulate(0.01, [0.0; $motors]), m.poses()));
                 }
             };

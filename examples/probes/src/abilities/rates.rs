@@ -69,7 +69,7 @@ in_both_precisions! {
             teller.tell("machine", &m.accelerations());
             teller.tell("machine", &(m.rod_small_velocity(), m.rod_small_acceleration(), m.h_rate()));
             teller.tell("machine", &(m.n(), m.n_rate(), m.h_acceleration()));
-            teller.tell("machine", &m.influences());
+            teller.tell("machine", &m.influence_coefficients());
             teller.tell("machine", &m.move_with([1.0], [way], [1.0]));
             teller.tell("machine", &m.move_with([1.0], [1.0], [way]));
             for place in m.rod_small_trace().iter() {
@@ -88,7 +88,7 @@ in_both_precisions! {
         let reached = m.move_toward([black_box(9.0)]);
         teller.tell("rocking", &(reached, m.poses()));
         let there = m.motors();
-        teller.tell("rocking", &(m.move_with(there, [black_box(1.0)]), m.influences()));
+        teller.tell("rocking", &(m.move_with(there, [black_box(1.0)]), m.influence_coefficients()));
         teller.tell("rocking", &(m.coupler(), m.coupler_tip(), m.coupler_tip_velocity()));
     }
 }

@@ -58,7 +58,7 @@ told_in_parts! {
     [T: Told + Scalar] Point2<T>: x, y;
     [T: Told + Scalar] Vector2<T>: x, y;
     [T: Told, const M: usize, const J: usize, const L: usize, const D: usize]
-        Forces<T, M, J, L, D>: torques, reactions, responses, transmission;
+        Forces<T, M, J, L, D>: torques, reactions, velocity_ratios, transmission;
     [M: Told] BlockedAt<M>: index, blocked;
     [] Area: x, y, width, height;
 }

@@ -76,7 +76,7 @@ fn exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
         .poses
         .iter()
         .flatten()
-        .chain(&program.kept)
+        .chain(&program.state)
         .copied()
         .chain(margins)
     {
@@ -101,6 +101,6 @@ fn exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
 /// The loops that carry on which side their dyad lies, and where they do.
 pub(super) fn carried_sides(program: &Program) -> impl Iterator<Item = (BlockId, usize)> + '_ {
     let carries = |watch: &&Watch| watch.at_zero == AtZero::GoOver;
-    let place = |watch: &Watch| (watch.block, watch.kept);
+    let place = |watch: &Watch| (watch.block, watch.sine);
     program.watches.iter().filter(carries).map(place)
 }

@@ -55,10 +55,10 @@ impl<'p> Tape<'p> {
         for &(value, at) in &group.held {
             tape.hold(value, Interval::point(at));
         }
-        for (block, kept) in carried_sides(program) {
-            let side = program.start.kept[kept];
+        for (block, state) in carried_sides(program) {
+            let side = program.start.state[state];
             let turn = if turned.contains(&block) { -1.0 } else { 1.0 };
-            tape.keep(kept, Interval::point(1.0_f64.copysign(turn * side)));
+            tape.keep(state, Interval::point(1.0_f64.copysign(turn * side)));
         }
         tape.sort(&[]);
         tape
@@ -99,9 +99,9 @@ impl<'p> Tape<'p> {
     }
 
     /// What is carried in this place.
-    fn keep(&mut self, kept: usize, carried: Interval) {
+    fn keep(&mut self, state: usize, carried: Interval) {
         for (index, node) in self.nodes.iter().enumerate() {
-            if node.op == Op::Last(Slot::Kept(kept)) {
+            if node.op == Op::Last(Slot::State(state)) {
                 self.values[index] = carried;
                 self.middles[index] = carried;
             }

@@ -42,9 +42,9 @@ pub(super) fn coordinate(
         let value = quote!(Self::motors(self)[#index]);
         return Some(("radians or scene units, as given to its motor", value));
     }
-    if let Some(kept) = program.kept_angle(joint) {
-        let kept = Literal::usize_unsuffixed(kept);
-        let value = quote!(self.position.kept[#kept]);
+    if let Some(state) = program.angle_state(joint) {
+        let state = Literal::usize_unsuffixed(state);
+        let value = quote!(self.position.state[#state]);
         return Some(("radians, whole turns since the start included", value));
     }
     if let Some(value) = whole_angle(model, plan, program, joint) {

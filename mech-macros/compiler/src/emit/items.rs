@@ -7,7 +7,7 @@ use super::costs::costs;
 use super::effects;
 use super::known::known;
 use super::many::many;
-use super::moves::{named_motors, near, turn_to, within};
+use super::moves::{named_motors, step_reduced, turn_to, within};
 use super::params;
 use super::step::step;
 use super::traces::painting;
@@ -36,7 +36,7 @@ pub(crate) fn items(
     let (attributes, visibility, name) = (&header.attributes, &header.visibility, &header.name);
     let scalar = scalar(program);
     let sizes =
-        [program.inputs(), program.poses.len(), program.kept.len()].map(Literal::usize_unsuffixed);
+        [program.inputs(), program.poses.len(), program.state.len()].map(Literal::usize_unsuffixed);
     let doc = format!("\n```text\n{report}```");
     let step = step(krate, program);
     let accessors = accessors(places, model, (plan, program), visibility);
@@ -69,9 +69,9 @@ pub(crate) fn items(
         within(program, visibility, &end),
         many(program, plan, visibility, &[instance_rest, instance_record]),
     ];
-    let itself = itself(name);
+    let this = alias(name);
     let implementation = implementation(program, name, &trait_methods);
-    let recording = recording(&itself, &records);
+    let recording = recording(&this, &records);
     quote! {
         #(#attributes)*
         #[doc = #doc]
@@ -85,7 +85,7 @@ pub(crate) fn items(
 
         const _: () = {
             // Under this name, because what is imported below may be called as the struct is.
-            type #itself = #name;
+            type #this = #name;
 
             #[allow(
                 clippy::approx_constant,
@@ -108,7 +108,7 @@ pub(crate) fn items(
             #known
 
             #[allow(dead_code, reason = "nobody has to ask for every link, point and joint")]
-            impl #itself {
+            impl #this {
                 /// Mobility, trunk and arms, and the loops in the order in which they are solved.
                 #visibility const REPORT: &'static str = known::REPORT;
 
@@ -129,7 +129,7 @@ pub(crate) fn items(
                 #accessors
             }
 
-            impl Default for #itself {
+            impl Default for #this {
                 fn default() -> Self {
                     Self::new()
                 }
@@ -209,13 +209,12 @@ pub(super) fn picture(model: &Model) -> [TokenStream; 2] {
 
 /// The methods that tell and set the values of its motors.
 fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) -> TokenStream {
-    let (scalar, near) = (scalar(program), near(program));
+    let (scalar, step_reduced) = (scalar(program), step_reduced(program));
     let motors = Literal::usize_unsuffixed(program.motors.len());
     let [target, given] = params::target(program, &quote!(self.position));
-    let move_to = quote!(generated::advance(&mut self.position, #target, &known::COURSE, #near, positions::step));
+    let move_to = quote!(generated::advance(&mut self.position, #target, &known::MOVE_LIMITS, #step_reduced, positions::step));
     let move_to = rested(params::told(program, move_to), rest);
-    let mut move_toward =
-        quote!(generated::approach(&mut self.position, #target, &known::COURSE, positions::step));
+    let mut move_toward = quote!(generated::approach(&mut self.position, #target, &known::MOVE_LIMITS, positions::step));
     if !program.params.is_empty() {
         move_toward.extend(quote!(.map(generated::reached_by_motors)));
     }
@@ -267,8 +266,15 @@ pub(super) fn rested(moved: TokenStream, rest: &TokenStream) -> TokenStream {
 }
 
 /// What the struct is called in the generated code.
-fn itself(name: &Ident) -> Ident {
-    format_ident!("{}", if name == "Itself" { "Same" } else { "Itself" })
+fn alias(name: &Ident) -> Ident {
+    format_ident!(
+        "{}",
+        if name == "ThisMechanism" {
+            "TheMechanism"
+        } else {
+            "ThisMechanism"
+        }
+    )
 }
 
 /// The functions that let parameters be called as constants of the user's are. A parameter may stand before a function of its name,
@@ -286,10 +292,10 @@ fn before_constants(krate: &TokenStream, model: &Model, program: &Program) -> To
 }
 
 /// How a mechanism notes where the points are that it traces, if it does.
-fn recording(itself: &Ident, records: &TokenStream) -> Option<TokenStream> {
+fn recording(this: &Ident, records: &TokenStream) -> Option<TokenStream> {
     (!records.is_empty()).then(|| {
         quote! {
-            impl Traced for #itself {
+            impl Traced for #this {
                 #[inline]
                 fn record(&mut self) {
                     #records
@@ -304,9 +310,9 @@ fn implementation(program: &Program, name: &Ident, trait_methods: &TokenStream) 
     let scalar = scalar(program);
     let (motor_names, link_names) = (&program.motors, &program.links);
     let motors = Literal::usize_unsuffixed(program.motors.len());
-    let (text, itself) = (name.to_string(), itself(name));
+    let (text, this) = (name.to_string(), alias(name));
     quote! {
-            impl Mechanism for #itself {
+            impl Mechanism for #this {
                 type Scalar = #scalar;
                 type Motors = [#scalar; #motors];
                 const NAME: &'static str = #text;

@@ -1,7 +1,7 @@
 //! The module of what is known at compile time. It is apart from everything that takes parameters: where a constant is in scope, a
 //! parameter of its name would be taken for a pattern.
 
-use super::moves::course;
+use super::moves::limits;
 use super::scope::number;
 use super::shapes::shapes;
 use super::step::position;
@@ -25,7 +25,7 @@ pub(super) fn known(
         ..
     } = compiled;
     let (position, start) = (position(program), start(program));
-    let (shapes, course) = (shapes(model, plan, program), course(program, plan));
+    let (shapes, limits) = (shapes(model, plan, program), limits(program, plan));
     quote! {
         mod known {
             #[allow(
@@ -39,7 +39,7 @@ pub(super) fn known(
 
             pub(super) const START: #position = #start;
 
-            #course
+            #limits
 
             pub(super) const REPORT: &str = #report;
 
@@ -52,10 +52,10 @@ pub(super) fn known(
 fn start(program: &Program) -> TokenStream {
     let n = |value: &f64| number(program.precision, *value);
     let motors = program.start.motors.iter().map(n);
-    let kept = program.start.kept.iter().map(n);
+    let state = program.start.state.iter().map(n);
     let poses = program.start.poses.iter().map(|pose| {
         let [cos, sin, x, y] = pose.each_ref().map(n);
         quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
     });
-    quote!(Position { motors: Motors::new([#(#motors),*]), poses: [#(#poses),*], kept: [#(#kept),*] })
+    quote!(Position { motors: Motors::new([#(#motors),*]), poses: [#(#poses),*], state: [#(#state),*] })
 }

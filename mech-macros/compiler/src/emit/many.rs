@@ -17,10 +17,10 @@ pub(super) fn many(
     visibility: &syn::Visibility,
     [rest, record]: &[TokenStream; 2],
 ) -> TokenStream {
-    let (scalar, near) = (scalar(program), super::moves::near(program));
+    let (scalar, step_reduced) = (scalar(program), super::moves::step_reduced(program));
     let [motors, links] =
         [program.motors.len(), program.links.len()].map(Literal::usize_unsuffixed);
-    let reach = number(program.precision, reach(program, plan));
+    let reduced_range = number(program.precision, reduced_range(program, plan));
     // What the vector unit of any x86-64 holds in a few registers; more lanes spill.
     let lanes = Literal::usize_unsuffixed(match program.precision {
         Precision::F32 => 8,
@@ -30,16 +30,16 @@ pub(super) fn many(
         quote! {
             |motors| {
                 let motors = Motors::new(motors);
-                let (position, margins) = positions::position::<generated::Within>(&known::START, motors);
-                let inside = if Course::contains(&known::COURSE, &motors) { 1.0 } else { -1.0 };
-                (position.poses, generated::least([generated::least(margins), inside]))
+                let (position, margins) = positions::position::<generated::Reduced>(&known::START, motors);
+                let inside = if MoveLimits::contains(&known::MOVE_LIMITS, &motors) { 1.0 } else { -1.0 };
+                (position.poses, generated::min_margin([generated::min_margin(margins), inside]))
             }
         }
     } else if in_lanes(program) {
         quote! {
             |motors| {
-                let (position, margins) = positions::position::<generated::Within>(&known::START, Motors::new(motors));
-                (position.poses, generated::least(margins))
+                let (position, margins) = positions::position::<generated::Reduced>(&known::START, Motors::new(motors));
+                (position.poses, generated::min_margin(margins))
             }
         }
     } else {
@@ -65,15 +65,14 @@ pub(super) fn many(
         )
     };
     let [target, given] = params::target(program, &quote!(there));
-    let one =
-        quote!(generated::advance(&mut there, #target, &known::COURSE, #near, positions::step));
+    let one = quote!(generated::advance(&mut there, #target, &known::MOVE_LIMITS, #step_reduced, positions::step));
     let one = params::told(program, one);
     let all = if program.params.is_empty() {
         quote! {
             #move_many::<_, _, _, _, _, #lanes>(
                 instances,
                 motors,
-                #reach,
+                #reduced_range,
                 |instance| #instance,
                 #kernel,
                 #then
@@ -102,7 +101,7 @@ pub(super) fn many(
             motors: &[[#scalar; #motors]],
             columns: &mut Columns<'_, #scalar, #links>,
         ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
-            generated::solve_many::<_, _, _, #lanes>(motors, columns, #reach, #kernel, |motors| {
+            generated::solve_many::<_, _, _, #lanes>(motors, columns, #reduced_range, #kernel, |motors| {
                 let mut there = self.position;
                 #given
                 #one?;
@@ -125,7 +124,7 @@ pub(super) fn many(
 }
 
 /// The greatest value of a motor for which all angles are within the range of the polynomials of sine and cosine.
-pub(super) fn reach(program: &Program, plan: &Plan) -> f64 {
+pub(super) fn reduced_range(program: &Program, plan: &Plan) -> f64 {
     let meshes = plan.steps.iter().filter_map(|step| match step {
         Step::Mesh(mesh) => Some(mesh),
         _ => None,

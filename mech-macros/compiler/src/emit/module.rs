@@ -7,12 +7,12 @@ use quote::{format_ident, quote};
 
 /// What the functions of a program call, and variants and unit structs, which a pattern would mean.
 const CALLED: [&str; 20] = [
-    "Anywhere",
+    "FullRange",
     "Err",
     "None",
     "Ok",
     "Some",
-    "Within",
+    "Reduced",
     "atan2",
     "before_first",
     "closed",
@@ -21,7 +21,7 @@ const CALLED: [&str; 20] = [
     "determined",
     "exp",
     "followed",
-    "greater",
+    "max",
     "round",
     "sin_cos",
     "solve",
@@ -57,7 +57,7 @@ const FIXED: [&str; 15] = [
     "loads",
     "margins",
     "motors",
-    "near",
+    "step_reduced",
     "position",
     "rates",
     "rates_by_params",

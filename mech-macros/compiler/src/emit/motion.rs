@@ -62,7 +62,7 @@ fn forces(forces: &Forces<Value>, scope: &Scope<'_>) -> TokenStream {
         }
         Forces::Acting(acting) => {
             let (torques, transmission) = (row(&acting.torques), row(&acting.transmission));
-            let responses = acting.responses.iter().map(row);
+            let velocity_ratios = acting.velocity_ratios.iter().map(row);
             let reactions = acting.reactions.iter().map(|reaction| {
                 let [x, y, torque] = reaction.map(|part| scope.expression(part));
                 quote!(Reaction { x: #x, y: #y, torque: #torque })
@@ -71,7 +71,7 @@ fn forces(forces: &Forces<Value>, scope: &Scope<'_>) -> TokenStream {
                 Forces {
                     torques: #torques,
                     reactions: [#(#reactions),*],
-                    responses: [#(#responses),*],
+                    velocity_ratios: [#(#velocity_ratios),*],
                     transmission: #transmission,
                 }
             }
@@ -187,7 +187,7 @@ pub(super) fn found(program: &Program) -> (TokenStream, &'static str) {
         }
         Some((Some(Forces::Acting(acting)), _)) => {
             // One row for each motor, and there is one at least.
-            let loads = acting.responses[0].len();
+            let loads = acting.velocity_ratios[0].len();
             let sizes = [acting.reactions.len(), loads, acting.transmission.len()].map(literal);
             (
                 quote!(Forces<#scalar, #motors, #(#sizes),*>),
@@ -239,20 +239,24 @@ pub(super) fn step_with(
         };
     }
     let [loops, regular_loops] = [margins.len(), regular.len()].map(Literal::usize_unsuffixed);
-    let (sines, anywhere, near) = if takes_sines(program) {
-        let near = quote! {
+    let (sines, anywhere, step_reduced) = if takes_sines(program) {
+        let step_reduced = quote! {
             /// The same, where all angles are within the range of the polynomials of sine and cosine.
             #[inline(always)]
-            pub(super) fn near(last: &#position, motors: Motors<#scalar, #count> #parameters)
+            pub(super) fn step_reduced(last: &#position, motors: Motors<#scalar, #count> #parameters)
                 -> Result<(#position, #found), Stop>
             {
-                let (position, rates, margins, regular) = position::<Within>(last, motors #arguments);
+                let (position, rates, margins, regular) = position::<Reduced>(last, motors #arguments);
                 closes(margins, [#(#places),*])?;
                 determined(regular, [#(#rate_places),*])?;
                 Ok((position, rates))
             }
         };
-        (quote!(<S: Sines<#scalar>>), quote!(::<Anywhere>), near)
+        (
+            quote!(<S: Sines<#scalar>>),
+            quote!(::<FullRange>),
+            step_reduced,
+        )
     } else {
         (TokenStream::new(), TokenStream::new(), TokenStream::new())
     };
@@ -286,6 +290,6 @@ pub(super) fn step_with(
             Ok((position, rates))
         }
 
-        #near
+        #step_reduced
     }
 }

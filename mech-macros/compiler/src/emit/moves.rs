@@ -2,7 +2,7 @@
 
 use super::block::scalar;
 use super::items::rested;
-use super::many::reach;
+use super::many::reduced_range;
 use super::module;
 use super::params;
 use super::scope::{ident, number};
@@ -16,28 +16,29 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 /// The step for motor values within reach, and whatever a program finds besides.
-pub(super) fn near(program: &Program) -> TokenStream {
+pub(super) fn step_reduced(program: &Program) -> TokenStream {
     let module = module::name(program);
     if takes_sines(program) {
-        quote!(#module::near)
+        quote!(#module::step_reduced)
     } else {
         quote!(#module::step)
     }
 }
 
 /// The same for any motor values.
-pub(super) fn far(program: &Program) -> TokenStream {
+pub(super) fn step_full(program: &Program) -> TokenStream {
     let module = module::name(program);
     quote!(#module::step)
 }
 
 /// What is known about every move.
-pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
+pub(super) fn limits(program: &Program, plan: &Plan) -> TokenStream {
     let scalar = scalar(program);
     let n = |value: &f64| number(program.precision, *value);
     let names: Vec<&String> = program.input_names().collect();
     let watched = program.watches.iter().map(|watch| {
-        let kept = Literal::usize_unsuffixed(watch.kept);
+        let [sine, rounding_square] =
+            [watch.sine, watch.rounding_square].map(Literal::usize_unsuffixed);
         let rates = watch.rates.iter().map(n);
         let iterated = watch.iterated;
         let at_zero = match watch.at_zero {
@@ -54,7 +55,8 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
         let guessed = watch.guessed;
         quote! {
             Watched {
-                kept: #kept,
+                sine: #sine,
+                rounding_square: #rounding_square,
                 rates: [#(#rates),*],
                 growth: &[#(#growth),*],
                 guessed: #guessed,
@@ -69,7 +71,7 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
         let growth = growth(program.precision, &follow.growth);
         quote!(Followed { rates: [#(#rates),*], growth: &[#(#growth),*] })
     });
-    let senses = match program.senses {
+    let motion_signs = match program.motion_signs {
         None => quote!(Option::None),
         Some(first) => {
             let first = Literal::usize_unsuffixed(first);
@@ -84,16 +86,16 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
     } else {
         quote!(Stepping::Onwards)
     };
-    let reach = if takes_sines(program) {
-        number(program.precision, reach(program, plan))
+    let reduced_range = if takes_sines(program) {
+        number(program.precision, reduced_range(program, plan))
     } else {
         quote!(#scalar::MAX)
     };
-    let strides = match &program.strides {
+    let max_steps = match &program.max_steps {
         None => quote!(Option::None),
-        Some(strides) => {
-            let strides = strides.iter().map(n);
-            quote!(Option::Some([#(#strides),*]))
+        Some(max_steps) => {
+            let max_steps = max_steps.iter().map(n);
+            quote!(Option::Some([#(#max_steps),*]))
         }
     };
     let range = match &program.range {
@@ -108,15 +110,15 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
     };
     let [motors, loops] = [names.len(), program.watches.len()].map(Literal::usize_unsuffixed);
     quote! {
-        pub(super) const COURSE: Course<#scalar, #motors, #loops> = Course {
+        pub(super) const MOVE_LIMITS: MoveLimits<#scalar, #motors, #loops> = MoveLimits {
             names: [#(#names),*],
             watched: [#(#watched),*],
             follows: &[#(#follows),*],
-            senses: #senses,
+            motion_signs: #motion_signs,
             stepping: #stepping,
             overflows: #overflows,
-            reach: #reach,
-            strides: #strides,
+            reduced_range: #reduced_range,
+            max_steps: #max_steps,
             range: #range,
         };
     }
@@ -160,20 +162,20 @@ pub(super) fn within(
     if !program.never_fails() {
         return TokenStream::new();
     }
-    let near = near(program);
+    let step_reduced = step_reduced(program);
     let scalar = scalar(program);
     let motors = Literal::usize_unsuffixed(program.motors.len());
     let there = if takes_sines(program) {
         quote! {
-            // Beyond the reach of the polynomials angles are reduced first.
-            let there = if Motors::is_within(&target, known::COURSE.reach) {
-                #near(&self.position, target)
+            // Larger angles are reduced first.
+            let there = if Motors::is_within(&target, known::MOVE_LIMITS.reduced_range) {
+                #step_reduced(&self.position, target)
             } else {
                 positions::step(&self.position, target)
             };
         }
     } else {
-        quote!(let there = #near(&self.position, target);)
+        quote!(let there = #step_reduced(&self.position, target);)
     };
     let body = quote! {
         let target = Motors::new(motors.motors());
@@ -187,7 +189,7 @@ pub(super) fn within(
         let most = number(program.precision, program::MODERATE);
         (
             quote!(Motors::is_within(&values, #most)),
-            " A motor without a range may go as far as 1e15.",
+            " A motor without a range may go as step_full as 1e15.",
         )
     } else {
         (quote!(Motors::is_finite(&values)), "")
@@ -200,7 +202,7 @@ pub(super) fn within(
         #[must_use]
         #visibility fn range(motors: [#scalar; #motors]) -> Option<InRange<Self, [#scalar; #motors]>> {
             let values = Motors::new(motors);
-            (#finite && Course::contains(&known::COURSE, &values)).then_some(InRange::tested(motors))
+            (#finite && MoveLimits::contains(&known::MOVE_LIMITS, &values)).then_some(InRange::tested(motors))
         }
 
         /// Moves to values of the motors within their declared ranges: it was proved at compile time that nothing is in the
@@ -238,7 +240,7 @@ pub(super) fn turn_to(
     if variables.is_empty() {
         return TokenStream::new();
     }
-    let (near, refused) = (near(program), params::refused(program));
+    let (step_reduced, refused) = (step_reduced(program), params::refused(program));
     let scalar = scalar(program);
     let count = Literal::usize_unsuffixed(program.motors.len());
     let mut parameters = TokenStream::new();
@@ -262,7 +264,7 @@ pub(super) fn turn_to(
     }
     let told = params::told(
         program,
-        quote!(generated::advance(&mut self.position, motors, &known::COURSE, #near, positions::step)),
+        quote!(generated::advance(&mut self.position, motors, &known::MOVE_LIMITS, #step_reduced, positions::step)),
     );
     let advance = rested(told, rest);
     let start = if program.params.is_empty() {

@@ -4,7 +4,7 @@
 use super::added::Added;
 use super::block::scalar;
 use super::items::{rested, user_ident};
-use super::moves::near;
+use super::moves::step_reduced;
 use super::scope::number;
 use super::sensitivity;
 use super::step::step;
@@ -57,7 +57,7 @@ pub(super) fn motors(program: &Program) -> TokenStream {
 /// The names of the motors, for messages.
 pub(super) fn motor_names(program: &Program) -> TokenStream {
     if program.params.is_empty() {
-        quote!(&known::COURSE.names)
+        quote!(&known::MOVE_LIMITS.names)
     } else {
         let names = &program.motors;
         quote!(&[#(#names),*])
@@ -100,12 +100,12 @@ fn methods(
     if program.params.is_empty() {
         return TokenStream::new();
     }
-    let (scalar, near) = (scalar(program), near(program));
+    let (scalar, step_reduced) = (scalar(program), step_reduced(program));
     let (motors, names) = (program.motors.len(), &program.params);
     let count = Literal::usize_unsuffixed(names.len());
     let index = |param: usize| Literal::usize_unsuffixed(motors + param);
     let set = rested(
-        quote!(generated::advance(&mut self.position, target, &known::COURSE, #near, positions::step).map_err(|blocked| blocked.map(generated::params_of))),
+        quote!(generated::advance(&mut self.position, target, &known::MOVE_LIMITS, #step_reduced, positions::step).map_err(|blocked| blocked.map(generated::params_of))),
         rest,
     );
     let given = (0..names.len()).map(|param| {
@@ -146,7 +146,7 @@ fn methods(
         );
         let moved = rested(
             quote! {
-                generated::advance(&mut self.position, target, &known::COURSE, #near, positions::step)
+                generated::advance(&mut self.position, target, &known::MOVE_LIMITS, #step_reduced, positions::step)
                     .map_err(|blocked| blocked.map(|reached| reached[#index]))
             },
             rest,
@@ -226,9 +226,9 @@ pub(super) fn place(model: &Model, program: &Program, id: AxisId) -> TokenStream
     let axis = model.axis(id);
     let [x, y] = [0, 1].map(|part| match program.kept_place(id, part) {
         None => number(program.precision, axis.at[part]),
-        Some(kept) => {
-            let kept = Literal::usize_unsuffixed(kept);
-            quote!(self.position.kept[#kept])
+        Some(state) => {
+            let state = Literal::usize_unsuffixed(state);
+            quote!(self.position.state[#state])
         }
     });
     quote!([#x, #y])

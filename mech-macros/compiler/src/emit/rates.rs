@@ -6,7 +6,7 @@ use super::coordinate::coordinate_axes;
 use super::costs::more;
 use super::items::{named_points, pose, user_ident};
 use super::motion::given;
-use super::moves::{far, near};
+use super::moves::{step_full, step_reduced};
 use super::params;
 use super::scope::number;
 use super::step::step;
@@ -88,7 +88,7 @@ pub(super) fn moved_with(
 ) -> TokenStream {
     let second = effects.acceleration;
     let [_, arguments] = given(moving);
-    let (near_with, far_with) = (near(moving), far(moving));
+    let (near_with, far_with) = (step_reduced(moving), step_full(moving));
     let checked = if second {
         quote!([rates, accelerations])
     } else {
@@ -109,7 +109,7 @@ pub(super) fn moved_with(
             generated::advance_with(
                 &mut self.position,
                 #motors,
-                &known::COURSE,
+                &known::MOVE_LIMITS,
                 |last, motors| #near_with(last, motors #arguments),
                 |last, motors| #far_with(last, motors #arguments),
                 positions::step,
@@ -148,7 +148,7 @@ fn methods(
     let [parameters, _] = given(moving);
     let [target, given_motors] = params::target(moving, &quote!(self.position));
     let moved = moved_with(moving, kinds.effects, &target, record);
-    let (refused, far) = (params::refused(moving), far(moving));
+    let (refused, step_full) = (params::refused(moving), step_full(moving));
     let still = second.then(|| quote!(, [0.0; #count]));
     let first = if *second { quote!(.0) } else { quote!() };
     let accelerations = second.then(|| {
@@ -195,20 +195,20 @@ fn methods(
         ///
         /// # Errors
         /// If the mechanism is at a dead point or a change point, where these are not determined.
-        #visibility fn influences(&self)
+        #visibility fn influence_coefficients(&self)
             -> Result<[[Velocity<#scalar>; #links]; #count], Blocked<[#scalar; #count]>>
         {
-            let mut influences = [[Velocity::ZERO; #links]; #count];
-            for (motor, influence) in Iterator::enumerate(<[_]>::iter_mut(&mut influences)) {
+            let mut influence_coefficients = [[Velocity::ZERO; #links]; #count];
+            for (motor, influence) in Iterator::enumerate(<[_]>::iter_mut(&mut influence_coefficients)) {
                 let mut rates = [0.0; #count];
                 rates[motor] = 1.0;
-                let found = generated::rates_at(&self.position, |last, motors| #far(last, motors, rates #still));
+                let found = generated::rates_at(&self.position, |last, motors| #step_full(last, motors, rates #still));
                 match found {
                     Result::Ok(found) => *influence = found #first,
                     Result::Err(stop) => return Result::Err(#refused),
                 }
             }
-            Result::Ok(influences)
+            Result::Ok(influence_coefficients)
         }
     }
 }

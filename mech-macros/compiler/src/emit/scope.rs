@@ -190,7 +190,7 @@ impl<'p> Scope<'p> {
                 let [test, a, b] = [test, a, b].map(|value| self.expression(value));
                 (quote!(if #test >= 0.0 { #a } else { #b }), Binding::Sum)
             }
-            Op::Max(a, b) => self.call(&quote!(greater), &[a, b]),
+            Op::Max(a, b) => self.call(&quote!(max), &[a, b]),
             Op::CopySign(a, b) => self.method(a, &quote!(copysign), b),
             // These are always bound: they are parameters or variables.
             Op::Motor(_)
@@ -262,9 +262,9 @@ impl<'p> Scope<'p> {
     /// A number of the last position, by the name of the link it belongs to.
     fn last(&self, slot: Slot) -> TokenStream {
         match slot {
-            Slot::Kept(index) => {
+            Slot::State(index) => {
                 let index = Literal::usize_unsuffixed(index);
-                quote!(last.kept[#index])
+                quote!(last.state[#index])
             }
             Slot::Pose(link, part) => {
                 let part = match part {

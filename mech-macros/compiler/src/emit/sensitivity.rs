@@ -73,7 +73,7 @@ pub(super) fn sensitivity_step(
     let determined =
         (!regular.is_empty()).then(|| quote!(determined([#(#regular),*], [#(#rate_places),*])?;));
     let (sines, anywhere) = if takes_sines(program) {
-        (quote!(<S: Sines<#scalar>>), quote!(::<Anywhere>))
+        (quote!(<S: Sines<#scalar>>), quote!(::<FullRange>))
     } else {
         (TokenStream::new(), TokenStream::new())
     };

@@ -85,13 +85,13 @@ pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
         quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
     };
     let poses: Vec<TokenStream> = program.poses.iter().map(pose).collect();
-    let kept: Vec<TokenStream> = program
-        .kept
+    let state: Vec<TokenStream> = program
+        .state
         .iter()
         .map(|&value| scope.expression(value))
         .collect();
     let is_last = |value: &Value| matches!(program.node(*value).op, Op::Last(_));
-    let uses_last = program.kept.iter().any(is_last)
+    let uses_last = program.state.iter().any(is_last)
         || flows
             .iter()
             .any(|flow| flow.reads_last && !flow.gives.is_empty());
@@ -100,7 +100,7 @@ pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
         .margins()
         .map(|(_, closed)| (scope.expression(closed.margin), &closed.place))
         .unzip();
-    let result = quote!(Position { motors, poses: [#(#poses),*], kept: [#(#kept),*] });
+    let result = quote!(Position { motors, poses: [#(#poses),*], state: [#(#state),*] });
     let moved = program.motion.as_ref().map(|motion| moved(motion, &scope));
     let written = Written {
         motors,
@@ -144,17 +144,21 @@ fn closed_step(program: &Program, written: &Written, places: &[&String]) -> Toke
     } = written;
     let (position, scalar) = (position(program), scalar(program));
     let [count, loops] = [program.inputs(), margins.len()].map(Literal::usize_unsuffixed);
-    let (sines, anywhere, near) = if takes_sines(program) {
-        let near = quote! {
+    let (sines, anywhere, step_reduced) = if takes_sines(program) {
+        let step_reduced = quote! {
             /// The same, where all angles are within the range of the polynomials of sine and cosine.
             #[inline]
-            pub(super) fn near(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
-                let (position, margins) = position::<Within>(last, motors);
+            pub(super) fn step_reduced(last: &#position, motors: Motors<#scalar, #count>) -> Result<#position, Stop> {
+                let (position, margins) = position::<Reduced>(last, motors);
                 closes(margins, [#(#places),*])?;
                 Ok(position)
             }
         };
-        (quote!(<S: Sines<#scalar>>), quote!(::<Anywhere>), near)
+        (
+            quote!(<S: Sines<#scalar>>),
+            quote!(::<FullRange>),
+            step_reduced,
+        )
     } else {
         (TokenStream::new(), TokenStream::new(), TokenStream::new())
     };
@@ -175,7 +179,7 @@ fn closed_step(program: &Program, written: &Written, places: &[&String]) -> Toke
             Ok(position)
         }
 
-        #near
+        #step_reduced
     }
 }
 
@@ -206,7 +210,7 @@ pub(super) fn position(program: &Program) -> TokenStream {
     let sizes = [
         program.inputs(),
         program.start.poses.len(),
-        program.start.kept.len(),
+        program.start.state.len(),
     ]
     .map(Literal::usize_unsuffixed);
     quote!(Position<#scalar, #(#sizes),*>)

@@ -261,7 +261,7 @@ fn rates(
             loop {}
         }
         #second
-        #visibility fn influences(&self)
+        #visibility fn influence_coefficients(&self)
             -> #krate::generated::Result<[[#krate::Velocity<#scalar>; #links]; #motors], #krate::Blocked<[#scalar; #motors]>>
         {
             loop {}

@@ -5,7 +5,7 @@ use super::block::{binding, function, scalar};
 use super::flow::flows;
 use super::items::rested;
 use super::module;
-use super::moves::near;
+use super::moves::step_reduced;
 use super::rates::moved_with;
 use super::scope::{FunctionNames, Scope, uses};
 use super::stages::MOST_LETS;
@@ -44,7 +44,7 @@ fn at_time(
     (rest, record): (&TokenStream, &TokenStream),
 ) -> TokenStream {
     let program = &compiled.program;
-    let (scalar, near) = (scalar(program), near(program));
+    let (scalar, step_reduced) = (scalar(program), step_reduced(program));
     let count = Literal::usize_unsuffixed(program.motors.len());
     let written = model.lawful_motors().map(|(motor, law)| {
         let joint = &model.joint(model.motor(motor).joint).name;
@@ -73,7 +73,7 @@ fn at_time(
     let moved = match &compiled.moving {
         Some(moving) => moved_with(moving, effects, &quote!(motors), record),
         None => rested(
-            quote!(generated::advance(&mut self.position, motors, &known::COURSE, #near, positions::step)),
+            quote!(generated::advance(&mut self.position, motors, &known::MOVE_LIMITS, #step_reduced, positions::step)),
             &quote!(#rest #record),
         ),
     };
@@ -222,7 +222,7 @@ fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
             *all.entry(value).or_insert(0) += count;
         }
     }
-    for value in &program.kept {
+    for value in &program.state {
         *all.entry(*value).or_insert(0) += 1;
     }
     all

@@ -93,9 +93,9 @@ fn place(model: &Model, program: &Program, trace: &Trace) -> TokenStream {
     let axis = model.axis(trace.point);
     let [x, y] = [0, 1].map(|part| match program.kept_place(trace.point, part) {
         None => number(program.precision, axis.at[part]),
-        Some(kept) => {
-            let kept = Literal::usize_unsuffixed(kept);
-            quote!(self.position.kept[#kept])
+        Some(state) => {
+            let state = Literal::usize_unsuffixed(state);
+            quote!(self.position.state[#state])
         }
     });
     let index = Literal::usize_unsuffixed(program.kept_pose(axis.link));

@@ -221,15 +221,15 @@ impl<'p> Runner<'p> {
         if poses.iter().flatten().any(|number| !number.is_finite()) {
             return Err(Stop::Overflow);
         }
-        let kept: Vec<T> = self.program.kept.iter().map(get).collect();
-        if kept.iter().any(|number| !number.is_finite()) {
+        let state: Vec<T> = self.program.state.iter().map(get).collect();
+        if state.iter().any(|number| !number.is_finite()) {
             return Err(Stop::Overflow);
         }
         Ok(Position {
             motors: motors.to_vec(),
             turns: turns.to_vec(),
             poses,
-            kept,
+            state,
         })
     }
 

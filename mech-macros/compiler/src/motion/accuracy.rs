@@ -352,9 +352,9 @@ fn with_all_kept<'m>(model: &'m Model, plan: &Plan, exact: &[Choice]) -> Cow<'m,
     let iterated: Vec<Choice> = exact.iter().map(|_| Choice::by(Method::Newton)).collect();
     let iterated = build_as(model, plan, &iterated);
     let shown = iterated.stored.iter().map(|&link| Shown::Link(link));
-    let mut kept = model.clone();
-    kept.show = Some(shown.collect());
-    Cow::Owned(kept)
+    let mut state = model.clone();
+    state.show = Some(shown.collect());
+    Cow::Owned(state)
 }
 
 /// Whether a loop has change points that are not just kept on its branch.

@@ -9,15 +9,15 @@ pub struct JointAngle {
     /// The joint.
     pub joint: JointId,
     /// Where its coordinate is kept.
-    pub kept: usize,
+    pub state: usize,
 }
 
 impl Program {
     /// Where the coordinate of a joint is kept; none if no position carries it.
     #[must_use]
-    pub fn kept_angle(&self, joint: JointId) -> Option<usize> {
+    pub fn angle_state(&self, joint: JointId) -> Option<usize> {
         let mut angles = self.joint_angles.iter();
         let found = angles.find(|angle| angle.joint == joint);
-        found.map(|angle| angle.kept)
+        found.map(|angle| angle.state)
     }
 }

@@ -53,8 +53,8 @@ impl Builder {
 
     /// A new number that is carried from position to position, and what it is at the start.
     pub(super) fn keep(&mut self, start: f64) -> Value {
-        self.start.kept.push(start);
-        self.make(Op::Last(Slot::Kept(self.start.kept.len() - 1)))
+        self.start.state.push(start);
+        self.make(Op::Last(Slot::State(self.start.state.len() - 1)))
     }
 
     /// The position at the start, with what is carried.

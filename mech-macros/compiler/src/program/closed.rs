@@ -18,7 +18,7 @@ pub struct Closed {
     /// The sine of the transmission angle, as a part of its greatest, with the sign of the side on which the dyad lies.
     pub sine: Value,
     /// The square of a sine below which rounding hides its sign.
-    pub tiny_square: Value,
+    pub rounding_square: Value,
     /// Whether its dyad has two sides to lie on: where two lines cut each other it has none.
     pub sided: bool,
     /// The unknowns, when they are found.

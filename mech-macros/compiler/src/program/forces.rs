@@ -20,7 +20,7 @@ pub struct Acting<V> {
     /// joint.
     pub reactions: Vec<[V; 3]>,
     /// For each motor how fast each number of the loads is followed, if it alone moves at a rate of one.
-    pub responses: Vec<Vec<V>>,
+    pub velocity_ratios: Vec<Vec<V>>,
     /// The transmission angles of the dyads, in the order in which they are closed.
     pub transmission: Vec<V>,
 }
@@ -52,7 +52,7 @@ impl<V: Copy> Forces<V> {
             Self::Holding(torques) => Forces::Holding(row(torques)),
             Self::Acting(acting) => Forces::Acting(Acting {
                 torques: row(&acting.torques),
-                responses: acting.responses.iter().map(&mut row).collect(),
+                velocity_ratios: acting.velocity_ratios.iter().map(&mut row).collect(),
                 transmission: row(&acting.transmission),
                 reactions: acting
                     .reactions

@@ -68,7 +68,7 @@ pub struct Program {
     /// For each of them the cosine, sine, x and y of its new pose.
     pub poses: Vec<[Value; 4]>,
     /// The new values of what is carried from position to position.
-    pub kept: Vec<Value>,
+    pub state: Vec<Value>,
     /// Of what is told where it is in its link, the coordinates that depend on params.
     pub places: Vec<Place>,
     /// What each loop that it solves finds, by the loop's number in the plan.
@@ -77,14 +77,14 @@ pub struct Program {
     pub joint_angles: Vec<JointAngle>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
-    /// Where the senses of the motors are kept, if a loop passes change points: one number for each motor and param.
-    pub senses: Option<usize>,
+    /// Where the motion_signs of the motors are kept, if a loop passes change points: one number for each motor and param.
+    pub motion_signs: Option<usize>,
     /// The angles that are followed over whole turns: how fast they turn at most.
     pub follows: Vec<Follow>,
     /// The same angles, less whole turns, and what they are.
     pub(crate) followed: Vec<(Turning, Value)>,
     /// How far each motor and param may go in one piece, where loops are coupled, or laws or params change what nobody has looked at.
-    pub strides: Option<Vec<f64>>,
+    pub max_steps: Option<Vec<f64>>,
     /// For each motor and param whether only the rest of its value is read, and its whole turns apart from it: where an accuracy has
     /// to hold after any number of turns.
     pub reduced: Vec<bool>,
@@ -136,14 +136,14 @@ pub struct Position<T> {
     /// For each moving link whose pose is kept its cosine, sine, x and y.
     pub poses: Vec<[T; 4]>,
     /// What is carried from position to position besides: unwrapped angles, sides of dyads.
-    pub kept: Vec<T>,
+    pub state: Vec<T>,
 }
 
 impl<T: Copy> Position<T> {
     /// What the position holds in a slot.
     pub(crate) fn at(&self, slot: Slot) -> T {
         match slot {
-            Slot::Kept(index) => self.kept[index],
+            Slot::State(index) => self.state[index],
             Slot::Pose(link, part) => self.poses[link][part.index()],
         }
     }
@@ -153,7 +153,7 @@ impl Program {
     /// Whether its constants and its start are within the range of the scalar type.
     #[must_use]
     pub fn fits(&self) -> bool {
-        let start = self.start.poses.iter().flatten().chain(&self.start.kept);
+        let start = self.start.poses.iter().flatten().chain(&self.start.state);
         let constants = self.nodes.iter().filter_map(|node| match node.op {
             Op::Constant(number) => Some(number.get()),
             _ => None,
@@ -198,7 +198,7 @@ impl Program {
 
     /// What it is for, besides the margins of its loops: the poses, what is carried, and whatever else it finds.
     pub(crate) fn roots(&self) -> impl Iterator<Item = Value> + '_ {
-        let position = self.poses.iter().flatten().chain(&self.kept).copied();
+        let position = self.poses.iter().flatten().chain(&self.state).copied();
         let motion = self.motion.iter().flat_map(Motion::roots);
         let sensitivity = self.sensitivity.iter().flat_map(Sensitivity::roots);
         position.chain(motion).chain(sensitivity)
@@ -270,7 +270,7 @@ impl Program {
     /// Whether a position is a function of the motors alone: every loop in closed form, and nothing carried.
     #[must_use]
     pub fn is_function(&self) -> bool {
-        self.is_closed() && self.kept.is_empty()
+        self.is_closed() && self.state.is_empty()
     }
 
     /// Whether no move can fail whose values are within the declared ranges: every loop was proved to close there and needs no
@@ -282,7 +282,7 @@ impl Program {
         };
         let is_moderate = |end: &f64| end.is_infinite() || end.abs() <= MODERATE;
         let fits = !self.overflows || ranges.iter().flatten().all(is_moderate);
-        fits && self.is_function() && self.margins().next().is_none() && self.strides.is_none()
+        fits && self.is_function() && self.margins().next().is_none() && self.max_steps.is_none()
     }
 
     /// Whether every loop is solved in closed form: no iteration, and no start that it would need.

@@ -61,7 +61,7 @@ pub enum Slot {
     Pose(usize, Part),
     /// A number that is carried from position to position: an angle that a gear needs unwrapped, or on which side a dyad
     /// lies that passes change points.
-    Kept(usize),
+    State(usize),
 }
 
 /// A number of a pose.

@@ -11,7 +11,7 @@ pub struct Place {
     /// Which of its coordinates: zero for the abscissa, one for the ordinate.
     pub part: usize,
     /// Where its value is kept.
-    pub kept: usize,
+    pub state: usize,
 }
 
 impl Program {
@@ -19,6 +19,6 @@ impl Program {
     #[must_use]
     pub fn kept_place(&self, axis: AxisId, part: usize) -> Option<usize> {
         let found = |place: &&Place| place.axis == axis && place.part == part;
-        self.places.iter().find(found).map(|place| place.kept)
+        self.places.iter().find(found).map(|place| place.state)
     }
 }

@@ -8,13 +8,15 @@ use mech_core::journey::{AtZero, Growth};
 pub struct Watch {
     /// Its block.
     pub block: BlockId,
-    /// Where the sine of its transmission angle is kept; after it, the square of a sine below which rounding hides its sign.
-    pub kept: usize,
+    /// The index in the state of the sine of its transmission angle.
+    pub sine: usize,
+    /// The index in the state of the square of a sine below which rounding hides its sign.
+    pub rounding_square: usize,
     /// Which loop of the plan it closes.
     pub number: usize,
     /// By how much the square of that sine changes with each motor, at most.
     pub rates: Vec<f64>,
-    /// What makes that more: loops by their place among those that are watched.
+    /// What increases that: loops by their place among those that are watched.
     pub growth: Vec<Growth<f64>>,
     /// Whether these are no bounds but guesses.
     pub guessed: bool,
@@ -29,6 +31,6 @@ pub struct Watch {
 pub struct Follow {
     /// By how much it changes with each motor, at most.
     pub rates: Vec<f64>,
-    /// What makes that more: loops by their place among those that are watched.
+    /// What increases that: loops by their place among those that are watched.
     pub growth: Vec<Growth<f64>>,
 }

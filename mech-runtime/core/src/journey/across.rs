@@ -56,7 +56,7 @@ pub(super) fn is_near<T: Real, J: Journey<T>>(
 ) -> bool {
     is_stepped_over(journey, index) && {
         let sine = journey.sine(position, index);
-        sine * sine <= journey.tiny_square(position, index)
+        sine * sine <= journey.rounding_square(position, index)
     }
 }
 

@@ -77,7 +77,7 @@ pub trait Journey<T: Real> {
     /// The sine of a watched loop, its sign the side on which its dyad lies.
     fn sine(&self, position: &Self::Position, index: usize) -> T;
     /// The square of a sine of this loop below which rounding hides its sign.
-    fn tiny_square(&self, position: &Self::Position, index: usize) -> T;
+    fn rounding_square(&self, position: &Self::Position, index: usize) -> T;
     /// Puts the dyad of a watched loop on its other side.
     fn turn_over(&self, position: &mut Self::Position, index: usize);
     /// Where everything would be as far beyond a position as another is before it, if it went straight on: an iteration begins there.
@@ -85,7 +85,7 @@ pub trait Journey<T: Real> {
     /// Whether the motors that a watched loop follows go on in the sense in which they came.
     fn goes_on(&self, position: &Self::Position, index: usize) -> bool;
     /// Notes the sense in which the motors go.
-    fn note_sense(&self, position: &mut Self::Position);
+    fn note_motion_signs(&self, position: &mut Self::Position);
     /// Why it does not go so far at once.
     fn too_far(&self) -> Self::Stop;
     /// Whether a stop says of this watched loop that it does not close.
@@ -203,7 +203,7 @@ fn go_on<T: Real, J: Journey<T>>(
         if let Ok(mut to) = journey.at(&position, target)
             && is_passable(journey, &position, &to, part)
         {
-            journey.note_sense(&mut to);
+            journey.note_motion_signs(&mut to);
             position = to;
             done = target;
         } else if is_short(journey, &position, part) {

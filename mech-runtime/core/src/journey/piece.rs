@@ -78,13 +78,13 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
             }
             Event::None | Event::Near(..) => {
                 settle(journey, &from, done, &mut reach);
-                note_sense(journey, &from, &mut reach.to);
+                note_motion_signs(journey, &from, &mut reach.to);
                 return reach;
             }
             Event::Blocked(part) => aim = part,
             Event::Zero(part, index) => {
                 if let Ok(mut at_zero) = journey.at(&from, part) {
-                    journey.note_sense(&mut at_zero);
+                    journey.note_motion_signs(&mut at_zero);
                     from = at_zero;
                     done = part;
                 }
@@ -122,7 +122,7 @@ pub(super) fn is_zero<T: Real, J: Journey<T>>(
     index: usize,
 ) -> bool {
     let sine = journey.sine(position, index);
-    let tiny = journey.tiny_square(position, index) + passed_on(journey, position, index);
+    let tiny = journey.rounding_square(position, index) + passed_on(journey, position, index);
     !is_stepped_over(journey, index) && sine * sine <= tiny
 }
 
@@ -235,11 +235,15 @@ fn settle<T: Real, J: Journey<T>>(
 }
 
 /// The sense in which the motors go is that in which a change point was reached, as long as it is not left.
-fn note_sense<T: Real, J: Journey<T>>(journey: &J, from: &J::Position, to: &mut J::Position) {
+fn note_motion_signs<T: Real, J: Journey<T>>(
+    journey: &J,
+    from: &J::Position,
+    to: &mut J::Position,
+) {
     let rests = (0..journey.watches())
         .any(|index| is_zero(journey, from, index) && is_zero(journey, to, index));
     if !rests {
-        journey.note_sense(to);
+        journey.note_motion_signs(to);
     }
 }
 

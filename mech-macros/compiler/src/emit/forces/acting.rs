@@ -3,7 +3,7 @@
 use super::Writer;
 use crate::emit::items::user_ident;
 use crate::emit::motion::{found, given};
-use crate::emit::moves::{far, near};
+use crate::emit::moves::{step_full, step_reduced};
 use crate::model::{Load, LoadKind};
 use crate::program::Program;
 use proc_macro2::{Literal, TokenStream};
@@ -20,7 +20,7 @@ impl Writer<'_> {
             ..
         } = self;
         let [_, arguments] = given(holding);
-        let (near, far) = (near(holding), far(holding));
+        let (step_reduced, step_full) = (step_reduced(holding), step_full(holding));
         let (loads, blocked) = (self.given_loads(), self.blocked());
         quote! {
             /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide) that hold it
@@ -35,9 +35,9 @@ impl Writer<'_> {
                 let held = generated::advance_with(
                     &mut self.position,
                     Motors::new(motors),
-                    &known::COURSE,
-                    |last, motors| #near(last, motors #arguments),
-                    |last, motors| #far(last, motors #arguments),
+                    &known::MOVE_LIMITS,
+                    |last, motors| #step_reduced(last, motors #arguments),
+                    |last, motors| #step_full(last, motors #arguments),
                     positions::step,
                 )?;
                 #rest
@@ -50,7 +50,7 @@ impl Writer<'_> {
             /// If the mechanism is at a dead point or a change point, where these are not determined.
             #visibility fn torques(&self) -> Result<[#scalar; #motors], #blocked> {
                 #loads
-                generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments))
+                generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments))
                     .map(|held| held.torques)
                     .map_err(|stop| Position::refuse(&self.position, stop))
             }
@@ -67,7 +67,7 @@ impl Writer<'_> {
             ..
         } = self;
         let [_, arguments] = given(acting);
-        let (far, loads, blocked) = (far(acting), self.given_loads(), self.blocked());
+        let (step_full, loads, blocked) = (step_full(acting), self.given_loads(), self.blocked());
         let names: Vec<&String> = model
             .told_joints()
             .map(|joint| &model.joint(joint).name)
@@ -85,9 +85,9 @@ impl Writer<'_> {
             /// If a rate is not finite, or the mechanism is at a dead point or a change point, where forces are not determined.
             #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> Result<#found, #blocked> {
                 #loads
-                generated::finite(rates, &known::COURSE.names)
-                    .and_then(|()| generated::finite(accelerations, &known::COURSE.names))
-                    .and_then(|()| generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
+                generated::finite(rates, &known::MOVE_LIMITS.names)
+                    .and_then(|()| generated::finite(accelerations, &known::MOVE_LIMITS.names))
+                    .and_then(|()| generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments)))
                     .map_err(|stop| Position::refuse(&self.position, stop))
             }
         };
@@ -113,7 +113,7 @@ impl Writer<'_> {
         let blocked = self.blocked();
         let index = Literal::usize_unsuffixed(first);
         let (direction, test, follows) = match load.kind {
-            LoadKind::Torque(_) => (quote!(), quote!(), quote!(response[#index])),
+            LoadKind::Torque(_) => (quote!(), quote!(), quote!(velocity_ratio[#index])),
             LoadKind::Force(_) => {
                 let (next, place) = (Literal::usize_unsuffixed(first + 1), &load.name);
                 (
@@ -126,7 +126,7 @@ impl Writer<'_> {
                             return Result::Err(Position::refuse(&self.position, generated::not_finite(#place)));
                         }
                     },
-                    quote!((response[#index] * x + response[#next] * y) / length),
+                    quote!((velocity_ratio[#index] * x + velocity_ratio[#next] * y) / length),
                 )
             }
         };
@@ -147,7 +147,7 @@ impl Writer<'_> {
             #visibility fn #name(&self #direction) -> Result<[#scalar; #motors], #blocked> {
                 #test
                 let forces = Self::forces(self, [0.0; #motors], [0.0; #motors])?;
-                Result::Ok(forces.responses.map(|response| -1.0 / (#follows)))
+                Result::Ok(forces.velocity_ratios.map(|velocity_ratio| -1.0 / (#follows)))
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::Writer;
 use crate::emit::motion::given;
-use crate::emit::moves::{far, near};
+use crate::emit::moves::{step_full, step_reduced};
 use crate::emit::scope::number;
 use crate::model::{JointKind, Motor};
 use crate::program::Program;
@@ -19,7 +19,7 @@ impl Writer<'_> {
             ..
         } = self;
         let [_, arguments] = given(inertia);
-        let (near, far) = (near(inertia), far(inertia));
+        let (step_reduced, step_full) = (step_reduced(inertia), step_full(inertia));
         let (loads, blocked) = (self.given_loads(), self.blocked());
         let turns =
             |motor: &Motor| matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..));
@@ -43,7 +43,7 @@ impl Writer<'_> {
             /// # Errors
             /// If a rate is not finite; all of them then stay what they were.
             #visibility fn set_rates(&mut self, rates: [#scalar; #motors]) -> Result<(), #blocked> {
-                match generated::finite(rates, &known::COURSE.names) {
+                match generated::finite(rates, &known::MOVE_LIMITS.names) {
                     Result::Ok(()) => {
                         self.rates = rates;
                         Result::Ok(())
@@ -57,12 +57,12 @@ impl Writer<'_> {
             ///
             /// # Errors
             /// If a torque is not finite, no mass resists a motor, or the mechanism is at a dead point or a change point.
-            #visibility fn second_rates(&self, torques: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
+            #visibility fn motor_accelerations(&self, torques: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
                 #loads
                 let rates = self.rates;
-                generated::finite(torques, &known::COURSE.names)
-                    .and_then(|()| generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
-                    .and_then(|inertia| Inertia::accelerations(&inertia, torques, &known::COURSE.names))
+                generated::finite(torques, &known::MOVE_LIMITS.names)
+                    .and_then(|()| generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments)))
+                    .and_then(|inertia| Inertia::accelerations(&inertia, torques, &known::MOVE_LIMITS.names))
                     .map_err(|stop| Position::refuse(&self.position, stop))
             }
 
@@ -73,18 +73,18 @@ impl Writer<'_> {
             #visibility fn energy(&self) -> Result<[#scalar; 2], #blocked> {
                 #loads
                 let rates = self.rates;
-                generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments))
+                generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments))
                     .map(|inertia| [inertia.kinetic, inertia.potential])
                     .map_err(|stop| Position::refuse(&self.position, stop))
             }
 
             /// Lets it move for a step of time under these torques of the motors (forces for those that slide): a step of
-            /// [`Gauss::default`].
+            /// [`GaussLegendre::default`].
             ///
             /// # Errors
             /// As for `simulate_by`.
             #visibility fn simulate(&mut self, time: #scalar, torques: [#scalar; #motors]) -> Result<(), #blocked> {
-                Self::simulate_by(self, Gauss::Four, time, torques)
+                Self::simulate_by(self, GaussLegendre::Order4, time, torques)
             }
 
             /// The same by a method of one's choice: what is more exact takes longer.
@@ -92,13 +92,13 @@ impl Writer<'_> {
             /// # Errors
             /// If something given is not finite, a loop cannot be closed on the way, the mechanism is at a dead point or a change
             /// point, no mass resists a motor, or the step is too long to be followed; everything then stays as it was.
-            #visibility fn simulate_by(&mut self, method: Gauss, time: #scalar, torques: [#scalar; #motors]) -> Result<(), #blocked> {
+            #visibility fn simulate_by(&mut self, method: GaussLegendre, time: #scalar, torques: [#scalar; #motors]) -> Result<(), #blocked> {
                 #loads
                 let moment = Moment {
                     rates: self.rates,
                     torques,
                     time,
-                    names: &known::COURSE.names,
+                    names: &known::MOVE_LIMITS.names,
                     turning: &[#(#turning),*],
                     scales: &[#(#scales),*],
                 };
@@ -106,9 +106,9 @@ impl Writer<'_> {
                     generated::advance_with(
                         position,
                         motors,
-                        &known::COURSE,
-                        |last, motors| #near(last, motors #arguments),
-                        |last, motors| #far(last, motors #arguments),
+                        &known::MOVE_LIMITS,
+                        |last, motors| #step_reduced(last, motors #arguments),
+                        |last, motors| #step_full(last, motors #arguments),
                         positions::step,
                     )
                 })?;

@@ -70,10 +70,10 @@ pub(in crate::emit) fn stub(
         tokens.extend(quote! {
             #visibility fn rates(&self) -> [#scalar; #motors] { loop {} }
             #visibility fn set_rates(&mut self, rates: [#scalar; #motors]) -> #done { loop {} }
-            #visibility fn second_rates(&self, torques: [#scalar; #motors]) -> #all { loop {} }
+            #visibility fn motor_accelerations(&self, torques: [#scalar; #motors]) -> #all { loop {} }
             #visibility fn energy(&self) -> #energy { loop {} }
             #visibility fn simulate(&mut self, time: #scalar, torques: [#scalar; #motors]) -> #done { loop {} }
-            #visibility fn simulate_by(&mut self, method: #krate::Gauss, time: #scalar, torques: [#scalar; #motors]) -> #done {
+            #visibility fn simulate_by(&mut self, method: #krate::GaussLegendre, time: #scalar, torques: [#scalar; #motors]) -> #done {
                 loop {}
             }
         });

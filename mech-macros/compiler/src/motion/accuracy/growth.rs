@@ -94,8 +94,8 @@ fn is_power_of_two(program: &Program, value: Value) -> bool {
 
 /// The first motor that winds up an angle which is carried from position to position: it does not come back after some turns.
 fn winding(program: &Program, endless: &[MotorId]) -> Option<MotorId> {
-    let carried: Vec<usize> = (0..program.kept.len())
-        .filter(|&kept| is_followed(program, program.kept[kept]))
+    let carried: Vec<usize> = (0..program.state.len())
+        .filter(|&state| is_followed(program, program.state[state]))
         .collect();
     if carried.is_empty() {
         return None;
@@ -109,10 +109,10 @@ fn winding(program: &Program, endless: &[MotorId]) -> Option<MotorId> {
             if machine.move_to(&motors).is_err() {
                 return false;
             }
-            let kept = &machine.position().kept;
+            let state = &machine.position().state;
             if carried
                 .iter()
-                .all(|&index| (kept[index] - start.kept[index]).abs() < NEAR)
+                .all(|&index| (state[index] - start.state[index]).abs() < NEAR)
             {
                 return false;
             }

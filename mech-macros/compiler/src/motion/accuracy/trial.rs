@@ -360,6 +360,6 @@ fn rounded(position: &Position<f64>) -> Position<f32> {
             .iter()
             .map(|pose| pose.map(f32::from_f64))
             .collect(),
-        kept: position.kept.iter().map(number).collect(),
+        state: position.state.iter().map(number).collect(),
     }
 }

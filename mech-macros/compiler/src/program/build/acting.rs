@@ -32,7 +32,7 @@ impl Writer<'_> {
     pub(super) fn acting(&mut self, structure: &Structure) -> Motion {
         let mut motion = Motion::default();
         let closings = std::mem::take(&mut self.closings);
-        let mut influences = self.influences(&closings, &mut motion);
+        let mut influence_coefficients = self.influence_coefficients(&closings, &mut motion);
         let (mut given, solved) = self.driven(&closings, Seed::Given, &mut motion);
         self.driven_on(&closings, &solved, &mut given, &mut motion);
         self.builder
@@ -51,14 +51,14 @@ impl Writer<'_> {
         let Some(found) = self.equilibrium(&unknowns, &wrenches, &mut motion) else {
             return motion;
         };
-        let responses = influences
+        let velocity_ratios = influence_coefficients
             .iter_mut()
-            .map(|tangents| self.responses(tangents))
+            .map(|tangents| self.velocity_ratios(tangents))
             .collect();
         let acting = Acting {
             torques: self.drives(&unknowns, &found),
             reactions: self.reactions(&unknowns, &found),
-            responses,
+            velocity_ratios,
             transmission: self.transmission(&solved),
         };
         motion.forces = Some(Forces::Acting(acting));

@@ -2,7 +2,7 @@
 
 use super::Writer;
 use super::rates::Closing;
-use super::watching::Kept;
+use super::watching::Watchable;
 use crate::model::{Joint, JointKind, LinkId};
 use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
 use crate::program::choice::{MOST_ROUNDS, Solver};
@@ -131,11 +131,11 @@ impl Writer<'_> {
         let solutions: Vec<Solution<Value>> = firsts.iter().map(|(_, first)| *first).collect();
         let choice = self.choice();
         let (closed, solution) = self.dyad(closing, equation, &solutions, &choice)?;
-        let is = Kept {
-            sided: closed.sided && choice.goes_over(),
+        let is = Watchable {
+            has_branch: closed.sided && choice.goes_over(),
             iterated: false,
         };
-        self.keep_watch(block, [closed.sine, closed.tiny_square], is);
+        self.watch_loop(block, [closed.sine, closed.rounding_square], is);
         for ((name, _), solution) in firsts.iter().zip(&solution) {
             match *solution {
                 Solution::Direction(direction) => {

@@ -68,17 +68,17 @@ impl Writer<'_> {
     pub(super) fn carry_continuous(&mut self) {
         for Continuous { joint, axes } in self.continuous.clone() {
             let name = format!("{}_angle", self.model.joint(joint).name);
-            let kept = self.kept.len();
+            let state = self.state.len();
             if let Some(angle) = self.whole_angle(axes) {
                 self.keep(self.builder.at_start(angle));
-                self.kept[kept] = angle;
+                self.state[state] = angle;
                 self.builder.name(angle, name);
             } else {
                 let principal = self.angle_between(axes);
                 let start = self.builder.at_start(principal);
                 self.unwrapped(Turning::Joint(joint), principal, start, name);
             }
-            self.joint_angles.push(JointAngle { joint, kept });
+            self.joint_angles.push(JointAngle { joint, state });
         }
     }
 
@@ -93,7 +93,7 @@ impl Writer<'_> {
         }
         let mut angles = self.joint_angles.iter();
         let carried = angles.find(|angle| angle.joint == joint)?;
-        Some(self.kept[carried.kept])
+        Some(self.state[carried.state])
     }
 
     /// The angle from one axis to another, if gears or cams give it.

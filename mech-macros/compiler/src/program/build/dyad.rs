@@ -27,7 +27,7 @@ struct Found {
     /// What is not negative if it closes, where slack and floor do not tell.
     closes: Option<Value>,
     sine: Value,
-    tiny_square: Value,
+    rounding_square: Value,
     form: Form,
 }
 
@@ -98,7 +98,7 @@ impl Writer<'_> {
             floor: found.floor,
             margin: self.builder.name(margin, "margin"),
             sine: found.sine,
-            tiny_square: found.tiny_square,
+            rounding_square: found.rounding_square,
             sided: !matches!(first, Unknown::Slide(_)),
             found: Vec::new(),
             form: found.form,
@@ -208,14 +208,14 @@ impl Writer<'_> {
             Size::Fixed(size) => Size::Fixed(size * size / wide),
             Size::Varying(_) => Size::Varying(self.builder.div(outer, product)),
         };
-        let tiny_square = self.tiny_square(shift, rounded);
+        let rounding_square = self.rounding_square(shift, rounded);
         Found {
             solution: directions.map(Solution::Direction).to_vec(),
             slack,
             floor,
             closes: None,
             sine,
-            tiny_square,
+            rounding_square,
             form: Form::TwoCircles { goal, arms: [a, b] },
         }
     }
@@ -317,7 +317,7 @@ impl Writer<'_> {
             }
             Size::Varying(_) => (Size::Varying(shift), true),
         };
-        let tiny_square = self.tiny_square(shift, rounded);
+        let rounding_square = self.rounding_square(shift, rounded);
         let direction = if choice.watching.is_some() || far {
             self.normalised(direction, "closed")
         } else {
@@ -329,7 +329,7 @@ impl Writer<'_> {
             floor,
             closes: None,
             sine,
-            tiny_square,
+            rounding_square,
             form: Form::CircleAndLine { goal, arm, along },
         }
     }
@@ -391,7 +391,7 @@ impl Writer<'_> {
         let sine = builder.div(grown, bound);
         let part = builder.mul(scale, height);
         let shift = builder.mul(part, part);
-        let tiny_square = self.tiny_square(shift, Size::Fixed(1.0));
+        let rounding_square = self.rounding_square(shift, Size::Fixed(1.0));
         let through = match size {
             Size::Fixed(size) => self.builder.at_start(height).abs() <= 1e-9 * size,
             Size::Varying(_) => true,
@@ -407,7 +407,7 @@ impl Writer<'_> {
             floor,
             closes: None,
             sine,
-            tiny_square,
+            rounding_square,
             form: Form::TurningLine {
                 goal,
                 arm,
@@ -444,7 +444,7 @@ impl Writer<'_> {
                 floor,
                 closes: None,
                 sine: det,
-                tiny_square: floor,
+                rounding_square: floor,
                 form,
             };
         }
@@ -452,8 +452,8 @@ impl Writer<'_> {
         // lets them be found on either side. Else they lead beyond all bounds.
         let tiny = self.model.precision.epsilon().sqrt();
         let square = builder.mul(det, det);
-        let tiny_square = builder.constant(tiny * tiny);
-        let apart = builder.sub(square, tiny_square);
+        let rounding_square = builder.constant(tiny * tiny);
+        let apart = builder.sub(square, rounding_square);
         let apart = builder.name(apart, "apart");
         let mut solution = Vec::new();
         for (way, last) in ways.into_iter().zip(firsts) {
@@ -483,7 +483,7 @@ impl Writer<'_> {
             floor,
             closes: Some(closes),
             sine: det,
-            tiny_square,
+            rounding_square,
             form,
         }
     }
@@ -526,7 +526,7 @@ impl Writer<'_> {
 
     /// The square of a sine below which rounding hides its sign: where rounding shifts the square of the sine by this part of
     /// epsilon, and not less than what rounding of lengths does to the sine itself.
-    fn tiny_square(&mut self, shift: Value, sine: Size) -> Value {
+    fn rounding_square(&mut self, shift: Value, sine: Size) -> Value {
         let epsilon = self.model.precision.epsilon();
         let rounded = self.rounded();
         let least = self.part_of(epsilon, sine);

@@ -45,8 +45,8 @@ impl Program {
             }
             let op = self.node(value).op;
             waiting.extend(op.operands());
-            if let Op::Last(Slot::Kept(kept)) = op {
-                waiting.push(self.kept[kept]);
+            if let Op::Last(Slot::State(state)) = op {
+                waiting.push(self.state[state]);
             }
             let solved = match op {
                 Op::Solved(block, _) => Some(block),
@@ -57,7 +57,11 @@ impl Program {
                 waiting.extend(iteration(&self.blocks, block));
                 waiting.extend(self.closed(block).map(|closed| closed.margin));
                 let watches = self.watches.iter().filter(|watch| watch.block == block);
-                waiting.extend(watches.flat_map(|watch| &self.kept[watch.kept..watch.kept + 2]));
+                waiting.extend(
+                    watches.flat_map(|watch| {
+                        [self.state[watch.sine], self.state[watch.rounding_square]]
+                    }),
+                );
             }
         }
         reached

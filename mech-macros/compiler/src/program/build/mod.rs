@@ -9,13 +9,13 @@ mod equilibrium;
 mod idle;
 mod left_out;
 mod linear;
+mod max_step;
 mod places;
 mod predictor;
 mod rates;
 mod reaction;
 mod sensitivity;
 mod size;
-mod stride;
 mod tangent;
 mod tied;
 mod triad;
@@ -148,7 +148,7 @@ fn write(
         motors: motors.chain(model.params.values()).collect(),
         turns: vec![0; model.inputs()],
         poses: all.map(|link| plan.start.poses[link.index()]).collect(),
-        kept: Vec::new(),
+        state: Vec::new(),
     });
     builder.block("start".to_owned(), String::new());
     builder.write_formulas(model);
@@ -160,9 +160,9 @@ fn write(
         idle,
         builder,
         placement,
-        kept: Vec::new(),
+        state: Vec::new(),
         watches: Vec::new(),
-        senses: None,
+        motion_signs: None,
         places: Vec::new(),
         steady: None,
         follows: Vec::new(),
@@ -192,7 +192,7 @@ fn write(
         }
     }
     writer.carry_continuous();
-    writer.keep_senses();
+    writer.keep_motion_signs();
     writer.keep_places();
     writer.finish(links, further)
 }
@@ -246,9 +246,9 @@ struct Writer<'m> {
     builder: Builder,
     placement: Placement<'m, Value>,
     /// The new values of what is carried from position to position.
-    kept: Vec<Value>,
+    state: Vec<Value>,
     watches: Vec<Watch>,
-    senses: Option<usize>,
+    motion_signs: Option<usize>,
     places: Vec<Place>,
     /// The sources of gears, belts and racks that were needed so far.
     sources: Vec<Option<Value>>,
@@ -286,7 +286,7 @@ impl Writer<'_> {
     /// place, for ever.
     fn keep(&mut self, start: f64) -> Value {
         let last = self.builder.keep(start);
-        self.kept.push(last);
+        self.state.push(last);
         last
     }
 
@@ -411,7 +411,7 @@ impl Writer<'_> {
     /// An angle between −π and π, followed over any number of turns from where it starts.
     fn unwrapped(&mut self, what: Turning, principal: Value, start: f64, name: String) -> Value {
         self.follow(what, principal);
-        let kept = self.kept.len();
+        let state = self.state.len();
         let last = self.keep(start);
         let behind = self.builder.sub(last, principal);
         let turn = self.builder.constant(std::f64::consts::TAU);
@@ -420,7 +420,7 @@ impl Writer<'_> {
         let whole = self.builder.mul(turn, turns);
         let angle = self.builder.add(principal, whole);
         self.builder.name(angle, name);
-        self.kept[kept] = angle;
+        self.state[state] = angle;
         angle
     }
 
@@ -453,7 +453,7 @@ impl Writer<'_> {
     }
 
     /// Where a loop passes change points, the sense in which it came there tells on which side it leaves.
-    fn keep_senses(&mut self) {
+    fn keep_motion_signs(&mut self) {
         if self
             .watches
             .iter()
@@ -461,7 +461,7 @@ impl Writer<'_> {
         {
             return;
         }
-        self.senses = Some(self.kept.len());
+        self.motion_signs = Some(self.state.len());
         for _ in 0..self.model.inputs() {
             self.keep(1.0);
         }
@@ -488,7 +488,7 @@ impl Writer<'_> {
                 let (motion, found) = self.sensitivity(&poses);
                 sensitivity = Some(found);
                 // It tells nothing else.
-                self.kept.clear();
+                self.state.clear();
                 motion
             }
         });
@@ -501,9 +501,9 @@ impl Writer<'_> {
             model,
             plan,
             builder,
-            kept,
+            state,
             watches,
-            senses,
+            motion_signs,
             places,
             joint_angles,
             follows,
@@ -522,8 +522,8 @@ impl Writer<'_> {
         let loops = !builder.blocks.iter().all(straight);
         let varies = (wanders || !model.params.is_empty()) && loops;
         let is_coupled = builder.blocks.iter().any(leaps);
-        let strides =
-            (winds || varies || is_coupled).then(|| stride::strides(model, plan, is_coupled));
+        let max_steps =
+            (winds || varies || is_coupled).then(|| max_step::max_steps(model, plan, is_coupled));
         let mut program = Program {
             name: model.name.clone(),
             precision: model.precision,
@@ -535,9 +535,9 @@ impl Writer<'_> {
             watches,
             follows,
             followed: followed_angles,
-            senses,
+            motion_signs,
             range: None,
-            strides,
+            max_steps,
             reduced: reduced(model, plan),
             overflows: overflows(model, plan),
             curved: model.cams().next().is_some(),
@@ -558,7 +558,7 @@ impl Writer<'_> {
                 .map(|&link| model.link(link).name.clone())
                 .collect(),
             poses,
-            kept,
+            state,
             motion,
             sensitivity,
             live: Vec::new(),

@@ -12,13 +12,13 @@ impl Writer<'_> {
             let axis = self.model.axis(id);
             let place = self.builder.place(axis);
             for part in (0..2).filter(|&part| axis.formulas[part].is_some()) {
-                let kept = self.kept.len();
+                let state = self.state.len();
                 self.keep(self.builder.at_start(place[part]));
-                self.kept[kept] = place[part];
+                self.state[state] = place[part];
                 self.places.push(Place {
                     axis: id,
                     part,
-                    kept,
+                    state,
                 });
             }
         }

@@ -61,12 +61,12 @@ impl Writer<'_> {
 
     fn history(&mut self, last: Solution<Value>, order: u8) -> History {
         let differences = (0..order).map(|_| {
-            let first = self.kept.len();
-            let kept = match last {
+            let first = self.state.len();
+            let state = match last {
                 Solution::Direction(_) => Solution::Direction([self.keep(1.0), self.keep(0.0)]),
                 Solution::Slide(_) => Solution::Slide(self.keep(0.0)),
             };
-            (Kept(first), kept)
+            (Kept(first), state)
         });
         History {
             last,
@@ -99,7 +99,7 @@ impl Writer<'_> {
         let steady = self.steady();
         for (history, now) in histories.iter().zip(solution) {
             let mut new = self.difference(*now, history.last);
-            for (order, (kept, old)) in history.differences.iter().enumerate() {
+            for (order, (state, old)) in history.differences.iter().enumerate() {
                 // The first difference always holds; the second needs two equal steps, all others three.
                 let valid = match order {
                     0 => None,
@@ -111,7 +111,7 @@ impl Writer<'_> {
                     None => new,
                     Some(valid) => self.choose(valid, new, still),
                 };
-                self.put_kept(*kept, held);
+                self.put_kept(*state, held);
                 new = self.difference(held, *old);
             }
         }
@@ -120,10 +120,10 @@ impl Writer<'_> {
     fn put_kept(&mut self, Kept(first): Kept, value: Solution<Value>) {
         match value {
             Solution::Direction([cos, sin]) => {
-                self.kept[first] = cos;
-                self.kept[first + 1] = sin;
+                self.state[first] = cos;
+                self.state[first + 1] = sin;
             }
-            Solution::Slide(way) => self.kept[first] = way,
+            Solution::Slide(way) => self.state[first] = way,
         }
     }
 
@@ -206,7 +206,7 @@ impl Writer<'_> {
 
     /// What was kept last is this from now on.
     fn put_last(&mut self, value: Value) {
-        if let Some(last) = self.kept.last_mut() {
+        if let Some(last) = self.state.last_mut() {
             *last = value;
         }
     }

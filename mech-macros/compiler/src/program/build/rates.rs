@@ -117,7 +117,7 @@ impl Writer<'_> {
             let title = format!("Second rates of the loop that {} close.", closing.place);
             self.builder
                 .block(format!("{}_second_rates", closing.name), title);
-            self.second_rates(rates, tangents, motion);
+            self.accelerations(rates, tangents, motion);
         }
     }
 
@@ -216,7 +216,7 @@ impl Writer<'_> {
     }
 
     /// The second rates of what a loop solves.
-    fn second_rates(&mut self, solved: &Solved, tangents: &mut Tangents, motion: &mut Motion) {
+    fn accelerations(&mut self, solved: &Solved, tangents: &mut Tangents, motion: &mut Motion) {
         let builder = &mut self.builder;
         let mut gap: Vec<Value> = solved
             .gap

@@ -177,12 +177,12 @@ impl Writer<'_> {
         base: LinkId,
     ) -> (Newton, Vec<Solution<Value>>) {
         let mut firsts = Vec::new();
-        let mut kept = Vec::new();
+        let mut state = Vec::new();
         for (name, index) in &tied.unknowns {
             firsts.push(match equation.unknowns[*index] {
                 Unknown::Direction(_) => {
                     self.winds = true;
-                    kept.push(self.kept.len());
+                    state.push(self.state.len());
                     let last = self.keep(0.0);
                     (name.clone(), Solution::Slide(last))
                 }
@@ -222,13 +222,13 @@ impl Writer<'_> {
             side,
         };
         let (newton, solution) = self.advance(block, &names, scalars, &now, system);
-        let mut kept = kept.into_iter();
+        let mut state = state.into_iter();
         for ((_, index), solved) in tied.unknowns.iter().zip(&solution) {
             if let (Unknown::Direction(_), Solution::Slide(angle)) =
                 (equation.unknowns[*index], *solved)
-                && let Some(kept) = kept.next()
+                && let Some(state) = state.next()
             {
-                self.kept[kept] = angle;
+                self.state[state] = angle;
             }
         }
         (newton, solution)

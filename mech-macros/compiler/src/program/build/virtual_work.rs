@@ -15,13 +15,13 @@ impl Writer<'_> {
     pub(super) fn holding(&mut self) -> Motion {
         let mut motion = Motion::default();
         let closings = std::mem::take(&mut self.closings);
-        let mut influences = self.influences(&closings, &mut motion);
+        let mut influence_coefficients = self.influence_coefficients(&closings, &mut motion);
         self.builder
             .block("forces".to_owned(), "What acts.".to_owned());
         let bodies = self.bodies();
         let wrenches = self.wrenches(&bodies);
         let mut torques = Vec::new();
-        for influence in &mut influences {
+        for influence in &mut influence_coefficients {
             let power = self.power(&wrenches, influence);
             torques.push(self.builder.neg(power));
         }
@@ -35,7 +35,7 @@ impl Writer<'_> {
     pub(super) fn inertia(&mut self) -> Motion {
         let mut motion = Motion::default();
         let closings = std::mem::take(&mut self.closings);
-        let mut alone = self.influences(&closings, &mut motion);
+        let mut alone = self.influence_coefficients(&closings, &mut motion);
         let (mut coasting, solved) = self.driven(&closings, Seed::Coasting, &mut motion);
         self.driven_on(&closings, &solved, &mut coasting, &mut motion);
         self.builder.block(
@@ -66,7 +66,7 @@ impl Writer<'_> {
     }
 
     /// What each motor does if it alone moves.
-    pub(super) fn influences(
+    pub(super) fn influence_coefficients(
         &mut self,
         closings: &[Closing],
         motion: &mut Motion,
@@ -172,21 +172,21 @@ impl Writer<'_> {
     }
 
     /// How fast each number of the loads is followed.
-    pub(super) fn responses(&mut self, tangents: &mut Tangents) -> Vec<Value> {
-        let mut responses = Vec::new();
+    pub(super) fn velocity_ratios(&mut self, tangents: &mut Tangents) -> Vec<Value> {
+        let mut velocity_ratios = Vec::new();
         for load in &self.model.actions.loads {
             match load.kind {
                 LoadKind::Force(point) => {
                     let (_, at) = self.point(point);
-                    responses.extend(tangents.of_vector(&mut self.builder, at));
+                    velocity_ratios.extend(tangents.of_vector(&mut self.builder, at));
                 }
                 LoadKind::Torque(link) => {
                     let direction = self.placement.pose(link).direction;
-                    responses.push(tangents.turning(&mut self.builder, direction));
+                    velocity_ratios.push(tangents.turning(&mut self.builder, direction));
                 }
             }
         }
-        responses
+        velocity_ratios
     }
 
     fn name_motors(&mut self, values: &[Value], what: &str) {

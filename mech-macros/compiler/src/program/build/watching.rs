@@ -11,33 +11,39 @@ use mech_core::journey;
 /// Of the square of a tied loop's sine so much of rounding hides the sign: an iteration ends where a gap is that small.
 const OF_ROUNDING: f64 = 32768.0;
 
-/// How a loop that is watched is solved.
+/// How a loop is solved that may be watched.
 #[derive(Clone, Copy)]
-pub(super) struct Kept {
-    /// Whether its side is carried already.
-    pub(super) sided: bool,
+pub(super) struct Watchable {
+    /// Whether its branch is in the state already.
+    pub(super) has_branch: bool,
     /// Whether it is solved by iteration.
     pub(super) iterated: bool,
 }
 
 impl Writer<'_> {
-    /// Carries what has to be known about a loop that is watched, if it is.
-    pub(super) fn keep_watch(&mut self, block: BlockId, [sine, tiny_square]: [Value; 2], is: Kept) {
+    /// Adds to the state what has to be known about a loop, if it is watched.
+    pub(super) fn watch_loop(
+        &mut self,
+        block: BlockId,
+        [sine, rounding_square]: [Value; 2],
+        is: Watchable,
+    ) {
         let Some(watching) = self.choice().watching else {
             return;
         };
-        let start = [sine, tiny_square].map(|value| self.builder.at_start(value));
-        if !is.sided {
+        let start = [sine, rounding_square].map(|value| self.builder.at_start(value));
+        if !is.has_branch {
             self.keep(start[0]);
         }
         self.keep(start[1]);
-        let kept = self.kept.len() - 2;
-        self.kept[kept] = self.builder.name(sine, "sine");
-        self.kept[kept + 1] = tiny_square;
+        let [sine_index, square_index] = [self.state.len() - 2, self.state.len() - 1];
+        self.state[sine_index] = self.builder.name(sine, "sine");
+        self.state[square_index] = rounding_square;
         let growth = self.growth(&watching.bound);
         self.watches.push(Watch {
             block,
-            kept,
+            sine: sine_index,
+            rounding_square: square_index,
             number: self.loops - 1,
             rates: watching.bound.rates,
             growth,
@@ -51,22 +57,24 @@ impl Writer<'_> {
     /// accepted as a gap: near a zero of its sine a loop turns by up to the root of rounding, and everything with it.
     pub(super) fn doubt(&mut self, accepted: f64) -> Option<Value> {
         let scale = self.builder.constant(self.model.size() / accepted);
-        let watches = self.watches.iter().map(|watch| watch.kept);
+        let watches = self.watches.iter();
         let sines: Vec<[Value; 2]> = watches
-            .map(|kept| [self.kept[kept], self.kept[kept + 1]])
+            .map(|watch| [watch.sine, watch.rounding_square].map(|index| self.state[index]))
             .collect();
-        sines.into_iter().fold(None, |sum, [sine, tiny_square]| {
-            let builder = &mut self.builder;
-            let square = builder.mul(sine, sine);
-            let square = builder.add(square, tiny_square);
-            let root = builder.sqrt(square);
-            let turned = builder.div(tiny_square, root);
-            let displaced = builder.mul(scale, turned);
-            Some(match sum {
-                None => displaced,
-                Some(sum) => builder.add(sum, displaced),
+        sines
+            .into_iter()
+            .fold(None, |sum, [sine, rounding_square]| {
+                let builder = &mut self.builder;
+                let square = builder.mul(sine, sine);
+                let square = builder.add(square, rounding_square);
+                let root = builder.sqrt(square);
+                let turned = builder.div(rounding_square, root);
+                let displaced = builder.mul(scale, turned);
+                Some(match sum {
+                    None => displaced,
+                    Some(sum) => builder.add(sum, displaced),
+                })
             })
-        })
     }
 
     /// What makes a bound grow, loops by their place among those that are watched so far.
@@ -112,12 +120,12 @@ impl Writer<'_> {
         };
         let sine = self.sine_of([a, b]);
         let epsilon = self.model.precision.epsilon();
-        let tiny_square = self.builder.constant(16.0 * epsilon);
-        let is = Kept {
-            sided: false,
+        let rounding_square = self.builder.constant(16.0 * epsilon);
+        let is = Watchable {
+            has_branch: false,
             iterated: true,
         };
-        self.keep_watch(block, [sine, tiny_square], is);
+        self.watch_loop(block, [sine, rounding_square], is);
     }
 
     /// The sine of a loop of two unknowns, as its columns were at the start: its determinant, as a part of the product of their lengths
@@ -161,12 +169,12 @@ impl Writer<'_> {
             .builder
             .constant(OF_ROUNDING * self.model.precision.epsilon());
         let share = self.builder.mul(part, turned);
-        let tiny_square = self.builder.add(part, share);
-        let is = Kept {
-            sided: true,
+        let rounding_square = self.builder.add(part, share);
+        let is = Watchable {
+            has_branch: true,
             iterated: true,
         };
-        self.keep_watch(block, [sine, tiny_square], is);
+        self.watch_loop(block, [sine, rounding_square], is);
     }
 }
 

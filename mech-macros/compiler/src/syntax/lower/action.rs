@@ -402,7 +402,7 @@ const FORCE_METHODS: [&str; 6] = [
 const DYNAMICS_METHODS: [&str; 7] = [
     "rates",
     "set_rates",
-    "second_rates",
+    "motor_accelerations",
     "energy",
     "simulate",
     "simulate_by",

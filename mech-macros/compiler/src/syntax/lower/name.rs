@@ -17,7 +17,7 @@ const RESERVED: [&str; 35] = [
     "move_with",
     "velocities",
     "accelerations",
-    "influences",
+    "influence_coefficients",
     "clear_traces",
     "move_to",
     "move_toward",

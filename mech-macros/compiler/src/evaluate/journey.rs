@@ -7,28 +7,28 @@ use mech_core::journey::{self, Growth, Halt, Journey, Watch};
 use mech_core::{Real, motors};
 
 /// A move under way.
-pub(super) struct Way<'a, 'p, T> {
+pub(super) struct Move<'a, 'p, T> {
     runner: &'a Runner<'p>,
     start: &'a Position<T>,
     values: &'a [T],
     turns: &'a [i32],
-    ways: Vec<T>,
+    displacements: Vec<T>,
     subdivides: bool,
 }
 
-impl<'a, 'p, T: Real> Way<'a, 'p, T> {
+impl<'a, 'p, T: Real> Move<'a, 'p, T> {
     pub(super) fn new(
         runner: &'a Runner<'p>,
         start: &'a Position<T>,
         values: &'a [T],
         turns: &'a [i32],
     ) -> Self {
-        let way = |motor: usize| {
+        let displacement = |motor: usize| {
             let start = (start.motors[motor], start.turns[motor]);
-            motors::way(start, (values[motor], turns[motor]))
+            motors::displacement(start, (values[motor], turns[motor]))
         };
         Self {
-            ways: (0..values.len()).map(way).collect(),
+            displacements: (0..values.len()).map(displacement).collect(),
             subdivides: runner.program.subdivides(),
             runner,
             start,
@@ -37,24 +37,24 @@ impl<'a, 'p, T: Real> Way<'a, 'p, T> {
         }
     }
 
-    fn strides(&self) -> impl Iterator<Item = T> + '_ {
-        let strides = self.runner.program.strides.iter().flatten();
-        strides.map(|stride| T::from_f64(*stride))
+    fn max_steps(&self) -> impl Iterator<Item = T> + '_ {
+        let max_steps = self.runner.program.max_steps.iter().flatten();
+        max_steps.map(|step| T::from_f64(*step))
     }
 
-    /// Where it leads.
-    pub(super) fn gone(&self) -> Result<Position<T>, Halt<Position<T>, Stop, T>> {
+    /// The position at the end of the move, or where and why it stops.
+    pub(super) fn run(&self) -> Result<Position<T>, Halt<Position<T>, Stop, T>> {
         if let Ok(mut position) = self.at(self.start, T::ONE)
             && journey::is_clear(self, self.start, &position, T::ONE)
         {
-            self.note_sense(&mut position);
+            self.note_motion_signs(&mut position);
             return Ok(position);
         }
         journey::go(self, self.start)
     }
 }
 
-impl<T: Real> Journey<T> for Way<'_, '_, T> {
+impl<T: Real> Journey<T> for Move<'_, '_, T> {
     type Position = Position<T>;
     type Stop = Stop;
 
@@ -62,7 +62,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         if part >= T::ONE {
             return self.runner.step(last, (self.values, self.turns));
         }
-        let start = self.start.motors.iter().zip(&self.ways);
+        let start = self.start.motors.iter().zip(&self.displacements);
         let motors: Vec<T> = start.map(|(value, way)| *value + *way * part).collect();
         self.runner.step(last, (&motors, &self.start.turns))
     }
@@ -75,7 +75,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         let watch = &self.runner.program.watches[index];
         let rates = watch.rates.iter().map(|rate| T::from_f64(*rate));
         Watch {
-            change: motors::change(rates, &self.ways),
+            change: motors::change(rates, &self.displacements),
             guessed: watch.guessed,
             at_zero: watch.at_zero,
             iterated: watch.iterated,
@@ -83,7 +83,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
     }
 
     fn sine(&self, position: &Position<T>, index: usize) -> T {
-        position.kept[self.runner.program.watches[index].kept]
+        position.state[self.runner.program.watches[index].sine]
     }
 
     fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
@@ -97,7 +97,7 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
 
     fn turn(&self, index: usize) -> T {
         let rates = self.runner.program.follows[index].rates.iter();
-        motors::change(rates.map(|rate| T::from_f64(*rate)), &self.ways)
+        motors::change(rates.map(|rate| T::from_f64(*rate)), &self.displacements)
     }
 
     fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
@@ -109,12 +109,12 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         position.motors[input] + T::TURN * T::from_i32(position.turns[input])
     }
 
-    fn tiny_square(&self, position: &Position<T>, index: usize) -> T {
-        position.kept[self.runner.program.watches[index].kept + 1]
+    fn rounding_square(&self, position: &Position<T>, index: usize) -> T {
+        position.state[self.runner.program.watches[index].rounding_square]
     }
 
     fn turn_over(&self, position: &mut Position<T>, index: usize) {
-        let sine = &mut position.kept[self.runner.program.watches[index].kept];
+        let sine = &mut position.state[self.runner.program.watches[index].sine];
         *sine = -*sine;
     }
 
@@ -124,23 +124,31 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
         for (pose, before) in beyond.poses.iter_mut().zip(&before.poses) {
             *pose = motors::mirrored_pose(*before, *pose);
         }
-        let sines = program.watches.iter().map(|watch| watch.kept);
-        motors::mirror_carried(&mut beyond.kept, &before.kept, program.senses, &sines);
+        let watched = program
+            .watches
+            .iter()
+            .map(|watch| [watch.sine, watch.rounding_square]);
+        motors::mirror_state(
+            &mut beyond.state,
+            &before.state,
+            program.motion_signs,
+            &watched,
+        );
         beyond
     }
 
     fn goes_on(&self, position: &Position<T>, index: usize) -> bool {
-        let Some(first) = self.runner.program.senses else {
+        let Some(first) = self.runner.program.motion_signs else {
             return false;
         };
         let rates = self.runner.program.watches[index].rates.iter();
         let rates = rates.map(|rate| T::from_f64(*rate));
-        motors::along(rates, &self.ways, &position.kept[first..]) > T::ZERO
+        motors::along(rates, &self.displacements, &position.state[first..]) > T::ZERO
     }
 
-    fn note_sense(&self, position: &mut Position<T>) {
-        if let Some(first) = self.runner.program.senses {
-            motors::note_senses(&mut position.kept[first..], &self.ways);
+    fn note_motion_signs(&self, position: &mut Position<T>) {
+        if let Some(first) = self.runner.program.motion_signs {
+            motors::note_motion_signs(&mut position.state[first..], &self.displacements);
         }
     }
 
@@ -157,11 +165,11 @@ impl<T: Real> Journey<T> for Way<'_, '_, T> {
     }
 
     fn pieces(&self) -> T {
-        motors::pieces(self.strides(), &self.ways)
+        motors::pieces(self.max_steps(), &self.displacements)
     }
 
     fn is_one_piece(&self) -> bool {
-        motors::in_one_piece(self.strides(), &self.ways)
+        motors::in_one_piece(self.max_steps(), &self.displacements)
     }
 
     fn subdivides(&self) -> bool {

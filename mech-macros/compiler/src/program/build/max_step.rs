@@ -11,7 +11,7 @@ const PART: f64 = 0.02;
 
 /// For each motor and param so short a way that loops which close at both ends are not likely to be open between. Where loops are
 /// coupled, nothing that a motor drives by rolling goes farther either.
-pub(super) fn strides(model: &Model, plan: &Plan, is_coupled: bool) -> Vec<f64> {
+pub(super) fn max_steps(model: &Model, plan: &Plan, is_coupled: bool) -> Vec<f64> {
     let most = Most {
         turn: TURN,
         slide: PART * model.size().max(f64::MIN_POSITIVE),

@@ -1,0 +1,259 @@
+//! A move as a journey: what `mech_core::journey` asks of it.
+
+use super::{Motors, MoveLimits, Position, Stepping, Stop, Watched};
+use crate::{Blocked, Cause, Pose, Scalar};
+use mech_core::journey::{AtZero, Growth, Journey, Watch};
+use mech_core::motors;
+
+/// A move under way.
+pub(super) struct Move<
+    'a,
+    T: 'static,
+    const M: usize,
+    const L: usize,
+    const K: usize,
+    const W: usize,
+    S,
+> {
+    limits: &'a MoveLimits<T, M, W>,
+    start: &'a Position<T, M, L, K>,
+    target: Motors<T, M>,
+    displacements: [T; M],
+    step: &'a S,
+}
+
+impl<'a, T, const M: usize, const L: usize, const K: usize, const W: usize, S>
+    Move<'a, T, M, L, K, W, S>
+where
+    T: Scalar,
+    S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+{
+    #[inline]
+    pub(super) fn new(
+        limits: &'a MoveLimits<T, M, W>,
+        start: &'a Position<T, M, L, K>,
+        target: Motors<T, M>,
+        step: &'a S,
+    ) -> Self {
+        Self {
+            displacements: start.motors.displacement_to(&target),
+            limits,
+            start,
+            target,
+            step,
+        }
+    }
+
+    #[inline]
+    pub(super) fn to(
+        &self,
+        last: &Position<T, M, L, K>,
+        motors: Motors<T, M>,
+    ) -> Result<Position<T, M, L, K>, Stop> {
+        let position = (self.step)(last, motors)?;
+        if self.limits.overflows && !position.is_finite() {
+            return Err(Stop::new("", Cause::Overflow));
+        }
+        Ok(position)
+    }
+
+    pub(super) fn motors(&self, part: T) -> Motors<T, M> {
+        if part >= T::ONE {
+            return self.target;
+        }
+        let mut motors = self.start.motors;
+        for (value, displacement) in motors.values.iter_mut().zip(self.displacements) {
+            *value += displacement * part;
+        }
+        motors
+    }
+
+    /// The error of a move that stops after this part of it.
+    #[cold]
+    pub(super) fn blocked(&self, part: T, stop: Stop) -> Blocked<[T; M]> {
+        Blocked::new(stop.place, stop.cause, self.motors(part).total())
+    }
+
+    /// A number of the state by which a loop is watched; none for a loop that is not there.
+    fn state(
+        &self,
+        position: &Position<T, M, L, K>,
+        index: usize,
+        place: impl Fn(&Watched<T, M>) -> usize,
+    ) -> Option<T> {
+        let place = self.limits.watched.get(index).map(place);
+        place.and_then(|place| position.state.get(place).copied())
+    }
+}
+
+impl<T, const M: usize, const L: usize, const K: usize, const W: usize, S> Journey<T>
+    for Move<'_, T, M, L, K, W, S>
+where
+    T: Scalar,
+    S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
+{
+    type Position = Position<T, M, L, K>;
+    type Stop = Stop;
+
+    fn at(&self, last: &Self::Position, part: T) -> Result<Self::Position, Stop> {
+        self.to(last, self.motors(part))
+    }
+
+    #[inline]
+    fn watches(&self) -> usize {
+        W
+    }
+
+    #[inline]
+    fn watch(&self, index: usize) -> Watch<T> {
+        // Of a loop that is not there nothing is passed: the compiler cannot see that nobody asks.
+        let Some(watched) = self.limits.watched.get(index) else {
+            return Watch {
+                change: T::ONE / T::ZERO,
+                guessed: false,
+                at_zero: AtZero::Stop,
+                iterated: false,
+            };
+        };
+        Watch {
+            change: motors::change(watched.rates, &self.displacements),
+            guessed: watched.guessed,
+            at_zero: watched.at_zero,
+            iterated: watched.iterated,
+        }
+    }
+
+    #[inline]
+    fn sine(&self, position: &Self::Position, index: usize) -> T {
+        self.state(position, index, |watched| watched.sine)
+            .unwrap_or(T::ONE)
+    }
+
+    #[inline]
+    fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
+        let watched = self.limits.watched.get(index);
+        let growth = watched.map(|watched| watched.growth);
+        growth.into_iter().flatten().copied()
+    }
+
+    #[inline]
+    fn follows(&self) -> usize {
+        self.limits.follows.len()
+    }
+
+    #[inline]
+    fn turn(&self, index: usize) -> T {
+        let rates = self
+            .limits
+            .follows
+            .get(index)
+            .map(|followed| followed.rates);
+        motors::change(rates.into_iter().flatten(), &self.displacements)
+    }
+
+    #[inline]
+    fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>> {
+        let growth = self
+            .limits
+            .follows
+            .get(index)
+            .map(|followed| followed.growth);
+        growth.into_iter().flatten().copied()
+    }
+
+    #[inline]
+    fn input(&self, position: &Self::Position, input: usize) -> T {
+        position
+            .motors
+            .total()
+            .get(input)
+            .copied()
+            .unwrap_or(T::ZERO)
+    }
+
+    fn rounding_square(&self, position: &Self::Position, index: usize) -> T {
+        self.state(position, index, |watched| watched.rounding_square)
+            .unwrap_or(T::ZERO)
+    }
+
+    fn turn_over(&self, position: &mut Self::Position, index: usize) {
+        if let Some(watched) = self.limits.watched.get(index)
+            && let Some(sine) = position.state.get_mut(watched.sine)
+        {
+            *sine = -*sine;
+        }
+    }
+
+    fn beyond(&self, before: &Self::Position, at: &Self::Position) -> Self::Position {
+        let mut beyond = *at;
+        for (pose, before) in beyond.poses.iter_mut().zip(before.poses) {
+            let parts = |pose: Pose<T>| [pose.cos, pose.sin, pose.x, pose.y];
+            let [cos, sin, x, y] = motors::mirrored_pose(parts(before), parts(*pose));
+            *pose = Pose { cos, sin, x, y };
+        }
+        let watched = self.limits.watched.iter();
+        let watched = watched.map(|watched| [watched.sine, watched.rounding_square]);
+        motors::mirror_state(
+            &mut beyond.state,
+            &before.state,
+            self.limits.motion_signs,
+            &watched,
+        );
+        beyond
+    }
+
+    fn goes_on(&self, position: &Self::Position, index: usize) -> bool {
+        let (Some(first), Some(watched)) =
+            (self.limits.motion_signs, self.limits.watched.get(index))
+        else {
+            return false;
+        };
+        let motion_signs = position.state.get(first..).unwrap_or_default();
+        motors::along(watched.rates, &self.displacements, motion_signs) > T::ZERO
+    }
+
+    #[inline]
+    fn note_motion_signs(&self, position: &mut Self::Position) {
+        if let Some(motion_signs) = self
+            .limits
+            .motion_signs
+            .and_then(|first| position.state.get_mut(first..))
+        {
+            motors::note_motion_signs(motion_signs, &self.displacements);
+        }
+    }
+
+    fn is_open(&self, stop: &Stop, index: usize) -> bool {
+        let place = self.limits.watched.get(index).map(|watched| watched.place);
+        stop.cause == Cause::Open && place == Some(stop.place)
+    }
+
+    fn stopped_at(&self, index: usize) -> Stop {
+        let place = self.limits.watched.get(index).map(|watched| watched.place);
+        Stop::new(place.unwrap_or_default(), Cause::ChangePoint)
+    }
+
+    fn too_far(&self) -> Stop {
+        Stop::new("", Cause::TooFar)
+    }
+
+    #[inline]
+    fn pieces(&self) -> T {
+        motors::pieces(
+            self.limits.max_steps.into_iter().flatten(),
+            &self.displacements,
+        )
+    }
+
+    #[inline]
+    fn is_one_piece(&self) -> bool {
+        motors::in_one_piece(
+            self.limits.max_steps.into_iter().flatten(),
+            &self.displacements,
+        )
+    }
+
+    fn subdivides(&self) -> bool {
+        self.limits.stepping == Stepping::Subdivided
+    }
+}
