@@ -1,7 +1,7 @@
 //! A mechanism that can be assembled in several ways: one statement settles it, and each of its loops can be turned over by itself.
 
 use mech_compiler::model::{JointId, JointKind, Model, Near, Origin};
-use mech_compiler::structure::{Diagnosis, LoopWay, OpenLoop};
+use mech_compiler::structure::{Diagnosis, LoopAssembly, OpenLoop};
 use mech_compiler::syntax::parse;
 use mech_compiler::{Compiled, compile, reporter};
 use mech_tests::{Dice, grow, in_own_frames};
@@ -124,7 +124,7 @@ fn chosen(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> M
         let way = other.map_or(0, |(turned, way)| if turned == number { way } else { 0 });
         chosen.start.near.push(Near {
             link: open.link,
-            angle: open.ways[way].angle,
+            angle: open.assemblies[way].angle,
             origin: Origin::default(),
         });
     }
@@ -149,7 +149,7 @@ fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
         let ways = loops
             .iter()
             .enumerate()
-            .flat_map(|(number, open)| (0..open.ways.len()).map(move |way| (number, way)));
+            .flat_map(|(number, open)| (0..open.assemblies.len()).map(move |way| (number, way)));
         for (number, way) in ways {
             let model = chosen(&free, loops, Some((number, way)));
             let Ok(compiled) = compile(&model) else {
@@ -158,11 +158,13 @@ fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
                 continue;
             };
             let OpenLoop {
-                joint, ref ways, ..
+                joint,
+                ref assemblies,
+                ..
             } = loops[number];
-            let LoopWay {
+            let LoopAssembly {
                 coordinate: told, ..
-            } = ways[way];
+            } = assemblies[way];
             let is = coordinate(&model, &compiled, joint);
             let off = match model.joint(joint).kind {
                 JointKind::Revolute(..) => (0.5 * (is - told)).sin().abs(),

@@ -7,7 +7,7 @@ use mech_compiler::model::{
     Actions, AxisId, AxisKind, Between, Damper, Effects, JointKind, LinkId, Load, LoadKind, Mass,
     Model, Origin, Spring,
 };
-use mech_compiler::program::{Acting, Forces, Inertia};
+use mech_compiler::program::{Forces, Inertia, InverseDynamics};
 use mech_compiler::syntax::parse;
 use mech_compiler::{Compiled, compile};
 use mech_tests::{Dice, bodies, grow, grow_coupled, size};
@@ -129,8 +129,8 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
     let Ok(compiled) = compile(model) else {
         return;
     };
-    let (Some(acting), Some(inertia), Some(holding)) = (
-        &compiled.forced.acting,
+    let (Some(inverse_dynamics), Some(inertia), Some(holding)) = (
+        &compiled.forced.inverse_dynamics,
         &compiled.forced.inertia,
         &compiled.forced.holding,
     ) else {
@@ -160,8 +160,8 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
             machine.forces(rates, seconds, &given.loads)
         };
         let zero = vec![0.0; count];
-        let moving = found(acting, &given.rates, &given.seconds);
-        let Forces::Acting(moving) = (match moving {
+        let moving = found(inverse_dynamics, &given.rates, &given.seconds);
+        let Forces::InverseDynamics(moving) = (match moving {
             Err(Stop::Singular(_)) => {
                 seen.singular += 1;
                 continue;
@@ -170,15 +170,20 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
         }) else {
             panic!("not what it takes to move");
         };
-        let (Ok(Forces::Acting(resting)), Ok(Forces::Holding(held)), Ok(Forces::Inertia(felt))) = (
-            found(acting, &zero, &zero),
+        let (
+            Ok(Forces::InverseDynamics(resting)),
+            Ok(Forces::Holding(held)),
+            Ok(Forces::Inertia(felt)),
+        ) = (
+            found(inverse_dynamics, &zero, &zero),
             found(holding, &zero, &zero),
             found(inertia, &given.rates, &zero),
-        ) else {
+        )
+        else {
             panic!("{}: some forces are found and some are not", model.name);
         };
         let reach = reach(model, &at);
-        let largest = |acting: &Acting<f64>| largest(acting, reach);
+        let largest = |inverse_dynamics: &InverseDynamics<f64>| largest(inverse_dynamics, reach);
         if largest(&moving).max(largest(&resting)) > 1e6 * reach {
             // So near a dead point that what is left of them is rounding.
             seen.singular += 1;
@@ -232,8 +237,8 @@ fn reach(model: &Model, at: &Position) -> f64 {
 }
 
 /// How large the forces are that cancel: near a dead point they are larger than what is left of them.
-fn largest(acting: &Acting<f64>, reach: f64) -> f64 {
-    let reactions = acting.reactions.iter();
+fn largest(inverse_dynamics: &InverseDynamics<f64>, reach: f64) -> f64 {
+    let reactions = inverse_dynamics.reactions.iter();
     let reactions = reactions.map(|[x, y, torque]| x.hypot(*y) * reach + torque.abs());
     reactions.fold(1.0, f64::max)
 }
@@ -275,7 +280,7 @@ fn newton_and_euler(
     model: &Model,
     compiled: &Compiled,
     (at, given): (&Position, &Given),
-    acting: &Acting<f64>,
+    inverse_dynamics: &InverseDynamics<f64>,
     scale: f64,
     seen: &mut Seen,
 ) {
@@ -285,7 +290,7 @@ fn newton_and_euler(
         .motion(&given.rates, &given.seconds)
         .expect("it is regular");
     let accelerations = moved.accelerations.as_ref().expect("asked for");
-    let (mut acts, rolls) = by_joints(model, at, acting);
+    let (mut acts, rolls) = by_joints(model, at, inverse_dynamics);
     acts.extend(by_actions(model, (at, given), &moved));
     for (index, link) in model.declared_links().enumerate() {
         let mass = model.link(link).mass.expect("all have one");
@@ -327,10 +332,14 @@ fn newton_and_euler(
 type Act = (LinkId, [f64; 2], [f64; 2], f64);
 
 /// What joints do to links, and the links of which not all of that is told.
-fn by_joints(model: &Model, at: &Position, acting: &Acting<f64>) -> (Vec<Act>, Vec<LinkId>) {
+fn by_joints(
+    model: &Model,
+    at: &Position,
+    inverse_dynamics: &InverseDynamics<f64>,
+) -> (Vec<Act>, Vec<LinkId>) {
     let mut acts: Vec<Act> = Vec::new();
     let mut rolls: Vec<LinkId> = Vec::new();
-    for (joint, &[x, y, torque]) in model.told_joints().zip(&acting.reactions) {
+    for (joint, &[x, y, torque]) in model.told_joints().zip(&inverse_dynamics.reactions) {
         let (mut first, mut second) = model.ends(joint);
         let mut point = [0.0, 0.0];
         match model.joint(joint).kind {
@@ -445,7 +454,11 @@ fn slopes(
     seen: &mut Seen,
 ) {
     let inertia = compiled.forced.inertia.as_ref().expect("asked for");
-    let acting = compiled.forced.acting.as_ref().expect("asked for");
+    let inverse_dynamics = compiled
+        .forced
+        .inverse_dynamics
+        .as_ref()
+        .expect("asked for");
     let zero = vec![0.0; held.len()];
     let unloaded = vec![0.0; given.loads.len()];
     let step = 1e-3;
@@ -471,9 +484,9 @@ fn slopes(
         let (Some(fine), Some(coarse)) = (slope(step), slope(2.0 * step)) else {
             continue;
         };
-        let mut machine = Machine::<f64>::new(acting);
+        let mut machine = Machine::<f64>::new(inverse_dynamics);
         machine.put_back(at.clone());
-        let Ok(Forces::Acting(resting)) = machine.forces(&zero, &zero, &unloaded) else {
+        let Ok(Forces::InverseDynamics(resting)) = machine.forces(&zero, &zero, &unloaded) else {
             continue;
         };
         let explained = (fine - coarse).abs() + 1e-9 * scale;

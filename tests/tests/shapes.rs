@@ -131,14 +131,14 @@ proptest! {
         fn check<M: Mechanism<Scalar = f64, Motors = [f64; 1]>>(angles: &[f64]) {
             let mut mechanism = M::new();
             let [low, high] = M::EXTENT;
-            let slack = 2e-3 * (high[0] - low[0]).max(high[1] - low[1]);
+            let discriminant = 2e-3 * (high[0] - low[0]).max(high[1] - low[1]);
             for &angle in angles {
                 // What is blocked is not seen.
                 let _ = mechanism.move_toward([angle]);
                 let mut bounds = Bounds(M::EXTENT);
                 mechanism.draw(&mut bounds);
                 let off = bounds.0.as_flattened().iter().zip(M::EXTENT.as_flattened()).map(|(is, should)| (is - should).abs());
-                assert!(off.fold(0.0, f64::max) <= slack, "{} at {angle}: {:?} of {:?}", M::NAME, bounds.0, M::EXTENT);
+                assert!(off.fold(0.0, f64::max) <= discriminant, "{} at {angle}: {:?} of {:?}", M::NAME, bounds.0, M::EXTENT);
             }
         }
         check::<mech_gallery::geared_piston::GearedPiston>(&angles);

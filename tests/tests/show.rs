@@ -85,7 +85,7 @@ impl Carried {
         let links: Vec<LinkId> = match plan.sources[number] {
             Source::Motor(_) => Vec::new(),
             Source::Angle { from, to } => vec![from, to],
-            Source::Way(joint) => {
+            Source::Displacement(joint) => {
                 let (from, to) = model.ends(joint);
                 vec![from, to]
             }

@@ -174,8 +174,8 @@ fn generated_code_finds_what_the_interpreter_finds() {
         .expect("it is above");
     let mut generated = Press::new();
     generated.set_work([-3.0, 1.0]).expect("finite");
-    let acting = press.forced.acting.as_ref().expect("asked for");
-    let mut machine = Machine::<f64>::new(acting);
+    let inverse_dynamics = press.forced.inverse_dynamics.as_ref().expect("asked for");
+    let mut machine = Machine::<f64>::new(inverse_dynamics);
     let mut driven = Engine::new();
     let inertia = engine.forced.inertia.as_ref().expect("asked for");
     let mut other = Machine::<f64>::new(inertia);
@@ -184,7 +184,8 @@ fn generated_code_finds_what_the_interpreter_finds() {
         generated.move_to([angle]).expect("it turns");
         machine.move_to(&[angle]).expect("it turns");
         let found = generated.forces([1.5], [0.3]).expect("regular");
-        let Ok(Forces::Acting(expected)) = machine.forces(&[1.5], &[0.3], &[-3.0, 1.0]) else {
+        let Ok(Forces::InverseDynamics(expected)) = machine.forces(&[1.5], &[0.3], &[-3.0, 1.0])
+        else {
             panic!("it is regular");
         };
         assert_eq!(found.torques[..], expected.torques[..]);

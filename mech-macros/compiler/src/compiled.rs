@@ -40,7 +40,7 @@ pub struct ForcePrograms {
     /// To what it takes to hold it at rest.
     pub holding: Option<Program>,
     /// To what it takes to move in a given way, in every joint; not where joints are redundant.
-    pub acting: Option<Program>,
+    pub inverse_dynamics: Option<Program>,
     /// To inertia and forces as the motors feel them.
     pub inertia: Option<Program>,
 }

@@ -313,7 +313,7 @@ fn sines(program: &Program) -> Vec<bool> {
 fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cost {
     let (newton, iteration) = match (&block.kind, iteration) {
         (BlockKind::Newton(newton), Some(iteration)) => (newton, iteration),
-        (BlockKind::Closed(closed), _) => {
+        (BlockKind::ClosedForm(closed), _) => {
             let may_fail = !matches!(program.node(closed.margin).op, Op::Constant(_));
             return Cost {
                 selections: u32::from(may_fail),

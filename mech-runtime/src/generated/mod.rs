@@ -36,7 +36,7 @@ pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::{AtZero, Growth};
 pub use mech_core::motors::turned;
-pub use params::{followed, inputs, motors_of, params_of, reached_by_motors, told};
+pub use params::{blocked_motors, followed, inputs, motors_of, params_of, reached_by_motors};
 pub use position::{Motors, Position, finite};
 pub use rates::{Rates, advance_with, rates_at};
 

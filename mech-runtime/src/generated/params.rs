@@ -32,7 +32,7 @@ pub fn inputs<T: Scalar, const ALL: usize, const MOTORS: usize>(
 
 /// What stopped it, with the values of the motors alone.
 #[must_use]
-pub fn told<T: Scalar, const ALL: usize, const MOTORS: usize>(
+pub fn blocked_motors<T: Scalar, const ALL: usize, const MOTORS: usize>(
     blocked: Blocked<[T; ALL]>,
 ) -> Blocked<[T; MOTORS]> {
     blocked.map(motors_of)
@@ -44,7 +44,7 @@ pub fn reached_by_motors<T: Scalar, const ALL: usize, const MOTORS: usize>(
 ) -> Reached<[T; MOTORS]> {
     match reached {
         Reached::Target => Reached::Target,
-        Reached::Limit(blocked) => Reached::Limit(told(blocked)),
+        Reached::Limit(blocked) => Reached::Limit(blocked_motors(blocked)),
     }
 }
 

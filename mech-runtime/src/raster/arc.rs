@@ -16,12 +16,12 @@ pub(super) struct Arc<T> {
     /// From the centre to where it has come, of length one, and from the arc's end to where it has come around it.
     direction: [T; 2],
     aside: [T; 2],
-    way: Way,
+    section: Section,
     left: u32,
 }
 
 #[derive(Clone, Copy)]
-enum Way {
+enum Section {
     Outer,
     End,
     Inner,
@@ -47,7 +47,7 @@ impl<T: Scalar> Arc<T> {
             around,
             direction,
             aside: direction,
-            way: Way::Outer,
+            section: Section::Outer,
             left: along.corners(),
         }
     }
@@ -62,32 +62,34 @@ impl<T: Scalar> Iterator for Arc<T> {
     type Item = [T; 2];
 
     fn next(&mut self) -> Option<[T; 2]> {
-        let corner = match self.way {
-            Way::Outer => self.place(self.radius + self.half),
-            Way::Inner => self.place(nalgebra::RealField::max(self.radius - self.half, T::ZERO)),
-            Way::End | Way::Beginning => {
+        let corner = match self.section {
+            Section::Outer => self.place(self.radius + self.half),
+            Section::Inner => {
+                self.place(nalgebra::RealField::max(self.radius - self.half, T::ZERO))
+            }
+            Section::End | Section::Beginning => {
                 let ([x, y], [u, v]) = (self.place(self.radius), self.aside);
                 [x + self.half * u, y + self.half * v]
             }
-            Way::Done => return None,
+            Section::Done => return None,
         };
         if let Some(left) = self.left.checked_sub(1) {
             self.left = left;
-            match self.way {
-                Way::Outer => self.direction = self.along.on(self.direction),
-                Way::Inner => self.direction = self.along.back(self.direction),
+            match self.section {
+                Section::Outer => self.direction = self.along.on(self.direction),
+                Section::Inner => self.direction = self.along.back(self.direction),
                 _ => self.aside = self.around.on(self.aside),
             }
         } else {
-            (self.way, self.left, self.aside) = match self.way {
-                Way::Outer => (Way::End, self.around.corners(), self.direction),
-                Way::End => (Way::Inner, self.along.corners(), self.direction),
-                Way::Inner => (
-                    Way::Beginning,
+            (self.section, self.left, self.aside) = match self.section {
+                Section::Outer => (Section::End, self.around.corners(), self.direction),
+                Section::End => (Section::Inner, self.along.corners(), self.direction),
+                Section::Inner => (
+                    Section::Beginning,
                     self.around.corners(),
                     self.direction.map(|part| -part),
                 ),
-                _ => (Way::Done, 0, self.direction),
+                _ => (Section::Done, 0, self.direction),
             };
         }
         Some(corner)

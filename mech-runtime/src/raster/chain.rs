@@ -32,21 +32,21 @@ impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Chain<'c, T, F> {
 }
 
 /// How often the corners of a polygon change between going down and going up: twice, if there are two chains.
-pub(super) struct Ways<N> {
+pub(super) struct Directions<N> {
     first: Option<N>,
     last: Option<N>,
-    first_way: Option<bool>,
-    way: Option<bool>,
+    first_direction: Option<bool>,
+    direction: Option<bool>,
     turns: usize,
 }
 
-impl<N: Copy + PartialOrd> Ways<N> {
+impl<N: Copy + PartialOrd> Directions<N> {
     pub(super) const fn new() -> Self {
         Self {
             first: None,
             last: None,
-            first_way: None,
-            way: None,
+            first_direction: None,
+            direction: None,
             turns: 0,
         }
     }
@@ -59,10 +59,10 @@ impl<N: Copy + PartialOrd> Ways<N> {
             return;
         };
         if depth != last {
-            let way = Some(depth > last);
-            self.turns += usize::from(self.way.is_some() && self.way != way);
-            self.first_way = self.first_way.or(way);
-            self.way = way;
+            let direction = Some(depth > last);
+            self.turns += usize::from(self.direction.is_some() && self.direction != direction);
+            self.first_direction = self.first_direction.or(direction);
+            self.direction = direction;
         }
     }
 
@@ -71,6 +71,6 @@ impl<N: Copy + PartialOrd> Ways<N> {
         if let Some(first) = self.first {
             self.go(first);
         }
-        self.turns + usize::from(self.way != self.first_way)
+        self.turns + usize::from(self.direction != self.first_direction)
     }
 }

@@ -3,7 +3,7 @@
 //! Where its corners go down once and up once, as those of every convex polygon do, each row is one span between two chains of sides.
 //! Any other polygon marks where its sides cross some rows, and each row is then filled from mark to mark.
 
-use super::chain::{Chain, Ways};
+use super::chain::{Chain, Directions};
 use super::crossings::Crossings;
 use super::edge::{is_far, sides};
 use super::fixed;
@@ -91,7 +91,7 @@ fn shape<T: Scalar>(corner: &impl Fn(usize) -> [T; 2], count: usize, clip: Clip)
         highest: 0,
         is_simple: true,
     };
-    let mut ways = Ways::new();
+    let mut directions = Directions::new();
     for index in 0..count {
         let [x, y] = corner(index);
         if !(Real::is_finite(x) && Real::is_finite(y)) {
@@ -103,9 +103,9 @@ fn shape<T: Scalar>(corner: &impl Fn(usize) -> [T; 2], count: usize, clip: Clip)
             (seen.top, seen.highest) = (row, index);
         }
         seen.bottom = seen.bottom.max(row);
-        ways.go(row);
+        directions.go(row);
     }
-    seen.is_simple &= ways.turns() <= 2;
+    seen.is_simple &= directions.turns() <= 2;
     (seen.top < seen.bottom).then_some(seen)
 }
 

@@ -2,14 +2,14 @@
 
 /// A point of a closed dyad, and the sine of its transmission angle with the sign of its side.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Closed {
+pub(crate) struct ClosedForm {
     pub(crate) at: [f64; 2],
     pub(crate) sine: f64,
 }
 
 /// The coupler–rocker joint of a four-bar `g a b c` at a crank angle, the crank shaft at the origin and the rocker shaft at
 /// (g, 0); on the left of the way from the crank pin to the rocker shaft if `left`. A discriminant below zero is zero.
-pub(crate) fn four_bar([g, a, b, c]: [f64; 4], angle: f64, left: bool) -> Closed {
+pub(crate) fn four_bar([g, a, b, c]: [f64; 4], angle: f64, left: bool) -> ClosedForm {
     let pin = [a * angle.cos(), a * angle.sin()];
     let half = (angle / 2.0).sin();
     let square = (g - a).powi(2) + 4.0 * g * a * half * half;
@@ -21,7 +21,7 @@ pub(crate) fn four_bar([g, a, b, c]: [f64; 4], angle: f64, left: bool) -> Closed
     let along = (square + (b - c) * (b + c)) / (2.0 * square);
     let across = root / (2.0 * square);
     let [u, v] = [g - pin[0], -pin[1]];
-    Closed {
+    ClosedForm {
         at: [
             pin[0] + along * u - across * v,
             pin[1] + along * v + across * u,
@@ -31,10 +31,10 @@ pub(crate) fn four_bar([g, a, b, c]: [f64; 4], angle: f64, left: bool) -> Closed
 }
 
 /// How far the block of a slider-crank is along its guide, which lies `offset` above the shaft.
-pub(crate) fn slider_crank(r: f64, l: f64, offset: f64, angle: f64) -> Closed {
+pub(crate) fn slider_crank(r: f64, l: f64, offset: f64, angle: f64) -> ClosedForm {
     let height = offset - r * angle.sin();
     let root = ((l - height) * (l + height)).max(0.0).sqrt();
-    Closed {
+    ClosedForm {
         at: [r * angle.cos() + root, offset],
         sine: root / l,
     }

@@ -13,8 +13,8 @@ pub(crate) struct Question {
     /// The loop's block.
     pub(crate) block: BlockId,
     /// The discriminant, and the floor below which rounding may push it.
-    pub(crate) slack: Value,
-    pub(crate) floor: Value,
+    pub(crate) discriminant: Value,
+    pub(crate) tolerance: Value,
     /// What else is wanted where it closes.
     pub(crate) found: Vec<Value>,
 }
@@ -40,7 +40,10 @@ pub(crate) fn always_closes(
     budget: &mut usize,
     mut look: impl FnMut(&dyn Fn(Value) -> Interval),
 ) -> bool {
-    let tests = vec![(question.block, Test::Slack(question.slack, question.floor))];
+    let tests = vec![(
+        question.block,
+        Test::Discriminant(question.discriminant, question.tolerance),
+    )];
     let mut tape = Tape::of(&cone.nodes, cone.variables.len(), tests, &question.found);
     if tape.is_too_large() {
         return false;
@@ -55,7 +58,7 @@ pub(crate) fn always_closes(
         let closes = known || tape.on_box(0) == Outcome::Strict;
         let part = widest(&place, ranges);
         let is_fine = part.1 <= FINE || waiting.len() > 256;
-        if closes && (is_fine || is_well_known(tape.value(question.slack))) {
+        if closes && (is_fine || is_well_known(tape.value(question.discriminant))) {
             look(&|value| tape.value(value));
             continue;
         }
@@ -70,8 +73,8 @@ pub(crate) fn always_closes(
     true
 }
 
-fn is_well_known(slack: Interval) -> bool {
-    slack.low() >= WELL_KNOWN * slack.high()
+fn is_well_known(discriminant: Interval) -> bool {
+    discriminant.low() >= WELL_KNOWN * discriminant.high()
 }
 
 /// The variable of which a box takes the greatest part, and that part: infinite, if it has no end.

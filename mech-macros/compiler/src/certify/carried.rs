@@ -4,7 +4,7 @@ use super::Interval;
 use super::cone::{Cone, Cuts, Cutter, Variable};
 use super::tape::Tape;
 use crate::plan::Solution;
-use crate::program::{Closed, Op, Program, Value};
+use crate::program::{ClosedForm, Op, Program, Value};
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
@@ -21,8 +21,8 @@ pub(super) type Held = Vec<(Value, f64)>;
 
 /// The directions in which a loop is carried, at the start: if they have no part in its slack, it closes in one as in all others. What
 /// has a part must not be made from them.
-pub(super) fn held(cutter: &Cutter<'_>, closed: &Closed) -> Held {
-    let cone = cutter.cone(&[closed.slack, closed.floor], &Cuts::ALONE);
+pub(super) fn held(cutter: &Cutter<'_>, closed: &ClosedForm) -> Held {
+    let cone = cutter.cone(&[closed.discriminant, closed.tolerance], &Cuts::ALONE);
     let variables = cone.variables.iter().enumerate();
     let (mut with_part, mut without): (Vec<Vec<Value>>, Vec<Vec<Value>>) = (Vec::new(), Vec::new());
     for (index, variable) in variables {

@@ -6,7 +6,7 @@ use crate::program::{AtZero, BlockId, Op, Part, Program, Slot, Value, Watch};
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Test {
     /// This slack is not less than zero by more than this floor.
-    Slack(Value, Value),
+    Discriminant(Value, Value),
     /// This divisor is not zero.
     Divisor(Value),
 }
@@ -15,7 +15,7 @@ impl Test {
     /// What it is made of.
     pub(super) fn values(self) -> Vec<Value> {
         match self {
-            Self::Slack(slack, floor) => vec![slack, floor],
+            Self::Discriminant(discriminant, tolerance) => vec![discriminant, tolerance],
             Self::Divisor(divisor) => vec![divisor],
         }
     }
@@ -46,7 +46,12 @@ pub(super) fn tests(program: &Program) -> Vec<(BlockId, Test)> {
     let slacks = program
         .margins()
         .filter(|(_, closed)| !hangs[closed.margin.index()])
-        .map(|(block, closed)| (block, Test::Slack(closed.slack, closed.floor)));
+        .map(|(block, closed)| {
+            (
+                block,
+                Test::Discriminant(closed.discriminant, closed.tolerance),
+            )
+        });
     let mut tests: Vec<(BlockId, Test)> = slacks.chain(divisors).collect();
     // Of each block first the slack: what is divided by may be zero only where it does not close.
     tests.sort_by_key(|(block, _)| *block);
@@ -100,7 +105,7 @@ fn exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
 
 /// The loops that carry on which side their dyad lies, and where they do.
 pub(super) fn carried_sides(program: &Program) -> impl Iterator<Item = (BlockId, usize)> + '_ {
-    let carries = |watch: &&Watch| watch.at_zero == AtZero::GoOver;
+    let carries = |watch: &&Watch| watch.at_zero == AtZero::ChangeBranch;
     let place = |watch: &Watch| (watch.block, watch.sine);
     program.watches.iter().filter(carries).map(place)
 }

@@ -4,7 +4,7 @@
 //! little. So a proof costs no more in a long chain than in a short one.
 
 use crate::plan::Solution;
-use crate::program::{Closed, Node, Number, Op, Program, Value};
+use crate::program::{ClosedForm, Node, Number, Op, Program, Value};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a cone is made from where it is cut.
@@ -65,12 +65,12 @@ impl Cuts<'_> {
 
 impl<'p> Cutter<'p> {
     pub(crate) fn new(program: &'p Program) -> Self {
-        let start = |closed: &Closed| {
+        let start = |closed: &ClosedForm| {
             let vectors = closed.form.vectors();
             let made = vectors.iter().flatten().copied();
-            made.chain([closed.slack, closed.floor]).max()
+            made.chain([closed.discriminant, closed.tolerance]).max()
         };
-        let closed = program.all_closed();
+        let closed = program.closed_forms();
         let starts: BTreeMap<usize, Value> = closed
             .filter_map(|(_, closed)| Some((closed.number, start(closed)?)))
             .collect();

@@ -42,7 +42,7 @@ pub(super) fn groups(program: &Program, free: &[BlockId]) -> Vec<Group> {
     let tests = tests(program).into_iter();
     for (block, test) in tests.filter(|(block, _)| !free.contains(block)) {
         let held = loops.entry(block).or_insert_with(|| {
-            let closed = program.closed(block);
+            let closed = program.closed_form(block);
             closed.map_or_else(Held::new, |closed| held(&cutter, closed))
         });
         let motors = motors(program, test.values(), held);

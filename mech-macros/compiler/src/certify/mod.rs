@@ -177,7 +177,7 @@ fn on_all_sides(
         if let Some(&block) = crossing.get(MOST_SIDES) {
             let of = |group: &&Group| group.tests.iter().any(|(other, _)| *other == block);
             let Some(group) = groups.iter().find(of) else {
-                bug!("a loop whose slack touches zero is tested in no group");
+                bug!("a loop whose discriminant touches zero is tested in no group");
             };
             return Verdict::Undecided {
                 block,

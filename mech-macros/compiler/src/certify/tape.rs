@@ -124,9 +124,9 @@ impl<'p> Tape<'p> {
         }
         for (_, test) in &self.tests {
             match *test {
-                Test::Slack(slack, floor) => {
-                    needed[slack.index()] = Some(slack);
-                    needed[floor.index()] = Some(floor);
+                Test::Discriminant(discriminant, tolerance) => {
+                    needed[discriminant.index()] = Some(discriminant);
+                    needed[tolerance.index()] = Some(tolerance);
                 }
                 Test::Divisor(divisor) => needed[divisor.index()] = Some(divisor),
             }
@@ -381,9 +381,9 @@ impl<'p> Tape<'p> {
     /// Whether a slack is known so well on the box on which it was run last that a narrower box would tell no more.
     pub(super) fn is_sharp(&self, test: usize) -> bool {
         match self.tests[test].1 {
-            Test::Slack(slack, floor) => {
-                let floor = self.values[floor.index()].abs().low();
-                self.values[slack.index()].width() <= 0.25 * floor
+            Test::Discriminant(discriminant, tolerance) => {
+                let tolerance = self.values[tolerance.index()].abs().low();
+                self.values[discriminant.index()].width() <= 0.25 * tolerance
             }
             Test::Divisor(_) => false,
         }
@@ -392,14 +392,18 @@ impl<'p> Tape<'p> {
     /// Whether a slack is not negative at the middle of that box, as far as that can be told.
     pub(super) fn closes_at_centre(&self, test: usize) -> bool {
         match self.tests[test].1 {
-            Test::Slack(slack, _) => self.middles[slack.index()].middle() >= 0.0,
+            Test::Discriminant(discriminant, _) => {
+                self.middles[discriminant.index()].middle() >= 0.0
+            }
             Test::Divisor(_) => true,
         }
     }
 
     fn outcome(&self, test: usize, values: &[Interval]) -> Outcome {
-        let (slack, floor) = match self.tests[test].1 {
-            Test::Slack(slack, floor) => (values[slack.index()], values[floor.index()]),
+        let (discriminant, tolerance) = match self.tests[test].1 {
+            Test::Discriminant(discriminant, tolerance) => {
+                (values[discriminant.index()], values[tolerance.index()])
+            }
             Test::Divisor(divisor) => {
                 return if values[divisor.index()].contains(0.0) {
                     Outcome::Open
@@ -409,16 +413,16 @@ impl<'p> Tape<'p> {
             }
         };
         // The slack at run time differs by its own rounding, for which half the floor is enough.
-        let enough = if floor.low() >= 0.0 {
-            -0.5 * floor.low()
+        let enough = if tolerance.low() >= 0.0 {
+            -0.5 * tolerance.low()
         } else {
-            -2.0 * floor.low()
+            -2.0 * tolerance.low()
         };
-        if slack.low() > floor.abs().high().max(enough) {
+        if discriminant.low() > tolerance.abs().high().max(enough) {
             Outcome::Strict
-        } else if slack.low() >= enough {
+        } else if discriminant.low() >= enough {
             Outcome::Passes
-        } else if slack.high() < -floor.high() {
+        } else if discriminant.high() < -tolerance.high() {
             Outcome::Fails
         } else {
             Outcome::Open

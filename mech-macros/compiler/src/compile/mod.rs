@@ -16,9 +16,9 @@ use crate::evaluate::{self, Machine, Stop};
 use crate::model::{JointId, JointKind, Model, MotorId, ScaleTrouble};
 use crate::motion::accuracy::{self, Prediction};
 use crate::motion::proof;
-use crate::motion::watching::{self, Decided};
+use crate::motion::watching::{self, Decisions};
 use crate::plan::{self, Plan};
-use crate::program::{self, Choice, Forces, Further, Number, Op, Program};
+use crate::program::{self, Choice, Forces, Number, Op, Output, Program};
 use crate::report;
 use crate::structure::{self, Diagnosis, Structure};
 use overconstrained::Overconstrained;
@@ -35,25 +35,25 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
         choices,
         prediction,
     } = analyse(model, Depth::WholeMotion)?;
-    let derive = |further: Further<'_>| {
-        let derived = program::build_further(model, &plan, &choices, &program, further)?;
+    let derive = |output: Output<'_>| {
+        let derived = program::derive(model, &plan, &choices, &program, output)?;
         Some(Program {
             start: program.start.clone(),
             range: program.range.clone(),
             ..derived
         })
     };
-    let moving = derive(Further::Rates);
+    let moving = derive(Output::Rates);
     let forced = ForcePrograms {
-        holding: derive(Further::Holding),
-        acting: derive(Further::Acting(&structure)),
-        inertia: derive(Further::Inertia),
+        holding: derive(Output::Holding),
+        inverse_dynamics: derive(Output::InverseDynamics(&structure)),
+        inertia: derive(Output::Inertia),
     };
     let massless = forced.inertia.as_ref().map_or(Vec::new(), massless_motors);
     if !massless.is_empty() {
         return Err(vec![Diagnosis::Massless { motors: massless }]);
     }
-    let sensitive = derive(Further::Sensitivity);
+    let sensitive = derive(Output::Sensitivity);
     let loops = accuracy::solved_loops(&program, prediction.as_ref());
     let saved = saved_cost(model, &plan, &program, &choices);
     let mut compiled = Compiled {
@@ -233,7 +233,7 @@ fn choose_by_motion(
     plan: &mut Plan,
     choices: Vec<Choice>,
 ) -> Result<(Vec<Choice>, Option<Prediction>), Diagnosis> {
-    let Decided { choices, turning } = watching::decide(model, plan, choices);
+    let Decisions { choices, turning } = watching::decide(model, plan, choices);
     plan.turning = turning;
     if let Some(accuracy) = model.accuracy {
         let (choices, prediction) = accuracy::choose(model, plan, choices, accuracy)?;

@@ -27,13 +27,13 @@ pub(super) fn costs(program: &Program, visibility: &syn::Visibility) -> (TokenSt
 
 /// How many operations more a program takes that goes on from positions, as an associated constant.
 pub(super) fn more(
-    (program, further): (&Program, &Program),
+    (program, derived): (&Program, &Program),
     name: &str,
     what: &str,
     visibility: &syn::Visibility,
 ) -> TokenStream {
     let name = format_ident!("{}", name);
-    let cost = literal(cost::of_rates(program, further));
+    let cost = literal(cost::of_rates(program, derived));
     let doc = format!(" How many operations more it takes to find {what} with a position.");
     quote! {
         #[doc = #doc]

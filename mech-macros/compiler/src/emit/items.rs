@@ -213,12 +213,12 @@ fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) ->
     let motors = Literal::usize_unsuffixed(program.motors.len());
     let [target, given] = params::target(program, &quote!(self.position));
     let move_to = quote!(generated::advance(&mut self.position, #target, &known::MOVE_LIMITS, #step_reduced, positions::step));
-    let move_to = rested(params::told(program, move_to), rest);
+    let move_to = rested(params::of_motors(program, move_to), rest);
     let mut move_toward = quote!(generated::approach(&mut self.position, #target, &known::MOVE_LIMITS, positions::step));
     if !program.params.is_empty() {
         move_toward.extend(quote!(.map(generated::reached_by_motors)));
     }
-    let move_toward = rested(params::told(program, move_toward), rest);
+    let move_toward = rested(params::of_motors(program, move_toward), rest);
     let values = params::motors(program);
     quote! {
                 /// The present values of the motors, in the order of their declaration, in radians or scene units.

@@ -66,7 +66,7 @@ pub(super) fn many(
     };
     let [target, given] = params::target(program, &quote!(there));
     let one = quote!(generated::advance(&mut there, #target, &known::MOVE_LIMITS, #step_reduced, positions::step));
-    let one = params::told(program, one);
+    let one = params::of_motors(program, one);
     let all = if program.params.is_empty() {
         quote! {
             #move_many::<_, _, _, _, _, #lanes>(

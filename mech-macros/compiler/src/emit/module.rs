@@ -81,7 +81,7 @@ pub(super) fn name(program: &Program) -> Ident {
             None => "positions",
             Some(None) => "rates",
             Some(Some(Forces::Holding(_))) => "holding",
-            Some(Some(Forces::Acting(_))) => "acting",
+            Some(Some(Forces::InverseDynamics(_))) => "acting",
             Some(Some(Forces::Inertia(_))) => "inertia",
         }
     };

@@ -60,10 +60,13 @@ fn forces(forces: &Forces<Value>, scope: &Scope<'_>) -> TokenStream {
             let torques = row(torques);
             quote!(Holding { torques: #torques })
         }
-        Forces::Acting(acting) => {
-            let (torques, transmission) = (row(&acting.torques), row(&acting.transmission));
-            let velocity_ratios = acting.velocity_ratios.iter().map(row);
-            let reactions = acting.reactions.iter().map(|reaction| {
+        Forces::InverseDynamics(inverse_dynamics) => {
+            let (torques, transmission) = (
+                row(&inverse_dynamics.torques),
+                row(&inverse_dynamics.transmission),
+            );
+            let velocity_ratios = inverse_dynamics.velocity_ratios.iter().map(row);
+            let reactions = inverse_dynamics.reactions.iter().map(|reaction| {
                 let [x, y, torque] = reaction.map(|part| scope.expression(part));
                 quote!(Reaction { x: #x, y: #y, torque: #torque })
             });
@@ -121,7 +124,7 @@ fn all_given(program: &Program) -> Vec<Given> {
     let accelerations = || Given::new("accelerations", of_motors("acceleration"), Op::Acceleration);
     let mut given = match &motion.forces {
         None if motion.accelerations.is_none() => vec![rates()],
-        None | Some(Forces::Acting(_)) => vec![rates(), accelerations()],
+        None | Some(Forces::InverseDynamics(_)) => vec![rates(), accelerations()],
         Some(Forces::Holding(_)) => Vec::new(),
         Some(Forces::Inertia(_)) => vec![rates()],
     };
@@ -185,10 +188,15 @@ pub(super) fn found(program: &Program) -> (TokenStream, &'static str) {
         Some((Some(Forces::Holding(_)), _)) => {
             (quote!(Holding<#scalar, #motors>), "what holds it there")
         }
-        Some((Some(Forces::Acting(acting)), _)) => {
+        Some((Some(Forces::InverseDynamics(inverse_dynamics)), _)) => {
             // One row for each motor, and there is one at least.
-            let loads = acting.velocity_ratios[0].len();
-            let sizes = [acting.reactions.len(), loads, acting.transmission.len()].map(literal);
+            let loads = inverse_dynamics.velocity_ratios[0].len();
+            let sizes = [
+                inverse_dynamics.reactions.len(),
+                loads,
+                inverse_dynamics.transmission.len(),
+            ]
+            .map(literal);
             (
                 quote!(Forces<#scalar, #motors, #(#sizes),*>),
                 "the forces in it",

@@ -43,10 +43,10 @@ pub(super) fn limits(program: &Program, plan: &Plan) -> TokenStream {
         let iterated = watch.iterated;
         let at_zero = match watch.at_zero {
             program::AtZero::Stay => quote!(AtZero::Stay),
-            program::AtZero::GoOver => quote!(AtZero::GoOver),
+            program::AtZero::ChangeBranch => quote!(AtZero::ChangeBranch),
             program::AtZero::Stop => quote!(AtZero::Stop),
         };
-        let closed = program.closed(watch.block).map(|closed| &closed.place);
+        let closed = program.closed_form(watch.block).map(|closed| &closed.place);
         let newton = program.newton(watch.block).map(|newton| &newton.place);
         let Some(place) = closed.or(newton) else {
             bug!("a block is watched that closes no loop");
@@ -262,7 +262,7 @@ pub(super) fn turn_to(
             values.push(quote!(#variable));
         }
     }
-    let told = params::told(
+    let told = params::of_motors(
         program,
         quote!(generated::advance(&mut self.position, motors, &known::MOVE_LIMITS, #step_reduced, positions::step)),
     );

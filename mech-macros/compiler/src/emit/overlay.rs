@@ -63,8 +63,8 @@ pub(super) fn added(model: &Model, compiled: &Compiled, visibility: &syn::Visibi
             }
         });
     }
-    if let Some(acting) = &forced.acting {
-        items = items.and(forces(model, (program, acting), visibility));
+    if let Some(inverse_dynamics) = &forced.inverse_dynamics {
+        items = items.and(forces(model, (program, inverse_dynamics), visibility));
     }
     items
 }
@@ -72,7 +72,7 @@ pub(super) fn added(model: &Model, compiled: &Compiled, visibility: &syn::Visibi
 /// The arrows of forces.
 fn forces(
     model: &Model,
-    (program, acting): (&Program, &Program),
+    (program, inverse_dynamics): (&Program, &Program),
     visibility: &syn::Visibility,
 ) -> Added {
     let scalar = scalar(program);
@@ -88,7 +88,7 @@ fn forces(
         });
     let points: Vec<TokenStream> = points.collect();
     let count = Literal::usize_unsuffixed(points.len());
-    let (found, _) = found(acting);
+    let (found, _) = found(inverse_dynamics);
     let loads = model.actions.numbered_loads().filter_map(|(first, load)| {
         let LoadKind::Force(point) = load.kind else {
             return None;

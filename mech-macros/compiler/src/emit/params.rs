@@ -28,11 +28,11 @@ pub(super) fn target(program: &Program, position: &TokenStream) -> [TokenStream;
 }
 
 /// The result of a move, as it is told outside.
-pub(super) fn told(program: &Program, result: TokenStream) -> TokenStream {
+pub(super) fn of_motors(program: &Program, result: TokenStream) -> TokenStream {
     if program.params.is_empty() {
         result
     } else {
-        quote!(#result.map_err(generated::told))
+        quote!(#result.map_err(generated::blocked_motors))
     }
 }
 
@@ -41,7 +41,10 @@ pub(super) fn refused(program: &Program) -> TokenStream {
     if program.params.is_empty() {
         quote!(Position::refuse(&self.position, stop))
     } else {
-        quote!(generated::told(Position::refuse(&self.position, stop)))
+        quote!(generated::blocked_motors(Position::refuse(
+            &self.position,
+            stop
+        )))
     }
 }
 

@@ -103,7 +103,7 @@ pub(super) fn moved_with(
     let keep_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
     let refused = params::refused(moving);
     let names = params::motor_names(moving);
-    let moved = params::told(
+    let moved = params::of_motors(
         moving,
         quote! {
             generated::advance_with(
@@ -225,7 +225,7 @@ fn accessors(
     for id in model.declared_links().filter(|&id| model.shows_link(id)) {
         let (link, index) = (model.link(id), index(kinds.program, id));
         let name = &link.name;
-        let mut tell = |what: &str, kind: TokenStream, rates: Ident| {
+        let mut add = |what: &str, kind: TokenStream, rates: Ident| {
             let method = user_ident(&format!("{name}_{what}"), places, link.origin);
             let doc = format!(" The {what} of link `{name}` in the scene.");
             tokens.extend(quote! {
@@ -236,9 +236,9 @@ fn accessors(
                 }
             });
         };
-        tell("velocity", quote!(Velocity), format_ident!("velocities"));
+        add("velocity", quote!(Velocity), format_ident!("velocities"));
         if kinds.second {
-            tell(
+            add(
                 "acceleration",
                 quote!(Acceleration),
                 format_ident!("accelerations"),
@@ -249,7 +249,7 @@ fn accessors(
         let (name, index) = (&model.link(id).name, index(kinds.program, id));
         let pose = pose(kinds.program, id);
         let at = params::place(model, kinds.program, axis);
-        let mut tell = |what: &str, value: TokenStream| {
+        let mut add = |what: &str, value: TokenStream| {
             let method = user_ident(&format!("{name}_{point}_{what}"), places, origin);
             let doc = format!(" The {what} of point `{point}` of link `{name}` in the scene.");
             tokens.extend(quote! {
@@ -261,7 +261,7 @@ fn accessors(
                 }
             });
         };
-        tell(
+        add(
             "velocity",
             quote!(self.velocities[#index].of_point(#pose, #at)),
         );
@@ -269,7 +269,7 @@ fn accessors(
             let value = quote! {
                 self.accelerations[#index].of_point(#pose, self.velocities[#index].angular, #at)
             };
-            tell("acceleration", value);
+            add("acceleration", value);
         }
     }
     for joint in model.joint_ids().filter(|&id| model.shows_joint(id)) {
@@ -283,7 +283,7 @@ fn accessors(
             continue;
         };
         let (name, origin) = (&model.joint(joint).name, model.joint(joint).origin);
-        let mut tell = |what: &str, title: &str, second: bool| {
+        let mut add = |what: &str, title: &str, second: bool| {
             let method = user_ident(&format!("{name}_{what}"), places, origin);
             let doc = format!(" The {title} of the coordinate of joint `{name}`.");
             let value = joint_rate(model, kinds.program, axes, second);
@@ -295,9 +295,9 @@ fn accessors(
                 }
             });
         };
-        tell("rate", "rate", false);
+        add("rate", "rate", false);
         if kinds.second {
-            tell("acceleration", "second rate", true);
+            add("acceleration", "second rate", true);
         }
     }
     tokens

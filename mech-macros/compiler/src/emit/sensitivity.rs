@@ -118,7 +118,7 @@ pub(super) fn methods(
     let found = quote! {
         match sensitivity::sensitivity(&self.position) {
             Result::Ok(found) => found,
-            Result::Err(stop) => return Result::Err(generated::told(Position::refuse(&self.position, stop))),
+            Result::Err(stop) => return Result::Err(generated::blocked_motors(Position::refuse(&self.position, stop))),
         }
     };
     let mut tokens = quote! {
@@ -135,7 +135,7 @@ pub(super) fn methods(
             Result::Ok(found.map(|(links, _, _)| links))
         }
     };
-    let mut tell = |name: &str, what: &str, origin, kind: &TokenStream, value: &TokenStream| {
+    let mut add = |name: &str, what: &str, origin, kind: &TokenStream, value: &TokenStream| {
         let method = user_ident(&format!("{name}_sensitivity"), places, origin);
         let doc = format!(
             " For each param, in the order of their declaration, the rate of {what} if it alone changes, at a rate of one."
@@ -155,7 +155,7 @@ pub(super) fn methods(
         let (link, index) = (model.link(id), place(program, id));
         let what = format!("link `{}`", link.name);
         let value = quote!(|(links, _, _)| links[#index]);
-        tell(
+        add(
             &link.name,
             &what,
             link.origin,
@@ -171,14 +171,14 @@ pub(super) fn methods(
             Vector2::new(x, y)
         });
         let origin = model.axis(point).origin;
-        tell(&name, &what, origin, &quote!(Vector2<#scalar>), &value);
+        add(&name, &what, origin, &quote!(Vector2<#scalar>), &value);
     }
     for (index, &joint) in sensitivity.joints.iter().enumerate() {
         let joint = model.joint(joint);
         let index = Literal::usize_unsuffixed(index);
         let what = format!("the coordinate of joint `{}`", joint.name);
         let value = quote!(|(_, _, joints)| joints[#index]);
-        tell(&joint.name, &what, joint.origin, &quote!(#scalar), &value);
+        add(&joint.name, &what, joint.origin, &quote!(#scalar), &value);
     }
     tokens
 }

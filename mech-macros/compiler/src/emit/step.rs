@@ -69,7 +69,7 @@ pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
         let gives: Vec<Ident> = flow.gives.iter().map(|&value| scope.bind(value)).collect();
         let fails = act.fails.then(|| quote!(?));
         act.statements = quote!(let (#(#gives),*) = #name(#last #(#takes),*)#fails;);
-        if let (false, Some(closed)) = (program.is_closed(), program.closed(block))
+        if let (false, Some(closed)) = (program.is_closed(), program.closed_form(block))
             && program.margins().any(|(other, _)| other == block)
         {
             let (margin, place) = (scope.expression(closed.margin), &closed.place);

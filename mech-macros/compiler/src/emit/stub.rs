@@ -283,7 +283,7 @@ fn accessors(
     let velocity = quote!(#krate::Velocity<#scalar>);
     let acceleration = quote!(#krate::Acceleration<#scalar>);
     let mut methods: Vec<(Ident, TokenStream)> = Vec::new();
-    let mut tell = |name: &str, origin, kinds: [TokenStream; 3], rate: &str| {
+    let mut add = |name: &str, origin, kinds: [TokenStream; 3], rate: &str| {
         let [value, velocity, acceleration] = kinds;
         methods.push((user_ident(name, places, origin), value));
         if model.effects.sensitivity {
@@ -303,12 +303,12 @@ fn accessors(
     for id in model.declared_links().filter(|&id| model.shows_link(id)) {
         let link = model.link(id);
         let kinds = [isometry.clone(), velocity.clone(), acceleration.clone()];
-        tell(&link.name, link.origin, kinds, "velocity");
+        add(&link.name, link.origin, kinds, "velocity");
     }
     for (link, name, origin, _) in named_points(model) {
         let kinds = [point.clone(), vector.clone(), vector.clone()];
         let name = format!("{}_{name}", model.link(link).name);
-        tell(&name, origin, kinds, "velocity");
+        add(&name, origin, kinds, "velocity");
     }
     let shown = model.joint_ids().filter(|&id| model.shows_joint(id));
     for joint in shown.map(|id| model.joint(id)).filter(|joint| {
@@ -318,8 +318,8 @@ fn accessors(
         ) && !joint.hidden
     }) {
         let kinds = [scalar.clone(), scalar.clone(), scalar.clone()];
-        tell(&joint.name, joint.origin, kinds, "rate");
+        add(&joint.name, joint.origin, kinds, "rate");
     }
-    methods.extend(super::traces::told(krate, places, model));
+    methods.extend(super::traces::accessors(krate, places, model));
     methods
 }

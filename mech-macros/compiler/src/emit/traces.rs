@@ -66,7 +66,7 @@ pub(super) fn added(
 }
 
 /// The methods that tell traces, with what they give, for a mechanism that does not compile.
-pub(super) fn told(
+pub(super) fn accessors(
     krate: &TokenStream,
     places: &Places,
     model: &Model,

@@ -3,8 +3,8 @@
 use super::{Moved, Stop};
 use crate::bug::bug;
 use crate::program::{
-    BlockId, BlockKind, Closed, Forces, Motion, Newton, Op, Position, Program, RateMargin, Rounds,
-    System, Value,
+    BlockId, BlockKind, ClosedForm, Forces, Motion, Newton, Op, Position, Program, RateMargin,
+    Rounds, System, Value,
 };
 use mech_core::Real;
 use mech_core::contraction::{before_first, contracts};
@@ -160,7 +160,7 @@ impl<'p> Runner<'p> {
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
         let mut values = vec![T::from_f64(0.0); self.program.nodes.len()];
         let mut solved = vec![false; self.program.blocks.len()];
-        let closes = |(block, closed): (BlockId, &Closed), values: &[T]| {
+        let closes = |(block, closed): (BlockId, &ClosedForm), values: &[T]| {
             if values[closed.margin.index()] >= T::from_f64(0.0) {
                 Ok(())
             } else {

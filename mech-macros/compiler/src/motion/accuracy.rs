@@ -59,7 +59,7 @@ pub struct SolvedLoop {
 pub(crate) fn solved_loops(program: &Program, prediction: Option<&Prediction>) -> Vec<SolvedLoop> {
     let blocks = program.blocks.iter().filter_map(|block| match &block.kind {
         BlockKind::Straight => None,
-        BlockKind::Closed(closed) => Some((closed.number, "exact".to_owned())),
+        BlockKind::ClosedForm(closed) => Some((closed.number, "exact".to_owned())),
         BlockKind::Newton(newton) => Some((newton.number, method(newton))),
     });
     let of_loop = |((number, method), cost): ((usize, String), Cost)| SolvedLoop {

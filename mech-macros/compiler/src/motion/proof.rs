@@ -8,7 +8,7 @@ use crate::model::{AtChangePoints, JointId, Model, MotorId};
 use crate::motion::watching::{Domain, Read};
 use crate::plan::Plan;
 use crate::program::{
-    AtZero, BlockId, Bound, Choice, Closed, Growth, Program, Value, Watching, build_as,
+    AtZero, BlockId, Bound, Choice, ClosedForm, Growth, Program, Value, Watching, build_as,
 };
 use crate::structure::{Diagnosis, RangeTrouble};
 use std::collections::BTreeSet;
@@ -53,7 +53,7 @@ pub(crate) fn prove_ranges(
     let touching = touching(model, plan, &choices, &program, ranged)?;
     let touches: Vec<usize> = touching
         .iter()
-        .filter_map(|&block| program.closed(block))
+        .filter_map(|&block| program.closed_form(block))
         .map(|closed| closed.number)
         .collect();
     let asked = asked_for(plan, &choices, &touches);
@@ -100,14 +100,14 @@ fn touching(
         into: &|angle| domain.parts(angle).is_some(),
     };
     // What was proved to close whatever moves it needs no other proof.
-    let is_free = |closed: &Closed| {
+    let is_free = |closed: &ClosedForm| {
         let choice = choices.get(closed.number);
         choice.is_some_and(|choice| choice.watching.is_none())
     };
     let free = program.margins().filter(|(_, closed)| is_free(closed));
     let free: Vec<BlockId> = free.map(|(block, _)| block).collect();
     let tested = program.margins().filter(|(_, closed)| !is_free(closed));
-    let tested: Vec<Value> = tested.map(|(_, closed)| closed.slack).collect();
+    let tested: Vec<Value> = tested.map(|(_, closed)| closed.discriminant).collect();
     let read = domain.read(&tested, &whole);
     let ranges: Vec<Interval> = model
         .motor_ids()

@@ -8,7 +8,7 @@ use super::search::search;
 use super::step::{Cam, Connection, ConnectionKind, Loop, Source, Step};
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId, Model, Near};
-use crate::structure::{Diagnosis, LoopWay, OpenLoop};
+use crate::structure::{Diagnosis, LoopAssembly, OpenLoop};
 use std::f64::consts::TAU;
 
 /// No more assemblies than this are told apart from each other.
@@ -50,7 +50,7 @@ struct Draft<'m> {
     meshes: Vec<f64>,
     cams: Vec<CamStart>,
     /// Which of its ways each loop is closed in, in the order of the loops.
-    ways: Vec<usize>,
+    solutions: Vec<usize>,
 }
 
 /// Assembles a mechanism.
@@ -64,7 +64,7 @@ pub(super) fn assemble(
         placement: Placement::new(&mut Numbers, model),
         meshes: Vec::new(),
         cams: Vec::new(),
-        ways: Vec::new(),
+        solutions: Vec::new(),
     }];
     let mut many = false;
     let mut wishes: Vec<Near> = model.start.near.clone();
@@ -117,8 +117,8 @@ pub(super) fn assemble(
 
 /// Of very many drafts, keeps the first and those in which one loop is closed otherwise.
 fn keep_alike(drafts: &mut Vec<Draft<'_>>) {
-    if let Some(first) = drafts.first().map(|draft| draft.ways.clone()) {
-        drafts.retain(|draft| differing(&draft.ways, &first).count() <= 1);
+    if let Some(first) = drafts.first().map(|draft| draft.solutions.clone()) {
+        drafts.retain(|draft| differing(&draft.solutions, &first).count() <= 1);
     }
 }
 
@@ -241,7 +241,7 @@ impl Draft<'_> {
                 let [c, d] = self.placement.pose(to).direction;
                 (a * d - b * c).atan2(a * c + b * d)
             }
-            Source::Way(joint) => self.placement.sliding_coordinate(&mut Numbers, joint),
+            Source::Displacement(joint) => self.placement.sliding_coordinate(&mut Numbers, joint),
         }
     }
 }
@@ -262,11 +262,11 @@ fn closed<'m>(
             search(&equation, &|base| wanted(model, first, base), size(model))
         });
         match closure {
-            Closure::Ways(ways) => {
-                for (number, way) in ways.into_iter().enumerate() {
+            Closure::Solutions(solutions) => {
+                for (number, solution) in solutions.into_iter().enumerate() {
                     let mut draft = draft.clone();
-                    draft.ways.push(number);
-                    equation.place(&mut Numbers, &mut draft.placement, closing, &way);
+                    draft.solutions.push(number);
+                    equation.place(&mut Numbers, &mut draft.placement, closing, &solution);
                     found.push(draft);
                 }
             }
@@ -406,7 +406,8 @@ fn open_loops(model: &Model, steps: &[Step], drafts: &[Draft<'_>]) -> Vec<OpenLo
     };
     let open = |(number, closing): (usize, &Loop)| {
         let others = others.iter();
-        let others = others.filter(|draft| differing(&draft.ways, &first.ways).eq([number]));
+        let others =
+            others.filter(|draft| differing(&draft.solutions, &first.solutions).eq([number]));
         let all: Vec<&Draft<'_>> = std::iter::once(first).chain(others).collect();
         open_loop(model, steps, closing, &all)
     };
@@ -454,13 +455,13 @@ fn open_loop(
     });
     let joint = JointId::new(best(joints.collect())?.1);
     let link = LinkId::new(link);
-    let ways = drafts.iter().map(|draft| LoopWay {
+    let assemblies = drafts.iter().map(|draft| LoopAssembly {
         angle: angle(draft, link),
         coordinate: draft.coordinate(model, steps, joint),
     });
     Some(OpenLoop {
         joint,
         link,
-        ways: ways.collect(),
+        assemblies: assemblies.collect(),
     })
 }

@@ -13,7 +13,7 @@ const PARALLEL: f64 = 1e-14;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Closure {
     /// One or several, well apart.
-    Ways(Vec<Vec<Solution<f64>>>),
+    Solutions(Vec<Vec<Solution<f64>>>),
     /// It closes, but at a dead point.
     Dead,
     /// It does not close; this much is missing.
@@ -81,7 +81,7 @@ fn two_directions(goal: Vector, a: Vector, b: Vector) -> Closure {
     }
     let along = (d * d + ra * ra - rb * rb) / (2.0 * d);
     let across = area.sqrt() / (2.0 * d);
-    let ways = [1.0, -1.0].map(|side| {
+    let solutions = [1.0, -1.0].map(|side| {
         let unit = [goal[0] / d, goal[1] / d];
         let tip = turned(unit, [along, side * across]);
         let rest = [goal[0] - tip[0], goal[1] - tip[1]];
@@ -90,7 +90,7 @@ fn two_directions(goal: Vector, a: Vector, b: Vector) -> Closure {
             Solution::Direction(between(b, rest)),
         ]
     });
-    Closure::Ways(ways.map(Vec::from).to_vec())
+    Closure::Solutions(solutions.map(Vec::from).to_vec())
 }
 
 /// u·arm + t·along = goal, `along` fixed: a circle and a line.
@@ -106,12 +106,18 @@ fn guided_arm(goal: Vector, arm: Vector, along: Vector) -> Closure {
     if sine.is_nan() || sine < DEAD {
         return Closure::Dead;
     }
-    let ways = [1.0, -1.0].map(|side| {
-        let way = foot + side * square.sqrt();
-        let tip = [goal[0] - way * along[0], goal[1] - way * along[1]];
-        [Solution::Direction(between(arm, tip)), Solution::Slide(way)]
+    let solutions = [1.0, -1.0].map(|side| {
+        let displacement = foot + side * square.sqrt();
+        let tip = [
+            goal[0] - displacement * along[0],
+            goal[1] - displacement * along[1],
+        ];
+        [
+            Solution::Direction(between(arm, tip)),
+            Solution::Slide(displacement),
+        ]
     });
-    Closure::Ways(ways.map(Vec::from).to_vec())
+    Closure::Solutions(solutions.map(Vec::from).to_vec())
 }
 
 /// u·(arm + t·along) = goal: the line turns with the arm.
@@ -127,15 +133,18 @@ fn sleeve(goal: Vector, arm: Vector, along: Vector) -> Closure {
     if sine.is_nan() || sine < DEAD {
         return Closure::Dead;
     }
-    let ways = [1.0, -1.0].map(|side| {
-        let way = side * square.sqrt() - foot;
-        let tip = [arm[0] + way * along[0], arm[1] + way * along[1]];
+    let solutions = [1.0, -1.0].map(|side| {
+        let displacement = side * square.sqrt() - foot;
+        let tip = [
+            arm[0] + displacement * along[0],
+            arm[1] + displacement * along[1],
+        ];
         [
             Solution::Direction(between(tip, goal)),
-            Solution::Slide(way),
+            Solution::Slide(displacement),
         ]
     });
-    Closure::Ways(ways.map(Vec::from).to_vec())
+    Closure::Solutions(solutions.map(Vec::from).to_vec())
 }
 
 /// s·a + t·b = goal.
@@ -146,5 +155,5 @@ fn two_slides(goal: Vector, a: Vector, b: Vector) -> Closure {
     }
     let first = (goal[0] * b[1] - goal[1] * b[0]) / det;
     let second = (a[0] * goal[1] - a[1] * goal[0]) / det;
-    Closure::Ways(vec![vec![Solution::Slide(first), Solution::Slide(second)]])
+    Closure::Solutions(vec![vec![Solution::Slide(first), Solution::Slide(second)]])
 }

@@ -227,10 +227,10 @@ impl<S: Copy + PartialEq> Equation<S> {
         let mut columns = vec![zero; self.unknowns.len()];
         let mut arms = ring.arms.clone();
         for slide in &ring.slides {
-            let Solution::Slide(way) = now[slide.unknown] else {
+            let Solution::Slide(displacement) = now[slide.unknown] else {
                 continue;
             };
-            let part = algebra.scaled(way, slide.along);
+            let part = algebra.scaled(displacement, slide.along);
             let turning = slide.turned_by.map(|turning| (turning, &now[turning]));
             if let Some((turning, Solution::Direction(direction))) = turning {
                 arms[turning] = Some(match arms[turning] {
@@ -285,13 +285,15 @@ impl<S: Copy + PartialEq> Equation<S> {
                 ConnectionKind::Prismatic => {
                     let slide = Unknown::Slide(connection.joint);
                     let found = self.unknowns.iter().position(|unknown| *unknown == slide);
-                    if let Some(Solution::Slide(way)) = found.map(|unknown| solution[unknown]) {
-                        let way = if placement.as_declared(*connection) {
-                            way
+                    if let Some(Solution::Slide(displacement)) =
+                        found.map(|unknown| solution[unknown])
+                    {
+                        let displacement = if placement.as_declared(*connection) {
+                            displacement
                         } else {
-                            algebra.neg(way)
+                            algebra.neg(displacement)
                         };
-                        placement.connect(algebra, *connection, Coordinate::Slide(way));
+                        placement.connect(algebra, *connection, Coordinate::Slide(displacement));
                     }
                 }
             }

@@ -134,7 +134,7 @@ fn read_by(model: &Model, source: &Source) -> Vec<LinkId> {
     match *source {
         Source::Motor(_) => Vec::new(),
         Source::Angle { from, to } => vec![from, to],
-        Source::Way(joint) => match model.joint(joint).kind {
+        Source::Displacement(joint) => match model.joint(joint).kind {
             JointKind::Prismatic(from, to) => vec![model.axis(from).link, model.axis(to).link],
             _ => Vec::new(),
         },

@@ -111,8 +111,8 @@ impl<'m, S: Copy> Placement<'m, S> {
         let spot = self.spot(algebra, connection.from);
         let (facing, meeting) = match coordinate {
             Coordinate::Turn(turn) => (algebra.turned(heading, turn), spot),
-            Coordinate::Slide(way) => {
-                let offset = algebra.scaled(way, heading);
+            Coordinate::Slide(displacement) => {
+                let offset = algebra.scaled(displacement, heading);
                 (heading, algebra.plus(spot, offset))
             }
         };

@@ -35,7 +35,7 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
         STARTS * equation.unknowns.len()
     };
     let mut sequence = Halton(0);
-    let mut ways: Vec<Vec<Solution<f64>>> = Vec::new();
+    let mut solutions: Vec<Vec<Solution<f64>>> = Vec::new();
     let (mut least, mut dead) = (f64::INFINITY, false);
     for start in 0..starts {
         let mut now: Vec<Solution<f64>> = Vec::new();
@@ -54,14 +54,18 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
         }
         sequence.0 += 1;
         match newton(equation, now, size) {
-            Found::Way(way) if ways.iter().all(|known| far(known, &way, size)) => ways.push(way),
-            Found::Way(_) => {}
+            Found::Solution(solution)
+                if solutions.iter().all(|known| far(known, &solution, size)) =>
+            {
+                solutions.push(solution)
+            }
+            Found::Solution(_) => {}
             Found::Singular => dead = true,
             Found::Nothing(gap) => least = least.min(gap),
         }
     }
-    match (ways.is_empty(), dead) {
-        (false, _) => Closure::Ways(ways),
+    match (solutions.is_empty(), dead) {
+        (false, _) => Closure::Solutions(solutions),
         (true, true) => Closure::Dead,
         (true, false) => Closure::Gap(least),
     }
@@ -85,7 +89,7 @@ impl Halton {
 }
 
 enum Found {
-    Way(Vec<Solution<f64>>),
+    Solution(Vec<Solution<f64>>),
     /// It closes where its equations are singular.
     Singular,
     /// It does not close; this much was missing at last.
@@ -114,7 +118,7 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> F
             return if least <= 1e-7 * most {
                 Found::Singular
             } else {
-                Found::Way(now)
+                Found::Solution(now)
             };
         }
         // Square or, where joints are redundant, as good as possible.
@@ -132,7 +136,7 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> F
                     let length = cos.hypot(*sin);
                     (*cos, *sin) = (*cos / length, *sin / length);
                 }
-                Solution::Slide(way) => *way += step.clamp(-size, size),
+                Solution::Slide(displacement) => *displacement += step.clamp(-size, size),
             }
         }
     }

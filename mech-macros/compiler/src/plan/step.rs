@@ -1,7 +1,7 @@
 //! The steps by which every position becomes known.
 
 use super::equation::Unknown;
-use super::ledger::Rational;
+use super::linear_relations::Rational;
 use crate::bug::bug;
 use crate::model::{AxisId, JointId, LinkId, Model, MotorId};
 
@@ -66,7 +66,7 @@ pub enum Source {
         to: LinkId,
     },
     /// The coordinate of a sliding joint that loops have solved.
-    Way(JointId),
+    Displacement(JointId),
 }
 
 /// Joints whose coordinates are found together.

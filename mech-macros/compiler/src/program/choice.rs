@@ -50,8 +50,8 @@ pub struct Choice {
 impl Choice {
     /// Whether its dyad goes over to its other side at change points.
     #[must_use]
-    pub fn goes_over(&self) -> bool {
-        matches!(&self.watching, Some(watching) if watching.at_zero == AtZero::GoOver)
+    pub fn changes_branch(&self) -> bool {
+        matches!(&self.watching, Some(watching) if watching.at_zero == AtZero::ChangeBranch)
     }
 
     /// All loops by this method.

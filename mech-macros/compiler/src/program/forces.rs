@@ -6,14 +6,14 @@ pub enum Forces<V> {
     /// The torques of the motors, or their forces, that hold everything at rest.
     Holding(Vec<V>),
     /// What it takes to move in a given way.
-    Acting(Acting<V>),
+    InverseDynamics(InverseDynamics<V>),
     /// How everything moves under the torques of the motors.
     Inertia(Inertia<V>),
 }
 
 /// What it takes to move in a given way.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Acting<V> {
+pub struct InverseDynamics<V> {
     /// The torques of the motors, or their forces.
     pub torques: Vec<V>,
     /// For each joint what its first link does to its second: a force in the directions of the scene, and a torque about the
@@ -50,11 +50,15 @@ impl<V: Copy> Forces<V> {
             |values: &Vec<V>| -> Vec<W> { values.iter().map(|&value| each(value)).collect() };
         match self {
             Self::Holding(torques) => Forces::Holding(row(torques)),
-            Self::Acting(acting) => Forces::Acting(Acting {
-                torques: row(&acting.torques),
-                velocity_ratios: acting.velocity_ratios.iter().map(&mut row).collect(),
-                transmission: row(&acting.transmission),
-                reactions: acting
+            Self::InverseDynamics(inverse_dynamics) => Forces::InverseDynamics(InverseDynamics {
+                torques: row(&inverse_dynamics.torques),
+                velocity_ratios: inverse_dynamics
+                    .velocity_ratios
+                    .iter()
+                    .map(&mut row)
+                    .collect(),
+                transmission: row(&inverse_dynamics.transmission),
+                reactions: inverse_dynamics
                     .reactions
                     .iter()
                     .map(|reaction| reaction.map(&mut each))

@@ -7,7 +7,7 @@ use super::{Block, BlockKind, Program};
 pub(super) fn live(program: &Program) -> Vec<bool> {
     let mut live = vec![false; program.nodes.len()];
     let margins = program.blocks.iter().filter_map(|block| match &block.kind {
-        BlockKind::Closed(closed) => Some(closed.margin),
+        BlockKind::ClosedForm(closed) => Some(closed.margin),
         BlockKind::Straight | BlockKind::Newton(_) => None,
     });
     let mut waiting: Vec<Value> = program.roots().chain(margins).collect();
@@ -30,7 +30,7 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
 /// What an iteration needs.
 pub(super) fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
     match &blocks[block.index()].kind {
-        BlockKind::Straight | BlockKind::Closed(_) => Vec::new(),
+        BlockKind::Straight | BlockKind::ClosedForm(_) => Vec::new(),
         BlockKind::Newton(newton) => {
             let scalars = newton
                 .scalars

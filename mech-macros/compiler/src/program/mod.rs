@@ -6,7 +6,7 @@ mod build;
 mod builder;
 mod calibrate;
 mod choice;
-mod closed;
+mod closed_form;
 mod divided;
 mod forces;
 mod formula;
@@ -26,10 +26,10 @@ mod watch;
 pub use crate::plan::{Bound, Growth};
 pub use angle::JointAngle;
 pub(crate) use build::needed;
-pub use build::{Further, build, build_as, build_further};
+pub use build::{Output, build, build_as, derive};
 pub use choice::{Choice, Solver, Watching};
-pub use closed::{Closed, Form};
-pub use forces::{Acting, Forces, Inertia};
+pub use closed_form::{ClosedForm, Form};
+pub use forces::{Forces, Inertia, InverseDynamics};
 pub use mech_core::Real;
 pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
@@ -121,7 +121,7 @@ pub enum BlockKind {
     /// One operation after another.
     Straight,
     /// The same, closing a loop: with a margin to be tested.
-    Closed(Closed),
+    ClosedForm(ClosedForm),
     /// With an iteration in it.
     Newton(Newton),
 }
@@ -214,15 +214,15 @@ impl Program {
     pub fn newton(&self, block: BlockId) -> Option<&Newton> {
         match &self.blocks[block.index()].kind {
             BlockKind::Newton(newton) => Some(newton),
-            BlockKind::Straight | BlockKind::Closed(_) => None,
+            BlockKind::Straight | BlockKind::ClosedForm(_) => None,
         }
     }
 
     /// The closed form of a block, if it is one.
     #[must_use]
-    pub fn closed(&self, block: BlockId) -> Option<&Closed> {
+    pub fn closed_form(&self, block: BlockId) -> Option<&ClosedForm> {
         match &self.blocks[block.index()].kind {
-            BlockKind::Closed(closed) => Some(closed),
+            BlockKind::ClosedForm(closed) => Some(closed),
             BlockKind::Straight | BlockKind::Newton(_) => None,
         }
     }
@@ -232,7 +232,7 @@ impl Program {
     pub fn loop_of(&self, block: BlockId) -> Option<usize> {
         match &self.blocks[block.index()].kind {
             BlockKind::Straight => None,
-            BlockKind::Closed(closed) => Some(closed.number),
+            BlockKind::ClosedForm(closed) => Some(closed.number),
             BlockKind::Newton(newton) => Some(newton.number),
         }
     }
@@ -302,15 +302,15 @@ impl Program {
     }
 
     /// The closed forms that may fail to close: those whose margin is no constant, with their margins.
-    pub fn margins(&self) -> impl Iterator<Item = (BlockId, &Closed)> {
-        self.all_closed()
+    pub fn margins(&self) -> impl Iterator<Item = (BlockId, &ClosedForm)> {
+        self.closed_forms()
             .filter(|(_, closed)| !matches!(self.node(closed.margin).op, Op::Constant(_)))
     }
 
     /// All closed forms, in the order in which they are found.
-    pub fn all_closed(&self) -> impl Iterator<Item = (BlockId, &Closed)> {
+    pub fn closed_forms(&self) -> impl Iterator<Item = (BlockId, &ClosedForm)> {
         self.block_ids()
-            .filter_map(|block| Some((block, self.closed(block)?)))
+            .filter_map(|block| Some((block, self.closed_form(block)?)))
     }
 
     /// The ids of all blocks, in the order in which they run.

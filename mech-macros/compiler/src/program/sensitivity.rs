@@ -66,9 +66,9 @@ impl Program {
         let loops = self.block_ids().filter_map(|block| {
             let (values, number) = match &self.blocks[block.index()].kind {
                 BlockKind::Straight => return None,
-                BlockKind::Closed(closed) => {
+                BlockKind::ClosedForm(closed) => {
                     let found = closed.found.iter().copied();
-                    let values = found.chain([closed.slack, closed.sine]);
+                    let values = found.chain([closed.discriminant, closed.sine]);
                     (values.collect(), closed.number)
                 }
                 BlockKind::Newton(newton) => (iteration(&self.blocks, block), newton.number),

@@ -53,16 +53,16 @@ pub(super) fn force_lines(
     writeln!(text, "  acting    {}", parts.join("; "))?;
     let programs = [
         ("torques at rest", &forced.holding),
-        ("all forces", &forced.acting),
+        ("all forces", &forced.inverse_dynamics),
         ("inertia", &forced.inertia),
     ];
-    for (what, further) in programs {
-        if let Some(further) = further {
-            let more = cost::of_rates(program, further);
+    for (what, derived) in programs {
+        if let Some(derived) = derived {
+            let more = cost::of_rates(program, derived);
             writeln!(text, "  effects   {what}: {more} more")?;
         }
     }
-    if model.effects.force && forced.acting.is_none() {
+    if model.effects.force && forced.inverse_dynamics.is_none() {
         writeln!(
             text,
             "  reactions are not determined: joints hold links more than once"

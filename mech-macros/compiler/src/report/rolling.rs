@@ -58,7 +58,7 @@ pub(super) fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
             Source::Angle { from, to } => {
                 format!("angle of {} on {}", name(model, to), name(model, from))
             }
-            Source::Way(joint) => model.joint(joint).name.clone(),
+            Source::Displacement(joint) => model.joint(joint).name.clone(),
         };
         format!("{} · {source}", fraction(part))
     };

@@ -6,7 +6,7 @@ use crate::bug::bug;
 use crate::digits::rounded;
 use crate::model::{JointId, LinkId, Origin, Start};
 use crate::repair::Offers;
-use crate::structure::{Diagnosis, LoopWay, OpenLoop};
+use crate::structure::{Diagnosis, LoopAssembly, OpenLoop};
 
 /// More assemblies than these are not listed, but loop by loop.
 const LISTED: usize = 4;
@@ -90,8 +90,12 @@ impl Words<'_> {
             });
             let parts = parts.collect::<Vec<_>>().join(" ");
             let then = match loops {
-                [OpenLoop { joint, ways, .. }] => ways.get(number).map(|way| {
-                    let at = self.shown(*joint, way.coordinate);
+                [
+                    OpenLoop {
+                        joint, assemblies, ..
+                    },
+                ] => assemblies.get(number).map(|assembly| {
+                    let at = self.shown(*joint, assembly.coordinate);
                     format!(": {} is then at {at}", self.joint(*joint))
                 }),
                 _ => None,
@@ -107,24 +111,28 @@ impl Words<'_> {
 
     /// A statement for the first assembly, and for each loop what would close it otherwise.
     fn one_by_one(&self, loops: &[OpenLoop]) -> String {
-        let clause = |open: &OpenLoop, way: &LoopWay| {
-            let angles: Vec<Vec<f64>> = open.ways.iter().map(|way| vec![way.angle]).collect();
-            let angle = rounded(way.angle.to_degrees(), places_enough(1, &angles));
+        let clause = |open: &OpenLoop, assembly: &LoopAssembly| {
+            let angles: Vec<Vec<f64>> = open
+                .assemblies
+                .iter()
+                .map(|assembly| vec![assembly.angle])
+                .collect();
+            let angle = rounded(assembly.angle.to_degrees(), places_enough(1, &angles));
             format!("{} near {angle} deg;", self.model.link(open.link).name)
         };
         let first = loops
             .iter()
-            .filter_map(|open| Some(clause(open, open.ways.first()?)));
+            .filter_map(|open| Some(clause(open, open.assemblies.first()?)));
         let first: Vec<String> = first.collect();
         let others = loops.iter().map(|open| {
-            let Some((first, others)) = open.ways.split_first() else {
+            let Some((first, others)) = open.assemblies.split_first() else {
                 return String::new();
             };
             let joint = self.joint(open.joint);
             let first = self.shown(open.joint, first.coordinate);
-            let others = others.iter().map(|way| {
-                let there = self.shown(open.joint, way.coordinate);
-                format!("`{}` puts it at {there}", clause(open, way))
+            let others = others.iter().map(|assembly| {
+                let there = self.shown(open.joint, assembly.coordinate);
+                format!("`{}` puts it at {there}", clause(open, assembly))
             });
             let others: Vec<String> = others.collect();
             format!(

@@ -191,12 +191,12 @@ pub struct OpenLoop {
     /// The link by whose direction they differ most.
     pub link: LinkId,
     /// The ways, the first of them that of the first assembly.
-    pub ways: Vec<LoopWay>,
+    pub assemblies: Vec<LoopAssembly>,
 }
 
 /// One way in which a loop can be closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LoopWay {
+pub struct LoopAssembly {
     /// The angle of the link in the scene, in radians.
     pub angle: f64,
     /// The coordinate of the joint, in radians or scene units.

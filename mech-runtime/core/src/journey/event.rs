@@ -140,7 +140,7 @@ fn least_sine<T: Real, J: Journey<T>>(
         if is_zero(journey, &position, index) {
             // Beside an end rounding alone may hide a sign, so near to zero.
             return match watch.at_zero {
-                AtZero::GoOver | AtZero::Stop if narrowed == 0 => Event::Zero(at, index),
+                AtZero::ChangeBranch | AtZero::Stop if narrowed == 0 => Event::Zero(at, index),
                 _ => Event::None,
             };
         }
@@ -273,7 +273,7 @@ fn change_of_sign<T: Real, J: Journey<T>>(
             Ok(position) if is_zero(journey, &position, index) => {
                 return match journey.watch(index).at_zero {
                     AtZero::Stay => Event::None,
-                    AtZero::GoOver | AtZero::Stop => Event::Zero(middle, index),
+                    AtZero::ChangeBranch | AtZero::Stop => Event::Zero(middle, index),
                 };
             }
             Ok(position) if (journey.sine(&position, index) > T::ZERO) == positive => low = middle,

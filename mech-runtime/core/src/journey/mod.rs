@@ -43,7 +43,7 @@ pub enum AtZero {
     /// It has none: it touches a dead point at most.
     Stay,
     /// It goes over to its other side.
-    GoOver,
+    ChangeBranch,
     /// It is blocked.
     Stop,
 }

@@ -146,7 +146,7 @@ fn farther<T: Real, J: Journey<T>>(
     target: T,
 ) -> Option<T> {
     let stands = |index: &usize| {
-        journey.watch(*index).at_zero == AtZero::GoOver && is_zero(journey, &reach.to, *index)
+        journey.watch(*index).at_zero == AtZero::ChangeBranch && is_zero(journey, &reach.to, *index)
     };
     let goes_on = reach.stop.is_none() && target < T::ONE;
     let index = (0..journey.watches()).find(|index| goes_on && stands(index))?;
@@ -172,7 +172,7 @@ fn leave<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position, to: &J::Po
             match journey.watch(index).at_zero {
                 AtZero::Stay => {}
                 AtZero::Stop => return Leaving::Stopped(index),
-                AtZero::GoOver => {
+                AtZero::ChangeBranch => {
                     journey.turn_over(from, index);
                     leaving = Leaving::Other;
                 }
@@ -191,7 +191,7 @@ fn over<T: Real, J: Journey<T>>(
     reach.stop.as_ref()?;
     (0..journey.watches()).find_map(|index| {
         let watch = journey.watch(index);
-        let stands = watch.at_zero == AtZero::GoOver
+        let stands = watch.at_zero == AtZero::ChangeBranch
             && !watch.iterated
             && is_near_zero(journey, &reach.to, index);
         if !stands {
@@ -219,7 +219,7 @@ fn settle<T: Real, J: Journey<T>>(
     reach: &mut Reach<J::Position, J::Stop, T>,
 ) {
     let arrives = |index| {
-        journey.watch(index).at_zero == AtZero::GoOver
+        journey.watch(index).at_zero == AtZero::ChangeBranch
             && is_zero(journey, &reach.to, index)
             && !is_zero(journey, from, index)
     };

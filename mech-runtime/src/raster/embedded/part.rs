@@ -16,8 +16,8 @@ pub(super) fn common<const N: usize>(
     areas: [(Rectangle, Point); N],
     [width, height]: [usize; 2],
 ) -> Clip {
-    let columns = areas.map(|(area, way)| (area.top_left.x, way.x, area.size.width));
-    let rows = areas.map(|(area, way)| (area.top_left.y, way.y, area.size.height));
+    let columns = areas.map(|(area, offset)| (area.top_left.x, offset.x, area.size.width));
+    let rows = areas.map(|(area, offset)| (area.top_left.y, offset.y, area.size.height));
     let [columns, rows] = [within(columns, width), within(rows, height)];
     Clip {
         left: columns.start,
@@ -30,8 +30,8 @@ pub(super) fn common<const N: usize>(
 /// Which of `0..count` lie in all of these, each given by its beginning, how far it is moved, and its length.
 fn within<const N: usize>(ranges: [(i32, i32, u32); N], count: usize) -> Range<usize> {
     let mut common = 0..count;
-    for (start, way, length) in ranges {
-        let start = i64::from(start) + i64::from(way);
+    for (start, offset, length) in ranges {
+        let start = i64::from(start) + i64::from(offset);
         // What is negative is 0; no picture goes beyond what a `usize` counts.
         let [start, end] = [start, start + i64::from(length)]
             .map(|bound| usize::try_from(bound.max(0)).unwrap_or(usize::MAX));

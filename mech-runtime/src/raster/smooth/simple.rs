@@ -3,7 +3,7 @@
 use super::Soft;
 use super::descent::Descent;
 use super::flank::{self, Flank};
-use crate::raster::chain::Ways;
+use crate::raster::chain::Directions;
 use crate::raster::fixed;
 use crate::raster::memory::{Grid, Memory};
 use crate::raster::polygon::Rule;
@@ -28,7 +28,7 @@ impl<'c, F> Simple<'c, F> {
     {
         let mut extent: Option<[T; 2]> = None;
         let mut highest = 0;
-        let mut ways = Ways::new();
+        let mut directions = Directions::new();
         for index in 0..count {
             let [x, y] = corner(index);
             if !(Real::is_finite(x) && Real::is_finite(y)) {
@@ -39,10 +39,10 @@ impl<'c, F> Simple<'c, F> {
                 highest = index;
             }
             extent = Some([high.min(y), Real::max(low, y)]);
-            ways.go(y);
+            directions.go(y);
         }
         let rows = fixed::touched(extent?, height);
-        (ways.turns() <= 2).then_some(Self {
+        (directions.turns() <= 2).then_some(Self {
             corner,
             count,
             highest,
@@ -59,16 +59,16 @@ impl<'c, F> Simple<'c, F> {
             let tour = Tour::new(self.corner, self.count, self.highest, is_onward);
             Descent::new(tour)
         };
-        let mut ways = [descent(true), descent(false)];
+        let mut descents = [descent(true), descent(false)];
         let mut row = self.rows.start;
         while row < self.rows.end {
-            let whole = row..whole_until(&mut ways, row, self.rows.end);
+            let whole = row..whole_until(&mut descents, row, self.rows.end);
             if whole.is_empty() {
-                by_cover(picture, &mut ways, row, paint);
+                by_cover(picture, &mut descents, row, paint);
                 row += 1;
             } else {
                 row = whole.end;
-                between_sides(picture, &mut ways, whole, paint);
+                between_sides(picture, &mut descents, whole, paint);
             }
         }
     }
@@ -76,13 +76,13 @@ impl<'c, F> Simple<'c, F> {
 
 /// The end of the rows from this one on that one side each crosses from border to border.
 fn whole_until<T: Scalar, F: Fn(usize) -> [T; 2]>(
-    ways: &mut [Descent<'_, T, F>; 2],
+    descents: &mut [Descent<'_, T, F>; 2],
     row: usize,
     end: usize,
 ) -> usize {
     let top = fixed::border(row);
-    ways.iter_mut().fold(end, |end, way| {
-        let side = way.side_from(top).filter(|side| side.start <= top);
+    descents.iter_mut().fold(end, |end, descent| {
+        let side = descent.side_from(top).filter(|side| side.start <= top);
         side.map_or(row, |side| fixed::border_above(side.end, end))
     })
 }
@@ -90,14 +90,14 @@ fn whole_until<T: Scalar, F: Fn(usize) -> [T; 2]>(
 /// Paints rows that one side each crosses from border to border.
 fn between_sides<T: Scalar, F: Fn(usize) -> [T; 2], M: Memory>(
     picture: &mut Soft<M>,
-    ways: &mut [Descent<'_, T, F>; 2],
+    descents: &mut [Descent<'_, T, F>; 2],
     rows: Range<usize>,
     paint: [u8; 4],
 ) {
     #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
     let width = picture.width() as f32;
     let mut y = fixed::border::<T>(rows.start);
-    let [one, other] = ways;
+    let [one, other] = descents;
     let (Some(one), Some(other)) = (one.side_from(y), other.side_from(y)) else {
         return;
     };
@@ -115,21 +115,21 @@ fn between_sides<T: Scalar, F: Fn(usize) -> [T; 2], M: Memory>(
         {
             continue;
         }
-        by_cover(picture, ways, row, paint);
+        by_cover(picture, descents, row, paint);
     }
 }
 
 /// Paints a row by what the sides in it cover.
 fn by_cover<T: Scalar, F: Fn(usize) -> [T; 2], M: Memory>(
     picture: &mut Soft<M>,
-    ways: &mut [Descent<'_, T, F>; 2],
+    descents: &mut [Descent<'_, T, F>; 2],
     row: usize,
     paint: [u8; 4],
 ) {
     let borders = [row, row + 1].map(fixed::border::<T>);
     let [cover, ..] = &mut picture.covers;
-    for way in ways {
-        way.cover(borders, cover);
+    for descent in descents {
+        descent.cover(borders, cover);
     }
     // What is covered once is so by either rule.
     picture.paint(row, 0, Rule::NonZero, paint);

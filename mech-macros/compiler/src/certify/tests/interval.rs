@@ -150,11 +150,11 @@ proptest! {
             (a.low() * (1.0 - part) + a.high() * part).clamp(a.low(), a.high())
         });
         let step = a.width() / 1000.0;
-        let slack = step * step + 1e-15;
+        let discriminant = step * step + 1e-15;
         for (wave, number) in [(a.sin(), f64::sin as fn(f64) -> f64), (a.cos(), f64::cos)] {
             let least = numbers().map(number).fold(f64::INFINITY, f64::min);
             let most = numbers().map(number).fold(f64::NEG_INFINITY, f64::max);
-            prop_assert!(wave.low() >= least - slack && wave.high() <= most + slack, "{wave:?} {least} {most}");
+            prop_assert!(wave.low() >= least - discriminant && wave.high() <= most + discriminant, "{wave:?} {least} {most}");
         }
     }
 

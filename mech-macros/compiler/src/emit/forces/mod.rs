@@ -1,8 +1,8 @@
 //! What the struct of a mechanism has more if forces were asked for.
 
-mod acting;
 mod actions;
 mod dynamics;
+mod inverse_dynamics;
 mod stub;
 
 pub(super) use stub::stub;
@@ -75,8 +75,10 @@ pub(super) fn added(
     if let Some(holding) = &forced.holding {
         items.methods.extend(writer.holding(holding));
     }
-    if let Some(acting) = &forced.acting {
-        items.methods.extend(writer.acting(acting));
+    if let Some(inverse_dynamics) = &forced.inverse_dynamics {
+        items
+            .methods
+            .extend(writer.inverse_dynamics(inverse_dynamics));
     }
     if let Some(inertia) = &forced.inertia {
         items
@@ -91,18 +93,18 @@ pub(super) fn added(
     }
     let programs = [
         (&forced.holding, "TORQUES_COST", "the torques that hold it"),
-        (&forced.acting, "FORCES_COST", "all forces in it"),
+        (&forced.inverse_dynamics, "FORCES_COST", "all forces in it"),
         (
             &forced.inertia,
             "INERTIA_COST",
             "its inertia and what drives it",
         ),
     ];
-    for (further, name, what) in programs {
-        if let Some(further) = further {
-            let cost = more((program, further), name, what, visibility);
+    for (derived, name, what) in programs {
+        if let Some(derived) = derived {
+            let cost = more((program, derived), name, what, visibility);
             items.methods.extend(cost);
-            items.steps.extend(step(krate, further));
+            items.steps.extend(step(krate, derived));
         }
     }
     items

@@ -52,7 +52,7 @@ impl Influence {
             waiting.extend(node.op.operands());
             match &program.blocks[node.block.index()].kind {
                 BlockKind::Straight => {}
-                BlockKind::Closed(closed) => influence.note(closed.number),
+                BlockKind::ClosedForm(closed) => influence.note(closed.number),
                 kind @ BlockKind::Newton(newton) => {
                     influence.note(newton.number);
                     waiting.extend(roots(kind).into_iter().flat_map(|(_, roots)| roots));
@@ -71,7 +71,9 @@ impl Influence {
 fn roots(kind: &BlockKind) -> Option<(usize, Vec<Value>)> {
     match kind {
         BlockKind::Straight => None,
-        BlockKind::Closed(closed) => Some((closed.number, vec![closed.slack, closed.sine])),
+        BlockKind::ClosedForm(closed) => {
+            Some((closed.number, vec![closed.discriminant, closed.sine]))
+        }
         BlockKind::Newton(newton) => {
             let next = newton.scalars.iter().map(|scalar| scalar.next);
             let rates = newton.columns.iter().flatten();

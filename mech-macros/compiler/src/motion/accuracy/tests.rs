@@ -71,7 +71,7 @@ fn accepted(model: &Model) -> Compiled {
 fn rounds(program: &Program) -> Option<Rounds> {
     program.blocks.iter().find_map(|block| match &block.kind {
         BlockKind::Newton(newton) => Some(newton.rounds),
-        BlockKind::Straight | BlockKind::Closed(_) => None,
+        BlockKind::Straight | BlockKind::ClosedForm(_) => None,
     })
 }
 

@@ -8,7 +8,7 @@ use crate::certify::always::{Question, always_closes};
 use crate::certify::carried;
 use crate::certify::cone::{Cone, Cuts, Variable};
 use crate::plan::Solution;
-use crate::program::{BlockId, Closed, Form, Value};
+use crate::program::{BlockId, ClosedForm, Form, Value};
 use std::f64::consts::{PI, TAU};
 
 /// How many numbers may be found for a loop by itself, for one together with those before it, and for all loops.
@@ -22,7 +22,7 @@ const EACH: usize = 12_000;
 pub(super) fn prove(domain: &mut Domain<'_>) {
     let mut left = ALL + EACH * domain.known.len();
     let program = domain.cutter.program;
-    for (block, closed) in program.all_closed() {
+    for (block, closed) in program.closed_forms() {
         if domain.varying.contains(&closed.number) {
             continue;
         }
@@ -32,7 +32,12 @@ pub(super) fn prove(domain: &mut Domain<'_>) {
 }
 
 /// What is known of a loop if it is free.
-fn proved(domain: &Domain<'_>, block: BlockId, closed: &Closed, left: &mut usize) -> Option<Free> {
+fn proved(
+    domain: &Domain<'_>,
+    block: BlockId,
+    closed: &ClosedForm,
+    left: &mut usize,
+) -> Option<Free> {
     let asked = Asked::new(domain, block, closed);
     let alone = Cuts {
         own: Some(closed.number),
@@ -129,7 +134,7 @@ fn hangs_together(domain: &Domain<'_>, cone: &Cone, carriers: &[Carrier]) -> boo
 /// What is asked about a loop.
 struct Asked<'c> {
     block: BlockId,
-    closed: &'c Closed,
+    closed: &'c ClosedForm,
     /// Discriminant, floor, sine; the coordinates of its vectors; what it finds.
     outputs: Vec<Value>,
     /// Each of its unknowns, and what it is at the start, if it is a direction.
@@ -137,12 +142,12 @@ struct Asked<'c> {
 }
 
 impl<'c> Asked<'c> {
-    fn new(domain: &Domain<'_>, block: BlockId, closed: &'c Closed) -> Self {
+    fn new(domain: &Domain<'_>, block: BlockId, closed: &'c ClosedForm) -> Self {
         let solutions = (0..2).filter_map(|index| domain.solution(closed.number, index));
         let unknowns: Vec<(Solution<Value>, f64)> = solutions
             .map(|solution| (solution, domain.angle_at_start(&solution)))
             .collect();
-        let mut outputs = vec![closed.slack, closed.floor, closed.sine];
+        let mut outputs = vec![closed.discriminant, closed.tolerance, closed.sine];
         outputs.extend(closed.form.vectors().into_iter().flatten());
         for (solution, _) in &unknowns {
             match *solution {
@@ -212,8 +217,8 @@ impl<'c> Asked<'c> {
     ) -> Option<Free> {
         let question = Question {
             block: self.block,
-            slack: cone.outputs[0],
-            floor: cone.outputs[1],
+            discriminant: cone.outputs[0],
+            tolerance: cone.outputs[1],
             found: cone.outputs.clone(),
         };
         let mut free = Free {

@@ -15,7 +15,7 @@ mod touching;
 
 use crate::model::{AtChangePoints, Model};
 use crate::plan::{Bound, Plan, Turning};
-use crate::program::{AtZero, Choice, Closed, Growth, Program, Solver, Watching, build_as};
+use crate::program::{AtZero, Choice, ClosedForm, Growth, Program, Solver, Watching, build_as};
 pub(crate) use domain::{Domain, Read};
 use pace::Paces;
 
@@ -23,14 +23,14 @@ use pace::Paces;
 const NEAR_PINS: f64 = 0.1;
 
 /// What is decided for every loop, and for every angle that is followed over whole turns.
-pub(crate) struct Decided {
+pub(crate) struct Decisions {
     pub(crate) choices: Vec<Choice>,
     /// How fast each angle turns at most whose turns are counted.
     pub(crate) turning: Vec<(Turning, Bound)>,
 }
 
 /// Decides for every loop how it is watched; how it is solved is decided already.
-pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decided {
+pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decisions {
     // All dyads in closed form, each on the side on which it starts.
     let closed: Vec<Choice> = choices
         .iter()
@@ -48,27 +48,27 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
     free::prove(&mut domain);
     let mut paces = Paces::new(&domain);
     let all_free = program
-        .all_closed()
+        .closed_forms()
         .all(|(_, closed)| domain.known[closed.number].free.is_some());
     if !(all_free && program.followed.is_empty()) {
         paces.look_at_all();
     }
     let mut decided = choices;
-    for (_, closed) in program.all_closed() {
+    for (_, closed) in program.closed_forms() {
         let choice = &mut decided[closed.number];
         if let Some(free) = &domain.known[closed.number].free {
             choice.pins_near = free.least_distance_square < NEAR_PINS;
             continue;
         }
         let varies = domain.varying.contains(&closed.number);
-        let passes = if closed.sided {
+        let passes = if closed.has_branches {
             varies || !touching::only_ends(&domain, closed)
         } else {
             // Two lines may lie on each other, and go on.
             !varies
         };
         let at_zero = match (passes, model.change_points) {
-            (true, AtChangePoints::GoOn) => AtZero::GoOver,
+            (true, AtChangePoints::GoOn) => AtZero::ChangeBranch,
             (true, AtChangePoints::Stop) => AtZero::Stop,
             (true, AtChangePoints::KeepBranch) | (false, _) => AtZero::Stay,
         };
@@ -82,7 +82,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
     }
     // Where rolling ties unknowns there is no closed form, and nothing is proved.
     let at_zero = match model.change_points {
-        AtChangePoints::GoOn => AtZero::GoOver,
+        AtChangePoints::GoOn => AtZero::ChangeBranch,
         AtChangePoints::Stop => AtZero::Stop,
         AtChangePoints::KeepBranch => AtZero::Stay,
     };
@@ -99,7 +99,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
         .map(|(what, angle)| (*what, paces.of_angle(*angle)))
         .collect();
     watch_nearly_stuck(&mut paces, &program, &mut decided);
-    Decided {
+    Decisions {
         choices: decided,
         turning,
     }
@@ -108,7 +108,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
 /// A loop that never comes to its dead point, but nearly, makes later ones fast there: it is watched too, if a bound asks for it.
 fn watch_nearly_stuck(paces: &mut Paces<'_>, program: &Program, decided: &mut [Choice]) {
     // Bounds ask for earlier loops only.
-    let mut closed: Vec<&Closed> = program.all_closed().map(|(_, closed)| closed).collect();
+    let mut closed: Vec<&ClosedForm> = program.closed_forms().map(|(_, closed)| closed).collect();
     closed.sort_by_key(|closed| std::cmp::Reverse(closed.number));
     for closed in closed {
         let near = Growth::NearZero(closed.number);

@@ -13,7 +13,7 @@ use crate::certify::Interval;
 use crate::certify::cone::{Cone, Cuts, Variable};
 use crate::certify::slope::Slopes;
 use crate::plan::Solution;
-use crate::program::{Bound, Closed, Form, Growth, Value};
+use crate::program::{Bound, ClosedForm, Form, Growth, Value};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -78,7 +78,7 @@ impl<'d> Paces<'d> {
 
     /// Looks at all loops, one after another: what a loop needs is there before it.
     pub(super) fn look_at_all(&mut self) {
-        for (_, closed) in self.domain.cutter.program.all_closed() {
+        for (_, closed) in self.domain.cutter.program.closed_forms() {
             self.goal(closed.number);
         }
     }
@@ -88,7 +88,7 @@ impl<'d> Paces<'d> {
     }
 
     /// How fast the square of a loop's sine changes.
-    pub(super) fn of_sine(&mut self, closed: &Closed) -> Bound {
+    pub(super) fn of_sine(&mut self, closed: &ClosedForm) -> Bound {
         let goal = self.goal(closed.number).clone();
         let mut bound = Bound::still(self.inputs());
         match &closed.form {
@@ -139,8 +139,8 @@ impl<'d> Paces<'d> {
         &self.loops[&number]
     }
 
-    fn closed(&self, number: usize) -> Option<&'d Closed> {
-        let mut all = self.domain.cutter.program.all_closed();
+    fn closed(&self, number: usize) -> Option<&'d ClosedForm> {
+        let mut all = self.domain.cutter.program.closed_forms();
         all.find(|(_, closed)| closed.number == number)
             .map(|(_, closed)| closed)
     }
@@ -159,7 +159,7 @@ impl<'d> Paces<'d> {
             };
         };
         let vectors = closed.form.vectors();
-        let mut outputs = vec![closed.slack, closed.floor];
+        let mut outputs = vec![closed.discriminant, closed.tolerance];
         outputs.extend(vectors.iter().flatten());
         let cone = self.domain.cutter.cone(&outputs, &Cuts::ALONE);
         let (ranges, far) = self.ranges(&cone);
@@ -386,7 +386,7 @@ impl<'d> Paces<'d> {
 
     /// Looks at vectors on boxes of their variables, wherever the loop may close.
     fn swept(&mut self, cone: &Cone, ranges: &[Interval], form: &Form) -> Swept {
-        let [slack, floor] = [cone.outputs[0], cone.outputs[1]];
+        let [discriminant, tolerance] = [cone.outputs[0], cone.outputs[1]];
         let vectors: Vec<&[Value]> = cone.outputs[2..].chunks(2).collect();
         let count = cone.variables.len();
         let mut swept = Swept {
@@ -407,7 +407,7 @@ impl<'d> Paces<'d> {
         let mut closes = false;
         for place in boxes(ranges, self.boxes) {
             slopes.run(&place);
-            if slopes.value(slack).high() < -slopes.value(floor).abs().high() {
+            if slopes.value(discriminant).high() < -slopes.value(tolerance).abs().high() {
                 continue;
             }
             closes = true;
@@ -461,12 +461,12 @@ fn closes_nowhere_beyond(cone: &Cone, whole: &[Interval], (index, unit): (usize,
     if cone.outputs.len() < 2 {
         return false;
     }
-    let [slack, floor] = [cone.outputs[0], cone.outputs[1]];
+    let [discriminant, tolerance] = [cone.outputs[0], cone.outputs[1]];
     let mut slopes = Slopes::new(cone);
     [f64::INFINITY, f64::NEG_INFINITY].iter().all(|&end| {
         let mut place = whole.to_vec();
         place[index] = Interval::new(unit.copysign(end), end);
         slopes.run(&place);
-        slopes.value(slack).high() < -slopes.value(floor).abs().high()
+        slopes.value(discriminant).high() < -slopes.value(tolerance).abs().high()
     })
 }

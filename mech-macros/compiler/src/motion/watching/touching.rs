@@ -5,17 +5,17 @@ use crate::certify::Interval;
 use crate::certify::always::halves;
 use crate::certify::cone::{Cuts, Variable};
 use crate::certify::slope::Slopes;
-use crate::program::Closed;
+use crate::program::ClosedForm;
 
 /// On so many parts of its range at most it is looked at.
 const MOST_PARTS: usize = 512;
 
 /// Whether a loop has dead points only. Known is that only of a loop of one variable that goes on in one sense while motors do:
 /// where its discriminant is zero, it changes with the variable.
-pub(super) fn only_ends(domain: &Domain<'_>, closed: &Closed) -> bool {
+pub(super) fn only_ends(domain: &Domain<'_>, closed: &ClosedForm) -> bool {
     let cone = domain
         .cutter
-        .cone(&[closed.slack, closed.floor], &Cuts::ALONE);
+        .cone(&[closed.discriminant, closed.tolerance], &Cuts::ALONE);
     let goes_on = match cone.variables[..] {
         [Variable::Angle(angle)] => domain.cutter.parts(angle).is_some(),
         [Variable::Input(_)] => true,
@@ -24,7 +24,7 @@ pub(super) fn only_ends(domain: &Domain<'_>, closed: &Closed) -> bool {
     if !goes_on {
         return false;
     }
-    let [slack, floor] = [cone.outputs[0], cone.outputs[1]];
+    let [discriminant, tolerance] = [cone.outputs[0], cone.outputs[1]];
     let mut slopes = Slopes::new(&cone);
     let mut waiting: Vec<Vec<Interval>> = vec![
         cone.variables
@@ -37,10 +37,10 @@ pub(super) fn only_ends(domain: &Domain<'_>, closed: &Closed) -> bool {
             return true;
         };
         slopes.run(&place);
-        let floor = slopes.value(floor).abs().high();
-        let value = slopes.value(slack);
-        let is_away = value.low() > floor || value.high() < -floor;
-        if is_away || !slopes.slope(slack, 0).contains(0.0) {
+        let tolerance = slopes.value(tolerance).abs().high();
+        let value = slopes.value(discriminant);
+        let is_away = value.low() > tolerance || value.high() < -tolerance;
+        if is_away || !slopes.slope(discriminant, 0).contains(0.0) {
             continue;
         }
         match halves(&place, 0) {

@@ -20,7 +20,7 @@ impl Search<'_> {
         let (from, to) = self.link_of(cam.connection);
         let source = match cam.connection.kind {
             ConnectionKind::Revolute => Source::Angle { from, to },
-            ConnectionKind::Prismatic => Source::Way(cam.connection.joint),
+            ConnectionKind::Prismatic => Source::Displacement(cam.connection.joint),
         };
         self.source(source, &coordinate(cam.connection, (from, to)), how.clone());
         self.merge(&[from, to], &how);
@@ -31,7 +31,9 @@ impl Search<'_> {
     /// How a cam moves its follower, if its shaft is known and the follower is not.
     fn driven(&self, by: JointId, shaft: JointId, follower: JointId) -> Option<Cam> {
         let (shaft, follower) = (self.declared(shaft)?, self.declared(follower)?);
-        let parts = self.ledger.value(&coordinate(shaft, self.link_of(shaft)))?;
+        let parts = self
+            .relations
+            .value(&coordinate(shaft, self.link_of(shaft)))?;
         let (from, to) = self.link_of(follower);
         let turns = follower.kind == ConnectionKind::Revolute;
         let held = turns && self.aligned.equiv(from.index(), to.index());

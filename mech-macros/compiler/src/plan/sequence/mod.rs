@@ -10,7 +10,7 @@ use super::between::{Between, pivot, rings};
 use super::cluster::Clusters;
 use super::coupled::{self, Block};
 use super::knowledge::Knowledge;
-use super::ledger::{Ledger, Linear};
+use super::linear_relations::{LinearForm, LinearRelations};
 use super::step::{Connection, ConnectionKind, Drive, Loop, Source, Step};
 use super::tight;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
@@ -56,7 +56,7 @@ struct Search<'m> {
     /// For each joint whose coordinate is known, how.
     known: Vec<Option<Knowledge>>,
     /// What rolls ties; empty, and not kept, if nothing rolls.
-    ledger: Ledger,
+    relations: LinearRelations,
     sources: Vec<Source>,
     /// Links whose directions relative to each other are given by what was known before anything rolled: they slide on each
     /// other, or their clusters were merged. A joint between them has no start of its own to be chosen.
@@ -75,7 +75,7 @@ impl<'m> Search<'m> {
             steps: Vec::new(),
             loops: 0,
             known: vec![None; model.joints.len()],
-            ledger: Ledger::default(),
+            relations: LinearRelations::default(),
             sources: Vec::new(),
             aligned: UnionFind::new(model.links.len()),
             behind: Vec::new(),
@@ -292,15 +292,15 @@ impl<'m> Search<'m> {
                 from: first,
                 to: base,
             };
-            self.source(angle, &Linear::turn(first, base), how.clone());
+            self.source(angle, &LinearForm::turn(first, base), how.clone());
         }
         for connection in found
             .connections()
             .filter(|connection| connection.kind == ConnectionKind::Prismatic)
         {
             self.source(
-                Source::Way(connection.joint),
-                &Linear::slide(connection.joint),
+                Source::Displacement(connection.joint),
+                &LinearForm::slide(connection.joint),
                 how.clone(),
             );
         }

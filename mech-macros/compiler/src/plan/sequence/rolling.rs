@@ -5,7 +5,7 @@ use crate::bug::bug;
 use crate::model::{JointKind, LinkId};
 use crate::plan::equation::Unknown;
 use crate::plan::knowledge::Knowledge;
-use crate::plan::ledger::{Linear, Rational};
+use crate::plan::linear_relations::{LinearForm, Rational};
 use crate::plan::step::{Connection, ConnectionKind, Mesh, Source, Step, Tie};
 use crate::structure::{Factor, Pin, Rolling, RollingEnd};
 use num_rational::BigRational;
@@ -28,20 +28,20 @@ impl Search<'_> {
         for joint in self.model.joint_ids() {
             if let JointKind::Prismatic(..) | JointKind::Weld(..) = self.model.joint(joint).kind {
                 let (a, b) = self.model.ends(joint);
-                self.ledger.relate(&Linear::turn(a, b));
+                self.relations.add(&LinearForm::turn(a, b));
                 self.aligned.union(a.index(), b.index());
             }
         }
         for rolling in &self.structure.rollings {
-            self.ledger.relate(&relation(rolling));
+            self.relations.add(&relation(rolling));
         }
     }
 
     /// Enters a known quantity into the ledger, unless it follows from others.
-    pub(super) fn source(&mut self, source: Source, quantity: &Linear, behind: Knowledge) {
-        if self.keeps_ledger() && self.ledger.value(quantity).is_none() {
-            let number = Linear::source(self.sources.len());
-            self.ledger.relate(&quantity.clone().plus(&-one(), &number));
+    pub(super) fn source(&mut self, source: Source, quantity: &LinearForm, behind: Knowledge) {
+        if self.keeps_ledger() && self.relations.value(quantity).is_none() {
+            let number = LinearForm::source(self.sources.len());
+            self.relations.add(&quantity.clone().plus(&-one(), &number));
             self.sources.push(source);
             self.behind.push(behind);
         }
@@ -84,14 +84,14 @@ impl Search<'_> {
         let (free, quantity) = match connection.kind {
             ConnectionKind::Revolute => (
                 !self.aligned.equiv(from.index(), to.index()),
-                Linear::turn(from, to),
+                LinearForm::turn(from, to),
             ),
             ConnectionKind::Prismatic => (true, self.along(connection)),
         };
         if !free || self.clusters.joined(from, to) {
             return None;
         }
-        let parts = self.ledger.value(&quantity)?;
+        let parts = self.relations.value(&quantity)?;
         Some(Mesh {
             by: rolling.joint,
             connection,
@@ -116,13 +116,13 @@ impl Search<'_> {
     }
 
     /// The way along a sliding connection, for one who walks it.
-    pub(super) fn along(&self, connection: Connection) -> Linear {
-        let slide = Linear::slide(connection.joint);
+    pub(super) fn along(&self, connection: Connection) -> LinearForm {
+        let slide = LinearForm::slide(connection.joint);
         let declared = self.model.ends(connection.joint) == self.link_of(connection);
         if declared {
             slide
         } else {
-            Linear::default().plus(&-one(), &slide)
+            LinearForm::default().plus(&-one(), &slide)
         }
     }
 
@@ -169,11 +169,15 @@ impl Search<'_> {
             }
         }
         let combination = |unknown: &Unknown| match *unknown {
-            Unknown::Direction(base) => Linear::turn(first, base),
-            Unknown::Slide(joint) => Linear::slide(joint),
+            Unknown::Direction(base) => LinearForm::turn(first, base),
+            Unknown::Slide(joint) => LinearForm::slide(joint),
         };
-        let combinations: Vec<Linear> = unknowns.iter().map(combination).collect();
-        let ties = self.ledger.ties(&combinations).into_iter().zip(&unknowns);
+        let combinations: Vec<LinearForm> = unknowns.iter().map(combination).collect();
+        let ties = self
+            .relations
+            .ties(&combinations)
+            .into_iter()
+            .zip(&unknowns);
         ties.filter_map(|(parts, &of)| {
             let (own, sources) = parts?;
             let parts = own
@@ -191,29 +195,29 @@ fn one() -> Rational {
 }
 
 /// The coordinate of a connection that is walked as its joint is declared.
-pub(super) fn coordinate(connection: Connection, (from, to): (LinkId, LinkId)) -> Linear {
+pub(super) fn coordinate(connection: Connection, (from, to): (LinkId, LinkId)) -> LinearForm {
     match connection.kind {
-        ConnectionKind::Revolute => Linear::turn(from, to),
-        ConnectionKind::Prismatic => Linear::slide(connection.joint),
+        ConnectionKind::Revolute => LinearForm::turn(from, to),
+        ConnectionKind::Prismatic => LinearForm::slide(connection.joint),
     }
 }
 
 /// What rolling says: this combination is constant.
-fn relation(rolling: &Rolling) -> Linear {
+fn relation(rolling: &Rolling) -> LinearForm {
     rolling
         .ends
         .iter()
-        .fold(Linear::default(), |sum, (end, factor)| {
+        .fold(LinearForm::default(), |sum, (end, factor)| {
             let factor = exactly(*factor);
             match *end {
                 RollingEnd::Wheel(wheel) => {
-                    sum.plus(&factor, &Linear::turn(rolling.carrier, wheel))
+                    sum.plus(&factor, &LinearForm::turn(rolling.carrier, wheel))
                 }
                 RollingEnd::Bar {
                     slide, forwards, ..
                 } => {
                     let factor = if forwards { factor } else { -factor };
-                    sum.plus(&factor, &Linear::slide(slide))
+                    sum.plus(&factor, &LinearForm::slide(slide))
                 }
             }
         })

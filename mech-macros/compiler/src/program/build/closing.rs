@@ -9,7 +9,7 @@ use crate::program::choice::{MOST_ROUNDS, Solver};
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
 use crate::program::stored::number_among_all;
-use crate::program::{BlockKind, Closed};
+use crate::program::{BlockKind, ClosedForm};
 
 /// An unknown: what it is called, and where the iteration starts.
 pub(super) type First = (String, Solution<Value>);
@@ -57,7 +57,7 @@ impl Writer<'_> {
         }
         let first = self.placement.base(closing.first().from);
         let choice = self.choice();
-        if (choice.solver == Solver::ClosedForm || choice.goes_over())
+        if (choice.solver == Solver::ClosedForm || choice.changes_branch())
             && let Some(solution) = self.in_closed_form(block, closing, &equation, (first, &place))
         {
             equation.place(&mut self.builder, &mut self.placement, closing, &solution);
@@ -132,7 +132,7 @@ impl Writer<'_> {
         let choice = self.choice();
         let (closed, solution) = self.dyad(closing, equation, &solutions, &choice)?;
         let is = Watchable {
-            has_branch: closed.sided && choice.goes_over(),
+            has_branch: closed.has_branches && choice.changes_branch(),
             iterated: false,
         };
         self.watch_loop(block, [closed.sine, closed.rounding_square], is);
@@ -141,22 +141,22 @@ impl Writer<'_> {
                 Solution::Direction(direction) => {
                     self.builder.name_direction(direction, name);
                 }
-                Solution::Slide(way) => {
-                    self.builder.name(way, name);
+                Solution::Slide(displacement) => {
+                    self.builder.name(displacement, name);
                 }
             }
         }
         let numbers = solution.iter().flat_map(|found| match *found {
             Solution::Direction(direction) => direction.to_vec(),
-            Solution::Slide(way) => vec![way],
+            Solution::Slide(displacement) => vec![displacement],
         });
-        let closed = Closed {
+        let closed = ClosedForm {
             place: place.to_owned(),
             found: numbers.collect(),
             ..closed
         };
         if let Some(block) = self.builder.blocks.last_mut() {
-            block.kind = BlockKind::Closed(closed);
+            block.kind = BlockKind::ClosedForm(closed);
         }
         Some(solution)
     }
@@ -190,12 +190,12 @@ impl Writer<'_> {
         if !self.model.joints.iter().any(slides) {
             return varying;
         }
-        let ways = now.iter().filter_map(|solution| match solution {
-            Solution::Slide(way) => Some(*way),
+        let displacements = now.iter().filter_map(|solution| match solution {
+            Solution::Slide(displacement) => Some(*displacement),
             Solution::Direction(_) => None,
         });
         let mut extent = self.builder.constant(0.0);
-        for length in ways.chain(equation.rings.iter().flat_map(|ring| ring.offset)) {
+        for length in displacements.chain(equation.rings.iter().flat_map(|ring| ring.offset)) {
             let length = self.builder.abs(length);
             extent = self.builder.add(extent, length);
         }
@@ -267,19 +267,19 @@ impl Writer<'_> {
             }
             Unknown::Slide(joint) => {
                 let name = self.model.joint(joint).name.clone();
-                let way = match self.model.joint(joint).kind {
+                let displacement = match self.model.joint(joint).kind {
                     JointKind::Prismatic(from, to) => {
                         let (from, to) = (self.model.axis(from), self.model.axis(to));
                         let (start, end) = (self.last_pose(from.link), self.last_pose(to.link));
                         let heading = start.turn(&mut self.builder, from.direction);
                         let start = start.carry(&mut self.builder, from);
                         let end = end.carry(&mut self.builder, to);
-                        let way = self.builder.minus(end, start);
-                        self.builder.dot(heading, way)
+                        let displacement = self.builder.minus(end, start);
+                        self.builder.dot(heading, displacement)
                     }
                     _ => self.builder.constant(0.0),
                 };
-                (name, Solution::Slide(way))
+                (name, Solution::Slide(displacement))
             }
         }
     }
@@ -382,7 +382,7 @@ impl Writer<'_> {
                 Solution::Direction(direction) => {
                     next.extend(self.turned_by(direction, step, name));
                 }
-                Solution::Slide(way) => next.push(self.builder.add(way, step)),
+                Solution::Slide(displacement) => next.push(self.builder.add(displacement, step)),
             }
         }
         let scalars: Vec<Scalar> = scalars
@@ -478,7 +478,7 @@ impl Writer<'_> {
                 scalar(format!("{name}_cos"), cos),
                 scalar(format!("{name}_sin"), sin),
             ]),
-            Solution::Slide(way) => Solution::Slide(scalar(name.to_owned(), way)),
+            Solution::Slide(displacement) => Solution::Slide(scalar(name.to_owned(), displacement)),
         }
     }
 

@@ -8,7 +8,7 @@ use super::Writer;
 use super::size::Size;
 use crate::plan::{Algebra, Equation, Loop, Slide, Solution, Unknown};
 use crate::program::choice::Choice;
-use crate::program::closed::{Closed, Form};
+use crate::program::closed_form::{ClosedForm, Form};
 use crate::program::node::{Op, Value};
 
 /// A gap, in units of rounding of the loop's size, that passes for closed.
@@ -22,8 +22,8 @@ type Vector = [Value; 2];
 /// What a closed form finds.
 struct Found {
     solution: Vec<Solution<Value>>,
-    slack: Value,
-    floor: Value,
+    discriminant: Value,
+    tolerance: Value,
     /// What is not negative if it closes, where slack and floor do not tell.
     closes: Option<Value>,
     sine: Value,
@@ -48,7 +48,7 @@ impl Writer<'_> {
         equation: &Equation<Value>,
         firsts: &[Solution<Value>],
         choice: &Choice,
-    ) -> Option<(Closed, Vec<Solution<Value>>)> {
+    ) -> Option<(ClosedForm, Vec<Solution<Value>>)> {
         let ([ring], [first, second]) = (&equation.rings[..], &equation.unknowns[..]) else {
             return None;
         };
@@ -83,7 +83,7 @@ impl Writer<'_> {
         let margin = match (choice.proved, found.closes) {
             (true, _) => self.builder.constant(1.0),
             (false, Some(closes)) => closes,
-            (false, None) => self.builder.add(found.slack, found.floor),
+            (false, None) => self.builder.add(found.discriminant, found.tolerance),
         };
         let arms: Vec<Value> = ring.arms.iter().flatten().flatten().copied().collect();
         let margin = if self.any_varies(&arms) {
@@ -91,15 +91,15 @@ impl Writer<'_> {
         } else {
             margin
         };
-        let closed = Closed {
+        let closed = ClosedForm {
             number: self.loops - 1,
             place: String::new(),
-            slack: found.slack,
-            floor: found.floor,
+            discriminant: found.discriminant,
+            tolerance: found.tolerance,
             margin: self.builder.name(margin, "margin"),
             sine: found.sine,
             rounding_square: found.rounding_square,
-            sided: !matches!(first, Unknown::Slide(_)),
+            has_branches: !matches!(first, Unknown::Slide(_)),
             found: Vec::new(),
             form: found.form,
         };
@@ -133,8 +133,8 @@ impl Writer<'_> {
         );
         let (outer, inner) = (builder.mul(sum, sum), builder.mul(difference, difference));
         let (inside, outside) = (builder.sub(outer, square), builder.sub(square, inner));
-        let slack = builder.mul(inside, outside);
-        let slack = builder.name(slack, "discriminant");
+        let discriminant = builder.mul(inside, outside);
+        let discriminant = builder.name(discriminant, "discriminant");
         // A gap of `g` makes the discriminant −g · 2d · 4ab at a dead point: at the outer with a distance d of s = a + b, at the
         // inner of m = |a − b|. For all between, d is taken as the chord of the root of its square: (d² + sm) / (s + m).
         let product = builder.mul(a_length, b_length);
@@ -145,14 +145,14 @@ impl Writer<'_> {
         let scale = builder.mul(gap, product);
         let scale = builder.div(scale, both);
         let chord = builder.add(square, within);
-        let floor = builder.mul(scale, chord);
-        let root = self.root(slack, choice);
+        let tolerance = builder.mul(scale, chord);
+        let root = self.root(discriminant, choice);
         let signed = self.on_side(root, side);
         let [long, short, wide] =
             [a_length, b_length, product].map(|value| self.builder.at_start(value));
         let size = self.size_or(sum, long + short);
         let alike = size.varies() || (long - short).abs() <= 1e-9 * (long + short);
-        let pins_meet = choice.goes_over() && alike;
+        let pins_meet = choice.changes_branch() && alike;
         let aside = if pins_meet {
             self.nearest_side(goal, a, square, size, (root, signed), firsts[0])
         } else {
@@ -211,8 +211,8 @@ impl Writer<'_> {
         let rounding_square = self.rounding_square(shift, rounded);
         Found {
             solution: directions.map(Solution::Direction).to_vec(),
-            slack,
-            floor,
+            discriminant,
+            tolerance,
             closes: None,
             sine,
             rounding_square,
@@ -280,8 +280,8 @@ impl Writer<'_> {
         let height = builder.cross(along, goal);
         let height = builder.name(height, "height");
         let side = match firsts[1] {
-            Solution::Slide(way) => {
-                let beyond = builder.sub(way, foot);
+            Solution::Slide(displacement) => {
+                let beyond = builder.sub(displacement, foot);
                 self.side(choice, beyond)
             }
             Solution::Direction(_) => Side::Fixed(true),
@@ -290,14 +290,14 @@ impl Writer<'_> {
         let square = builder.dot(arm, arm);
         let radius = builder.sqrt(square);
         let (below, above) = (builder.sub(radius, height), builder.add(radius, height));
-        let slack = builder.mul(below, above);
-        let slack = builder.name(slack, "discriminant");
+        let discriminant = builder.mul(below, above);
+        let discriminant = builder.name(discriminant, "discriminant");
         let size = self.size(&[goal, arm]);
-        let floor = self.rounding(size, radius);
-        let root = self.root(slack, choice);
+        let tolerance = self.rounding(size, radius);
+        let root = self.root(discriminant, choice);
         let root = self.on_side(root, side);
         let builder = &mut self.builder;
-        let way = builder.add(foot, root);
+        let displacement = builder.add(foot, root);
         // What is left for the arm: across the line the height, along it back from where the line was left.
         let across = [builder.neg(along[1]), along[0]];
         let (up, back) = (builder.scaled(height, across), builder.scaled(root, along));
@@ -324,9 +324,12 @@ impl Writer<'_> {
             direction
         };
         Found {
-            solution: vec![Solution::Direction(direction), Solution::Slide(way)],
-            slack,
-            floor,
+            solution: vec![
+                Solution::Direction(direction),
+                Solution::Slide(displacement),
+            ],
+            discriminant,
+            tolerance,
             closes: None,
             sine,
             rounding_square,
@@ -347,8 +350,8 @@ impl Writer<'_> {
         let foot = builder.dot(arm, along);
         let height = builder.cross(along, arm);
         let side = match firsts[1] {
-            Solution::Slide(way) => {
-                let beyond = builder.add(way, foot);
+            Solution::Slide(displacement) => {
+                let beyond = builder.add(displacement, foot);
                 self.side(choice, beyond)
             }
             Solution::Direction(_) => Side::Fixed(true),
@@ -357,16 +360,16 @@ impl Writer<'_> {
         let square = builder.dot(goal, goal);
         let square = builder.name(square, "distance_square");
         let height_square = builder.mul(height, height);
-        let slack = builder.sub(square, height_square);
-        let slack = builder.name(slack, "discriminant");
+        let discriminant = builder.sub(square, height_square);
+        let discriminant = builder.name(discriminant, "discriminant");
         let size = self.size(&[goal, arm]);
         let at_start = self.size_at_start(&[goal, arm]);
         let height_size = self.builder.abs(height);
-        let floor = self.rounding(size, height_size);
-        let root = self.root(slack, choice);
+        let tolerance = self.rounding(size, height_size);
+        let root = self.root(discriminant, choice);
         let root = self.on_side(root, side);
         let builder = &mut self.builder;
-        let way = builder.sub(root, foot);
+        let displacement = builder.sub(root, foot);
         let across = [builder.neg(along[1]), along[0]];
         let (up, out) = (builder.scaled(height, across), builder.scaled(root, along));
         let tip = builder.plus(up, out);
@@ -396,15 +399,18 @@ impl Writer<'_> {
             Size::Fixed(size) => self.builder.at_start(height).abs() <= 1e-9 * size,
             Size::Varying(_) => true,
         };
-        let direction = if choice.goes_over() && through {
+        let direction = if choice.changes_branch() && through {
             self.unless_pins_meet(square, size, direction, firsts[0])
         } else {
             direction
         };
         Found {
-            solution: vec![Solution::Direction(direction), Solution::Slide(way)],
-            slack,
-            floor,
+            solution: vec![
+                Solution::Direction(direction),
+                Solution::Slide(displacement),
+            ],
+            discriminant,
+            tolerance,
             closes: None,
             sine,
             rounding_square,
@@ -431,20 +437,20 @@ impl Writer<'_> {
         let one = builder.constant(1.0);
         let inverse = builder.div(one, det);
         let (p, q) = (builder.cross(goal, b), builder.cross(a, goal));
-        let ways = [builder.mul(p, inverse), builder.mul(q, inverse)];
+        let displacements = [builder.mul(p, inverse), builder.mul(q, inverse)];
         let least = -4.0 * self.model.precision.epsilon();
-        let floor = builder.constant(least);
+        let tolerance = builder.constant(least);
         let form = Form::TwoLines { goal, lines };
-        if !choice.goes_over() {
+        if !choice.changes_branch() {
             let positive = builder.at_start(det) > 0.0;
-            let slack = if positive { det } else { builder.neg(det) };
+            let discriminant = if positive { det } else { builder.neg(det) };
             return Found {
-                solution: ways.map(Solution::Slide).to_vec(),
-                slack,
-                floor,
+                solution: displacements.map(Solution::Slide).to_vec(),
+                discriminant,
+                tolerance,
                 closes: None,
                 sine: det,
-                rounding_square: floor,
+                rounding_square: tolerance,
                 form,
             };
         }
@@ -456,12 +462,12 @@ impl Writer<'_> {
         let apart = builder.sub(square, rounding_square);
         let apart = builder.name(apart, "apart");
         let mut solution = Vec::new();
-        for (way, last) in ways.into_iter().zip(firsts) {
-            let way = match *last {
-                Solution::Slide(last) => builder.make(Op::Choose(apart, way, last)),
-                Solution::Direction(_) => way,
+        for (displacement, last) in displacements.into_iter().zip(firsts) {
+            let displacement = match *last {
+                Solution::Slide(last) => builder.make(Op::Choose(apart, displacement, last)),
+                Solution::Direction(_) => displacement,
             };
-            solution.push(Solution::Slide(way));
+            solution.push(Solution::Slide(displacement));
         }
         let size = self.size(&[goal]);
         let reach = self.builder.dot(goal, goal);
@@ -479,8 +485,8 @@ impl Writer<'_> {
         let closes = self.builder.make(Op::Choose(apart, one, on_each_other));
         Found {
             solution,
-            slack: self.builder.abs(det),
-            floor,
+            discriminant: self.builder.abs(det),
+            tolerance,
             closes: Some(closes),
             sine: det,
             rounding_square,
@@ -493,7 +499,7 @@ impl Writer<'_> {
         let positive = choice
             .side
             .unwrap_or_else(|| self.builder.at_start(tells) > 0.0);
-        if choice.goes_over() {
+        if choice.changes_branch() {
             let sine = if positive { 1.0 } else { -1.0 };
             Side::Carried(self.keep(sine))
         } else {
@@ -502,14 +508,14 @@ impl Writer<'_> {
     }
 
     /// The root of a discriminant; what rounding made negative is zero.
-    fn root(&mut self, slack: Value, choice: &Choice) -> Value {
-        let slack = if choice.proved {
-            slack
+    fn root(&mut self, discriminant: Value, choice: &Choice) -> Value {
+        let discriminant = if choice.proved {
+            discriminant
         } else {
             let zero = self.builder.constant(0.0);
-            self.builder.max(slack, zero)
+            self.builder.max(discriminant, zero)
         };
-        let root = self.builder.sqrt(slack);
+        let root = self.builder.sqrt(discriminant);
         self.builder.name(root, "root")
     }
 

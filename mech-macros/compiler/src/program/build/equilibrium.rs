@@ -24,21 +24,21 @@ const PASSES: usize = 3;
 /// Chooses one of several ways to write the equations of each link, three at a time, so that as few as possible have to be solved
 /// together. Gives the choices and the blocks, in the order in which they are solved; none if they do not determine the unknowns.
 pub(super) fn chosen(
-    ways: &[Vec<[Vec<usize>; 3]>],
+    alternatives: &[Vec<[Vec<usize>; 3]>],
     unknowns: usize,
 ) -> Option<(Vec<usize>, Vec<Together>)> {
-    let mut choices = vec![0; ways.len()];
+    let mut choices = vec![0; alternatives.len()];
     let pattern = |choices: &[usize]| -> Pattern {
-        let chosen = ways.iter().zip(choices);
+        let chosen = alternatives.iter().zip(choices);
         chosen
-            .flat_map(|(ways, &choice)| ways[choice].clone())
+            .flat_map(|(alternatives, &choice)| alternatives[choice].clone())
             .collect()
     };
     let mut best = blocks(&pattern(&choices), unknowns)?;
     for _ in 0..PASSES {
         let before = work(&best);
-        for link in 0..ways.len() {
-            for other in 0..ways[link].len() {
+        for link in 0..alternatives.len() {
+            for other in 0..alternatives[link].len() {
                 let mut tried = choices.clone();
                 tried[link] = other;
                 if let Some(found) = blocks(&pattern(&tried), unknowns)

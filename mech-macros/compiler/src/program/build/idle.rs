@@ -28,7 +28,7 @@ impl Program {
     /// The blocks of the loops whose solution some pose depends on, or the solution or the test of such a loop.
     fn reached_loops(&self) -> Vec<BlockId> {
         let mut found = vec![None; self.nodes.len()];
-        for (block, closed) in self.all_closed() {
+        for (block, closed) in self.closed_forms() {
             for value in &closed.found {
                 // A value that was known before is not found by closing the loop.
                 if self.node(*value).block == block {
@@ -55,7 +55,7 @@ impl Program {
             if let Some(block) = solved.filter(|block| !reached.contains(block)) {
                 reached.push(block);
                 waiting.extend(iteration(&self.blocks, block));
-                waiting.extend(self.closed(block).map(|closed| closed.margin));
+                waiting.extend(self.closed_form(block).map(|closed| closed.margin));
                 let watches = self.watches.iter().filter(|watch| watch.block == block);
                 waiting.extend(
                     watches.flat_map(|watch| {
@@ -87,7 +87,7 @@ impl Program {
 fn number(block: &Block) -> Option<usize> {
     match &block.kind {
         BlockKind::Straight => None,
-        BlockKind::Closed(closed) => Some(closed.number),
+        BlockKind::ClosedForm(closed) => Some(closed.number),
         BlockKind::Newton(newton) => Some(newton.number),
     }
 }

@@ -1,12 +1,12 @@
 //! From the plan to the program.
 
-mod acting;
 mod cam;
 mod closing;
 mod continuous;
 mod dyad;
 mod equilibrium;
 mod idle;
+mod inverse_dynamics;
 mod left_out;
 mod linear;
 mod max_step;
@@ -76,19 +76,19 @@ pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
 /// Writes the program that goes on from positions, as far as effects ask for it: of the same links and loops as the program to
 /// positions.
 #[must_use]
-pub fn build_further(
+pub fn derive(
     model: &Model,
     plan: &Plan,
     choices: &[Choice],
     positions: &Program,
-    further: Further<'_>,
+    output: Output<'_>,
 ) -> Option<Program> {
-    let wanted = match further {
-        Further::Rates => model.effects.velocity,
-        Further::Holding => model.effects.force,
-        Further::Acting(structure) => model.effects.force && structure.redundant.is_empty(),
-        Further::Inertia => model.effects.dynamics,
-        Further::Sensitivity => model.effects.sensitivity,
+    let wanted = match output {
+        Output::Rates => model.effects.velocity,
+        Output::Holding => model.effects.force,
+        Output::InverseDynamics(structure) => model.effects.force && structure.redundant.is_empty(),
+        Output::Inertia => model.effects.dynamics,
+        Output::Sensitivity => model.effects.sensitivity,
     };
     if !wanted {
         return None;
@@ -97,10 +97,10 @@ pub fn build_further(
     let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
     let idle: Vec<usize> = idle.collect();
     let parts = (&positions.stored[..], &idle[..]);
-    let mut program = write(model, plan, choices, parts, Some(further));
+    let mut program = write(model, plan, choices, parts, Some(output));
     program.number_stored();
     // Where joints hold links more than once, equilibrium does not determine what they do.
-    let undetermined = matches!(further, Further::Acting(_))
+    let undetermined = matches!(output, Output::InverseDynamics(_))
         && program
             .motion
             .as_ref()
@@ -110,13 +110,13 @@ pub fn build_further(
 
 /// What a program goes on to from positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Further<'s> {
+pub enum Output<'s> {
     /// The rates of everything.
     Rates,
     /// What it takes to hold it at rest.
     Holding,
     /// What it takes to move in a given way, in every joint: that of this structure, of which none is redundant.
-    Acting(&'s Structure),
+    InverseDynamics(&'s Structure),
     /// How it moves under the torques of its motors.
     Inertia,
     /// How everything follows the params.
@@ -139,7 +139,7 @@ fn write(
     plan: &Plan,
     choices: &[Choice],
     (links, idle): (&[LinkId], &[usize]),
-    further: Option<Further<'_>>,
+    output: Option<Output<'_>>,
 ) -> Program {
     let needed = needed(model, plan, links);
     let all = model.declared_links();
@@ -194,7 +194,7 @@ fn write(
     writer.carry_continuous();
     writer.keep_motion_signs();
     writer.keep_places();
-    writer.finish(links, further)
+    writer.finish(links, output)
 }
 
 /// For each motor and param whether only the rest of its value is read, and its whole turns apart from it: where gears turn by a part
@@ -402,7 +402,9 @@ impl Writer<'_> {
                 let name = format!("{}_angle", self.name_of(to));
                 self.unwrapped(Turning::Source(number), principal, start, name)
             }
-            Source::Way(joint) => self.placement.sliding_coordinate(&mut self.builder, joint),
+            Source::Displacement(joint) => {
+                self.placement.sliding_coordinate(&mut self.builder, joint)
+            }
         };
         self.sources[number] = Some(value);
         value
@@ -467,7 +469,7 @@ impl Writer<'_> {
         }
     }
 
-    fn finish(mut self, stored: &[LinkId], further: Option<Further<'_>>) -> Program {
+    fn finish(mut self, stored: &[LinkId], output: Option<Output<'_>>) -> Program {
         let pose = |&link: &LinkId| {
             let Pose {
                 direction: [cos, sin],
@@ -479,12 +481,12 @@ impl Writer<'_> {
         let solved = |closing: &rates::Closing| (closing.number, closing.solution.clone());
         let solutions = self.closings.iter().map(solved).collect();
         let mut sensitivity = None;
-        let motion = further.map(|further| match further {
-            Further::Rates => self.motion(&poses),
-            Further::Holding => self.holding(),
-            Further::Acting(structure) => self.acting(structure),
-            Further::Inertia => self.inertia(),
-            Further::Sensitivity => {
+        let motion = output.map(|output| match output {
+            Output::Rates => self.motion(&poses),
+            Output::Holding => self.holding(),
+            Output::InverseDynamics(structure) => self.inverse_dynamics(structure),
+            Output::Inertia => self.inertia(),
+            Output::Sensitivity => {
                 let (motion, found) = self.sensitivity(&poses);
                 sensitivity = Some(found);
                 // It tells nothing else.

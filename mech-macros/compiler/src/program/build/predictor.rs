@@ -82,8 +82,8 @@ impl Writer<'_> {
                 (Solution::Direction(guess), Solution::Direction(turn)) => {
                     Solution::Direction(self.builder.turned(guess, turn))
                 }
-                (Solution::Slide(guess), Solution::Slide(way)) => {
-                    Solution::Slide(self.builder.add(guess, way))
+                (Solution::Slide(guess), Solution::Slide(displacement)) => {
+                    Solution::Slide(self.builder.add(guess, displacement))
                 }
                 (guess, _) => guess,
             };
@@ -123,7 +123,7 @@ impl Writer<'_> {
                 self.state[first] = cos;
                 self.state[first + 1] = sin;
             }
-            Solution::Slide(way) => self.state[first] = way,
+            Solution::Slide(displacement) => self.state[first] = displacement,
         }
     }
 

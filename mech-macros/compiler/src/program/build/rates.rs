@@ -204,7 +204,9 @@ impl Writer<'_> {
                 Solution::Direction(direction) => {
                     tangents.set_turning(&mut self.builder, direction, rate);
                 }
-                Solution::Slide(way) => tangents.set(&mut self.builder, way, rate),
+                Solution::Slide(displacement) => {
+                    tangents.set(&mut self.builder, displacement, rate)
+                }
             }
         }
         Solved {

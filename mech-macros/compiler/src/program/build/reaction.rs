@@ -281,7 +281,7 @@ impl Writer<'_> {
 
     /// Where a pinion touches its bar, and in which direction it pushes it: along its line.
     fn racking(&mut self, structure: &Structure, rolling: &Rolling) -> Option<([Value; 2], Along)> {
-        let [(pinion, turn), (bar, way)] = rolling.ends;
+        let [(pinion, turn), (bar, displacement)] = rolling.ends;
         let RollingEnd::Bar {
             slide, forwards, ..
         } = bar
@@ -293,7 +293,7 @@ impl Writer<'_> {
         };
         let line = self.model.axis(if forwards { a } else { b });
         let [x, y] = line.direction;
-        let radius = -number(turn) / number(way);
+        let radius = -number(turn) / number(displacement);
         let center = center(structure, pinion, rolling.carrier)?;
         let center = self.model.axis(center).at;
         let touch = [center[0] + radius * y, center[1] - radius * x];

@@ -63,8 +63,8 @@ impl Writer<'_> {
             }
             let heading = self.placement.heading(&mut self.builder, a);
             let span = self.placement.span(&mut self.builder, a, b);
-            let way = self.builder.dot(heading, span);
-            tangents.of(&mut self.builder, way)
+            let displacement = self.builder.dot(heading, span);
+            tangents.of(&mut self.builder, displacement)
         });
         rates.collect()
     }

@@ -26,7 +26,7 @@ enum Start {
     /// A unit vector.
     Direction([f64; 2]),
     /// A length; zero for a way that is an unknown itself.
-    Way(f64),
+    Displacement(f64),
 }
 
 /// The unknowns of a tied loop.
@@ -122,7 +122,7 @@ impl Writer<'_> {
                     known: self.builder.constant(0.0),
                     start: match *unknown {
                         Unknown::Direction(base) => Start::Direction(self.seen_from(first, base)),
-                        Unknown::Slide(_) => Start::Way(0.0),
+                        Unknown::Slide(_) => Start::Displacement(0.0),
                     },
                 },
                 Some(tie) => {
@@ -157,13 +157,13 @@ impl Writer<'_> {
         match tie.of {
             Unknown::Direction(base) => Start::Direction(self.seen_from(first, base)),
             Unknown::Slide(joint) => {
-                let mut way = self.way_at_start(joint, first);
+                let mut displacement = self.way_at_start(joint, first);
                 for (other, part) in &tie.parts {
                     if let Unknown::Slide(other) = *other {
-                        way -= float_of(part) * self.way_at_start(other, first);
+                        displacement -= float_of(part) * self.way_at_start(other, first);
                     }
                 }
-                Start::Way(way)
+                Start::Displacement(displacement)
             }
         }
     }
@@ -289,7 +289,7 @@ impl Writer<'_> {
                     let name = self.name_of(base).to_owned();
                     self.turned_since(*start, moved, &name)
                 }
-                (_, Start::Way(start)) => {
+                (_, Start::Displacement(start)) => {
                     let start = self.builder.constant(*start);
                     Solution::Slide(self.builder.add(start, moved))
                 }
@@ -318,7 +318,7 @@ impl Writer<'_> {
     fn way_at_start(&mut self, joint: JointId, first: LinkId) -> f64 {
         let (_, now) = self.first(Unknown::Slide(joint), first);
         match now {
-            Solution::Slide(way) => self.builder.at_start(way),
+            Solution::Slide(displacement) => self.builder.at_start(displacement),
             Solution::Direction(_) => 0.0,
         }
     }

@@ -141,11 +141,11 @@ impl Writer<'_> {
                 [body.mass.mass, body.mass.inertia].map(|number| builder.constant(number));
             for (row, (velocity, turning)) in moves.iter().enumerate() {
                 for (column, (other, spin)) in moves.iter().enumerate().skip(row) {
-                    let way = builder.dot(*velocity, *other);
-                    let way = builder.mul(mass, way);
+                    let translation = builder.dot(*velocity, *other);
+                    let translation = builder.mul(mass, translation);
                     let turn = builder.mul(*turning, *spin);
                     let turn = builder.mul(inertia, turn);
-                    let part = builder.add(way, turn);
+                    let part = builder.add(translation, turn);
                     matrix[row][column] = builder.add(matrix[row][column], part);
                     matrix[column][row] = matrix[row][column];
                 }

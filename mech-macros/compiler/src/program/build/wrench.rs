@@ -114,19 +114,19 @@ impl Writer<'_> {
         let stiffness = self.builder.constant(spring.stiffness);
         match spring.between {
             Between::Points(a, b) => {
-                let ([first, second], way) = self.way(a, b);
+                let ([first, second], span) = self.span(a, b);
                 let tension = if spring.rest == 0.0 {
                     stiffness
                 } else {
                     // Tension a unit of length: k (1 − rest / length).
-                    let inverse = self.inverse_length(way);
+                    let inverse = self.inverse_length(span);
                     let rest = self.builder.constant(spring.rest);
-                    let slack = self.builder.mul(rest, inverse);
+                    let discriminant = self.builder.mul(rest, inverse);
                     let one = self.builder.constant(1.0);
-                    let stretch = self.builder.sub(one, slack);
+                    let stretch = self.builder.sub(one, discriminant);
                     self.builder.mul(stiffness, stretch)
                 };
-                let force = self.builder.scaled(tension, way);
+                let force = self.builder.scaled(tension, span);
                 let force = self.builder.name_vector(force, &spring.name);
                 self.opposed(first, second, force)
             }
@@ -143,8 +143,8 @@ impl Writer<'_> {
     fn stretch_square(&mut self, spring: &Spring) -> Value {
         match spring.between {
             Between::Points(a, b) => {
-                let (_, way) = self.way(a, b);
-                let square = self.builder.dot(way, way);
+                let (_, span) = self.span(a, b);
+                let square = self.builder.dot(span, span);
                 if spring.rest == 0.0 {
                     return square;
                 }
@@ -186,14 +186,14 @@ impl Writer<'_> {
         let damping = self.builder.constant(damper.damping);
         match damper.between {
             Between::Points(a, b) => {
-                let ([first, second], way) = self.way(a, b);
+                let ([first, second], span) = self.span(a, b);
                 let (from, to) = (
                     tangents.of_vector(&mut self.builder, first.1),
                     tangents.of_vector(&mut self.builder, second.1),
                 );
                 let apart = self.builder.minus(to, from);
-                let inverse = self.inverse_length(way);
-                let along = self.builder.scaled(inverse, way);
+                let inverse = self.inverse_length(span);
+                let along = self.builder.scaled(inverse, span);
                 let lengthening = self.builder.dot(apart, along);
                 let tension = self.builder.mul(damping, lengthening);
                 let force = self.builder.scaled(tension, along);
@@ -215,15 +215,15 @@ impl Writer<'_> {
     }
 
     /// Two points with their links, and the way from the first to the second.
-    fn way(&mut self, a: AxisId, b: AxisId) -> ([(LinkId, [Value; 2]); 2], [Value; 2]) {
+    fn span(&mut self, a: AxisId, b: AxisId) -> ([(LinkId, [Value; 2]); 2], [Value; 2]) {
         let (first, second) = (self.point(a), self.point(b));
-        let way = self.builder.minus(second.1, first.1);
-        ([first, second], way)
+        let span = self.builder.minus(second.1, first.1);
+        ([first, second], span)
     }
 
     /// One over the length of a way; where that is zero, a large number, so that the way times it is still zero.
-    fn inverse_length(&mut self, way: [Value; 2]) -> Value {
-        let square = self.builder.dot(way, way);
+    fn inverse_length(&mut self, span: [Value; 2]) -> Value {
+        let square = self.builder.dot(span, span);
         let length = self.builder.sqrt(square);
         let least = self.model.size() * self.model.precision.epsilon().sqrt();
         let least = least.max(f64::from(f32::MIN_POSITIVE));

@@ -3,7 +3,7 @@
 use super::ending::{missing_after, semicolon};
 use super::recover::skip;
 use super::statement::BEGINNINGS;
-use super::tokens::{any_word, name, take, told, unexpected};
+use super::tokens::{any_word, message_of, name, take, unexpected};
 use crate::model::Precision;
 use crate::syntax::ast::Read;
 use crate::syntax::{Header, Message, Place};
@@ -53,7 +53,7 @@ pub(super) fn line(input: ParseStream, mut attributes: Vec<Attribute>) -> Line {
 
 /// `pub struct Name`
 fn beginning(input: ParseStream, attributes: Vec<Attribute>) -> Read<Header> {
-    let visibility: Visibility = input.parse().map_err(|error| told(&error))?;
+    let visibility: Visibility = input.parse().map_err(|error| message_of(&error))?;
     if !input.peek(Token![struct]) {
         return Err(unexpected(input, "`struct`"));
     }

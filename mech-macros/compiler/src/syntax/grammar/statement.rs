@@ -4,7 +4,7 @@ use super::ending::missing_after;
 use super::expression::expression;
 use super::header::{self, Line};
 use super::recover::{at_beginning, or_skip, skip, to_semicolon};
-use super::tokens::{any_word, comes_word, name, symbol, take, take_tree, told, unexpected};
+use super::tokens::{any_word, comes_word, message_of, name, symbol, take, take_tree, unexpected};
 use super::{action, item, joint, method, misplaced, setting};
 use crate::syntax::ast::{Broken, Constant, Ground, Item, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
@@ -111,7 +111,7 @@ fn out_of_place(name: Option<&Ident>, first: bool, headed: bool) -> Option<Messa
 
 fn attributes(input: ParseStream) -> Read<Vec<Attribute>> {
     or_skip(input, &BEGINNINGS, |input| {
-        Attribute::parse_outer(input).map_err(|error| told(&error))
+        Attribute::parse_outer(input).map_err(|error| message_of(&error))
     })
 }
 

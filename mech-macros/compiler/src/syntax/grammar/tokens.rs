@@ -22,7 +22,7 @@ pub(super) fn run<T>(tokens: TokenStream, parse: impl FnOnce(ParseStream) -> T) 
 }
 
 /// A message of `syn`'s as one of ours.
-pub(super) fn told(error: &syn::Error) -> Message {
+pub(super) fn message_of(error: &syn::Error) -> Message {
     Message::new(Place::at(error.span()), error.to_string())
 }
 

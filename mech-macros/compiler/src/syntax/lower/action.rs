@@ -35,12 +35,12 @@ impl Lowering {
         };
         if link == LinkId::GROUND {
             let text = "the ground does not move, whatever its mass; leave this out";
-            return self.report.tell(place, text);
+            return self.report.error(place, text);
         }
         if earlier.is_some() {
             let name = &self.model.link(link).name;
             let text = format!("`{name}` has a mass already; remove one of the two");
-            return self.report.tell(place, text);
+            return self.report.error(place, text);
         }
         *earlier = massive;
     }
@@ -63,7 +63,7 @@ impl Lowering {
         if value >= 0.0 {
             return Some(value);
         }
-        self.report.tell(
+        self.report.error(
             expr.place,
             format!("{what} cannot be negative, but this is {value}"),
         );
@@ -84,7 +84,7 @@ impl Lowering {
                     let text = format!(
                         "`{name}` has no shapes whose mass this could be; draw it, or give its `mass`"
                     );
-                    return self.report.tell(place, text);
+                    return self.report.error(place, text);
                 }
                 Mass::of_shapes(known, density)
             }
@@ -192,14 +192,14 @@ impl Lowering {
                     let text = format!(
                         "both ends of this {what} are on `{link}`, where it does nothing; fix one of them to another link"
                     );
-                    self.report.tell(first.place().to(second.place()), text);
+                    self.report.error(first.place().to(second.place()), text);
                     return None;
                 }
                 if let Some(joint) = self.pinned_together(a, b) {
                     let text = format!(
                         "joint `{joint}` holds both ends of this {what} together; fix one of them elsewhere"
                     );
-                    self.report.tell(first.place().to(second.place()), text);
+                    self.report.error(first.place().to(second.place()), text);
                     return None;
                 }
                 Some(Between::Points(a, b))
@@ -231,7 +231,7 @@ impl Lowering {
         let text = format!(
             "joint `{name}` is not a revolute; a {what} at a joint turns its links, one between points is `linear(a.p, b.q)`"
         );
-        self.report.tell(Place::at(name.span()), text);
+        self.report.error(Place::at(name.span()), text);
         None
     }
 
@@ -247,13 +247,13 @@ impl Lowering {
                     end.link
                 ),
             };
-            self.report.tell(end.place(), text);
+            self.report.error(end.place(), text);
             return None;
         };
         let axis = self.find_axis(link, name, Some(AxisKind::Point))?;
         if self.model.axis(axis).kind == AxisKind::Line {
             let text = format!("`{end}` is a line; a {what} is fixed to a point");
-            self.report.tell(Place::at(name.span()), text);
+            self.report.error(Place::at(name.span()), text);
             return None;
         }
         Some(axis)
@@ -287,7 +287,7 @@ impl Lowering {
         };
         if link == LinkId::GROUND {
             let text = "a load on the ground does nothing; put it on a link that moves";
-            return self.report.tell(Place::at(load.name.span()), text);
+            return self.report.error(Place::at(load.name.span()), text);
         }
         if kept {
             let name = load.name.to_string();
@@ -321,26 +321,26 @@ impl Lowering {
                 self.model.joint(motor.joint).name
             );
             let place = self.places.get(motor.origin);
-            return self.report.tell(place, text);
+            return self.report.error(place, text);
         }
         if let Some(place) = self.acting.dynamics.or(self.acting.force)
             && !self.model.params.is_empty()
         {
             let text = "forces beside params are not supported yet; make every `param` a `const`, or leave this effect out";
-            return self.report.tell(place, text);
+            return self.report.error(place, text);
         }
         if let Some(place) = self.acting.overlay
             && !self.model.params.is_empty()
         {
             let text = "an overlay beside params is not supported yet; make every `param` a `const`, or leave this effect out";
-            return self.report.tell(place, text);
+            return self.report.error(place, text);
         }
         if let Some((motor, _)) = self.model.lawful_motors().next()
             && !self.model.params.is_empty()
         {
             let text = "laws of motors beside params are not supported yet; make every `param` a `const`, or leave this law out";
             let place = self.places.get(self.model.motor(motor).origin);
-            self.report.tell(place, text);
+            self.report.error(place, text);
         }
     }
 
@@ -361,14 +361,14 @@ impl Lowering {
         if let (Some(place), false) = (self.acting.gravity, has_mass(|mass| mass.mass)) {
             let text =
                 "no link has a mass on which gravity could act; give a link `mass` or `density`";
-            return self.report.tell(place, text);
+            return self.report.error(place, text);
         }
         if let Some(place) = self.acting.dynamics
             && !has_mass(|mass| mass.mass + mass.inertia)
         {
             let text =
                 "nothing has a mass that would keep it moving; give links `mass` or `density`";
-            return self.report.tell(place, text);
+            return self.report.error(place, text);
         }
         let nothing =
             actions.springs.is_empty() && actions.dampers.is_empty() && actions.loads.is_empty();
@@ -377,7 +377,7 @@ impl Lowering {
             && !has_mass(|mass| mass.mass + mass.inertia)
         {
             let text = "there are no forces: declare a `load`, a `spring`, or the `mass` of a link";
-            return self.report.tell(place, text);
+            return self.report.error(place, text);
         }
         if let (Some(load), false) = (actions.loads.first(), self.model.effects.needs_actions()) {
             let text = format!(
@@ -385,7 +385,7 @@ impl Lowering {
                 load.name
             );
             let place = self.places.get(load.origin);
-            self.report.tell(place, text);
+            self.report.error(place, text);
         }
     }
 }

@@ -32,7 +32,7 @@ impl Lowering {
         let text = format!(
             "{what}; write `{offer}`\n\nhelp: or give the number a name with `const`, if radians are meant"
         );
-        self.report.tell(place, text);
+        self.report.error(place, text);
     }
 }
 

@@ -14,7 +14,7 @@ impl Lowering {
         let law = law.and_then(|law| self.law(law, law::COORDINATE));
         for clause in [&body.at, &body.along].into_iter().flatten() {
             let text = "a `cam` has no place of its own; its shaft and its follower are where their joints are";
-            self.report.tell(Place::at(clause.keyword), text);
+            self.report.error(Place::at(clause.keyword), text);
         }
         let [shaft, follower] = [ends[0]?, ends[1]?];
         let place = body.ends[0].place().to(body.ends[1].place());
@@ -23,7 +23,7 @@ impl Lowering {
                 "cam `{}` is between `{}` and itself; name the joints of its shaft and of its follower",
                 joint.name, body.ends[1]
             );
-            self.report.tell(place, text);
+            self.report.error(place, text);
             return None;
         }
         if self.model.carrier_of_cam(shaft, follower).is_none() {
@@ -44,7 +44,7 @@ impl Lowering {
             let text = format!(
                 "a `cam` takes joints, that of its shaft and that of its follower; `{end}` is none"
             );
-            self.report.tell(end.place(), text);
+            self.report.error(end.place(), text);
             return None;
         }
         let name = end.link.to_string();
@@ -58,7 +58,7 @@ impl Lowering {
             let text = format!(
                 "`{end}` is a {word}; a `cam` takes joints that are `revolute` or `prismatic`"
             );
-            self.report.tell(end.place(), text);
+            self.report.error(end.place(), text);
             return None;
         }
         joint
@@ -94,6 +94,6 @@ impl Lowering {
             joins(shaft),
             joins(follower)
         );
-        self.report.tell(place, text);
+        self.report.error(place, text);
     }
 }

@@ -139,7 +139,7 @@ impl Constants {
             },
             _ => return false,
         };
-        report.tell(Place::at(name.span()), message);
+        report.error(Place::at(name.span()), message);
         false
     }
 
@@ -166,7 +166,7 @@ impl Constants {
             }
             None => self.unknown(&text, here),
         };
-        report.tell(Place::at(name.span()), trouble);
+        report.error(Place::at(name.span()), trouble);
         None
     }
 

@@ -14,7 +14,7 @@ impl Lowering {
                 continue;
             };
             if let Some(text) = self.cannot_go_on(name, joint) {
-                self.report.tell(Place::at(name.span()), text);
+                self.report.error(Place::at(name.span()), text);
             } else {
                 self.model.continuous.push(joint);
             }

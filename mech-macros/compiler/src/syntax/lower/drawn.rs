@@ -47,7 +47,7 @@ impl Lowering {
         let text = format!(
             "`at` places a joint between links; write `{name}` for `{name}.{axis}`, or leave `at` out"
         );
-        self.report.tell(end.place(), text);
+        self.report.error(end.place(), text);
         None
     }
 
@@ -63,14 +63,14 @@ impl Lowering {
                     _ => "",
                 };
                 let text = format!("a `{word}` has no direction; leave `along` out{other}");
-                self.report.tell(Place::at(along.keyword), text);
+                self.report.error(Place::at(along.keyword), text);
                 None
             }
             (None, true) => {
                 let text = format!(
                     "a `{word}` needs a direction; write `along (dx, dy)` after `at (x, y)`"
                 );
-                self.report.tell(Place::at(word.span()), text);
+                self.report.error(Place::at(word.span()), text);
                 None
             }
         }

@@ -26,7 +26,7 @@ impl Lowering {
                 Ok(Effect::Trace(trace)) => self.lower_trace(trace),
                 Ok(Effect::Plain(effect)) if listed.contains(&effect) => {
                     let text = format!("`{effect}` is listed already; remove one of the two");
-                    self.report.tell(Place::at(effect.span()), text);
+                    self.report.error(Place::at(effect.span()), text);
                 }
                 Ok(Effect::Plain(effect)) => {
                     listed.push(effect);
@@ -79,7 +79,7 @@ impl Lowering {
                 spelling::remedy(&text, &EFFECTS)
             ),
         };
-        self.report.tell(Place::at(effect.span()), message);
+        self.report.error(Place::at(effect.span()), message);
     }
 
     /// The methods that tell rates must not be called as others are.
@@ -90,7 +90,7 @@ impl Lowering {
             sensitivity,
             ..
         } = self.model.effects;
-        for (name, owner, origin, rate) in self.told() {
+        for (name, owner, origin, rate) in self.accessors() {
             let rates = [
                 (velocity, rate),
                 (acceleration, "acceleration"),
@@ -118,7 +118,7 @@ impl Lowering {
     }
 
     /// Everything that has a method of its own: its name, what it is, where it was declared, and what its rate is called.
-    fn told(&self) -> Vec<(String, String, Origin, &'static str)> {
+    fn accessors(&self) -> Vec<(String, String, Origin, &'static str)> {
         let model = &self.model;
         let links = model.declared_links().map(|id| {
             let link = model.link(id);

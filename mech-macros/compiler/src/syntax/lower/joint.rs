@@ -122,7 +122,7 @@ impl Lowering {
                 JointWord::Weld => "a `weld` has no direction; leave `along` out",
                 _ => "`along` without `at`; write `at (x, y) along (dx, dy)` after two links",
             };
-            self.report.tell(Place::at(along.keyword), text);
+            self.report.error(Place::at(along.keyword), text);
         }
         let [a, b] = [axes[0]?, axes[1]?];
         self.check_apart(
@@ -147,7 +147,7 @@ impl Lowering {
         let [line, point] = &body.ends;
         let text =
             format!("a `slot` takes the point first, then the line; write `slot({point}, {line})`");
-        self.report.tell(line.place().to(point.place()), text);
+        self.report.error(line.place().to(point.place()), text);
     }
 
     /// The axis of an end, which must be of this kind; both ends are of those that were found.
@@ -175,7 +175,7 @@ impl Lowering {
             joined(body.kind),
             other_joint(body, found)
         );
-        self.report.tell(Place::at(name.span()), text);
+        self.report.error(Place::at(name.span()), text);
         None
     }
 
@@ -197,7 +197,7 @@ impl Lowering {
             "`{word}` joins {}, but `{name}` is a link; name one of its {wanted}s, {example}, or {other}",
             joined(body.kind)
         );
-        self.report.tell(Place::at(name.span()), text);
+        self.report.error(Place::at(name.span()), text);
     }
 
     /// A joint must be between two different links.
@@ -215,7 +215,7 @@ impl Lowering {
             "joint `{}` is between `{}` and itself; name two links",
             joint.name, second.link
         );
-        self.report.tell(second.place(), text);
+        self.report.error(second.place(), text);
         None
     }
 }

@@ -90,7 +90,7 @@ impl Lowering {
         if draft.law.terms().len() > MOST_TERMS {
             let text =
                 format!("a law has {MOST_TERMS} numbers and operations at most; this one has more");
-            self.report.tell(expr.place, text);
+            self.report.error(expr.place, text);
             return None;
         }
         self.model.laws.push(draft.law);
@@ -142,7 +142,7 @@ impl Lowering {
             let text = format!(
                 "`{name}` is the variable of this law, and a constant too; give the constant another name"
             );
-            self.report.tell(place, text);
+            self.report.error(place, text);
             return None;
         }
         let Draft { law, standing, .. } = draft;
@@ -173,7 +173,7 @@ impl Lowering {
             let folded = match folded {
                 Ok(folded) => folded,
                 Err(trouble) => {
-                    self.report.tell(place, trouble);
+                    self.report.error(place, trouble);
                     return None;
                 }
             };
@@ -218,7 +218,7 @@ impl Lowering {
                     "motor `{name}` starts where its law has it when the time is 0, but `{written}` has no value there; \
                      change it so that it has one"
                 );
-                self.report.tell(place, text);
+                self.report.error(place, text);
                 continue;
             }
             let mut listed = self.model.start.values.iter();
@@ -230,7 +230,7 @@ impl Lowering {
                      make the law 0 when `t` is 0, or draw its links as they are to start",
                     shown(value)
                 );
-                self.report.tell(place, text);
+                self.report.error(place, text);
             } else {
                 self.check_law_in_range(&name, joint, value);
                 // Of what is drawn, rounding has been let pass.
@@ -255,7 +255,7 @@ impl Lowering {
             shown(value),
             shown(listed.value)
         );
-        self.report.tell(self.places.get(listed.origin), text);
+        self.report.error(self.places.get(listed.origin), text);
     }
 
     fn statement_of(&self, joint: JointId) -> usize {

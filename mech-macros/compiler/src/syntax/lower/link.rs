@@ -119,7 +119,7 @@ impl Lowering {
             let earlier = word_for(self.model.axis(earlier).kind);
             let link = &self.model.link(link).name;
             let message = format!("`{link}` has a {earlier} `{text}` already; choose another name");
-            self.report.tell(Place::at(axis.name.span()), message);
+            self.report.error(Place::at(axis.name.span()), message);
             return false;
         }
         let kept = axis.kind == model::AxisKind::Line || self.claim_point(link, &axis.name);
@@ -171,7 +171,7 @@ impl Lowering {
             && !self.constants.has(&name.to_string())
         {
             self.report
-                .tell(color.place, color::named(&name.to_string()));
+                .error(color.place, color::named(&name.to_string()));
             return None;
         }
         self.whole(color, "a color", [0, 255])
@@ -195,7 +195,7 @@ impl Lowering {
         if inner >= radius {
             let text =
                 format!("the hole of a ring is smaller than the ring, whose radius is {radius}");
-            self.report.tell(hole.place, text);
+            self.report.error(hole.place, text);
             return None;
         }
         Some(ShapeKind::Ring {
@@ -210,7 +210,7 @@ impl Lowering {
         let width = self.positive(width, "a width");
         if pins.len() < 2 {
             let text = format!("a bar has at least two pins, not {}", pins.len());
-            self.report.tell(place, text);
+            self.report.error(place, text);
             return None;
         }
         Some(ShapeKind::Bar {
@@ -226,7 +226,7 @@ impl Lowering {
                 "a polygon has at least three corners, not {}",
                 corners.len()
             );
-            self.report.tell(place, text);
+            self.report.error(place, text);
             return None;
         }
         values

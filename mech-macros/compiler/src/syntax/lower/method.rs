@@ -28,7 +28,7 @@ impl Lowering {
             _ => {
                 let remedy = spelling::remedy(&text, &METHODS);
                 let text = format!("unknown method `{text}`{remedy}");
-                self.report.tell(Place::at(method.word.span()), text);
+                self.report.error(Place::at(method.word.span()), text);
                 None
             }
         };
@@ -37,7 +37,7 @@ impl Lowering {
             if !text.eq("newton") {
                 let text =
                     format!("method `{text}` starts from no prediction; leave `predictor` out");
-                return self.report.tell(Place::at(*span), text);
+                return self.report.error(Place::at(*span), text);
             }
             let order = self.whole(order, "the order of a predictor", [1, MOST_ORDER]);
             // Something wrong was told: no prediction will do.
@@ -51,7 +51,7 @@ impl Lowering {
     fn check_choice(&mut self, keyword: Span, word: &'static str, other: &'static str) {
         if self.singles.contains(&other) && !self.singles.contains(&word) {
             let text = "`accuracy` chooses the method, so there cannot be both; remove `accuracy` or `method`";
-            self.report.tell(Place::at(keyword), text);
+            self.report.error(Place::at(keyword), text);
         }
         self.single(keyword, word, ONE_TOO_MANY);
     }
@@ -62,7 +62,7 @@ impl Lowering {
         };
         let Some(steps) = steps else {
             let text = "the number of newton steps is missing; write `newton(2)`, or leave the brackets out";
-            self.report.tell(*brackets, text);
+            self.report.error(*brackets, text);
             return None;
         };
         let steps = self.whole(steps, "the number of newton steps", [1, MOST_STEPS])?;
@@ -78,7 +78,7 @@ impl Lowering {
             "method `{}` takes no number of steps; leave the brackets out",
             method.word
         );
-        self.report.tell(*brackets, text);
+        self.report.error(*brackets, text);
         None
     }
 
@@ -97,7 +97,7 @@ impl Lowering {
             _ => {
                 let remedy = spelling::remedy(&text, &MACHINES);
                 let text = format!("unknown machine `{text}`{remedy}");
-                return self.report.tell(Place::at(word.span()), text);
+                return self.report.error(Place::at(word.span()), text);
             }
         };
     }

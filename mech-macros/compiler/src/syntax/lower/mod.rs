@@ -214,7 +214,7 @@ impl Lowering {
     /// Complains about a statement of which there is one already.
     fn single(&mut self, keyword: Span, word: &'static str, remedy: &str) {
         if self.singles.contains(&word) {
-            self.report.tell(
+            self.report.error(
                 Place::at(keyword),
                 format!("a mechanism has one `{word}`; {remedy}"),
             );

@@ -73,7 +73,7 @@ impl Lowering {
         } else {
             return Some(joint);
         };
-        self.report.tell(Place::at(name.span()), text);
+        self.report.error(Place::at(name.span()), text);
         None
     }
 
@@ -94,7 +94,7 @@ impl Lowering {
                 "motor `{name}` cannot move in a range of one value; give the range another end, or leave it out"
             )
         };
-        self.report.tell(place, text);
+        self.report.error(place, text);
         None
     }
 
@@ -108,7 +108,7 @@ impl Lowering {
             "the step of motor `{}` must be greater than zero, not `{step}`",
             motor.joint
         );
-        self.report.tell(step.place, text);
+        self.report.error(step.place, text);
         None
     }
 
@@ -127,7 +127,7 @@ impl Lowering {
                 "motor `{name}` starts at `{expr}`, outside its range; choose a start within `{written}`, or widen the range"
             )
         };
-        self.report.tell(expr.place, text);
+        self.report.error(expr.place, text);
     }
 
     /// Complains about a law that starts where its motor does not go.
@@ -141,7 +141,8 @@ impl Lowering {
             shown(value),
             ranged.written
         );
-        self.report.tell(self.places.get(ranged.range.origin), text);
+        self.report
+            .error(self.places.get(ranged.range.origin), text);
     }
 
     /// Complains about motors that start at zero because nothing else was said, and do not go there.
@@ -166,7 +167,8 @@ impl Lowering {
                 )
             };
             self.report.enter(ranged.statement);
-            self.report.tell(self.places.get(ranged.range.origin), text);
+            self.report
+                .error(self.places.get(ranged.range.origin), text);
         }
     }
 

@@ -163,14 +163,14 @@ impl Lowering {
         if text == "ground" {
             let message =
                 format!("`ground` is the link that is fixed; choose another name for this {what}");
-            self.report.tell(place, message);
+            self.report.error(place, message);
             return false;
         }
         if is_reserved(&text) {
             let message = format!(
                 "`{text}` is a method of every mechanism; choose another name for this {what}"
             );
-            self.report.tell(place, message);
+            self.report.error(place, message);
             return false;
         }
         let earlier = match self.names.get(&text) {
@@ -182,7 +182,7 @@ impl Lowering {
         };
         let message =
             format!("there is a {earlier} `{text}` already; choose another name for this {what}");
-        self.report.tell(place, message);
+        self.report.error(place, message);
         if earlier != what {
             self.names.share(name);
         }
@@ -213,7 +213,7 @@ impl Lowering {
             let text = format!(
                 "{owner} and {earlier} would both be the method `{method}`; rename one of them"
             );
-            self.report.tell(place, text);
+            self.report.error(place, text);
             return false;
         }
         self.names.methods.push((method, owner));
@@ -239,7 +239,7 @@ impl Lowering {
                 spelling::remedy(&text, &self.names.links())
             ),
         };
-        self.report.tell(Place::at(name.span()), trouble);
+        self.report.error(Place::at(name.span()), trouble);
         None
     }
 
@@ -263,7 +263,7 @@ impl Lowering {
                 ),
             },
         };
-        self.report.tell(Place::at(name.span()), trouble);
+        self.report.error(Place::at(name.span()), trouble);
         None
     }
 
@@ -299,7 +299,7 @@ impl Lowering {
         let text = name.to_string();
         let candidates: Vec<_> = [self.names.links(), self.names.joints()].concat();
         let remedy = spelling::remedy(&text, &candidates);
-        self.report.tell(
+        self.report.error(
             Place::at(name.span()),
             format!("unknown link or joint `{text}`{remedy}"),
         );
@@ -328,7 +328,7 @@ impl Lowering {
             spelling::remedy(&text, &candidates)
         };
         let message = format!("`{link_name}` has no {what} `{text}`{remedy}");
-        self.report.tell(Place::at(name.span()), message);
+        self.report.error(Place::at(name.span()), message);
         None
     }
 

@@ -111,7 +111,7 @@ impl Lowering {
         let text = format!(
             "{what}; only the places of points, lines and joints may depend on one; use a `const` here"
         );
-        self.report.tell(Place::at(name.span()), text);
+        self.report.error(Place::at(name.span()), text);
     }
 
     /// The first name in an expression that stands for something that depends on a param.

@@ -17,7 +17,7 @@ impl Lowering {
             _ => {
                 let remedy = spelling::remedy(&text, &QUALITIES);
                 let text = format!("unknown quality `{text}`{remedy}");
-                return self.report.tell(Place::at(word.span()), text);
+                return self.report.error(Place::at(word.span()), text);
             }
         };
     }

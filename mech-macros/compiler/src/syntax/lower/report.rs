@@ -29,7 +29,7 @@ impl Report {
     }
 
     /// Tells something about a place.
-    pub(super) fn tell(&mut self, place: Place, text: impl Into<String>) {
+    pub(super) fn error(&mut self, place: Place, text: impl Into<String>) {
         self.pass_on(Message::new(place, text));
     }
 

@@ -49,7 +49,7 @@ impl Lowering {
         };
         let (word, name) = (&body.word, &end.link);
         let text = format!("`{word}` joins links; write `{name}` for `{name}.{axis}`");
-        self.report.tell(end.place(), text);
+        self.report.error(end.place(), text);
         None
     }
 
@@ -64,7 +64,7 @@ impl Lowering {
                 "a `{}` has no place of its own; its {what} where their other joints hold them",
                 body.word
             );
-            self.report.tell(Place::at(clause.keyword), text);
+            self.report.error(Place::at(clause.keyword), text);
         }
     }
 
@@ -86,7 +86,7 @@ impl Lowering {
         let text = format!(
             "`{name}` cannot carry itself; name the link that carries {carried}, or leave `on {name}` out"
         );
-        self.report.tell(Place::at(name.span()), text);
+        self.report.error(Place::at(name.span()), text);
         None
     }
 
@@ -102,7 +102,7 @@ impl Lowering {
         let radius = self.value(part)?;
         if radius == 0.0 {
             let text = "a pinion cannot be of size zero; give its pitch radius, negative if the bar is on its other side";
-            self.report.tell(part.place, text);
+            self.report.error(part.place, text);
             return None;
         }
         Some(radius)
@@ -113,7 +113,7 @@ impl Lowering {
             let size = self.value(part)?;
             if size <= 0.0 {
                 let text = "a belt turns both wheels in the same sense; make both sizes positive";
-                self.report.tell(part.place, text);
+                self.report.error(part.place, text);
                 return None;
             }
             self.wheel_size(part, size)
@@ -126,7 +126,7 @@ impl Lowering {
             let size = self.value(part)?;
             if size == 0.0 {
                 let text = "a wheel cannot be of size zero; give its teeth or its pitch radius";
-                self.report.tell(part.place, text);
+                self.report.error(part.place, text);
                 return None;
             }
             self.wheel_size(part, size)
@@ -135,7 +135,7 @@ impl Lowering {
         if sizes.iter().all(|size| *size < 0.0) {
             let [first, second] = parts;
             let text = "only one wheel of a gear can be a ring; make one of the two positive";
-            self.report.tell(first.place.to(second.place), text);
+            self.report.error(first.place.to(second.place), text);
             return None;
         }
         self.ratio(parts, sizes)
@@ -154,7 +154,7 @@ impl Lowering {
         let text = format!(
             "`{teeth}` is a number of teeth, as it is whole, but `{radius}` a pitch radius; write `{radii}` for two radii, or two whole numbers"
         );
-        self.report.tell(first.place.to(second.place), text);
+        self.report.error(first.place.to(second.place), text);
         None
     }
 
@@ -163,7 +163,7 @@ impl Lowering {
         if let Some(text) = digits(part)
             && text.parse::<i64>().is_err()
         {
-            self.report.tell(
+            self.report.error(
                 part.place,
                 "no wheel has that many teeth; a pitch radius has a decimal point",
             );

@@ -16,12 +16,12 @@ impl Lowering {
             _ => {
                 let remedy = spelling::remedy(&text, &PERMISSIONS);
                 let text = format!("unknown permission `{text}`{remedy}");
-                return self.report.tell(Place::at(word.span()), text);
+                return self.report.error(Place::at(word.span()), text);
             }
         };
         if std::mem::replace(allowed, true) {
             let text = format!("`{text}` is allowed already; remove one of the two");
-            self.report.tell(Place::at(word.span()), text);
+            self.report.error(Place::at(word.span()), text);
         }
     }
 }

@@ -12,7 +12,7 @@ impl Lowering {
         self.single(keyword, "show", "put everything into the first");
         if self.model.effects.needs_actions() {
             let text = "forces come from everything that moves, shown or not; leave `show` out, or the effects `force` and `dynamics`";
-            return self.report.tell(Place::at(keyword), text);
+            return self.report.error(Place::at(keyword), text);
         }
         let mut shown: Vec<(Place, Shown)> = Vec::new();
         for end in what {
@@ -21,7 +21,7 @@ impl Lowering {
                 continue;
             };
             if let Some(text) = self.again(end, one, &shown) {
-                self.report.tell(end.place(), text);
+                self.report.error(end.place(), text);
             } else {
                 shown.push((end.place(), one));
             }
@@ -33,7 +33,7 @@ impl Lowering {
         }
         self.model.show = Some(shown.into_iter().map(|(_, one)| one).collect());
         if self.model.asked_links().is_empty() {
-            self.report.tell(
+            self.report.error(
                 Place::at(keyword),
                 "nothing of this has to be computed: it is what the motors are given; show what they move, or leave this out",
             );
@@ -51,7 +51,7 @@ impl Lowering {
             (Some(Named::Joint(joint)), None) => {
                 let joint = joint?;
                 if let Some(text) = self.no_coordinate(&end.link, joint, "show") {
-                    self.report.tell(end.place(), text);
+                    self.report.error(end.place(), text);
                     return None;
                 }
                 Some(Shown::Joint(joint))
@@ -66,7 +66,7 @@ impl Lowering {
                     let text = format!(
                         "`{end}` does not move: there is nothing to compute; leave this out"
                     );
-                    self.report.tell(end.place(), text);
+                    self.report.error(end.place(), text);
                     return None;
                 }
                 Some(shown)
@@ -82,7 +82,7 @@ impl Lowering {
                 _ => format!("show its link, `{link_name}`"),
             };
             let text = format!("`{link_name}.{name}` is a line; {remedy}");
-            self.report.tell(Place::at(name.span()), text);
+            self.report.error(Place::at(name.span()), text);
             return None;
         }
         Some(Shown::Point(axis))
@@ -118,7 +118,7 @@ impl Lowering {
                     let name = axis.own_name();
                     let text =
                         format!("`{link}.{name}` is shown with its link already; leave this out");
-                    self.report.tell(*place, text);
+                    self.report.error(*place, text);
                 }
             }
         }

@@ -56,7 +56,7 @@ impl Lowering {
                 return;
             }
         };
-        self.report.tell(Place::at(name.span()), text);
+        self.report.error(Place::at(name.span()), text);
     }
 
     /// What to write for `near` with a joint: its coordinate, if that can be given, or else the angle of a link.
@@ -95,11 +95,11 @@ impl Lowering {
         let name = &clause.name;
         if link == LinkId::GROUND {
             self.report
-                .tell(Place::at(name.span()), "`ground` is fixed; leave this out");
+                .error(Place::at(name.span()), "`ground` is fixed; leave this out");
         } else if self.model.start.near.iter().any(|near| near.link == link) {
             let text =
                 format!("there is a `near` for link `{name}` already; remove one of the two");
-            self.report.tell(Place::at(name.span()), text);
+            self.report.error(Place::at(name.span()), text);
         } else if let Some(angle) = angle
             && !self.is_degrees_perhaps(&clause.value, angle)
         {
@@ -117,7 +117,7 @@ impl Lowering {
             return;
         };
         if let Some((place, text)) = self.start_trouble(clause, joint, value) {
-            self.report.tell(place, text);
+            self.report.error(place, text);
             return;
         }
         let turns = matches!(self.model.joint(joint).kind, JointKind::Revolute(..));

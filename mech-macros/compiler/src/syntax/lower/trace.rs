@@ -46,7 +46,7 @@ impl Lowering {
         let text = if self.model.axis(point).kind == AxisKind::Line {
             let remedy = self.one_of_its_points(link);
             let text = format!("`{end}` is a line; a trace is of a point{remedy}");
-            self.report.tell(Place::at(name.span()), text);
+            self.report.error(Place::at(name.span()), text);
             return None;
         } else if link == LinkId::GROUND {
             format!("`{end}` does not move: it has no path; trace a point of a moving link")
@@ -55,7 +55,7 @@ impl Lowering {
         } else {
             return Some(point);
         };
-        self.report.tell(end.place(), text);
+        self.report.error(end.place(), text);
         None
     }
 
@@ -65,12 +65,12 @@ impl Lowering {
             Some(Named::Broken) => {}
             Some(Named::Joint(_)) => {
                 let text = format!("`{end}` is a joint; a trace is of a point: `link.point`");
-                self.report.tell(end.place(), text);
+                self.report.error(end.place(), text);
             }
             Some(Named::Link(link)) => {
                 let remedy = self.one_of_its_points(link);
                 let text = format!("`{end}` is a link; a trace is of a point{remedy}");
-                self.report.tell(end.place(), text);
+                self.report.error(end.place(), text);
             }
             None => self.unknown(&end.link),
         }

@@ -117,7 +117,7 @@ impl Lowering {
                     };
                 }
                 Err(trouble) => {
-                    self.report.tell(place, trouble);
+                    self.report.error(place, trouble);
                     return None;
                 }
             }
@@ -136,7 +136,7 @@ impl Lowering {
             formula,
         } = argument;
         if function == Function::Sqrt && argument < 0.0 {
-            self.report.tell(
+            self.report.error(
                 place,
                 format!("{} has no square root; it is negative", shown(argument)),
             );
@@ -144,7 +144,7 @@ impl Lowering {
         }
         if formula.is_some() && matches!(function, Function::Atan | Function::Exp | Function::Abs) {
             let text = "of what depends on a param there are only `sqrt`, `sin`, `cos` and `tan` yet; use a `const`";
-            self.report.tell(place, text);
+            self.report.error(place, text);
             return None;
         }
         let value = function.at(argument);
@@ -172,7 +172,7 @@ impl Lowering {
         let scale = x.abs().max(y.abs());
         if scale == 0.0 {
             self.report
-                .tell(pair.place, "a direction cannot be (0, 0); give it a length");
+                .error(pair.place, "a direction cannot be (0, 0); give it a length");
             return None;
         }
         let (x, y) = (x / scale, y / scale);
@@ -189,7 +189,7 @@ impl Lowering {
                 "{what} is a whole number from {low} to {high}, not {}",
                 shown(value)
             );
-            self.report.tell(expr.place, text);
+            self.report.error(expr.place, text);
             return None;
         }
         #[expect(
@@ -206,7 +206,7 @@ impl Lowering {
         if value > 0.0 {
             return Some(value);
         }
-        self.report.tell(
+        self.report.error(
             expr.place,
             format!("{what} must be greater than zero, not {}", shown(value)),
         );
@@ -264,7 +264,7 @@ pub(super) fn finite(value: f64, place: Place, report: &mut Report) -> Option<f6
     if value.is_finite() {
         return Some(value);
     }
-    report.tell(
+    report.error(
         place,
         "this number is too large; the largest is about 1.8e308",
     );

@@ -19,7 +19,7 @@ impl Lowering {
         }
         if let Some(along) = &body.along {
             let text = "a `weld` has no direction; leave `along` out";
-            self.report.tell(Place::at(along.keyword), text);
+            self.report.error(Place::at(along.keyword), text);
         }
         let [a, b] = body.ends.each_ref().map(|end| self.find_link(&end.link));
         let links = [a?, b?];

@@ -1,6 +1,6 @@
 //! Cams.
 
-use super::{good, told};
+use super::{assert_messages, good};
 use crate::model::{JointId, JointKind, LinkId};
 
 const PARTS: &str = "ground { point o = (0, 0); point p = (3, 0); line rail = (0, 0) -> (1, 0); }
@@ -11,7 +11,7 @@ const PARTS: &str = "ground { point o = (0, 0); point p = (3, 0); line rail = (0
     joint w = weld(lever, own); joint z = revolute(lever, last) at (0, 0);";
 
 fn wrong(rest: &str, messages: &[&str]) {
-    told(&format!("{PARTS} {rest}"), messages);
+    assert_messages(&format!("{PARTS} {rest}"), messages);
 }
 
 #[test]
@@ -62,7 +62,7 @@ fn a_law_goes_on_by_whole_turns_or_not() {
 }
 
 #[test]
-fn what_is_no_joint_is_told() {
+fn what_is_no_joint_is_reported() {
     wrong(
         "joint c = cam(«x», f, q);",
         &["unknown joint `x`; there are `s`, `f`, `g`, `k`, `w`, `z`, `c`"],

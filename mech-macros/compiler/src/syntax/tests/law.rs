@@ -1,6 +1,6 @@
 //! Laws of motors.
 
-use super::{good, told, unseen};
+use super::{assert_messages, good, unseen};
 use crate::model::Law;
 
 /// A mechanism whose motor follows a law, with something before it.
@@ -79,27 +79,27 @@ fn what_is_wrong_with_a_law_is_told_where_it_is() {
         ),
     ];
     for (law, message) in cases {
-        told(&with_law("", law), &[message]);
+        assert_messages(&with_law("", law), &[message]);
     }
 }
 
 #[test]
-fn all_errors_of_a_law_are_told() {
+fn all_errors_of_a_law_are_reported() {
     let law = "«u» * t + sin(«v») / t";
     let unknown = |name| unseen(name, "there are `PI`, `t`");
-    told(&with_law("", law), &[&unknown("u"), &unknown("v")]);
+    assert_messages(&with_law("", law), &[&unknown("u"), &unknown("v")]);
 }
 
 #[test]
 fn the_time_is_nothing_outside_of_laws() {
-    told(
+    assert_messages(
         "const A = «t»;",
         &["unknown constant `t`; there is only `PI`"],
     );
     let text = with_law("const t = 3;", "2 * «t»");
     let message =
         "`t` is the variable of this law, and a constant too; give the constant another name";
-    told(&text, &[message]);
+    assert_messages(&text, &[message]);
     // Who does not ask for the time may call a constant so.
     good(&format!("struct M; {}", with_law("const t = 3;", "2")));
 }
@@ -109,7 +109,7 @@ fn a_start_must_be_that_of_the_law() {
     let text = format!("{} start {{ «a = 0.25»; }}", with_law("", "0.5 + t"));
     let message =
         "motor `a` starts at 0.5 by its law, not at 0.25; leave this out, or change one of the two";
-    told(&text, &[message]);
+    assert_messages(&text, &[message]);
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn what_is_drawn_starts_at_zero() {
     let text = "link crank; joint a = revolute(ground, crank) at (0, 0); motor a = «cos(t)»;";
     let message = "joint `a` is placed in the drawing, where its coordinate is 0, but its law starts at 1; \
         make the law 0 when `t` is 0, or draw its links as they are to start";
-    told(text, &[message]);
+    assert_messages(text, &[message]);
     let text =
         "struct M; link crank; joint a = revolute(ground, crank) at (0, 0); motor a = sin(t + PI);";
     assert_eq!(good(text).model.start.values[0].value, 0.0);
@@ -134,10 +134,10 @@ fn a_law_may_have_a_range_and_a_step() {
     let text = with_law("", "2 + t in «-1 ..= 1»");
     let message =
         "motor `a` starts at 2 by its law, outside its range; widen `-1 ..= 1`, or change the law";
-    told(&text, &[message]);
+    assert_messages(&text, &[message]);
     let text = "ground { point o = (0, 0); } link crank { point o = (0, 0); }
         joint a = revolute(ground.o, crank.o); motor a by 1 «=» t;";
-    told(
+    assert_messages(
         text,
         &["expected `;` (a law stands before `in` and `by`), found `=`"],
     );
@@ -149,13 +149,13 @@ fn nothing_else_may_be_called_as_the_method_that_follows_laws() {
         joint a = revolute(ground.o, at.time); motor «a» = t;";
     let message = "the method that moves motors by their laws and point `at.time` would both be the method `at_time`; \
         rename one of them";
-    told(text, &[message]);
+    assert_messages(text, &[message]);
 }
 
 #[test]
 fn very_long_laws_are_none() {
     let law = vec!["t"; 1001].join(" + ");
-    told(
+    assert_messages(
         &with_law("", &format!("«{law}»")),
         &["a law has 1000 numbers and operations at most; this one has more"],
     );

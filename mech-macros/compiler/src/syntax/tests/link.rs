@@ -1,18 +1,18 @@
 //! Links, points, lines and shapes.
 
-use super::told;
+use super::assert_messages;
 
 #[test]
 fn a_line_has_a_direction() {
-    told(
+    assert_messages(
         "link a { line l = (0, 0)«;» }",
         &["expected `-> (dx, dy)`, found `;`; a line has a direction"],
     );
-    told(
+    assert_messages(
         "link a { point p = (0, 0) «(»1, 0); }",
         &["expected `;`, or `-> (dx, dy)`, found `(`"],
     );
-    told(
+    assert_messages(
         "link a { point p = (0, 0) -> «(0, 1 - 1)»; }",
         &["a direction cannot be (0, 0); give it a length"],
     );
@@ -20,29 +20,29 @@ fn a_line_has_a_direction() {
 
 #[test]
 fn a_place_has_two_coordinates() {
-    told("link a { point p = (1«)»; }", &["expected `,`"]);
-    told(
+    assert_messages("link a { point p = (1«)»; }", &["expected `,`"]);
+    assert_messages(
         "link a { point p = (1, 2, «3»); }",
         &["expected `)`, found `3`"],
     );
-    told(
+    assert_messages(
         "link a { point p = «1»; }",
         &["expected `(x, y)`, found `1`"],
     );
-    told("link a { point p «(»0, 0); }", &["expected `=`, found `(`"]);
+    assert_messages("link a { point p «(»0, 0); }", &["expected `=`, found `(`"]);
 }
 
 #[test]
 fn a_circle_has_a_size() {
-    told(
+    assert_messages(
         "link a { circle (0, 0) radius «0»; }",
         &["a radius must be greater than zero, not 0"],
     );
-    told(
+    assert_messages(
         "link a { circle (0, 0) radius «1 - 3»; }",
         &["a radius must be greater than zero, not -2"],
     );
-    told(
+    assert_messages(
         "link a { circle (0, 0)«;» }",
         &["expected `radius`, found `;`"],
     );
@@ -50,15 +50,15 @@ fn a_circle_has_a_size() {
 
 #[test]
 fn a_ring_has_a_hole_within_it() {
-    told(
+    assert_messages(
         "link a { ring (0, 0) radius 2 hole «2»; }",
         &["the hole of a ring is smaller than the ring, whose radius is 2"],
     );
-    told(
+    assert_messages(
         "link a { ring (0, 0) radius 2 hole «-1»; }",
         &["the radius of a hole must be greater than zero, not -1"],
     );
-    told(
+    assert_messages(
         "link a { ring (0, 0) radius 2«;» }",
         &["expected `hole`, found `;`"],
     );
@@ -66,15 +66,15 @@ fn a_ring_has_a_hole_within_it() {
 
 #[test]
 fn a_bar_has_two_pins() {
-    told(
+    assert_messages(
         "link a { bar «[(0, 0)]» width 1; }",
         &["a bar has at least two pins, not 1"],
     );
-    told(
+    assert_messages(
         "link a { bar [(0, 0), (1, 0)] width «0»; }",
         &["a width must be greater than zero, not 0"],
     );
-    told(
+    assert_messages(
         "link a { bar [(0, 0), (1, 0)] «radius» 1; }",
         &["expected `width`, found `radius`"],
     );
@@ -82,32 +82,32 @@ fn a_bar_has_two_pins() {
 
 #[test]
 fn a_quality_is_one_of_two() {
-    told(
+    assert_messages(
         "quality «smoth»;",
         &["unknown quality `smoth`; did you mean `smooth`?"],
     );
-    told(
+    assert_messages(
         "quality smooth; «quality» hard;",
         &["a mechanism has one `quality`; remove one of the two"],
     );
-    told("quality«;»", &["expected `hard` or `smooth`, found `;`"]);
+    assert_messages("quality«;»", &["expected `hard` or `smooth`, found `;`"]);
 }
 
 #[test]
 fn a_polygon_has_three_corners() {
-    told(
+    assert_messages(
         "link a { polygon «[(0, 0), (1, 0),]»; }",
         &["a polygon has at least three corners, not 2"],
     );
-    told(
+    assert_messages(
         "link a { polygon «[]»; }",
         &["a polygon has at least three corners, not 0"],
     );
-    told(
+    assert_messages(
         "link a { polygon [(0, 0) «(»1, 0)]; }",
         &["expected `]`, found `(`"],
     );
-    told(
+    assert_messages(
         "link a { polygon «(»0, 0); }",
         &["expected `[(x, y), ...]`, found `(`"],
     );
@@ -116,58 +116,58 @@ fn a_polygon_has_three_corners() {
 #[test]
 fn planes_and_colors_are_whole_numbers() {
     let circle = |rest: &str| format!("link a {{ circle (0, 0) radius 1 {rest}; }}");
-    told(
+    assert_messages(
         &circle("on plane «1.5»"),
         &["a plane is a whole number from -2147483648 to 2147483647, not 1.5"],
     );
-    told(
+    assert_messages(
         &circle("on plane «3e9»"),
         &["a plane is a whole number from -2147483648 to 2147483647, not 3000000000"],
     );
-    told(
+    assert_messages(
         &circle("color «256»"),
         &["a color is a whole number from 0 to 255, not 256"],
     );
-    told(
+    assert_messages(
         &circle("color «-1»"),
         &["a color is a whole number from 0 to 255, not -1"],
     );
-    told(
+    assert_messages(
         &circle("color 1 «on» plane 2"),
         &["`on plane` stands before `color`; swap the two"],
     );
-    told(
+    assert_messages(
         &circle("on «color» 2"),
         &["expected `plane`, found `color`"],
     );
-    told(&circle("color 2 «3»"), &["expected `;`, found `3`"]);
+    assert_messages(&circle("color 2 «3»"), &["expected `;`, found `3`"]);
 }
 
 #[test]
 fn other_items_are_unknown() {
-    told(
+    assert_messages(
         "link a { «piont» p = (0, 0); }",
         &["unknown item `piont`; did you mean `point`?"],
     );
-    told(
+    assert_messages(
         "link a { «square» (0, 0); }",
         &[
             "unknown item `square`; what is fixed to a link begins with one of `point`, `line`, `circle`, `ring`, `polygon`, `bar`, `mass`, `density`",
         ],
     );
-    told(
+    assert_messages(
         "link a { «;» }",
         &["expected `point`, `line`, `circle` or `polygon`, found `;`"],
     );
-    told("link a «(»);", &["expected `{` or `;`, found `(`"]);
-    told("ground«;»", &["expected `{`, found `;`"]);
+    assert_messages("link a «(»);", &["expected `{` or `;`, found `(`"]);
+    assert_messages("ground«;»", &["expected `{`, found `;`"]);
 }
 
 #[test]
 fn a_point_with_bad_numbers_is_kept() {
-    let parsed = told("link a { point p = («1 / 0», 0); }", &["division by zero"]);
+    let parsed = assert_messages("link a { point p = («1 / 0», 0); }", &["division by zero"]);
     assert_eq!(parsed.model.axes.len(), 1);
-    let parsed = told(
+    let parsed = assert_messages(
         "link a { point p = «oops»; } link b { point q = (0, 0); } joint d = revolute(a.p, b.q);",
         &["expected `(x, y)`, found `oops`"],
     );
@@ -176,7 +176,7 @@ fn a_point_with_bad_numbers_is_kept() {
 
 #[test]
 fn there_is_one_ground() {
-    let parsed = told(
+    let parsed = assert_messages(
         "ground { point p = (0, 0); } «ground» { point q = (0, 0); } link a { point r = (0, 0); } joint d = revolute(ground.q, a.r);",
         &["a mechanism has one `ground`; put everything into the first"],
     );
@@ -185,7 +185,7 @@ fn there_is_one_ground() {
 
 #[test]
 fn huge_numbers_are_told_briefly() {
-    told(
+    assert_messages(
         "link a { circle (0, 0) radius 1 on plane «1e300»; }",
         &["a plane is a whole number from -2147483648 to 2147483647, not 1e300"],
     );

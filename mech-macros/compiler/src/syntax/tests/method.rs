@@ -1,6 +1,6 @@
 //! How the loops are solved.
 
-use super::told;
+use super::assert_messages;
 use crate::model::{AtChangePoints, Method, Target};
 
 #[test]
@@ -13,26 +13,26 @@ fn a_method_is_exact_newton_or_linear() {
         ("method newton(1);", Some(Method::NewtonSteps(1))),
         ("method newton(64);", Some(Method::NewtonSteps(64))),
     ] {
-        assert_eq!(told(text, &[]).model.method, expected, "{text}");
+        assert_eq!(assert_messages(text, &[]).model.method, expected, "{text}");
     }
-    told(
+    assert_messages(
         "method «newtn»(2);",
         &["unknown method `newtn`; did you mean `newton`?"],
     );
-    told(
+    assert_messages(
         "method «newtn»;",
         &["unknown method `newtn`; did you mean `newton`?"],
     );
-    told(
+    assert_messages(
         "method «exakt»;",
         &["unknown method `exakt`; did you mean `exact`?"],
     );
-    told(
+    assert_messages(
         "method «;»",
         &["expected `exact`, `newton` or `linear`, found `;`"],
     );
-    told("method exact «2»;", &["expected `;`, found `2`"]);
-    told(
+    assert_messages("method exact «2»;", &["expected `;`, found `2`"]);
+    assert_messages(
         "method newton; «method» newton(2);",
         &["a mechanism has one `method`; remove one of the two"],
     );
@@ -41,15 +41,15 @@ fn a_method_is_exact_newton_or_linear() {
 #[test]
 fn newton_takes_a_number_of_steps() {
     for (steps, shown) in [("0", "0"), ("2.5", "2.5"), ("65", "65"), ("-1", "-1")] {
-        told(
+        assert_messages(
             &format!("method newton(«{steps}»);"),
             &[&format!(
                 "the number of newton steps is a whole number from 1 to 64, not {shown}"
             )],
         );
     }
-    told("method newton(2«,» 3);", &["expected `)`, found `,`"]);
-    told(
+    assert_messages("method newton(2«,» 3);", &["expected `)`, found `,`"]);
+    assert_messages(
         "method newton«()»;",
         &["the number of newton steps is missing; write `newton(2)`, or leave the brackets out"],
     );
@@ -57,11 +57,11 @@ fn newton_takes_a_number_of_steps() {
 
 #[test]
 fn other_methods_take_none() {
-    told(
+    assert_messages(
         "method exact«(2)»;",
         &["method `exact` takes no number of steps; leave the brackets out"],
     );
-    told(
+    assert_messages(
         "method linear«()»;",
         &["method `linear` takes no number of steps; leave the brackets out"],
     );
@@ -69,27 +69,27 @@ fn other_methods_take_none() {
 
 #[test]
 fn an_accuracy_is_a_positive_length() {
-    let accuracy = |text| told(text, &[]).model.accuracy;
+    let accuracy = |text| assert_messages(text, &[]).model.accuracy;
     assert_eq!(accuracy(""), None);
     assert_eq!(accuracy("accuracy 1e-9;"), Some(1e-9));
     assert_eq!(
         accuracy("const A = 1e-3; accuracy A / 10;"),
         Some(1e-3 / 10.0)
     );
-    told(
+    assert_messages(
         "accuracy «0»;",
         &["an accuracy must be greater than zero, not 0"],
     );
-    told(
+    assert_messages(
         "accuracy «-1e-9»;",
         &["an accuracy must be greater than zero, not -1e-9"],
     );
-    told(
+    assert_messages(
         "accuracy «1e999»;",
         &["this number is too large; the largest is about 1.8e308"],
     );
-    told("accuracy «;»", &["expected a number, found `;`"]);
-    told(
+    assert_messages("accuracy «;»", &["expected a number, found `;`"]);
+    assert_messages(
         "accuracy 1e-9; «accuracy» 1e-6;",
         &["a mechanism has one `accuracy`; remove one of the two"],
     );
@@ -99,9 +99,9 @@ fn an_accuracy_is_a_positive_length() {
 fn an_accuracy_chooses_the_method() {
     let both =
         "`accuracy` chooses the method, so there cannot be both; remove `accuracy` or `method`";
-    told("method newton; «accuracy» 1e-9;", &[both]);
-    told("accuracy 1e-9; link a; «method» exact;", &[both]);
-    told(
+    assert_messages("method newton; «accuracy» 1e-9;", &[both]);
+    assert_messages("accuracy 1e-9; link a; «method» exact;", &[both]);
+    assert_messages(
         "method newton; «accuracy» «0»; «method» exact; «accuracy» 1e-9;",
         &[
             both,
@@ -114,23 +114,23 @@ fn an_accuracy_chooses_the_method() {
 
 #[test]
 fn costs_are_those_of_a_machine() {
-    let target = |text| told(text, &[]).model.target;
+    let target = |text| assert_messages(text, &[]).model.target;
     assert_eq!(target(""), Target::X86_64);
     assert_eq!(target("cost x86_64;"), Target::X86_64);
     assert_eq!(target("cost cortex_m4f; accuracy 1e-3;"), Target::CortexM4f);
-    told(
+    assert_messages(
         "cost «cortex_m4»;",
         &["unknown machine `cortex_m4`; did you mean `cortex_m4f`?"],
     );
-    told(
+    assert_messages(
         "cost «arm»;",
         &["unknown machine `arm`; there are `x86_64`, `cortex_m4f`"],
     );
     let what = "expected the name of a machine, `x86_64` or `cortex_m4f`, found";
-    told("cost«;»", &[&format!("{what} `;`")]);
-    told("cost «5»;", &[&format!("{what} `5`")]);
-    told("cost cortex«-»m4f;", &["expected `;`, found `-`"]);
-    told(
+    assert_messages("cost«;»", &[&format!("{what} `;`")]);
+    assert_messages("cost «5»;", &[&format!("{what} `5`")]);
+    assert_messages("cost cortex«-»m4f;", &["expected `;`, found `-`"]);
+    assert_messages(
         "cost x86_64; «cost» x86_64;",
         &["a mechanism has one `cost`; remove one of the two"],
     );
@@ -138,7 +138,7 @@ fn costs_are_those_of_a_machine() {
 
 #[test]
 fn change_points_are_passed_in_one_of_three_ways() {
-    let change_points = |text| told(text, &[]).model.change_points;
+    let change_points = |text| assert_messages(text, &[]).model.change_points;
     assert_eq!(change_points(""), AtChangePoints::GoOn);
     assert_eq!(
         change_points("at change points go on;"),
@@ -152,14 +152,14 @@ fn change_points_are_passed_in_one_of_three_ways() {
         change_points("at change points stop;"),
         AtChangePoints::Stop
     );
-    told(
+    assert_messages(
         "at change points stop; «at» change points go on;",
         &["a mechanism has one `at change points`; remove one of the two"],
     );
 }
 
 #[test]
-fn the_first_wrong_word_about_change_points_is_told() {
+fn the_first_wrong_word_about_change_points_is_reported() {
     for (marked, trouble) in [
         (
             "at change points «halt»;",
@@ -182,12 +182,12 @@ fn the_first_wrong_word_about_change_points_is_told() {
         ("at «(»1, 2);", "expected `change`, found `(`"),
     ] {
         let choices = "write `at change points go on`, `at change points keep branch` or `at change points stop`";
-        told(
+        assert_messages(
             &format!("{marked} link a;"),
             &[&format!("{trouble}; {choices}")],
         );
     }
-    told(
+    assert_messages(
         "at change points stop «here»;",
         &["expected `;`, found `here`"],
     );

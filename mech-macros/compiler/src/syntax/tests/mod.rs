@@ -100,7 +100,7 @@ fn unseen(name: &str, remedy: &str) -> String {
 }
 
 /// The messages about a text after its `struct` line.
-fn told(marked: &str, messages: &[&str]) -> Parsed {
+fn assert_messages(marked: &str, messages: &[&str]) -> Parsed {
     assert_eq!(
         marked.matches('«').count(),
         messages.len(),

@@ -1,7 +1,7 @@
 //! Motors, their ranges and steps.
 
+use super::assert_messages;
 use super::setting::with_crank;
-use super::told;
 use crate::model::Range;
 
 #[test]
@@ -246,7 +246,7 @@ fn a_drawn_motor_starts_where_it_is_drawn() {
 fn every_motor_is_held_to_its_own_range() {
     let slide = "ground { point o = (0, 0); line l = (0, 0) -> (1, 0); } link a { point p = (0, 0); }\n\
                  link b { line l = (0, 0) -> (1, 0); } joint turn = revolute(ground.o, a.p); joint push = prismatic(ground.l, b.l);\n";
-    told(
+    assert_messages(
         &format!("{slide}motor push in «3 ..= 4»; motor turn in «1 ..= 2»;"),
         &[
             "motor `push` starts at 0, outside its range, because `start` does not say otherwise; write `push = ...;` in \
@@ -255,7 +255,7 @@ fn every_motor_is_held_to_its_own_range() {
              `start` with a value within `1 ..= 2`, or widen the range",
         ],
     );
-    told(
+    assert_messages(
         &format!(
             "{slide}motor push in 3 ..= 4; motor turn in 1 ..= 2; start {{ turn = «3.5»; push = 3.5; }}"
         ),

@@ -81,13 +81,13 @@ fn no_function_is_taken_for_another() {
         "const A = «atan2(1, 2)»;",
         "there is no `atan2`; write `(2 * atan(1 / (2 + sqrt(2 * 2 + 1 * 1))))`",
     );
-    super::told(
+    super::assert_messages(
         "const A = «acos»();",
         &[
             "unknown function `acos`; there are `sqrt`, `sin`, `cos`, `tan`, `atan`, `exp`, `abs`, `min`, `max`",
         ],
     );
-    super::told(
+    super::assert_messages(
         "const A = «sin»;",
         &["`sin` is a function; write what it is of, as `sin(...)`"],
     );
@@ -100,12 +100,12 @@ fn operators_of_other_languages_are_written_by_ours() {
         "const A = 8 / «2 ** 3»;",
         "there is no `**`; write `(2 * 2 * 2)`",
     );
-    super::told(
+    super::assert_messages(
         "const A = «2 ^ 0.3»;",
         &["there is no `^`; write the power as a product, such as `x * x * x`"],
     );
     let message = "there is no `%`; what repeats is written with `sin` or `cos`, such as `sin(2 * PI * t / 2)`";
-    super::told(&format!("{CRANK}motor j = «t % 2»;"), &[message]);
+    super::assert_messages(&format!("{CRANK}motor j = «t % 2»;"), &[message]);
     assert_mended(
         &format!("struct M; {CRANK}motor j = «t % 2»;"),
         "sin(2 * PI * t / 2)",
@@ -152,7 +152,7 @@ fn units_are_left_out_or_degrees() {
         offered(&format!("const A = {wrong};"), message);
     }
     // The name of a joint is no unit.
-    super::told(
+    super::assert_messages(
         "link b; joint m = revolute(ground, b) at (0, 0); start { b near «1»\nm = 0; }",
         &["expected `;` after `1`"],
     );
@@ -160,12 +160,12 @@ fn units_are_left_out_or_degrees() {
 
 #[test]
 fn numbers_have_no_type() {
-    super::told(
+    super::assert_messages(
         "const A«: f64» = 1;",
         &["numbers have no type here; leave `: f64` out"],
     );
     assert_mended("struct M; const A«: f64» = 1;", "");
-    super::told(
+    super::assert_messages(
         "param a«: f32» = 1;",
         &["numbers have no type here; leave `: f32` out"],
     );
@@ -181,7 +181,7 @@ fn paths_of_rust_cannot_be_seen() {
         "const A = 2 / «TAU»;",
         "unknown constant `TAU`; write `(2 * PI)`",
     );
-    super::told(
+    super::assert_messages(
         "const A = «sizes::ROD»;",
         &[
             "paths of Rust cannot be seen here; declare `const ROD = ...;` in the mechanism and write `ROD`",
@@ -212,7 +212,7 @@ fn a_joint_joins_two_links() {
     let text = "link a; link b; joint j = revolute(ground, a, «b») at (0, 0);";
     let message =
         "a joint joins two links; declare another one for the third, as `revolute(ground, b)`";
-    super::told(text, &[message]);
+    super::assert_messages(text, &[message]);
     super::good(
         "struct M; link a; link b; joint j = revolute(ground, a) at (0, 0); joint k = revolute(ground, b) at (0, 0);",
     );
@@ -232,11 +232,11 @@ fn a_look_is_told_by_its_words() {
         "link a { circle (0, 0) «1»; }",
         "expected `radius` before this number; write `radius 1`",
     );
-    super::told(
+    super::assert_messages(
         "link a { circle (0, 0) radius 1 color 3 «plane» 2; }",
         &["`on plane` stands before `color`; swap the two"],
     );
-    super::told(
+    super::assert_messages(
         "link a { circle (0, 0) radius 1 «colour» 3; }",
         &["write `color` for `colour`"],
     );
@@ -250,17 +250,17 @@ fn a_color_is_a_number() {
         "link a { circle (0, 0) radius 1 color «red»; }",
         &format!("a color is told by its number; write `5` for `red`\n\nnote: {table}"),
     );
-    super::told(
+    super::assert_messages(
         "link a { circle (0, 0) radius 1 color «black»; }",
         &[&format!(
             "a color is told by its number, and no palette names one `black`\n\nnote: {table}"
         )],
     );
-    super::told(
+    super::assert_messages(
         "link a { circle (0, 0) radius 1 color «\"red\"»; }",
         &[&format!("expected a number, found `\"red\"`; {table}")],
     );
-    super::told(
+    super::assert_messages(
         "const red = 5; link a { circle (0, 0) radius 1 color red; }",
         &[],
     );
@@ -285,7 +285,7 @@ fn a_motor_has_a_statement_of_its_own() {
         &["each motor has its own statement; write `motor j; motor k;`"],
     );
     assert_mended(&marked, "j; motor k");
-    super::told(
+    super::assert_messages(
         "const A = 1«,» B = 2; link a; link b; joint j = revolute(a, b) at (0, 0); start { a near 1«,» b near 2; } effects { velocity«,» acceleration }",
         &[
             "expected `;`, found `,`; write a statement for each",
@@ -301,15 +301,15 @@ fn words_stand_where_they_belong() {
         "«let» x = 3;",
         "numbers are declared by `const`; write `const` for `let`",
     );
-    super::told(
+    super::assert_messages(
         "«use» std::f64;",
         &["`use` belongs to Rust; write it outside of `mechanism!`"],
     );
-    super::told(
+    super::assert_messages(
         "«point» p = (0, 0);",
         &["`point` is fixed to a link; write it in the braces of `ground` or of a `link`"],
     );
-    super::told(
+    super::assert_messages(
         "link a { «joint» j = revolute(ground, a) at (0, 0); }",
         &["`joint` is a statement of its own; write it after the braces of the link"],
     );
@@ -329,9 +329,9 @@ fn an_angle_of_many_radians_is_asked_about() {
         offered(&format!("{CRANK}start {{ a near «{wrong}»; }}"), &message);
     }
     let slide = "ground { line l = (0, 0) -> (1, 0); } link a { line l = (0, 0) -> (1, 0); } joint j = prismatic(ground.l, a.l);";
-    super::told(&format!("{slide} motor j; start {{ j = 60; }}"), &[]);
+    super::assert_messages(&format!("{slide} motor j; start {{ j = 60; }}"), &[]);
     for right in ["6", "20 * PI", "720 deg", "START"] {
-        super::told(
+        super::assert_messages(
             &format!("{CRANK}const START = 60; motor j; start {{ j = {right}; }}"),
             &[],
         );
@@ -350,29 +350,29 @@ fn a_range_of_many_radians_is_asked_about() {
         offered(&format!("{CRANK}motor j in «{wrong}»;"), &message);
     }
     for right in ["-6 ..= 6", "0 ..= 20 * PI", "0 ..= 720 deg", "0 ..= FAR"] {
-        super::told(&format!("const FAR = 90; {CRANK}motor j in {right};"), &[]);
+        super::assert_messages(&format!("const FAR = 90; {CRANK}motor j in {right};"), &[]);
     }
     let slide = "ground { line l = (0, 0) -> (1, 0); } link a { line l = (0, 0) -> (1, 0); } joint j = prismatic(ground.l, a.l);";
-    super::told(&format!("{slide} motor j in 0 ..= 90;"), &[]);
+    super::assert_messages(&format!("{slide} motor j in 0 ..= 90;"), &[]);
 }
 
 #[test]
 fn effects_stand_in_braces_each_with_its_end() {
     let message = |after: &str| format!("expected `;` after `{after}`");
-    super::told(
+    super::assert_messages(
         "effects { «velocity» acceleration; }",
         &[&message("velocity")],
     );
-    super::told(
+    super::assert_messages(
         "effects { velocity; «force» dynamics overlay }",
         &[&message("force")],
     );
-    super::told("effects { velocity; acceleration; }", &[]);
-    super::told(
+    super::assert_messages("effects { velocity; acceleration; }", &[]);
+    super::assert_messages(
         "effects «velocity»;",
         &["expected `{`, found `velocity`; write `effects { velocity; }`"],
     );
-    super::told("effects «7»;", &["expected `{`, found `7`"]);
+    super::assert_messages("effects «7»;", &["expected `{`, found `7`"]);
 }
 
 #[test]
@@ -395,12 +395,12 @@ fn near_takes_a_link() {
 #[test]
 fn a_name_that_two_claim_is_told_once() {
     let second = "there is a link `b` already; choose another name for this joint";
-    super::told(
+    super::assert_messages(
         "link a; link b; joint «b» = revolute(a, b) at (0, 0); motor b; start { b = 1; b near 0; } spring s = torsional(b) stiffness 1; \
          load l = torque(b); show b;",
         &[second],
     );
-    super::told(
+    super::assert_messages(
         "link a; joint d = revolute(ground, a) at (0, 0); link «d»; joint e = revolute(a, d) at (1, 0); motor d; start { d near 0; }",
         &["there is a joint `d` already; choose another name for this link"],
     );

@@ -1,6 +1,6 @@
 //! Params: what they are, where they may stand, and what is told where they may not.
 
-use super::{good, told};
+use super::{assert_messages, good};
 use crate::model::{Axis, Model};
 
 const ONLY: &str =
@@ -61,7 +61,7 @@ fn equal_formulas_are_one() {
 
 #[test]
 fn everything_else_stays_as_it_is() {
-    told(
+    assert_messages(
         "param r = 1; const R = 2 * r;
         ground { point o = (0, 0) -> («r», 1); line l = (0, 0) -> (1, «R»); circle (0, 0) radius «r» on plane «r» color «r»;
             polygon [(0, 0), («R», 0), (0, 1)]; }
@@ -86,8 +86,8 @@ fn everything_else_stays_as_it_is() {
             &refused("`r` is a param"),
         ],
     );
-    told("param r = 1; accuracy «r»;", &[&refused("`r` is a param")]);
-    told(
+    assert_messages("param r = 1; accuracy «r»;", &[&refused("`r` is a param")]);
+    assert_messages(
         "param a = 1; param b = «a» + 1;",
         &[&refused("`a` is a param")],
     );
@@ -95,33 +95,33 @@ fn everything_else_stays_as_it_is() {
 
 #[test]
 fn its_name_is_a_method() {
-    told(
+    assert_messages(
         "param crank = 1; link «crank»;",
         &["link `crank` and param `crank` would both be the method `crank`; rename one of them"],
     );
-    told(
+    assert_messages(
         "link crank; param «crank» = 1;",
         &["there is a link `crank` already; choose another name for this param"],
     );
-    told(
+    assert_messages(
         "param new_length = 1; param «poses» = 1;",
         &["`poses` is a method of every mechanism; choose another name for this param"],
     );
-    told(
+    assert_messages(
         "param length = 1; param «length» = 2; const «length» = 3;",
         &[
             "there is a param `length` already; choose another name for this param",
             "there is a param `length` already; choose another name for this constant",
         ],
     );
-    told(
+    assert_messages(
         "param length = 1; link «set_length»; link «params»;",
         &[
             "link `set_length` and changing param `length` would both be the method `set_length`; rename one of them",
             "link `params` and a mechanism with params would both be the method `params`; rename one of them",
         ],
     );
-    told(
+    assert_messages(
         "param «PI» = 3;",
         &["`PI` belongs to the language; choose another name"],
     );
@@ -129,15 +129,15 @@ fn its_name_is_a_method() {
 
 #[test]
 fn its_value_is_computed_where_it_stands() {
-    told(
+    assert_messages(
         "param a = «b»; param b = 1;",
         &["param `b` is declared further down; move its line up"],
     );
-    told(
+    assert_messages(
         "param a = 1 + «a»;",
         &["param `a` cannot be computed from itself"],
     );
-    told(
+    assert_messages(
         "param a = 1; link l { point p = («sqrt(-a)», «1 / (a - 1)»); }",
         &["-1 has no square root; it is negative", "division by zero"],
     );
@@ -145,7 +145,7 @@ fn its_value_is_computed_where_it_stands() {
 
 #[test]
 fn what_follows_no_param_has_no_sensitivity() {
-    told(
+    assert_messages(
         "effects { «sensitivity»; }",
         &[
             "`sensitivity` tells how everything follows the params, and there is none; write `param name = ...;` for a \
@@ -156,7 +156,7 @@ fn what_follows_no_param_has_no_sensitivity() {
         .model
         .effects;
     assert!(effects.sensitivity && !effects.velocity);
-    told(
+    assert_messages(
         "param a = 1; link l { point «p» = (0, 0); point p_sensitivity = (1, 0); } effects { sensitivity; }",
         &[
             "the sensitivity of point `l.p` and point `l.p_sensitivity` would both be the method `l_p_sensitivity`; rename \

@@ -1,10 +1,10 @@
 //! Several errors in one text.
 
-use super::{told, told_of, unseen};
+use super::{assert_messages, told_of, unseen};
 
 #[test]
 fn every_bad_statement_is_told_in_the_order_of_the_text() {
-    let parsed = told(
+    let parsed = assert_messages(
         "const A = 1 «2»;
         link crank { point pin = (0, «;»); «circl» (0, 0) radius 1; point eye = (A, 0); }
         link rod { point eye = (0, 0); } «foo» { bar; }
@@ -37,7 +37,7 @@ fn every_bad_statement_is_told_in_the_order_of_the_text() {
 
 #[test]
 fn a_missing_semicolon_costs_one_statement() {
-    let parsed = told(
+    let parsed = assert_messages(
         "const A = «1»\nlink a { point p = (0, 0«)»\npoint q = (0, 0); }\n\
          joint d = revolute(ground, a) at (0, 0«)»\nmotor «d»\nlink b;",
         &[
@@ -54,7 +54,7 @@ fn a_missing_semicolon_costs_one_statement() {
 #[test]
 fn a_setting_after_a_missing_semicolon_is_read() {
     use crate::model::{AtChangePoints, Target};
-    let parsed = told(
+    let parsed = assert_messages(
         "joint d = revolute(ground, a) at (0, 0«)»\nat change points stop; link «a»\naccuracy 1e-9;\n\
          const A = «1»\ncost cortex_m4f; link b;",
         &[
@@ -67,7 +67,7 @@ fn a_setting_after_a_missing_semicolon_is_read() {
     assert_eq!((model.links.len(), model.accuracy), (3, Some(1e-9)));
     assert_eq!(model.change_points, AtChangePoints::Stop);
     assert_eq!(model.target, Target::CortexM4f);
-    told(
+    assert_messages(
         "link a;\njoint d = revolute(ground, a«)»\nat change points stop;",
         &["expected `;` after `)`"],
     );
@@ -75,7 +75,7 @@ fn a_setting_after_a_missing_semicolon_is_read() {
 
 #[test]
 fn a_missing_semicolon_is_missed_where_it_should_stand() {
-    told(
+    assert_messages(
         "link l; start { a = 1 «deg»\nl near 20 «deg»\nb = «2» }\neffects { «velocity» }",
         &[
             "expected `;` after `deg`",
@@ -90,7 +90,7 @@ fn a_missing_semicolon_is_missed_where_it_should_stand() {
 
 #[test]
 fn a_drawn_joint_with_an_error_is_one_statement() {
-    let parsed = told(
+    let parsed = assert_messages(
         "link a; joint d = «revolut»(ground, a) at (1, 2); joint e = «prismat»(ground, a) at (1, 2) along (1, 0);\n\
          joint g = revolute(ground «a») at (1, 2); link b;",
         &[
@@ -104,7 +104,7 @@ fn a_drawn_joint_with_an_error_is_one_statement() {
 
 #[test]
 fn a_bad_body_hides_no_names() {
-    told(
+    assert_messages(
         "link a «[»] { point p = (0, 0); } link b { point q = (0, 0); «piont» r = (0, 0); }\n\
          joint d = revolute(a.p, b.r); joint e = revolute(a.x, b.«s»);",
         &[
@@ -117,7 +117,7 @@ fn a_bad_body_hides_no_names() {
 
 #[test]
 fn messages_come_in_the_order_of_the_text() {
-    told(
+    assert_messages(
         "joint d = revolute(«x».p, «y».p);\nlink «d»;\nmotor «z»;\nconst A = «B»;\njoint e = gear(«v», «w», 1 : «A1»);",
         &[
             "unknown link `x`; there is only `ground`",
@@ -134,7 +134,7 @@ fn messages_come_in_the_order_of_the_text() {
 
 #[test]
 fn a_lost_name_may_be_declared_after_all() {
-    let parsed = told(
+    let parsed = assert_messages(
         "«lnk» a; link a { point p = (0, 0); } link b { point q = (0, 0); }\n\
          joint d = revolute(a.p, b.«r»);",
         &[

@@ -2,7 +2,7 @@
 
 use super::joint::{LINKS, joint};
 use super::model;
-use super::{good, told};
+use super::{assert_messages, good};
 use crate::model::{JointKind, LinkId, Ratio};
 
 /// The joint of this text, between `crank` and `rod`.
@@ -197,7 +197,7 @@ fn sizes_are_those_of_wheels() {
     joint("gear(crank, rod, «20 : 1.5»)", &[mixed]);
     let mixed = "`A` is a number of teeth, as it is whole, but `A / 4` a pitch radius; write `0.5 : 2.0` for two radii, or two whole \
                  numbers";
-    told(
+    assert_messages(
         &format!("const A = 2; joint d = belt(crank, rod, «A / 4 : A»); {LINKS}"),
         &[mixed],
     );
@@ -231,7 +231,7 @@ fn everything_wrong_is_told_in_order() {
 
 /// The message about a motor on a rack between `crank` and `rod`, where there are these joints.
 fn motor_on_rack(joints: &str, remedy: &str) {
-    told(
+    assert_messages(
         &format!("{LINKS}joint d = rack(crank, rod, radius 1); {joints} motor «d»;"),
         &[&format!("`d` is a rack, which carries no motor; {remedy}")],
     );

@@ -1,6 +1,6 @@
 //! The start, and what is wanted and let pass.
 
-use super::told;
+use super::assert_messages;
 use crate::syntax::Parsed;
 
 const CRANK: &str = "ground { point o = (0, 0); line l = (0, 0) -> (1, 0); } link crank { point p = (0, 0); } link wheel;\n\
@@ -8,7 +8,7 @@ const CRANK: &str = "ground { point o = (0, 0); line l = (0, 0) -> (1, 0); } lin
     joint drawn = revolute(ground, wheel) at (3, 0);\n";
 
 pub(super) fn with_crank(marked: &str, messages: &[&str]) -> Parsed {
-    told(&format!("{CRANK}{marked}"), messages)
+    assert_messages(&format!("{CRANK}{marked}"), messages)
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn a_drawn_joint_starts_at_zero() {
 
 #[test]
 fn some_settings_are_to_come() {
-    told("«certify»;", &["`certify` is not supported yet"]);
+    assert_messages("«certify»;", &["`certify` is not supported yet"]);
 }
 
 #[test]
@@ -100,13 +100,13 @@ fn accelerations_bring_velocities_with_them() {
             velocity,
             acceleration,
             ..
-        } = told(text, &[]).model.effects;
+        } = assert_messages(text, &[]).model.effects;
         [velocity, acceleration]
     };
     assert_eq!(effects(""), [false, false]);
     assert_eq!(effects("effects { velocity; }"), [true, false]);
     assert_eq!(effects("effects { acceleration; }"), [true, true]);
-    told(
+    assert_messages(
         "effects { velocity; «velocity»; «speed»; }",
         &[
             "`velocity` is listed already; remove one of the two",
@@ -119,21 +119,21 @@ fn accelerations_bring_velocities_with_them() {
 fn some_things_are_let_pass() {
     use crate::model::Allowances;
     let allow = |text| {
-        let Allowances { redundant, coupled } = told(text, &[]).model.allow;
+        let Allowances { redundant, coupled } = assert_messages(text, &[]).model.allow;
         [redundant, coupled]
     };
     assert_eq!(allow(""), [false, false]);
     assert_eq!(allow("allow redundant;"), [true, false]);
     assert_eq!(allow("allow coupled; allow redundant;"), [true, true]);
-    told(
+    assert_messages(
         "allow coupled; allow redundant; allow «coupled»;",
         &["`coupled` is allowed already; remove one of the two"],
     );
-    told(
+    assert_messages(
         "allow «couple»;",
         &["unknown permission `couple`; did you mean `coupled`?"],
     );
-    told(
+    assert_messages(
         "allow«;»",
         &["expected `redundant` or `coupled`, found `;`"],
     );
@@ -266,7 +266,7 @@ fn what_is_continuous_turns_and_is_shown() {
         "continuous drawn; «continuous» shaft;",
         &["a mechanism has one `continuous`; put all joints into the first"],
     );
-    told(
+    assert_messages(
         "continuous«;»",
         &["expected the name of a joint, found `;`"],
     );

@@ -2,7 +2,7 @@
 
 use super::joint::{LINKS, joint};
 use super::model::named;
-use super::{good, told};
+use super::{assert_messages, good};
 use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId, Model};
 
 /// Looks at the joints of the only slot, which is called `d`: its point, its line and its slide.
@@ -172,21 +172,21 @@ fn the_start_of_a_slot_is_that_of_its_slide() {
     let slots = format!(
         "{LINKS}joint d = slot(crank.pin, rod.way); joint e = slot(crank, bare) at (0, 0) along (1, 0);\n"
     );
-    told(
+    assert_messages(
         &format!("{slots}start {{ d = 1; e = «1»; }}"),
         &[
             "joint `e` is placed in the drawing, where its coordinate is 0; leave this out, or draw its links as they are \
              to start",
         ],
     );
-    told(
+    assert_messages(
         &format!("{slots}start {{ d = 1; «d» = 2; «e» near 0; }}"),
         &[
             "there is a start for joint `d` already; remove one of the two",
             "`e` is a joint, and `near` takes a link; choose the assembly by the angle of a link, such as `bare near 0 deg`",
         ],
     );
-    told(
+    assert_messages(
         &format!("{slots}motor d; motor «d»; motor «crank»;"),
         &[
             "joint `d` has a motor already; remove one of the two",
@@ -198,10 +198,10 @@ fn the_start_of_a_slot_is_that_of_its_slide() {
 #[test]
 fn a_bad_slot_leaves_no_die() {
     let text = format!("{LINKS}joint d = slot(crank.«pni», rod.way); motor d; start {{ d = 1; }}");
-    let model = told(&text, &["`crank` has no point `pni`; did you mean `pin`?"]).model;
+    let model = assert_messages(&text, &["`crank` has no point `pni`; did you mean `pin`?"]).model;
     assert_eq!((model.links.len(), model.joints.len()), (4, 0));
     let text = format!("{LINKS}joint «rod» = slot(crank.pin, rod.way);");
-    let model = told(
+    let model = assert_messages(
         &text,
         &["there is a link `rod` already; choose another name for this joint"],
     )

@@ -1,6 +1,6 @@
 //! The `struct` line, and statements in general.
 
-use super::{told, told_of};
+use super::{assert_messages, told_of};
 
 #[test]
 fn the_struct_line_comes_first() {
@@ -53,33 +53,33 @@ fn attributes_belong_to_the_struct_line() {
     assert!(parsed.header.expect("a header").attributes.is_empty());
     let message =
         "only the `struct` line takes attributes and doc comments; write this as a `//` comment";
-    let parsed = told(
+    let parsed = assert_messages(
         "«/// The crank.»\nlink a; «#[inline]» link b;",
         &[message, message],
     );
     assert_eq!(parsed.model.links.len(), 3);
-    told("#«foo» link a;", &["expected square brackets"]);
+    assert_messages("#«foo» link a;", &["expected square brackets"]);
 }
 
 #[test]
 fn unknown_statements_have_a_remedy() {
-    told(
+    assert_messages(
         "«jiont» d = gear(a, b, 1 : 2); motor d;",
         &["unknown statement `jiont`; did you mean `joint`?"],
     );
-    told(
+    assert_messages(
         "«wind» s;",
         &[
             "unknown statement `wind`; a statement begins with one of `const`, `param`, `ground`, `link`, `joint`, `motor`, \
            `start`, `method`, `accuracy`, `cost`, `at`, `allow`, …",
         ],
     );
-    told("link a { }«;»", &["expected a statement, found `;`"]);
-    told("«5» = 3; link a;", &["expected a statement, found `5`"]);
+    assert_messages("link a { }«;»", &["expected a statement, found `;`"]);
+    assert_messages("«5» = 3; link a;", &["expected a statement, found `5`"]);
 }
 
 #[test]
 fn a_message_about_the_end_points_at_the_end() {
-    told("link a; motor «a»", &["expected `;` after `a`"]);
-    told("lin«k»", &["expected the name of a link"]);
+    assert_messages("link a; motor «a»", &["expected `;` after `a`"]);
+    assert_messages("lin«k»", &["expected the name of a link"]);
 }

@@ -1,6 +1,6 @@
 //! Traces: what is understood of them, and what is told about those that cannot be.
 
-use super::{good, told, unseen};
+use super::{assert_messages, good, unseen};
 use crate::model::Trace;
 
 /// A mechanism with these effects.
@@ -92,7 +92,7 @@ fn a_trace_is_of_a_named_point_that_moves() {
             "`crank.pin` is traced already; remove one of the two",
         ),
     ] {
-        told(&with(effects), &[message]);
+        assert_messages(&with(effects), &[message]);
     }
 }
 
@@ -101,31 +101,31 @@ fn the_length_of_a_trace_is_a_number_of_places() {
     for wrong in ["0", "-1", "2.5", "16385", "1e300"] {
         let message =
             format!("the length of a trace is a whole number from 1 to 16384, not {wrong}");
-        told(&with(&format!("trace crank.pin «{wrong}»;")), &[&message]);
+        assert_messages(&with(&format!("trace crank.pin «{wrong}»;")), &[&message]);
     }
-    told(
+    assert_messages(
         &with("trace crank.pin «M»;"),
         &[&unseen("M", "there are `N`, `PI`")],
     );
-    told(
+    assert_messages(
         &with("trace crank.pin«;»"),
         &[
             "expected how many places are kept, found `;`; write a number after the point, such as 256",
         ],
     );
-    told(
+    assert_messages(
         &with("trace crank.pin 9 color «256»;"),
         &["a color is a whole number from 0 to 255, not 256"],
     );
-    told(
+    assert_messages(
         &with("trace crank.pin 9 on plane «0.5»;"),
         &["a plane is a whole number from -2147483648 to 2147483647, not 0.5"],
     );
-    told(
+    assert_messages(
         &with("trace crank.pin 9 color 1 «on» plane 2;"),
         &["`on plane` stands before `color`; swap the two"],
     );
-    told(
+    assert_messages(
         &with("trace «;» velocity;"),
         &["expected the name of a link, found `;`"],
     );
@@ -133,7 +133,7 @@ fn the_length_of_a_trace_is_a_number_of_places() {
 
 #[test]
 fn every_error_of_a_trace_is_told_at_once_and_others_after_it() {
-    told(
+    assert_messages(
         &with("trace crank.«pim» «0» color «-1»; «speed»;"),
         &[
             "`crank` has no point `pim`; did you mean `pin`?",
@@ -146,7 +146,7 @@ fn every_error_of_a_trace_is_told_at_once_and_others_after_it() {
 
 #[test]
 fn the_method_of_a_trace_has_a_name_of_its_own() {
-    told(
+    assert_messages(
         "ground { point o = (0, 0); }
         link crank { point shaft = (0, 0); point shaft_trace = (1, 0); }
         joint a = revolute(ground.o, crank.shaft);

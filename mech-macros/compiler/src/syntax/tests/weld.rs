@@ -2,7 +2,7 @@
 
 use super::joint::{LINKS, joint};
 use super::model::{self, named};
-use super::{good, told};
+use super::{assert_messages, good};
 use crate::model::{Axis, AxisKind, JointKind, LinkId, Model};
 
 /// The axes of the weld that is called `d`.
@@ -122,7 +122,7 @@ fn a_weld_has_no_direction() {
 
 #[test]
 fn a_weld_is_no_place_for_a_motor() {
-    told(
+    assert_messages(
         &format!("{LINKS}joint d = weld(crank, rod); motor «crank»;"),
         &["`crank` is a link; this must be a joint"],
     );

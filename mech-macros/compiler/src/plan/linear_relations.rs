@@ -31,9 +31,9 @@ enum Variable {
 
 /// A linear combination; no coefficient is zero.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Linear(BTreeMap<Variable, Rational>);
+pub(crate) struct LinearForm(BTreeMap<Variable, Rational>);
 
-impl Linear {
+impl LinearForm {
     fn term(variable: Variable) -> Self {
         Self(BTreeMap::from([(variable, Rational::one())]))
     }
@@ -80,11 +80,11 @@ impl Linear {
 
 /// The relations so far, each solved for one variable.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Ledger(BTreeMap<Variable, Linear>);
+pub(crate) struct LinearRelations(BTreeMap<Variable, LinearForm>);
 
-impl Ledger {
+impl LinearRelations {
     /// Notes that a combination is constant.
-    pub(crate) fn relate(&mut self, combination: &Linear) {
+    pub(crate) fn add(&mut self, combination: &LinearForm) {
         let mut rest = self.reduced(combination);
         let pivot = rest
             .0
@@ -107,7 +107,7 @@ impl Ledger {
     }
 
     /// A combination as one of sources alone, if it is known.
-    pub(crate) fn value(&self, combination: &Linear) -> Option<Vec<(usize, Rational)>> {
+    pub(crate) fn value(&self, combination: &LinearForm) -> Option<Vec<(usize, Rational)>> {
         let reduced = self.reduced(combination).0.into_iter();
         reduced
             .map(|(variable, coefficient)| match variable {
@@ -118,36 +118,33 @@ impl Ledger {
     }
 
     /// For each of these combinations that the ones before it and the sources determine, how.
-    pub(crate) fn ties(&self, combinations: &[Linear]) -> Vec<Option<Parts>> {
+    pub(crate) fn ties(&self, combinations: &[LinearForm]) -> Vec<Option<Parts>> {
         // Each combination gets a name of its own, a source beyond all others, and is solved for as the ledger itself is.
-        let mut ledger = self.clone();
+        let mut relations = self.clone();
         combinations
             .iter()
             .enumerate()
             .map(|(index, combination)| {
-                let found = ledger
+                let found = relations
                     .value(combination)
                     .map(|parts| split(parts, combinations.len()));
                 if found.is_none() {
-                    let own = Linear::source(usize::MAX - index);
-                    ledger.relate(&combination.clone().plus(&-Rational::one(), &own));
+                    let own = LinearForm::source(usize::MAX - index);
+                    relations.add(&combination.clone().plus(&-Rational::one(), &own));
                 }
                 found
             })
             .collect()
     }
 
-    fn reduced(&self, combination: &Linear) -> Linear {
-        combination
-            .0
-            .iter()
-            .fold(
-                Linear::default(),
-                |sum, (variable, coefficient)| match self.0.get(variable) {
-                    Some(value) => sum.plus(coefficient, value),
-                    None => sum.plus(coefficient, &Linear::term(*variable)),
-                },
-            )
+    fn reduced(&self, combination: &LinearForm) -> LinearForm {
+        combination.0.iter().fold(
+            LinearForm::default(),
+            |sum, (variable, coefficient)| match self.0.get(variable) {
+                Some(value) => sum.plus(coefficient, value),
+                None => sum.plus(coefficient, &LinearForm::term(*variable)),
+            },
+        )
     }
 }
 
@@ -178,18 +175,19 @@ mod tests {
     #[test]
     fn planetary() {
         let [ground, sun, arm, planet] = [0, 1, 2, 3].map(LinkId::new);
-        let mut ledger = Ledger::default();
-        let sun_planet = Linear::turn(arm, sun)
+        let mut relations = LinearRelations::default();
+        let sun_planet = LinearForm::turn(arm, sun)
             .scaled(&whole(5))
-            .plus(&whole(1), &Linear::turn(arm, planet));
-        let planet_ring = Linear::turn(arm, planet).plus(&whole(-7), &Linear::turn(arm, ground));
-        ledger.relate(&sun_planet);
-        ledger.relate(&planet_ring);
-        assert_eq!(ledger.value(&Linear::turn(ground, arm)), None);
-        ledger.relate(&Linear::turn(ground, sun).plus(&whole(-1), &Linear::source(0)));
+            .plus(&whole(1), &LinearForm::turn(arm, planet));
+        let planet_ring =
+            LinearForm::turn(arm, planet).plus(&whole(-7), &LinearForm::turn(arm, ground));
+        relations.add(&sun_planet);
+        relations.add(&planet_ring);
+        assert_eq!(relations.value(&LinearForm::turn(ground, arm)), None);
+        relations.add(&LinearForm::turn(ground, sun).plus(&whole(-1), &LinearForm::source(0)));
         let five_twelfths = Rational::new(5.into(), 12.into());
         assert_eq!(
-            ledger.value(&Linear::turn(ground, arm)),
+            relations.value(&LinearForm::turn(ground, arm)),
             Some(vec![(0, five_twelfths)])
         );
     }

@@ -58,7 +58,7 @@ impl Writer<'_> {
     }
 
     /// The methods that tell what it takes to move.
-    pub(super) fn acting(&self, acting: &Program) -> TokenStream {
+    pub(super) fn inverse_dynamics(&self, inverse_dynamics: &Program) -> TokenStream {
         let Self {
             scalar,
             motors,
@@ -66,13 +66,17 @@ impl Writer<'_> {
             model,
             ..
         } = self;
-        let [_, arguments] = given(acting);
-        let (step_full, loads, blocked) = (step_full(acting), self.given_loads(), self.blocked());
+        let [_, arguments] = given(inverse_dynamics);
+        let (step_full, loads, blocked) = (
+            step_full(inverse_dynamics),
+            self.given_loads(),
+            self.blocked(),
+        );
         let names: Vec<&String> = model
             .told_joints()
             .map(|joint| &model.joint(joint).name)
             .collect();
-        let (found, _) = found(acting);
+        let (found, _) = found(inverse_dynamics);
         let joints = Literal::usize_unsuffixed(names.len());
         let mut tokens = quote! {
             /// The joints, in the order in which `forces` tells their reactions.

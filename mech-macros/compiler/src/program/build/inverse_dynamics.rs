@@ -11,12 +11,12 @@ use crate::bug::bug;
 use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
 use crate::plan::Algebra;
 use crate::program::node::{Op, Value};
-use crate::program::{Acting, Forces, Motion};
+use crate::program::{Forces, InverseDynamics, Motion};
 use crate::structure::Structure;
 
 /// About which point of its link moments are taken, and along which slide forces are summed, or along x and y.
 #[derive(Clone, Copy, Debug)]
-struct Way {
+struct Balance {
     about: [f64; 2],
     along: Option<JointId>,
 }
@@ -29,7 +29,7 @@ struct Rows {
 
 impl Writer<'_> {
     /// What it takes to move in a given way: no forces where equilibrium does not determine them.
-    pub(super) fn acting(&mut self, structure: &Structure) -> Motion {
+    pub(super) fn inverse_dynamics(&mut self, structure: &Structure) -> Motion {
         let mut motion = Motion::default();
         let closings = std::mem::take(&mut self.closings);
         let mut influence_coefficients = self.influence_coefficients(&closings, &mut motion);
@@ -55,13 +55,13 @@ impl Writer<'_> {
             .iter_mut()
             .map(|tangents| self.velocity_ratios(tangents))
             .collect();
-        let acting = Acting {
+        let inverse_dynamics = InverseDynamics {
             torques: self.drives(&unknowns, &found),
             reactions: self.reactions(&unknowns, &found),
             velocity_ratios,
             transmission: self.transmission(&solved),
         };
-        motion.forces = Some(Forces::Acting(acting));
+        motion.forces = Some(Forces::InverseDynamics(inverse_dynamics));
         motion.loads = self.model.actions.load_names();
         motion
     }
@@ -77,22 +77,22 @@ impl Writer<'_> {
         let links: Vec<LinkId> = self.model.moving_links().collect();
         let mut written: Vec<Vec<Rows>> = Vec::new();
         for &link in &links {
-            let ways = self.ways(link);
-            let rows = ways
+            let balances = self.balances(link);
+            let rows = balances
                 .into_iter()
-                .map(|way| self.rows(link, way, unknowns, wrenches));
+                .map(|balance| self.rows(link, balance, unknowns, wrenches));
             written.push(rows.collect());
         }
         let pattern: Vec<Vec<[Vec<usize>; 3]>> = written
             .iter()
-            .map(|ways| ways.iter().map(Rows::pattern).collect())
+            .map(|balances| balances.iter().map(Rows::pattern).collect())
             .collect();
         let (choices, blocks) = chosen(&pattern, unknowns.len())?;
         let rows: Vec<(&Vec<(usize, Value)>, Value)> = written
             .iter()
             .zip(choices)
-            .flat_map(|(ways, choice)| {
-                let Rows { unknown, known } = &ways[choice];
+            .flat_map(|(balances, choice)| {
+                let Rows { unknown, known } = &balances[choice];
                 unknown.iter().zip(known.iter().copied())
             })
             .collect();
@@ -148,7 +148,7 @@ impl Writer<'_> {
     }
 
     /// The ways to write the equations of a link.
-    fn ways(&self, link: LinkId) -> Vec<Way> {
+    fn balances(&self, link: LinkId) -> Vec<Balance> {
         let mut points: Vec<[f64; 2]> = Vec::new();
         let mut slides: Vec<Option<JointId>> = vec![None];
         for joint in self.model.joint_ids() {
@@ -172,14 +172,20 @@ impl Writer<'_> {
             // Moments are taken about any point: on a line they are simple, and there may be none.
             points.push(line.map_or([0.0, 0.0], |axis| axis.at));
         }
-        let ways = slides
+        let balances = slides
             .into_iter()
-            .flat_map(|along| points.iter().map(move |&about| Way { about, along }));
-        ways.collect()
+            .flat_map(|along| points.iter().map(move |&about| Balance { about, along }));
+        balances.collect()
     }
 
     /// The equations of a link, written one way.
-    fn rows(&mut self, link: LinkId, way: Way, unknowns: &[Unknown], wrenches: &[Wrench]) -> Rows {
+    fn rows(
+        &mut self,
+        link: LinkId,
+        balance: Balance,
+        unknowns: &[Unknown],
+        wrenches: &[Wrench],
+    ) -> Rows {
         let zero = self.builder.constant(0.0);
         let mut rows = Rows {
             unknown: Default::default(),
@@ -195,7 +201,7 @@ impl Writer<'_> {
                         along,
                         size,
                     } if pushed == link => {
-                        let parts = self.pushed(link, way, at, along);
+                        let parts = self.pushed(link, balance, at, along);
                         parts.map(|part| self.builder.mul(size, part))
                     }
                     Push::Torque { link: pushed, size } if pushed == link => [zero, zero, size],
@@ -218,8 +224,8 @@ impl Writer<'_> {
                     at,
                     force,
                 } if pushed == link => {
-                    let arm = self.arm(link, way, Place::Scene(at));
-                    let [along, across] = self.resolved(way, force);
+                    let arm = self.arm(link, balance, Place::Scene(at));
+                    let [along, across] = self.resolved(balance, force);
                     [along, across, self.builder.cross(arm, force)]
                 }
                 Wrench::Torque {
@@ -236,15 +242,15 @@ impl Writer<'_> {
     }
 
     /// What a force of size one adds to the equations of a link.
-    fn pushed(&mut self, link: LinkId, way: Way, at: Place, along: Along) -> [Value; 3] {
+    fn pushed(&mut self, link: LinkId, balance: Balance, at: Place, along: Along) -> [Value; 3] {
         let (zero, one) = (self.builder.constant(0.0), self.builder.constant(1.0));
         let direction = self.direction(along);
-        let arm = self.arm(link, way, at);
+        let arm = self.arm(link, balance, at);
         let moment = self.builder.cross(arm, direction);
-        let [p, q] = match (along, way.along) {
+        let [p, q] = match (along, balance.along) {
             (Along::Slide(joint), Some(own)) if joint == own => [one, zero],
             (Along::Across(joint), Some(own)) if joint == own => [zero, one],
-            _ => self.resolved(way, direction),
+            _ => self.resolved(balance, direction),
         };
         [p, q, moment]
     }
@@ -272,8 +278,8 @@ impl Writer<'_> {
     }
 
     /// A force along and across what the forces of a link are summed along.
-    fn resolved(&mut self, way: Way, force: [Value; 2]) -> [Value; 2] {
-        match way.along {
+    fn resolved(&mut self, balance: Balance, force: [Value; 2]) -> [Value; 2] {
+        match balance.along {
             None => force,
             Some(joint) => {
                 let along = self.slide(joint);
@@ -286,15 +292,15 @@ impl Writer<'_> {
     }
 
     /// From the point about which moments are taken to another.
-    fn arm(&mut self, link: LinkId, way: Way, at: Place) -> [Value; 2] {
+    fn arm(&mut self, link: LinkId, balance: Balance, at: Place) -> [Value; 2] {
         let pose = self.placement.pose(link);
         match at {
             Place::Own([x, y]) => {
-                let [u, v] = way.about;
+                let [u, v] = balance.about;
                 pose.turn(&mut self.builder, [x - u, y - v])
             }
             Place::Scene(at) => {
-                let about = pose.carry_point(&mut self.builder, way.about);
+                let about = pose.carry_point(&mut self.builder, balance.about);
                 self.builder.minus(at, about)
             }
         }

@@ -4,15 +4,15 @@ use super::node::Value;
 
 /// A loop that is solved in closed form: its block is straight-line, with a margin to be tested.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Closed {
+pub struct ClosedForm {
     /// Which loop of the plan it closes.
     pub number: usize,
     /// The joints of the loop whose coordinates are unknown, for messages.
     pub place: String,
     /// What must not be negative for the loop to close: the discriminant of its dyad.
-    pub slack: Value,
+    pub discriminant: Value,
     /// How far rounding may push the discriminant below zero where the loop does close.
-    pub floor: Value,
+    pub tolerance: Value,
     /// The slack and the floor together: not negative if the loop closes. A constant if it always does.
     pub margin: Value,
     /// The sine of the transmission angle, as a part of its greatest, with the sign of the side on which the dyad lies.
@@ -20,7 +20,7 @@ pub struct Closed {
     /// The square of a sine below which rounding hides its sign.
     pub rounding_square: Value,
     /// Whether its dyad has two sides to lie on: where two lines cut each other it has none.
-    pub sided: bool,
+    pub has_branches: bool,
     /// The unknowns, when they are found.
     pub found: Vec<Value>,
     /// What is cut with what.
