@@ -327,6 +327,37 @@ fn coupled_behind_gears_that_speed_up() {
     );
 }
 
+/// Coupled loops in which two pins coincide: what hangs on them turns with the crank as one body. Twice in a turn another assembly
+/// crosses this one, and no step, however long, goes over to it.
+#[test]
+fn coupled_loops_go_straight_on_through_their_change_points() {
+    let subject = of(include_str!("texts/s990355.txt"));
+    let mut found = Vec::new();
+    for far in [3.0, 5.5, -4.0, 20.0] {
+        for steps in [1_u32, 2, 3, 5, 10, 40, 100, 300, 1000, 3000, 20_000] {
+            let mut machine = Machine::<f64>::new(&subject.compiled.program);
+            for step in 1..=steps {
+                let to: f64 = far * f64::from(step) / f64::from(steps);
+                let told = machine.move_to(&[to]);
+                let poses = subject.poses(machine.position());
+                let off = |link: usize, angle: f64| {
+                    let [cos, sin, ..] = poses[link];
+                    (cos - angle.cos()).hypot(sin - angle.sin())
+                };
+                let body = (1..=4).map(|link| off(link, to)).fold(0.0, f64::max);
+                let off = body.max(off(5, 0.0));
+                if told.is_err() || off > 1e-6 {
+                    found.push(format!(
+                        "to {far} in {steps} steps: at {to} {told:?}, off by {off:.2e}"
+                    ));
+                    break;
+                }
+            }
+        }
+    }
+    none("coincident pins", &subject, &found);
+}
+
 /// A move that begins where one was stopped, at the edge of a dead zone, does not pass it: not even where rounding lets the loop close
 /// here and there beside the edge.
 #[test]

@@ -80,14 +80,15 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
             at_zero,
         });
     }
-    // Where rolling ties unknowns there is no closed form, and nothing is proved.
+    // Where rolling ties unknowns, or loops are coupled, there is no closed form, and nothing is proved.
     let at_zero = match model.change_points {
         AtChangePoints::GoOn => AtZero::GoOver,
         AtChangePoints::Stop => AtZero::Stop,
         AtChangePoints::KeepBranch => AtZero::Stay,
     };
     for (closing, choice) in plan.loops().zip(&mut decided) {
-        if at_zero != AtZero::Stay && closing.rings.len() == 1 && !closing.ties.is_empty() {
+        let is_coupled = closing.rings.len() > 1;
+        if at_zero != AtZero::Stay && (is_coupled || !closing.ties.is_empty()) {
             choice.watching = Some(Watching {
                 bound: paces.of_tied(&closing.ties),
                 at_zero,
