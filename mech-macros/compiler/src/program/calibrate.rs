@@ -30,9 +30,8 @@ pub(super) fn calibrate(program: &mut Program) {
     };
     let nodes = &program.nodes;
     // Where a side is carried its sign is taken out of the determinant.
-    let sided = |newton: &Newton| {
-        newton.dense && !matches!(nodes[newton.det.index()].op, Op::Dense(..))
-    };
+    let sided =
+        |newton: &Newton| newton.dense && !matches!(nodes[newton.det.index()].op, Op::Dense(..));
     for block in &mut program.blocks {
         if let BlockKind::Newton(newton) = &mut block.kind {
             newton.limits = Limits {

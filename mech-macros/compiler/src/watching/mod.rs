@@ -88,12 +88,19 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decide
     };
     for (closing, choice) in plan.loops().zip(&mut decided) {
         let is_coupled = closing.rings.len() > 1;
-        if at_zero != AtZero::Stay && (is_coupled || !closing.ties.is_empty()) {
-            choice.watching = Some(Watching {
-                bound: paces.of_tied(&closing.ties),
-                at_zero,
-            });
+        let passes = at_zero != AtZero::Stay && !closing.ties.is_empty();
+        if !is_coupled && !passes {
+            continue;
         }
+        // An iteration keeps no branch at a change point of coupled loops: rounding would choose one.
+        let at_zero = match at_zero {
+            AtZero::Stay => AtZero::Stop,
+            passed => passed,
+        };
+        choice.watching = Some(Watching {
+            bound: paces.of_tied(&closing.ties),
+            at_zero,
+        });
     }
     let turning = program.followed.iter();
     let turning = turning
