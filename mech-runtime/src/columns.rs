@@ -23,12 +23,12 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
     #[must_use]
     pub fn new(buffer: &'a mut [T], len: usize) -> Option<Self> {
         let needed = len.checked_mul(4)?.checked_mul(LINKS)?;
-        let mut rest = buffer.get_mut(..needed)?;
+        let mut remainder = buffer.get_mut(..needed)?;
         let mut next = || {
-            let (column, others) = core::mem::take(&mut rest)
+            let (column, others) = core::mem::take(&mut remainder)
                 .split_at_mut_checked(len)
                 .unwrap_or_default();
-            rest = others;
+            remainder = others;
             column
         };
         Some(Self {
@@ -116,8 +116,8 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
     ) {
         for (columns, lanes) in self.columns.iter_mut().zip(lanes) {
             for (column, lane) in columns.iter_mut().zip(lanes) {
-                let rest = column.get_mut(first..);
-                if let Some(places) = rest.and_then(<[_]>::first_chunk_mut) {
+                let remainder = column.get_mut(first..);
+                if let Some(places) = remainder.and_then(<[_]>::first_chunk_mut) {
                     *places = *lane;
                 }
             }

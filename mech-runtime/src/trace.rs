@@ -90,18 +90,18 @@ impl<T: Scalar, const N: usize> Trace<T, N> {
             return;
         };
         let mut line = Strokes::new(first);
-        let mut rest = None;
+        let mut remainder = None;
         for to in places {
             let from = line.end();
             let is_near = Real::abs(to[0] - from[0]) < least && Real::abs(to[1] - from[1]) < least;
             if is_near {
-                rest = Some(to);
+                remainder = Some(to);
             } else {
                 line.push(to, canvas, color);
-                rest = None;
+                remainder = None;
             }
         }
-        if let Some(to) = rest {
+        if let Some(to) = remainder {
             line.push(to, canvas, color);
         }
         line.draw(canvas, color);
@@ -145,10 +145,10 @@ impl<T: Scalar> Strokes<T> {
 
     fn draw(&self, canvas: &mut impl Canvas<T>, color: u8) {
         let mut points = self.places.get(..self.len).unwrap_or_default();
-        if let [first, rest @ ..] = points
+        if let [first, remainder @ ..] = points
             && !first.iter().all(|&part| Real::is_finite(part))
         {
-            points = rest;
+            points = remainder;
         }
         let width = <T as Real>::from_f64(WIDTH) / canvas.scale();
         if points.len() > 1 {

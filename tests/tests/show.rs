@@ -136,7 +136,7 @@ fn reached(program: &Program, link: LinkId) -> BTreeSet<usize> {
                 waiting.extend(scalars.flat_map(|scalar| [scalar.first, scalar.next]));
             }
             _ => {
-                let closed = program.closed(node.block);
+                let closed = program.closed_form(node.block);
                 if let Some(closed) = closed.filter(|closed| closed.found.contains(&value)) {
                     loops.insert(closed.number);
                     waiting.push(closed.margin);

@@ -99,12 +99,12 @@ impl Words<'_> {
                 self.too_many(*motor, among, offers),
             ),
             Diagnosis::Rigid => (self.model.origin, self.rigid(offers)),
-            Diagnosis::Overdetermined { joints, matched } => (
+            Diagnosis::Overdetermined { joints, is_mobile } => (
                 self.at_joint(joints.first()),
-                self.overdetermined(joints, *matched, offers),
+                self.overdetermined(joints, *is_mobile, offers),
             ),
             Diagnosis::Massless { motors } => return self.massless(motors),
-            Diagnosis::MatchedOnly { joints, param } => (
+            Diagnosis::OverconstrainedWithParam { joints, param } => (
                 self.at_joint(joints.first()),
                 self.matched_only(joints, *param),
             ),

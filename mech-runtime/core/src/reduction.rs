@@ -80,9 +80,9 @@ pub(crate) fn rest_of_f32(x: f32) -> Rest<f32, u32> {
     let turn = size as u32;
     let turn = if x < 0.0 { turn.wrapping_neg() } else { turn };
     let quadrant = turn.wrapping_add(1 << 29) >> 30;
-    let rest = turn.wrapping_sub(quadrant << 30).cast_signed();
-    let upper = (rest + (1 << 12)) >> 13;
-    let lower = rest - (upper << 13);
+    let remainder = turn.wrapping_sub(quadrant << 30).cast_signed();
+    let upper = (remainder + (1 << 12)) >> 13;
+    let lower = remainder - (upper << 13);
     // The first product is exact, so is what the sum loses.
     let (upper, lower) = (upper as f32, lower as f32);
     let main = upper * (HEAD_F32 * power_f32(-19));
@@ -125,8 +125,8 @@ pub(crate) fn rest_of_f64(x: f64) -> Rest<f64, u64> {
     // In units of 2^-126 right angles. No float is nearer than 2^-62 to their multiples, so 64 bits of the rest are known.
     let product = (first << 64).wrapping_add(second).wrapping_add(third >> 64);
     let quadrant = product.wrapping_add(1 << 125) >> 126;
-    let rest = product.wrapping_sub(quadrant << 126).cast_signed();
-    let size = rest.unsigned_abs();
+    let remainder = product.wrapping_sub(quadrant << 126).cast_signed();
+    let size = remainder.unsigned_abs();
     let shift = size.leading_zeros();
     let top = (size.wrapping_shl(shift) >> 64) as u64;
 
@@ -135,7 +135,11 @@ pub(crate) fn rest_of_f64(x: f64) -> Rest<f64, u64> {
     let head = radians.wrapping_add(1 << 10) & !0x7FF;
     let tail = radians.wrapping_sub(head).cast_signed() as i32;
     let unit = power_f64(-61 - shift.cast_signed());
-    let unit = if (rest < 0) == (x < 0.0) { unit } else { -unit };
+    let unit = if (remainder < 0) == (x < 0.0) {
+        unit
+    } else {
+        -unit
+    };
     let quadrant = quadrant as u64;
     Rest {
         high: head as f64 * unit,

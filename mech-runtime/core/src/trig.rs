@@ -38,12 +38,12 @@ pub const LIMIT_F32: f32 = 8192.0 * core::f32::consts::FRAC_PI_2;
 #[inline]
 #[must_use]
 pub fn sin_cos_f64(x: f64) -> (f64, f64) {
-    let rest = if x.abs() <= LIMIT_F64 {
+    let remainder = if x.abs() <= LIMIT_F64 {
         rest_within_f64(x)
     } else {
         rest_of_f64(x)
     };
-    rest.sin_cos()
+    remainder.sin_cos()
 }
 
 /// The sine and the cosine of an angle in radians, each within 1e-7, in the arithmetic of `f32` and of whole numbers
@@ -58,12 +58,12 @@ pub fn sin_cos_f64(x: f64) -> (f64, f64) {
 #[inline]
 #[must_use]
 pub fn sin_cos_f32(x: f32) -> (f32, f32) {
-    let rest = if x.abs() <= LIMIT_F32 {
+    let remainder = if x.abs() <= LIMIT_F32 {
         rest_within_f32(x)
     } else {
         rest_of_f32(x)
     };
-    rest.sin_cos()
+    remainder.sin_cos()
 }
 
 /// As [`sin_cos_f64`], bit for bit, for |x| <= [`LIMIT_F64`]; beyond that it gives any numbers, but does not panic.
@@ -124,9 +124,9 @@ fn rest_within_f32(x: f32) -> Rest<f32, u32> {
 
     // Both differences are exact, because the parts end well above the last place of what is left.
     let second = (x - count * HEAD) - count * MIDDLE;
-    let rest = count * TAIL;
-    let high = second - rest;
-    let low = (second - high) - rest;
+    let remainder = count * TAIL;
+    let high = second - remainder;
+    let low = (second - high) - remainder;
     Rest {
         high,
         low,

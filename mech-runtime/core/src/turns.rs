@@ -16,13 +16,13 @@ pub(crate) fn whole_turns_f64(x: f64) -> Option<(i32, f64)> {
         return None;
     }
     // Both differences are exact: what is left has fewer bits than `x` and the product have together.
-    let rest = (x - count * HEAD) - count * MIDDLE;
+    let remainder = (x - count * HEAD) - count * MIDDLE;
     #[expect(
         clippy::cast_possible_truncation,
         reason = "a whole number within the range"
     )]
     let turns = count as i32;
-    Some((turns, rest - count * TAIL))
+    Some((turns, remainder - count * TAIL))
 }
 
 /// The same in whole numbers and `f32`, for processors without `f64`.
@@ -53,12 +53,12 @@ pub(crate) fn whole_turns_f32(x: f32) -> Option<(i32, f32)> {
     let whole = (size * 4_194_304.0) as u64;
     let product = u128::from(whole) * PER_RADIAN;
     let nearest = (product + (1 << (UNIT - 1))) >> UNIT;
-    let rest = (product >> (UNIT - FRACTION)) as i64 - ((nearest as i64) << FRACTION);
-    let rest = rest as f32 * (core::f32::consts::TAU / 2_147_483_648.0);
+    let remainder = (product >> (UNIT - FRACTION)) as i64 - ((nearest as i64) << FRACTION);
+    let remainder = remainder as f32 * (core::f32::consts::TAU / 2_147_483_648.0);
     let turns = nearest as i32;
     Some(if x < 0.0 {
-        (-turns, -rest)
+        (-turns, -remainder)
     } else {
-        (turns, rest)
+        (turns, remainder)
     })
 }

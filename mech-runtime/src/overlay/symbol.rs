@@ -261,12 +261,12 @@ fn slide<T: Scalar>(
         let ends = [-RAIL, RAIL].map(|end| [end, side * depth]);
         pen.stroke(canvas, block, ends, MEDIUM);
         // The hatching stays where it is while the block slides by.
-        let rest = HATCH * fraction(way / pen.pixels(HATCH));
+        let remainder = HATCH * fraction(way / pen.pixels(HATCH));
         let floor = pen::Spot {
             at: block.go(T::ZERO, pen.pixels(side * depth)),
             along,
         };
-        pen.hatch(canvas, floor, (HATCH - RAIL - rest, RAIL, HATCH), side);
+        pen.hatch(canvas, floor, (HATCH - RAIL - remainder, RAIL, HATCH), side);
     } else {
         let reach = pen.pixels(2.0 * half);
         let least = if way < reach { way - reach } else { T::ZERO };
@@ -285,9 +285,9 @@ fn slide<T: Scalar>(
 
 /// What is left of a number when the whole below it is taken away; of one that is not finite, nothing.
 fn fraction<T: Scalar>(number: T) -> f32 {
-    let rest = number - nalgebra::ComplexField::floor(number);
-    if Real::is_finite(rest) {
-        nalgebra::convert_unchecked::<T, f32>(rest)
+    let remainder = number - nalgebra::ComplexField::floor(number);
+    if Real::is_finite(remainder) {
+        nalgebra::convert_unchecked::<T, f32>(remainder)
     } else {
         0.0
     }
@@ -311,10 +311,10 @@ fn belt<T: Scalar>(
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     let length = Real::sqrt(x * x + y * y);
     let sine = (radii[0] - radii[1]) / length;
-    let rest = T::ONE - sine * sine;
+    let remainder = T::ONE - sine * sine;
     let [u, v] = [x / length, y / length];
     // Where one wheel is within the other, there is no tangent: what is not a number is not drawn.
-    let cosine = Real::sqrt(rest);
+    let cosine = Real::sqrt(remainder);
     for side in [cosine, -cosine] {
         let normal = [sine * u - side * v, sine * v + side * u];
         let touching = |[x, y]: [T; 2], radius: T| [x + radius * normal[0], y + radius * normal[1]];
@@ -340,10 +340,10 @@ fn rack<T: Scalar>(
     // Ticks half a radius apart, on the side away from the pinion.
     let apart = <T as Real>::HALF * Real::abs(radius);
     let way = (at[0] - bar.at[0]) * u + (at[1] - bar.at[1]) * v;
-    let rest = apart * nalgebra::convert::<f32, T>(fraction(way / apart));
+    let remainder = apart * nalgebra::convert::<f32, T>(fraction(way / apart));
     let away = pen.pixels(if radius > T::ZERO { -5.0 } else { 5.0 });
     for number in -3..=4 {
-        let ahead = apart * <T as Real>::from_i32(number) - rest;
+        let ahead = apart * <T as Real>::from_i32(number) - remainder;
         let tick = [contact.go(ahead, T::ZERO), contact.go(ahead, away)];
         pen.line(canvas, tick, THIN);
     }

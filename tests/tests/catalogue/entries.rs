@@ -171,7 +171,7 @@ motor a;",
         edit: ("motor a;", "motor a;\nallow redundant;"),
     },
     Entry {
-        variant: "MatchedOnly",
+        variant: "OverconstrainedWithParam",
         example: "
 struct Rails;
 param third_foot = 2;

@@ -30,7 +30,7 @@ pub(super) struct Operand {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Linear {
     pub(super) factors: [f64; 2],
-    pub(super) rest: Interval,
+    pub(super) remainder: Interval,
 }
 
 impl Forms {
@@ -116,8 +116,8 @@ impl Forms {
 
     /// The result of an operation. Gives back whether anything can be said of it.
     pub(super) fn combine(&mut self, step: usize, operands: [Operand; 2], linear: Linear) -> bool {
-        let Linear { factors, rest } = linear;
-        let (mut sum, mut sizes, mut loose) = (rest, 0.0, 0.0);
+        let Linear { factors, remainder } = linear;
+        let (mut sum, mut sizes, mut loose) = (remainder, 0.0, 0.0);
         for (operand, factor) in operands.into_iter().zip(factors) {
             if factor == 0.0 {
                 continue;
@@ -185,10 +185,10 @@ pub(super) fn root(range: Interval) -> Option<Linear> {
     };
     // The root lies above the line through its ends, and most where its own rate is the line's.
     let most = Interval::point(0.25) / line;
-    let rest = above(range.low()).hull(above(range.high())).hull(most);
+    let remainder = above(range.low()).hull(above(range.high())).hull(most);
     Some(Linear {
         factors: [rate, 0.0],
-        rest,
+        remainder,
     })
 }
 
@@ -204,10 +204,10 @@ pub(super) fn greater(range: Interval, constant: Interval) -> Option<Linear> {
         number.max(constant) - line * number
     };
     let least = constant - line * constant;
-    let rest = above(range.low()).hull(above(range.high())).hull(least);
+    let remainder = above(range.low()).hull(above(range.high())).hull(least);
     Some(Linear {
         factors: [rate, 0.0],
-        rest,
+        remainder,
     })
 }
 
@@ -219,6 +219,6 @@ pub(super) fn wave(range: Interval, middle: f64, [value, rate, anywhere]: [Inter
     let rounding = (rate - Interval::point(factor)) * around;
     Linear {
         factors: [factor, 0.0],
-        rest: value - Interval::point(factor) * point + rounding + curve,
+        remainder: value - Interval::point(factor) * point + rounding + curve,
     }
 }

@@ -266,8 +266,8 @@ fn widened(number: f64) -> Interval {
 
 /// By how much a rounded sum is too small. Not a number where something is infinite.
 fn lost(a: f64, b: f64, sum: f64) -> f64 {
-    let rest = sum - a;
-    (a - (sum - rest)) + (b - rest)
+    let remainder = sum - a;
+    (a - (sum - remainder)) + (b - remainder)
 }
 
 /// The sum, rounded downwards if it is not exact.

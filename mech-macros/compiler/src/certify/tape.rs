@@ -262,7 +262,7 @@ impl<'p> Tape<'p> {
         };
         let simple = |factors: [f64; 2]| Linear {
             factors,
-            rest: Interval::ZERO,
+            remainder: Interval::ZERO,
         };
         let one = |a: Value, linear: Linear| ([operand(a), operand(a)], linear);
         let two = |a: Value, b: Value, linear: Linear| ([operand(a), operand(b)], linear);
@@ -337,7 +337,7 @@ impl<'p> Tape<'p> {
         let middle = Interval::point(self.forms.middle(a));
         Linear {
             factors: [2.0 * middle.low(), 0.0],
-            rest: (a.range - middle).square() - middle.square(),
+            remainder: (a.range - middle).square() - middle.square(),
         }
     }
 
@@ -346,7 +346,7 @@ impl<'p> Tape<'p> {
         let (p, q) = (Interval::point(first), Interval::point(second));
         Linear {
             factors: [second, first],
-            rest: (a.range - p) * (b.range - q) - p * q,
+            remainder: (a.range - p) * (b.range - q) - p * q,
         }
     }
 
@@ -364,7 +364,7 @@ impl<'p> Tape<'p> {
         let rounding = (m * -q - Interval::point(factors[1])) * b.range;
         Some(Linear {
             factors,
-            rest: q + (inverses - m) * small + rounding,
+            remainder: q + (inverses - m) * small + rounding,
         })
     }
 

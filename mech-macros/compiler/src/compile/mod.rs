@@ -278,14 +278,14 @@ fn analyse_overconstrained(
     let joints = structure.redundant.clone();
     let mut params = model.params.ids();
     if let Some(param) = params.find(|&id| model.param_scale(id).is_some()) {
-        return Err(vec![Diagnosis::MatchedOnly { joints, param }]);
+        return Err(vec![Diagnosis::OverconstrainedWithParam { joints, param }]);
     }
     if model.allow.redundant {
         build(model, structure, plan, depth).map_err(|diagnosis| vec![diagnosis])
     } else {
         Err(vec![Diagnosis::Overdetermined {
             joints,
-            matched: true,
+            is_mobile: true,
         }])
     }
 }

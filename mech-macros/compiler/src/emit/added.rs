@@ -10,9 +10,9 @@ pub(super) struct Added {
     /// The same in its constructor.
     pub(super) at_rest: TokenStream,
     /// What a move without rates leaves behind.
-    pub(super) rest: TokenStream,
+    pub(super) standstill: TokenStream,
     /// The same for another instance.
-    pub(super) instance_rest: TokenStream,
+    pub(super) instance_standstill: TokenStream,
     /// What every move ends with.
     pub(super) record: TokenStream,
     /// The same for another instance.
@@ -34,8 +34,8 @@ impl Added {
     pub(super) fn and(mut self, other: Self) -> Self {
         self.fields.extend(other.fields);
         self.at_rest.extend(other.at_rest);
-        self.rest.extend(other.rest);
-        self.instance_rest.extend(other.instance_rest);
+        self.standstill.extend(other.standstill);
+        self.instance_standstill.extend(other.instance_standstill);
         self.record.extend(other.record);
         self.instance_record.extend(other.instance_record);
         self.trait_methods.extend(other.trait_methods);

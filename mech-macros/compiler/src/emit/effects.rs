@@ -28,13 +28,19 @@ pub(super) fn added(
         model,
         (program, forced),
         visibility,
-        (&rates.rest, &record),
+        (&rates.standstill, &record),
     );
     let moved = rates.and(forces);
-    let laws = timing::added(krate, model, compiled, visibility, (&moved.rest, &record));
+    let laws = timing::added(
+        krate,
+        model,
+        compiled,
+        visibility,
+        (&moved.standstill, &record),
+    );
     let overlay = overlay::added(model, compiled, visibility);
-    let rest = &moved.rest;
-    let end = quote!(#rest #record);
+    let standstill = &moved.standstill;
+    let end = quote!(#standstill #record);
     let params = params::added(krate, places, model, compiled, visibility, &end);
     moved.and(laws).and(traces).and(overlay).and(params)
 }

@@ -43,8 +43,8 @@ pub(crate) fn items(
     let Added {
         fields,
         at_rest,
-        rest,
-        instance_rest,
+        standstill,
+        instance_standstill,
         record,
         instance_record,
         known: more_known,
@@ -53,7 +53,7 @@ pub(crate) fn items(
         records,
         steps: more_steps,
     } = effects::added(krate, places, model, compiled, visibility);
-    let end = quote!(#rest #record);
+    let end = quote!(#standstill #record);
     let (costs, associated_costs) = costs(program, visibility);
     let known = known(krate, model, compiled, &quote!(#costs #more_known));
     let before_constants = before_constants(krate, model, program);
@@ -67,7 +67,12 @@ pub(crate) fn items(
         moves(program, visibility, &end),
         turn_to(model, program, visibility, &end),
         within(program, visibility, &end),
-        many(program, plan, visibility, &[instance_rest, instance_record]),
+        many(
+            program,
+            plan,
+            visibility,
+            &[instance_standstill, instance_record],
+        ),
     ];
     let this = alias(name);
     let implementation = implementation(program, name, &trait_methods);
@@ -208,17 +213,17 @@ pub(super) fn picture(model: &Model) -> [TokenStream; 2] {
 }
 
 /// The methods that tell and set the values of its motors.
-fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) -> TokenStream {
+fn moves(program: &Program, visibility: &syn::Visibility, standstill: &TokenStream) -> TokenStream {
     let (scalar, step_reduced) = (scalar(program), step_reduced(program));
     let motors = Literal::usize_unsuffixed(program.motors.len());
     let [target, given] = params::target(program, &quote!(self.position));
     let move_to = quote!(generated::advance(&mut self.position, #target, &known::MOVE_LIMITS, #step_reduced, positions::step));
-    let move_to = rested(params::of_motors(program, move_to), rest);
+    let move_to = ending_with(params::of_motors(program, move_to), standstill);
     let mut move_toward = quote!(generated::approach(&mut self.position, #target, &known::MOVE_LIMITS, positions::step));
     if !program.params.is_empty() {
         move_toward.extend(quote!(.map(generated::reached_by_motors)));
     }
-    let move_toward = rested(params::of_motors(program, move_toward), rest);
+    let move_toward = ending_with(params::of_motors(program, move_toward), standstill);
     let values = params::motors(program);
     quote! {
                 /// The present values of the motors, in the order of their declaration, in radians or scene units.
@@ -254,13 +259,13 @@ fn moves(program: &Program, visibility: &syn::Visibility, rest: &TokenStream) ->
 }
 
 /// A move, and what it ends with: everything rests, if there are rates; points are traced.
-pub(super) fn rested(moved: TokenStream, rest: &TokenStream) -> TokenStream {
-    if rest.is_empty() {
+pub(super) fn ending_with(moved: TokenStream, standstill: &TokenStream) -> TokenStream {
+    if standstill.is_empty() {
         return moved;
     }
     quote! {
         let moved = #moved?;
-        #rest
+        #standstill
         Result::Ok(moved)
     }
 }

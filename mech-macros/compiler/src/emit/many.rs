@@ -15,7 +15,7 @@ pub(super) fn many(
     program: &Program,
     plan: &Plan,
     visibility: &syn::Visibility,
-    [rest, record]: &[TokenStream; 2],
+    [standstill, record]: &[TokenStream; 2],
 ) -> TokenStream {
     let (scalar, step_reduced) = (scalar(program), super::moves::step_reduced(program));
     let [motors, links] =
@@ -46,12 +46,12 @@ pub(super) fn many(
         // One by one.
         quote!(|_| (known::START.poses, -1.0))
     };
-    let instance = if rest.is_empty() {
+    let instance = if standstill.is_empty() {
         quote!(&mut instance.position)
     } else {
         quote! {
             {
-                #rest
+                #standstill
                 &mut instance.position
             }
         }

@@ -1,7 +1,7 @@
 //! The methods that move a mechanism, and what they know beforehand.
 
 use super::block::scalar;
-use super::items::rested;
+use super::items::ending_with;
 use super::many::reduced_range;
 use super::module;
 use super::params;
@@ -157,7 +157,7 @@ fn bound(precision: Precision, end: f64) -> TokenStream {
 pub(super) fn within(
     program: &Program,
     visibility: &syn::Visibility,
-    rest: &TokenStream,
+    standstill: &TokenStream,
 ) -> TokenStream {
     if !program.never_fails() {
         return TokenStream::new();
@@ -210,7 +210,7 @@ pub(super) fn within(
         #[inline]
         #visibility fn move_within(&mut self, motors: InRange<Self, [#scalar; #motors]>) {
             #body
-            #rest
+            #standstill
         }
     }
 }
@@ -234,7 +234,7 @@ pub(super) fn turn_to(
     model: &Model,
     program: &Program,
     visibility: &syn::Visibility,
-    rest: &TokenStream,
+    standstill: &TokenStream,
 ) -> TokenStream {
     let variables = named_motors(model, program);
     if variables.is_empty() {
@@ -266,7 +266,7 @@ pub(super) fn turn_to(
         program,
         quote!(generated::advance(&mut self.position, motors, &known::MOVE_LIMITS, #step_reduced, positions::step)),
     );
-    let advance = rested(told, rest);
+    let advance = ending_with(told, standstill);
     let start = if program.params.is_empty() {
         quote!(Motors::new([#(#values),*]))
     } else {

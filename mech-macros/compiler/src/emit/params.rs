@@ -3,7 +3,7 @@
 
 use super::added::Added;
 use super::block::scalar;
-use super::items::{rested, user_ident};
+use super::items::{ending_with, user_ident};
 use super::moves::step_reduced;
 use super::scope::number;
 use super::sensitivity;
@@ -98,7 +98,7 @@ fn methods(
     model: &Model,
     program: &Program,
     visibility: &syn::Visibility,
-    rest: &TokenStream,
+    standstill: &TokenStream,
 ) -> TokenStream {
     if program.params.is_empty() {
         return TokenStream::new();
@@ -107,9 +107,9 @@ fn methods(
     let (motors, names) = (program.motors.len(), &program.params);
     let count = Literal::usize_unsuffixed(names.len());
     let index = |param: usize| Literal::usize_unsuffixed(motors + param);
-    let set = rested(
+    let set = ending_with(
         quote!(generated::advance(&mut self.position, target, &known::MOVE_LIMITS, #step_reduced, positions::step).map_err(|blocked| blocked.map(generated::params_of))),
-        rest,
+        standstill,
     );
     let given = (0..names.len()).map(|param| {
         let (place, param) = (index(param), Literal::usize_unsuffixed(param));
@@ -147,12 +147,12 @@ fn methods(
              where they are.",
             param.name
         );
-        let moved = rested(
+        let moved = ending_with(
             quote! {
                 generated::advance(&mut self.position, target, &known::MOVE_LIMITS, #step_reduced, positions::step)
                     .map_err(|blocked| blocked.map(|reached| reached[#index]))
             },
-            rest,
+            standstill,
         );
         tokens.extend(quote! {
             #[doc = #told]

@@ -52,8 +52,8 @@ pub(super) fn added(
     let mut items = Added {
         fields: quote!(velocities: [#krate::Velocity<#krate::generated::#scalar>; #links],),
         at_rest: quote!(velocities: [Velocity::ZERO; #links],),
-        rest: quote!(self.velocities = [Velocity::ZERO; #links];),
-        instance_rest: quote!(instance.velocities = [Velocity::ZERO; #links];),
+        standstill: quote!(self.velocities = [Velocity::ZERO; #links];),
+        instance_standstill: quote!(instance.velocities = [Velocity::ZERO; #links];),
         methods: methods(moving, &kinds, visibility, record),
         steps: step(krate, moving),
         ..Added::default()
@@ -64,9 +64,9 @@ pub(super) fn added(
             quote!(accelerations: [#krate::Acceleration<#krate::generated::#scalar>; #links],),
         );
         items.at_rest.extend(quote!(accelerations: #zero,));
-        items.rest.extend(quote!(self.accelerations = #zero;));
+        items.standstill.extend(quote!(self.accelerations = #zero;));
         items
-            .instance_rest
+            .instance_standstill
             .extend(quote!(instance.accelerations = #zero;));
     }
     let what = "the rates of everything";

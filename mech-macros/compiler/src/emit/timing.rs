@@ -3,7 +3,7 @@
 use super::added::Added;
 use super::block::{binding, function, scalar};
 use super::flow::flows;
-use super::items::rested;
+use super::items::ending_with;
 use super::module;
 use super::moves::step_reduced;
 use super::rates::moved_with;
@@ -24,13 +24,13 @@ pub(super) fn added(
     model: &Model,
     compiled: &Compiled,
     visibility: &syn::Visibility,
-    (rest, record): (&TokenStream, &TokenStream),
+    (standstill, record): (&TokenStream, &TokenStream),
 ) -> Added {
     let Some(timing) = &compiled.timing else {
         return Added::default();
     };
     Added {
-        methods: at_time(model, compiled, visibility, (rest, record)),
+        methods: at_time(model, compiled, visibility, (standstill, record)),
         steps: laws(krate, model, &compiled.program, timing),
         ..Added::default()
     }
@@ -41,7 +41,7 @@ fn at_time(
     model: &Model,
     compiled: &Compiled,
     visibility: &syn::Visibility,
-    (rest, record): (&TokenStream, &TokenStream),
+    (standstill, record): (&TokenStream, &TokenStream),
 ) -> TokenStream {
     let program = &compiled.program;
     let (scalar, step_reduced) = (scalar(program), step_reduced(program));
@@ -72,9 +72,9 @@ fn at_time(
     };
     let moved = match &compiled.moving {
         Some(moving) => moved_with(moving, effects, &quote!(motors), record),
-        None => rested(
+        None => ending_with(
             quote!(generated::advance(&mut self.position, motors, &known::MOVE_LIMITS, #step_reduced, positions::step)),
-            &quote!(#rest #record),
+            &quote!(#standstill #record),
         ),
     };
     let dead = if effects.velocity {

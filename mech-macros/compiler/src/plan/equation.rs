@@ -79,14 +79,14 @@ impl<S> Solution<S> {
 
 /// What was found on the way round every ring.
 #[derive(Clone, Debug)]
-pub(crate) struct Measure<S> {
+pub(crate) struct Residuals<S> {
     /// One for each ring.
-    pub(crate) rings: Vec<Walk<S>>,
+    pub(crate) rings: Vec<RingResidual<S>>,
 }
 
 /// What was found on the way round a ring.
 #[derive(Clone, Debug)]
-pub(crate) struct Walk<S> {
+pub(crate) struct RingResidual<S> {
     /// What is missing for the ring to close.
     pub(crate) gap: [S; 2],
     /// The rate of the gap with each unknown: with the angle of a direction, with a way.
@@ -202,25 +202,25 @@ impl<S: Copy + PartialEq> Equation<S> {
     }
 
     /// Walks every ring with these values of the unknowns.
-    pub(crate) fn measure<A: Algebra<Scalar = S>>(
+    pub(crate) fn residuals<A: Algebra<Scalar = S>>(
         &self,
         algebra: &mut A,
         now: &[Solution<S>],
-    ) -> Measure<S> {
+    ) -> Residuals<S> {
         let rings = self
             .rings
             .iter()
-            .map(|ring| self.walk(algebra, ring, now))
+            .map(|ring| self.ring_residual(algebra, ring, now))
             .collect();
-        Measure { rings }
+        Residuals { rings }
     }
 
-    fn walk<A: Algebra<Scalar = S>>(
+    fn ring_residual<A: Algebra<Scalar = S>>(
         &self,
         algebra: &mut A,
         ring: &Ring<S>,
         now: &[Solution<S>],
-    ) -> Walk<S> {
+    ) -> RingResidual<S> {
         let zero = algebra.vector([0.0, 0.0]);
         let mut gap = ring.offset;
         let mut sides = vec![(None, ring.offset)];
@@ -253,7 +253,7 @@ impl<S: Copy + PartialEq> Equation<S> {
                 columns[unknown] = [algebra.neg(side[1]), side[0]];
             }
         }
-        Walk {
+        RingResidual {
             gap,
             columns,
             sides,

@@ -85,8 +85,8 @@ pub(crate) struct LinearRelations(BTreeMap<Variable, LinearForm>);
 impl LinearRelations {
     /// Notes that a combination is constant.
     pub(crate) fn add(&mut self, combination: &LinearForm) {
-        let mut rest = self.reduced(combination);
-        let pivot = rest
+        let mut remainder = self.reduced(combination);
+        let pivot = remainder
             .0
             .keys()
             .rev()
@@ -94,10 +94,10 @@ impl LinearRelations {
             .copied();
         // What is left without one follows from what is known: a relation too many.
         let Some(pivot) = pivot else { return };
-        let Some(coefficient) = rest.0.remove(&pivot) else {
+        let Some(coefficient) = remainder.0.remove(&pivot) else {
             return;
         };
-        let value = rest.scaled(&-coefficient.recip());
+        let value = remainder.scaled(&-coefficient.recip());
         for known in self.0.values_mut() {
             if let Some(coefficient) = known.0.remove(&pivot) {
                 *known = std::mem::take(known).plus(&coefficient, &value);

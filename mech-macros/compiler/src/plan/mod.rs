@@ -21,7 +21,7 @@ pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::{Assembly, CamStart};
 pub use bound::{Bound, Growth, Turning};
 pub use equation::Unknown;
-pub(crate) use equation::{Equation, Measure, Slide, Solution};
+pub(crate) use equation::{Equation, Residuals, Slide, Solution};
 pub use linear_relations::Rational;
 pub(crate) use linear_relations::float_of;
 pub use needed::Needed;

@@ -100,13 +100,13 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> F
     let unknowns = equation.unknowns.len();
     let mut missing = f64::INFINITY;
     for _ in 0..ROUNDS {
-        let measure = equation.measure(&mut Numbers, &now);
+        let residuals = equation.residuals(&mut Numbers, &now);
         let gap = DVector::from_iterator(
-            2 * measure.rings.len(),
-            measure.rings.iter().flat_map(|walk| walk.gap),
+            2 * residuals.rings.len(),
+            residuals.rings.iter().flat_map(|ring| ring.gap),
         );
         let matrix = DMatrix::from_fn(gap.len(), unknowns, |row, column| {
-            measure.rings[row / 2].columns[column][row % 2]
+            residuals.rings[row / 2].columns[column][row % 2]
         });
         missing = gap.amax();
         let singular = matrix.clone().svd(false, false);

@@ -31,13 +31,13 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
-        Diagnosis::Overdetermined { joints, matched } => {
+        Diagnosis::Overdetermined { joints, is_mobile } => {
             let mut repairs = Vec::new();
-            if *matched {
+            if *is_mobile {
                 repairs.push(Repair::AllowRedundant);
             }
             let mut joints = joints.clone();
-            if *matched {
+            if *is_mobile {
                 joints.extend(held(model));
             }
             let mut links = ends(model, &joints);

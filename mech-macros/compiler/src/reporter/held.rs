@@ -50,7 +50,7 @@ impl Words<'_> {
     pub(super) fn overdetermined(
         &self,
         joints: &[JointId],
-        matched: bool,
+        is_mobile: bool,
         offers: &Offers,
     ) -> String {
         let one = self.joint_names(joints).len() == 1;
@@ -69,7 +69,7 @@ impl Words<'_> {
         } else {
             self.help(offers).replacen("help: ", "help: or ", 1)
         };
-        if matched {
+        if is_mobile {
             return format!(
                 "{} too many: the mechanism moves all the same, but only because its {sizes} match exactly{bolted}{help}",
                 self.the_joints(joints, ["is one", "are"]),

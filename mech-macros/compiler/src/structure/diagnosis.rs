@@ -67,10 +67,10 @@ pub enum Diagnosis {
         /// The joints that hold each other's part.
         joints: Vec<JointId>,
         /// Whether it can be assembled and moves all the same, because its lengths match exactly.
-        matched: bool,
+        is_mobile: bool,
     },
     /// Joints hold a part more than once, so that it moves only as long as its lengths match; but params may change lengths.
-    MatchedOnly {
+    OverconstrainedWithParam {
         /// The joints among which some are too many.
         joints: Vec<JointId>,
         /// A param that lengths depend on.

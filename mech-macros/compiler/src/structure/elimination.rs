@@ -134,12 +134,14 @@ impl Elimination {
             let value = match pivot {
                 None => dice.roll(),
                 Some(Pivot { row, .. }) => {
-                    let Some((_, rest)) = row.split_last() else {
+                    let Some((_, remainder)) = row.split_last() else {
                         bug!("an equation that stands for an unknown is empty");
                     };
-                    let sum = rest.iter().fold(Element::ZERO, |sum, &(column, value)| {
-                        sum + value * motion[column]
-                    });
+                    let sum = remainder
+                        .iter()
+                        .fold(Element::ZERO, |sum, &(column, value)| {
+                            sum + value * motion[column]
+                        });
                     -sum
                 }
             };

@@ -171,7 +171,7 @@ pub(super) fn verdict(
     } else if diagnoses.is_empty() && !rank.dependent.is_empty() {
         diagnoses.push(Diagnosis::Overdetermined {
             joints: rank.dependent.clone(),
-            matched: false,
+            is_mobile: false,
         });
     }
     let freedom = rank.driven.freedom();

@@ -49,23 +49,23 @@ impl Phase {
     /// ```
     #[must_use]
     pub fn split_f64(self) -> (i64, f64) {
-        let (turns, rest) = self.split();
-        let size = rest.unsigned_abs();
+        let (turns, remainder) = self.split();
+        let size = remainder.unsigned_abs();
         let shift = size.leading_zeros();
         let top = size.checked_shl(shift).unwrap_or(0);
         let radians = radians_f64(top, -64 - shift.cast_signed());
-        (turns, if rest < 0 { -radians } else { radians })
+        (turns, if remainder < 0 { -radians } else { radians })
     }
 
     /// As [`split_f64`](Self::split_f64), the rest in `f32` and in arithmetic of that alone.
     #[must_use]
     pub fn split_f32(self) -> (i64, f32) {
-        let (turns, rest) = self.split();
-        let size = rest.unsigned_abs();
+        let (turns, remainder) = self.split();
+        let size = remainder.unsigned_abs();
         let shift = size.leading_zeros();
         let top = (size.checked_shl(shift).unwrap_or(0) >> 32) as u32;
         let radians = radians_f32(top, -32 - shift.cast_signed());
-        (turns, if rest < 0 { -radians } else { radians })
+        (turns, if remainder < 0 { -radians } else { radians })
     }
 
     /// The sine and the cosine, each within one ulp, however many the turns. At whole quarters of a turn they are exact.
@@ -87,8 +87,8 @@ impl Phase {
     /// The right angle nearest to it, and what is left.
     #[inline]
     fn rest_f64(self) -> Rest<f64, u64> {
-        let (quadrant, rest) = self.quadrant();
-        let [high, low] = halves(rest);
+        let (quadrant, remainder) = self.quadrant();
+        let [high, low] = halves(remainder);
         let (high, low) = (f64::from(high), f64::from(low));
 
         // The first two are exact, so is what their sum loses.
@@ -131,8 +131,8 @@ impl Phase {
         reason = "the halves fit; the last bits are far below what is rounded in the sum"
     )]
     pub(crate) fn rest_f32(self) -> Rest<f32, u32> {
-        let (quadrant, rest) = self.quadrant();
-        let [upper, last] = halves(rest);
+        let (quadrant, remainder) = self.quadrant();
+        let [upper, last] = halves(remainder);
         let high = f32::from((upper.wrapping_add(1 << 15) >> 16) as i16);
         let low = f32::from(upper as i16);
         let last = last as f32 * (core::f32::consts::TAU * power_f32(-64));
@@ -170,10 +170,10 @@ impl Phase {
 /// A number of at most 2^61, of which the lower half too has a sign: so nothing cancels when they are put together.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "these are the halves")]
-const fn halves(rest: u64) -> [i32; 2] {
+const fn halves(remainder: u64) -> [i32; 2] {
     [
-        (rest.wrapping_add(1 << 31) >> 32) as i32,
-        rest.cast_signed() as i32,
+        (remainder.wrapping_add(1 << 31) >> 32) as i32,
+        remainder.cast_signed() as i32,
     ]
 }
 
@@ -183,8 +183,8 @@ fn radians_f64(top: u64, exponent: i32) -> f64 {
     let (high, low) = (f64::from((top >> 32) as u32), f64::from(top as u32));
     // Exact, and more than a million times the rest.
     let main = high * HEAD_F64;
-    let rest = high * TAIL_F64 + low * (core::f64::consts::TAU * power_f64(-32));
-    (main + rest) * power_f64(exponent + 32)
+    let remainder = high * TAIL_F64 + low * (core::f64::consts::TAU * power_f64(-32));
+    (main + remainder) * power_f64(exponent + 32)
 }
 
 /// `top * 2^exponent` turns in radians, within one ulp; the first bit of `top` is set, or none.
@@ -193,6 +193,6 @@ fn radians_f32(top: u32, exponent: i32) -> f32 {
     let (high, low) = (f32::from((top >> 16) as u16), f32::from(top as u16));
     // Exact, and more than a thousand times the rest.
     let main = high * HEAD_F32;
-    let rest = high * TAIL_F32 + low * (core::f32::consts::TAU * power_f32(-16));
-    (main + rest) * power_f32(exponent + 16)
+    let remainder = high * TAIL_F32 + low * (core::f32::consts::TAU * power_f32(-16));
+    (main + remainder) * power_f32(exponent + 16)
 }

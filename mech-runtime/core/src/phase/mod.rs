@@ -123,11 +123,11 @@ impl Phase {
 /// The denominator is not zero, and it or the numerator is less than 2^63 or so, so that the rest fits in what it is
 /// shifted in.
 const fn ratio(numerator: u128, denominator: u128) -> Option<u128> {
-    let (whole, rest) = (numerator / denominator, numerator % denominator);
+    let (whole, remainder) = (numerator / denominator, numerator % denominator);
     if whole > 1 << 63 {
         return None;
     }
-    Some((whole << 64) + ((rest << 64) + denominator / 2) / denominator)
+    Some((whole << 64) + ((remainder << 64) + denominator / 2) / denominator)
 }
 
 impl Add for Phase {

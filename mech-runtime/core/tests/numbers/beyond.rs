@@ -38,8 +38,8 @@ impl Truth {
     }
 
     fn of(&self, x: f64) -> (Pair, Pair) {
-        let (rest, quadrant) = self.remainders.of(x);
-        self.taylor.sin_cos(rest, quadrant)
+        let (remainder, quadrant) = self.remainders.of(x);
+        self.taylor.sin_cos(remainder, quadrant)
     }
 
     /// The greater error of the two, in ulp.

@@ -84,42 +84,42 @@ fn turns_of(x: f64) -> (i128, i128) {
     let sum = high + (low >> 64);
     // `sum` is in units of 2^(exponent − 64).
     let shift = u32::try_from(64 - exponent).expect("not too large");
-    let (turns, rest) = if shift >= 127 {
+    let (turns, remainder) = if shift >= 127 {
         (0, sum.checked_shr(shift - 126).unwrap_or(0))
     } else {
-        let rest = sum & ((1 << shift) - 1);
-        let rest = if shift <= 126 {
-            rest << (126 - shift)
+        let remainder = sum & ((1 << shift) - 1);
+        let remainder = if shift <= 126 {
+            remainder << (126 - shift)
         } else {
-            rest
+            remainder
         };
-        (sum >> shift, rest)
+        (sum >> shift, remainder)
     };
     let half = 1_u128 << 125;
-    let (turns, rest) = if rest >= half {
-        (turns + 1, rest.cast_signed() - (1_i128 << 126))
+    let (turns, remainder) = if remainder >= half {
+        (turns + 1, remainder.cast_signed() - (1_i128 << 126))
     } else {
-        (turns, rest.cast_signed())
+        (turns, remainder.cast_signed())
     };
     let sign = if x < 0.0 { -1 } else { 1 };
-    (sign * turns.cast_signed(), sign * rest)
+    (sign * turns.cast_signed(), sign * remainder)
 }
 
 /// What is left in radians, from parts of 2¹²⁶ of a turn.
 #[allow(clippy::cast_precision_loss, reason = "rounded once")]
-fn radians(rest: i128) -> f64 {
-    rest as f64 / 2_f64.powi(126) * TAU
+fn radians(remainder: i128) -> f64 {
+    remainder as f64 / 2_f64.powi(126) * TAU
 }
 
 fn assert_reduced(x: f64) {
-    let (turns, rest) = turns_of(x);
+    let (turns, remainder) = turns_of(x);
     let (found, whole) = reduced(x, 0);
     assert!(
         i128::from(whole) == turns || found.abs() > core::f64::consts::PI - 1e-5,
         "{x:e}: {whole}, not {turns}"
     );
     if i128::from(whole) == turns {
-        let off = (found - radians(rest)).abs();
+        let off = (found - radians(remainder)).abs();
         assert!(off <= 1.2e-15, "{x:e}: {found}, off by {off:e}");
     }
 }
@@ -129,14 +129,14 @@ fn assert_reduced(x: f64) {
     reason = "rounding is what is asked for"
 )]
 fn assert_reduced_single(x: f32) {
-    let (turns, rest) = turns_of(f64::from(x));
+    let (turns, remainder) = turns_of(f64::from(x));
     let (found, whole) = reduced(x, 0);
     assert!(
         i128::from(whole) == turns || found.abs() > core::f32::consts::PI - 1e-4,
         "{x:e}: {whole}, not {turns}"
     );
     if i128::from(whole) == turns {
-        let off = (f64::from(found) - radians(rest)).abs();
+        let off = (f64::from(found) - radians(remainder)).abs();
         assert!(off <= 5e-7, "{x:e}: {found}, off by {off:e}");
     }
 }
@@ -162,8 +162,8 @@ proptest! {
 
     #[test]
     fn turns_given_besides_are_added(turns in any::<i32>(), x in -1e9..1e9) {
-        let ((rest, whole), (same, sum)) = (reduced(x, 0), reduced(x, turns));
-        let expected = turns.checked_add(whole).map_or((x, turns), |sum| (rest, sum));
+        let ((remainder, whole), (same, sum)) = (reduced(x, 0), reduced(x, turns));
+        let expected = turns.checked_add(whole).map_or((x, turns), |sum| (remainder, sum));
         prop_assert_eq!((same, sum), expected);
     }
 }
@@ -178,12 +178,12 @@ fn what_cannot_be_counted_stays_as_it_is() {
         -1e300,
         f64::MAX,
     ] {
-        let (rest, turns) = reduced(x, 7);
-        assert!(rest.to_bits() == x.to_bits() && turns == 7);
+        let (remainder, turns) = reduced(x, 7);
+        assert!(remainder.to_bits() == x.to_bits() && turns == 7);
         #[allow(clippy::cast_possible_truncation, reason = "any number will do")]
         let single = x as f32;
-        let (rest, turns) = reduced(single, 7);
-        assert!(rest.to_bits() == single.to_bits() && turns == 7);
+        let (remainder, turns) = reduced(single, 7);
+        assert!(remainder.to_bits() == single.to_bits() && turns == 7);
     }
     for x in [0.0, -0.0, 1.0, -3.0, f64::MIN_POSITIVE] {
         assert_eq!(reduced(x, 3), (x, 3));

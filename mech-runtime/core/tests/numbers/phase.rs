@@ -10,13 +10,13 @@ const UNIT: f64 = 1.0 / 18_446_744_073_709_551_616.0;
 
 /// The true direction: the quarters are taken off in whole numbers.
 fn direction(taylor: &Taylor, phase: Phase) -> (Pair, Pair) {
-    let mut rest = i128::from(phase.fraction());
+    let mut remainder = i128::from(phase.fraction());
     let mut quadrant = 0;
-    while rest > 1 << 61 {
-        rest -= 1 << 62;
+    while remainder > 1 << 61 {
+        remainder -= 1 << 62;
         quadrant += 1;
     }
-    let turns = Pair::whole(i64::try_from(rest).unwrap(), UNIT);
+    let turns = Pair::whole(i64::try_from(remainder).unwrap(), UNIT);
     taylor.sin_cos(turns * Pair::tau(), quadrant)
 }
 
@@ -75,11 +75,11 @@ fn directions_are_within_their_bounds() {
 fn what_is_left_of_the_turns_is_within_one_ulp() {
     let (mut worst, mut worst_f32) = (0.0_f64, 0.0_f64);
     for phase in phases().chain(edges()) {
-        let rest = phase.fraction().cast_signed();
-        let truth = Pair::whole(rest, UNIT) * Pair::tau();
+        let remainder = phase.fraction().cast_signed();
+        let truth = Pair::whole(remainder, UNIT) * Pair::tau();
         let (turns, left) = phase.split_f64();
         assert_eq!(
-            Phase::new(turns, 0) + Phase::new(rest >> 63, phase.fraction()),
+            Phase::new(turns, 0) + Phase::new(remainder >> 63, phase.fraction()),
             phase
         );
         assert!(left.abs() <= PI);
@@ -90,7 +90,7 @@ fn what_is_left_of_the_turns_is_within_one_ulp() {
         let (turns_f32, left) = phase.split_f32();
         assert_eq!(turns, turns_f32);
         assert!(left.abs() <= std::f32::consts::PI);
-        if rest != 0 {
+        if remainder != 0 {
             // An ulp of the lesser binade, if it is near a power of two.
             let size = truth.0.abs();
             let ulp = f64::from_bits(size.to_bits() & (0x7FF << 52)) * f64::from(f32::EPSILON);
@@ -154,10 +154,10 @@ fn ten_million_turns_by_degrees() {
     const TURNS: i64 = 10_000_000;
     let degree = Phase::of_turn(1, 360).unwrap();
     let phase = degree * (360 * TURNS);
-    let (turns, rest) = phase.split_f64();
+    let (turns, remainder) = phase.split_f64();
     assert_eq!(turns, TURNS);
-    println!("after 1e7 turns by degrees: {rest:e} rad");
-    assert!(rest.abs() < 1e-9);
+    println!("after 1e7 turns by degrees: {remainder:e} rad");
+    assert!(remainder.abs() < 1e-9);
 
     let step = degree * 7;
     let mut at = degree * (360 * TURNS) - step * 1000;
@@ -293,11 +293,11 @@ proptest! {
         // |fraction - a / n| <= 1/2 in units, all times n.
         let phase = Phase::of_turn(a, n).unwrap();
         let whole = i128::from(a).div_euclid(i128::from(n));
-        let rest = u128::try_from(i128::from(a).rem_euclid(i128::from(n))).unwrap();
+        let remainder = u128::try_from(i128::from(a).rem_euclid(i128::from(n))).unwrap();
         let carry = i128::from(phase.turns()) - whole;
         prop_assert!(carry == 0 || carry == 1 && phase.fraction() == 0);
         let fraction = u128::from(phase.fraction()) + (u128::try_from(carry).unwrap() << 64);
-        prop_assert!((fraction * u128::from(n)).abs_diff(rest << 64) <= u128::from(n) / 2);
+        prop_assert!((fraction * u128::from(n)).abs_diff(remainder << 64) <= u128::from(n) / 2);
     }
 
     #[test]
@@ -339,9 +339,9 @@ proptest! {
 
     #[test]
     fn degrees_and_quarters(degrees in -100_000..100_000_i64) {
-        let (turns, rest) = (Phase::of_turn(1, 360).unwrap() * degrees).split_f64();
+        let (turns, remainder) = (Phase::of_turn(1, 360).unwrap() * degrees).split_f64();
         #[allow(clippy::cast_precision_loss, reason = "small")]
         let angle = (degrees - 360 * turns) as f64 * (FRAC_PI_2 / 90.0);
-        prop_assert!((rest - angle).abs() < 1e-14 || (rest + angle).abs() < 1e-14 && angle.abs() == PI);
+        prop_assert!((remainder - angle).abs() < 1e-14 || (remainder + angle).abs() < 1e-14 && angle.abs() == PI);
     }
 }

@@ -71,8 +71,8 @@ impl Div<f64> for Pair {
 
     fn div(self, by: f64) -> Self {
         let first = self.0 / by;
-        let rest = self + -product(first, by);
-        sum(first, rest.0 / by)
+        let remainder = self + -product(first, by);
+        sum(first, remainder.0 / by)
     }
 }
 
@@ -147,11 +147,11 @@ impl Taylor {
     #[allow(clippy::cast_possible_truncation, reason = "at most 2^31 right angles")]
     pub(crate) fn sin_cos_of_radians(&self, x: f64) -> (Pair, Pair) {
         let count = (x / f64::from_bits(RIGHT_ANGLE[0])).round();
-        let mut rest = Pair::from(x);
+        let mut remainder = Pair::from(x);
         for part in RIGHT_ANGLE {
-            rest = rest + -product(count, f64::from_bits(part));
+            remainder = remainder + -product(count, f64::from_bits(part));
         }
-        self.sin_cos(rest, count as i64)
+        self.sin_cos(remainder, count as i64)
     }
 }
 

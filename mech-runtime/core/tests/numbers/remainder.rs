@@ -46,12 +46,12 @@ impl<const N: usize> Long<N> {
     }
 
     fn over(mut self, by: u64) -> Self {
-        let mut rest = self.0 % by;
+        let mut remainder = self.0 % by;
         self.0 /= by;
         for word in &mut self.1 {
-            let long = u128::from(rest) << 64 | u128::from(*word);
+            let long = u128::from(remainder) << 64 | u128::from(*word);
             *word = u64::try_from(long / u128::from(by)).unwrap();
-            rest = u64::try_from(long % u128::from(by)).unwrap();
+            remainder = u64::try_from(long % u128::from(by)).unwrap();
         }
         self
     }
@@ -144,18 +144,18 @@ impl Remainders {
         let exponent = i32::try_from(bits >> 52 & 0x7FF).unwrap() - 1075;
         let first = usize::try_from(exponent - LEAST).unwrap();
 
-        let (mut rest, mut quadrant) = (Long(0, [0; KEPT]), 0);
+        let (mut remainder, mut quadrant) = (Long(0, [0; KEPT]), 0);
         for (bit, (power, count)) in self.powers[first..].iter().take(53).enumerate() {
             if whole >> bit & 1 == 1 {
-                let (sum, more) = rest.plus(power).reduced(&self.right_angle);
-                (rest, quadrant) = (sum, quadrant + count + more);
+                let (sum, more) = remainder.plus(power).reduced(&self.right_angle);
+                (remainder, quadrant) = (sum, quadrant + count + more);
             }
         }
-        let beyond = self.right_angle.minus(&rest);
-        let (angle, quadrant) = if beyond < rest {
+        let beyond = self.right_angle.minus(&remainder);
+        let (angle, quadrant) = if beyond < remainder {
             (-beyond.pair(), quadrant + 1)
         } else {
-            (rest.pair(), quadrant)
+            (remainder.pair(), quadrant)
         };
         if x < 0.0 {
             (-angle, -quadrant)

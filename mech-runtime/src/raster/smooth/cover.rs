@@ -182,8 +182,8 @@ fn more_than_once(rule: Rule, winding: f32) -> f32 {
             )]
             let pairs = (0.5 * winding) as i32;
             #[expect(clippy::cast_precision_loss, reason = "nothing is surrounded so often")]
-            let rest = winding - 2.0 * pairs as f32;
-            rest.min(2.0 - rest)
+            let remainder = winding - 2.0 * pairs as f32;
+            remainder.min(2.0 - remainder)
         }
     }
 }

@@ -57,7 +57,7 @@ pub(super) struct Items<P> {
     alike: usize,
     /// All that have no place of their own: as they were, and as they are.
     rest_before: Item,
-    rest: Item,
+    remainder: Item,
 }
 
 impl<P> Items<P> {
@@ -69,7 +69,7 @@ impl<P> Items<P> {
             now: 0,
             alike: 0,
             rest_before: Item::NONE,
-            rest: Item::NONE,
+            remainder: Item::NONE,
         }
     }
 }
@@ -79,8 +79,8 @@ impl<P: Places> Items<P> {
     pub(super) const fn begin(&mut self) {
         self.before = self.now;
         (self.now, self.alike) = (0, 0);
-        self.rest_before = self.rest;
-        self.rest = Item::NONE;
+        self.rest_before = self.remainder;
+        self.remainder = Item::NONE;
     }
 
     /// The next one: where it has changed, what it leaves and what it covers has to be painted again.
@@ -97,9 +97,9 @@ impl<P: Places> Items<P> {
                 self.alike += 1;
             }
         } else {
-            let mark = mixed(self.rest.mark, item.mark);
-            let clip = self.rest.clip.around(item.clip);
-            self.rest = Item { mark, clip };
+            let mark = mixed(self.remainder.mark, item.mark);
+            let clip = self.remainder.clip.around(item.clip);
+            self.remainder = Item { mark, clip };
         }
         self.now += 1;
     }
@@ -111,16 +111,20 @@ impl<P: Places> Items<P> {
         for item in gone.unwrap_or_default() {
             changed.add(item.clip);
         }
-        if self.rest.mark != self.rest_before.mark {
+        if self.remainder.mark != self.rest_before.mark {
             changed.add(self.rest_before.clip);
-            changed.add(self.rest.clip);
+            changed.add(self.remainder.clip);
         }
         self.alike
     }
 
     /// Where the thing of this number is seen at most.
     pub(super) fn clip(&self, number: usize) -> Clip {
-        self.kept.as_ref().get(number).unwrap_or(&self.rest).clip
+        self.kept
+            .as_ref()
+            .get(number)
+            .unwrap_or(&self.remainder)
+            .clip
     }
 }
 

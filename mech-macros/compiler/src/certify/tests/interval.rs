@@ -62,8 +62,8 @@ fn is_sound(interval: Interval) -> bool {
 /// What is lost when a sum is rounded, exactly.
 fn lost(a: f64, b: f64) -> f64 {
     let sum = a + b;
-    let rest = sum - a;
-    (a - (sum - rest)) + (b - rest)
+    let remainder = sum - a;
+    (a - (sum - remainder)) + (b - remainder)
 }
 
 /// Whether an interval holds a number and a small correction to it.
@@ -96,8 +96,8 @@ proptest! {
         prop_assert!(is_sound(a / b));
         if y != 0.0 {
             // What is left over has the sign of the correction, times that of the divisor.
-            let rest = (-quotient).mul_add(y, x);
-            prop_assert!(holds(a / b, quotient, rest * y.signum()));
+            let remainder = (-quotient).mul_add(y, x);
+            prop_assert!(holds(a / b, quotient, remainder * y.signum()));
         }
         if b.contains(0.0) {
             prop_assert_eq!(a / b, Interval::ENTIRE);

@@ -16,7 +16,7 @@ impl Writer<'_> {
             scalar,
             motors,
             visibility,
-            rest,
+            standstill,
             ..
         } = self;
         let [_, arguments] = given(holding);
@@ -40,7 +40,7 @@ impl Writer<'_> {
                     |last, motors| #step_full(last, motors #arguments),
                     positions::step,
                 )?;
-                #rest
+                #standstill
                 Result::Ok(held.torques)
             }
 

@@ -28,7 +28,7 @@ struct Writer<'w> {
     motors: Literal,
     has_loads: bool,
     /// What a move without rates leaves behind.
-    rest: TokenStream,
+    standstill: TokenStream,
     /// What every move ends with.
     record: &'w TokenStream,
 }
@@ -40,7 +40,7 @@ pub(super) fn added(
     model: &Model,
     (program, forced): (&Program, &ForcePrograms),
     visibility: &syn::Visibility,
-    (rest, record): (&TokenStream, &TokenStream),
+    (standstill, record): (&TokenStream, &TokenStream),
 ) -> Added {
     if !model.effects.needs_actions() {
         return Added::default();
@@ -60,7 +60,7 @@ pub(super) fn added(
         scalar: scalar(program),
         motors,
         has_loads: loads > 0,
-        rest: quote!(#rest #unmoved #record),
+        standstill: quote!(#standstill #unmoved #record),
         record,
     };
     let mut items = Added { ..Added::default() };
@@ -85,9 +85,9 @@ pub(super) fn added(
             .fields
             .extend(quote!(rates: [#krate::generated::#scalar; #motors],));
         items.at_rest.extend(quote!(rates: [0.0; #motors],));
-        items.rest = unmoved;
+        items.standstill = unmoved;
         items
-            .instance_rest
+            .instance_standstill
             .extend(quote!(instance.rates = [0.0; #motors];));
         items.methods.extend(writer.dynamics(inertia));
     }

@@ -5,7 +5,7 @@ use super::rates::Closing;
 use super::tied::all_columns;
 use super::watching::{Side, Watchable};
 use crate::model::{Joint, JointKind, LinkId};
-use crate::plan::{Algebra, Equation, Loop, Measure, Pose, Solution, Unknown};
+use crate::plan::{Algebra, Equation, Loop, Pose, Residuals, Solution, Unknown};
 use crate::program::choice::{MOST_ROUNDS, Solver};
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
@@ -302,19 +302,19 @@ impl Writer<'_> {
             .collect();
         let names: Vec<String> = firsts.iter().map(|(name, _)| name.clone()).collect();
         let (scalars, now) = self.unknowns(block, firsts);
-        let measure = equation.measure(&mut self.builder, &now);
-        self.name_measure(&measure, &names);
-        let walks = || measure.rings.iter();
-        let columns = all_columns(&measure, now.len());
+        let residuals = equation.residuals(&mut self.builder, &now);
+        self.name_residuals(&residuals, &names);
+        let rings = || residuals.rings.iter();
+        let columns = all_columns(&residuals, now.len());
         let is_coupled = equation.rings.len() > 1;
         let side = is_coupled
             .then(|| self.keep_coupled_side(&columns))
             .flatten();
         let system = System {
-            gap: walks().flat_map(|walk| walk.gap).collect(),
+            gap: rings().flat_map(|ring| ring.gap).collect(),
             columns,
-            sides: walks()
-                .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
+            sides: rings()
+                .flat_map(|ring| ring.sides.iter().map(|(_, side)| *side))
                 .collect(),
             extent: self.redundant_extent(equation, &now),
             legs: Vec::new(),
@@ -447,10 +447,10 @@ impl Writer<'_> {
         sum
     }
 
-    fn name_measure(&mut self, measure: &Measure<Value>, names: &[String]) {
-        for walk in &measure.rings {
-            self.builder.name_vector(walk.gap, "gap");
-            for &(unknown, side) in &walk.sides {
+    fn name_residuals(&mut self, residuals: &Residuals<Value>, names: &[String]) {
+        for ring in &residuals.rings {
+            self.builder.name_vector(ring.gap, "gap");
+            for &(unknown, side) in &ring.sides {
                 if let Some(name) = unknown.map(|unknown| &names[unknown]) {
                     self.builder.name_vector(side, &format!("{name}_side"));
                 }

@@ -167,7 +167,7 @@ impl Writer<'_> {
         let along = builder.add(half, lean);
         let across = builder.mul(aside, half_inverse);
         let tip = builder.turned(goal, [along, across]);
-        let rest = builder.minus(goal, tip);
+        let remainder = builder.minus(goal, tip);
         let unit = |builder: &mut crate::program::builder::Builder,
                     tip: Vector,
                     arm: Vector,
@@ -179,7 +179,7 @@ impl Writer<'_> {
             builder.turned(tip, back)
         };
         let first = unit(builder, tip, a, a_square);
-        let second = unit(builder, rest, b, b_square);
+        let second = unit(builder, remainder, b, b_square);
         let two = builder.constant(2.0);
         let scale = builder.mul(two, product);
         let sine = builder.div(signed, scale);
@@ -198,8 +198,8 @@ impl Writer<'_> {
             // The one keeps its direction, the other follows from it.
             directions[0] = self.unless_pins_meet(square, size, directions[0], firsts[0]);
             let side = self.builder.turned(directions[0], a);
-            let rest = self.builder.minus(goal, side);
-            let follows = unit(&mut self.builder, rest, b, b_square);
+            let remainder = self.builder.minus(goal, side);
+            let follows = unit(&mut self.builder, remainder, b, b_square);
             directions[1] =
                 self.unless_pins_meet(square, size, directions[1], Solution::Direction(follows));
         }

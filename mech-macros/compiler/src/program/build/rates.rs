@@ -154,13 +154,13 @@ impl Writer<'_> {
             tied,
             ..
         } = closing;
-        let measure = equation.measure(&mut self.builder, solution);
+        let residuals = equation.residuals(&mut self.builder, solution);
         // The way round is linear in what is known: its rate is the way round what changes.
         let builder = &mut self.builder;
         let moved = equation.map(|value| tangents.of(builder, value));
-        let moved = moved.measure(&mut self.builder, solution);
-        let mut gap: Vec<Value> = moved.rings.iter().flat_map(|walk| walk.gap).collect();
-        let all = all_columns(&measure, solution.len());
+        let moved = moved.residuals(&mut self.builder, solution);
+        let mut gap: Vec<Value> = moved.rings.iter().flat_map(|ring| ring.gap).collect();
+        let all = all_columns(&residuals, solution.len());
         let columns = match tied {
             None => all,
             Some(tied) => {

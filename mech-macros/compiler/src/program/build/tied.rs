@@ -4,7 +4,7 @@ use super::Writer;
 use super::closing::System;
 use super::watching::Side;
 use crate::model::{JointId, LinkId};
-use crate::plan::{Algebra, Equation, Loop, Measure, Solution, Tie, Unknown, float_of};
+use crate::plan::{Algebra, Equation, Loop, Residuals, Solution, Tie, Unknown, float_of};
 use crate::program::builder::Builder;
 use crate::program::newton::Newton;
 use crate::program::node::{BlockId, Op, Value};
@@ -193,9 +193,9 @@ impl Writer<'_> {
         let names: Vec<String> = firsts.iter().map(|(name, _)| name.clone()).collect();
         let (scalars, now) = self.unknowns(block, firsts);
         let full = self.all_directions(tied, equation, &now);
-        let measure = equation.measure(&mut self.builder, &full);
-        let walks = || measure.rings.iter();
-        let columns = tied.columns(&mut self.builder, &all_columns(&measure, full.len()));
+        let residuals = equation.residuals(&mut self.builder, &full);
+        let rings = || residuals.rings.iter();
+        let columns = tied.columns(&mut self.builder, &all_columns(&residuals, full.len()));
         let coupled = (equation.rings.len() > 1)
             .then(|| self.keep_coupled_side(&columns))
             .flatten();
@@ -203,8 +203,8 @@ impl Writer<'_> {
             Some(side) => Some(side.last),
             None => self.keep_side(&columns),
         };
-        let sides: Vec<[Value; 2]> = walks()
-            .flat_map(|walk| walk.sides.iter().map(|(_, side)| *side))
+        let sides: Vec<[Value; 2]> = rings()
+            .flat_map(|ring| ring.sides.iter().map(|(_, side)| *side))
             .collect();
         let angles: Vec<bool> = tied
             .unknowns
@@ -220,7 +220,7 @@ impl Writer<'_> {
             None => turns,
         };
         let system = System {
-            gap: walks().flat_map(|walk| walk.gap).collect(),
+            gap: rings().flat_map(|ring| ring.gap).collect(),
             columns,
             extent: Some(self.builder.name(extent, "extent")),
             sides,
@@ -269,8 +269,8 @@ impl Writer<'_> {
         equation: &Equation<Value>,
         solution: &[Solution<Value>],
     ) -> Vec<Vec<Value>> {
-        let measure = equation.measure(&mut self.builder, solution);
-        tied.columns(&mut self.builder, &all_columns(&measure, solution.len()))
+        let residuals = equation.residuals(&mut self.builder, solution);
+        tied.columns(&mut self.builder, &all_columns(&residuals, solution.len()))
     }
 
     /// All unknowns of the equation, from those of the tied loop.
@@ -332,10 +332,10 @@ impl Writer<'_> {
 }
 
 /// The rates of all gaps with each direction and way of an equation.
-pub(super) fn all_columns(measure: &Measure<Value>, unknowns: usize) -> Vec<Vec<Value>> {
+pub(super) fn all_columns(residuals: &Residuals<Value>, unknowns: usize) -> Vec<Vec<Value>> {
     let column = |unknown: usize| -> Vec<Value> {
-        let walks = measure.rings.iter();
-        walks.flat_map(|walk| walk.columns[unknown]).collect()
+        let rings = residuals.rings.iter();
+        rings.flat_map(|ring| ring.columns[unknown]).collect()
     };
     (0..unknowns).map(column).collect()
 }

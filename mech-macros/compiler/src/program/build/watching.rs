@@ -126,11 +126,11 @@ impl Writer<'_> {
         if self.choice().watching.is_none() || equation.rings.len() != 1 {
             return;
         }
-        let measure = equation.measure(&mut self.builder, solution);
-        let [walk] = &measure.rings[..] else {
+        let residuals = equation.residuals(&mut self.builder, solution);
+        let [ring] = &residuals.rings[..] else {
             return;
         };
-        let [a, b] = walk.columns[..] else {
+        let [a, b] = ring.columns[..] else {
             return;
         };
         let sine = self.sine_of([a, b]);
