@@ -53,7 +53,6 @@ functions! {
     position
     rates
     reached
-    response
     simulated
     stop
     t
@@ -64,6 +63,7 @@ functions! {
     value
     values
     velocities
+    velocity_ratio
     x
     y
 }
