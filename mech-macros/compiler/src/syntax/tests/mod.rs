@@ -95,7 +95,7 @@ fn told_of(marked: &str, messages: &[&str]) -> Parsed {
 /// The message about a name of a number that is declared nowhere.
 fn unseen(name: &str, remedy: &str) -> String {
     format!(
-        "unknown constant `{name}`; {remedy}\n\nhelp: what Rust declares cannot be seen here; declare `const {name} = ...;` in the mechanism"
+        "unknown constant `{name}`; {remedy}\n\nhelp: constants of Rust outside of the mechanism are unknown to the macro; declare `const {name} = ...;` inside it"
     )
 }
 
