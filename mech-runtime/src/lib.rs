@@ -139,7 +139,8 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// | `rack(pinion, bar, radius 0.5)` | a wheel rolls on a bar: the bar's coordinate grows by the radius for each radian; a negative radius is a bar on the other side |
 /// | `cam(shaft, follower, 0.2 * (1 - cos(q)))` | the coordinate of one joint is a law of that of another, `q`; both join something to one link |
 ///
-/// The first four may be placed in the drawing: `slot(a, b) at (x, y) along (dx, dy)`, `weld(a, b) at (x, y)`. What rolls is
+/// The first four may be placed in the drawing: `slot(a, b) at (x, y) along (dx, dy)`, `weld(a, b) at (x, y)`. A direction may also be
+/// an angle, counter-clockwise from the x axis: `along 30 deg`, `line slot = (0, 0) -> 30 deg;`. What rolls is
 /// carried by the link in which both parts keep their place, directly or through a coaxial joint; where several links would do,
 /// `on LINK` after the ratio or radius says which.
 ///
@@ -242,9 +243,25 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///
-/// Numbers and laws are made of `+ - * / ( )`, `PI`, constants, `deg` after a number, `sqrt`, `sin`, `cos`, `tan`, `atan`, `exp`,
-/// `abs`, `min` and `max`. A number has no type and no other unit. An angle without `deg` is in radians: a start of more than a turn in
-/// plain digits, such as `60`, is an error. Constants of Rust cannot be seen; declare them in the mechanism by `const`.
+/// # Numbers
+///
+/// Constants, params and laws are made of `+ - * / ( )`, `PI`, other constants and params, `deg` after a number, and functions:
+///
+/// | function | its value | its slope |
+/// |---|---|---|
+/// | `sqrt(a)`, `exp(a)`, `abs(a)` | the root, e to a power, the absolute value | of `abs` at 0, that of the positive side |
+/// | `sin(a)`, `cos(a)`, `tan(a)` | of an angle | |
+/// | `asin(a)`, `acos(a)`, `atan(a)` | the angle: between −π/2 and π/2, of `acos` between 0 and π | of `asin` and `acos` at ±1, none |
+/// | `atan2(y, x)` | the angle of a vector, between −π and π; `atan2(0, 0)` has none | where it jumps by a turn, that of its vector |
+/// | `hypot(a, b)` | the root of `a * a + b * b` | at `hypot(0, 0)`, none |
+/// | `min(a, b)`, `max(a, b)` | the lesser, the greater | that of whichever it is |
+/// | `floor(a)`, `sign(a)` | the greatest whole number that is not greater; 1, 0 or −1 | 0, also where they jump |
+/// | `mod(a, b)` | what is left of `a` beyond whole times `b`: `a - b * floor(a / b)` | that of `a`, less `floor(a / b)` times that of `b` |
+///
+/// What has no value at compile time, such as `asin(2)`, is an error there. At run time it stops the move.
+///
+/// A number has no type and no other unit. An angle without `deg` is in radians: a start of more than a turn in plain digits, such as
+/// `60`, is an error. Constants of Rust outside of the mechanism are unknown to it; declare them inside by `const`.
 ///
 /// # Shapes and pictures
 ///
@@ -459,9 +476,12 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// # Params
 ///
 /// `param rod_length = 4.0;` is a number that can be changed at run time. The places of points, lines and drawn joints may depend on
-/// it, also through constants (`const HALF = rod_length / 2;`); everything else (directions, shapes, ratios, ranges, starts) may
-/// not, and a mechanism with params has no declared ranges, because what is proved holds for one shape only. It is analysed and
-/// assembled with the values that are declared.
+/// it, and laws may, also through constants (`const HALF = rod_length / 2;`). Everything else (directions, shapes, ratios, ranges,
+/// starts, masses, springs) may not, and a mechanism with params has no declared ranges, because what is proved holds for one shape
+/// only. It is analysed and assembled with the values that are declared.
+///
+/// Forces, motions under forces and laws go with params. What they tell is for the present values. A motor that follows a law stays
+/// where it is when a param of its law is changed, until `at_time` moves it.
 ///
 /// `rod_length()` tells it, `set_rod_length(value)` changes it, `params()` and `set_params([…])` all of them. The motors keep their
 /// values, and everything is assembled anew by a continuous change: change points are passed and wheels roll on as in a move. What

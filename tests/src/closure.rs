@@ -61,7 +61,7 @@ fn off_cam(model: &Model, poses: &[[f64; 4]], joints: [JointId; 2], law: &Law) -
     if turns && !same {
         return 0.0;
     }
-    let off = follower - law.at(shaft);
+    let off = follower - model.at_start(law, shaft);
     if is_angle {
         off - TAU * (off / TAU).round()
     } else {

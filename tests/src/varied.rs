@@ -2,7 +2,8 @@
 
 use crate::Dice;
 use mech_compiler::model::{
-    Arithmetic, Axis, AxisKind, Formula, FormulaId, LinkId, Model, Origin, Param, ParamId,
+    Axis, AxisKind, BinaryFunction, Formula, FormulaId, Function, LinkId, Model, Now, Origin,
+    Param, ParamId,
 };
 
 /// Adds params, each with a part in the place of some axis, and names points. What is given as it is drawn stays as it is drawn
@@ -48,7 +49,7 @@ pub fn scale(model: &mut Model) {
     let scale = model.params.formula(Formula::Param(param));
     for axis in &mut model.axes {
         for part in 0..2 {
-            let at = model.params.formula(Formula::Constant(axis.at[part]));
+            let at = model.params.formula(Formula::constant(axis.at[part]));
             axis.formulas[part] = Some(model.params.formula(Formula::Mul(scale, at)));
         }
     }
@@ -60,33 +61,53 @@ fn depending(model: &mut Model, dice: &mut Dice, param: ParamId, at: f64) -> For
     let mut formula = |formula| model.params.formula(formula);
     let symbol = formula(Formula::Param(param));
     let factor = dice.between(-1.5, 1.5);
-    let (made, part) = match dice.below(5) {
+    let one = formula(Formula::constant(1.0));
+    let (made, part) = match dice.below(8) {
         0 => (symbol, value),
         1 => {
-            let factor_id = formula(Formula::Constant(factor));
+            let factor_id = formula(Formula::constant(factor));
             (formula(Formula::Mul(symbol, factor_id)), factor * value)
         }
-        2 => (formula(Formula::Sin(symbol)), libm::sin(value)),
+        2 => (
+            formula(Formula::Of(Function::Sin, symbol)),
+            libm::sin(value),
+        ),
         3 => {
-            let root = formula(Formula::Sqrt(symbol));
+            let root = formula(Formula::Of(Function::Sqrt, symbol));
             (formula(Formula::Neg(root)), -value.sqrt())
         }
+        4 => {
+            let sine = formula(Formula::Of(Function::Sin, symbol));
+            let part = formula(Formula::Of(Function::Atan, sine));
+            let angle = formula(Formula::Of(Function::Asin, part));
+            (angle, value.sin().atan().asin())
+        }
+        5 => {
+            let angle = formula(Formula::OfBoth(BinaryFunction::Atan2, one, symbol));
+            (angle, 1.0_f64.atan2(value))
+        }
+        6 => {
+            let length = formula(Formula::OfBoth(BinaryFunction::Hypot, symbol, one));
+            let far = formula(Formula::constant(100.0));
+            let same = formula(Formula::OfBoth(BinaryFunction::Mod, length, far));
+            (same, value.hypot(1.0))
+        }
         _ => {
-            let one = formula(Formula::Constant(1.0));
-            let cos = formula(Formula::Cos(symbol));
+            let cos = formula(Formula::Of(Function::Cos, symbol));
             let inverse = formula(Formula::Div(one, symbol));
             let sum = formula(Formula::Add(cos, inverse));
             (sum, libm::cos(value) + 1.0 / value)
         }
     };
-    let rest = formula(Formula::Constant(part - at));
+    let rest = formula(Formula::constant(part - at));
     formula(Formula::Sub(made, rest))
 }
 
 /// Where an axis is in its link with these params.
 #[must_use]
 pub fn place(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
-    let formulas = model.params.evaluate(&mut Now(params));
+    let variable = f64::NAN;
+    let formulas = model.params.evaluate(&mut Now { variable, params });
     [0, 1].map(|part| match axis.formulas[part] {
         None => axis.at[part],
         Some(formula) => formulas[formula.index()],
@@ -104,51 +125,4 @@ pub fn with_params(model: &Model, params: &[f64]) -> Model {
     fixed.params = mech_compiler::model::Params::default();
     fixed.effects.sensitivity = false;
     fixed
-}
-
-/// Numbers now.
-struct Now<'p>(&'p [f64]);
-
-impl Arithmetic for Now<'_> {
-    type Scalar = f64;
-
-    fn constant(&mut self, value: f64) -> f64 {
-        value
-    }
-
-    fn param(&mut self, param: ParamId) -> f64 {
-        self.0[param.index()]
-    }
-
-    fn neg(&mut self, a: f64) -> f64 {
-        -a
-    }
-
-    fn add(&mut self, a: f64, b: f64) -> f64 {
-        a + b
-    }
-
-    fn sub(&mut self, a: f64, b: f64) -> f64 {
-        a - b
-    }
-
-    fn mul(&mut self, a: f64, b: f64) -> f64 {
-        a * b
-    }
-
-    fn div(&mut self, a: f64, b: f64) -> f64 {
-        a / b
-    }
-
-    fn sqrt(&mut self, a: f64) -> f64 {
-        a.sqrt()
-    }
-
-    fn sin(&mut self, a: f64) -> f64 {
-        libm::sin(a)
-    }
-
-    fn cos(&mut self, a: f64) -> f64 {
-        libm::cos(a)
-    }
 }

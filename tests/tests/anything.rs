@@ -2,8 +2,8 @@
 
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{
-    Allowances, Axis, AxisId, AxisKind, Joint, JointId, JointKind, Law, LawId, Link, LinkId, Model,
-    Motor, Origin, Ratio, Term,
+    Allowances, Axis, AxisId, AxisKind, Formula, Formulas, Joint, JointId, JointKind, Law, LawId,
+    Link, LinkId, Model, Motor, Origin, Ratio,
 };
 use mech_compiler::structure::{Factor, RollingEnd};
 use mech_compiler::{Compiled, compile, reporter};
@@ -171,10 +171,13 @@ fn put_cams(model: &mut Model, dice: &mut Dice) {
 
 /// The law 1 / t, which a motor cannot start with.
 fn reciprocal() -> Law {
-    let mut law = Law::new("1 / t".to_owned(), Origin::default());
-    let (variable, one) = (law.push(Term::Variable), law.push(Term::Number(1.0)));
-    law.push(Term::Quotient(one, variable));
-    law
+    let mut formulas = Formulas::default();
+    let (variable, one) = (
+        formulas.add(Formula::Variable),
+        formulas.add(Formula::constant(1.0)),
+    );
+    let quotient = formulas.add(Formula::Div(one, variable));
+    Law::new(formulas, quotient, "1 / t".to_owned(), Origin::default())
 }
 
 /// After a small motion two wheels have turned by their ratio, seen from their carrier.

@@ -2,7 +2,9 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{Effects, Law, Method, Model, Origin, Precision};
+use mech_compiler::model::{
+    Arithmetic, BinaryFunction, Effects, Function, Law, Method, Model, Now, ParamId, Precision,
+};
 use mech_compiler::program::{Timing, build_timing};
 use mech_compiler::syntax::parse;
 use mech_runtime::Cause;
@@ -23,7 +25,7 @@ fn smooth(dice: &mut Dice, depth: u32) -> String {
     }
     let mut part = || smooth(dice, depth - 1);
     let (a, b) = (part(), part());
-    match dice.below(12) {
+    match dice.below(16) {
         0 | 1 => format!("({a} + {b})"),
         2 => format!("({a} - {b})"),
         3 | 4 => format!("{a} * ({b})"),
@@ -33,6 +35,10 @@ fn smooth(dice: &mut Dice, depth: u32) -> String {
         8 => format!("cos({a} - 30 deg)"),
         9 => format!("atan({a})"),
         10 => format!("exp(-({a}) * ({a}))"),
+        11 => format!("asin(0.9 * sin({a}))"),
+        12 => format!("acos(-0.8 * cos({a}))"),
+        13 => format!("atan2({a}, 1 + ({b}) * ({b}))"),
+        14 => format!("hypot(1 + ({a}) * ({a}), {b})"),
         _ => format!("-tan(0.3 * sin({a}))"),
     }
 }
@@ -40,10 +46,13 @@ fn smooth(dice: &mut Dice, depth: u32) -> String {
 /// The same with corners in it.
 fn cornered(dice: &mut Dice, depth: u32) -> String {
     let (a, b) = (smooth(dice, depth), smooth(dice, depth));
-    match dice.below(3) {
+    match dice.below(6) {
         0 => format!("max({a}, {b})"),
         1 => format!("{a} + min(0.5, {b})"),
-        _ => format!("abs({a}) * ({b})"),
+        2 => format!("abs({a}) * ({b})"),
+        3 => format!("floor({a}) * ({b})"),
+        4 => format!("mod({a}, 1.5 + sin({b}))"),
+        _ => format!("sign({a}) + {b}"),
     }
 }
 
@@ -76,12 +85,12 @@ fn timing(model: &Model) -> Timing {
 
 /// The greatest size of anything from which a law is computed.
 fn extent(law: &Law, time: f64) -> f64 {
-    let mut part = Law::new(String::new(), Origin::default());
-    let sizes = law.terms().iter().map(|term| {
-        part.push(*term);
-        part.at(time).abs()
+    let params = &[];
+    let sizes = law.formulas().evaluate(&mut Now {
+        variable: time,
+        params,
     });
-    sizes.fold(1.0, f64::max)
+    sizes.iter().map(|size| size.abs()).fold(1.0, f64::max)
 }
 
 /// First and second differences of fourth order.
@@ -109,15 +118,15 @@ fn rates_of_random_laws_are_their_derivatives() {
         let (law, timing) = (&model.laws[0], timing(&model));
         for _ in 0..5 {
             let time = dice.between(-3.0, 3.0);
-            let [value, rate, second] = timing.at(time)[0];
-            let direct = law.at(time);
+            let [value, rate, second] = timing.at(time, &[])[0];
+            let direct = law.at(time, &[]);
             let scale = extent(law, time);
             assert!(
                 (value - direct).abs() <= 1e-12 * scale * (1.0 + rate.abs()),
                 "{text} at {time}: {value}, {direct}"
             );
-            let near = differences(five(|time| law.at(time), time, STEP), STEP);
-            let far = differences(five(|time| law.at(time), time, 2.0 * STEP), 2.0 * STEP);
+            let near = differences(five(|time| law.at(time, &[]), time, STEP), STEP);
+            let far = differences(five(|time| law.at(time, &[]), time, 2.0 * STEP), 2.0 * STEP);
             for (order, exact) in [(0, rate), (1, second)] {
                 let truncation = (near[order] - far[order]).abs();
                 let power = i32::try_from(order).expect("small") + 1;
@@ -160,53 +169,106 @@ impl Jet {
     }
 }
 
-fn jet(law: &Law, time: f64) -> Jet {
-    use mech_compiler::model::{Extreme, Function, Term};
-    let mut jets: Vec<Jet> = Vec::new();
-    for term in law.terms() {
-        let get = |id: mech_compiler::model::TermId| jets[id.index()];
-        let jet = match *term {
-            Term::Variable => Jet([time, 1.0, 0.0]),
-            Term::Number(number) => Jet([number, 0.0, 0.0]),
-            Term::Negative(a) => Jet(get(a).0.map(|part| -part)),
-            Term::Sum(a, b) => get(a).plus(get(b), 1.0),
-            Term::Difference(a, b) => get(a).plus(get(b), -1.0),
-            Term::Product(a, b) => get(a).product(get(b)),
-            Term::Quotient(a, b) => {
-                let below = get(b).0[0];
-                let inverse = [1.0 / below, -below.powi(-2), 2.0 * below.powi(-3)];
-                get(a).product(get(b).through(inverse))
+/// What gives the jet of a law at a time.
+struct At(f64);
+
+impl Arithmetic for At {
+    type Scalar = Jet;
+
+    fn constant(&mut self, value: f64) -> Jet {
+        Jet([value, 0.0, 0.0])
+    }
+
+    fn variable(&mut self) -> Jet {
+        Jet([self.0, 1.0, 0.0])
+    }
+
+    fn param(&mut self, _: ParamId) -> Jet {
+        unreachable!("no law here has a param")
+    }
+
+    fn neg(&mut self, Jet(a): Jet) -> Jet {
+        Jet(a.map(|part| -part))
+    }
+
+    fn add(&mut self, a: Jet, b: Jet) -> Jet {
+        a.plus(b, 1.0)
+    }
+
+    fn sub(&mut self, a: Jet, b: Jet) -> Jet {
+        a.plus(b, -1.0)
+    }
+
+    fn mul(&mut self, a: Jet, b: Jet) -> Jet {
+        a.product(b)
+    }
+
+    fn div(&mut self, a: Jet, b: Jet) -> Jet {
+        let below = b.0[0];
+        let inverse = [1.0 / below, -below.powi(-2), 2.0 * below.powi(-3)];
+        a.product(b.through(inverse))
+    }
+
+    fn of(&mut self, function: Function, a: Jet) -> Jet {
+        let x = a.0[0];
+        a.through(match function {
+            Function::Sqrt => [x.sqrt(), 0.5 / x.sqrt(), -0.25 / (x * x.sqrt())],
+            Function::Sin => [x.sin(), x.cos(), -x.sin()],
+            Function::Cos => [x.cos(), -x.sin(), -x.cos()],
+            Function::Tan => {
+                let first = 1.0 + x.tan() * x.tan();
+                [x.tan(), first, 2.0 * x.tan() * first]
             }
-            Term::Of(function, a) => {
-                let x = get(a).0[0];
-                get(a).through(match function {
-                    Function::Sqrt => [x.sqrt(), 0.5 / x.sqrt(), -0.25 / (x * x.sqrt())],
-                    Function::Sin => [x.sin(), x.cos(), -x.sin()],
-                    Function::Cos => [x.cos(), -x.sin(), -x.cos()],
-                    Function::Tan => {
-                        let first = 1.0 + x.tan() * x.tan();
-                        [x.tan(), first, 2.0 * x.tan() * first]
-                    }
-                    Function::Atan => {
-                        let first = 1.0 / (1.0 + x * x);
-                        [x.atan(), first, -2.0 * x * first * first]
-                    }
-                    Function::Exp => [x.exp(); 3],
-                    Function::Abs => [x.abs(), x.signum(), 0.0],
-                })
-            }
-            Term::Extreme(extreme, a, b) => {
-                let first = get(a).0[0] > get(b).0[0];
-                if first == (extreme == Extreme::Greatest) {
-                    get(a)
+            Function::Asin | Function::Acos => {
+                let first = (1.0 - x * x).sqrt().recip();
+                let second = x * first.powi(3);
+                if function == Function::Asin {
+                    [x.asin(), first, second]
                 } else {
-                    get(b)
+                    [x.acos(), -first, -second]
                 }
             }
-        };
-        jets.push(jet);
+            Function::Atan => {
+                let first = 1.0 / (1.0 + x * x);
+                [x.atan(), first, -2.0 * x * first * first]
+            }
+            Function::Exp => [x.exp(); 3],
+            Function::Abs => [x.abs(), x.signum(), 0.0],
+            Function::Floor => [x.floor(), 0.0, 0.0],
+            Function::Sign => [x.signum(), 0.0, 0.0],
+        })
     }
-    *jets.last().expect("a law has terms")
+
+    fn of_both(&mut self, function: BinaryFunction, a: Jet, b: Jet) -> Jet {
+        let (x, y) = (a.0[0], b.0[0]);
+        match function {
+            BinaryFunction::Min if x > y => b,
+            BinaryFunction::Max if x <= y => b,
+            BinaryFunction::Min | BinaryFunction::Max => a,
+            BinaryFunction::Atan2 => {
+                let angle = x.atan2(y);
+                let square = a.product(a).plus(b.product(b), 1.0);
+                let (s, [_, ds, _]) = (square.0[0], square.0);
+                let rate = (a.0[1] * y - b.0[1] * x) / s;
+                let change = a.0[2] * y - b.0[2] * x;
+                Jet([angle, rate, change / s - rate * ds / s])
+            }
+            BinaryFunction::Hypot => {
+                let square = a.product(a).plus(b.product(b), 1.0);
+                let root = square.0[0].sqrt();
+                square.through([root, 0.5 / root, -0.25 / (root * square.0[0])])
+            }
+            BinaryFunction::Mod => {
+                let times = Jet([(x / y).floor(), 0.0, 0.0]);
+                let Jet([_, first, second]) = a.plus(b.product(times), -1.0);
+                Jet([x - y * (x / y).floor(), first, second])
+            }
+        }
+    }
+}
+
+fn jet(law: &Law, time: f64) -> Jet {
+    law.evaluate(&mut At(time))
 }
 
 #[test]
@@ -220,7 +282,7 @@ fn laws_with_corners_have_the_rates_of_the_side_they_are_on() {
         let (law, timing) = (&model.laws[0], timing(&model));
         for _ in 0..5 {
             let time = dice.between(-3.0, 3.0);
-            let (found, Jet(expected)) = (timing.at(time)[0], jet(law, time));
+            let (found, Jet(expected)) = (timing.at(time, &[])[0], jet(law, time));
             for order in 0..3 {
                 let scale = extent(law, time) * (1.0 + expected[1].abs() + expected[2].abs());
                 assert!(
@@ -245,8 +307,17 @@ fn what_has_no_value_does_not_get_one_from_its_surroundings() {
         "min(sqrt(1 - t), 0)",
         "0 * sqrt(1 - t) + t",
         "abs(sqrt(1 - t))",
+        "asin(t)",
+        "acos(-t)",
+        "max(0, asin(t))",
+        "floor(sqrt(1 - t))",
+        "sign(sqrt(1 - t))",
+        "mod(sqrt(1 - t), 2)",
+        "mod(2, sqrt(1 - t))",
+        "hypot(t, sqrt(1 - t))",
+        "atan2(2 - t, t * (2 - t))",
     ] {
-        let found = timing(&model(law)).at(2.0)[0][0];
+        let found = timing(&model(law)).at(2.0, &[])[0][0];
         assert_eq!(found.is_nan(), !law.starts_with('0'), "{law}: {found}");
     }
 }
@@ -296,15 +367,20 @@ fn velocities_in_time_are_those_of_positions_in_time() {
             compiled.moving.expect("velocities were asked for"),
             compiled.timing.expect("motors have laws"),
         );
-        let values =
-            |time: f64| -> Vec<f64> { timing.at(time).iter().map(|[value, ..]| *value).collect() };
+        let values = |time: f64| -> Vec<f64> {
+            timing
+                .at(time, &[])
+                .iter()
+                .map(|[value, ..]| *value)
+                .collect()
+        };
         for _ in 0..4 {
             let time = dice.between(0.1, 1.0);
             let mut machine = Machine::<f64>::new(&moving);
             if machine.move_to(&values(time)).is_err() {
                 continue;
             }
-            let at = timing.at(time);
+            let at = timing.at(time, &[]);
             let rates: Vec<f64> = at.iter().map(|[_, rate, _]| *rate).collect();
             let seconds: Vec<f64> = at.iter().map(|[.., second]| *second).collect();
             let Ok(found) = machine.motion(&rates, &seconds) else {
@@ -439,7 +515,7 @@ fn the_time_gives_motors_the_values_of_their_laws() {
     let (mut timed, mut told) = (generated::FourBar::new(), generated::FourBar::new());
     for step in 0..500 {
         let time = f64::from(step) * 0.01;
-        let at = timing.at(time);
+        let at = timing.at(time, &[]);
         let [values, rates, seconds] = [0, 1, 2].map(|part| [at[0][part], at[1][part]]);
         timed.at_time(time).expect("it moves");
         told.move_with(values, rates, seconds).expect("it moves");

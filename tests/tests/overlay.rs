@@ -242,7 +242,11 @@ fn every_pin_has_one_symbol_and_every_moving_one_an_arrow() {
             for (link, axis) in &pin.members {
                 let at = model.axis(*axis).at;
                 if model.link(*link).die.is_none() {
-                    let found = moment.place(Spot { link: *link, at });
+                    let found = moment.place(Spot {
+                        link: *link,
+                        at,
+                        axis: *axis,
+                    });
                     assert!(near(found, place), "{name}: {found:?}, {place:?}");
                 }
             }

@@ -8,8 +8,28 @@ use crate::structure::{Pin, Rolling, RollingEnd, Structure};
 pub struct Spot {
     /// The link; the ground too.
     pub link: LinkId,
-    /// Where, in its frame.
+    /// Where, in its frame: at the start, if params move it.
     pub at: [f64; 2],
+    /// The axis whose place it is.
+    pub axis: AxisId,
+}
+
+impl Spot {
+    /// Where an axis is.
+    pub(crate) fn of(model: &Model, id: AxisId) -> Self {
+        let axis = model.axis(id);
+        Self {
+            link: axis.link,
+            at: axis.at,
+            axis: id,
+        }
+    }
+
+    /// Whether another is on the same link and in the same place, also where params move them.
+    fn is_with(&self, other: &Self, model: &Model) -> bool {
+        let formulas = |spot: &Self| model.axis(spot.axis).formulas;
+        self.link == other.link && self.at == other.at && formulas(self) == formulas(other)
+    }
 }
 
 /// What is drawn of a mechanism.
@@ -19,12 +39,12 @@ pub enum Symbol {
     Bar {
         /// The link.
         link: LinkId,
-        /// Both ends, in its frame.
-        ends: [[f64; 2]; 2],
+        /// Both ends, on it.
+        ends: [Spot; 2],
     },
     /// A point of a link where no joint is.
     Mark(Spot),
-    /// The pitch circle of a wheel.
+    /// The pitch circle of a wheel, as large as at the start.
     Wheel {
         /// Its centre.
         center: Spot,
@@ -147,11 +167,9 @@ pub fn moving_points(
             pin.axis_of(LinkId::GROUND).is_none()
                 && kept.next().is_some_and(|member| member.1 == id)
         });
-        let spot = Spot {
-            link: axis.link,
-            at: axis.at,
-        };
-        if is_point && declared && first && is_kept(axis.link) && !spots.contains(&spot) {
+        let spot = Spot::of(model, id);
+        let is_new = !spots.iter().any(|known| known.is_with(&spot, model));
+        if is_point && declared && first && is_kept(axis.link) && is_new {
             spots.push(spot);
         }
     }
@@ -167,11 +185,7 @@ struct Diagram<'m> {
 
 impl Diagram<'_> {
     fn spot(&self, axis: AxisId) -> Spot {
-        let axis = self.model.axis(axis);
-        Spot {
-            link: axis.link,
-            at: axis.at,
-        }
+        Spot::of(self.model, axis)
     }
 
     /// The first of these axes, all in one place, that is on a link that is kept.
@@ -222,14 +236,14 @@ impl Diagram<'_> {
         let slides = slides.filter(on_it);
         let named = (0..self.model.axes.len()).map(AxisId::new);
         let named = named.filter(|axis| on_it(axis) && self.is_seen_point(*axis));
-        let mut corners: Vec<[f64; 2]> = Vec::new();
+        let mut corners: Vec<Spot> = Vec::new();
         for axis in pins.chain(slides).chain(named) {
-            let at = self.model.axis(axis).at;
-            if !corners.contains(&at) {
-                corners.push(at);
+            let spot = self.spot(axis);
+            if !corners.iter().any(|known| known.is_with(&spot, self.model)) {
+                corners.push(spot);
             }
         }
-        let bar = |ends: [[f64; 2]; 2]| Symbol::Bar { link, ends };
+        let bar = |ends: [Spot; 2]| Symbol::Bar { link, ends };
         match corners[..] {
             [] | [_] => Vec::new(),
             [one, other] => vec![bar([one, other])],
@@ -250,11 +264,11 @@ impl Diagram<'_> {
     /// The named points where no joint is.
     fn marks(&self) -> Vec<Symbol> {
         let in_use = |axis: AxisId| {
-            let Spot { link, at } = self.spot(axis);
+            let spot = self.spot(axis);
             let mut pins = self.structure.pins.iter();
             pins.any(|pin| {
-                pin.axis_of(link)
-                    .is_some_and(|pin| self.model.axis(pin).at == at)
+                pin.axis_of(spot.link)
+                    .is_some_and(|pin| self.spot(pin).is_with(&spot, self.model))
             })
         };
         let axes = (0..self.model.axes.len()).map(AxisId::new);
@@ -270,21 +284,17 @@ impl Diagram<'_> {
 
     /// The axes of a kind that were declared on links that are kept.
     fn axes(&self, kind: AxisKind) -> Vec<Symbol> {
-        let axes = self.model.axes.iter();
-        let declared = axes
-            .filter(|axis| axis.kind == kind && axis.name.is_some() && (self.is_kept)(axis.link));
-        let symbol = |axis: &crate::model::Axis| {
-            let at = Spot {
-                link: axis.link,
-                at: axis.at,
-            };
-            match kind {
-                AxisKind::Point => Symbol::Point(at),
-                AxisKind::Line => Symbol::Line {
-                    at,
-                    along: axis.direction,
-                },
-            }
+        let axes = (0..self.model.axes.len()).map(AxisId::new);
+        let declared = axes.filter(|&id| {
+            let axis = self.model.axis(id);
+            axis.kind == kind && axis.name.is_some() && (self.is_kept)(axis.link)
+        });
+        let symbol = |axis: AxisId| match kind {
+            AxisKind::Point => Symbol::Point(self.spot(axis)),
+            AxisKind::Line => Symbol::Line {
+                at: self.spot(axis),
+                along: self.model.axis(axis).direction,
+            },
         };
         declared.map(symbol).collect()
     }
@@ -420,14 +430,14 @@ fn distance([x, y]: [f64; 2], [u, v]: [f64; 2]) -> f64 {
 }
 
 /// Puts corners into the order in which they lie around their middle.
-fn in_a_ring(corners: &mut [[f64; 2]]) {
+fn in_a_ring(corners: &mut [Spot]) {
     #[expect(clippy::cast_precision_loss, reason = "a few corners")]
     let share = 1.0 / corners.len() as f64;
     let middle = corners.iter().fold([0.0, 0.0], |[x, y], corner| {
-        [x + corner[0] * share, y + corner[1] * share]
+        [x + corner.at[0] * share, y + corner.at[1] * share]
     });
     corners.sort_by(|one, other| {
         let angle = |[x, y]: [f64; 2]| libm::atan2(y - middle[1], x - middle[0]);
-        angle(*one).total_cmp(&angle(*other))
+        angle(one.at).total_cmp(&angle(other.at))
     });
 }

@@ -12,11 +12,17 @@ const STAGES: usize = 3;
 /// The most rounds until the second rates at the stages are settled.
 const ROUNDS: usize = 64;
 
-/// Where a step of time leads.
+/// Where a step of time leads. The inputs are the motors and, after them, the params, which rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Simulated<T, const MOTORS: usize, const LINKS: usize, const STATE: usize> {
+pub struct Simulated<
+    T,
+    const INPUTS: usize,
+    const MOTORS: usize,
+    const LINKS: usize,
+    const KEPT: usize,
+> {
     /// The new position.
-    pub position: Position<T, MOTORS, LINKS, STATE>,
+    pub position: Position<T, INPUTS, LINKS, KEPT>,
     /// The rates of the motors there.
     pub rates: [T; MOTORS],
     /// Their second rates there.
@@ -122,16 +128,16 @@ impl<T: Scalar> Tableau<T> {
 ///
 /// # Errors
 /// If something given is not a finite number, something is in the way, no mass resists a motor, or the step of time is too long.
-pub fn simulate<T, const M: usize, const L: usize, const K: usize>(
-    start: &Position<T, M, L, K>,
+pub fn simulate<T, const I: usize, const M: usize, const L: usize, const K: usize>(
+    start: &Position<T, I, L, K>,
     moment: &Moment<T, M>,
     method: GaussLegendre,
     to: impl Fn(
-        &mut Position<T, M, L, K>,
-        Motors<T, M>,
+        &mut Position<T, I, L, K>,
+        Motors<T, I>,
         [T; M],
-    ) -> Result<Inertia<T, M>, Blocked<[T; M]>>,
-) -> Result<Simulated<T, M, L, K>, Blocked<[T; M]>>
+    ) -> Result<Inertia<T, M>, Blocked<[T; I]>>,
+) -> Result<Simulated<T, I, M, L, K>, Blocked<[T; I]>>
 where
     T: Scalar,
 {
@@ -239,7 +245,10 @@ fn sum<T: Scalar, const M: usize>(
     sum
 }
 
-fn moved<T: Scalar, const M: usize>(motors: Motors<T, M>, way: [T; M]) -> Motors<T, M> {
+fn moved<T: Scalar, const I: usize, const M: usize>(
+    motors: Motors<T, I>,
+    way: [T; M],
+) -> Motors<T, I> {
     let mut motors = motors;
     for (value, way) in motors.values.iter_mut().zip(way) {
         *value += way;

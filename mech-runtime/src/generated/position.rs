@@ -57,7 +57,7 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     /// The same, with whole turns of what turns kept apart.
     #[must_use]
     #[inline]
-    pub fn reduced(self, turning: &[bool; MOTORS]) -> Self {
+    pub fn reduced(self, turning: &[bool]) -> Self {
         let mut motors = self;
         let values = motors.values.iter_mut().zip(&mut motors.turns);
         for ((value, turns), _) in values.zip(turning).filter(|(_, turning)| **turning) {

@@ -1,5 +1,6 @@
 //! Params of compiled mechanisms: the generated code beside the interpreted program, what is refused, and truths that are known.
 
+mod beside;
 mod zoo;
 
 use mech_compiler::Compiled;

@@ -218,14 +218,14 @@ impl Judge<'_> {
             self.coordinate(links, cam.follower),
         );
         let at = shaft.value + turns;
-        let off = follower.value - law.at(at);
+        let off = follower.value - law.at(at, &[]);
         let off = if self.is_angle(cam.follower) {
             wrapped(off)
         } else {
             off
         };
         let step = 1e-6;
-        let slope = (law.at(at + step) - law.at(at - step)) / (2.0 * step);
+        let slope = (law.at(at + step, &[]) - law.at(at - step, &[])) / (2.0 * step);
         let row = all.row(off);
         for (joint, by) in [(shaft, -slope), (follower, 1.0)] {
             for (link, slopes) in joint.slopes {

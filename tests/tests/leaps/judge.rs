@@ -129,7 +129,7 @@ impl<'m> Judge<'m> {
         let follower = self.coordinate(&self.links, cam.follower).value;
         let law = self.model.law(cam.law);
         let off = |turns: i32| {
-            let off = follower - law.at(raw + TAU * f64::from(turns));
+            let off = follower - law.at(raw + TAU * f64::from(turns), &[]);
             if self.is_angle(cam.follower) {
                 wrapped(off)
             } else {

@@ -8,8 +8,8 @@ mechanism! {
     const A: f64 = 1;
     const B = 10 mm;
     const C = 2^2;
-    const D = acos(0.5);
-    const E = atan2(1, 2);
+    const D = arccos(0.5);
+    const E = arctan2(1, 2);
     link crank {
         point pin = (A, 0) -> 30 deg;
         circle (0, 0) radius 1 plane 2;

@@ -35,7 +35,45 @@ mod hidden {
     }
 }
 
+mod beside {
+    mech_runtime::mechanism! {
+        /// Forces and a diagram.
+        pub(super) struct Loaded: f32;
+        param simulated = 2;
+        param names = 1;
+        ground { point o = (0, 0); point hook = (0, names); }
+        link arm { point o = (0, 0); point tip = (simulated, mod(names, 2)); mass 1 at (1, 0); }
+        joint a = revolute(ground.o, arm.o);
+        motor a;
+        gravity (0, -9.81);
+        spring pull = linear(ground.hook, arm.tip) stiffness 2 rest 0.1;
+        load push = force(arm.tip);
+        effects { force; dynamics; velocity; overlay; }
+    }
+
+    mech_runtime::mechanism! {
+        /// A law.
+        pub(super) struct Timed: f32;
+        param motors = 2;
+        param t = 1;
+        ground { point o = (0, 0); line way = (0, 0) -> 30 deg; }
+        link arm { point o = (0, 0); }
+        link block { line way = (0, 0) -> 30 deg; }
+        joint a = revolute(ground.o, arm.o);
+        joint b = prismatic(ground.way, block.way);
+        motor a = 0.5;
+        motor b = asin(sin(motors)) - atan2(motors, 1);
+    }
+}
+
 fn main() {
+    let mut loaded = beside::Loaded::new();
+    assert!(loaded.set_simulated(3.0).is_ok());
+    assert!(loaded.simulate(0.01, [1.0]).is_ok() && loaded.hold_at([0.5]).is_ok());
+    assert!(loaded.pull() > 0.0 && loaded.push_advantage([1.0, 0.0]).is_ok());
+    let mut timed = beside::Timed::new();
+    assert!(timed.set_motors(0.5).is_ok() && timed.at_time(1.0).is_ok());
+    assert!((timed.b() - 0.5 + f32::atan2(0.5, 1.0)).abs() < 1e-6);
     let mut crank = SliderCrank::new();
     assert_eq!(crank.params(), [1.0, 4.0]);
     assert!(crank.set_rod(5.0).is_ok() && crank.set_params([1.5, 6.0]).is_ok());

@@ -3,8 +3,9 @@
 //! A program of many loops is proved loop by loop: what earlier loops find is taken to be anything at all, unless that is too
 //! little. So a proof costs no more in a long chain than in a short one.
 
+use crate::model::Number;
 use crate::plan::Solution;
-use crate::program::{ClosedForm, Node, Number, Op, Program, Value};
+use crate::program::{ClosedForm, Node, Op, Program, Value};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a cone is made from where it is cut.

@@ -2,8 +2,8 @@
 
 use super::{Cost, of_blocks, of_loops, of_program};
 use crate::compile;
-use crate::model::{Method, Model, Precision, Target};
-use crate::program::{Block, BlockId, BlockKind, Node, Number, Op, Program, Value};
+use crate::model::{Method, Model, Number, Precision, Target};
+use crate::program::{Block, BlockId, BlockKind, Node, Op, Program, Value};
 use crate::syntax::parse;
 
 const FOUR_BAR: &str = "struct FourBar;

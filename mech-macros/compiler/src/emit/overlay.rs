@@ -3,13 +3,14 @@
 use super::added::Added;
 use super::block::scalar;
 use super::motion::found;
+use super::params;
 use super::scope::number;
 use crate::compiled::Compiled;
-use crate::model::{JointId, JointKind, LinkId, Load, LoadKind, Model, Precision};
+use crate::model::{Axis, JointId, JointKind, LinkId, Load, LoadKind, Model, Precision};
 use crate::program::Program;
 use crate::symbols::{self, Spot, Symbol};
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// What overlays add to a mechanism.
 pub(super) fn added(model: &Model, compiled: &Compiled, visibility: &syn::Visibility) -> Added {
@@ -24,18 +25,21 @@ pub(super) fn added(model: &Model, compiled: &Compiled, visibility: &syn::Visibi
     }
     let scalar = scalar(program);
     let is_kept = |link| program.place_of(link).is_some();
-    let writer = Writer { program };
+    let mut moving = TokenStream::new();
+    let writer = Writer { model, program };
     let symbols = symbols::symbols(model, structure, is_kept);
     let symbols = symbols.iter().map(|symbol| writer.symbol(symbol));
+    let (known, symbols) = writer.table(
+        "SYMBOLS",
+        "What is drawn of joints, links, motors and axes.",
+        (&quote!(&[Symbol<#scalar>]), &quote!(&[#(#symbols),*])),
+    );
     let mut items = Added {
-        known: quote! {
-            /// What is drawn of joints, links, motors and axes.
-            pub(super) const SYMBOLS: &[Symbol<#scalar>] = &[#(#symbols),*];
-        },
+        known,
         methods: quote! {
             /// Draws joints, motors and whatever else the overlay wants, as textbooks do.
             #visibility fn draw_overlay(&self, canvas: &mut impl Canvas<#scalar>, overlay: &Overlay) {
-                Overlay::draw(overlay, known::SYMBOLS, &self.position.poses, canvas);
+                Overlay::draw(overlay, #symbols, &self.position.poses, canvas);
             }
         },
         ..Added::default()
@@ -43,14 +47,17 @@ pub(super) fn added(model: &Model, compiled: &Compiled, visibility: &syn::Visibi
     if model.effects.velocity {
         let points = symbols::moving_points(model, structure, is_kept);
         let points = points.iter().map(|&point| writer.spot(point));
-        items.known.extend(quote! {
-            /// The points whose velocities are drawn.
-            pub(super) const MOVING_POINTS: &[Spot<#scalar>] = &[#(#points),*];
-        });
+        let (known, points) = writer.table(
+            "MOVING_POINTS",
+            "The points whose velocities are drawn.",
+            (&quote!(&[Spot<#scalar>]), &quote!(&[#(#points),*])),
+        );
+        moving = points;
+        items.known.extend(known);
         items.methods.extend(quote! {
             /// Draws the velocities of all named points and revolute joints that move.
             #visibility fn draw_velocities(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>) {
-                generated::draw_velocities(known::MOVING_POINTS, &self.position.poses, &self.velocities, arrows, canvas);
+                generated::draw_velocities(#moving, &self.position.poses, &self.velocities, arrows, canvas);
             }
         });
     }
@@ -59,7 +66,7 @@ pub(super) fn added(model: &Model, compiled: &Compiled, visibility: &syn::Visibi
             /// Draws the accelerations of all named points and revolute joints that move.
             #visibility fn draw_accelerations(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>) {
                 let rates = (&self.velocities, &self.accelerations);
-                generated::draw_accelerations(known::MOVING_POINTS, &self.position.poses, rates, arrows, canvas);
+                generated::draw_accelerations(#moving, &self.position.poses, rates, arrows, canvas);
             }
         });
     }
@@ -76,10 +83,10 @@ fn forces(
     visibility: &syn::Visibility,
 ) -> Added {
     let scalar = scalar(program);
-    let writer = Writer { program };
+    let writer = Writer { model, program };
     let points = model
         .told_joints()
-        .map(|joint| match writer.place_of(model, joint) {
+        .map(|joint| match writer.place_of(joint) {
             None => quote!(Option::None),
             Some(point) => {
                 let point = writer.spot(point);
@@ -93,11 +100,7 @@ fn forces(
         let LoadKind::Force(point) = load.kind else {
             return None;
         };
-        let axis = model.axis(point);
-        let point = writer.spot(symbols::Spot {
-            link: axis.link,
-            at: axis.at,
-        });
+        let point = writer.spot(symbols::Spot::of(model, point));
         let [x, y] = [first, first + 1].map(Literal::usize_unsuffixed);
         Some(quote!(generated::draw_force(&#point, &self.position.poses, [self.loads[#x], self.loads[#y]], arrows, canvas);))
     });
@@ -110,15 +113,20 @@ fn forces(
             }
         }
     });
+    let (known, points) = writer.table(
+        "REACTION_POINTS",
+        "Where the reactions are drawn.",
+        (
+            &quote!([Option<Spot<#scalar>>; #count]),
+            &quote!([#(#points),*]),
+        ),
+    );
     Added {
-        known: quote! {
-            /// Where the reactions are drawn.
-            pub(super) const REACTION_POINTS: [Option<Spot<#scalar>>; #count] = [#(#points),*];
-        },
+        known,
         methods: quote! {
             /// Draws the forces that the first link of each joint exerts on the second, as `forces` found them.
             #visibility fn draw_reactions(&self, canvas: &mut impl Canvas<#scalar>, arrows: &Arrows<#scalar>, forces: &#found) {
-                generated::draw_reactions(&known::REACTION_POINTS, &self.position.poses, &forces.reactions, arrows, canvas);
+                generated::draw_reactions(&#points, &self.position.poses, &forces.reactions, arrows, canvas);
             }
 
             #draw_loads
@@ -166,23 +174,40 @@ pub(super) fn stub(
 
 /// Writes symbols as Rust.
 struct Writer<'p> {
+    model: &'p Model,
     program: &'p Program,
 }
 
 impl Writer<'_> {
+    /// A table: the constant that holds it, and how it is called. Where params move what is in it, it is made where it is used.
+    fn table(
+        &self,
+        name: &str,
+        what: &str,
+        (kind, entries): (&TokenStream, &TokenStream),
+    ) -> (TokenStream, TokenStream) {
+        if self.model.axes.iter().any(Axis::varies) {
+            return (TokenStream::new(), entries.clone());
+        }
+        let (name, doc) = (format_ident!("{name}"), format!(" {what}"));
+        let table = quote! {
+            #[doc = #doc]
+            pub(super) const #name: #kind = #entries;
+        };
+        (table, quote!(known::#name))
+    }
+
     /// Where a joint is; what rolls has no place of its own.
-    fn place_of(&self, model: &Model, joint: JointId) -> Option<symbols::Spot> {
+    fn place_of(&self, joint: JointId) -> Option<symbols::Spot> {
+        let model = self.model;
         let axis = match model.joint(joint).kind {
             JointKind::Revolute(a, _) | JointKind::Weld(a, _) => a,
             JointKind::Prismatic(_, b) => b,
             _ => return None,
         };
-        let axis = model.axis(model.seen_axis(axis));
-        let is_kept = axis.link == LinkId::GROUND || self.program.place_of(axis.link).is_some();
-        is_kept.then_some(symbols::Spot {
-            link: axis.link,
-            at: axis.at,
-        })
+        let spot = symbols::Spot::of(model, model.seen_axis(axis));
+        let is_kept = spot.link == LinkId::GROUND || self.program.place_of(spot.link).is_some();
+        is_kept.then_some(spot)
     }
 
     fn precision(&self) -> Precision {
@@ -206,15 +231,19 @@ impl Writer<'_> {
         })
     }
 
+    fn place(&self, spot: Spot) -> TokenStream {
+        params::place(self.model, self.program, spot.axis)
+    }
+
     fn spot(&self, spot: Spot) -> TokenStream {
-        let (link, at) = (self.link(spot.link), self.pair(spot.at));
+        let (link, at) = (self.link(spot.link), self.place(spot));
         quote!(Spot { link: #link, at: #at })
     }
 
     fn symbol(&self, symbol: &Symbol) -> TokenStream {
         match *symbol {
             Symbol::Bar { link, ends } => {
-                let (link, [from, to]) = (self.link(link), ends.map(|end| self.pair(end)));
+                let (link, [from, to]) = (self.link(link), ends.map(|end| self.place(end)));
                 quote!(Symbol::Bar { link: #link, ends: [#from, #to] })
             }
             Symbol::Mark(spot) => {

@@ -38,13 +38,15 @@ pub(super) fn of_motors(program: &Program, result: TokenStream) -> TokenStream {
 
 /// The message that a mechanism stays where it is, as it is told outside.
 pub(super) fn refused(program: &Program) -> TokenStream {
+    refused_by(program, &quote!(stop))
+}
+
+/// The same, with what stops it.
+pub(super) fn refused_by(program: &Program, stop: &TokenStream) -> TokenStream {
     if program.params.is_empty() {
-        quote!(Position::refuse(&self.position, stop))
+        quote!(Position::refuse(&self.position, #stop))
     } else {
-        quote!(generated::blocked_motors(Position::refuse(
-            &self.position,
-            stop
-        )))
+        quote!(generated::blocked_motors(Position::refuse(&self.position, #stop)))
     }
 }
 

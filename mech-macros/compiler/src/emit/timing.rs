@@ -6,6 +6,7 @@ use super::flow::flows;
 use super::items::ending_with;
 use super::module;
 use super::moves::step_reduced;
+use super::params;
 use super::rates::moved_with;
 use super::scope::{FunctionNames, Scope, uses};
 use super::stages::MOST_LETS;
@@ -73,10 +74,14 @@ fn at_time(
     let moved = match &compiled.moving {
         Some(moving) => moved_with(moving, effects, &quote!(motors), record),
         None => ending_with(
-            quote!(generated::advance(&mut self.position, motors, &known::MOVE_LIMITS, #step_reduced, positions::step)),
+            params::of_motors(
+                program,
+                quote!(generated::advance(&mut self.position, motors, &known::MOVE_LIMITS, #step_reduced, positions::step)),
+            ),
             &quote!(#standstill #record),
         ),
     };
+    let refused = params::refused(program);
     let dead = if effects.velocity {
         quote! {
             #[doc = " If the time, or the value or a rate of a law at it, is not a finite number, a loop cannot be closed on the"]
@@ -100,7 +105,7 @@ fn at_time(
                 .and_then(|()| laws::laws(self.position.motors, t));
             let #found = match there {
                 Result::Ok(there) => there,
-                Result::Err(stop) => return Result::Err(Position::refuse(&self.position, stop)),
+                Result::Err(stop) => return Result::Err(#refused),
             };
             #moved
         }
@@ -112,6 +117,13 @@ fn laws(krate: &TokenStream, model: &Model, program: &Program, timing: &Timing) 
     let written = &*timing.program.divided(MOST_LETS);
     let mut scope = Scope::new(written, all_uses(written));
     let time = scope.fresh("t");
+    let motors = Literal::usize_unsuffixed(program.motors.len());
+    let mut params = TokenStream::new();
+    for (param, value) in timing.used_params() {
+        let name = scope.bind(value);
+        let index = Literal::usize_unsuffixed(program.motors.len() + param.index());
+        params.extend(quote!(let #name = Real::to_f64(motors.values[#index]);));
+    }
     let used = timing.time();
     if let Some(value) = used {
         scope.alias(value, time.clone());
@@ -122,7 +134,7 @@ fn laws(krate: &TokenStream, model: &Model, program: &Program, timing: &Timing) 
         (TokenStream::new(), in_place(written, &mut scope))
     };
     let scalar = scalar(program);
-    let count = Literal::usize_unsuffixed(program.motors.len());
+    let count = Literal::usize_unsuffixed(program.inputs());
     for timed in &timing.motors {
         body.extend(follow(model, program, timed, &scope));
     }
@@ -143,8 +155,8 @@ fn laws(krate: &TokenStream, model: &Model, program: &Program, timing: &Timing) 
         quote!([#(#rates),*])
     };
     let [first, second] = [rates(|timed| timed.rate), rates(|timed| timed.second)];
+    let given = quote!([#scalar; #motors]);
     let motors = quote!(Motors<#scalar, #count>);
-    let given = quote!([#scalar; #count]);
     let (kind, result) = match (model.effects.velocity, model.effects.acceleration) {
         (false, _) => (motors.clone(), quote!(motors)),
         (true, false) => (quote!((#motors, #given)), quote!((motors, #first))),
@@ -160,6 +172,7 @@ fn laws(krate: &TokenStream, model: &Model, program: &Program, timing: &Timing) 
         /// The motors at a time, by their laws.
         #[inline]
         pub(super) fn laws(mut motors: #motors, #time: f64) -> Result<#kind, Stop> {
+            #params
             #body
             Ok(#result)
         }

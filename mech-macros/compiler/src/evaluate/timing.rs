@@ -4,14 +4,21 @@ use crate::bug::bug;
 use crate::program::{Op, Timing, Value};
 
 impl Timing {
-    /// For each motor that has a law its value, its rate and its second rate at a time, as far as they were asked for, else zero:
-    /// the same bits as the generated code.
+    /// For each motor that has a law its value, its rate and its second rate at a time and with these params, as far as they were
+    /// asked for, else zero: the same bits as the generated code.
     #[must_use]
-    pub fn at(&self, time: f64) -> Vec<[f64; 3]> {
+    pub fn at(&self, time: f64, params: &[f64]) -> Vec<[f64; 3]> {
         let program = &self.program;
         let mut values = vec![0.0; program.nodes.len()];
+        for (param, value) in self.used_params() {
+            values[value.index()] = params[param.index()];
+        }
         for value in program.live_values() {
             let op = program.node(value).op;
+            if matches!(op, Op::Motor(_)) {
+                // A param, which is known.
+                continue;
+            }
             let found = match op {
                 Op::Time => Some(time),
                 op => op.apply(|value: Value| values[value.index()]),

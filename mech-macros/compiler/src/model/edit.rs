@@ -61,7 +61,7 @@ impl Edit {
         self.model.motors[id.index()].joint = joint;
         let Motor { law, origin, .. } = *self.model.motor(id);
         if let Some(law) = law {
-            let value = self.model.law(law).at(0.0);
+            let value = self.model.at_start(self.model.law(law), 0.0);
             self.model.start.values.push(StartValue {
                 joint,
                 value,

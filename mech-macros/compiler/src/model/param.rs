@@ -1,6 +1,10 @@
-//! Numbers that may be changed while a mechanism runs, and what is computed from them.
+//! Numbers that may be changed while a mechanism runs.
 
-use super::{Axis, FormulaId, Model, Origin, ParamId};
+use super::formula::Slopes;
+use super::{
+    Arithmetic, Axis, Formula, FormulaId, Formulas, JointKind, Law, Model, Origin, ParamId,
+};
+use std::f64::consts::TAU;
 
 /// A number that may be changed while the mechanism runs.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,64 +17,11 @@ pub struct Param {
     pub value: f64,
 }
 
-/// How a number is computed that depends on params.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Formula {
-    /// A number that does not.
-    Constant(f64),
-    /// The value of a param.
-    Param(ParamId),
-    /// −a.
-    Neg(FormulaId),
-    /// a + b.
-    Add(FormulaId, FormulaId),
-    /// a − b.
-    Sub(FormulaId, FormulaId),
-    /// a · b.
-    Mul(FormulaId, FormulaId),
-    /// a / b.
-    Div(FormulaId, FormulaId),
-    /// The square root.
-    Sqrt(FormulaId),
-    /// The sine of an angle in radians.
-    Sin(FormulaId),
-    /// The cosine of an angle in radians.
-    Cos(FormulaId),
-}
-
 /// The params of a mechanism, and every number that is computed from them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Params {
     all: Vec<Param>,
-    /// Each after those it is made from.
-    formulas: Vec<Formula>,
-}
-
-/// What formulas are evaluated in: numbers, the values of a program, Rust tokens.
-pub trait Arithmetic {
-    /// A number.
-    type Scalar: Clone;
-
-    /// A constant.
-    fn constant(&mut self, value: f64) -> Self::Scalar;
-    /// The value of a param.
-    fn param(&mut self, param: ParamId) -> Self::Scalar;
-    /// −a.
-    fn neg(&mut self, a: Self::Scalar) -> Self::Scalar;
-    /// a + b.
-    fn add(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
-    /// a − b.
-    fn sub(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
-    /// a · b.
-    fn mul(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
-    /// a / b.
-    fn div(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
-    /// The square root.
-    fn sqrt(&mut self, a: Self::Scalar) -> Self::Scalar;
-    /// The sine of an angle in radians.
-    fn sin(&mut self, a: Self::Scalar) -> Self::Scalar;
-    /// The cosine of an angle in radians.
-    fn cos(&mut self, a: Self::Scalar) -> Self::Scalar;
+    formulas: Formulas,
 }
 
 impl Params {
@@ -82,11 +33,12 @@ impl Params {
 
     /// Adds a formula, unless it is known: equal formulas are one.
     pub fn formula(&mut self, formula: Formula) -> FormulaId {
-        let known = self.formulas.iter().position(|known| *known == formula);
-        FormulaId::new(known.unwrap_or_else(|| {
-            self.formulas.push(formula);
-            self.formulas.len() - 1
-        }))
+        self.formulas.add(formula)
+    }
+
+    /// Every number that is computed from params.
+    pub(crate) fn formulas_mut(&mut self) -> &mut Formulas {
+        &mut self.formulas
     }
 
     /// All params, in the order in which `set_params` takes their values.
@@ -119,24 +71,12 @@ impl Params {
 
     /// All formulas, each evaluated once, by their numbers.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: &mut A) -> Vec<A::Scalar> {
-        let mut values: Vec<A::Scalar> = Vec::with_capacity(self.formulas.len());
-        for formula in &self.formulas {
-            let get = |id: FormulaId| values[id.index()].clone();
-            let value = match *formula {
-                Formula::Constant(value) => arithmetic.constant(value),
-                Formula::Param(param) => arithmetic.param(param),
-                Formula::Neg(a) => arithmetic.neg(get(a)),
-                Formula::Add(a, b) => arithmetic.add(get(a), get(b)),
-                Formula::Sub(a, b) => arithmetic.sub(get(a), get(b)),
-                Formula::Mul(a, b) => arithmetic.mul(get(a), get(b)),
-                Formula::Div(a, b) => arithmetic.div(get(a), get(b)),
-                Formula::Sqrt(a) => arithmetic.sqrt(get(a)),
-                Formula::Sin(a) => arithmetic.sin(get(a)),
-                Formula::Cos(a) => arithmetic.cos(get(a)),
-            };
-            values.push(value);
-        }
-        values
+        self.formulas.evaluate(arithmetic)
+    }
+
+    /// One formula, without any that it is not made from.
+    pub fn evaluate_one<A: Arithmetic>(&self, id: FormulaId, arithmetic: &mut A) -> A::Scalar {
+        self.formulas.evaluate_one(id, arithmetic)
     }
 }
 
@@ -155,70 +95,48 @@ impl Model {
         self.motors.len() + self.params.len()
     }
 
-    /// How far a param has to go until some axis has gone as far as the mechanism is large, as far as its slope at the start tells:
-    /// none if nothing depends on it.
+    /// The value of a law for a value of its variable, with the params as they are at the start.
+    #[must_use]
+    pub fn at_start(&self, law: &Law, variable: f64) -> f64 {
+        law.at(variable, &self.params.values().collect::<Vec<f64>>())
+    }
+
+    /// How far a param has to go until some axis or follower has gone as far as the mechanism is large, as far as its slope at the
+    /// start tells: none if nothing depends on it.
     #[must_use]
     pub fn param_scale(&self, param: ParamId) -> Option<f64> {
+        let params: Vec<f64> = self.params.values().collect();
         let slopes = self.params.evaluate(&mut Slopes {
-            params: &self.params,
+            variable: f64::NAN,
+            params: &params,
             by: param,
         });
         let used = self.axes.iter().flat_map(|axis| axis.formulas).flatten();
         let slopes = used.map(|formula| slopes[formula.index()]);
-        let steepest = slopes.map(|(_, slope)| slope.abs()).fold(0.0, f64::max);
-        let scale = self.size().max(f64::MIN_POSITIVE) / steepest;
+        let size = self.size().max(f64::MIN_POSITIVE);
+        let followers = self.cams().map(|(_, _, follower, law)| {
+            let slides = matches!(self.joint(follower).kind, JointKind::Prismatic(..));
+            let steepest = steepest(law, param, &params);
+            if slides { steepest } else { steepest * size }
+        });
+        let axes = slopes.map(|(_, slope)| slope.abs());
+        let scale = size / axes.chain(followers).fold(0.0, f64::max);
         scale.is_finite().then_some(scale)
     }
 }
 
-/// Numbers at the start with their slopes: by how much each grows with one param.
-struct Slopes<'p> {
-    params: &'p Params,
-    by: ParamId,
-}
-
-impl Arithmetic for Slopes<'_> {
-    type Scalar = (f64, f64);
-
-    fn constant(&mut self, value: f64) -> (f64, f64) {
-        (value, 0.0)
-    }
-
-    fn param(&mut self, param: ParamId) -> (f64, f64) {
-        let value = self.params.all[param.index()].value;
-        (value, if param == self.by { 1.0 } else { 0.0 })
-    }
-
-    fn neg(&mut self, (a, da): (f64, f64)) -> (f64, f64) {
-        (-a, -da)
-    }
-
-    fn add(&mut self, (a, da): (f64, f64), (b, db): (f64, f64)) -> (f64, f64) {
-        (a + b, da + db)
-    }
-
-    fn sub(&mut self, (a, da): (f64, f64), (b, db): (f64, f64)) -> (f64, f64) {
-        (a - b, da - db)
-    }
-
-    fn mul(&mut self, (a, da): (f64, f64), (b, db): (f64, f64)) -> (f64, f64) {
-        (a * b, da * b + a * db)
-    }
-
-    fn div(&mut self, (a, da): (f64, f64), (b, db): (f64, f64)) -> (f64, f64) {
-        (a / b, (da - a / b * db) / b)
-    }
-
-    fn sqrt(&mut self, (a, da): (f64, f64)) -> (f64, f64) {
-        let root = libm::sqrt(a);
-        (root, if da == 0.0 { 0.0 } else { 0.5 * da / root })
-    }
-
-    fn sin(&mut self, (a, da): (f64, f64)) -> (f64, f64) {
-        (libm::sin(a), da * libm::cos(a))
-    }
-
-    fn cos(&mut self, (a, da): (f64, f64)) -> (f64, f64) {
-        (libm::cos(a), -da * libm::sin(a))
-    }
+/// The greatest slope of a law by a param, at some places of a turn.
+fn steepest(law: &Law, by: ParamId, params: &[f64]) -> f64 {
+    const PLACES: u8 = 16;
+    let places = (0..PLACES).map(|place| TAU * f64::from(place) / f64::from(PLACES));
+    let slopes = places.map(|variable| {
+        let (_, slope) = law.evaluate(&mut Slopes {
+            variable,
+            params,
+            by,
+        });
+        slope.abs()
+    });
+    // Where it has none, others tell.
+    slopes.filter(|slope| slope.is_finite()).fold(0.0, f64::max)
 }

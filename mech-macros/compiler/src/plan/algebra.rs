@@ -109,7 +109,16 @@ impl<S: Copy> Pose<S> {
     /// Where an axis of the link is.
     pub(crate) fn carry<A: Algebra<Scalar = S>>(self, algebra: &mut A, axis: &Axis) -> [S; 2] {
         let point = algebra.place(axis);
-        let turned = algebra.turned(self.direction, point);
+        self.carry_spot(algebra, point)
+    }
+
+    /// Where a spot of the link is.
+    pub(crate) fn carry_spot<A: Algebra<Scalar = S>>(
+        self,
+        algebra: &mut A,
+        spot: [S; 2],
+    ) -> [S; 2] {
+        let turned = algebra.turned(self.direction, spot);
         algebra.plus(self.origin, turned)
     }
 

@@ -179,7 +179,7 @@ impl Draft<'_> {
             return Ok(self);
         };
         let shaft = self.coordinate(model, steps, shaft);
-        let follower = model.law(law).at(shaft);
+        let follower = model.at_start(model.law(law), shaft);
         if !model.precision.holds(follower) {
             return Err(Diagnosis::CamWithoutValue {
                 joint: cam.by,

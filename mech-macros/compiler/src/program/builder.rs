@@ -1,8 +1,8 @@
 //! Writes a program: folds constants and finds common subexpressions while it goes.
 
-use super::node::{BlockId, Node, Number, Op, Slot, Value};
+use super::node::{BlockId, Node, Op, Slot, Value};
 use super::{Block, BlockKind, Position};
-use crate::model::Axis;
+use crate::model::{Axis, Number};
 use crate::plan::Algebra;
 use std::collections::HashMap;
 

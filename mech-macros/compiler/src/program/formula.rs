@@ -1,67 +1,191 @@
-//! Params, and what is computed from them, as values of a program.
+//! Formulas as values of a program: what is computed from params, and laws.
 
 use super::builder::Builder;
 use super::node::{Op, Value};
-use crate::model::{Arithmetic, Model, ParamId};
+use crate::bug::bug;
+use crate::model::{Arithmetic, BinaryFunction, Function, Law, Model, ParamId};
 use crate::plan::Algebra;
 
 impl Builder {
     /// Computes everything that depends on params; what nothing needs of it is left out later.
     pub(super) fn write_formulas(&mut self, model: &Model) {
+        self.params(model);
+        self.formulas = model.params.evaluate(&mut Written {
+            builder: self,
+            variable: None,
+        });
+    }
+
+    /// The values of all params.
+    pub(super) fn params(&mut self, model: &Model) -> Vec<Value> {
         self.motors = model.motors.len();
-        let mut formulas = Formulas(self);
-        for (param, id) in model.params.all().iter().zip(model.params.ids()) {
-            let value = formulas.param(id);
-            formulas.0.name(value, &param.name);
+        let params = model.params.all().iter().zip(model.params.ids());
+        params
+            .map(|(param, id)| {
+                let value = self.param(id);
+                self.name(value, &param.name)
+            })
+            .collect()
+    }
+
+    /// A law of a value.
+    pub(super) fn law(&mut self, law: &Law, variable: Value) -> Value {
+        law.evaluate(&mut Written {
+            builder: self,
+            variable: Some(variable),
+        })
+    }
+
+    /// The value of a param: params are given after the motors.
+    fn param(&mut self, param: ParamId) -> Value {
+        self.make(Op::Motor(self.motors + param.index()))
+    }
+
+    fn function(&mut self, function: Function, a: Value) -> Value {
+        match function {
+            Function::Sqrt => self.sqrt(a),
+            Function::Sin => self.make(Op::Sin(a)),
+            Function::Cos => self.make(Op::Cos(a)),
+            Function::Tan => {
+                let (sin, cos) = (self.make(Op::Sin(a)), self.make(Op::Cos(a)));
+                self.div(sin, cos)
+            }
+            Function::Asin => {
+                let other = self.other_leg(a);
+                self.make(Op::Atan2(a, other))
+            }
+            Function::Acos => {
+                let other = self.other_leg(a);
+                self.make(Op::Atan2(other, a))
+            }
+            Function::Atan => {
+                let one = self.constant(1.0);
+                self.make(Op::Atan2(a, one))
+            }
+            Function::Exp => self.make(Op::Exp(a)),
+            Function::Abs => self.abs(a),
+            Function::Floor => self.floor(a),
+            Function::Sign => {
+                // Whatever it is divided by, what is not a number stays so.
+                let size = self.abs(a);
+                let (nothing, sign) = (self.constant(0.0), self.make(Op::Div(a, size)));
+                let is_zero = self.neg(size);
+                self.make(Op::Choose(is_zero, nothing, sign))
+            }
         }
-        self.formulas = model.params.evaluate(&mut Formulas(self));
+    }
+
+    fn binary_function(&mut self, function: BinaryFunction, a: Value, b: Value) -> Value {
+        match function {
+            BinaryFunction::Atan2 => {
+                // Made at least as long as one: a vector without length has no direction, and is no number then.
+                let (height, width) = (self.abs(a), self.abs(b));
+                let greater = self.max(height, width);
+                let [sin, cos] = [a, b].map(|side| self.make(Op::Div(side, greater)));
+                self.make(Op::Atan2(sin, cos))
+            }
+            BinaryFunction::Hypot => {
+                let square = self.dot([a, b], [a, b]);
+                self.sqrt(square)
+            }
+            BinaryFunction::Min | BinaryFunction::Max => self.extreme(function, [a, b]),
+            BinaryFunction::Mod => {
+                // Divided, and not multiplied by the inverse: whole times the second leave nothing.
+                let times = self.make(Op::Div(a, b));
+                let times = self.floor(times);
+                let taken = self.mul(b, times);
+                self.sub(a, taken)
+            }
+        }
+    }
+
+    /// The other leg of a right-angled triangle whose longest side is one.
+    fn other_leg(&mut self, leg: Value) -> Value {
+        let one = self.constant(1.0);
+        let (less, more) = (self.sub(one, leg), self.add(one, leg));
+        let square = self.mul(less, more);
+        self.sqrt(square)
+    }
+
+    /// The greatest whole number that is not greater.
+    fn floor(&mut self, a: Value) -> Value {
+        let near = self.make(Op::Round(a));
+        let one = self.constant(1.0);
+        let (above, below) = (self.sub(a, near), self.sub(near, one));
+        self.make(Op::Choose(above, near, below))
+    }
+
+    /// The lesser or greater of two, so that what is not a number does not go unnoticed, and a constant comes out as it is: it,
+    /// and how much farther the other goes, if it does.
+    fn extreme(&mut self, extreme: BinaryFunction, [a, b]: [Value; 2]) -> Value {
+        let [base, other] = if self.number(a).is_some() {
+            [a, b]
+        } else {
+            [b, a]
+        };
+        let zero = self.constant(0.0);
+        if extreme == BinaryFunction::Max {
+            let farther = self.sub(other, base);
+            let farther = self.max(zero, farther);
+            self.add(base, farther)
+        } else {
+            let farther = self.sub(base, other);
+            let farther = self.max(zero, farther);
+            self.sub(base, farther)
+        }
     }
 }
 
 /// What writes formulas into a program.
-struct Formulas<'b>(&'b mut Builder);
+struct Written<'b> {
+    builder: &'b mut Builder,
+    /// The variable of the law that is written.
+    variable: Option<Value>,
+}
 
-impl Arithmetic for Formulas<'_> {
+impl Arithmetic for Written<'_> {
     type Scalar = Value;
 
     fn constant(&mut self, value: f64) -> Value {
-        self.0.constant(value)
+        self.builder.constant(value)
+    }
+
+    fn variable(&mut self) -> Value {
+        let Some(variable) = self.variable else {
+            bug!("there is a variable outside of laws");
+        };
+        variable
     }
 
     fn param(&mut self, param: ParamId) -> Value {
-        // Params are given after the motors.
-        self.0.make(Op::Motor(self.0.motors + param.index()))
+        self.builder.param(param)
     }
 
     fn neg(&mut self, a: Value) -> Value {
-        self.0.neg(a)
+        self.builder.neg(a)
     }
 
     fn add(&mut self, a: Value, b: Value) -> Value {
-        self.0.add(a, b)
+        self.builder.add(a, b)
     }
 
     fn sub(&mut self, a: Value, b: Value) -> Value {
-        self.0.sub(a, b)
+        self.builder.sub(a, b)
     }
 
     fn mul(&mut self, a: Value, b: Value) -> Value {
-        self.0.mul(a, b)
+        self.builder.mul(a, b)
     }
 
     fn div(&mut self, a: Value, b: Value) -> Value {
-        self.0.div(a, b)
+        self.builder.div(a, b)
     }
 
-    fn sqrt(&mut self, a: Value) -> Value {
-        self.0.sqrt(a)
+    fn of(&mut self, function: Function, a: Value) -> Value {
+        self.builder.function(function, a)
     }
 
-    fn sin(&mut self, a: Value) -> Value {
-        self.0.make(Op::Sin(a))
-    }
-
-    fn cos(&mut self, a: Value) -> Value {
-        self.0.make(Op::Cos(a))
+    fn of_both(&mut self, function: BinaryFunction, a: Value, b: Value) -> Value {
+        self.builder.binary_function(function, a, b)
     }
 }

@@ -1,6 +1,6 @@
 //! Values and the operations that make them.
 
-use crate::model::in_32_bits;
+use crate::model::{Number, in_32_bits};
 
 /// A scalar: the result of one node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -33,24 +33,6 @@ impl BlockId {
     #[must_use]
     pub fn index(self) -> usize {
         self.0 as usize
-    }
-}
-
-/// A finite number with an equality that tells every two bit patterns apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Number(u64);
-
-impl Number {
-    /// This number. The two zeros are one.
-    #[must_use]
-    pub fn new(value: f64) -> Self {
-        Self(if value == 0.0 { 0 } else { value.to_bits() })
-    }
-
-    /// Its value.
-    #[must_use]
-    pub fn get(self) -> f64 {
-        f64::from_bits(self.0)
     }
 }
 

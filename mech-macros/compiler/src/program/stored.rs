@@ -1,9 +1,10 @@
 //! Which poses a position keeps: those that are asked for, and those that the next move begins with.
 
-use super::node::{Number, Op, Slot};
+use super::node::{Op, Slot};
 use super::{Position, Program};
 use crate::bug::bug;
 use crate::model::LinkId;
+use crate::model::Number;
 
 /// The number of a link's pose among those of all declared links: so poses are numbered while a program is written, as long as
 /// nobody knows which of them will be kept.

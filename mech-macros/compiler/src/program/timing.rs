@@ -5,7 +5,7 @@ use super::builder::Builder;
 use super::live::live;
 use super::node::{Op, Value};
 use super::{Position, Program};
-use crate::model::{Model, MotorId, Precision};
+use crate::model::{Model, MotorId, ParamId, Precision};
 
 /// The laws of all motors that have one.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +14,8 @@ pub struct Timing {
     pub program: Program,
     /// What each of these motors is given, in the order of their declaration.
     pub motors: Vec<Timed>,
+    /// The values of all params, in the order of their declaration.
+    pub params: Vec<Value>,
 }
 
 /// What a motor is given at a time.
@@ -45,19 +47,32 @@ impl Timing {
         let mut live = self.program.live_values();
         live.find(|&value| self.program.node(value).op == Op::Time)
     }
+
+    /// The params that laws depend on: each with its value.
+    pub fn used_params(&self) -> impl Iterator<Item = (ParamId, Value)> + '_ {
+        let all = self.params.iter().enumerate();
+        all.filter(|(_, value)| self.program.live[value.index()])
+            .map(|(number, value)| (ParamId::new(number), *value))
+    }
 }
 
 /// Writes the laws of the motors, and their rates as far as effects ask for them; nothing, if no motor has a law.
 #[must_use]
 pub fn build_timing(model: &Model) -> Option<Timing> {
     model.lawful_motors().next()?;
-    let mut builder = Builder::new(Position::default());
+    let resting = vec![0.0; model.motors.len()];
+    let mut builder = Builder::new(Position {
+        motors: resting.into_iter().chain(model.params.values()).collect(),
+        turns: vec![0; model.inputs()],
+        ..Position::default()
+    });
     builder.block(
         "laws".to_owned(),
         "What the laws of the motors say.".to_owned(),
     );
     let time = builder.make(Op::Time);
-    let mut tangents = Tangents::new(Seed::Given, 0);
+    let params = builder.params(model);
+    let mut tangents = Tangents::new(Seed::Given, model.motors.len());
     let mut motors = Vec::new();
     for (motor, law) in model.lawful_motors() {
         let name = &model.joint(model.motor(motor).joint).name;
@@ -113,5 +128,9 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
     };
     program.live = live(&program);
     program.cut_chains();
-    Some(Timing { program, motors })
+    Some(Timing {
+        program,
+        motors,
+        params,
+    })
 }

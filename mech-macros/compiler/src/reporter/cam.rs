@@ -41,7 +41,7 @@ impl Words<'_> {
         let (cam, follower, law, value) =
             self.model.cams().find_map(|(cam, shaft, follower, law)| {
                 let is_known = self.is_drawn(shaft) || self.model.motor_of(shaft).is_some();
-                let value = law.at(self.model.start.value(shaft));
+                let value = self.model.at_start(law, self.model.start.value(shaft));
                 (is_known && self.is_drawn(follower) && value.abs() > SLACK)
                     .then_some((cam, follower, law, value))
             })?;

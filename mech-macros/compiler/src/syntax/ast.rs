@@ -4,7 +4,7 @@
 //! the statement (above all its name) is still known, and messages stay in the order of the text.
 
 use super::{Header, Message, Place};
-use crate::model::{AtChangePoints, Extreme, Function, Precision};
+use crate::model::{AtChangePoints, BinaryFunction, Function, Precision};
 use proc_macro2::{Ident, Span};
 use std::fmt;
 
@@ -107,7 +107,7 @@ pub(super) struct Link {
 
 /// Something fixed to a link.
 pub(super) enum Item {
-    /// `point name = (x, y) -> (dx, dy);` or `line name = (x, y) -> (dx, dy);`
+    /// `point name = (x, y) -> (dx, dy);` or `line name = (x, y) -> 30 deg;`
     Axis(Axis),
     /// `circle ...;` or `polygon ...;`
     Shape(Shape),
@@ -124,7 +124,15 @@ pub(super) struct Axis {
     /// Its name.
     pub name: Ident,
     /// Its origin, and its direction if one is given.
-    pub value: Read<(Pair, Option<Pair>)>,
+    pub value: Read<(Pair, Option<Direction>)>,
+}
+
+/// A direction.
+pub(super) enum Direction {
+    /// `(dx, dy)`
+    Parts(Pair),
+    /// `30 deg`, counter-clockwise from the x axis.
+    Angle(Expr),
 }
 
 /// A coloured spot.
@@ -242,9 +250,17 @@ pub(super) struct JointBody {
     /// The law of a cam, a function of the coordinate `q`.
     pub law: Option<Expr>,
     /// Where it is in the drawing.
-    pub at: Option<Clause>,
+    pub at: Option<Clause<Pair>>,
     /// Its direction in the drawing.
-    pub along: Option<Clause>,
+    pub along: Option<Clause<Direction>>,
+}
+
+impl JointBody {
+    /// The words `at` and `along`, as far as they stand there.
+    pub(super) fn clauses(&self) -> impl Iterator<Item = Span> {
+        let at = self.at.iter().map(|clause| clause.keyword);
+        at.chain(self.along.iter().map(|clause| clause.keyword))
+    }
 }
 
 /// The kinds of joint that can be written.
@@ -260,12 +276,12 @@ pub(super) enum JointWord {
     Cam,
 }
 
-/// `at (x, y)` or `along (dx, dy)`
-pub(super) struct Clause {
+/// `at (x, y)`, `along (dx, dy)` or `along 30 deg`
+pub(super) struct Clause<T> {
     /// The word it begins with.
     pub keyword: Span,
     /// What follows.
-    pub value: Pair,
+    pub value: T,
 }
 
 /// A link, or something fixed to it: `crank` or `crank.pin`.
@@ -413,5 +429,5 @@ pub(super) enum ExprKind {
     /// `sqrt(a)`
     Call(Function, Box<Expr>),
     /// `min(a, b)`
-    Extreme(Extreme, Box<[Expr; 2]>),
+    CallBoth(BinaryFunction, Box<[Expr; 2]>),
 }

@@ -26,13 +26,14 @@ pub(super) fn remedy(word: &str, candidates: &[&str]) -> String {
 /// The words in back-ticks; the last of many are left out.
 pub(super) fn list(words: &[&str]) -> String {
     const SHOWN: usize = 12;
-    let shown: Vec<_> = words
-        .iter()
-        .take(SHOWN)
-        .map(|word| format!("`{word}`"))
-        .collect();
     let rest = if words.len() > SHOWN { ", …" } else { "" };
-    format!("{}{rest}", shown.join(", "))
+    format!("{}{rest}", list_all(&words[..words.len().min(SHOWN)]))
+}
+
+/// All of the words in back-ticks.
+pub(super) fn list_all(words: &[&str]) -> String {
+    let quoted: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
+    quoted.join(", ")
 }
 
 /// The number of letters to insert, remove, replace or swap, unless it is above the limit.

@@ -1,7 +1,6 @@
 //! Numbers as they were written, for messages that offer them again.
 
 use super::ast::{Expr, ExprKind};
-use crate::model::{Extreme, Function};
 use std::fmt::{self, Display, Formatter};
 
 /// How tightly the parts of an expression hold together.
@@ -31,15 +30,11 @@ impl Display for Expr {
                 write!(formatter, " deg")
             }
             ExprKind::Call(function, argument) => {
-                write!(formatter, "{}({argument})", word_for(*function))
+                write!(formatter, "{}({argument})", function.name())
             }
-            ExprKind::Extreme(extreme, parts) => {
+            ExprKind::CallBoth(function, parts) => {
                 let [a, b] = &**parts;
-                let word = match extreme {
-                    Extreme::Least => "min",
-                    Extreme::Greatest => "max",
-                };
-                write!(formatter, "{word}({a}, {b})")
+                write!(formatter, "{}({a}, {b})", function.name())
             }
         }
     }
@@ -98,18 +93,6 @@ fn bond_of(expr: &Expr) -> Bond {
         | ExprKind::Pi
         | ExprKind::Constant(_)
         | ExprKind::Call(..)
-        | ExprKind::Extreme(..) => Bond::Whole,
-    }
-}
-
-fn word_for(function: Function) -> &'static str {
-    match function {
-        Function::Sqrt => "sqrt",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Atan => "atan",
-        Function::Exp => "exp",
-        Function::Abs => "abs",
+        | ExprKind::CallBoth(..) => Bond::Whole,
     }
 }

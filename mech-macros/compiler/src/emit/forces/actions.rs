@@ -2,6 +2,7 @@
 
 use super::Writer;
 use crate::emit::items::{pose, user_ident};
+use crate::emit::params;
 use crate::emit::scope::number;
 use crate::model::{Between, Load, LoadKind};
 use proc_macro2::{Literal, TokenStream};
@@ -19,6 +20,7 @@ impl Writer<'_> {
             scalar, visibility, ..
         } = self;
         let (name, blocked) = (&load.name, self.blocked());
+        let refused = params::refused_by(self.program, &quote!(generated::not_finite(#name)));
         let get = user_ident(name, self.places, load.origin);
         let set = user_ident(&format!("set_{name}"), self.places, load.origin);
         let index = Literal::usize_unsuffixed(first);
@@ -63,7 +65,7 @@ impl Writer<'_> {
             #visibility fn #set(&mut self, load: #kind) -> Result<(), #blocked> {
                 let is_finite = #test;
                 if !is_finite {
-                    return Result::Err(Position::refuse(&self.position, generated::not_finite(#name)));
+                    return Result::Err(#refused);
                 }
                 #put
                 Result::Ok(())
@@ -82,9 +84,9 @@ impl Writer<'_> {
                 return None;
             };
             let end = |axis| {
-                let axis = self.model.axis(axis);
-                let ([x, y], pose) = (axis.at.map(n), pose(self.program, axis.link));
-                quote!(#pose.apply([#x, #y]))
+                let pose = pose(self.program, self.model.axis(axis).link);
+                let place = params::place(self.model, self.program, axis);
+                quote!(#pose.apply(#place))
             };
             let (from, to) = (end(a), end(b));
             let (stiffness, rest) = (n(spring.stiffness), n(spring.rest));

@@ -3,6 +3,7 @@
 use super::Writer;
 use crate::emit::motion::given;
 use crate::emit::moves::{step_full, step_reduced};
+use crate::emit::params;
 use crate::emit::scope::number;
 use crate::model::{JointKind, Motor};
 use crate::program::Program;
@@ -31,6 +32,25 @@ impl Writer<'_> {
         let scales = motors_of_model
             .map(|motor| number(self.model.precision, if turns(motor) { 1.0 } else { size }));
         let (velocities, record) = (self.velocities(), self.record);
+        let (refused, names) = (
+            params::refused(self.program),
+            params::motor_names(self.program),
+        );
+        let simulated = params::of_motors(
+            self.program,
+            quote! {
+                generated::simulate(&self.position, &moment, method, |position, motors, rates| {
+                    generated::advance_with(
+                        position,
+                        motors,
+                        &known::MOVE_LIMITS,
+                        |last, motors| #step_reduced(last, motors #arguments),
+                        |last, motors| #step_full(last, motors #arguments),
+                        positions::step,
+                    )
+                })
+            },
+        );
         quote! {
             /// The rates of the motors: how fast they move, in radians or scene units a unit of time.
             #[must_use]
@@ -43,12 +63,12 @@ impl Writer<'_> {
             /// # Errors
             /// If a rate is not finite; all of them then stay what they were.
             #visibility fn set_rates(&mut self, rates: [#scalar; #motors]) -> Result<(), #blocked> {
-                match generated::finite(rates, &known::MOVE_LIMITS.names) {
+                match generated::finite(rates, #names) {
                     Result::Ok(()) => {
                         self.rates = rates;
                         Result::Ok(())
                     }
-                    Result::Err(stop) => Result::Err(Position::refuse(&self.position, stop)),
+                    Result::Err(stop) => Result::Err(#refused),
                 }
             }
 
@@ -60,10 +80,10 @@ impl Writer<'_> {
             #visibility fn motor_accelerations(&self, torques: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
                 #loads
                 let rates = self.rates;
-                generated::finite(torques, &known::MOVE_LIMITS.names)
+                generated::finite(torques, #names)
                     .and_then(|()| generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments)))
-                    .and_then(|inertia| Inertia::accelerations(&inertia, torques, &known::MOVE_LIMITS.names))
-                    .map_err(|stop| Position::refuse(&self.position, stop))
+                    .and_then(|inertia| Inertia::accelerations(&inertia, torques, #names))
+                    .map_err(|stop| #refused)
             }
 
             /// The kinetic energy, and the potential energy of gravity and springs.
@@ -75,7 +95,7 @@ impl Writer<'_> {
                 let rates = self.rates;
                 generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments))
                     .map(|inertia| [inertia.kinetic, inertia.potential])
-                    .map_err(|stop| Position::refuse(&self.position, stop))
+                    .map_err(|stop| #refused)
             }
 
             /// Lets it move for a step of time under these torques of the motors (forces for those that slide): a step of
@@ -98,20 +118,11 @@ impl Writer<'_> {
                     rates: self.rates,
                     torques,
                     time,
-                    names: &known::MOVE_LIMITS.names,
+                    names: #names,
                     turning: &[#(#turning),*],
                     scales: &[#(#scales),*],
                 };
-                let simulated = generated::simulate(&self.position, &moment, method, |position, motors, rates| {
-                    generated::advance_with(
-                        position,
-                        motors,
-                        &known::MOVE_LIMITS,
-                        |last, motors| #step_reduced(last, motors #arguments),
-                        |last, motors| #step_full(last, motors #arguments),
-                        positions::step,
-                    )
-                })?;
+                let simulated = #simulated?;
                 #velocities
                 self.position = simulated.position;
                 self.rates = simulated.rates;
@@ -127,6 +138,7 @@ impl Writer<'_> {
         if !effects.velocity {
             return TokenStream::new();
         }
+        let refused = params::refused(self.program);
         let (given, found, keep) = if effects.acceleration {
             (
                 quote!(, simulated.rates, simulated.accelerations),
@@ -146,7 +158,7 @@ impl Writer<'_> {
                     self.velocities = velocities;
                     #keep
                 }
-                Result::Err(stop) => return Result::Err(Position::refuse(&self.position, stop)),
+                Result::Err(stop) => return Result::Err(#refused),
             }
         }
     }

@@ -4,6 +4,7 @@ use super::Writer;
 use crate::emit::items::user_ident;
 use crate::emit::motion::{found, given};
 use crate::emit::moves::{step_full, step_reduced};
+use crate::emit::params;
 use crate::model::{Load, LoadKind};
 use crate::program::Program;
 use proc_macro2::{Literal, TokenStream};
@@ -22,6 +23,21 @@ impl Writer<'_> {
         let [_, arguments] = given(holding);
         let (step_reduced, step_full) = (step_reduced(holding), step_full(holding));
         let (loads, blocked) = (self.given_loads(), self.blocked());
+        let [target, present] = params::target(self.program, &quote!(self.position));
+        let refused = params::refused(self.program);
+        let moved = params::of_motors(
+            self.program,
+            quote! {
+                generated::advance_with(
+                    &mut self.position,
+                    #target,
+                    &known::MOVE_LIMITS,
+                    |last, motors| #step_reduced(last, motors #arguments),
+                    |last, motors| #step_full(last, motors #arguments),
+                    positions::step,
+                )
+            },
+        );
         quote! {
             /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide) that hold it
             /// there at rest, in the order of their declaration: against gravity, springs and loads.
@@ -32,14 +48,8 @@ impl Writer<'_> {
             #[inline]
             #visibility fn hold_at(&mut self, motors: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
                 #loads
-                let held = generated::advance_with(
-                    &mut self.position,
-                    Motors::new(motors),
-                    &known::MOVE_LIMITS,
-                    |last, motors| #step_reduced(last, motors #arguments),
-                    |last, motors| #step_full(last, motors #arguments),
-                    positions::step,
-                )?;
+                #present
+                let held = #moved?;
                 #standstill
                 Result::Ok(held.torques)
             }
@@ -52,7 +62,7 @@ impl Writer<'_> {
                 #loads
                 generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments))
                     .map(|held| held.torques)
-                    .map_err(|stop| Position::refuse(&self.position, stop))
+                    .map_err(|stop| #refused)
             }
         }
     }
@@ -77,6 +87,10 @@ impl Writer<'_> {
             .map(|joint| &model.joint(joint).name)
             .collect();
         let (found, _) = found(inverse_dynamics);
+        let (refused, motor_names) = (
+            params::refused(self.program),
+            params::motor_names(self.program),
+        );
         let joints = Literal::usize_unsuffixed(names.len());
         let mut tokens = quote! {
             /// The joints, in the order in which `forces` tells their reactions.
@@ -89,10 +103,10 @@ impl Writer<'_> {
             /// If a rate is not finite, or the mechanism is at a dead point or a change point, where forces are not determined.
             #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> Result<#found, #blocked> {
                 #loads
-                generated::finite(rates, &known::MOVE_LIMITS.names)
-                    .and_then(|()| generated::finite(accelerations, &known::MOVE_LIMITS.names))
+                generated::finite(rates, #motor_names)
+                    .and_then(|()| generated::finite(accelerations, #motor_names))
                     .and_then(|()| generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments)))
-                    .map_err(|stop| Position::refuse(&self.position, stop))
+                    .map_err(|stop| #refused)
             }
         };
         for (first, load) in model.actions.numbered_loads() {
@@ -120,6 +134,8 @@ impl Writer<'_> {
             LoadKind::Torque(_) => (quote!(), quote!(), quote!(velocity_ratio[#index])),
             LoadKind::Force(_) => {
                 let (next, place) = (Literal::usize_unsuffixed(first + 1), &load.name);
+                let refused =
+                    params::refused_by(self.program, &quote!(generated::not_finite(#place)));
                 (
                     quote!(, along: [#scalar; 2]),
                     quote! {
@@ -127,7 +143,7 @@ impl Writer<'_> {
                         let length = generated::sqrt(x * x + y * y);
                         let is_direction = length > 0.0 && Real::is_finite(length);
                         if !is_direction {
-                            return Result::Err(Position::refuse(&self.position, generated::not_finite(#place)));
+                            return Result::Err(#refused);
                         }
                     },
                     quote!((velocity_ratio[#index] * x + velocity_ratio[#next] * y) / length),

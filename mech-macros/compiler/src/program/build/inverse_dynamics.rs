@@ -17,7 +17,8 @@ use crate::structure::Structure;
 /// About which point of its link moments are taken, and along which slide forces are summed, or along x and y.
 #[derive(Clone, Copy, Debug)]
 struct Balance {
-    about: [f64; 2],
+    /// An axis of the link, or else its origin.
+    about: Option<AxisId>,
     along: Option<JointId>,
 }
 
@@ -149,28 +150,36 @@ impl Writer<'_> {
 
     /// The ways to write the equations of a link.
     fn balances(&self, link: LinkId) -> Vec<Balance> {
-        let mut points: Vec<[f64; 2]> = Vec::new();
+        let mut points: Vec<AxisId> = Vec::new();
+        let place = |axis: AxisId| {
+            let axis = self.model.axis(axis);
+            (axis.at, axis.formulas)
+        };
         let mut slides: Vec<Option<JointId>> = vec![None];
         for joint in self.model.joint_ids() {
             let (a, b) = self.model.ends(joint);
             if a != link && b != link {
                 continue;
             }
-            let own = |axis: AxisId| Some(self.model.axis(axis)).filter(|axis| axis.link == link);
+            let own = |axis: AxisId| Some(axis).filter(|&axis| self.link_of(axis) == link);
             match self.model.joint(joint).kind {
                 JointKind::Revolute(a, b) | JointKind::Weld(a, b) => {
-                    let at = own(a).or(own(b)).map(|axis| axis.at);
-                    points.extend(at.filter(|at| !points.contains(at)));
+                    let at = own(a).or(own(b));
+                    let is_known = |at: AxisId| points.iter().any(|&one| place(one) == place(at));
+                    points.extend(at.filter(|&at| !is_known(at)));
                 }
                 JointKind::Prismatic(..) => slides.push(Some(joint)),
                 _ => {}
             }
         }
+        let mut points: Vec<Option<AxisId>> = points.into_iter().map(Some).collect();
         if points.is_empty() {
-            let mut axes = self.model.axes.iter();
-            let line = axes.find(|axis| axis.link == link && axis.kind == AxisKind::Line);
+            let mut axes = (0..self.model.axes.len()).map(AxisId::new);
+            let is_line = |&axis: &AxisId| {
+                self.link_of(axis) == link && self.model.axis(axis).kind == AxisKind::Line
+            };
             // Moments are taken about any point: on a line they are simple, and there may be none.
-            points.push(line.map_or([0.0, 0.0], |axis| axis.at));
+            points.push(axes.find(is_line));
         }
         let balances = slides
             .into_iter()
@@ -295,12 +304,19 @@ impl Writer<'_> {
     fn arm(&mut self, link: LinkId, balance: Balance, at: Place) -> [Value; 2] {
         let pose = self.placement.pose(link);
         match at {
-            Place::Own([x, y]) => {
-                let [u, v] = balance.about;
-                pose.turn(&mut self.builder, [x - u, y - v])
+            Place::Own(axis) => {
+                let axis = self.model.axis(axis);
+                let arm = match balance.about {
+                    Some(about) => self.builder.between(self.model.axis(about), axis),
+                    None => self.builder.place(axis),
+                };
+                self.builder.turned(pose.direction, arm)
             }
             Place::Scene(at) => {
-                let about = pose.carry_point(&mut self.builder, balance.about);
+                let about = match balance.about {
+                    Some(about) => pose.carry(&mut self.builder, self.model.axis(about)),
+                    None => pose.origin,
+                };
                 self.builder.minus(at, about)
             }
         }

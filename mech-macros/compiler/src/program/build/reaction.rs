@@ -9,8 +9,8 @@ use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 /// Where something pushes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Place {
-    /// At a point of the link that is pushed, in its frame.
-    Own([f64; 2]),
+    /// At an axis of the link that is pushed.
+    Own(AxisId),
     /// At a point of the scene.
     Scene([Value; 2]),
 }
@@ -118,10 +118,7 @@ impl Writer<'_> {
     fn pinned(&mut self, joint: JointId, axes: [AxisId; 2]) -> [Unknown; 2] {
         [([1.0, 0.0], "x"), ([0.0, 1.0], "y")].map(|(direction, name)| {
             let along = Along::Scene(self.builder.vector(direction));
-            let [first, second] = axes.map(|axis| {
-                let axis = self.model.axis(axis);
-                (axis.link, Place::Own(axis.at))
-            });
+            let [first, second] = axes.map(|axis| (self.link_of(axis), Place::Own(axis)));
             self.force(joint, name, along, [first, second])
         })
     }
@@ -151,8 +148,7 @@ impl Writer<'_> {
 
     /// A force between the links of a slide, where the second one's line begins.
     fn guided(&mut self, joint: JointId, [a, b]: [AxisId; 2], along: Along, name: &str) -> Unknown {
-        let (first, second) = (self.model.axis(a).link, self.model.axis(b));
-        let (link, own) = (second.link, Place::Own(second.at));
+        let (first, link, own) = (self.link_of(a), self.link_of(b), Place::Own(b));
         let (_, there) = self.point(b);
         self.force(
             joint,
@@ -262,20 +258,28 @@ impl Writer<'_> {
         let (first, second) = (number(first), number(second));
         let here = center(structure, a, rolling.carrier)?;
         let there = center(structure, b, rolling.carrier)?;
-        let [from, to] = [here, there].map(|axis| self.model.axis(axis).at);
-        let distance = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let [from, to] = [here, there].map(|axis| self.model.axis(axis));
+        let [x, y] = [0, 1].map(|part| to.at[part] - from.at[part]);
+        let distance = x.hypot(y);
         if first + second == 0.0 || distance <= 1e-9 * self.model.size() {
             return None;
         }
         let pose = self.placement.pose(rolling.carrier);
-        let unit = [(to[0] - from[0]) / distance, (to[1] - from[1]) / distance];
-        let part = first / (first + second);
-        let touch = [
-            from[0] + part * (to[0] - from[0]),
-            from[1] + part * (to[1] - from[1]),
-        ];
-        let at = pose.carry_point(&mut self.builder, touch);
-        let along = pose.turn(&mut self.builder, [-unit[1], unit[0]]);
+        let builder = &mut self.builder;
+        let way = builder.between(from, to);
+        let distance = if from.varies() || to.varies() {
+            let square = builder.dot(way, way);
+            builder.sqrt(square)
+        } else {
+            builder.constant(distance)
+        };
+        let [x, y] = way.map(|part| builder.div(part, distance));
+        let part = builder.constant(first / (first + second));
+        let (start, on) = (builder.place(from), builder.scaled(part, way));
+        let touch = builder.plus(start, on);
+        let at = pose.carry_spot(builder, touch);
+        let across = [builder.neg(y), x];
+        let along = builder.turned(pose.direction, across);
         Some((at, Along::Scene(along)))
     }
 
@@ -295,10 +299,11 @@ impl Writer<'_> {
         let [x, y] = line.direction;
         let radius = -number(turn) / number(displacement);
         let center = center(structure, pinion, rolling.carrier)?;
-        let center = self.model.axis(center).at;
-        let touch = [center[0] + radius * y, center[1] - radius * x];
+        let center = self.builder.place(self.model.axis(center));
+        let beside = self.builder.vector([radius * y, -radius * x]);
+        let touch = self.builder.plus(center, beside);
         let pose = self.placement.pose(rolling.carrier);
-        let at = pose.carry_point(&mut self.builder, touch);
+        let at = pose.carry_spot(&mut self.builder, touch);
         let along = pose.turn(&mut self.builder, [x, y]);
         Some((at, Along::Scene(along)))
     }

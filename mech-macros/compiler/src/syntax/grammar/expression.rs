@@ -4,12 +4,12 @@ use super::tokens::{
     advance, any_word, comes, in_parens, name, run, symbol, take, take_word, unexpected,
 };
 use super::{foreign, unit};
-use crate::model::{Extreme, Function};
-use crate::syntax::ast::{Expr, ExprKind, Pair, Read};
+use crate::model::{BinaryFunction, Function, function_names};
+use crate::syntax::ast::{Direction, Expr, ExprKind, Pair, Read};
 use crate::syntax::{Message, Place, spelling};
-use proc_macro2::{Delimiter, Ident, Span, TokenStream};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use syn::parse::ParseStream;
-use syn::{Lit, token};
+use syn::{Lit, Token, token};
 
 /// How many brackets may stand in one another: enough for anybody, and the stack holds it.
 const DEPTH: usize = 64;
@@ -18,20 +18,19 @@ const DEPTH: usize = 64;
 #[derive(Clone, Copy)]
 enum Called {
     One(Function),
-    Two(Extreme),
+    Both(BinaryFunction),
 }
 
-const FUNCTIONS: [(&str, Called); 9] = [
-    ("sqrt", Called::One(Function::Sqrt)),
-    ("sin", Called::One(Function::Sin)),
-    ("cos", Called::One(Function::Cos)),
-    ("tan", Called::One(Function::Tan)),
-    ("atan", Called::One(Function::Atan)),
-    ("exp", Called::One(Function::Exp)),
-    ("abs", Called::One(Function::Abs)),
-    ("min", Called::Two(Extreme::Least)),
-    ("max", Called::Two(Extreme::Greatest)),
-];
+impl Called {
+    /// The function of this name.
+    fn named(name: &Ident) -> Option<Self> {
+        let one = Function::ALL.into_iter();
+        let both = BinaryFunction::ALL.into_iter();
+        let one = one.filter(|function| name == function.name());
+        let both = both.filter(|function| name == function.name());
+        one.map(Self::One).chain(both.map(Self::Both)).next()
+    }
+}
 
 /// Reads a number.
 pub(super) fn expression(input: ParseStream) -> Read<Expr> {
@@ -65,17 +64,35 @@ pub(super) fn labelled(input: ParseStream, label: &str) -> Read<Expr> {
     Err(error)
 }
 
-/// Reads `(dx, dy)`.
-pub(super) fn direction(input: ParseStream) -> Read<Pair> {
-    if input.peek(token::Paren) {
-        return pair(input);
+/// Reads `(dx, dy)` or `30 deg`.
+pub(super) fn direction(input: ParseStream) -> Read<Direction> {
+    if input.peek(token::Paren) && !is_angle_in_parens(input) {
+        return pair(input).map(Direction::Parts);
     }
-    let otherwise = unexpected(input, "`(dx, dy)`");
-    let Ok(angle) = expression(input) else {
-        return Err(otherwise);
+    let otherwise = unexpected(input, "`(dx, dy)`, or an angle such as `30 deg`");
+    let begins = input.cursor();
+    match expression(input) {
+        Ok(angle) => Ok(Direction::Angle(angle)),
+        Err(_) if input.cursor() == begins => Err(otherwise),
+        Err(error) => Err(error),
+    }
+}
+
+/// Whether what stands in parentheses is one number with something after it, as in `(90 + 15) deg`.
+fn is_angle_in_parens(input: ParseStream) -> bool {
+    let Some((inner, _, rest)) = input.cursor().group(Delimiter::Parenthesis) else {
+        return false;
     };
-    let text = format!("a direction has two parts; write `(cos({angle}), sin({angle}))`");
-    Err(Message::new(angle.place, text))
+    let is = |token: &TokenTree, mark: char| matches!(token, TokenTree::Punct(punct) if punct.as_char() == mark);
+    let has_comma = inner
+        .token_stream()
+        .into_iter()
+        .any(|token| is(&token, ','));
+    let goes_on = rest.token_tree().is_some_and(|(next, _)| {
+        let is_unit = matches!(&next, TokenTree::Ident(word) if word == "deg");
+        is_unit || ['+', '-', '*', '/'].iter().any(|&mark| is(&next, mark))
+    });
+    !has_comma && goes_on
 }
 
 fn sum(input: ParseStream, depth: usize) -> Read<Expr> {
@@ -202,6 +219,13 @@ fn primary(input: ParseStream, depth: usize) -> Read<Expr> {
     if input.peek(syn::Ident) {
         return named(input, depth);
     }
+    // A function of ours that is a keyword of Rust.
+    if input.peek(Token![mod])
+        && input.peek2(token::Paren)
+        && let Some(ident) = any_word(input)
+    {
+        return call(input, &ident, depth);
+    }
     Err(unexpected(input, "a number"))
 }
 
@@ -292,19 +316,18 @@ fn without_path(input: ParseStream, first: &Ident) -> Read<()> {
 }
 
 fn call(input: ParseStream, ident: &Ident, depth: usize) -> Read<Expr> {
-    let function = FUNCTIONS.iter().find(|(name, _)| ident == name);
-    let Some((_, called)) = function else {
+    let Some(called) = Called::named(ident) else {
         return Err(unknown_function(input, ident, depth));
     };
     let (kind, place) = in_parens(input, "`(`", |input| {
         let first = sum(input, depth)?;
         Ok(match called {
-            Called::One(function) => ExprKind::Call(*function, Box::new(first)),
-            Called::Two(extreme) => {
+            Called::One(function) => ExprKind::Call(function, Box::new(first)),
+            Called::Both(function) => {
                 symbol(input, ",")?;
                 let second = sum(input, depth)?;
                 take(input, ",");
-                ExprKind::Extreme(*extreme, Box::new([first, second]))
+                ExprKind::CallBoth(function, Box::new([first, second]))
             }
         })
     })?;
@@ -319,22 +342,25 @@ fn call(input: ParseStream, ident: &Ident, depth: usize) -> Read<Expr> {
 fn unknown_function(input: ParseStream, ident: &Ident, depth: usize) -> Message {
     let name = ident.to_string();
     let place = Place::at(ident.span());
-    let names = FUNCTIONS.map(|(name, _)| name);
-    if !foreign::is_function(&name) {
-        let remedy = spelling::remedy(&name, &names);
-        return Message::new(place, format!("unknown function `{name}`{remedy}"));
-    }
-    if let Ok((arguments, brackets)) = in_parens(input, "`(`", |input| arguments(input, depth))
+    if foreign::is_function(&name)
+        && let Ok((arguments, brackets)) = in_parens(input, "`(`", |input| arguments(input, depth))
         && let Some(written) = foreign::call(&name, &arguments)
     {
         let text = format!("there is no `{name}`; write `{written}`");
         return Message::new(place.to(brackets), text);
     }
-    let names = spelling::list(&names);
-    Message::new(
-        place,
-        format!("unknown function `{name}`; there are {names}"),
-    )
+    let names: Vec<&str> = function_names().collect();
+    // What another language calls so is not one of ours that looks like it.
+    let text = match spelling::nearest(&name, &names) {
+        Some(meant) if !foreign::is_function(&name) => {
+            format!("unknown function `{name}`; did you mean `{meant}`?")
+        }
+        _ => format!(
+            "unknown function `{name}`; there are {}",
+            spelling::list_all(&names)
+        ),
+    };
+    Message::new(place, text)
 }
 
 /// Numbers with commas between them.

@@ -5,10 +5,10 @@ use crate::syntax::written::{in_product, with_degrees};
 use crate::syntax::{Message, Place};
 
 /// Functions that look like one of ours, but are another.
-const FUNCTIONS: [&str; 27] = [
-    "acos", "arccos", "asin", "arcsin", "atan2", "arctan2", "sinh", "cosh", "tanh", "sind", "cosd",
-    "tand", "cot", "sec", "csc", "hypot", "pow", "powi", "powf", "exp2", "sgn", "sign", "signum",
-    "rad", "deg", "radians", "degrees",
+const FUNCTIONS: [&str; 24] = [
+    "arccos", "arcsin", "arctan", "arctan2", "sinh", "cosh", "tanh", "sind", "cosd", "tand", "cot",
+    "sec", "csc", "pow", "powi", "powf", "exp2", "sgn", "signum", "ceil", "rad", "deg", "radians",
+    "degrees",
 ];
 
 /// Whether this names a function of another language.
@@ -23,11 +23,8 @@ pub(super) fn call(name: &str, arguments: &[Expr]) -> Option<String> {
     let texts: Vec<String> = arguments.iter().map(in_product).collect();
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
     Some(match (name, arguments, &texts[..]) {
-        ("acos" | "arccos", _, [x]) => format!("(2 * atan(sqrt((1 - {x}) / (1 + {x}))))"),
-        ("asin" | "arcsin", _, [x]) => format!("(2 * atan({x} / (1 + sqrt(1 - {x} * {x}))))"),
-        ("atan2" | "arctan2", _, [y, x]) => {
-            format!("(2 * atan({y} / ({x} + sqrt({x} * {x} + {y} * {y}))))")
-        }
+        ("arccos" | "arcsin" | "arctan", [x], _) => format!("a{}({x})", &name[3..]),
+        ("arctan2", [y, x], _) => format!("atan2({y}, {x})"),
         ("sinh", [x], _) => format!("((exp({x}) - exp(-({x}))) / 2)"),
         ("cosh", [x], _) => format!("((exp({x}) + exp(-({x}))) / 2)"),
         ("tanh", _, [x]) => format!("(1 - 2 / (exp(2 * {x}) + 1))"),
@@ -38,9 +35,9 @@ pub(super) fn call(name: &str, arguments: &[Expr]) -> Option<String> {
         ("cot", [x], _) => format!("(1 / tan({x}))"),
         ("sec", [x], _) => format!("(1 / cos({x}))"),
         ("csc", [x], _) => format!("(1 / sin({x}))"),
-        ("hypot", _, [x, y]) => format!("sqrt({x} * {x} + {y} * {y})"),
         ("pow" | "powi" | "powf", [x, power], _) => powered(x, power)?,
-        ("sgn" | "sign" | "signum", [x], [text]) => format!("({text} / abs({x}))"),
+        ("sgn" | "signum", [x], _) => format!("sign({x})"),
+        ("ceil", _, [x]) => format!("(-floor(-{x}))"),
         ("rad" | "deg" | "radians" | "degrees", [x], _) => with_degrees(x),
         _ => return None,
     })
@@ -77,9 +74,6 @@ pub(super) fn power(operator: &str, base: &Expr, power: &Expr) -> Message {
 /// What to write for a remainder.
 pub(super) fn remainder(number: &Expr, divisor: &Expr) -> Message {
     let place: Place = number.place.to(divisor.place);
-    let (number, divisor) = (in_product(number), in_product(divisor));
-    let text = format!(
-        "there is no `%`; what repeats is written with `sin` or `cos`, such as `sin(2 * PI * {number} / {divisor})`"
-    );
+    let text = format!("there is no `%`; write `mod({number}, {divisor})`");
     Message::new(place, text)
 }

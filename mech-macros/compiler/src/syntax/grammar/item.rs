@@ -9,7 +9,7 @@ use super::tokens::{
 };
 use crate::model::AxisKind;
 use crate::syntax::ast::{
-    Axis, Broken, Expr, Item, Matter, MatterKind, Outline, Pair, Read, Shape,
+    Axis, Broken, Direction, Expr, Item, Matter, MatterKind, Outline, Pair, Read, Shape,
 };
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
@@ -85,7 +85,7 @@ fn axis(input: ParseStream, kind: AxisKind) -> Item {
     Item::Axis(Axis { kind, name, value })
 }
 
-fn axis_value(input: ParseStream, kind: AxisKind) -> Read<(Pair, Option<Pair>)> {
+fn axis_value(input: ParseStream, kind: AxisKind) -> Read<(Pair, Option<Direction>)> {
     let begin = input.cursor();
     symbol(input, "=")?;
     let at = pair(input)?;

@@ -5,7 +5,7 @@ use super::recover::{at_beginning, to_semicolon};
 use super::statement::{BEGINNINGS, declared};
 use super::tokens::{comes_word, in_parens, name, symbol, take, take_word, unexpected};
 use crate::syntax::ast::{
-    Clause, End, Expr, Joint, JointBody, JointWord, Pair, Read, Rolling, Size, Statement,
+    Clause, End, Expr, Joint, JointBody, JointWord, Read, Rolling, Size, Statement,
 };
 use crate::syntax::{Message, Place};
 use proc_macro2::Ident;
@@ -176,11 +176,11 @@ fn radius(input: ParseStream) -> Read<Size> {
     labelled(input, "radius").map(Size::Radius)
 }
 
-fn clause(
+fn clause<T>(
     input: ParseStream,
     keyword: &str,
-    value: fn(ParseStream) -> Read<Pair>,
-) -> Read<Option<Clause>> {
+    value: fn(ParseStream) -> Read<T>,
+) -> Read<Option<Clause<T>>> {
     // A joint without its `;` may stand before `at change points`.
     if at_beginning(input, &BEGINNINGS) {
         return Ok(None);

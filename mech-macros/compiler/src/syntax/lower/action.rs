@@ -306,7 +306,7 @@ impl Lowering {
         }
     }
 
-    /// Effects that contradict each other, or are not for each other yet.
+    /// Effects that contradict what motors do.
     pub(super) fn check_effects(&mut self) {
         // What stands beside them may only be wrong.
         if !self.report.is_empty() {
@@ -322,25 +322,6 @@ impl Lowering {
             );
             let place = self.places.get(motor.origin);
             return self.report.error(place, text);
-        }
-        if let Some(place) = self.acting.dynamics.or(self.acting.force)
-            && !self.model.params.is_empty()
-        {
-            let text = "forces beside params are not supported yet; make every `param` a `const`, or leave this effect out";
-            return self.report.error(place, text);
-        }
-        if let Some(place) = self.acting.overlay
-            && !self.model.params.is_empty()
-        {
-            let text = "an overlay beside params is not supported yet; make every `param` a `const`, or leave this effect out";
-            return self.report.error(place, text);
-        }
-        if let Some((motor, _)) = self.model.lawful_motors().next()
-            && !self.model.params.is_empty()
-        {
-            let text = "laws of motors beside params are not supported yet; make every `param` a `const`, or leave this law out";
-            let place = self.places.get(self.model.motor(motor).origin);
-            self.report.error(place, text);
         }
     }
 
@@ -438,5 +419,4 @@ pub(super) struct Acting {
     pub(super) gravity: Option<Place>,
     pub(super) force: Option<Place>,
     pub(super) dynamics: Option<Place>,
-    pub(super) overlay: Option<Place>,
 }

@@ -12,9 +12,9 @@ impl Lowering {
         let ends = body.ends.each_ref().map(|end| self.cam_end(end));
         let law = body.law.as_ref();
         let law = law.and_then(|law| self.law(law, law::COORDINATE));
-        for clause in [&body.at, &body.along].into_iter().flatten() {
+        for keyword in body.clauses() {
             let text = "a `cam` has no place of its own; its shaft and its follower are where their joints are";
-            self.report.error(Place::at(clause.keyword), text);
+            self.report.error(Place::at(keyword), text);
         }
         let [shaft, follower] = [ends[0]?, ends[1]?];
         let place = body.ends[0].place().to(body.ends[1].place());

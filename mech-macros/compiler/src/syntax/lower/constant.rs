@@ -3,14 +3,13 @@
 use super::law::{COORDINATE, TIME};
 use super::param::Quantity;
 use super::report::Report;
+use crate::model::function_names;
 use crate::syntax::ast::Statement;
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
-/// Names of the language that no constant or param may take.
-const BUILT_IN: [&str; 11] = [
-    "PI", "deg", "sqrt", "sin", "cos", "tan", "atan", "exp", "abs", "min", "max",
-];
+/// Names of the language that no constant or param may take, beside those of the functions.
+const BUILT_IN: [&str; 2] = ["PI", "deg"];
 
 /// What the variables of laws are called.
 const VARIABLES: [&str; 2] = [TIME, COORDINATE];
@@ -73,7 +72,12 @@ impl Constants {
         self.entries.iter().find(|entry| entry.name == name)
     }
 
-    /// Names the variable that may stand among constants from here on, for messages.
+    /// Whether this is the variable of the law that is being read.
+    pub(super) fn is_variable(&self, name: &Ident) -> bool {
+        self.variable.is_some_and(|variable| name == variable)
+    }
+
+    /// Names the variable that may stand among constants from here on.
     pub(super) fn set_variable(&mut self, variable: Option<&'static str>) {
         self.variable = variable;
     }
@@ -120,7 +124,7 @@ impl Constants {
         let here = report.statement();
         let entry = self.entries.iter_mut().find(|entry| entry.name == text);
         let message = match entry {
-            _ if BUILT_IN.contains(&text.as_str()) => {
+            _ if BUILT_IN.contains(&text.as_str()) || is_function(&text) => {
                 format!("`{text}` belongs to the language; choose another name")
             }
             Some(entry) if entry.statement == here => {
@@ -179,7 +183,7 @@ impl Constants {
         if text == "deg" {
             return "`deg` stands after a number, as `30 deg`".to_owned();
         }
-        if BUILT_IN.contains(&text) {
+        if is_function(text) {
             return format!("`{text}` is a function; write what it is of, as `{text}(...)`");
         }
         let known = self.known(here);
@@ -189,7 +193,7 @@ impl Constants {
             return format!("{beginning}{remedy}");
         }
         format!(
-            "{beginning}{remedy}\n\nhelp: what Rust declares cannot be seen here; declare `const {text} = ...;` in the mechanism"
+            "{beginning}{remedy}\n\nhelp: constants of Rust outside of the mechanism are unknown to the macro; declare `const {text} = ...;` inside it"
         )
     }
 
@@ -201,4 +205,8 @@ impl Constants {
             .chain(self.variable)
             .collect()
     }
+}
+
+fn is_function(name: &str) -> bool {
+    function_names().any(|function| function == name)
 }

@@ -3,7 +3,7 @@
 use super::Lowering;
 use crate::model::{AxisId, AxisKind, Drawn, FORWARD, LinkId, Origin};
 use crate::syntax::Place;
-use crate::syntax::ast::{Clause, End, Joint, JointBody, JointWord};
+use crate::syntax::ast::{Clause, End, Joint, JointBody, JointWord, Pair};
 
 impl Lowering {
     /// The axes of these kinds that the drawing puts here on the two links of a joint.
@@ -11,7 +11,7 @@ impl Lowering {
         &mut self,
         joint: &Joint,
         body: &JointBody,
-        at: &Clause,
+        at: &Clause<Pair>,
         kinds: [AxisKind; 2],
         origin: Origin,
     ) -> Option<[AxisId; 2]> {

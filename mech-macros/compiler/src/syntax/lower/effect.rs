@@ -62,7 +62,6 @@ impl Lowering {
             }
             "overlay" => {
                 effects.overlay = true;
-                self.acting.overlay = Some(Place::at(effect.span()));
                 return;
             }
             "sensitivity" if self.has_params => {

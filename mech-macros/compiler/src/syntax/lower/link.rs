@@ -130,6 +130,11 @@ impl Lowering {
     }
 
     fn lower_shape(&mut self, link: LinkId, shape: &Shape) {
+        let why = "shapes are painted from tables that are made at compile time";
+        self.with_fixed_numbers(why, |lowering| lowering.add_shape(link, shape));
+    }
+
+    fn add_shape(&mut self, link: LinkId, shape: &Shape) {
         let kind = match &shape.outline {
             Outline::Circle { center, radius } => self.circle(center, radius),
             Outline::Ring {

@@ -33,7 +33,7 @@ use self::name::{Named, Names};
 use self::report::Report;
 use super::ast::{Statement, Text};
 use super::{Parsed, Place, Places};
-use crate::model::{JointId, LinkId, Model, Origin};
+use crate::model::{Formulas, JointId, LinkId, Model, Origin};
 use proc_macro2::{Ident, Span};
 
 /// Makes the model of a text.
@@ -69,6 +69,10 @@ struct Lowering {
     places: Places,
     report: Report,
     constants: Constants,
+    /// What the law that is being read is made from.
+    law: Option<Formulas>,
+    /// Why the numbers that are being read may not depend on params, if there is a reason of their own.
+    why_fixed: Option<&'static str>,
     names: Names,
     /// The numbers of statements whose joint cannot have its name, and is left out.
     nameless: Vec<usize>,
@@ -109,6 +113,8 @@ impl Lowering {
             places,
             report: Report::default(),
             constants,
+            law: None,
+            why_fixed: None,
             names,
             nameless: Vec::new(),
             singles: Vec::new(),

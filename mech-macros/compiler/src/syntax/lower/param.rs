@@ -6,11 +6,12 @@ use crate::syntax::Place;
 use crate::syntax::ast::{Constant, Expr, ExprKind, Pair};
 use proc_macro2::Ident;
 
-/// A number, as it is at the start.
+/// A number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Quantity {
-    pub(super) value: f64,
-    /// How it is computed, if it depends on a param.
+    /// What it is at the start; none if that depends on the variable of a law.
+    pub(super) value: Option<f64>,
+    /// How it is computed, if it depends on a param or on the variable of a law.
     pub(super) formula: Option<FormulaId>,
 }
 
@@ -18,7 +19,7 @@ impl Quantity {
     /// A number that never changes.
     pub(super) fn fixed(value: f64) -> Self {
         Self {
-            value,
+            value: Some(value),
             formula: None,
         }
     }
@@ -48,6 +49,7 @@ impl Lowering {
                 value,
             });
             let formula = Some(self.model.params.formula(Formula::Param(id)));
+            let value = Some(value);
             self.constants
                 .assign(&param.name, Quantity { value, formula });
         }
@@ -78,7 +80,7 @@ impl Lowering {
     pub(super) fn value(&mut self, expr: &Expr) -> Option<f64> {
         let Quantity { value, formula } = self.quantity(expr)?;
         if formula.is_none() {
-            return Some(value);
+            return value;
         }
         self.refuse_param(expr);
         None
@@ -94,7 +96,19 @@ impl Lowering {
     pub(super) fn spot(&mut self, pair: &Pair) -> Option<Spot> {
         let (x, y) = (self.quantity(&pair.x), self.quantity(&pair.y));
         let (x, y) = (x?, y?);
-        Some(([x.value, y.value], [x.formula, y.formula]))
+        Some(([x.value?, y.value?], [x.formula, y.formula]))
+    }
+
+    /// Reads numbers that may not depend on params, which would be told with this reason.
+    pub(super) fn with_fixed_numbers<T>(
+        &mut self,
+        why: &'static str,
+        read: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let before = self.why_fixed.replace(why);
+        let found = read(self);
+        self.why_fixed = before;
+        found
     }
 
     /// Complains about a number that would change with a param where none may.
@@ -108,9 +122,10 @@ impl Lowering {
                 format!("`{name}` is computed from a param: it may change while the mechanism runs")
             }
         };
-        let text = format!(
-            "{what}; only the places of points, lines and joints may depend on one; use a `const` here"
-        );
+        let why = self
+            .why_fixed
+            .unwrap_or("only laws and the places of points, lines and joints may depend on one");
+        let text = format!("{what}; {why}; use a `const` here");
         self.report.error(Place::at(name.span()), text);
     }
 
@@ -124,7 +139,9 @@ impl Lowering {
             ExprKind::Sum(parts) | ExprKind::Product(parts) => parts
                 .iter()
                 .find_map(|(_, part)| self.first_dependent(part)),
-            ExprKind::Extreme(_, parts) => parts.iter().find_map(|part| self.first_dependent(part)),
+            ExprKind::CallBoth(_, parts) => {
+                parts.iter().find_map(|part| self.first_dependent(part))
+            }
             ExprKind::Integer(_) | ExprKind::Decimal(_) | ExprKind::Pi => None,
         }
     }

@@ -59,12 +59,12 @@ impl Lowering {
             JointWord::Rack => "pinion turns and its bar slides",
             _ => "wheels turn",
         };
-        for clause in [&body.at, &body.along].into_iter().flatten() {
+        for keyword in body.clauses() {
             let text = format!(
                 "a `{}` has no place of its own; its {what} where their other joints hold them",
                 body.word
             );
-            self.report.error(Place::at(clause.keyword), text);
+            self.report.error(Place::at(keyword), text);
         }
     }
 
@@ -91,6 +91,11 @@ impl Lowering {
     }
 
     fn rolling_size(&mut self, kind: JointWord, size: &Size) -> Option<Rolled> {
+        let why = "what rolls keeps the ratio for which it was analysed";
+        self.with_fixed_numbers(why, |lowering| lowering.size_of(kind, size))
+    }
+
+    fn size_of(&mut self, kind: JointWord, size: &Size) -> Option<Rolled> {
         match (kind, size) {
             (_, Size::Radius(radius)) => self.pinion_radius(radius).map(Rolled::Rack),
             (JointWord::Belt, Size::Ratio(parts)) => self.belt_ratio(parts).map(Rolled::Belt),

@@ -4,39 +4,44 @@ use super::Lowering;
 use super::param::Quantity;
 use super::report::Report;
 use crate::bug::bug;
-use crate::model::{Formula, FormulaId, Function};
+use crate::model::{BinaryFunction, Formula, FormulaId, Function};
 use crate::syntax::Place;
-use crate::syntax::ast::{Expr, ExprKind, Pair};
-use std::f64::consts::PI;
+use crate::syntax::ast::{Direction, Expr, ExprKind, Pair};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Lowering {
-    /// The value of an expression: a finite number, and how it follows from params.
+    /// The value of an expression: a finite number, and how it follows from params, or from the variable of the law that is read.
     pub(super) fn quantity(&mut self, expr: &Expr) -> Option<Quantity> {
         match &expr.kind {
             ExprKind::Integer(digits) | ExprKind::Decimal(digits) => {
                 self.literal(digits, expr.place).map(Quantity::fixed)
             }
             ExprKind::Pi => Some(Quantity::fixed(PI)),
-            ExprKind::Constant(name) => self.constants.value(name, &mut self.report),
+            ExprKind::Constant(name) if self.constants.is_variable(name) => {
+                self.variable(name, expr.place)
+            }
+            ExprKind::Constant(name) => {
+                let known = self.constants.value(name, &mut self.report)?;
+                Some(self.in_this_law(known))
+            }
             ExprKind::Negative(inner) => {
                 let inner = self.quantity(inner)?;
-                let params = &mut self.model.params;
                 Some(Quantity {
-                    value: -inner.value,
+                    value: inner.value.map(|value| -value),
                     formula: inner
                         .formula
-                        .map(|inner| params.formula(Formula::Neg(inner))),
+                        .map(|inner| self.formulas().add(Formula::Neg(inner))),
                 })
             }
             ExprKind::Degrees(inner) => {
                 let inner = self.quantity(inner)?;
-                let degree = self.formula(Quantity::fixed(PI / 180.0), inner);
-                let formula = inner.formula.zip(degree);
-                let params = &mut self.model.params;
+                let formula = inner.formula.map(|inner| {
+                    let degree = self.formulas().add(Formula::constant(PI / 180.0));
+                    self.formulas().add(Formula::Mul(inner, degree))
+                });
                 Some(Quantity {
-                    value: inner.value.to_radians(),
-                    formula: formula
-                        .map(|(inner, degree)| params.formula(Formula::Mul(inner, degree))),
+                    value: inner.value.map(f64::to_radians),
+                    formula,
                 })
             }
             ExprKind::Sum(terms) => self.chain(terms, Chain::Sum),
@@ -45,10 +50,10 @@ impl Lowering {
                 let argument = self.quantity(argument)?;
                 self.call(*function, argument, expr.place)
             }
-            ExprKind::Extreme(extreme, parts) => {
+            ExprKind::CallBoth(function, parts) => {
                 let [a, b] = &**parts;
-                let (a, b) = (self.value(a), self.value(b));
-                Some(Quantity::fixed(extreme.of(a?, b?)))
+                let (a, b) = (self.quantity(a), self.quantity(b));
+                self.call_both(*function, [a?, b?], expr.place)
             }
         }
     }
@@ -88,12 +93,18 @@ impl Lowering {
         finite(value, place, &mut self.report)
     }
 
-    /// The formula of a number; none unless something beside it depends on a param.
-    fn formula(&mut self, quantity: Quantity, beside: Quantity) -> Option<FormulaId> {
-        beside.formula.or(quantity.formula)?;
-        let params = &mut self.model.params;
-        let constant = Formula::Constant(quantity.value);
-        Some(quantity.formula.unwrap_or_else(|| params.formula(constant)))
+    /// Numbers as formulas; none if none of them depends on anything.
+    fn as_formulas<const N: usize>(&mut self, all: [Quantity; N]) -> Option<[FormulaId; N]> {
+        if all.iter().all(|quantity| quantity.formula.is_none()) {
+            return None;
+        }
+        Some(
+            all.map(|quantity| match (quantity.formula, quantity.value) {
+                (Some(formula), _) => formula,
+                (None, Some(value)) => self.formulas().add(Formula::constant(value)),
+                (None, None) => bug!("a number has neither a value nor a formula"),
+            }),
+        )
     }
 
     /// Computes from left to right. All parts are looked at, so that all of their errors are reported.
@@ -105,68 +116,95 @@ impl Lowering {
         for ((inverse, part), value) in parts {
             let place = first.place.to(part.place);
             let value = value?;
-            match chain.combine(result.value, value.value, *inverse) {
-                Ok(combined) => {
-                    let combined = finite(combined, place, &mut self.report)?;
-                    let (a, b) = (self.formula(result, value), self.formula(value, result));
-                    let both = a.zip(b);
-                    let formula = both.map(|(a, b)| chain.formula(a, b, *inverse));
-                    result = Quantity {
-                        value: combined,
-                        formula: formula.map(|formula| self.model.params.formula(formula)),
-                    };
-                }
+            // Whatever is divided by zero is an error.
+            let combined = match (result.value, value.value) {
+                (first, Some(second)) => chain
+                    .combine(first.unwrap_or(0.0), second, *inverse)
+                    .map(|combined| first.map(|_| combined)),
+                (_, None) => Ok(None),
+            };
+            let combined = match combined {
+                Ok(combined) => combined,
                 Err(trouble) => {
                     self.report.error(place, trouble);
                     return None;
                 }
-            }
+            };
+            let formulas = self.as_formulas([result, value]);
+            result = Quantity {
+                value: self.finite_if_known(combined, place)?,
+                formula: formulas.map(|[a, b]| self.formulas().add(chain.formula(a, b, *inverse))),
+            };
         }
         Some(result)
     }
 
-    pub(super) fn call(
-        &mut self,
-        function: Function,
-        argument: Quantity,
-        place: Place,
-    ) -> Option<Quantity> {
-        let Quantity {
-            value: argument,
-            formula,
-        } = argument;
-        if function == Function::Sqrt && argument < 0.0 {
-            self.report.error(
-                place,
-                format!("{} has no square root; it is negative", shown(argument)),
-            );
+    fn call(&mut self, function: Function, of: Quantity, place: Place) -> Option<Quantity> {
+        if let Some((value, trouble)) = of
+            .value
+            .and_then(|value| Some((value, function.trouble_at(value)?)))
+        {
+            self.report
+                .error(place, format!("{} {trouble}", shown(value)));
             return None;
         }
-        if formula.is_some() && matches!(function, Function::Atan | Function::Exp | Function::Abs) {
-            let text = "of what depends on a param there are only `sqrt`, `sin`, `cos` and `tan` yet; use a `const`";
-            self.report.error(place, text);
-            return None;
-        }
-        let value = function.at(argument);
-        let value = finite(value, place, &mut self.report)?;
-        let params = &mut self.model.params;
-        let formula = formula.map(|argument| match function {
-            Function::Sqrt => params.formula(Formula::Sqrt(argument)),
-            Function::Sin => params.formula(Formula::Sin(argument)),
-            Function::Cos => params.formula(Formula::Cos(argument)),
-            Function::Tan => {
-                let sin = params.formula(Formula::Sin(argument));
-                let cos = params.formula(Formula::Cos(argument));
-                params.formula(Formula::Div(sin, cos))
-            }
-            // Refused above.
-            Function::Atan | Function::Exp | Function::Abs => argument,
-        });
-        Some(Quantity { value, formula })
+        let value = of.value.map(|value| function.at(value));
+        Some(Quantity {
+            value: self.finite_if_known(value, place)?,
+            formula: of
+                .formula
+                .map(|of| self.formulas().add(Formula::Of(function, of))),
+        })
     }
 
-    /// A pair as a direction of length one.
-    pub(super) fn direction(&mut self, pair: &Pair) -> Option<[f64; 2]> {
+    fn call_both(
+        &mut self,
+        function: BinaryFunction,
+        of @ [a, b]: [Quantity; 2],
+        place: Place,
+    ) -> Option<Quantity> {
+        let both = a.value.zip(b.value);
+        // Whatever is divided by zero is an error.
+        let trouble = match (both, b.value) {
+            (Some((a, b)), _) => function.trouble_at(a, b),
+            (None, Some(b)) => function.trouble_at(1.0, b),
+            (None, None) => None,
+        };
+        if let Some(trouble) = trouble {
+            self.report.error(place, trouble);
+            return None;
+        }
+        let value = both.map(|(a, b)| function.at(a, b));
+        Some(Quantity {
+            value: self.finite_if_known(value, place)?,
+            formula: self
+                .as_formulas(of)
+                .map(|[a, b]| self.formulas().add(Formula::OfBoth(function, a, b))),
+        })
+    }
+
+    /// A value, or that it is not known yet; nothing, if it is too large.
+    fn finite_if_known(&mut self, value: Option<f64>, place: Place) -> Option<Option<f64>> {
+        match value {
+            None => Some(None),
+            Some(value) => finite(value, place, &mut self.report).map(Some),
+        }
+    }
+
+    /// A direction, of length one.
+    pub(super) fn direction(&mut self, direction: &Direction) -> Option<[f64; 2]> {
+        let why = "which directions are parallel decides how a mechanism is solved";
+        self.with_fixed_numbers(why, |lowering| match direction {
+            Direction::Parts(pair) => lowering.direction_of_parts(pair),
+            Direction::Angle(angle) => {
+                let value = lowering.value(angle)?;
+                let is_told = lowering.is_degrees_perhaps(angle, value);
+                (!is_told).then(|| direction_at(value))
+            }
+        })
+    }
+
+    fn direction_of_parts(&mut self, pair: &Pair) -> Option<[f64; 2]> {
         let [x, y] = self.pair(pair)?;
         // Scaled first: the squares of very long or short ones would overflow or vanish.
         let scale = x.abs().max(y.abs());
@@ -214,18 +252,6 @@ impl Lowering {
     }
 }
 
-pub(super) fn add(sum: f64, term: f64, minus: bool) -> f64 {
-    if minus { sum - term } else { sum + term }
-}
-
-pub(super) fn multiply(product: f64, factor: f64, divide: bool) -> Result<f64, &'static str> {
-    match (divide, factor) {
-        (true, 0.0) => Err("division by zero"),
-        (true, _) => Ok(product / factor),
-        (false, _) => Ok(product * factor),
-    }
-}
-
 /// What a chain of numbers is.
 #[derive(Clone, Copy)]
 enum Chain {
@@ -236,8 +262,11 @@ enum Chain {
 impl Chain {
     fn combine(self, a: f64, b: f64, inverse: bool) -> Result<f64, &'static str> {
         match (self, inverse) {
-            (Self::Sum, inverse) => Ok(add(a, b, inverse)),
-            (Self::Product, inverse) => multiply(a, b, inverse),
+            (Self::Sum, false) => Ok(a + b),
+            (Self::Sum, true) => Ok(a - b),
+            (Self::Product, false) => Ok(a * b),
+            (Self::Product, true) if b == 0.0 => Err("division by zero"),
+            (Self::Product, true) => Ok(a / b),
         }
     }
 
@@ -251,6 +280,20 @@ impl Chain {
     }
 }
 
+/// The direction at an angle. Quarters of a turn are exact: no angle in radians is exactly one.
+fn direction_at(angle: f64) -> [f64; 2] {
+    let quarters = libm::round(angle / FRAC_PI_2);
+    if (angle - quarters * FRAC_PI_2).abs() > 2.0 * f64::EPSILON * angle.abs() {
+        return [libm::cos(angle), libm::sin(angle)];
+    }
+    match quarters.rem_euclid(4.0) {
+        0.0 => [1.0, 0.0],
+        1.0 => [0.0, 1.0],
+        2.0 => [-1.0, 0.0],
+        _ => [0.0, -1.0],
+    }
+}
+
 /// A number for people: without a row of zeros.
 pub(super) fn shown(value: f64) -> String {
     if value == 0.0 || (1e-4..1e15).contains(&value.abs()) {
@@ -260,7 +303,7 @@ pub(super) fn shown(value: f64) -> String {
     }
 }
 
-pub(super) fn finite(value: f64, place: Place, report: &mut Report) -> Option<f64> {
+fn finite(value: f64, place: Place, report: &mut Report) -> Option<f64> {
     if value.is_finite() {
         return Some(value);
     }

@@ -25,7 +25,7 @@ fn a_cam_is_a_law_between_two_joints() {
         assert_eq!((shaft, follower), (JointId::new(0), JointId::new(1)));
         assert_eq!(model.ends(cam), (LinkId::new(1), LinkId::new(2)));
         assert_eq!(law.written, "0.1 * sin(q)");
-        assert_eq!(law.at(1.0), 0.1 * 1.0_f64.sin());
+        assert_eq!(law.at(1.0, &[]), 0.1 * 1.0_f64.sin());
         assert!(matches!(model.joint(cam).kind, JointKind::Cam { .. }));
     }
 }
@@ -46,6 +46,10 @@ fn a_law_goes_on_by_whole_turns_or_not() {
         ("1 / (q + 5)", None),
         ("abs(q)", None),
         ("max(q, 0)", None),
+        ("mod(q, 2 * PI) + mod(q, PI)", Some(0.0)),
+        ("atan2(sin(q), 2 + cos(q)) * floor(sin(q))", Some(0.0)),
+        ("mod(q, 2)", None),
+        ("hypot(q, 1)", None),
     ] {
         let text = format!("struct M; {PARTS} joint c = cam(s, f, {law}); motor s;");
         let model = good(&text).model;
@@ -53,7 +57,7 @@ fn a_law_goes_on_by_whole_turns_or_not() {
         assert_eq!(found.winding(), winding, "{law}");
         // That is what it does.
         for (q, turns) in [(0.3, 1.0), (-1.7, 3.0), (2.0, -2.0)] {
-            let on = found.at(q + turns * std::f64::consts::TAU) - found.at(q);
+            let on = found.at(q + turns * std::f64::consts::TAU, &[]) - found.at(q, &[]);
             let steady =
                 winding.is_some_and(|by| (on - turns * by * std::f64::consts::TAU).abs() < 1e-9);
             assert_eq!(steady, winding.is_some(), "{law}");

@@ -41,6 +41,13 @@ fn numbers_are_computed() {
         ("atan(1)", PI / 4.0),
         ("exp(0) + abs(-A)", 4.0),
         ("min(A, B_2) - max(-1, -2,)", 4.0),
+        ("asin(1) + acos(-1)", 1.5 * PI),
+        ("atan2(1, -1)", 0.75 * PI),
+        ("hypot(A, -B_2)", 5.0),
+        ("floor(-1.5) + floor(2)", 0.0),
+        ("mod(-1, A)", 2.0),
+        ("mod(7, -B_2)", -1.0),
+        ("sign(-A) + sign(0)", -1.0),
     ] {
         assert_eq!(value(text), expected, "{text}");
     }
@@ -77,6 +84,15 @@ fn a_number_must_be_finite() {
     assert_messages(
         "const A = 1 + «sqrt(-1)»;",
         &["-1 has no square root; it is negative"],
+    );
+    assert_messages(
+        "const A = «asin(2)»; const B = «acos(-1.5)»; const C = «atan2(0, 0)»; const D = «mod(1, 0)»;",
+        &[
+            "2 is the sine of no angle; sines are from -1 to 1",
+            "-1.5 is the cosine of no angle; cosines are from -1 to 1",
+            "`atan2(0, 0)` has no value; a vector without length has no direction",
+            "division by zero",
+        ],
     );
 }
 
@@ -164,7 +180,7 @@ fn what_is_no_number_is_reported() {
     assert_messages(
         "const A = «log»(2);",
         &[
-            "unknown function `log`; there are `sqrt`, `sin`, `cos`, `tan`, `atan`, `exp`, `abs`, `min`, `max`",
+            "unknown function `log`; there are `sqrt`, `sin`, `cos`, `tan`, `asin`, `acos`, `atan`, `exp`, `abs`, `floor`, `sign`, `atan2`, `hypot`, `min`, `max`, `mod`",
         ],
     );
     assert_messages("const A = sin(1 «2»);", &["expected `)`, found `2`"]);

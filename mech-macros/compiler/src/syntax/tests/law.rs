@@ -33,9 +33,34 @@ fn laws_are_functions_of_the_time() {
         ("min(t, 2) - max(2, t)", 5.0, -3.0),
         ("min(t, t * t)", 0.5, 0.25),
         ("1 / (t - A + 4)", 3.0, 0.25),
+        ("floor(t) + sign(-t) + mod(t, 2)", 3.5, 3.5),
+        ("hypot(t, A) + atan2(t - 4, 1) + asin(t - 4)", 4.0, 5.0),
     ] {
-        assert_eq!(law(text).at(time), expected, "{text}");
+        assert_eq!(law(text).at(time, &[]), expected, "{text}");
     }
+}
+
+#[test]
+fn a_law_may_have_params_in_it() {
+    let text = with_law(
+        "param p = 2; param q = 3; const SUM = p + q;",
+        "SUM * t + p",
+    );
+    let model = good(&format!("struct M; {text}")).model;
+    let law = &model.laws[0];
+    assert_eq!(law.at(2.0, &[2.0, 3.0]), 12.0);
+    assert_eq!(law.at(2.0, &[10.0, 0.5]), 31.0);
+    assert!(law.varies());
+    assert_eq!(model.start.value(model.motors[0].joint), 2.0);
+    let text = with_law("param p = 2;", "sqrt(t) + «asin(p)»");
+    assert_messages(
+        &text,
+        &["2 is the sine of no angle; sines are from -1 to 1"],
+    );
+    let text = with_law("param p = 1;", "«t / (p - 1)»");
+    assert_messages(&text, &["division by zero"]);
+    let text = with_law("", "«mod(t, 0)»");
+    assert_messages(&text, &["division by zero"]);
 }
 
 #[test]

@@ -19,6 +19,53 @@ fn a_line_has_a_direction() {
 }
 
 #[test]
+fn a_direction_may_be_an_angle() {
+    let direction = |text: &str| {
+        let text = format!("struct M; const TILT = 15; link a {{ line l = (0, 0) -> {text}; }}");
+        super::good(&text).model.axes[0].direction
+    };
+    for (text, expected) in [
+        ("0", [1.0, 0.0]),
+        ("90 deg", [0.0, 1.0]),
+        ("PI", [-1.0, 0.0]),
+        ("-90 deg", [0.0, -1.0]),
+        ("(360 + 270) deg", [0.0, -1.0]),
+        (
+            "(90 + TILT) deg",
+            [
+                libm::cos(105_f64.to_radians()),
+                libm::sin(105_f64.to_radians()),
+            ],
+        ),
+        ("atan2(3, 4)", [0.8, 0.6]),
+        ("(cos(0), sin(0))", [1.0, 0.0]),
+    ] {
+        let found = direction(text);
+        let off = (found[0] - expected[0])
+            .abs()
+            .max((found[1] - expected[1]).abs());
+        assert!(off <= f64::EPSILON, "{text}: {found:?}");
+        let is_exact = expected.contains(&0.0);
+        assert!(!is_exact || found == expected, "{text}: {found:?}");
+    }
+    let text = "struct M; link a; joint j = prismatic(ground, a) at (0, 0) along 30 deg;";
+    let axis = &super::good(text).model.axes[0];
+    assert!((axis.direction[1] - 0.5).abs() < 1e-15);
+    assert_messages(
+        "link a { line l = (0, 0) -> «\"up\"»; }",
+        &["expected `(dx, dy)`, or an angle such as `30 deg`, found `\"up\"`"],
+    );
+    assert_messages("link a { line l = (0, 0) -> (1«)»; }", &["expected `,`"]);
+    assert_messages(
+        "param tilt = 1; link a { line l = (0, 0) -> «tilt»; }",
+        &[
+            "`tilt` is a param: it may change while the mechanism runs; which directions are parallel decides how a mechanism is \
+           solved; use a `const` here",
+        ],
+    );
+}
+
+#[test]
 fn a_place_has_two_coordinates() {
     assert_messages("link a { point p = (1«)»; }", &["expected `,`"]);
     assert_messages(

@@ -65,7 +65,7 @@ fn unmarked(marked: &str) -> (String, Vec<(Spot, Spot)>) {
 }
 
 /// The messages about a whole text are exactly these, each about the place of its mark.
-fn told_of(marked: &str, messages: &[&str]) -> Parsed {
+fn assert_messages_of(marked: &str, messages: &[&str]) -> Parsed {
     let (text, places) = unmarked(marked);
     let parsed = parsed(&text);
     let spot = |spot: proc_macro2::LineColumn| (spot.line, spot.column + 1);
@@ -95,7 +95,7 @@ fn told_of(marked: &str, messages: &[&str]) -> Parsed {
 /// The message about a name of a number that is declared nowhere.
 fn unseen(name: &str, remedy: &str) -> String {
     format!(
-        "unknown constant `{name}`; {remedy}\n\nhelp: what Rust declares cannot be seen here; declare `const {name} = ...;` in the mechanism"
+        "unknown constant `{name}`; {remedy}\n\nhelp: constants of Rust outside of the mechanism are unknown to the macro; declare `const {name} = ...;` inside it"
     )
 }
 
@@ -106,5 +106,5 @@ fn assert_messages(marked: &str, messages: &[&str]) -> Parsed {
         messages.len(),
         "a mark for each message"
     );
-    told_of(&format!("struct M;\n{marked}"), messages)
+    assert_messages_of(&format!("struct M;\n{marked}"), messages)
 }

@@ -4,10 +4,22 @@ use super::{assert_messages, good};
 use crate::model::{Axis, Model};
 
 const ONLY: &str =
-    "only the places of points, lines and joints may depend on one; use a `const` here";
+    "only laws and the places of points, lines and joints may depend on one; use a `const` here";
+
+const PARALLEL: &str =
+    "which directions are parallel decides how a mechanism is solved; use a `const` here";
+
+const PAINTED: &str =
+    "shapes are painted from tables that are made at compile time; use a `const` here";
+
+const ROLLING: &str = "what rolls keeps the ratio for which it was analysed; use a `const` here";
 
 fn refused(what: &str) -> String {
-    format!("{what}: it may change while the mechanism runs; {ONLY}")
+    refused_for(what, ONLY)
+}
+
+fn refused_for(what: &str, why: &str) -> String {
+    format!("{what}: it may change while the mechanism runs; {why}")
 }
 
 fn axis<'m>(model: &'m Model, name: &str) -> &'m Axis {
@@ -72,13 +84,13 @@ fn everything_else_stays_as_it_is() {
         start { j = «r»; a near 2 * «R»; }
         method newton(«r»);",
         &[
-            &refused("`r` is a param"),
-            &refused("`R` is computed from a param"),
-            &refused("`r` is a param"),
-            &refused("`r` is a param"),
-            &refused("`r` is a param"),
-            &refused("`R` is computed from a param"),
-            &refused("`r` is a param"),
+            &refused_for("`r` is a param", PARALLEL),
+            &refused_for("`R` is computed from a param", PARALLEL),
+            &refused_for("`r` is a param", PAINTED),
+            &refused_for("`r` is a param", PAINTED),
+            &refused_for("`r` is a param", PAINTED),
+            &refused_for("`R` is computed from a param", PAINTED),
+            &refused_for("`r` is a param", ROLLING),
             &refused("`R` is computed from a param"),
             &refused("`r` is a param"),
             &refused("`r` is a param"),

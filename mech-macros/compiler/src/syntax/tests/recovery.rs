@@ -1,6 +1,6 @@
 //! Several errors in one text.
 
-use super::{assert_messages, told_of, unseen};
+use super::{assert_messages, assert_messages_of, unseen};
 
 #[test]
 fn every_bad_statement_is_told_in_the_order_of_the_text() {
@@ -84,8 +84,8 @@ fn a_missing_semicolon_is_missed_where_it_should_stand() {
             "expected `;` after `velocity`",
         ],
     );
-    told_of("struct «M»\nlink a;", &["expected `;` after `M`"]);
-    told_of("struct M: «f32»\nlink a;", &["expected `;` after `f32`"]);
+    assert_messages_of("struct «M»\nlink a;", &["expected `;` after `M`"]);
+    assert_messages_of("struct M: «f32»\nlink a;", &["expected `;` after `f32`"]);
 }
 
 #[test]

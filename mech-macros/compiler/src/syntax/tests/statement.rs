@@ -1,17 +1,21 @@
 //! The `struct` line, and statements in general.
 
-use super::{assert_messages, told_of};
+use super::{assert_messages, assert_messages_of};
 
 #[test]
 fn the_struct_line_comes_first() {
     let missing = "expected `struct Name;` first; it names the type that the mechanism becomes";
-    let parsed = told_of("«link» a;", &[missing]);
+    let parsed = assert_messages_of("«link» a;", &[missing]);
     assert!(parsed.header.is_none());
     assert_eq!(parsed.model.links.len(), 2);
     assert_eq!(super::parsed("").errors[0].text, missing);
     let late = "the `struct` line stands before everything else; move it to the top";
-    assert!(told_of("link a; pub struct «M»;", &[late]).header.is_some());
-    let parsed = told_of(
+    assert!(
+        assert_messages_of("link a; pub struct «M»;", &[late])
+            .header
+            .is_some()
+    );
+    let parsed = assert_messages_of(
         "struct M; struct «N»;",
         &["a mechanism has one `struct` line; remove this one"],
     );
@@ -20,33 +24,33 @@ fn the_struct_line_comes_first() {
 
 #[test]
 fn the_struct_line_says_f32_or_f64() {
-    let parsed = told_of(
+    let parsed = assert_messages_of(
         "struct M: «f16»; link a;",
         &["a mechanism cannot be computed in `f16`; write `f64` or `f32`"],
     );
     assert!(parsed.header.is_some());
     assert_eq!(parsed.model.links.len(), 2);
-    told_of("struct M: «5»;", &["expected `f64` or `f32`, found `5`"]);
-    told_of(
+    assert_messages_of("struct M: «5»;", &["expected `f64` or `f32`, found `5`"]);
+    assert_messages_of(
         "struct M «{»} link a;",
         &["expected `;`, or `: f64` or `: f32`, found `{`"],
     );
-    told_of(
+    assert_messages_of(
         "struct «fn»; link a;",
         &["`fn` is a keyword of Rust; choose another name"],
     );
-    told_of(
+    assert_messages_of(
         "pub «enum» M; link a;",
         &["expected `struct`, found `enum`"],
     );
-    told_of("struct «M»", &["expected `;` after `M`"]);
+    assert_messages_of("struct «M»", &["expected `;` after `M`"]);
 }
 
 #[test]
 fn attributes_belong_to_the_struct_line() {
-    let parsed = told_of("#[derive(Hash)] #[allow(dead_code)] struct M;", &[]);
+    let parsed = assert_messages_of("#[derive(Hash)] #[allow(dead_code)] struct M;", &[]);
     assert_eq!(parsed.header.expect("a header").attributes.len(), 2);
-    let parsed = told_of(
+    let parsed = assert_messages_of(
         "#[derive(«Debug»)] struct M;",
         &["every mechanism is `Debug` already; leave it out"],
     );

@@ -1,0 +1,323 @@
+//! Numbers that are computed: from constants, from params, and from the variable of a law.
+
+use super::{BinaryFunction, FormulaId, Function, Number, ParamId};
+use std::collections::HashMap;
+
+/// How a number is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Formula {
+    /// A number that never changes.
+    Constant(Number),
+    /// The variable of the law that it belongs to.
+    Variable,
+    /// The value of a param.
+    Param(ParamId),
+    /// −a.
+    Neg(FormulaId),
+    /// a + b.
+    Add(FormulaId, FormulaId),
+    /// a − b.
+    Sub(FormulaId, FormulaId),
+    /// a · b.
+    Mul(FormulaId, FormulaId),
+    /// a / b.
+    Div(FormulaId, FormulaId),
+    /// A function of a.
+    Of(Function, FormulaId),
+    /// A function of a and b.
+    OfBoth(BinaryFunction, FormulaId, FormulaId),
+}
+
+impl Formula {
+    /// A number that never changes: finite.
+    #[must_use]
+    pub fn constant(value: f64) -> Self {
+        Self::Constant(Number::new(value))
+    }
+
+    /// What it is made from.
+    fn operands(self) -> impl Iterator<Item = FormulaId> {
+        let pair = match self {
+            Self::Constant(_) | Self::Variable | Self::Param(_) => [None, None],
+            Self::Neg(a) | Self::Of(_, a) => [Some(a), None],
+            Self::Add(a, b)
+            | Self::Sub(a, b)
+            | Self::Mul(a, b)
+            | Self::Div(a, b)
+            | Self::OfBoth(_, a, b) => [Some(a), Some(b)],
+        };
+        pair.into_iter().flatten()
+    }
+
+    /// Its value, made from those of what it is made from.
+    fn apply<A: Arithmetic>(
+        self,
+        arithmetic: &mut A,
+        get: impl Fn(FormulaId) -> A::Scalar,
+    ) -> A::Scalar {
+        match self {
+            Self::Constant(value) => arithmetic.constant(value.get()),
+            Self::Variable => arithmetic.variable(),
+            Self::Param(param) => arithmetic.param(param),
+            Self::Neg(a) => arithmetic.neg(get(a)),
+            Self::Add(a, b) => arithmetic.add(get(a), get(b)),
+            Self::Sub(a, b) => arithmetic.sub(get(a), get(b)),
+            Self::Mul(a, b) => arithmetic.mul(get(a), get(b)),
+            Self::Div(a, b) => arithmetic.div(get(a), get(b)),
+            Self::Of(function, a) => arithmetic.of(function, get(a)),
+            Self::OfBoth(function, a, b) => arithmetic.of_both(function, get(a), get(b)),
+        }
+    }
+}
+
+/// Formulas, each after those that it is made from. Equal ones are one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Formulas {
+    all: Vec<Formula>,
+    /// Looked up only, never iterated.
+    known: HashMap<Formula, FormulaId>,
+}
+
+/// What formulas are evaluated in: numbers, numbers with slopes, the values of a program, other formulas.
+pub trait Arithmetic {
+    /// A number.
+    type Scalar: Clone;
+
+    /// A constant.
+    fn constant(&mut self, value: f64) -> Self::Scalar;
+    /// The variable of a law.
+    fn variable(&mut self) -> Self::Scalar;
+    /// The value of a param.
+    fn param(&mut self, param: ParamId) -> Self::Scalar;
+    /// −a.
+    fn neg(&mut self, a: Self::Scalar) -> Self::Scalar;
+    /// a + b.
+    fn add(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
+    /// a − b.
+    fn sub(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
+    /// a · b.
+    fn mul(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
+    /// a / b.
+    fn div(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
+    /// A function of a.
+    fn of(&mut self, function: Function, a: Self::Scalar) -> Self::Scalar;
+    /// A function of a and b.
+    fn of_both(
+        &mut self,
+        function: BinaryFunction,
+        a: Self::Scalar,
+        b: Self::Scalar,
+    ) -> Self::Scalar;
+}
+
+impl Formulas {
+    /// Adds a formula, unless it is known.
+    pub fn add(&mut self, formula: Formula) -> FormulaId {
+        *self.known.entry(formula).or_insert_with(|| {
+            self.all.push(formula);
+            FormulaId::new(self.all.len() - 1)
+        })
+    }
+
+    /// All of them, each after those that it is made from.
+    #[must_use]
+    pub fn all(&self) -> &[Formula] {
+        &self.all
+    }
+
+    /// All of them, each evaluated once, by their numbers.
+    pub fn evaluate<A: Arithmetic>(&self, arithmetic: &mut A) -> Vec<A::Scalar> {
+        let mut values: Vec<A::Scalar> = Vec::with_capacity(self.all.len());
+        for formula in &self.all {
+            let value = formula.apply(arithmetic, |id| values[id.index()].clone());
+            values.push(value);
+        }
+        values
+    }
+
+    /// One of them: nothing is evaluated that it is not made from.
+    pub fn evaluate_one<A: Arithmetic>(&self, id: FormulaId, arithmetic: &mut A) -> A::Scalar {
+        let mut needed = vec![false; id.index() + 1];
+        let mut waiting = vec![id];
+        while let Some(next) = waiting.pop() {
+            if !std::mem::replace(&mut needed[next.index()], true) {
+                waiting.extend(self.all[next.index()].operands());
+            }
+        }
+        let mut values: HashMap<FormulaId, A::Scalar> = HashMap::new();
+        for (index, _) in needed.iter().enumerate().filter(|(_, needed)| **needed) {
+            let value = self.all[index].apply(arithmetic, |id| values[&id].clone());
+            values.insert(FormulaId::new(index), value);
+        }
+        values[&id].clone()
+    }
+}
+
+/// Formulas are an arithmetic themselves: so those of one collection are copied into another.
+impl Arithmetic for Formulas {
+    type Scalar = FormulaId;
+
+    fn constant(&mut self, value: f64) -> FormulaId {
+        Self::add(self, Formula::constant(value))
+    }
+
+    fn variable(&mut self) -> FormulaId {
+        Self::add(self, Formula::Variable)
+    }
+
+    fn param(&mut self, param: ParamId) -> FormulaId {
+        Self::add(self, Formula::Param(param))
+    }
+
+    fn neg(&mut self, a: FormulaId) -> FormulaId {
+        Self::add(self, Formula::Neg(a))
+    }
+
+    fn add(&mut self, a: FormulaId, b: FormulaId) -> FormulaId {
+        Self::add(self, Formula::Add(a, b))
+    }
+
+    fn sub(&mut self, a: FormulaId, b: FormulaId) -> FormulaId {
+        Self::add(self, Formula::Sub(a, b))
+    }
+
+    fn mul(&mut self, a: FormulaId, b: FormulaId) -> FormulaId {
+        Self::add(self, Formula::Mul(a, b))
+    }
+
+    fn div(&mut self, a: FormulaId, b: FormulaId) -> FormulaId {
+        Self::add(self, Formula::Div(a, b))
+    }
+
+    fn of(&mut self, function: Function, a: FormulaId) -> FormulaId {
+        Self::add(self, Formula::Of(function, a))
+    }
+
+    fn of_both(&mut self, function: BinaryFunction, a: FormulaId, b: FormulaId) -> FormulaId {
+        Self::add(self, Formula::OfBoth(function, a, b))
+    }
+}
+
+/// Numbers now.
+#[derive(Clone, Copy, Debug)]
+pub struct Now<'p> {
+    /// The value of the variable: not a number, where there is none.
+    pub variable: f64,
+    /// The values of all params.
+    pub params: &'p [f64],
+}
+
+impl Arithmetic for Now<'_> {
+    type Scalar = f64;
+
+    fn constant(&mut self, value: f64) -> f64 {
+        value
+    }
+
+    fn variable(&mut self) -> f64 {
+        self.variable
+    }
+
+    fn param(&mut self, param: ParamId) -> f64 {
+        self.params[param.index()]
+    }
+
+    fn neg(&mut self, a: f64) -> f64 {
+        -a
+    }
+
+    fn add(&mut self, a: f64, b: f64) -> f64 {
+        a + b
+    }
+
+    fn sub(&mut self, a: f64, b: f64) -> f64 {
+        a - b
+    }
+
+    fn mul(&mut self, a: f64, b: f64) -> f64 {
+        a * b
+    }
+
+    fn div(&mut self, a: f64, b: f64) -> f64 {
+        a / b
+    }
+
+    fn of(&mut self, function: Function, a: f64) -> f64 {
+        function.at(a)
+    }
+
+    fn of_both(&mut self, function: BinaryFunction, a: f64, b: f64) -> f64 {
+        function.at(a, b)
+    }
+}
+
+/// Numbers with their slopes: by how much each grows with one param.
+pub(super) struct Slopes<'p> {
+    /// The value of the variable: not a number, where there is none.
+    pub(super) variable: f64,
+    /// The values of all params.
+    pub(super) params: &'p [f64],
+    /// The param by which slopes are taken.
+    pub(super) by: ParamId,
+}
+
+impl Slopes<'_> {
+    /// A slope along something: none along what rests.
+    fn along(slope: f64, rate: f64) -> f64 {
+        if rate == 0.0 { 0.0 } else { slope * rate }
+    }
+}
+
+impl Arithmetic for Slopes<'_> {
+    type Scalar = (f64, f64);
+
+    fn constant(&mut self, value: f64) -> (f64, f64) {
+        (value, 0.0)
+    }
+
+    fn variable(&mut self) -> (f64, f64) {
+        (self.variable, 0.0)
+    }
+
+    fn param(&mut self, param: ParamId) -> (f64, f64) {
+        let value = self.params[param.index()];
+        (value, if param == self.by { 1.0 } else { 0.0 })
+    }
+
+    fn neg(&mut self, (a, da): (f64, f64)) -> (f64, f64) {
+        (-a, -da)
+    }
+
+    fn add(&mut self, (a, da): (f64, f64), (b, db): (f64, f64)) -> (f64, f64) {
+        (a + b, da + db)
+    }
+
+    fn sub(&mut self, (a, da): (f64, f64), (b, db): (f64, f64)) -> (f64, f64) {
+        (a - b, da - db)
+    }
+
+    fn mul(&mut self, (a, da): (f64, f64), (b, db): (f64, f64)) -> (f64, f64) {
+        (a * b, da * b + a * db)
+    }
+
+    fn div(&mut self, (a, da): (f64, f64), (b, db): (f64, f64)) -> (f64, f64) {
+        (a / b, (da - a / b * db) / b)
+    }
+
+    fn of(&mut self, function: Function, (a, da): (f64, f64)) -> (f64, f64) {
+        (function.at(a), Self::along(function.slope_at(a), da))
+    }
+
+    fn of_both(
+        &mut self,
+        function: BinaryFunction,
+        (a, da): (f64, f64),
+        (b, db): (f64, f64),
+    ) -> (f64, f64) {
+        let [by_a, by_b] = function.slopes_at(a, b);
+        (
+            function.at(a, b),
+            Self::along(by_a, da) + Self::along(by_b, db),
+        )
+    }
+}
