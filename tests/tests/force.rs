@@ -183,8 +183,8 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
             panic!("{}: some forces are found and some are not", model.name);
         };
         let reach = reach(model, &at);
-        let largest = |inverse_dynamics: &InverseDynamics<f64>| largest(inverse_dynamics, reach);
-        if largest(&moving).max(largest(&resting)) > 1e6 * reach {
+        let [most_moving, most_resting] = [&moving, &resting].map(|found| largest(found, reach));
+        if most_moving.max(most_resting) > 1e6 * reach {
             // So near a dead point that what is left of them is rounding.
             seen.singular += 1;
             continue;
@@ -199,34 +199,13 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
                 );
             }
         };
-        agree(
-            &resting.torques,
-            &held,
-            largest(&resting),
-            "torques at rest",
-        );
-        agree(
-            &moving.torques,
-            &by_inertia(&felt, &given.seconds),
-            largest(&moving),
-            "torques in motion",
-        );
+        agree(&resting.torques, &held, most_resting, "torques at rest");
+        let felt = by_inertia(&felt, &given.seconds);
+        agree(&moving.torques, &felt, most_moving, "torques in motion");
         seen.torques += 2 * count;
-        newton_and_euler(
-            model,
-            &compiled,
-            (&at, &given),
-            &moving,
-            largest(&moving),
-            seen,
-        );
-        slopes(
-            model,
-            &compiled,
-            (&at, &held, &given),
-            largest(&resting),
-            seen,
-        );
+        let found = (&at, &given);
+        newton_and_euler(model, &compiled, found, &moving, most_moving, seen);
+        slopes(model, &compiled, (&at, &held, &given), most_resting, seen);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The compiler of `mechanism!`: it turns the text of a mechanism into the code that moves it.
 //!
 //! Data walks down one stair: `syntax → model → structure → plan → program → emit | evaluate | certify | cost`. The driver in
-//! [`compile`](mod@compile) stands beside it: it builds a program, watches it move ([`motion`]), and builds it again with what it learnt.
+//! `compile` stands beside it: it builds a program, watches it move ([`motion`]), and builds it again with what it learnt.
 //! The crate has two users: the macro, which calls [`expand`](fn@expand), and whoever analyses a [`Model`](model::Model) made in another
 //! way, by [`compile`](fn@compile).
 

@@ -63,17 +63,8 @@ pub(crate) fn items(
         visibility,
         &painting(places, model, program),
     );
-    let moves = [
-        moves(program, visibility, &end),
-        turn_to(model, program, visibility, &end),
-        within(program, visibility, &end),
-        many(
-            program,
-            plan,
-            visibility,
-            &[instance_standstill, instance_record],
-        ),
-    ];
+    let instance_end = [instance_standstill, instance_record];
+    let moves = all_moves(model, (plan, program), visibility, (&end, &instance_end));
     let this = alias(name);
     let implementation = implementation(program, name, &trait_methods);
     let recording = recording(&this, &records);
@@ -256,6 +247,21 @@ fn moves(program: &Program, visibility: &syn::Visibility, standstill: &TokenStre
                 }
 
     }
+}
+
+/// All methods that move: each ends with what `end` does; moves of many instances end with what the two others do.
+fn all_moves(
+    model: &Model,
+    (plan, program): (&Plan, &Program),
+    visibility: &syn::Visibility,
+    (end, instance_end): (&TokenStream, &[TokenStream; 2]),
+) -> [TokenStream; 4] {
+    [
+        moves(program, visibility, end),
+        turn_to(model, program, visibility, end),
+        within(program, visibility, end),
+        many(program, plan, visibility, instance_end),
+    ]
 }
 
 /// A move, and what it ends with: everything rests, if there are rates; points are traced.

@@ -57,7 +57,7 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
             Found::Solution(solution)
                 if solutions.iter().all(|known| far(known, &solution, size)) =>
             {
-                solutions.push(solution)
+                solutions.push(solution);
             }
             Found::Solution(_) => {}
             Found::Singular => dead = true,

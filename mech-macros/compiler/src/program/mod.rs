@@ -76,7 +76,7 @@ pub struct Program {
     pub joint_angles: Vec<JointAngle>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
-    /// Where the motion_signs of the motors are kept, if a loop passes change points: one number for each motor and param.
+    /// The index in the state of the signs of the motors' last motion, if a loop passes change points: one number for each motor and param.
     pub motion_signs: Option<usize>,
     /// The angles that are followed over whole turns: how fast they turn at most.
     pub follows: Vec<Follow>,

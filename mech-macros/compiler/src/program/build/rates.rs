@@ -205,7 +205,7 @@ impl Writer<'_> {
                     tangents.set_turning(&mut self.builder, direction, rate);
                 }
                 Solution::Slide(displacement) => {
-                    tangents.set(&mut self.builder, displacement, rate)
+                    tangents.set(&mut self.builder, displacement, rate);
                 }
             }
         }
