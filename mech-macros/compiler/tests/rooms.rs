@@ -16,7 +16,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("graphs", &["model", "plan", "structure"]),
     ("program", &["bug", "model", "plan", "structure"]),
     ("evaluate", &["bug", "program"]),
-    ("certify", &["bug", "plan", "program"]),
+    ("certify", &["bug", "model", "plan", "program"]),
     ("cost", &["model", "program"]),
     (
         "motion",

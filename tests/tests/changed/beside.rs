@@ -164,11 +164,9 @@ fn an_overlay_is_that_of_a_mechanism_with_these_numbers() {
         let motors = [0.7 + 0.9 * f64::from(step)];
         changed.move_with(motors, [1.0], [0.0]).expect("it turns");
         declared.move_with(motors, [1.0], [0.0]).expect("it turns");
-        let mut pictures = [
-            Declared::picture::<160, 120>(),
-            Declared::picture::<160, 120>(),
-        ];
-        let [one, other] = &mut pictures;
+        let mut picture = Declared::picture::<160, 120>();
+        let mut expected = Declared::picture::<160, 120>();
+        let (one, other) = (&mut picture, &mut expected);
         let overlay = Overlay::new().links(true).axes(true);
         changed.draw_overlay(one, &overlay);
         declared.draw_overlay(other, &overlay);

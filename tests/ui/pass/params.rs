@@ -54,7 +54,7 @@ mod beside {
     mech_runtime::mechanism! {
         /// A law.
         pub(super) struct Timed: f32;
-        param motors = 2;
+        param laws = 2;
         param t = 1;
         ground { point o = (0, 0); line way = (0, 0) -> 30 deg; }
         link arm { point o = (0, 0); }
@@ -62,7 +62,7 @@ mod beside {
         joint a = revolute(ground.o, arm.o);
         joint b = prismatic(ground.way, block.way);
         motor a = 0.5;
-        motor b = asin(sin(motors)) - atan2(motors, 1);
+        motor b = asin(sin(laws)) - atan2(laws, 1);
     }
 }
 
@@ -72,7 +72,7 @@ fn main() {
     assert!(loaded.simulate(0.01, [1.0]).is_ok() && loaded.hold_at([0.5]).is_ok());
     assert!(loaded.pull() > 0.0 && loaded.push_advantage([1.0, 0.0]).is_ok());
     let mut timed = beside::Timed::new();
-    assert!(timed.set_motors(0.5).is_ok() && timed.at_time(1.0).is_ok());
+    assert!(timed.set_laws(0.5).is_ok() && timed.at_time(1.0).is_ok());
     assert!((timed.b() - 0.5 + f32::atan2(0.5, 1.0)).abs() < 1e-6);
     let mut crank = SliderCrank::new();
     assert_eq!(crank.params(), [1.0, 4.0]);

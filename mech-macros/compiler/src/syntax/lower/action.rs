@@ -321,7 +321,7 @@ impl Lowering {
                 self.model.joint(motor.joint).name
             );
             let place = self.places.get(motor.origin);
-            return self.report.error(place, text);
+            self.report.error(place, text);
         }
     }
 

@@ -131,10 +131,8 @@ impl Lowering {
                 }
             };
             let formulas = self.as_formulas([result, value]);
-            result = Quantity {
-                value: self.finite_if_known(combined, place)?,
-                formula: formulas.map(|[a, b]| self.formulas().add(chain.formula(a, b, *inverse))),
-            };
+            let formula = formulas.map(|[a, b]| self.formulas().add(chain.formula(a, b, *inverse)));
+            result = self.finite_quantity(combined, formula, place)?;
         }
         Some(result)
     }
@@ -149,12 +147,10 @@ impl Lowering {
             return None;
         }
         let value = of.value.map(|value| function.at(value));
-        Some(Quantity {
-            value: self.finite_if_known(value, place)?,
-            formula: of
-                .formula
-                .map(|of| self.formulas().add(Formula::Of(function, of))),
-        })
+        let formula = of
+            .formula
+            .map(|of| self.formulas().add(Formula::Of(function, of)));
+        self.finite_quantity(value, formula, place)
     }
 
     fn call_both(
@@ -175,20 +171,24 @@ impl Lowering {
             return None;
         }
         let value = both.map(|(a, b)| function.at(a, b));
-        Some(Quantity {
-            value: self.finite_if_known(value, place)?,
-            formula: self
-                .as_formulas(of)
-                .map(|[a, b]| self.formulas().add(Formula::OfBoth(function, a, b))),
-        })
+        let formula = self
+            .as_formulas(of)
+            .map(|[a, b]| self.formulas().add(Formula::OfBoth(function, a, b)));
+        self.finite_quantity(value, formula, place)
     }
 
-    /// A value, or that it is not known yet; nothing, if it is too large.
-    fn finite_if_known(&mut self, value: Option<f64>, place: Place) -> Option<Option<f64>> {
-        match value {
-            None => Some(None),
-            Some(value) => finite(value, place, &mut self.report).map(Some),
-        }
+    /// A number that was computed; nothing, if its value is known and too large.
+    fn finite_quantity(
+        &mut self,
+        value: Option<f64>,
+        formula: Option<FormulaId>,
+        place: Place,
+    ) -> Option<Quantity> {
+        let value = match value {
+            None => None,
+            Some(value) => Some(finite(value, place, &mut self.report)?),
+        };
+        Some(Quantity { value, formula })
     }
 
     /// A direction, of length one.

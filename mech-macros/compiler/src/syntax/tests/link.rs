@@ -52,8 +52,8 @@ fn a_direction_may_be_an_angle() {
     let axis = &super::good(text).model.axes[0];
     assert!((axis.direction[1] - 0.5).abs() < 1e-15);
     assert_messages(
-        "link a { line l = (0, 0) -> «\"up\"»; }",
-        &["expected `(dx, dy)`, or an angle such as `30 deg`, found `\"up\"`"],
+        "link a { line l = (0, 0) -> «;» }",
+        &["expected `(dx, dy)`, or an angle such as `30 deg`, found `;`"],
     );
     assert_messages("link a { line l = (0, 0) -> (1«)»; }", &["expected `,`"]);
     assert_messages(
