@@ -10,7 +10,7 @@ use crate::table::blocked;
 pub(crate) fn article(measurements: &[Measurement], effort: Effort) -> String {
     let mut text = format!(
         "# What a method costs, and how exact it is\n\n\
-         Written by `cargo run --release --example accuracy`, which measures everything on this page anew; do not edit it by \
+         Written by `cargo accuracy`, which measures everything on this page anew; do not edit it by \
          hand.\n\n\
          ![Error against time for {} mechanisms](accuracy.png)\n\n\
          ([the same as SVG](accuracy.svg); [all figures](accuracy.csv))\n\n",

@@ -1,6 +1,6 @@
 //! What effects cost: nothing where they are not asked for, and what they do cost where they are.
 //!
-//! `cargo run --release --example effects` measures four mechanisms with and without effects, prints the table and renews
+//! `cargo effects` measures four mechanisms with and without effects, prints the table and renews
 //! `docs/effects.md`.
 
 mod code;
@@ -17,7 +17,7 @@ use std::{env, fs, io};
 
 /// How a page begins.
 const HEAD: &str = "# What effects cost\n\n\
-    Written by `cargo run --release --example effects`, which measures everything on this page anew; do not edit it by hand.\n\n\
+    Written by `cargo effects`, which measures everything on this page anew; do not edit it by hand.\n\n\
     Each mechanism is compiled from one text, with its masses and gravity in it, with nothing asked of it and with one effect after \
     another (`trace` keeps the last 256 places of a point); the last row shows one link only. What was not asked for is not there: the step to a position is the same, token for \
     token, in all of them (`tests/tests/expand.rs` holds it to that).\n\n\
@@ -55,7 +55,7 @@ fn run(arguments: &[String]) -> Result<(), String> {
     if quick {
         return Ok(());
     }
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/effects.md");
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/effects.md");
     fs::write(&page, format!("{HEAD}{table}"))
         .map_err(|error| format!("{}: {error}", page.display()))
 }

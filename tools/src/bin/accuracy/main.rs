@@ -1,6 +1,6 @@
 //! The price list: what every method costs and how exact it is, on several mechanisms.
 //!
-//! `cargo run --release --example accuracy [-- --quick]`
+//! `cargo accuracy [--quick]`
 
 mod article;
 mod closure;
@@ -87,7 +87,7 @@ fn run(command: Command) -> Result<(), String> {
 
 /// Where the results go: in the workspace, or in the current folder if the workspace has gone.
 fn folders(command: Command) -> Vec<PathBuf> {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2);
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
     let root = workspace.filter(|workspace| workspace.is_dir());
     let root = root.unwrap_or(Path::new("."));
     let mut folders = vec![root.join("target/accuracy")];
