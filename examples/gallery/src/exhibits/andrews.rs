@@ -4,8 +4,7 @@ use crate::andrews::AndrewsSqueezer;
 use crate::{Exhibit, Showcase, all_effects};
 
 /// One turn of the crank.
-#[must_use]
-pub fn exhibit() -> Box<dyn Exhibit> {
+pub(super) fn exhibit() -> Box<dyn Exhibit> {
     Box::new(Showcase::<AndrewsSqueezer> {
         title: "Andrews’ squeezing mechanism",
         caption: "A test of solvers since 1978: seven bodies, drawn to scale, a few centimetres in \

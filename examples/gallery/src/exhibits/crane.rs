@@ -4,8 +4,7 @@ use crate::crane::LuffingCrane;
 use crate::{Exhibit, Showcase, all_effects};
 
 /// The jib is let down and hauled in once.
-#[must_use]
-pub fn exhibit() -> Box<dyn Exhibit> {
+pub(super) fn exhibit() -> Box<dyn Exhibit> {
     Box::new(Showcase::<LuffingCrane> {
         title: "Level-luffing crane",
         caption: "A double rocker: neither jib nor tie can turn all the way round. Jib, tie and \

@@ -15,8 +15,7 @@ const LAYERS: Layers = Layers::of(&[
 ]);
 
 /// Two turns of the pinion are one of the wheel.
-#[must_use]
-pub fn exhibit() -> Box<dyn Exhibit> {
+pub(super) fn exhibit() -> Box<dyn Exhibit> {
     Box::new(Diagram::<PistonDiagram> {
         showcase: Showcase {
             title: "Piston driven through gears, as a diagram",

@@ -4,8 +4,7 @@ use crate::four_bar::CrankRocker;
 use crate::{Exhibit, Showcase, all_effects};
 
 /// One turn of the crank.
-#[must_use]
-pub fn exhibit() -> Box<dyn Exhibit> {
+pub(super) fn exhibit() -> Box<dyn Exhibit> {
     Box::new(Showcase::<CrankRocker> {
         title: "Four-bar linkage",
         caption: "The crank is the shortest bar, and with the longest it is shorter than the other \

@@ -4,8 +4,7 @@ use crate::geared_piston::GearedPiston;
 use crate::{Exhibit, Showcase, all_effects};
 
 /// Two turns of the pinion are one of the wheel.
-#[must_use]
-pub fn exhibit() -> Box<dyn Exhibit> {
+pub(super) fn exhibit() -> Box<dyn Exhibit> {
     Box::new(Showcase::<GearedPiston> {
         title: "Piston driven through gears",
         caption: "The mechanism of the paper’s first figure. The motor turns the pinion of 20 \

@@ -4,8 +4,7 @@ use crate::jansen::JansenLeg;
 use crate::{Exhibit, Showcase, all_effects};
 
 /// One turn of the crank.
-#[must_use]
-pub fn exhibit() -> Box<dyn Exhibit> {
+pub(super) fn exhibit() -> Box<dyn Exhibit> {
     Box::new(Showcase::<JansenLeg> {
         title: "Jansen’s leg",
         caption: "A leg of the beasts that walk on Dutch beaches. The crank drives two dyads at \

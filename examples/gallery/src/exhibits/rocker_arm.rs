@@ -4,8 +4,7 @@ use crate::rocker_arm::RockerArm;
 use crate::{Exhibit, Showcase, all_effects};
 
 /// One turn of the crank, while the arm reaches out once and the hand nods twice.
-#[must_use]
-pub fn exhibit() -> Box<dyn Exhibit> {
+pub(super) fn exhibit() -> Box<dyn Exhibit> {
     Box::new(Showcase::<RockerArm> {
         title: "Arm on a rocker",
         caption: "Trunk and arm together. The trunk is a four-bar loop of crank, coupler and \

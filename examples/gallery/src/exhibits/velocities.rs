@@ -14,8 +14,7 @@ const LAYERS: Layers = Layers::of(&[
 ]);
 
 /// The trace is that of one turn: after it, every new place is one that it was at before.
-#[must_use]
-pub fn exhibit() -> Box<dyn Exhibit> {
+pub(super) fn exhibit() -> Box<dyn Exhibit> {
     Box::new(Diagram::<CouplerCurve> {
         showcase: Showcase {
             title: "Four-bar linkage, with velocities",

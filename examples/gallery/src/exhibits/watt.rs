@@ -4,8 +4,7 @@ use crate::watt::Watt;
 use crate::{Exhibit, Showcase, all_effects};
 
 /// One turn of the crank.
-#[must_use]
-pub fn exhibit() -> Box<dyn Exhibit> {
+pub(super) fn exhibit() -> Box<dyn Exhibit> {
     Box::new(Showcase::<Watt> {
         title: "Watt’s six-bar linkage",
         caption: "Two four-bar loops in a row. In the first, crank and coupler rock the bell \
