@@ -24,6 +24,7 @@ mod force;
 mod gauss;
 #[doc(hidden)]
 pub mod generated;
+mod joint;
 mod mechanism;
 pub mod overlay;
 mod pose;
@@ -39,6 +40,7 @@ pub use columns::{BlockedAt, Columns};
 pub use cost::Cost;
 pub use force::{Forces, Reaction};
 pub use gauss::Gauss;
+pub use joint::{Anchor, Coordinate, JointInfo, JointKind};
 pub use mech_core::{Phase, Real};
 pub use mechanism::Mechanism;
 pub use nalgebra::{Isometry2, Point2, Vector2};
@@ -194,7 +196,8 @@ pub use mech_macros::mechanism as expand_mechanism;
 ///
 /// A move goes the straight way in the motors. What is in the way stops it: `move_to` returns [`Blocked`] with the motor values
 /// up to which it could have gone and leaves everything where it was, `move_toward` goes there. `turn_to` takes a [`Phase`] for each
-/// motor that turns: exact after any number of turns. With declared ranges `range(values)` tests them, and `move_within` cannot fail:
+/// motor, `turn_to([phase])`: exact after any number of turns. Where some motors slide it takes the phases of those that turn, and then
+/// the values of the others: `turn_to([phase], [0.2])`. With declared ranges `range(values)` tests them, and `move_within` cannot fail:
 ///
 /// ```
 /// mech_runtime::mechanism! {
@@ -389,7 +392,7 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// assert!((advantage * torque + 100.0).abs() < 1e-9);
 /// let forces = press.forces([0.0], [0.0])?;        // rates and second rates of the motor
 /// assert!((forces.torques[0] - torque).abs() < 1e-9);
-/// assert_eq!(Press::JOINTS[2], "small");           // of which forces.reactions[2] tells
+/// assert_eq!(Press::JOINTS[2].name, "small");      // of which forces.reactions[2] tells
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///

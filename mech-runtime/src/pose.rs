@@ -37,6 +37,13 @@ impl<T: Scalar> Pose<T> {
         ]
     }
 
+    /// Turns a direction of the link into the scene.
+    #[must_use]
+    #[inline]
+    pub(crate) fn turn(self, [x, y]: [T; 2]) -> [T; 2] {
+        [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
+    }
+
     /// Carries a place in the scene into the link: from absolute to relative coordinates.
     #[must_use]
     pub fn relative(self, [x, y]: [T; 2]) -> [T; 2] {
@@ -49,5 +56,13 @@ impl<T: Scalar> Pose<T> {
     pub fn isometry(self) -> Isometry2<T> {
         let rotation = Unit::new_unchecked(Complex::new(self.cos, self.sin));
         Isometry2::from_parts(Translation2::new(self.x, self.y), rotation)
+    }
+}
+
+/// The pose of a link by its number, of which 0 is the ground and `n + 1` the moving link with the pose `poses[n]`.
+pub(crate) fn pose_of<T: Scalar>(link: usize, poses: &[Pose<T>]) -> Option<Pose<T>> {
+    match link.checked_sub(1) {
+        None => Some(Pose::identity()),
+        Some(moving) => poses.get(moving).copied(),
     }
 }

@@ -19,6 +19,7 @@ pub use crate::{
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Palette, Phase, Point2, Pose, Reached, Shape,
 };
+pub use crate::{Anchor, Coordinate, JointInfo, JointKind};
 pub use crate::{Forces, Gauss, Reaction};
 pub use arrows::{draw_accelerations, draw_force, draw_reactions, draw_velocities};
 pub use coordinates::{
@@ -48,6 +49,7 @@ pub use core::option::Option::{self, None, Some};
 pub use core::primitive::{f32, f64, str, usize};
 pub use core::result::Result::{self, Err, Ok};
 
+use crate::pose::pose_of;
 use crate::{Cause, Scalar};
 
 /// Why it cannot be somewhere.
@@ -76,11 +78,7 @@ pub trait Traced {
 /// Paints shapes that are already in painting order.
 pub fn paint<T: Scalar>(shapes: &[Shape<T>], poses: &[Pose<T>], canvas: &mut impl Canvas<T>) {
     for shape in shapes {
-        let pose = match shape.link.checked_sub(1) {
-            None => Some(Pose::identity()),
-            Some(index) => poses.get(index).copied(),
-        };
-        if let Some(pose) = pose {
+        if let Some(pose) = pose_of(shape.link, poses) {
             canvas.fill(shape.outline, pose, shape.color);
         }
     }

@@ -48,6 +48,7 @@ functions! {
     moved
     overlay
     params
+    phases
     picture
     points
     position
@@ -55,6 +56,7 @@ functions! {
     reached
     response
     simulated
+    slides
     stop
     t
     target

@@ -68,16 +68,8 @@ impl Writer<'_> {
         } = self;
         let [_, arguments] = given(acting);
         let (far, loads, blocked) = (far(acting), self.given_loads(), self.blocked());
-        let names: Vec<&String> = model
-            .told_joints()
-            .map(|joint| &model.joint(joint).name)
-            .collect();
         let (found, _) = found(acting);
-        let joints = Literal::usize_unsuffixed(names.len());
         let mut tokens = quote! {
-            /// The joints, in the order in which `forces` tells their reactions.
-            #visibility const JOINTS: [&'static str; #joints] = [#(#names),*];
-
             /// What it takes to move at these rates and second rates of the motors from where it is: the torques of the motors,
             /// the reaction in each joint, the transmission angles.
             ///
