@@ -273,9 +273,9 @@ fn slide<T: Scalar>(
 
 /// What is left of a number when the whole below it is taken away; of one that is not finite, nothing.
 fn fraction<T: Scalar>(number: T) -> f32 {
-    let rest = number - nalgebra::ComplexField::floor(number);
+    let rest = number - Scalar::floor(number);
     if Real::is_finite(rest) {
-        nalgebra::convert_unchecked::<T, f32>(rest)
+        rest.to_f32()
     } else {
         0.0
     }
@@ -328,7 +328,7 @@ fn rack<T: Scalar>(
     // Ticks half a radius apart, on the side away from the pinion.
     let apart = <T as Real>::HALF * Real::abs(radius);
     let way = (at[0] - bar.at[0]) * u + (at[1] - bar.at[1]) * v;
-    let rest = apart * nalgebra::convert::<f32, T>(fraction(way / apart));
+    let rest = apart * T::from_f32(fraction(way / apart));
     let away = pen.pixels(if radius > T::ZERO { -5.0 } else { 5.0 });
     for number in -3..=4 {
         let ahead = apart * <T as Real>::from_i32(number) - rest;

@@ -64,7 +64,7 @@ impl<T: Scalar> Iterator for Arc<T> {
     fn next(&mut self) -> Option<[T; 2]> {
         let corner = match self.way {
             Way::Outer => self.place(self.radius + self.half),
-            Way::Inner => self.place(nalgebra::RealField::max(self.radius - self.half, T::ZERO)),
+            Way::Inner => self.place((self.radius - self.half).max(T::ZERO)),
             Way::End | Way::Beginning => {
                 let ([x, y], [u, v]) = (self.place(self.radius), self.aside);
                 [x + self.half * u, y + self.half * v]
