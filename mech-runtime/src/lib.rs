@@ -35,7 +35,7 @@ mod scalar;
 mod shape;
 mod trace;
 
-pub use blocked::{Blocked, Cause, Reached};
+pub use blocked::{Blocked, BlockedOf, Cause, Place, Reached, Values};
 pub use columns::{BlockedAt, Columns};
 pub use cost::Cost;
 pub use force::{Forces, Reaction};
@@ -195,7 +195,8 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// `LOOP_COSTS`.
 ///
 /// A move goes the straight way in the motors. What is in the way stops it: `move_to` returns [`Blocked`] with the motor values
-/// up to which it could have gone and leaves everything where it was, `move_toward` goes there. `turn_to` takes a [`Phase`] for each
+/// up to which it could have gone and leaves everything where it was, `move_toward` goes there. Printed, the error names what stopped it,
+/// and each motor with its value: `crank = 1.2 rad (68.755°)`. Its type is [`BlockedOf`] the struct. `turn_to` takes a [`Phase`] for each
 /// motor, `turn_to([phase])`: exact after any number of turns. Where some motors slide it takes the phases of those that turn, and then
 /// the values of the others: `turn_to([phase], [0.2])`. With declared ranges `range(values)` tests them, and `move_within` cannot fail:
 ///
@@ -285,6 +286,12 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// rocker.draw(&mut picture);
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
+///
+/// # What it is made of
+///
+/// `JOINTS` tells of each joint its name and kind, its links, where each of them has it, its motor, and what its coordinate is:
+/// [`JointInfo`]. `joints()` gives all coordinates in the same order. Both are in the trait [`Mechanism`] too, so that a table or a plot
+/// can take any mechanism; nothing of it costs anything where it is not used.
 ///
 /// # Many positions
 ///

@@ -1,6 +1,6 @@
 //! What every mechanism can do, for code that takes any.
 
-use crate::{Blocked, Canvas, Cost, JointInfo, Pose, Reached, Scalar, Shape, View};
+use crate::{Blocked, Canvas, Cost, JointInfo, Pose, Reached, Scalar, Shape, Values, View};
 use core::fmt::Debug;
 
 /// A mechanism made by [`mechanism!`](crate::mechanism).
@@ -11,7 +11,12 @@ pub trait Mechanism: Clone {
     /// `f32` or `f64`.
     type Scalar: Scalar;
     /// One value for each motor, in the order of their declaration: `[Self::Scalar; n]`.
-    type Motors: Copy + Debug + PartialEq + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
+    type Motors: Copy
+        + Debug
+        + PartialEq
+        + AsRef<[Self::Scalar]>
+        + AsMut<[Self::Scalar]>
+        + Values<Number = Self::Scalar>;
     /// The coordinates of all joints, in the order of [`JOINTS`](Self::JOINTS): `[Option<Self::Scalar>; n]`.
     type Joints: Copy + Debug + PartialEq + AsRef<[Option<Self::Scalar>]>;
 

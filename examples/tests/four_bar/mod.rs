@@ -1,6 +1,8 @@
 //! A four-bar linkage written by hand, in closed form: what the gallery is tested with.
 
-use mech_runtime::{Blocked, Cause, Cost, JointInfo, Mechanism, Outline, Palette, Pose, Reached, Shape};
+use mech_runtime::{
+    Blocked, Cause, Cost, JointInfo, Mechanism, Outline, Palette, Pose, Reached, Shape,
+};
 
 const CRANK: f64 = 1.0;
 const COUPLER: f64 = 3.0;

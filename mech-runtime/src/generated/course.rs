@@ -1,6 +1,7 @@
 //! A move: in one step where nothing is in the way, else as a journey.
 
 use super::{Motors, Position, Stop, finite};
+use crate::blocked::Input;
 use crate::{Blocked, Cause, Pose, Reached, Scalar};
 use mech_core::journey::{self, AtZero, Growth, Journey, Watch};
 use mech_core::motors;
@@ -47,8 +48,8 @@ pub enum Stepping {
 /// What is known at compile time about every move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Course<T: 'static, const MOTORS: usize, const WATCHED: usize> {
-    /// The names of the motors.
-    pub names: [&'static str; MOTORS],
+    /// The motors, and after them the params.
+    pub inputs: &'static [Input; MOTORS],
     /// The loops that are watched.
     pub watched: [Watched<T, MOTORS>; WATCHED],
     /// The angles that are followed over whole turns.
@@ -119,7 +120,7 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> Course<T, MOTORS, WAT
         if let Some(value) = reached.get_mut(motor) {
             *value = bound;
         }
-        let name = self.names.get(motor).copied().unwrap_or_default();
+        let name = self.inputs.get(motor).map_or("", Input::name);
         Some((Stop::new(name, Cause::OutOfRange), Motors::new(reached)))
     }
 }
@@ -418,11 +419,11 @@ where
     if course.stepping == Stepping::Afresh {
         return straight(position, target, course, step);
     }
-    if let Err(stop) = finite(target.values, &course.names) {
-        return Err(position.refuse(stop));
+    if let Err(stop) = finite(target.values, course.inputs) {
+        return Err(position.refuse(stop, course.inputs));
     }
     if let Some((stop, reached)) = course.leaves(&position.motors, &target) {
-        return Err(Blocked::new(stop.place, stop.cause, reached.total()));
+        return Err(Blocked::new(stop.place, stop.cause, reached.total()).of(course.inputs));
     }
     let start = *position;
     let way = Way::new(course, &start, target, step);
@@ -510,11 +511,11 @@ fn stopped<T, const M: usize, const L: usize, const K: usize, const W: usize>(
 where
     T: Scalar,
 {
-    if let Err(stop) = finite(target.values, &course.names) {
-        return position.refuse(stop);
+    if let Err(stop) = finite(target.values, course.inputs) {
+        return position.refuse(stop, course.inputs);
     }
     if let Some((stop, reached)) = course.leaves(&position.motors, &target) {
-        return Blocked::new(stop.place, stop.cause, reached.total());
+        return Blocked::new(stop.place, stop.cause, reached.total()).of(course.inputs);
     }
     let way = Way::new(course, position, target, take);
     let stop = |part| take(position, way.motors(part)).err();
@@ -535,14 +536,14 @@ pub fn approach<T, const M: usize, const L: usize, const K: usize, const W: usiz
 where
     T: Scalar,
 {
-    if let Err(stop) = finite(target.values, &course.names) {
-        return Err(position.refuse(stop));
+    if let Err(stop) = finite(target.values, course.inputs) {
+        return Err(position.refuse(stop, course.inputs));
     }
     let start = *position;
     let (end, target) = match course.leaves(&start.motors, &target) {
         None => (Reached::Target, target),
         Some((stop, reached)) => {
-            let blocked = Blocked::new(stop.place, stop.cause, reached.total());
+            let blocked = Blocked::new(stop.place, stop.cause, reached.total()).of(course.inputs);
             (Reached::Limit(blocked), reached)
         }
     };
@@ -569,5 +570,5 @@ where
     T: Scalar,
     S: Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<Position<T, M, L, K>, Stop>,
 {
-    Blocked::new(stop.place, stop.cause, way.motors(part).total())
+    Blocked::new(stop.place, stop.cause, way.motors(part).total()).of(way.course.inputs)
 }

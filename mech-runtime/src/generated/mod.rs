@@ -12,14 +12,15 @@ mod params;
 mod position;
 mod rates;
 
+pub use crate::blocked::Input;
 pub use crate::overlay::{Arrows, Overlay, Spot, Symbol};
 pub use crate::{
     Acceleration, BlockedAt, Columns, Cost, Frame, InRange, Smooth, Trace, Vector2, Velocity,
 };
+pub use crate::{Anchor, Coordinate, JointInfo, JointKind};
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Palette, Phase, Point2, Pose, Reached, Shape,
 };
-pub use crate::{Anchor, Coordinate, JointInfo, JointKind};
 pub use crate::{Forces, Gauss, Reaction};
 pub use arrows::{draw_accelerations, draw_force, draw_reactions, draw_velocities};
 pub use coordinates::{
@@ -34,7 +35,9 @@ pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::{AtZero, Growth};
 pub use mech_core::motors::turned;
-pub use params::{followed, inputs, motors_of, params_of, reached_by_motors, told};
+pub use params::{
+    followed, inputs, motor_inputs, motors_of, params_of, reached_by_motors, told, told_of_params,
+};
 pub use position::{Motors, Position, finite};
 pub use rates::{Rates, advance_with, rates_at};
 

@@ -1,6 +1,7 @@
 //! Mechanisms with params. Inside, a param is an input like a motor, after all motors; outside, the two are apart.
 
 use super::{Motors, Position, Rates, Stop};
+use crate::blocked::Input;
 use crate::{Blocked, Cause, Reached, Real, Scalar, Velocity};
 
 /// The values of the motors among those of all inputs.
@@ -36,6 +37,22 @@ pub fn told<T: Scalar, const ALL: usize, const MOTORS: usize>(
     blocked: Blocked<[T; ALL]>,
 ) -> Blocked<[T; MOTORS]> {
     blocked.map(motors_of)
+}
+
+/// What stopped it, with the values of the params alone.
+#[must_use]
+pub fn told_of_params<T: Scalar, const ALL: usize, const PARAMS: usize>(
+    blocked: Blocked<[T; ALL]>,
+) -> Blocked<[T; PARAMS]> {
+    blocked
+        .starting_at(ALL.saturating_sub(PARAMS))
+        .map(params_of)
+}
+
+/// The motors among all inputs.
+#[must_use]
+pub fn motor_inputs<const ALL: usize, const MOTORS: usize>(all: &[Input; ALL]) -> [Input; MOTORS] {
+    core::array::from_fn(|motor| all.get(motor).copied().unwrap_or(Input::Sliding("")))
 }
 
 /// How far it came, with the values of the motors alone.

@@ -98,7 +98,7 @@ where
     rates_at(position, far).map_err(|stop| {
         let reached = position.motors.total();
         *position = start;
-        Blocked::new(stop.place, stop.cause, reached)
+        Blocked::new(stop.place, stop.cause, reached).of(course.inputs)
     })
 }
 

@@ -59,12 +59,8 @@ pub(crate) fn items(
     let (costs, associated_costs) = costs(program, visibility);
     let known = known(krate, model, compiled, &quote!(#costs #more_known));
     let before_constants = before_constants(krate);
-    let seen = seen(
-        model,
-        program,
-        visibility,
-        &painting(places, model, program),
-    );
+    let painting = painting(places, model, program);
+    let seen = seen(model, program, visibility, &painting);
     let moves = [
         moves(program, visibility, &end),
         turn_to(model, program, visibility, &end),
@@ -396,7 +392,11 @@ fn accessors(
         if let Some((measure, value)) = coordinate(model, plan, program, joint) {
             let joint = model.joint(joint);
             let name = user_ident(&joint.name, places, joint.origin);
-            let doc = format!(" The coordinate of joint `{}`, in {}.", joint.name, measure.unit());
+            let doc = format!(
+                " The coordinate of joint `{}`, in {}.",
+                joint.name,
+                measure.unit()
+            );
             tokens.extend(quote! {
                 #[doc = #doc]
                 #[must_use]

@@ -25,7 +25,7 @@ pub(super) fn known(
         ..
     } = compiled;
     let (position, start) = (position(program), start(program));
-    let (shapes, course) = (shapes(model, plan, program), course(program, plan));
+    let (shapes, course) = (shapes(model, plan, program), course(model, program, plan));
     quote! {
         mod known {
             #[allow(

@@ -32,10 +32,10 @@ pub(super) fn far(program: &Program) -> TokenStream {
 }
 
 /// What is known about every move.
-pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
+pub(super) fn course(model: &Model, program: &Program, plan: &Plan) -> TokenStream {
     let scalar = scalar(program);
     let n = |value: &f64| number(program.precision, *value);
-    let names: Vec<&String> = program.input_names().collect();
+    let inputs: Vec<TokenStream> = inputs(model, program).collect();
     let watched = program.watches.iter().map(|watch| {
         let kept = Literal::usize_unsuffixed(watch.kept);
         let rates = watch.rates.iter().map(n);
@@ -106,10 +106,10 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             quote!(Option::Some([#(#ends),*]))
         }
     };
-    let [motors, loops] = [names.len(), program.watches.len()].map(Literal::usize_unsuffixed);
+    let [motors, loops] = [inputs.len(), program.watches.len()].map(Literal::usize_unsuffixed);
     quote! {
         pub(super) const COURSE: Course<#scalar, #motors, #loops> = Course {
-            names: [#(#names),*],
+            inputs: &[#(#inputs),*],
             watched: [#(#watched),*],
             follows: &[#(#follows),*],
             senses: #senses,
@@ -120,6 +120,23 @@ pub(super) fn course(program: &Program, plan: &Plan) -> TokenStream {
             range: #range,
         };
     }
+}
+
+/// What moves are given: the motors, and after them the params.
+fn inputs(model: &Model, program: &Program) -> impl Iterator<Item = TokenStream> {
+    let motors = model.motors.iter().zip(&program.motors);
+    let motors = motors.map(|(motor, name)| {
+        if turns(model, motor) {
+            quote!(Input::Turning(#name))
+        } else {
+            quote!(Input::Sliding(#name))
+        }
+    });
+    let params = program
+        .params
+        .iter()
+        .map(|name| quote!(Input::Param(#name)));
+    motors.chain(params)
 }
 
 /// What makes something change faster.

@@ -39,9 +39,13 @@ pub(super) fn told(program: &Program, result: TokenStream) -> TokenStream {
 /// The message that a mechanism stays where it is, as it is told outside.
 pub(super) fn refused(program: &Program) -> TokenStream {
     if program.params.is_empty() {
-        quote!(Position::refuse(&self.position, stop))
+        quote!(Position::refuse(&self.position, stop, known::COURSE.inputs))
     } else {
-        quote!(generated::told(Position::refuse(&self.position, stop)))
+        quote!(generated::told(Position::refuse(
+            &self.position,
+            stop,
+            known::COURSE.inputs
+        )))
     }
 }
 
@@ -54,13 +58,12 @@ pub(super) fn motors(program: &Program) -> TokenStream {
     }
 }
 
-/// The names of the motors, for messages.
-pub(super) fn motor_names(program: &Program) -> TokenStream {
+/// The motors among all that is given, for messages.
+pub(super) fn motor_inputs(program: &Program) -> TokenStream {
     if program.params.is_empty() {
-        quote!(&known::COURSE.names)
+        quote!(known::COURSE.inputs)
     } else {
-        let names = &program.motors;
-        quote!(&[#(#names),*])
+        quote!(&generated::motor_inputs(known::COURSE.inputs))
     }
 }
 
@@ -105,7 +108,7 @@ fn methods(
     let count = Literal::usize_unsuffixed(names.len());
     let index = |param: usize| Literal::usize_unsuffixed(motors + param);
     let set = rested(
-        quote!(generated::advance(&mut self.position, target, &known::COURSE, #near, positions::step).map_err(|blocked| blocked.map(generated::params_of))),
+        quote!(generated::advance(&mut self.position, target, &known::COURSE, #near, positions::step).map_err(generated::told_of_params)),
         rest,
     );
     let given = (0..names.len()).map(|param| {
@@ -147,7 +150,7 @@ fn methods(
         let moved = rested(
             quote! {
                 generated::advance(&mut self.position, target, &known::COURSE, #near, positions::step)
-                    .map_err(|blocked| blocked.map(|reached| reached[#index]))
+                    .map_err(|blocked| blocked.starting_at(#index).map(|reached| reached[#index]))
             },
             rest,
         );

@@ -102,7 +102,7 @@ pub(super) fn moved_with(
     let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
     let keep_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
     let refused = params::refused(moving);
-    let names = params::motor_names(moving);
+    let names = params::motor_inputs(moving);
     let moved = params::told(
         moving,
         quote! {

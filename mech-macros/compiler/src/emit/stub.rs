@@ -81,8 +81,15 @@ fn methods(
         (!model.traces.is_empty()).then(|| quote!(#visibility fn clear_traces(&mut self) {}));
     let overlay = super::overlay::stub(krate, model, visibility, scalar);
     let params = super::params::stub(krate, places, model, visibility, (scalar, links, motors));
-    let slides = (super::moves::motor_counts(model)[1] > 0)
-        .then(|| quote!(, slides: [#scalar; SLIDING]));
+    // A size that no parameter has could not be inferred.
+    let (sliding, slides) = if super::moves::motor_counts(model)[1] > 0 {
+        (
+            quote!(, const SLIDING: #krate::generated::usize),
+            quote!(, slides: [#scalar; SLIDING]),
+        )
+    } else {
+        (TokenStream::new(), TokenStream::new())
+    };
     let at_time = at_time(krate, visibility, has_laws, (scalar, motors));
     let (names, types): (Vec<_>, Vec<_>) = accessors.into_iter().unzip();
     let [picture, _] = super::items::picture(model);
@@ -101,7 +108,7 @@ fn methods(
         #visibility fn move_to<const MOTORS: #krate::generated::usize>(&mut self, motors: [#scalar; MOTORS]) -> #krate::generated::Result<(), #krate::Blocked<[#scalar; MOTORS]>> {
             loop {}
         }
-        #visibility fn turn_to<const TURNING: #krate::generated::usize, const SLIDING: #krate::generated::usize>(&mut self, phases: [#krate::Phase; TURNING] #slides)
+        #visibility fn turn_to<const TURNING: #krate::generated::usize #sliding>(&mut self, phases: [#krate::Phase; TURNING] #slides)
             -> #krate::generated::Result<(), #krate::Blocked<[#scalar; #motors]>>
         {
             loop {}

@@ -52,7 +52,7 @@ impl Writer<'_> {
                 #loads
                 generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments))
                     .map(|held| held.torques)
-                    .map_err(|stop| Position::refuse(&self.position, stop))
+                    .map_err(|stop| Position::refuse(&self.position, stop, known::COURSE.inputs))
             }
         }
     }
@@ -77,10 +77,10 @@ impl Writer<'_> {
             /// If a rate is not finite, or the mechanism is at a dead point or a change point, where forces are not determined.
             #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> Result<#found, #blocked> {
                 #loads
-                generated::finite(rates, &known::COURSE.names)
-                    .and_then(|()| generated::finite(accelerations, &known::COURSE.names))
+                generated::finite(rates, known::COURSE.inputs)
+                    .and_then(|()| generated::finite(accelerations, known::COURSE.inputs))
                     .and_then(|()| generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
-                    .map_err(|stop| Position::refuse(&self.position, stop))
+                    .map_err(|stop| Position::refuse(&self.position, stop, known::COURSE.inputs))
             }
         };
         for (first, load) in model.actions.numbered_loads() {
@@ -115,7 +115,7 @@ impl Writer<'_> {
                         let length = generated::sqrt(x * x + y * y);
                         let is_direction = length > 0.0 && Real::is_finite(length);
                         if !is_direction {
-                            return Result::Err(Position::refuse(&self.position, generated::not_finite(#place)));
+                            return Result::Err(Position::refuse(&self.position, generated::not_finite(#place), known::COURSE.inputs));
                         }
                     },
                     quote!((response[#index] * x + response[#next] * y) / length),

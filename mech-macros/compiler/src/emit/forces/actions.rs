@@ -63,7 +63,7 @@ impl Writer<'_> {
             #visibility fn #set(&mut self, load: #kind) -> Result<(), #blocked> {
                 let is_finite = #test;
                 if !is_finite {
-                    return Result::Err(Position::refuse(&self.position, generated::not_finite(#name)));
+                    return Result::Err(Position::refuse(&self.position, generated::not_finite(#name), known::COURSE.inputs));
                 }
                 #put
                 Result::Ok(())

@@ -43,12 +43,12 @@ impl Writer<'_> {
             /// # Errors
             /// If a rate is not finite; all of them then stay what they were.
             #visibility fn set_rates(&mut self, rates: [#scalar; #motors]) -> Result<(), #blocked> {
-                match generated::finite(rates, &known::COURSE.names) {
+                match generated::finite(rates, known::COURSE.inputs) {
                     Result::Ok(()) => {
                         self.rates = rates;
                         Result::Ok(())
                     }
-                    Result::Err(stop) => Result::Err(Position::refuse(&self.position, stop)),
+                    Result::Err(stop) => Result::Err(Position::refuse(&self.position, stop, known::COURSE.inputs)),
                 }
             }
 
@@ -60,10 +60,10 @@ impl Writer<'_> {
             #visibility fn second_rates(&self, torques: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
                 #loads
                 let rates = self.rates;
-                generated::finite(torques, &known::COURSE.names)
+                generated::finite(torques, known::COURSE.inputs)
                     .and_then(|()| generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments)))
-                    .and_then(|inertia| Inertia::accelerations(&inertia, torques, &known::COURSE.names))
-                    .map_err(|stop| Position::refuse(&self.position, stop))
+                    .and_then(|inertia| Inertia::accelerations(&inertia, torques, known::COURSE.inputs))
+                    .map_err(|stop| Position::refuse(&self.position, stop, known::COURSE.inputs))
             }
 
             /// The kinetic energy, and the potential energy of gravity and springs.
@@ -75,7 +75,7 @@ impl Writer<'_> {
                 let rates = self.rates;
                 generated::rates_at(&self.position, |last, motors| #far(last, motors #arguments))
                     .map(|inertia| [inertia.kinetic, inertia.potential])
-                    .map_err(|stop| Position::refuse(&self.position, stop))
+                    .map_err(|stop| Position::refuse(&self.position, stop, known::COURSE.inputs))
             }
 
             /// Lets it move for a step of time under these torques of the motors (forces for those that slide): a step of
@@ -98,7 +98,7 @@ impl Writer<'_> {
                     rates: self.rates,
                     torques,
                     time,
-                    names: &known::COURSE.names,
+                    inputs: known::COURSE.inputs,
                     turning: &[#(#turning),*],
                     scales: &[#(#scales),*],
                 };
@@ -146,7 +146,7 @@ impl Writer<'_> {
                     self.velocities = velocities;
                     #keep
                 }
-                Result::Err(stop) => return Result::Err(Position::refuse(&self.position, stop)),
+                Result::Err(stop) => return Result::Err(Position::refuse(&self.position, stop, known::COURSE.inputs)),
             }
         }
     }
