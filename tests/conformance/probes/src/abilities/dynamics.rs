@@ -85,7 +85,7 @@ in_both_precisions! {
         simulated!(Bouncing, 2);
         simulated!(Weightless, 1);
         let mut swinging = Swinging::new();
-        let outcome = swinging.turn_to(Phase::from_degrees(black_box(400.0)).unwrap_or_default());
+        let outcome = swinging.turn_to([Phase::from_degrees(black_box(400.0)).unwrap_or_default()]);
         teller.tell("Swinging", &(outcome, swinging.poses()));
         let mut bouncing = Bouncing::new();
         teller.tell("Bouncing", &bouncing.hold_at([1.5, 1.7].map(black_box)));

@@ -79,7 +79,7 @@ in_both_precisions! {
         m.clear_traces();
         for turns in [0.25, -3.7, 1e9, 1e12] {
             let phase = Phase::from_turns(black_box(turns)).unwrap_or_default();
-            teller.tell("machine", &(m.turn_to(phase), m.poses()));
+            teller.tell("machine", &(m.turn_to([phase]), m.poses()));
         }
     }
 
