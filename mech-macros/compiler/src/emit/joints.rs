@@ -58,34 +58,6 @@ pub(super) fn added(
     }
 }
 
-/// The same of a mechanism that does not compile, never run.
-pub(super) fn stub(
-    krate: &TokenStream,
-    model: &Model,
-    visibility: &syn::Visibility,
-    scalar: &TokenStream,
-) -> Added {
-    let count = Literal::usize_unsuffixed(model.told_joints().count());
-    let info = quote!(#krate::JointInfo<#scalar>);
-    let values = quote!([#krate::generated::Option<#scalar>; #count]);
-    Added {
-        methods: quote! {
-            #visibility const JOINTS: [#info; #count] = [#krate::JointInfo::new("", #krate::JointKind::Weld, [""; 2], #krate::generated::None, #krate::generated::None, #krate::generated::None); #count];
-            #visibility fn joints(&self) -> #values {
-                loop {}
-            }
-        },
-        trait_methods: quote! {
-            type Joints = #values;
-            const JOINTS: &'static [#info] = &[];
-            fn joints(&self) -> #values {
-                loop {}
-            }
-        },
-        ..Added::default()
-    }
-}
-
 /// A joint that is told of.
 struct Told<'m> {
     model: &'m Model,
