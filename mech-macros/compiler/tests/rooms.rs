@@ -66,7 +66,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ),
     (
         "repair",
-        &["api", "compile", "digits", "model", "structure", "syntax"],
+        &["api", "compile", "digits", "model", "structure"],
     ),
     (
         "reporter",
