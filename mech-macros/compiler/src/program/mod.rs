@@ -7,6 +7,7 @@ mod builder;
 mod calibrate;
 mod choice;
 mod closed_form;
+mod display;
 mod divided;
 mod forces;
 mod formula;
