@@ -158,7 +158,7 @@ impl PlanText<'_> {
             .collect();
         bases.sort_unstable();
         bases.dedup();
-        let links: Vec<&str> = bases
+        let links: Vec<String> = bases
             .iter()
             .skip(1)
             .flat_map(|&base| clusters.links(base))
@@ -205,8 +205,13 @@ impl PlanText<'_> {
         self.model.axis(axis).link
     }
 
-    fn link(&self, link: LinkId) -> &str {
-        &self.model.link(link).name
+    /// The name of a link; the hidden one of a pin in a slot has that of the slot.
+    fn link(&self, link: LinkId) -> String {
+        let link = self.model.link(link);
+        match link.die {
+            Some(_) => format!("the die of {}", link.name),
+            None => link.name.clone(),
+        }
     }
 
     fn joint(&self, joint: JointId) -> &str {

@@ -104,9 +104,10 @@ impl Program {
         for &value in values {
             let node = self.node(value);
             let line = format!("{indent}v{} = {}", value.index(), self.operation(node.op));
+            let says_it = matches!(node.op, Op::Motor(_) | Op::Unknown(..) | Op::Solved(..));
             match &node.name {
-                Some(name) => writeln!(f, "{line:<44} // {name}")?,
-                None => writeln!(f, "{line}")?,
+                Some(name) if !says_it => writeln!(f, "{line:<44} // {name}")?,
+                _ => writeln!(f, "{line}")?,
             }
         }
         Ok(())
@@ -120,7 +121,9 @@ impl Program {
             Form::TwoLines { .. } => "two lines",
         };
         let margin = self.operand(closed.margin);
-        writeln!(f, "  cuts {form}; found {}", self.list(&closed.found))?;
+        let found = closed.found.iter().copied();
+        let found: Vec<Value> = found.filter(|value| self.live[value.index()]).collect();
+        writeln!(f, "  cuts {form}; found {}", self.list(&found))?;
         match self.node(closed.margin).op {
             Op::Constant(_) => writeln!(f, "  always closes"),
             _ => writeln!(f, "  closes if {margin} >= 0"),
@@ -182,7 +185,7 @@ impl Program {
         )?;
         writeln!(
             f,
-            "    determinant {}: at the start {sign}{:.3e}, beyond {sign}{:.3e}",
+            "    determinant {}: at the start {sign}{:.3e}, must stay beyond {sign}{:.3e}",
             self.operand(newton.det),
             limits.det,
             newton.floor(epsilon)
