@@ -89,7 +89,10 @@ impl Program {
             return Ok(());
         }
         let of = &self.blocks[block.index()];
-        writeln!(f, "\n{}: {}", of.name, of.title)?;
+        match of.title.as_str() {
+            "" => writeln!(f, "\n{}:", of.name)?,
+            title => writeln!(f, "\n{}: {title}", of.name)?,
+        }
         match &of.kind {
             BlockKind::Straight => self.operations(f, "  ", &values),
             BlockKind::ClosedForm(closed) => {
