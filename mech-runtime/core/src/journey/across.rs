@@ -20,6 +20,8 @@ const FIRST: f64 = 0.25;
 const LONGER: f64 = 1.25;
 const SHORTER: f64 = 0.25;
 const MOST_STEPS: u32 = 256;
+/// A sine that becomes less by this part of it in such a step comes to its zero.
+const FALLS: f64 = 0.0625;
 
 /// An iterated loop comes to what may be its change point.
 pub(super) struct Meeting<P, T> {
@@ -93,6 +95,15 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
         Event::Near(part, index) => (part, index),
         _ => return None,
     };
+    if is_near(journey, from, index)
+        && let Some(away) = away(journey, (from, done), index)
+    {
+        return Some(Meeting {
+            index,
+            before: (from.clone(), done),
+            beyond: Some(away),
+        });
+    }
     // Not so near that rounding tells more than the position.
     let start = part - distance(journey, index, WAYS[0]) * T::HALF;
     let before = if start <= done {
@@ -227,6 +238,37 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         let all = (0..journey.watches()).all(holds);
         all.then_some(Beyond { to, end, stops })
     }
+}
+
+/// A position farther from a zero of a sine than one beside it, where the way leads away from it: in steps so short that none goes
+/// over to another branch.
+fn away<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    index: usize,
+) -> Option<Beyond<J::Position, T>> {
+    let way = lesser(distance(journey, index, WAYS[0]), T::ONE - done);
+    let sine = |position: &J::Position| journey.sine(position, index).abs();
+    let least = T::from_f64(1.0 - FALLS);
+    let (mut to, mut gone) = (from.clone(), T::ZERO);
+    let mut step = T::from_f64(FIRST) * sine(from) / journey.watch(index).change;
+    for _ in 0..MOST_STEPS {
+        let farther = lesser(gone + step, way);
+        let next = journey.at(&to, done + farther).ok()?;
+        if sine(&next) < least * sine(&to) {
+            return None;
+        }
+        (to, gone) = (next, farther);
+        if gone >= way {
+            return (sine(&to) > sine(from)).then_some(Beyond {
+                to,
+                end: done + way,
+                stops: false,
+            });
+        }
+        step = step * T::from_f64(LONGER);
+    }
+    None
 }
 
 /// The position so far back on the way.
