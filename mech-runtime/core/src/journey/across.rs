@@ -254,7 +254,14 @@ fn away<T: Real, J: Journey<T>>(
     let mut step = T::from_f64(FIRST) * sine(from) / journey.watch(index).change;
     for _ in 0..MOST_STEPS {
         let farther = lesser(gone + step, way);
-        let next = journey.at(&to, done + farther).ok()?;
+        if done + farther <= done + gone {
+            return None;
+        }
+        // Beside a dead point no iteration reaches far.
+        let Ok(next) = journey.at(&to, done + farther) else {
+            step = step * T::from_f64(SHORTER);
+            continue;
+        };
         if sine(&next) < least * sine(&to) {
             return None;
         }
