@@ -22,6 +22,8 @@ const SHORTER: f64 = 0.25;
 const MOST_STEPS: u32 = 256;
 /// A sine that becomes less by this part of it in such a step comes to its zero.
 const FALLS: f64 = 0.0625;
+/// A fall of its square by less than this part of what rounding hides tells nothing.
+const NOISE: f64 = 0.125;
 
 /// An iterated loop comes to what may be its change point.
 pub(super) struct Meeting<P, T> {
@@ -250,10 +252,18 @@ fn away<T: Real, J: Journey<T>>(
     let way = lesser(distance(journey, index, WAYS[0]), T::ONE - done);
     let sine = |position: &J::Position| journey.sine(position, index).abs();
     let least = T::from_f64(1.0 - FALLS);
-    let (mut to, mut gone) = (from.clone(), T::ZERO);
+    let noise = T::from_f64(NOISE) * journey.rounding_square(from, index);
+    let (mut to, mut gone, mut greatest) = (from.clone(), T::ZERO, sine(from));
+    let mut halfway: Option<T> = None;
     let mut step = T::from_f64(FIRST) * sine(from) / journey.watch(index).change;
     for _ in 0..MOST_STEPS {
-        let farther = lesser(gone + step, way);
+        // One step ends in the middle.
+        let bound = if halfway.is_some() {
+            way
+        } else {
+            way * T::HALF
+        };
+        let farther = lesser(gone + step, bound);
         if done + farther <= done + gone {
             return None;
         }
@@ -262,16 +272,23 @@ fn away<T: Real, J: Journey<T>>(
             step = step * T::from_f64(SHORTER);
             continue;
         };
-        if sine(&next) < least * sine(&to) {
+        let fallen = least * greatest;
+        if sine(&next) * sine(&next) + noise < fallen * fallen {
             return None;
         }
-        (to, gone) = (next, farther);
-        if gone >= way {
-            return (sine(&to) > sine(from)).then_some(Beyond {
-                to,
-                end: done + way,
-                stops: false,
-            });
+        (to, gone, greatest) = (next, farther, greatest.max(sine(&to)));
+        match halfway {
+            // Straight back from here it was not on the other side of its zero.
+            Some(middle) if gone >= way => {
+                let is_away = sine(&to) > sine(from) && middle + middle > sine(&to);
+                return is_away.then_some(Beyond {
+                    to,
+                    end: done + way,
+                    stops: false,
+                });
+            }
+            None if gone >= bound => halfway = Some(sine(&to)),
+            _ => {}
         }
         step = step * T::from_f64(LONGER);
     }
