@@ -1,6 +1,6 @@
 //! What a player is told.
 
-use mech_examples::Layer;
+use mech_gallery::Layer;
 
 /// What a player is told. Pixels count from the upper left corner of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]

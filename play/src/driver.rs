@@ -1,7 +1,7 @@
 //! Where the motors are to go.
 
 use crate::{Drive, Free};
-use mech_examples::{Playable, Rates};
+use mech_gallery::{Playable, Rates};
 use std::f64::consts::TAU;
 
 /// Tells where the motors go next: in the exhibit's own motion, or one of them alone, so fast that it goes as far as in that.

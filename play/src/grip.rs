@@ -6,7 +6,7 @@
 //! As each step goes the way that a motor would go, no link leaps into another assembly, and what cannot be reached is followed as
 //! far as the nearest place.
 
-use mech_examples::{Playable, Rates, Spot};
+use mech_gallery::{Playable, Rates, Spot};
 use mech_runtime::{Blocked, Reached};
 
 /// The most steps for one movement of the pointer.

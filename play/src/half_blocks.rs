@@ -1,6 +1,6 @@
 //! Pictures as text: each character shows two pixels, one above the other.
 
-use mech_examples::Picture;
+use mech_gallery::Picture;
 use std::fmt::Write;
 
 /// How a terminal tells colours apart.

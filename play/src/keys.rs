@@ -1,7 +1,7 @@
 //! What the keys do, in the window and in the terminal alike.
 
 use crate::Command;
-use mech_examples::Layer;
+use mech_gallery::Layer;
 
 /// A key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

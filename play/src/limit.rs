@@ -1,6 +1,6 @@
 //! Where a mechanism could not go on.
 
-use mech_examples::Playable;
+use mech_gallery::Playable;
 use mech_runtime::{Blocked, Cause};
 
 /// A limit that a mechanism is at.

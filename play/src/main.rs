@@ -1,6 +1,6 @@
 //! Plays a mechanism of the gallery: `play [NAME]`.
 
-use mech_examples::{Exhibit, gallery};
+use mech_gallery::{Exhibit, exhibits};
 use mech_play::{Medium, Player, Request, Stage, keys, request, terminal, window};
 use std::error::Error;
 use std::io::{self, BufRead, IsTerminal, Write};
@@ -19,7 +19,7 @@ fn main() -> ExitCode {
 
 /// Does what the command line asks for.
 fn serve() -> Result<(), Box<dyn Error>> {
-    let exhibits = gallery::exhibits();
+    let exhibits = exhibits();
     match Request::read(std::env::args().skip(1))? {
         Request::Help => {
             say(request::HELP);
@@ -48,9 +48,9 @@ fn say(line: &str) {
 }
 
 /// Which exhibit has this name.
-fn index(exhibits: &[Box<dyn Exhibit>], name: String) -> Result<usize, mech_examples::Error> {
+fn index(exhibits: &[Box<dyn Exhibit>], name: String) -> Result<usize, mech_gallery::Error> {
     let index = exhibits.iter().position(|exhibit| exhibit.slug() == name);
-    index.ok_or_else(|| mech_examples::Error::Unknown {
+    index.ok_or_else(|| mech_gallery::Error::Unknown {
         names: vec![name],
         known: exhibits.iter().map(|exhibit| exhibit.slug()).collect(),
     })

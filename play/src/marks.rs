@@ -1,6 +1,6 @@
 //! What a player draws into the scene.
 
-use mech_examples::Scene;
+use mech_gallery::Scene;
 use mech_runtime::{Canvas, Outline, Palette, Pose, raster};
 
 /// The radius of a ring and its width, in pixels.

@@ -1,7 +1,7 @@
 //! Where the scene of a player becomes pixels: the only place that knows how.
 
 use crate::Player;
-use mech_examples::{Picture, Strips};
+use mech_gallery::{Picture, Strips};
 use mech_runtime::{Canvas, Palette};
 
 /// Pixels that a strip is wide, and high.

@@ -2,7 +2,7 @@
 
 use crate::limit::coordinate;
 use crate::{Camera, Command, Drive, Driver, Grip, Limit, Pace, marks};
-use mech_examples::{Error, Exhibit, Film, Layers, Look, Playable, Scene, Spot};
+use mech_gallery::{Error, Exhibit, Film, Layers, Look, Playable, Scene, Spot};
 use mech_runtime::{Blocked, Reached};
 use std::f64::consts::TAU;
 

@@ -3,7 +3,7 @@
 use crate::caption::{plain, wrapped};
 use crate::painter::ADVANCE;
 use crate::{Command, Painter, Player, keys};
-use mech_examples::{Error, Picture};
+use mech_gallery::{Error, Picture};
 use mech_runtime::Palette;
 use std::fs;
 use std::ops::ControlFlow;

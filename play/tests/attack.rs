@@ -4,7 +4,7 @@
 mod common;
 
 use common::SIZE;
-use mech_examples::{Layer, gallery};
+use mech_gallery::{Layer, exhibits};
 use mech_play::{Command, Painter, Player};
 
 /// Random numbers that are the same in every run.
@@ -73,11 +73,11 @@ impl Dice {
 #[test]
 fn a_player_that_is_told_anything_plays_on() {
     let mut painter = Painter::default();
-    let count = gallery::exhibits().len();
+    let count = exhibits().len();
     for seed in 0..40_u64 {
         let mut dice = Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
         let first = dice.below(count as u64);
-        let mut player = Player::new(gallery::exhibits(), first, SIZE).expect("it moves");
+        let mut player = Player::new(exhibits(), first, SIZE).expect("it moves");
         for turn in 0..60 {
             let command = dice.command();
             let before = player.motors();

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{near, player};
-use mech_examples::{Rates, Spot, gallery};
+use mech_gallery::{Rates, Spot, exhibits};
 use mech_play::{Command, Free, Grip};
 use std::f64::consts::TAU;
 
@@ -43,7 +43,7 @@ fn a_dragged_crank_points_at_the_pointer() {
 #[test]
 fn what_is_held_comes_as_near_as_it_can() {
     let mut pulled = 0;
-    for exhibit in gallery::exhibits() {
+    for exhibit in exhibits() {
         let mut mechanism = exhibit.playable();
         let motors = mechanism.motors().len();
         let free: Vec<Free> = (0..motors)

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{SIZE, near, player};
-use mech_examples::{Layer, Picture, Showcase, all_effects, gallery};
+use mech_gallery::{Layer, Picture, Showcase, all_effects, exhibits};
 use mech_play::{Camera, Command, Drive, Key, Medium, Painter, Player, Request, keys};
 use mech_runtime::{Cause, Palette, mechanism};
 use std::f64::consts::TAU;
@@ -42,8 +42,8 @@ fn picture(player: &Player) -> Picture {
 
 #[test]
 fn every_exhibit_goes_its_own_way() {
-    for (index, exhibit) in gallery::exhibits().into_iter().enumerate() {
-        let mut player = Player::new(gallery::exhibits(), index, SIZE).expect("it moves");
+    for (index, exhibit) in exhibits().into_iter().enumerate() {
+        let mut player = Player::new(exhibits(), index, SIZE).expect("it moves");
         let start = player.motors();
         let playable = exhibit.playable();
         let mut phase = 0.0;
@@ -242,8 +242,8 @@ fn paper_is_panned_and_the_wheel_zooms() {
 
 #[test]
 fn the_whole_motion_is_seen() {
-    for (index, exhibit) in gallery::exhibits().into_iter().enumerate() {
-        let player = Player::new(gallery::exhibits(), index, [333, 200]).expect("it moves");
+    for (index, exhibit) in exhibits().into_iter().enumerate() {
+        let player = Player::new(exhibits(), index, [333, 200]).expect("it moves");
         let bounds = exhibit
             .film()
             .expect("it moves")
@@ -286,10 +286,7 @@ fn layers_are_seen() {
 #[test]
 fn exhibits_follow_each_other() {
     let mut player = player("geared-piston");
-    let slugs: Vec<_> = gallery::exhibits()
-        .iter()
-        .map(|exhibit| exhibit.slug())
-        .collect();
+    let slugs: Vec<_> = exhibits().iter().map(|exhibit| exhibit.slug()).collect();
     for slug in slugs.iter().cycle().take(slugs.len() + 1) {
         assert_eq!(player.slug(), *slug);
         player.obey(Command::NextExhibit);
@@ -325,7 +322,7 @@ fn what_is_no_number_changes_nothing() {
         let picture = picture(&player);
         assert_eq!(picture.pixels.len(), size[0] * size[1]);
     }
-    assert!(Player::new(gallery::exhibits(), 99, SIZE).is_err());
+    assert!(Player::new(exhibits(), 99, SIZE).is_err());
 }
 
 #[test]

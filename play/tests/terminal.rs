@@ -1,7 +1,7 @@
 //! The terminal view, in a pseudo-terminal of 80 columns and 24 rows that `script` of util-linux makes.
 #![cfg(target_os = "linux")]
 
-use mech_examples::gallery;
+use mech_gallery::exhibits;
 use mech_play::half_blocks::{Depth, lines};
 use mech_play::{Command as Told, Painter, Player};
 use std::io::{Read, Write};
@@ -228,7 +228,7 @@ fn plays_in_a_terminal() {
     });
     thread::sleep(Duration::from_millis(300));
     assert_eq!(session.screen().cells, paused.cells);
-    let exhibits = gallery::exhibits();
+    let exhibits = exhibits();
     let index = exhibits
         .iter()
         .position(|exhibit| exhibit.slug() == "four-bar");
@@ -254,7 +254,7 @@ fn plays_in_a_terminal() {
         status(screen).contains("a 3.0° · paused")
     });
     // The mouse: the middle of the rocker is somewhere in the picture; pressed, moved and let go.
-    let rocker = mech_examples::Spot {
+    let rocker = mech_gallery::Spot {
         link: 3,
         at: [1.5, 0.0],
     };
@@ -354,7 +354,7 @@ fn without_a_terminal_and_a_display_it_says_so() {
 
 #[test]
 fn without_true_color_there_are_256() {
-    let exhibits = gallery::exhibits();
+    let exhibits = exhibits();
     let mut player = Player::new(exhibits, 0, [40, 20]).expect("it moves");
     player.obey(Told::DayOrNight);
     let text = lines(&Painter::default().paint(&player), Depth::Cube);

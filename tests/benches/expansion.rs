@@ -13,27 +13,27 @@ const THRESHOLD: f64 = 5.0;
 const GALLERY: [(&str, &str); 6] = [
     (
         "andrews",
-        include_str!("../../examples/mechanisms/src/andrews.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
     ),
     (
         "four_bar",
-        include_str!("../../examples/mechanisms/src/four_bar.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/four_bar.rs"),
     ),
     (
         "geared_piston",
-        include_str!("../../examples/mechanisms/src/geared_piston.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
     ),
     (
         "jansen",
-        include_str!("../../examples/mechanisms/src/jansen.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/jansen.rs"),
     ),
     (
         "rocker_arm",
-        include_str!("../../examples/mechanisms/src/rocker_arm.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
     ),
     (
         "watt",
-        include_str!("../../examples/mechanisms/src/watt.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/watt.rs"),
     ),
 ];
 

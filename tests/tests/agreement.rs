@@ -148,12 +148,12 @@ fn turn_all_three(phase: f64) -> Vec<f64> {
 }
 
 cases! {
-    geared_piston: mech_gallery::geared_piston::GearedPiston, "../../examples/mechanisms/src/geared_piston.rs", |phase| vec![2.0 * phase * TAU];
-    crank_rocker: mech_gallery::four_bar::CrankRocker, "../../examples/mechanisms/src/four_bar.rs", turn;
-    watt: mech_gallery::watt::Watt, "../../examples/mechanisms/src/watt.rs", turn;
-    andrews: mech_gallery::andrews::AndrewsSqueezer, "../../examples/mechanisms/src/andrews.rs", turn;
-    jansen: mech_gallery::jansen::JansenLeg, "../../examples/mechanisms/src/jansen.rs", turn;
-    rocker_arm: mech_gallery::rocker_arm::RockerArm, "../../examples/mechanisms/src/rocker_arm.rs", turn_all_three;
+    geared_piston: mech_gallery::geared_piston::GearedPiston, "../../examples/gallery/src/mechanisms/geared_piston.rs", |phase| vec![2.0 * phase * TAU];
+    crank_rocker: mech_gallery::four_bar::CrankRocker, "../../examples/gallery/src/mechanisms/four_bar.rs", turn;
+    watt: mech_gallery::watt::Watt, "../../examples/gallery/src/mechanisms/watt.rs", turn;
+    andrews: mech_gallery::andrews::AndrewsSqueezer, "../../examples/gallery/src/mechanisms/andrews.rs", turn;
+    jansen: mech_gallery::jansen::JansenLeg, "../../examples/gallery/src/mechanisms/jansen.rs", turn;
+    rocker_arm: mech_gallery::rocker_arm::RockerArm, "../../examples/gallery/src/mechanisms/rocker_arm.rs", turn_all_three;
     slanted_guide: zoo::SlantedGuide, "zoo/mod.rs", turn;
     quick_return: zoo::QuickReturn, "zoo/mod.rs", turn;
     trammel: zoo::Trammel, "zoo/mod.rs", to_and_fro;
@@ -250,7 +250,7 @@ fn bad_values_leave_everything_as_it_was() {
 fn every_joint_of_the_model_has_two_different_links() {
     for source in [
         include_str!("zoo/mod.rs"),
-        include_str!("../../examples/mechanisms/src/andrews.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
     ] {
         for (model, _) in mechanisms(source) {
             for joint in model.joint_ids() {

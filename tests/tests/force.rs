@@ -505,12 +505,12 @@ fn forces_in_random_mechanisms_obey_newton_and_euler_and_virtual_work() {
 #[test]
 fn forces_in_the_zoo_and_the_gallery_do_too() {
     let sources = [
-        include_str!("../../examples/mechanisms/src/andrews.rs"),
-        include_str!("../../examples/mechanisms/src/four_bar.rs"),
-        include_str!("../../examples/mechanisms/src/geared_piston.rs"),
-        include_str!("../../examples/mechanisms/src/jansen.rs"),
-        include_str!("../../examples/mechanisms/src/rocker_arm.rs"),
-        include_str!("../../examples/mechanisms/src/watt.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/four_bar.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/jansen.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/watt.rs"),
         include_str!("zoo/rolling.rs"),
         include_str!("zoo/special.rs"),
     ];

@@ -481,11 +481,11 @@ fn params_go_with_every_method() {
 #[test]
 fn sensitivities_of_special_mechanisms_are_those_of_their_positions() {
     let sources = [
-        include_str!("../../examples/mechanisms/src/andrews.rs"),
-        include_str!("../../examples/mechanisms/src/geared_piston.rs"),
-        include_str!("../../examples/mechanisms/src/jansen.rs"),
-        include_str!("../../examples/mechanisms/src/rocker_arm.rs"),
-        include_str!("../../examples/mechanisms/src/watt.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/jansen.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/watt.rs"),
         include_str!("zoo/rolling.rs"),
         include_str!("zoo/special.rs"),
         include_str!("changed/zoo.rs"),

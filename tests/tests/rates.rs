@@ -255,12 +255,12 @@ fn what_is_shown_moves_as_it_does_in_the_whole() {
 #[test]
 fn rates_of_the_zoo_and_the_gallery_are_those_of_their_positions() {
     let sources = [
-        include_str!("../../examples/mechanisms/src/andrews.rs"),
-        include_str!("../../examples/mechanisms/src/four_bar.rs"),
-        include_str!("../../examples/mechanisms/src/geared_piston.rs"),
-        include_str!("../../examples/mechanisms/src/jansen.rs"),
-        include_str!("../../examples/mechanisms/src/rocker_arm.rs"),
-        include_str!("../../examples/mechanisms/src/watt.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/four_bar.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/jansen.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
+        include_str!("../../examples/gallery/src/mechanisms/watt.rs"),
         include_str!("zoo/rolling.rs"),
         include_str!("zoo/special.rs"),
         include_str!("changed/zoo.rs"),

@@ -70,11 +70,11 @@ where
     if limits.stepping == Stepping::Afresh {
         return straight(position, target, limits, step);
     }
-    if let Err(stop) = finite(target.values, &limits.names) {
-        return Err(position.refuse(stop));
+    if let Err(stop) = finite(target.values, limits.inputs) {
+        return Err(position.refuse(stop, limits.inputs));
     }
     if let Some((stop, reached)) = limits.leaves(&position.motors, &target) {
-        return Err(Blocked::new(stop.place, stop.cause, reached.total()));
+        return Err(Blocked::new(stop.place, stop.cause, reached.total()).of(limits.inputs));
     }
     let start = *position;
     let going = Move::new(limits, &start, target, step);
@@ -162,11 +162,11 @@ fn stopped<T, const M: usize, const L: usize, const K: usize, const W: usize>(
 where
     T: Scalar,
 {
-    if let Err(stop) = finite(target.values, &limits.names) {
-        return position.refuse(stop);
+    if let Err(stop) = finite(target.values, limits.inputs) {
+        return position.refuse(stop, limits.inputs);
     }
     if let Some((stop, reached)) = limits.leaves(&position.motors, &target) {
-        return Blocked::new(stop.place, stop.cause, reached.total());
+        return Blocked::new(stop.place, stop.cause, reached.total()).of(limits.inputs);
     }
     let going = Move::new(limits, position, target, take);
     let stop = |part| take(position, going.motors(part)).err();
@@ -187,14 +187,14 @@ pub fn approach<T, const M: usize, const L: usize, const K: usize, const W: usiz
 where
     T: Scalar,
 {
-    if let Err(stop) = finite(target.values, &limits.names) {
-        return Err(position.refuse(stop));
+    if let Err(stop) = finite(target.values, limits.inputs) {
+        return Err(position.refuse(stop, limits.inputs));
     }
     let start = *position;
     let (end, target) = match limits.leaves(&start.motors, &target) {
         None => (Reached::Target, target),
         Some((stop, reached)) => {
-            let blocked = Blocked::new(stop.place, stop.cause, reached.total());
+            let blocked = Blocked::new(stop.place, stop.cause, reached.total()).of(limits.inputs);
             (Reached::Limit(blocked), reached)
         }
     };

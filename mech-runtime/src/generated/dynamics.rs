@@ -5,6 +5,7 @@
 //! Wanner, *Solving Ordinary Differential Equations I*, II.14): symmetric, of twice the order of their stages.
 
 use super::{Inertia, Motors, Position, Stop};
+use crate::blocked::Input;
 use crate::{Blocked, Cause, GaussLegendre, Real, Scalar};
 
 /// The most stages of a method.
@@ -19,10 +20,10 @@ pub struct Simulated<
     const INPUTS: usize,
     const MOTORS: usize,
     const LINKS: usize,
-    const KEPT: usize,
+    const STATE: usize,
 > {
     /// The new position.
-    pub position: Position<T, INPUTS, LINKS, KEPT>,
+    pub position: Position<T, INPUTS, LINKS, STATE>,
     /// The rates of the motors there.
     pub rates: [T; MOTORS],
     /// Their second rates there.
@@ -38,8 +39,8 @@ pub struct Moment<T: 'static, const MOTORS: usize> {
     pub torques: [T; MOTORS],
     /// How long the step is.
     pub time: T,
-    /// What the motors are called.
-    pub names: &'static [&'static str; MOTORS],
+    /// The motors.
+    pub inputs: &'static [Input],
     /// Which of them turn, and may turn any number of times.
     pub turning: &'static [bool; MOTORS],
     /// A radian for each that turns, the size of the mechanism for each that slides: what their values are rounded against.
@@ -141,23 +142,23 @@ pub fn simulate<T, const I: usize, const M: usize, const L: usize, const K: usiz
 where
     T: Scalar,
 {
-    let refuse = |stop| start.refuse(stop);
     let Moment {
         rates,
         torques,
         time,
-        names,
+        inputs,
         turning,
         ..
     } = *moment;
+    let refuse = |stop| start.refuse(stop, inputs);
     if !Real::is_finite(time) {
         return Err(refuse(Stop::new("time", Cause::NotFinite)));
     }
-    super::finite(torques, names).map_err(refuse)?;
+    super::finite(torques, inputs).map_err(refuse)?;
     let tableau = Tableau::<T>::of(method);
     let mut position = *start;
     let inertia = to(&mut position, start.motors, rates)?;
-    let first = inertia.accelerations(torques, names).map_err(refuse)?;
+    let first = inertia.accelerations(torques, inputs).map_err(refuse)?;
     let mut stages = [first; STAGES];
     let mut positions = [position; STAGES];
     let near = <T as Real>::from_f64(1024.0 * T::EPSILON);
@@ -173,7 +174,7 @@ where
             let shares = shares.map(|share| time * share);
             let speed = sum(rates, &stages, shares, tableau.count);
             let inertia = to(position, moved(start.motors, way), speed).map_err(too_long)?;
-            let accelerations = inertia.accelerations(torques, names);
+            let accelerations = inertia.accelerations(torques, inputs);
             *next = accelerations.map_err(refuse).map_err(too_long)?;
         }
         let pairs = stages.iter().zip(&next).take(tableau.count);
@@ -196,8 +197,8 @@ where
     let weights = tableau.weights.map(|share| time * share);
     let speed = sum(rates, &stages, weights, tableau.count);
     let inertia = to(&mut position, moved(start.motors, way), speed)?;
-    let accelerations = inertia.accelerations(torques, names).map_err(refuse)?;
-    super::finite(speed, names).map_err(|_| refuse(Stop::new("", Cause::Overflow)))?;
+    let accelerations = inertia.accelerations(torques, inputs).map_err(refuse)?;
+    super::finite(speed, inputs).map_err(|_| refuse(Stop::new("", Cause::Overflow)))?;
     position.motors = position.motors.reduced(turning);
     Ok(Simulated {
         position,

@@ -1,6 +1,6 @@
 //! Players of exhibits.
 
-use mech_examples::gallery;
+use mech_gallery::exhibits;
 use mech_play::Player;
 
 /// Of the picture.
@@ -8,14 +8,14 @@ pub(crate) const SIZE: [usize; 2] = [480, 360];
 
 /// Which exhibit it is.
 pub(crate) fn index(slug: &str) -> usize {
-    let exhibits = gallery::exhibits();
+    let exhibits = exhibits();
     let index = exhibits.iter().position(|exhibit| exhibit.slug() == slug);
     index.expect("it is in the gallery")
 }
 
 /// A player of an exhibit.
 pub(crate) fn player(slug: &str) -> Player {
-    Player::new(gallery::exhibits(), index(slug), SIZE).expect("it moves")
+    Player::new(exhibits(), index(slug), SIZE).expect("it moves")
 }
 
 /// Whether no number is farther from the other than that.

@@ -120,8 +120,8 @@ fn it_moves_under_forces_as_a_mechanism_with_these_numbers() {
             100.0,
         );
         near(
-            changed.second_rates([1.0]).expect("regular")[0],
-            declared.second_rates([1.0]).expect("regular")[0],
+            changed.motor_accelerations([1.0]).expect("regular")[0],
+            declared.motor_accelerations([1.0]).expect("regular")[0],
             100.0,
         );
         let [kinetic, potential] = changed.energy().expect("regular");

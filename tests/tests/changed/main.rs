@@ -358,7 +358,7 @@ fn everything_else_goes_on_with_the_params_as_they_are() {
     assert_eq!(all[1], one);
     let mut phased = four_bar;
     phased
-        .turn_to(Phase::from_degrees(90.0).expect("a number"))
+        .turn_to([Phase::from_degrees(90.0).expect("a number")])
         .expect("it turns");
     assert_eq!(phased.rod(), 4.5);
     let mut there = four_bar;

@@ -41,7 +41,7 @@ macro_rules! turned {
 
             impl TurnTo for Train {
                 fn phase(&mut self, phase: Phase) {
-                    self.turn_to(phase).expect("it turns for ever");
+                    self.turn_to([phase]).expect("it turns for ever");
                 }
             }
 

@@ -26,7 +26,7 @@ pub(super) fn tokens(text: &str) -> TokenStream {
 /// The mechanism declared in an exhibit of the gallery.
 pub(super) fn exhibit(name: &str) -> Program {
     let path = format!(
-        "{}/../../examples/mechanisms/src/{name}.rs",
+        "{}/../../examples/gallery/src/mechanisms/{name}.rs",
         env!("CARGO_MANIFEST_DIR")
     );
     let text = std::fs::read_to_string(path).expect("the gallery is in its place");

@@ -1,6 +1,0 @@
-//! The gallery's `AndrewsSqueezer`, in `f32`, moved and drawn.
-#![no_std]
-#![no_main]
-#![forbid(unsafe_code)]
-
-firmware::measure!(firmware::Drawn<mech_gallery::andrews::single::AndrewsSqueezer>);

@@ -1,6 +1,0 @@
-//! The gallery's `Watt`, in `f64`, moved and drawn.
-#![no_std]
-#![no_main]
-#![forbid(unsafe_code)]
-
-firmware::measure!(firmware::Drawn<mech_gallery::watt::Watt>);

@@ -1,0 +1,29 @@
+//! The exhibits.
+
+mod andrews;
+mod crane;
+mod diagram;
+mod four_bar;
+mod geared_piston;
+mod jansen;
+mod rocker_arm;
+mod velocities;
+mod watt;
+
+use crate::Exhibit;
+
+/// All of them, in the order in which they hang.
+#[must_use]
+pub fn exhibits() -> Vec<Box<dyn Exhibit>> {
+    vec![
+        geared_piston::exhibit(),
+        diagram::exhibit(),
+        four_bar::exhibit(),
+        velocities::exhibit(),
+        watt::exhibit(),
+        andrews::exhibit(),
+        jansen::exhibit(),
+        rocker_arm::exhibit(),
+        crane::exhibit(),
+    ]
+}

@@ -1,0 +1,18 @@
+//! The mechanisms and how they move: without the standard library and without allocation.
+
+mod exhibited;
+mod precisions;
+mod visitor;
+
+pub mod andrews;
+pub mod crane;
+pub mod diagram;
+pub mod four_bar;
+pub mod geared_piston;
+pub mod jansen;
+pub mod rocker_arm;
+pub mod velocities;
+pub mod watt;
+
+pub use exhibited::Exhibited;
+pub use visitor::{Visitor, visit_f32, visit_f64};

@@ -1,0 +1,43 @@
+//! One declaration, two precisions.
+
+/// Declares a mechanism as [`mech_runtime::mechanism!`] does, in `f64`, and in a module `single` once more in `f32`. It takes a
+/// declaration that names no precision.
+macro_rules! mechanism {
+    ($(#[$($attribute:tt)*])* $visibility:vis struct $mechanism:ident; $($body:tt)*) => {
+        mech_runtime::mechanism! {
+            $(#[$($attribute)*])*
+            $visibility struct $mechanism: f64;
+            $($body)*
+        }
+
+        /// The same in single precision.
+        $visibility mod single {
+            mech_runtime::mechanism! {
+                $(#[$($attribute)*])*
+                $visibility struct $mechanism: f32;
+                $($body)*
+            }
+        }
+    };
+}
+
+/// Makes a mechanism [`Exhibited`](crate::Exhibited), in both precisions: by its slug, its source and the function that gives
+/// its motors' values.
+macro_rules! exhibited {
+    ($mechanism:ident, $slug:literal, $source:expr, $motion:ident) => {
+        $crate::mechanisms::precisions::exhibited!(in f64: $mechanism, $slug, $source, $motion);
+        $crate::mechanisms::precisions::exhibited!(in f32: single::$mechanism, $slug, $source, $motion);
+    };
+    (in $float:ident: $mechanism:path, $slug:literal, $source:expr, $motion:ident) => {
+        impl $crate::Exhibited for $mechanism {
+            const SLUG: &'static str = $slug;
+            const SOURCE: &'static str = $source;
+
+            fn motion(phase: $float) -> Self::Motors {
+                $motion(phase)
+            }
+        }
+    };
+}
+
+pub(crate) use {exhibited, mechanism};

@@ -1,0 +1,190 @@
+//! A mechanism and what it is to do.
+
+use super::played::Played;
+use crate::Exhibited;
+use crate::{Easel, Effects, Film, Graphs, Layer, Layers, Playable, Scene, Stuck};
+use mech_runtime::{Blocked, Mechanism};
+
+/// Frames in most films: enough for one turn of a crank to look smooth.
+pub const FRAMES: usize = 90;
+
+/// Something that hangs in the gallery. Made by filling in a [`Showcase`].
+pub trait Exhibit {
+    /// The name of its files and on the command line.
+    fn slug(&self) -> &'static str;
+    /// Its title.
+    fn title(&self) -> &'static str;
+    /// A paragraph about it.
+    fn caption(&self) -> &'static str;
+    /// What the macro found out about its mechanism.
+    fn report(&self) -> &'static str;
+    /// The graphs of its mechanism, if a `mechanism!` declares it.
+    fn graphs(&self) -> Option<Graphs>;
+    /// When it is at its most characteristic, in `0.0..1.0` of its motion.
+    fn still(&self) -> f64;
+    /// Moves it once through its whole motion.
+    ///
+    /// # Errors
+    /// [`Stuck`] if it cannot go on.
+    fn film(&self) -> Result<Film, Stuck>;
+    /// How long that takes, in seconds.
+    fn seconds(&self) -> f64;
+    /// Its mechanism, to be played with.
+    fn playable(&self) -> Box<dyn Playable>;
+    /// What is seen of it unless somebody wants it otherwise.
+    fn layers(&self) -> Layers;
+}
+
+/// A mechanism and what it is to do.
+///
+/// ```
+/// use mech_gallery::{Exhibit, FRAMES, Showcase};
+/// use std::f64::consts::TAU;
+/// # fn exhibit<FourBar>() -> Box<dyn Exhibit>
+/// # where FourBar: mech_runtime::Mechanism<Scalar = f64, Motors = [f64; 1]> + 'static {
+///
+/// Box::new(Showcase::<FourBar> {
+///     slug: "four-bar",
+///     title: "Four-bar linkage",
+///     caption: "A crank turns, a rocker rocks.",
+///     source: include_str!("exhibit.rs"),
+///     motion: |phase| [phase * TAU],
+///     frames: FRAMES,
+///     still: 0.1,
+///     effects: None,
+/// })
+/// # }
+/// ```
+pub struct Showcase<M: Mechanism<Scalar = f64>> {
+    /// The name of its files and on the command line: `lower-case-with-hyphens`.
+    pub slug: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// A paragraph about it.
+    pub caption: &'static str,
+    /// The source file that declares the mechanism: its graphs are read out of it.
+    pub source: &'static str,
+    /// The values of its motors (radians, scene units) at a phase in `0.0..1.0`. What it does between the last phase
+    /// and the first again should look like what it does between others, and a little beyond it goes on so.
+    pub motion: fn(f64) -> M::Motors,
+    /// How many frames its film has, at 30 ms each: [`FRAMES`], or more for a long motion.
+    pub frames: usize,
+    /// The phase of its still picture.
+    pub still: f64,
+    /// What it can do besides, if it is declared with these effects: seen only by those who play with it.
+    pub effects: Option<Effects<M>>,
+}
+
+/// How long a frame is seen.
+const SECONDS: f64 = 0.03;
+
+/// Positions on the way from one frame to the next, so that a method that goes from one position to a near one has it
+/// easy.
+const STEPS: usize = 8;
+
+impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Showcase<M> {
+    fn slug(&self) -> &'static str {
+        self.slug
+    }
+
+    fn title(&self) -> &'static str {
+        self.title
+    }
+
+    fn caption(&self) -> &'static str {
+        self.caption
+    }
+
+    fn report(&self) -> &'static str {
+        M::REPORT
+    }
+
+    fn graphs(&self) -> Option<Graphs> {
+        Graphs::find(self.source, M::NAME)
+    }
+
+    fn still(&self) -> f64 {
+        self.still
+    }
+
+    fn film(&self) -> Result<Film, Stuck> {
+        let draw = |mechanism: &M, scene: &mut Scene| mechanism.draw(scene);
+        self.filmed(M::move_to, draw)
+    }
+
+    fn seconds(&self) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "a film is not that long")]
+        let frames = self.frames as f64;
+        frames * SECONDS
+    }
+
+    fn playable(&self) -> Box<dyn Playable> {
+        Box::new(Played::new(self))
+    }
+
+    fn layers(&self) -> Layers {
+        Layers::of(&[Layer::Shapes])
+    }
+}
+
+impl<M: Exhibited<Scalar = f64>> Showcase<M> {
+    /// A mechanism that says itself how it moves, without a title, a caption and effects, in a film of [`FRAMES`], of which the
+    /// first is its still picture.
+    #[must_use]
+    pub fn untitled() -> Self {
+        Self {
+            slug: M::SLUG,
+            title: "",
+            caption: "",
+            source: M::SOURCE,
+            motion: M::motion,
+            frames: FRAMES,
+            still: 0.0,
+            effects: None,
+        }
+    }
+}
+
+impl<M: Mechanism<Scalar = f64>> Showcase<M> {
+    /// The film of its motion, moved and painted in this way.
+    pub(crate) fn filmed(
+        &self,
+        move_to: impl Fn(&mut M, M::Motors) -> Result<(), Blocked<M::Motors>>,
+        paint: impl Fn(&M, &mut Scene),
+    ) -> Result<Film, Stuck> {
+        // Once to find out how much there is to be seen, and once as it will be seen.
+        let rehearsal = self.filmed_at(f64::INFINITY, &move_to, &paint)?;
+        let scale = Easel::for_film(&rehearsal).map_or(1.0, |easel| easel.scale());
+        self.filmed_at(scale, &move_to, &paint)
+    }
+
+    /// The same, with so many pixels to a scene unit.
+    fn filmed_at(
+        &self,
+        scale: f64,
+        move_to: &impl Fn(&mut M, M::Motors) -> Result<(), Blocked<M::Motors>>,
+        paint: &impl Fn(&M, &mut Scene),
+    ) -> Result<Film, Stuck> {
+        let mut mechanism = M::new();
+        let mut film = Film::new(scale);
+        for step in 0..self.frames * STEPS {
+            #[expect(clippy::cast_precision_loss, reason = "a film is not that long")]
+            let phase = step as f64 / (self.frames * STEPS) as f64;
+            let motors = (self.motion)(phase);
+            move_to(&mut mechanism, motors).map_err(|blocked| Stuck {
+                frame: step / STEPS,
+                frames: self.frames,
+                motors: M::MOTORS
+                    .iter()
+                    .copied()
+                    .zip(motors.as_ref().iter().copied())
+                    .collect(),
+                blocked: blocked.map(|motors| motors.as_ref().to_vec()),
+            })?;
+            if step % STEPS == 0 {
+                film.add(|scene| paint(&mechanism, scene));
+            }
+        }
+        Ok(film)
+    }
+}

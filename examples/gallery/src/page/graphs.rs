@@ -1,0 +1,50 @@
+//! The graphs of a mechanism, found by the compiler in the very source that declares it.
+
+use mech_compiler::graphs::{Graph, kinematic, loops};
+use mech_compiler::model::Model;
+use mech_compiler::{compile, syntax};
+use proc_macro2::{TokenStream, TokenTree};
+
+/// What a mechanism is made of, and in which order it is solved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Graphs {
+    /// Its links and the joints between them.
+    pub links: Graph,
+    /// Its loops, and what leads to them.
+    pub loops: Graph,
+}
+
+impl Graphs {
+    /// Of the mechanism with this name, declared by a `mechanism!` that stands by itself in this Rust source.
+    #[must_use]
+    pub fn find(source: &str, name: &str) -> Option<Self> {
+        let model = model(source, name)?;
+        let compiled = compile(&model).ok()?;
+        Some(Self {
+            links: kinematic(&model, &compiled.structure),
+            loops: loops(&model, &compiled.plan),
+        })
+    }
+}
+
+/// The mechanism with this name, declared by a `mechanism!` that stands by itself in this Rust source.
+fn model(source: &str, name: &str) -> Option<Model> {
+    let mut models = declarations(source.parse().ok()?)
+        .into_iter()
+        .map(|declaration| syntax::parse(declaration).model);
+    models.find(|model| model.name == name)
+}
+
+/// What stands in the brackets of each `mechanism!`.
+fn declarations(source: TokenStream) -> Vec<TokenStream> {
+    let trees: Vec<_> = source.into_iter().collect();
+    let declaration = |trees: &[TokenTree]| match trees {
+        [
+            TokenTree::Ident(ident),
+            TokenTree::Punct(mark),
+            TokenTree::Group(group),
+        ] if ident == "mechanism" && mark.as_char() == '!' => Some(group.stream()),
+        _ => None,
+    };
+    trees.windows(3).filter_map(declaration).collect()
+}
