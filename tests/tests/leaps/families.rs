@@ -609,3 +609,22 @@ fn two_parallelograms_with_a_leg() {
         );
     }
 }
+
+/// A crank swings one side of a parallelogram until it is flat for a moment, and back. Whatever the steps, it stays a parallelogram: the
+/// side that faces the one that only slides does not turn.
+#[test]
+fn a_parallelogram_that_is_flat_for_a_moment() {
+    let subject = of(include_str!("texts/touch.txt"));
+    for to in [4.3, 4.44, 5.0, 3.9] {
+        for steps in [1_u32, 2, 10, 100, 1000, 10_000] {
+            let mut machine = Machine::<f64>::new(&subject.compiled.program);
+            for step in 1..=steps {
+                let past = 4.45 * f64::from(step) / f64::from(steps);
+                machine.move_to(&[past]).expect("it turns");
+            }
+            machine.move_to(&[to]).expect("it turns");
+            let sine = subject.poses(machine.position())[4][1];
+            assert!(sine.abs() < 1e-9, "to {to} in {steps} steps: {sine}");
+        }
+    }
+}

@@ -37,6 +37,12 @@ pub(super) struct Meeting<P, T> {
 /// By so much a sine may be off from where it should go straight on to, as a part of that.
 const OFF: f64 = 0.25;
 
+/// A sine that is so many times less halfway to its zero touches it: one that goes straight through is half as great there.
+const TOUCHES: f64 = 2.5;
+/// That is looked at from where the square of the sine is so many times what rounding hides, if that is within so much of its change.
+const TOUCH: f64 = 1024.0;
+const LONGEST: f64 = 0.25;
+
 /// A position beyond.
 pub(super) struct Beyond<P, T> {
     pub(super) to: P,
@@ -167,6 +173,69 @@ pub(super) fn together<T: Real, J: Journey<T>>(
             last: (&last, last_part),
         };
         line.beyond(journey, (from, done), lesser(part + way, T::ONE), index)
+    })
+}
+
+/// Whether the sine of a loop in closed form only touches a zero, and how far from it that was seen: halfway to such a zero a sine is a
+/// fourth of what it was, not a half.
+fn touch<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    (part, index): (T, usize),
+) -> Option<Touch<J::Position, T>> {
+    if journey.watch(index).at_zero != AtZero::ChangeBranch || is_stepped_over(journey, index) {
+        return None;
+    }
+    let far_enough = T::from_f64(TOUCH) * journey.rounding_square(from, index);
+    let longest = T::from_f64(LONGEST) / journey.watch(index).change;
+    let mut way = distance(journey, index, 1.0);
+    let before = loop {
+        let before = arrived(journey, from, done, part - way)?;
+        let sine = journey.sine(&before, index);
+        if sine * sine >= far_enough {
+            break before;
+        }
+        way = way * T::from_f64(2.0);
+        if way > longest {
+            return None;
+        }
+    };
+    let halfway = arrived(journey, &before, part - way, part - way * T::HALF)?;
+    let [far, near] = [&before, &halfway].map(|at| journey.sine(at, index).abs());
+    (far > T::from_f64(TOUCHES) * near).then_some(Touch { halfway, way })
+}
+
+/// A sine that touches its zero.
+struct Touch<P, T> {
+    /// The position halfway between the zero and where it was seen.
+    halfway: P,
+    /// How far before the zero it was seen.
+    way: T,
+}
+
+/// Whether a loop stands at a zero that its sine only touched.
+pub(super) fn touches<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    index: usize,
+) -> bool {
+    touch(journey, (from, done), (done, index)).is_some()
+}
+
+/// The position beyond a zero that a sine only touches: its loop stays on its side.
+pub(super) fn touched<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    (part, index): (T, usize),
+) -> Option<Beyond<J::Position, T>> {
+    let Touch { halfway, way } = touch(journey, (from, done), (part, index))?;
+    let end = lesser(part + way, T::ONE);
+    let to = arrived(journey, &halfway, part - way * T::HALF, end)?;
+    let is_clear = (0..journey.watches()).all(|one| !is_zero(journey, &to, one));
+    is_clear.then_some(Beyond {
+        to,
+        end,
+        stops: false,
     })
 }
 
