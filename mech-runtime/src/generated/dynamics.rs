@@ -19,10 +19,10 @@ pub struct Simulated<
     const INPUTS: usize,
     const MOTORS: usize,
     const LINKS: usize,
-    const KEPT: usize,
+    const STATE: usize,
 > {
     /// The new position.
-    pub position: Position<T, INPUTS, LINKS, KEPT>,
+    pub position: Position<T, INPUTS, LINKS, STATE>,
     /// The rates of the motors there.
     pub rates: [T; MOTORS],
     /// Their second rates there.
