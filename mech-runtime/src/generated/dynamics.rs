@@ -32,15 +32,15 @@ pub struct Simulated<
 
 /// What is not in the position but moves it.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<T: 'static, const MOTORS: usize> {
+pub struct Moment<T: 'static, const INPUTS: usize, const MOTORS: usize> {
     /// The rates of the motors.
     pub rates: [T; MOTORS],
     /// Their torques, which stay as they are during the step.
     pub torques: [T; MOTORS],
     /// How long the step is.
     pub time: T,
-    /// The motors.
-    pub inputs: &'static [Input],
+    /// The motors, and the params after them.
+    pub inputs: &'static [Input; INPUTS],
     /// Which of them turn, and may turn any number of times.
     pub turning: &'static [bool; MOTORS],
     /// A radian for each that turns, the size of the mechanism for each that slides: what their values are rounded against.
@@ -131,7 +131,7 @@ impl<T: Scalar> Tableau<T> {
 /// If something given is not a finite number, something is in the way, no mass resists a motor, or the step of time is too long.
 pub fn simulate<T, const I: usize, const M: usize, const L: usize, const K: usize>(
     start: &Position<T, I, L, K>,
-    moment: &Moment<T, M>,
+    moment: &Moment<T, I, M>,
     method: GaussLegendre,
     to: impl Fn(
         &mut Position<T, I, L, K>,
@@ -267,9 +267,9 @@ struct Change<T> {
 
 impl<T: Scalar> Change<T> {
     /// The change between each stage before and after.
-    fn between<'s, const M: usize>(
+    fn between<'s, const I: usize, const M: usize>(
         stages: impl Iterator<Item = (&'s [T; M], &'s [T; M])>,
-        moment: &Moment<T, M>,
+        moment: &Moment<T, I, M>,
     ) -> Self {
         let Moment { time, scales, .. } = *moment;
         let (mut of_rates, mut of_places) = (T::ZERO, T::ZERO);
