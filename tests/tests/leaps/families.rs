@@ -24,7 +24,7 @@ pub(crate) fn wrong(subject: &Subject, targets: &[Vec<f64>]) -> Vec<String> {
     let found = targets
         .iter()
         .flat_map(|to| compared(subject, &start, &shortened(subject, &start, to, 20_000.0)).0);
-    found.filter(counts).map(|found| told(&found)).collect()
+    found.filter(counts).map(|found| line_of(&found)).collect()
 }
 
 /// The same, each from where the one before led to.
@@ -35,7 +35,12 @@ fn wrong_in_a_row(subject: &Subject, targets: &[Vec<f64>]) -> Vec<String> {
     let (mut at, mut all) = (start.clone(), Vec::new());
     for to in targets {
         let (found, end) = compared(subject, &at, &shortened(subject, &at, to, 20_000.0));
-        all.extend(found.into_iter().filter(counts).map(|found| told(&found)));
+        all.extend(
+            found
+                .into_iter()
+                .filter(counts)
+                .map(|found| line_of(&found)),
+        );
         at = end.unwrap_or_else(|| start.clone());
     }
     all
@@ -45,7 +50,7 @@ fn counts(finding: &Finding) -> bool {
     finding.kind != Kind::Undecided
 }
 
-fn told(finding: &Finding) -> String {
+fn line_of(finding: &Finding) -> String {
     format!("{:?}: {}", finding.kind, finding.text)
 }
 
@@ -129,15 +134,15 @@ fn a_parallelogram_behind_gears_stays_one() {
 fn a_rack_of_a_large_or_a_small_pinion() {
     for radius in ["20", "80", "4", "0.1", "0.01"] {
         let radius_number: f64 = radius.parse().expect("a number");
-        let ways = [0.5, -0.5, 2.0, -2.0, 4.5, -4.5, 7.0, -7.0, 40.0];
-        let far = values(&ways.map(|way| way / radius_number));
+        let displacements = [0.5, -0.5, 2.0, -2.0, 4.5, -4.5, 7.0, -7.0, 40.0];
+        let far = values(&displacements.map(|displacement| displacement / radius_number));
         let subject = with(include_str!("texts/rack-rocker.txt"), "RATIO", radius);
         none(
             &format!("from a pinion of radius {radius}"),
             &subject,
             &wrong(&subject, &far),
         );
-        let far = values(&ways.map(|way| way * radius_number));
+        let far = values(&displacements.map(|displacement| displacement * radius_number));
         let subject = with(include_str!("texts/rack-crank.txt"), "RATIO", radius);
         none(
             &format!("to a pinion of radius {radius}"),
@@ -165,14 +170,17 @@ fn a_dead_zone_behind_gears_that_speed_up() {
         let (first, second) = ratio.split_once(" : ").expect("a ratio");
         let number = |text: &str| text.parse::<f64>().expect("a number");
         let speed = number(first) / number(second);
-        let ways = [
+        let displacements = [
             0.1, -0.3, 1.0, -1.0, 2.0, 3.0, -3.0, 5.0, 7.0, -7.0, 40.0, -100.0,
         ];
         let subject = with(include_str!("texts/worm-rocker.txt"), "RATIO", ratio);
         none(
             ratio,
             &subject,
-            &wrong(&subject, &values(&ways.map(|way| way / speed))),
+            &wrong(
+                &subject,
+                &values(&displacements.map(|displacement| displacement / speed)),
+            ),
         );
     }
 }
@@ -249,14 +257,14 @@ fn a_narrow_dead_zone_is_found() {
             for more in [1e-2, 0.3, 1.0, 2.5, 30.0] {
                 let to = beyond + (beyond - turned - begin).signum() * more;
                 let mut machine = Machine::<f64>::new(&subject.compiled.program);
-                let told = machine.move_to(&[to]);
+                let outcome = machine.move_to(&[to]);
                 let toward = machine.move_toward(&[to]);
                 let at = machine.position().motors[0];
-                if told.is_ok()
+                if outcome.is_ok()
                     || toward.is_ok_and(|stop| stop.is_none())
                     || (at - limit).abs() > 1e-6
                 {
-                    wrong.push(format!("zone {number}, {:.1e} wide, at {limit}: to {to}: {told:?}, it stops at {at}\n{text}", 2.0 * half));
+                    wrong.push(format!("zone {number}, {:.1e} wide, at {limit}: to {to}: {outcome:?}, it stops at {at}\n{text}", 2.0 * half));
                 }
             }
         }
@@ -353,11 +361,11 @@ fn coupled_loops_go_straight_on_through_their_change_points() {
                 let mut machine = Machine::<f64>::new(&subject.compiled.program);
                 for step in 1..=steps {
                     let to: f64 = far * f64::from(step) / f64::from(steps);
-                    let told = machine.move_to(&[to]);
+                    let outcome = machine.move_to(&[to]);
                     let off = off_one_body(&subject, &machine, 4);
-                    if told.is_err() || off > 1e-6 {
+                    if outcome.is_err() || off > 1e-6 {
                         found.push(format!(
-                            "to {far} in {steps} steps: at {to} {told:?}, off by {off:.2e}"
+                            "to {far} in {steps} steps: at {to} {outcome:?}, off by {off:.2e}"
                         ));
                         break;
                     }
@@ -383,15 +391,15 @@ fn coupled_loops_do_not_stay_at_their_change_points() {
                 (-distance, -0.2),
             ] {
                 let mut machine = Machine::<f64>::new(&subject.compiled.program);
-                let told = [first, change_point + at, change_point + onwards].map(|to| {
-                    let told = machine.move_to(&[to]);
-                    (told, off_one_body(&subject, &machine, 4))
+                let outcome = [first, change_point + at, change_point + onwards].map(|to| {
+                    let outcome = machine.move_to(&[to]);
+                    (outcome, off_one_body(&subject, &machine, 4))
                 });
-                let [_, near, beyond] = told;
+                let [_, near, beyond] = outcome;
                 let refused = near.0.is_err() && distance >= 1e-6;
                 if refused || beyond.0.is_err() || near.1.max(beyond.1) > 1e-6 {
                     found.push(format!(
-                        "from {first} by {at:e}, then by {onwards}: {told:?}"
+                        "from {first} by {at:e}, then by {onwards}: {outcome:?}"
                     ));
                 }
             }
@@ -475,8 +483,8 @@ fn drag_links_near_the_change_over_turn_their_wheels_right() {
             let subject = with(&text, "RATIO", ratio);
             for step in [0.02, 0.25, 1.0, 3.0, 6.0, 12.0] {
                 let at = subject.compiled.program.start.motors[0];
-                let way = vec![vec![at + step], vec![at + 2.0 * step], vec![at - step]];
-                let wrong = wrong_in_a_row(&subject, &way);
+                let goals = vec![vec![at + step], vec![at + 2.0 * step], vec![at - step]];
+                let wrong = wrong_in_a_row(&subject, &goals);
                 found.extend(
                     wrong
                         .into_iter()
@@ -573,7 +581,7 @@ fn a_parallelogram_with_a_redundant_crank() {
                 let mut machine = Machine::<f64>::new(&subject.compiled.program);
                 for step in 1..=steps {
                     let to = far * f64::from(step) / f64::from(steps);
-                    let told = machine.move_to(&[to]);
+                    let outcome = machine.move_to(&[to]);
                     let poses = subject.poses(machine.position());
                     let off = (poses[1][1] - to.sin())
                         .abs()
@@ -581,8 +589,8 @@ fn a_parallelogram_with_a_redundant_crank() {
                     let off = off
                         .max((poses[3][1] - to.sin()).abs())
                         .max(poses[4][1].abs());
-                    if told.is_err() || off > 1e-6 {
-                        found.push(format!("({x}, {y}) to {far} in {steps} steps: at {to} {told:?}, off by {off:.2e}"));
+                    if outcome.is_err() || off > 1e-6 {
+                        found.push(format!("({x}, {y}) to {far} in {steps} steps: at {to} {outcome:?}, off by {off:.2e}"));
                         break;
                     }
                 }

@@ -9,7 +9,7 @@ use crate::Real;
 
 /// How far beyond it is begun, in fourth roots of the precision: both what curves a straight way and what rounding does to it are
 /// small then beside the distance from the other branch.
-const WAYS: [f64; 2] = [8.0, 32.0];
+const OFFSETS: [f64; 2] = [8.0, 32.0];
 /// The same for loops in closed form, whose positions are as exact as rounding lets them be.
 const TOGETHER: [f64; 3] = [0.25, NEAREST, 2.0];
 /// What comes to zero nearer to another than this is passed with it.
@@ -113,7 +113,7 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
         });
     }
     // Not so near that rounding tells more than the position.
-    let start = part - distance(journey, index, WAYS[0]) * T::HALF;
+    let start = part - distance(journey, index, OFFSETS[0]) * T::HALF;
     let before = if start <= done {
         (from.clone(), done)
     } else {
@@ -141,19 +141,19 @@ fn across<T: Real, J: Journey<T>>(
     (position, part): (&J::Position, T),
     index: usize,
 ) -> Option<Beyond<J::Position, T>> {
-    WAYS.into_iter().find_map(|times| {
-        let way = lesser(distance(journey, index, times), T::ONE - part);
-        let last = back(journey, (position, part), (way, index))?;
+    OFFSETS.into_iter().find_map(|times| {
+        let offset = lesser(distance(journey, index, times), T::ONE - part);
+        let last = back(journey, (position, part), (offset, index))?;
         let before = back(
             journey,
-            (&last, part - way),
-            (way * T::from_f64(2.0), index),
+            (&last, part - offset),
+            (offset * T::from_f64(2.0), index),
         )?;
         let line = Line {
-            before: (&before, part - way * T::from_f64(3.0)),
-            last: (&last, part - way),
+            before: (&before, part - offset * T::from_f64(3.0)),
+            last: (&last, part - offset),
         };
-        line.beyond(journey, from, part + way, index)
+        line.beyond(journey, from, part + offset, index)
     })
 }
 
@@ -164,15 +164,15 @@ pub(super) fn together<T: Real, J: Journey<T>>(
     (part, index): (T, usize),
 ) -> Option<Beyond<J::Position, T>> {
     TOGETHER.into_iter().find_map(|times| {
-        let way = distance(journey, index, times);
-        let [begun, last_part] = [3.0, 1.0].map(|ways| part - way * T::from_f64(ways));
+        let offset = distance(journey, index, times);
+        let [begun, last_part] = [3.0, 1.0].map(|offsets| part - offset * T::from_f64(offsets));
         let before = arrived(journey, from, done, begun)?;
         let last = arrived(journey, &before, begun, last_part)?;
         let line = Line {
             before: (&before, begun),
             last: (&last, last_part),
         };
-        line.beyond(journey, (from, done), lesser(part + way, T::ONE), index)
+        line.beyond(journey, (from, done), lesser(part + offset, T::ONE), index)
     })
 }
 
@@ -188,21 +188,21 @@ fn touch<T: Real, J: Journey<T>>(
     }
     let far_enough = T::from_f64(TOUCH) * journey.rounding_square(from, index);
     let longest = T::from_f64(LONGEST) / journey.watch(index).change;
-    let mut way = distance(journey, index, 1.0);
+    let mut offset = distance(journey, index, 1.0);
     let before = loop {
-        let before = arrived(journey, from, done, part - way)?;
+        let before = arrived(journey, from, done, part - offset)?;
         let sine = journey.sine(&before, index);
         if sine * sine >= far_enough {
             break before;
         }
-        way = way * T::from_f64(2.0);
-        if way > longest {
+        offset = offset * T::from_f64(2.0);
+        if offset > longest {
             return None;
         }
     };
-    let halfway = arrived(journey, &before, part - way, part - way * T::HALF)?;
+    let halfway = arrived(journey, &before, part - offset, part - offset * T::HALF)?;
     let [far, near] = [&before, &halfway].map(|at| journey.sine(at, index).abs());
-    (far > T::from_f64(TOUCHES) * near).then_some(Touch { halfway, way })
+    (far > T::from_f64(TOUCHES) * near).then_some(Touch { halfway, offset })
 }
 
 /// A sine that touches its zero.
@@ -210,7 +210,7 @@ struct Touch<P, T> {
     /// The position halfway between the zero and where it was seen.
     halfway: P,
     /// How far before the zero it was seen.
-    way: T,
+    offset: T,
 }
 
 /// Whether a loop stands at a zero that its sine only touched.
@@ -228,9 +228,9 @@ pub(super) fn touched<T: Real, J: Journey<T>>(
     (from, done): (&J::Position, T),
     (part, index): (T, usize),
 ) -> Option<Beyond<J::Position, T>> {
-    let Touch { halfway, way } = touch(journey, (from, done), (part, index))?;
-    let end = lesser(part + way, T::ONE);
-    let to = arrived(journey, &halfway, part - way * T::HALF, end)?;
+    let Touch { halfway, offset } = touch(journey, (from, done), (part, index))?;
+    let end = lesser(part + offset, T::ONE);
+    let to = arrived(journey, &halfway, part - offset * T::HALF, end)?;
     let is_clear = (0..journey.watches()).all(|one| !is_zero(journey, &to, one));
     is_clear.then_some(Beyond {
         to,
@@ -318,7 +318,7 @@ fn away<T: Real, J: Journey<T>>(
     (from, done): (&J::Position, T),
     index: usize,
 ) -> Option<Beyond<J::Position, T>> {
-    let way = lesser(distance(journey, index, WAYS[0]), T::ONE - done);
+    let offset = lesser(distance(journey, index, OFFSETS[0]), T::ONE - done);
     let sine = |position: &J::Position| journey.sine(position, index).abs();
     let least = T::from_f64(1.0 - FALLS);
     let noise = T::from_f64(NOISE) * journey.rounding_square(from, index);
@@ -328,9 +328,9 @@ fn away<T: Real, J: Journey<T>>(
     for _ in 0..MOST_STEPS {
         // One step ends in the middle.
         let bound = if halfway.is_some() {
-            way
+            offset
         } else {
-            way * T::HALF
+            offset * T::HALF
         };
         let farther = lesser(gone + step, bound);
         if done + farther <= done + gone {
@@ -348,11 +348,11 @@ fn away<T: Real, J: Journey<T>>(
         (to, gone, greatest) = (next, farther, greatest.max(sine(&to)));
         match halfway {
             // Straight back from here it was not on the other side of its zero.
-            Some(middle) if gone >= way => {
+            Some(middle) if gone >= offset => {
                 let is_away = sine(&to) > sine(from) && middle + middle > sine(&to);
                 return is_away.then_some(Beyond {
                     to,
-                    end: done + way,
+                    end: done + offset,
                     stops: false,
                 });
             }
@@ -368,20 +368,20 @@ fn away<T: Real, J: Journey<T>>(
 fn back<T: Real, J: Journey<T>>(
     journey: &J,
     (position, part): (&J::Position, T),
-    (way, index): (T, usize),
+    (offset, index): (T, usize),
 ) -> Option<J::Position> {
     let (mut at, mut gone) = (position.clone(), T::ZERO);
     let sine = journey.sine(position, index).abs();
     let mut step = T::from_f64(FIRST) * sine / journey.watch(index).change;
     for _ in 0..MOST_STEPS {
-        let farther = lesser(gone + step, way);
+        let farther = lesser(gone + step, offset);
         if let Ok(next) = journey.at(&at, part - farther) {
             (at, gone) = (next, farther);
             step = step * T::from_f64(LONGER);
         } else {
             step = step * T::from_f64(SHORTER);
         }
-        if gone >= way {
+        if gone >= offset {
             return Some(at);
         }
     }
