@@ -3,7 +3,7 @@
 use super::Plan;
 use super::cluster::Clusters;
 use super::equation::Unknown;
-use super::linear_relations::{Rational, float_of};
+use super::linear_relations::{Rational, fraction};
 use super::step::{Connection, ConnectionKind, Loop, Source, Step, Tie};
 use crate::model::{AxisId, JointId, LinkId, Model};
 use std::fmt::{self, Display, Formatter};
@@ -223,15 +223,5 @@ fn coordinate(kind: ConnectionKind) -> &'static str {
     match kind {
         ConnectionKind::Revolute => "angle",
         ConnectionKind::Prismatic => "length",
-    }
-}
-
-/// A ratio as a fraction; where that comes from a pitch radius and is long, as a decimal number.
-fn fraction(part: &Rational) -> String {
-    let exact = part.to_string();
-    if exact.len() <= 12 {
-        exact
-    } else {
-        format!("{:?}", float_of(part))
     }
 }

@@ -25,7 +25,7 @@ pub use display::PlanText;
 pub use equation::Unknown;
 pub(crate) use equation::{Equation, Residuals, Slide, Solution};
 pub use linear_relations::Rational;
-pub(crate) use linear_relations::float_of;
+pub(crate) use linear_relations::{float_of, fraction};
 pub use needed::Needed;
 pub(crate) use placement::{Coordinate, Placement};
 pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
