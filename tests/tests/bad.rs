@@ -118,8 +118,8 @@ fn is_somewhere<T: Scalar>(poses: &[Pose<T>]) {
 
 /// Tests that everything that was told is a number.
 #[track_caller]
-fn are_numbers(told: &impl Debug) {
-    let text = format!("{told:?}");
+fn are_numbers(value: &impl Debug) {
+    let text = format!("{value:?}");
     assert!(!text.contains("inf") && !text.contains("NaN"), "{text}");
 }
 

@@ -38,9 +38,9 @@ fn the_values_reached_are_told_with_names_and_units() {
     let [turn, lift] = blocked.reached;
     assert!((turn - limit(2.0)).abs() < 1e-9, "{turn}");
     let degrees = (turn.to_degrees() * 1000.0).round() / 1000.0;
-    let told = format!("turn = {turn:?} rad ({degrees:?}°), lift = {lift:?}");
+    let expected = format!("turn = {turn:?} rad ({degrees:?}°), lift = {lift:?}");
     let text = blocked.to_string();
-    assert!(text.ends_with(&told), "{text}, not {told}");
+    assert!(text.ends_with(&expected), "{text}, not {expected}");
     assert!(text.contains("`big`"), "{text}");
     // The same in whatever form the values are.
     let listed = blocked.map(|values| values.to_vec());
@@ -52,8 +52,8 @@ fn a_limit_is_told_as_an_error_is() {
     let mut short = Short::new();
     match short.move_toward([PI / 2.0, 1.0]) {
         Ok(Reached::Limit(blocked)) => {
-            let told = format!(", lift = {:?}", blocked.reached[1]);
-            assert!(blocked.to_string().ends_with(&told), "{blocked}");
+            let expected = format!(", lift = {:?}", blocked.reached[1]);
+            assert!(blocked.to_string().ends_with(&expected), "{blocked}");
         }
         other => panic!("{other:?}"),
     }
@@ -64,11 +64,11 @@ fn params_are_told_by_their_own_names() {
     let mut short = Short::new();
     let blocked: Blocked<f64> = short.set_rod(0.1).expect_err("it is too short");
     assert!((limit(blocked.reached) - 10_f64.to_radians()).abs() < 1e-9);
-    let told = format!("beyond rod = {:?}", blocked.reached);
-    assert!(blocked.to_string().ends_with(&told), "{blocked}");
+    let expected = format!("beyond rod = {:?}", blocked.reached);
+    assert!(blocked.to_string().ends_with(&expected), "{blocked}");
     let blocked = short.set_params([0.1]).expect_err("it is too short");
-    let told = format!("beyond rod = {:?}", blocked.reached[0]);
-    assert!(blocked.to_string().ends_with(&told), "{blocked}");
+    let expected = format!("beyond rod = {:?}", blocked.reached[0]);
+    assert!(blocked.to_string().ends_with(&expected), "{blocked}");
     let blocked = short.set_rod(f64::NAN).expect_err("no number");
     assert_eq!(blocked.at(), Place::Param("rod"));
 }

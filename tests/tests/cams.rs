@@ -227,9 +227,9 @@ fn what_rolls_may_hang_on_a_follower() {
     for step in 0..200 {
         let time = 0.007 * f64::from(step);
         counting.at_time(time).expect("it moves");
-        let way = 3.0 * (TAU * time).sin();
-        assert!((counting.x() - way).abs() < 1e-12);
-        let angle = (way / 0.1).rem_euclid(TAU);
+        let value = 3.0 * (TAU * time).sin();
+        assert!((counting.x() - value).abs() < 1e-12);
+        let angle = (value / 0.1).rem_euclid(TAU);
         let off = (counting.p() - angle).rem_euclid(TAU);
         assert!(off.min(TAU - off) < 1e-10, "{time}: {off}");
         let rate = TAU * 30.0 * (TAU * time).cos();

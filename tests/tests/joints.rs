@@ -64,13 +64,13 @@ fn check<M: Mechanism<Scalar = f64>>(mechanism: &M) {
             assert_eq!(value, None, "{what}");
             continue;
         };
-        let way = [b[0] - a[0], b[1] - a[1]];
+        let offset = [b[0] - a[0], b[1] - a[1]];
         let slides = matches!(joint.kind, JointKind::Prismatic | JointKind::Slot);
         if slides {
-            near(cross(from, way), 0.0, &what);
-            near(value.expect("it slides"), dot(from, way), &what);
+            near(cross(from, offset), 0.0, &what);
+            near(value.expect("it slides"), dot(from, offset), &what);
         } else {
-            near(way[0].hypot(way[1]), 0.0, &what);
+            near(offset[0].hypot(offset[1]), 0.0, &what);
         }
         if matches!(joint.kind, JointKind::Prismatic | JointKind::Weld) {
             near(cross(from, to), 0.0, &what);

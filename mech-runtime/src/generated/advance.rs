@@ -70,11 +70,8 @@ where
     if limits.stepping == Stepping::Afresh {
         return straight(position, target, limits, step);
     }
-    if let Err(stop) = finite(target.values, limits.inputs) {
-        return Err(position.refuse(stop, limits.inputs));
-    }
-    if let Some((stop, reached)) = limits.leaves(&position.motors, &target) {
-        return Err(Blocked::new(stop.place, stop.cause, reached.total()).of(limits.inputs));
+    if let Some(blocked) = refusal(position, &target, limits) {
+        return Err(blocked);
     }
     let start = *position;
     let going = Move::new(limits, &start, target, step);
@@ -85,6 +82,22 @@ where
         }
         Err(halt) => Err(going.blocked(halt.part, halt.stop)),
     }
+}
+
+/// Why a target is refused before anything moves: a value is not finite, or outside its range.
+fn refusal<T, const M: usize, const L: usize, const K: usize, const W: usize>(
+    position: &Position<T, M, L, K>,
+    target: &Motors<T, M>,
+    limits: &MoveLimits<T, M, W>,
+) -> Option<Blocked<[T; M]>>
+where
+    T: Scalar,
+{
+    if let Err(stop) = finite(target.values, limits.inputs) {
+        return Some(position.refuse(stop, limits.inputs));
+    }
+    let (stop, reached) = limits.leaves(&position.motors, target)?;
+    Some(Blocked::new(stop.place, stop.cause, reached.total()).of(limits.inputs))
 }
 
 /// The same where a position depends on the motors alone.
@@ -162,11 +175,8 @@ fn stopped<T, const M: usize, const L: usize, const K: usize, const W: usize>(
 where
     T: Scalar,
 {
-    if let Err(stop) = finite(target.values, limits.inputs) {
-        return position.refuse(stop, limits.inputs);
-    }
-    if let Some((stop, reached)) = limits.leaves(&position.motors, &target) {
-        return Blocked::new(stop.place, stop.cause, reached.total()).of(limits.inputs);
+    if let Some(blocked) = refusal(position, &target, limits) {
+        return blocked;
     }
     let going = Move::new(limits, position, target, take);
     let stop = |part| take(position, going.motors(part)).err();

@@ -32,15 +32,15 @@ pub struct Simulated<
 
 /// What is not in the position but moves it.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<T: 'static, const MOTORS: usize> {
+pub struct Moment<T: 'static, const INPUTS: usize, const MOTORS: usize> {
     /// The rates of the motors.
     pub rates: [T; MOTORS],
     /// Their torques, which stay as they are during the step.
     pub torques: [T; MOTORS],
     /// How long the step is.
     pub time: T,
-    /// The motors.
-    pub inputs: &'static [Input],
+    /// The motors, and the params after them.
+    pub inputs: &'static [Input; INPUTS],
     /// Which of them turn, and may turn any number of times.
     pub turning: &'static [bool; MOTORS],
     /// A radian for each that turns, the size of the mechanism for each that slides: what their values are rounded against.
@@ -131,7 +131,7 @@ impl<T: Scalar> Tableau<T> {
 /// If something given is not a finite number, something is in the way, no mass resists a motor, or the step of time is too long.
 pub fn simulate<T, const I: usize, const M: usize, const L: usize, const K: usize>(
     start: &Position<T, I, L, K>,
-    moment: &Moment<T, M>,
+    moment: &Moment<T, I, M>,
     method: GaussLegendre,
     to: impl Fn(
         &mut Position<T, I, L, K>,
@@ -170,10 +170,11 @@ where
         let found = next.iter_mut().zip(&mut positions);
         for ((at, places, shares), (next, position)) in tableau.stages().zip(found) {
             let places = places.map(|share| time * time * share);
-            let way = way(rates, time * at, &stages, places, tableau.count);
+            let displacement = displacement(rates, time * at, &stages, places, tableau.count);
             let shares = shares.map(|share| time * share);
             let speed = sum(rates, &stages, shares, tableau.count);
-            let inertia = to(position, moved(start.motors, way), speed).map_err(too_long)?;
+            let inertia =
+                to(position, moved(start.motors, displacement), speed).map_err(too_long)?;
             let accelerations = inertia.accelerations(torques, inputs);
             *next = accelerations.map_err(refuse).map_err(too_long)?;
         }
@@ -193,10 +194,10 @@ where
         return Err(refuse(Stop::new("", Cause::StepTooLong)));
     }
     let end = tableau.end.map(|share| time * time * share);
-    let way = way(rates, time, &stages, end, tableau.count);
+    let displacement = displacement(rates, time, &stages, end, tableau.count);
     let weights = tableau.weights.map(|share| time * share);
     let speed = sum(rates, &stages, weights, tableau.count);
-    let inertia = to(&mut position, moved(start.motors, way), speed)?;
+    let inertia = to(&mut position, moved(start.motors, displacement), speed)?;
     let accelerations = inertia.accelerations(torques, inputs).map_err(refuse)?;
     super::finite(speed, inputs).map_err(|_| refuse(Stop::new("", Cause::Overflow)))?;
     position.motors = position.motors.reduced(turning);
@@ -220,7 +221,7 @@ fn too_long<M>(blocked: Blocked<M>) -> Blocked<M> {
 }
 
 /// The way that rates and second rates make.
-fn way<T: Scalar, const M: usize>(
+fn displacement<T: Scalar, const M: usize>(
     rates: [T; M],
     time: T,
     stages: &[[T; M]; STAGES],
@@ -248,11 +249,11 @@ fn sum<T: Scalar, const M: usize>(
 
 fn moved<T: Scalar, const I: usize, const M: usize>(
     motors: Motors<T, I>,
-    way: [T; M],
+    displacement: [T; M],
 ) -> Motors<T, I> {
     let mut motors = motors;
-    for (value, way) in motors.values.iter_mut().zip(way) {
-        *value += way;
+    for (value, displacement) in motors.values.iter_mut().zip(displacement) {
+        *value += displacement;
     }
     motors
 }
@@ -267,9 +268,9 @@ struct Change<T> {
 
 impl<T: Scalar> Change<T> {
     /// The change between each stage before and after.
-    fn between<'s, const M: usize>(
+    fn between<'s, const I: usize, const M: usize>(
         stages: impl Iterator<Item = (&'s [T; M], &'s [T; M])>,
-        moment: &Moment<T, M>,
+        moment: &Moment<T, I, M>,
     ) -> Self {
         let Moment { time, scales, .. } = *moment;
         let (mut of_rates, mut of_places) = (T::ZERO, T::ZERO);

@@ -61,10 +61,10 @@ impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
     ///
     /// # Errors
     /// The first motor that no mass resists there, or that a second rate is beyond the range of the numbers.
-    pub fn accelerations(
+    pub fn accelerations<const INPUTS: usize>(
         &self,
         torques: [T; MOTORS],
-        inputs: &[Input],
+        inputs: &[Input; INPUTS],
     ) -> Result<[T; MOTORS], Stop> {
         let mut rows = self.matrix;
         let mut sums: [T; MOTORS] =

@@ -240,7 +240,7 @@ fn slide<T: Scalar>(
     let along = guide.along;
     let block = pen::Spot { at, along };
     let [half, height] = BLOCK;
-    let way = (at[0] - guide.at[0]) * along[0] + (at[1] - guide.at[1]) * along[1];
+    let offset = (at[0] - guide.at[0]) * along[0] + (at[1] - guide.at[1]) * along[1];
     if is_fixed {
         // The rail lies below, or to the right where it is upright.
         let is_below = along[0] > T::ZERO || (along[0] >= T::ZERO && along[1] > T::ZERO);
@@ -249,7 +249,7 @@ fn slide<T: Scalar>(
         let ends = [-RAIL, RAIL].map(|end| [end, side * depth]);
         pen.stroke(canvas, block, ends, MEDIUM);
         // The hatching stays where it is while the block slides by.
-        let remainder = HATCH * fraction(way / pen.pixels(HATCH));
+        let remainder = HATCH * fraction(offset / pen.pixels(HATCH));
         let floor = pen::Spot {
             at: block.go(T::ZERO, pen.pixels(side * depth)),
             along,
@@ -257,8 +257,16 @@ fn slide<T: Scalar>(
         pen.hatch(canvas, floor, (HATCH - RAIL - remainder, RAIL, HATCH), side);
     } else {
         let reach = pen.pixels(2.0 * half);
-        let least = if way < reach { way - reach } else { T::ZERO };
-        let most = if way > -reach { way + reach } else { T::ZERO };
+        let least = if offset < reach {
+            offset - reach
+        } else {
+            T::ZERO
+        };
+        let most = if offset > -reach {
+            offset + reach
+        } else {
+            T::ZERO
+        };
         let ends = [guide.go(least, T::ZERO), guide.go(most, T::ZERO)];
         pen.line(canvas, ends, BOLD);
     }
@@ -327,8 +335,8 @@ fn rack<T: Scalar>(
     pen.line(canvas, ends, THIN);
     // Ticks half a radius apart, on the side away from the pinion.
     let apart = <T as Real>::HALF * Real::abs(radius);
-    let way = (at[0] - bar.at[0]) * u + (at[1] - bar.at[1]) * v;
-    let remainder = apart * T::from_f32(fraction(way / apart));
+    let offset = (at[0] - bar.at[0]) * u + (at[1] - bar.at[1]) * v;
+    let remainder = apart * T::from_f32(fraction(offset / apart));
     let away = pen.pixels(if radius > T::ZERO { -5.0 } else { 5.0 });
     for number in -3..=4 {
         let ahead = apart * <T as Real>::from_i32(number) - remainder;

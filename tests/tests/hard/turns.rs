@@ -11,8 +11,8 @@ trait TurnTo {
 }
 
 macro_rules! turned {
-    ($($way:ident $scalar:ident {$($method:tt)*})*) => { $(
-        mod $way {
+    ($($variant:ident $scalar:ident {$($method:tt)*})*) => { $(
+        mod $variant {
             use super::*;
 
             mod train {

@@ -108,9 +108,9 @@ impl Thing {
 }
 
 /// What can be said of an element in words, where its points are in the picture, and its lengths.
-type Told = (Vec<String>, Vec<[f64; 2]>, Vec<f64>);
+type Element = (Vec<String>, Vec<[f64; 2]>, Vec<f64>);
 
-fn told(node: &Node<'_, '_>, transform: [f64; 6]) -> Told {
+fn element(node: &Node<'_, '_>, transform: [f64; 6]) -> Element {
     let name = node.tag_name().name();
     let word = |attribute| node.attribute(attribute).unwrap_or_default().to_owned();
     let mut words = vec![name.to_owned()];
@@ -155,13 +155,13 @@ fn told(node: &Node<'_, '_>, transform: [f64; 6]) -> Told {
     )
 }
 
-fn all_told(text: &str, phase: f64) -> Vec<Told> {
+fn elements(text: &str, phase: f64) -> Vec<Element> {
     let document = Document::parse(text).expect("well-formed");
     let player = Player::new(&document);
     player
         .seen(phase)
         .iter()
-        .map(|(node, transform)| told(node, *transform))
+        .map(|(node, transform)| element(node, *transform))
         .collect()
 }
 
@@ -181,15 +181,15 @@ proptest! {
             for thing in &things {
                 thing.draw(&mut still, moment, moments);
             }
-            let wanted = all_told(&still.finish(), 0.0);
-            let found = all_told(&film, f64::from(moment) / f64::from(moments) + BEHIND);
+            let wanted = elements(&still.finish(), 0.0);
+            let found = elements(&film, f64::from(moment) / f64::from(moments) + BEHIND);
             prop_assert_eq!(found.len(), wanted.len(), "moment {}", moment);
             for (found, wanted) in found.iter().zip(wanted) {
                 prop_assert_eq!(&found.0, &wanted.0, "moment {}", moment);
                 prop_assert!(found.1.len() == wanted.1.len() && found.2.len() == wanted.2.len());
-                let ways = found.1.iter().zip(&wanted.1).map(|(found, wanted)| (found[0] - wanted[0]).hypot(found[1] - wanted[1]));
+                let distances = found.1.iter().zip(&wanted.1).map(|(found, wanted)| (found[0] - wanted[0]).hypot(found[1] - wanted[1]));
                 let lengths = found.2.iter().zip(&wanted.2).map(|(found, wanted)| (found - wanted).abs());
-                let worst = ways.chain(lengths).fold(0.0, f64::max);
+                let worst = distances.chain(lengths).fold(0.0, f64::max);
                 prop_assert!(worst < 0.15, "moment {}: {} pixels, {:?}, not {:?}", moment, worst, found, wanted);
             }
         }

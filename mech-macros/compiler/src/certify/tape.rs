@@ -58,7 +58,7 @@ impl<'p> Tape<'p> {
         for (block, state) in carried_sides(program) {
             let side = program.start.state[state];
             let turn = if turned.contains(&block) { -1.0 } else { 1.0 };
-            tape.keep(state, Interval::point(1.0_f64.copysign(turn * side)));
+            tape.set_state(state, Interval::point(1.0_f64.copysign(turn * side)));
         }
         tape.sort(&[]);
         tape
@@ -98,8 +98,8 @@ impl<'p> Tape<'p> {
         }
     }
 
-    /// What is carried in this place.
-    fn keep(&mut self, state: usize, carried: Interval) {
+    /// Sets the state that is carried under this number.
+    fn set_state(&mut self, state: usize, carried: Interval) {
         for (index, node) in self.nodes.iter().enumerate() {
             if node.op == Op::Last(Slot::State(state)) {
                 self.values[index] = carried;

@@ -31,6 +31,26 @@ pub(super) fn step_full(program: &Program) -> TokenStream {
     quote!(#module::step)
 }
 
+/// The move to a target, and whatever this program finds there from these arguments besides.
+pub(super) fn advance_with(
+    program: &Program,
+    position: &TokenStream,
+    target: &TokenStream,
+    arguments: &TokenStream,
+) -> TokenStream {
+    let (step_reduced, step_full) = (step_reduced(program), step_full(program));
+    quote! {
+        generated::advance_with(
+            #position,
+            #target,
+            &known::MOVE_LIMITS,
+            |last, motors| #step_reduced(last, motors #arguments),
+            |last, motors| #step_full(last, motors #arguments),
+            positions::step,
+        )
+    }
+}
+
 /// What is known about every move.
 pub(super) fn limits(model: &Model, program: &Program, plan: &Plan) -> TokenStream {
     let scalar = scalar(program);

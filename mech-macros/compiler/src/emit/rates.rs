@@ -6,7 +6,7 @@ use super::coordinate::coordinate_axes;
 use super::costs::more;
 use super::items::{named_points, pose, user_ident};
 use super::motion::given;
-use super::moves::{step_full, step_reduced};
+use super::moves::{advance_with, step_full};
 use super::params;
 use super::scope::number;
 use super::step::step;
@@ -88,7 +88,6 @@ pub(super) fn moved_with(
 ) -> TokenStream {
     let second = effects.acceleration;
     let [_, arguments] = given(moving);
-    let (near_with, far_with) = (step_reduced(moving), step_full(moving));
     let checked = if second {
         quote!([rates, accelerations])
     } else {
@@ -104,16 +103,7 @@ pub(super) fn moved_with(
     let refused = params::refused(moving);
     let moved = params::of_motors(
         moving,
-        quote! {
-            generated::advance_with(
-                &mut self.position,
-                #motors,
-                &known::MOVE_LIMITS,
-                |last, motors| #near_with(last, motors #arguments),
-                |last, motors| #far_with(last, motors #arguments),
-                positions::step,
-            )
-        },
+        advance_with(moving, &quote!(&mut self.position), motors, &arguments),
     );
     quote! {
         for rates in #checked {

@@ -2,7 +2,7 @@
 
 use super::Writer;
 use crate::emit::motion::given;
-use crate::emit::moves::{step_full, step_reduced};
+use crate::emit::moves::{advance_with, step_full};
 use crate::emit::params;
 use crate::emit::scope::number;
 use crate::model::{JointKind, Motor};
@@ -20,7 +20,8 @@ impl Writer<'_> {
             ..
         } = self;
         let [_, arguments] = given(inertia);
-        let (step_reduced, step_full) = (step_reduced(inertia), step_full(inertia));
+        let step_full = step_full(inertia);
+        let moved = advance_with(inertia, &quote!(position), &quote!(motors), &arguments);
         let (loads, blocked) = (self.given_loads(), self.blocked());
         let turns =
             |motor: &Motor| matches!(self.model.joint(motor.joint).kind, JointKind::Revolute(..));
@@ -40,14 +41,7 @@ impl Writer<'_> {
             self.program,
             quote! {
                 generated::simulate(&self.position, &moment, method, |position, motors, rates| {
-                    generated::advance_with(
-                        position,
-                        motors,
-                        &known::MOVE_LIMITS,
-                        |last, motors| #step_reduced(last, motors #arguments),
-                        |last, motors| #step_full(last, motors #arguments),
-                        positions::step,
-                    )
+                    #moved
                 })
             },
         );

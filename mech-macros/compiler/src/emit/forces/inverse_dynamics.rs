@@ -3,7 +3,7 @@
 use super::Writer;
 use crate::emit::items::user_ident;
 use crate::emit::motion::{found, given};
-use crate::emit::moves::{step_full, step_reduced};
+use crate::emit::moves::{advance_with, step_full};
 use crate::emit::params;
 use crate::model::{Load, LoadKind};
 use crate::program::Program;
@@ -21,22 +21,13 @@ impl Writer<'_> {
             ..
         } = self;
         let [_, arguments] = given(holding);
-        let (step_reduced, step_full) = (step_reduced(holding), step_full(holding));
+        let step_full = step_full(holding);
         let (loads, blocked) = (self.given_loads(), self.blocked());
         let [target, present] = params::target(self.program, &quote!(self.position));
         let refused = params::refused(self.program);
         let moved = params::of_motors(
             self.program,
-            quote! {
-                generated::advance_with(
-                    &mut self.position,
-                    #target,
-                    &known::MOVE_LIMITS,
-                    |last, motors| #step_reduced(last, motors #arguments),
-                    |last, motors| #step_full(last, motors #arguments),
-                    positions::step,
-                )
-            },
+            advance_with(holding, &quote!(&mut self.position), &target, &arguments),
         );
         quote! {
             /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide) that hold it
