@@ -15,6 +15,8 @@ pub(crate) enum Subject {
     Link,
     Point,
     Joint,
+    /// A joint that no motor drives.
+    DependentJoint,
     Force,
     Torque,
     Spring,

@@ -40,7 +40,7 @@ pub(crate) const TABLE: &[Item] = &[
     item(Of::Point, When::Velocity, "pub fn name_velocity(&self) -> Vector2<scalar> { loop {} }"),
     item(Of::Point, When::Acceleration, "pub fn name_acceleration(&self) -> Vector2<scalar> { loop {} }"),
     item(Of::Joint, When::Always, "pub fn name(&self) -> scalar { loop {} }"),
-    item(Of::Joint, When::Sensitivity, "pub fn name_sensitivity(&self) -> Result<[scalar; param_count], Blocked<[scalar; motor_count]>> { loop {} }"),
+    item(Of::DependentJoint, When::Sensitivity, "pub fn name_sensitivity(&self) -> Result<[scalar; param_count], Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Joint, When::Velocity, "pub fn name_rate(&self) -> scalar { loop {} }"),
     item(Of::Joint, When::Acceleration, "pub fn name_acceleration(&self) -> scalar { loop {} }"),
     item(Of::Trace, When::Traces, "pub fn name_trace(&self) -> &Trace<scalar, trace_length> { loop {} }"),

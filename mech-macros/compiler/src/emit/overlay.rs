@@ -85,7 +85,7 @@ fn forces(
     let scalar = scalar(program);
     let writer = Writer { model, program };
     let points = model
-        .told_joints()
+        .declared_joints()
         .map(|joint| match writer.place_of(joint) {
             None => quote!(Option::None),
             Some(point) => {

@@ -5,7 +5,7 @@ use super::block::scalar_of;
 use super::items::{named_points, picture, user_ident};
 use crate::api::{Item, Subject, TABLE};
 use crate::bug::bug;
-use crate::model::{Between, JointKind, LoadKind, Model, Origin};
+use crate::model::{Between, JointId, LoadKind, Model, Origin};
 use crate::syntax::{Header, Places};
 use proc_macro2::{Group, Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -166,6 +166,11 @@ impl Writer<'_> {
                 .filter(move |load| matches!(load.kind, LoadKind::Force(_)) == is_force)
                 .map(|load| Named::new(&load.name, load.origin))
         };
+        let joints = |ids: &mut dyn Iterator<Item = JointId>| {
+            ids.map(|id| model.joint(id))
+                .map(|joint| Named::new(&joint.name, joint.origin))
+                .collect()
+        };
         match subject {
             Subject::Mechanism | Subject::Trait => Vec::new(),
             Subject::Link => model
@@ -178,17 +183,8 @@ impl Writer<'_> {
                     Named::new(&format!("{}_{name}", model.link(link).name), origin)
                 })
                 .collect(),
-            Subject::Joint => model
-                .joint_ids()
-                .filter(|&id| model.shows_joint(id))
-                .map(|id| model.joint(id))
-                .filter(|joint| {
-                    let kind = joint.kind;
-                    !joint.hidden
-                        && matches!(kind, JointKind::Revolute(..) | JointKind::Prismatic(..))
-                })
-                .map(|joint| Named::new(&joint.name, joint.origin))
-                .collect(),
+            Subject::Joint => joints(&mut model.shown_joints()),
+            Subject::DependentJoint => joints(&mut model.dependent_joints()),
             Subject::Force => load(true).collect(),
             Subject::Torque => load(false).collect(),
             Subject::Spring => model
@@ -251,7 +247,7 @@ impl Writer<'_> {
             "motor_count" => count(self.motors),
             "link_count" => count(model.asked_links().len()),
             "param_count" => count(model.params.len()),
-            "joint_count" => count(model.told_joints().count()),
+            "joint_count" => count(model.declared_joints().count()),
             "load_count" => count(model.actions.load_names().len()),
             "trace_length" => count(named.map_or(0, |named| named.length)),
             "none" => quote!(#krate::generated::None),
