@@ -113,19 +113,19 @@ fn a_line_of_a_link_that_is_placed_by_at() {
 
 #[test]
 fn a_point_of_a_link_that_is_placed_by_at() {
-    let text = "struct FourBar;
+    let drawn = "struct FourBar;
 ground { point p = (4, 0); } link crank; link rod; link rocker { point foot = (0, 0); }
 joint a = revolute(ground, crank) at (0, 0);
 joint b = revolute(crank, rod) at (1, 1);
 joint c = revolute(rod, rocker) at (4, 2);
 joint d = revolute(ground.p, rocker.foot);
 motor a;";
-    let (text, spot) = message(text);
+    let (text, spot) = message(drawn);
     assert_eq!(spot, (2, 72), "{text}");
     assert!(text.contains("joint `c` is placed by `at`"), "{text}");
     let offer = between(&text, "write `", "`");
     assert_eq!(offer, "point foot = (4, 0);");
-    compiles(&text.replace("point foot = (0, 0);", offer));
+    compiles(&drawn.replace("point foot = (0, 0);", offer));
 }
 
 #[test]
