@@ -1,5 +1,6 @@
 //! Why a mechanism did not go where it was told.
 
+use crate::{Mechanism, Scalar};
 use core::fmt;
 
 /// A mechanism could not be moved as told; it is where it was.
@@ -15,6 +16,72 @@ pub struct Blocked<M = [f64; 1]> {
     /// units. [`move_toward`](crate::Mechanism::move_toward) goes there. Of a param that could not be set, the value up to which it
     /// could have been changed.
     pub reached: M,
+    /// What the numbers reached belong to, for messages; nothing, if that is not known.
+    pub(crate) inputs: &'static [Input],
+}
+
+/// What stopped the mechanism `X`, as its methods tell it: `Blocked` with the values of all its motors. Stable Rust has no
+/// `X::Blocked`.
+///
+/// ```
+/// use mech_runtime::{BlockedOf, mechanism};
+///
+/// mechanism! {
+///     struct Lift;
+///     link arm;
+///     link cart;
+///     joint a = revolute(ground, arm) at (0, 0);
+///     joint x = prismatic(arm, cart) at (1, 0) along (1, 0);
+///     motor a in 0 deg ..= 90 deg;
+///     motor x;
+/// }
+///
+/// fn raise(lift: &mut Lift) -> Result<(), BlockedOf<Lift>> {
+///     lift.move_to([2.0, 0.5])
+/// }
+///
+/// let blocked = raise(&mut Lift::new()).unwrap_err();
+/// assert_eq!(blocked.at(), mech_runtime::Place::Motor("a"));
+/// assert!(blocked.to_string().starts_with("the value for motor `a` is outside its range"));
+/// ```
+pub type BlockedOf<X> = Blocked<<X as Mechanism>::Motors>;
+
+/// Where a mechanism was stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Place {
+    /// At the motor of this joint.
+    Motor(&'static str),
+    /// At this param.
+    Param(&'static str),
+    /// In the loop whose joints of unknown coordinate are these, each between `` ` ``.
+    Loop(&'static str),
+    /// At something else that was given: a load of this name, or the `time`.
+    Given(&'static str),
+    /// At no place that could be told.
+    Everywhere,
+}
+
+/// A number that moves are given.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Input {
+    /// Of a motor that turns, in radians.
+    Turning(&'static str),
+    /// Of a motor that slides, in scene units.
+    Sliding(&'static str),
+    /// Of a param.
+    Param(&'static str),
+}
+
+impl Input {
+    /// What it is called.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Turning(name) | Self::Sliding(name) | Self::Param(name) => name,
+        }
+    }
 }
 
 /// What stopped a mechanism.
@@ -57,10 +124,31 @@ pub enum Reached<M = [f64; 1]> {
 }
 
 impl<M> Blocked<M> {
-    /// The same with the motors' values in another form.
+    /// The same with the motors' values in another form, in the same order.
     #[must_use]
     pub fn map<N>(self, form: impl FnOnce(M) -> N) -> Blocked<N> {
-        Blocked::new(self.place, self.cause, form(self.reached))
+        Blocked {
+            place: self.place,
+            cause: self.cause,
+            reached: form(self.reached),
+            inputs: self.inputs,
+        }
+    }
+
+    /// Where it stopped: a motor, a param, a loop.
+    #[must_use]
+    pub fn at(&self) -> Place {
+        let named = |input: &&Input| input.name() == self.place;
+        match (self.inputs.iter().find(named), self.cause) {
+            (Some(Input::Param(name)), _) => Place::Param(name),
+            (Some(input), _) => Place::Motor(input.name()),
+            (None, _) if self.place.is_empty() => Place::Everywhere,
+            (None, Cause::NotFinite) => Place::Given(self.place),
+            (None, Cause::OutOfRange | Cause::Massless | Cause::Overflow) => {
+                Place::Motor(self.place)
+            }
+            (None, _) => Place::Loop(self.place),
+        }
     }
 
     #[doc(hidden)]
@@ -70,36 +158,140 @@ impl<M> Blocked<M> {
             place,
             cause,
             reached,
+            inputs: &[],
         }
+    }
+
+    /// The same with what the numbers reached belong to.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn of(mut self, inputs: &'static [Input]) -> Self {
+        self.inputs = inputs;
+        self
+    }
+
+    /// The same of all inputs from this one on.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn starting_at(mut self, first: usize) -> Self {
+        self.inputs = self.inputs.get(first..).unwrap_or_default();
+        self
     }
 }
 
-impl<M: fmt::Debug> fmt::Display for Blocked<M> {
+mod sealed {
+    pub trait Sealed {}
+    impl<T: crate::Scalar, const N: usize> Sealed for [T; N] {}
+    #[cfg(feature = "std")]
+    impl<T: crate::Scalar> Sealed for std::vec::Vec<T> {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// The numbers in a [`Blocked`] that can be printed: an array, a `Vec`, or a single one.
+pub trait Values: sealed::Sealed {
+    /// `f32` or `f64`.
+    type Number: Scalar;
+
+    /// All of them, in the order of the motors or params.
+    fn numbers(&self) -> &[Self::Number];
+}
+
+impl<T: Scalar, const N: usize> Values for [T; N] {
+    type Number = T;
+
+    fn numbers(&self) -> &[T] {
+        self
+    }
+}
+
+#[cfg(feature = "std")]
+impl<T: Scalar> Values for std::vec::Vec<T> {
+    type Number = T;
+
+    fn numbers(&self) -> &[T] {
+        self
+    }
+}
+
+macro_rules! single {
+    ($($float:ident)*) => {
+        $(
+            impl Values for $float {
+                type Number = Self;
+
+                fn numbers(&self) -> &[Self] {
+                    core::slice::from_ref(self)
+                }
+            }
+        )*
+    };
+}
+
+single!(f32 f64);
+
+/// Numbers with their names: angles in radians and in degrees, rounded to a thousandth.
+struct Named<'a, T> {
+    numbers: &'a [T],
+    inputs: &'static [Input],
+}
+
+impl<T: Scalar> fmt::Display for Named<'_, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (place, reached) = (self.place, &self.reached);
+        if self.inputs.len() < self.numbers.len() {
+            return write!(f, "{:?}", self.numbers);
+        }
+        for (index, (number, input)) in self.numbers.iter().zip(self.inputs).enumerate() {
+            let separator = if index > 0 { ", " } else { "" };
+            match input {
+                Input::Turning(name) => {
+                    let thousand = T::from_f64(1000.0);
+                    let degrees = *number * (T::from_f64(360.0) / T::TURN);
+                    let rounded = (degrees * thousand).round() / thousand;
+                    write!(f, "{separator}{name} = {number:?} rad ({rounded:?}°)")?;
+                }
+                Input::Sliding(name) | Input::Param(name) => {
+                    write!(f, "{separator}{name} = {number:?}")?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<M: Values> fmt::Display for Blocked<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let place = self.place;
+        let reached = Named {
+            numbers: self.reached.numbers(),
+            inputs: self.inputs,
+        };
         match self.cause {
             Cause::NotFinite => write!(f, "the value for `{place}` is not a finite number"),
-            Cause::Open => write!(f, "the loop {place} does not close beyond {reached:?}"),
+            Cause::Open => write!(f, "the loop {place} does not close beyond {reached}"),
             Cause::DeadPoint => write!(
                 f,
-                "the loop {place} would have to pass a dead point at {reached:?}"
+                "the loop {place} would have to pass a dead point at {reached}"
             ),
             Cause::ChangePoint => write!(
                 f,
-                "the loop {place} is at a change point at {reached:?} and stops there as declared"
+                "the loop {place} is at a change point at {reached} and stops there as declared"
             ),
             Cause::TooFar => write!(f, "the way is too long to be followed in one move"),
-            Cause::OutOfRange => write!(f, "the value for motor `{place}` is outside its range"),
+            Cause::OutOfRange => write!(
+                f,
+                "the value for motor `{place}` is outside its range; it goes as far as {reached}"
+            ),
             Cause::NoRoom => write!(f, "there is no room left in the columns"),
             Cause::Overflow => write!(f, "a coordinate would be beyond the range of the numbers"),
-            Cause::Massless => write!(f, "no mass resists motor `{place}` at {reached:?}"),
+            Cause::Massless => write!(f, "no mass resists motor `{place}` at {reached}"),
             Cause::StepTooLong => write!(f, "the step of time is too long to be followed"),
             Cause::Singular => write!(
                 f,
-                "the rates of the loop {place} are not determined at {reached:?}: it is at a dead point or a change point"
+                "the rates of the loop {place} are not determined at {reached}: it is at a dead point or a change point"
             ),
         }
     }
 }
 
-impl<M: fmt::Debug> core::error::Error for Blocked<M> {}
+impl<M: Values + fmt::Debug> core::error::Error for Blocked<M> {}

@@ -1,5 +1,6 @@
 //! Poses of many positions, side by side.
 
+use crate::blocked::Values;
 use crate::{Blocked, Pose, Scalar};
 
 /// Poses of many positions: for each moving link, in the order of declaration, four columns, cosine, sine, x and y, one number
@@ -134,10 +135,10 @@ pub struct BlockedAt<M = [f64; 1]> {
     pub blocked: Blocked<M>,
 }
 
-impl<M: core::fmt::Debug> core::fmt::Display for BlockedAt<M> {
+impl<M: Values> core::fmt::Display for BlockedAt<M> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "position {}: {}", self.index, self.blocked)
     }
 }
 
-impl<M: core::fmt::Debug> core::error::Error for BlockedAt<M> {}
+impl<M: Values + core::fmt::Debug> core::error::Error for BlockedAt<M> {}

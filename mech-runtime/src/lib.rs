@@ -24,6 +24,7 @@ mod force;
 mod gauss_legendre;
 #[doc(hidden)]
 pub mod generated;
+mod joint;
 mod mechanism;
 pub mod overlay;
 mod pose;
@@ -34,11 +35,12 @@ mod scalar;
 mod shape;
 mod trace;
 
-pub use blocked::{Blocked, Cause, Reached};
+pub use blocked::{Blocked, BlockedOf, Cause, Place, Reached, Values};
 pub use columns::{BlockedAt, Columns};
 pub use cost::Cost;
 pub use force::{Forces, Reaction};
 pub use gauss_legendre::GaussLegendre;
+pub use joint::{Anchor, Coordinate, JointInfo, JointKind};
 pub use mech_core::{Phase, Real};
 pub use mechanism::Mechanism;
 pub use nalgebra::{Isometry2, Point2, Vector2};
@@ -194,8 +196,10 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// `LOOP_COSTS`.
 ///
 /// A move goes the straight way in the motors. What is in the way stops it: `move_to` returns [`Blocked`] with the motor values
-/// up to which it could have gone and leaves everything where it was, `move_toward` goes there. `turn_to` takes a [`Phase`] for each
-/// motor that turns: exact after any number of turns. With declared ranges `range(values)` tests them, and `move_within` cannot fail:
+/// up to which it could have gone and leaves everything where it was, `move_toward` goes there. Printed, the error names what stopped it,
+/// and each motor with its value: `crank = 1.2 rad (68.755°)`. Its type is [`BlockedOf`] the struct. `turn_to` takes a [`Phase`] for each
+/// motor, `turn_to([phase])`: exact after any number of turns. Where some motors slide it takes the phases of those that turn, and then
+/// the values of the others: `turn_to([phase], [0.2])`. With declared ranges `range(values)` tests them, and `move_within` cannot fail:
 ///
 /// ```
 /// mech_runtime::mechanism! {
@@ -299,6 +303,12 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// rocker.draw(&mut picture);
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
+///
+/// # What it is made of
+///
+/// `JOINTS` tells of each joint its name and kind, its links, where each of them has it, its motor, and what its coordinate is:
+/// [`JointInfo`]. `joints()` gives all coordinates in the same order. Both are in the trait [`Mechanism`] too, so that a table or a plot
+/// can take any mechanism; nothing of it costs anything where it is not used.
 ///
 /// # Many positions
 ///
@@ -406,7 +416,7 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// assert!((advantage * torque + 100.0).abs() < 1e-9);
 /// let forces = press.forces([0.0], [0.0])?;        // rates and second rates of the motor
 /// assert!((forces.torques[0] - torque).abs() < 1e-9);
-/// assert_eq!(Press::JOINTS[2], "small");           // of which forces.reactions[2] tells
+/// assert_eq!(Press::JOINTS[2].name, "small");      // of which forces.reactions[2] tells
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///

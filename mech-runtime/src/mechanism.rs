@@ -1,6 +1,6 @@
 //! What every mechanism can do, for code that takes any.
 
-use crate::{Blocked, Canvas, Cost, Pose, Reached, Scalar, Shape, View};
+use crate::{Blocked, Canvas, Cost, JointInfo, Pose, Reached, Scalar, Shape, Values, View};
 use core::fmt::Debug;
 
 /// A mechanism made by [`mechanism!`](crate::mechanism).
@@ -11,7 +11,14 @@ pub trait Mechanism: Clone {
     /// `f32` or `f64`.
     type Scalar: Scalar;
     /// One value for each motor, in the order of their declaration: `[Self::Scalar; n]`.
-    type Motors: Copy + Debug + PartialEq + AsRef<[Self::Scalar]> + AsMut<[Self::Scalar]>;
+    type Motors: Copy
+        + Debug
+        + PartialEq
+        + AsRef<[Self::Scalar]>
+        + AsMut<[Self::Scalar]>
+        + Values<Number = Self::Scalar>;
+    /// The coordinates of all joints, in the order of [`JOINTS`](Self::JOINTS): `[Option<Self::Scalar>; n]`.
+    type Joints: Copy + Debug + PartialEq + AsRef<[Option<Self::Scalar>]>;
 
     /// The name of the struct.
     const NAME: &'static str;
@@ -25,6 +32,8 @@ pub trait Mechanism: Clone {
     const MOTORS: &'static [&'static str];
     /// The names of the moving links whose poses are kept, in the order of their declaration: without a `show` of all.
     const LINKS: &'static [&'static str];
+    /// The joints, in the order of their declaration: what they are and where.
+    const JOINTS: &'static [JointInfo<Self::Scalar>];
     /// Everything that is seen, from the plane farthest from the eye to the nearest.
     const SHAPES: &'static [Shape<Self::Scalar>];
 
@@ -39,6 +48,10 @@ pub trait Mechanism: Clone {
 
     /// The present values of the motors, in radians or scene units.
     fn motors(&self) -> Self::Motors;
+
+    /// The coordinates of all joints, in the order of [`JOINTS`](Self::JOINTS), in radians or scene units. None of joints that have
+    /// none or are not shown: those without a [`coordinate`](JointInfo::coordinate), which tells what the others are.
+    fn joints(&self) -> Self::Joints;
 
     /// Gives the motors these values, in radians or scene units, and moves everything accordingly.
     ///

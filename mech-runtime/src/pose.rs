@@ -1,9 +1,22 @@
 //! Where a link is.
 
 use crate::Scalar;
-use nalgebra::{Complex, Isometry2, Translation2, Unit};
+use nalgebra::Isometry2;
 
 /// The pose of a link's frame in the scene: a unit complex number and a translation, so that no angle is formed.
+///
+/// It goes to nalgebra and back by `From`; so do places and directions, which are arrays here:
+///
+/// ```
+/// use mech_runtime::{Isometry2, Point2, Pose};
+///
+/// let pose = Pose { cos: 0.0, sin: 1.0, x: 2.0, y: 3.0 };
+/// let isometry = Isometry2::from(pose);
+/// assert_eq!(Pose::from(isometry), pose);
+/// let point = Point2::new(1.0, 0.0);
+/// assert_eq!(Point2::from(pose.apply(point.into())), Point2::new(2.0, 4.0));
+/// assert_eq!(isometry * point, Point2::new(2.0, 4.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<T> {
     /// Cosine of the angle from the scene's x axis to the link's.
@@ -21,10 +34,10 @@ impl<T: Scalar> Pose<T> {
     #[must_use]
     pub fn identity() -> Self {
         Self {
-            cos: T::one(),
-            sin: T::zero(),
-            x: T::zero(),
-            y: T::zero(),
+            cos: T::ONE,
+            sin: T::ZERO,
+            x: T::ZERO,
+            y: T::ZERO,
         }
     }
 
@@ -37,6 +50,13 @@ impl<T: Scalar> Pose<T> {
         ]
     }
 
+    /// Turns a direction of the link into the scene.
+    #[must_use]
+    #[inline]
+    pub(crate) fn turn(self, [x, y]: [T; 2]) -> [T; 2] {
+        [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
+    }
+
     /// Carries a place in the scene into the link: from absolute to relative coordinates.
     #[must_use]
     pub fn relative(self, [x, y]: [T; 2]) -> [T; 2] {
@@ -47,7 +67,36 @@ impl<T: Scalar> Pose<T> {
     /// The same pose as a nalgebra isometry.
     #[must_use]
     pub fn isometry(self) -> Isometry2<T> {
-        let rotation = Unit::new_unchecked(Complex::new(self.cos, self.sin));
-        Isometry2::from_parts(Translation2::new(self.x, self.y), rotation)
+        T::isometry(self)
+    }
+}
+
+impl<T: Scalar> From<Pose<T>> for Isometry2<T> {
+    fn from(pose: Pose<T>) -> Self {
+        pose.isometry()
+    }
+}
+
+/// As it is, bit for bit.
+impl<T: Scalar> From<Isometry2<T>> for Pose<T> {
+    fn from(isometry: Isometry2<T>) -> Self {
+        let Isometry2 {
+            rotation,
+            translation,
+        } = isometry;
+        Self {
+            cos: rotation.as_ref().re,
+            sin: rotation.as_ref().im,
+            x: translation.vector[0],
+            y: translation.vector[1],
+        }
+    }
+}
+
+/// The pose of a link by its number, of which 0 is the ground and `n + 1` the moving link with the pose `poses[n]`.
+pub(crate) fn pose_of<T: Scalar>(link: usize, poses: &[Pose<T>]) -> Option<Pose<T>> {
+    match link.checked_sub(1) {
+        None => Some(Pose::identity()),
+        Some(moving) => poses.get(moving).copied(),
     }
 }

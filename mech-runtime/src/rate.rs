@@ -25,7 +25,7 @@ impl<T: Scalar> Velocity<T> {
     #[must_use]
     #[inline]
     pub fn of_point(self, pose: Pose<T>, point: [T; 2]) -> [T; 2] {
-        let [x, y] = arm(pose, point);
+        let [x, y] = pose.turn(point);
         [self.x - self.angular * y, self.y + self.angular * x]
     }
 }
@@ -54,16 +54,10 @@ impl<T: Scalar> Acceleration<T> {
     #[must_use]
     #[inline]
     pub fn of_point(self, pose: Pose<T>, angular_velocity: T, point: [T; 2]) -> [T; 2] {
-        let ([x, y], square) = (arm(pose, point), angular_velocity * angular_velocity);
+        let ([x, y], square) = (pose.turn(point), angular_velocity * angular_velocity);
         [
             self.x - self.angular * y - square * x,
             self.y + self.angular * x - square * y,
         ]
     }
-}
-
-/// The way from the origin of a link to a point of it, in the directions of the scene.
-#[inline]
-fn arm<T: Scalar>(pose: Pose<T>, [x, y]: [T; 2]) -> [T; 2] {
-    [pose.cos * x - pose.sin * y, pose.sin * x + pose.cos * y]
 }

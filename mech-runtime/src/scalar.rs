@@ -1,7 +1,10 @@
 //! The two scalar types mechanisms are computed in.
 
+use crate::Pose;
+use core::fmt::Display;
+use core::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
 use mech_core::Real;
-use nalgebra::RealField;
+use nalgebra::{Complex, ComplexField, Isometry2, Translation2, Unit};
 
 mod sealed {
     pub trait Sealed {}
@@ -10,7 +13,37 @@ mod sealed {
 }
 
 /// `f32` or `f64`: what a mechanism computes in.
-pub trait Scalar: RealField + Real + sealed::Sealed {
+///
+/// Its functions are those of [`Real`]. Whoever needs more of nalgebra's adds `nalgebra::RealField` as a bound of their own.
+pub trait Scalar:
+    Real
+    + Display
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+    + Send
+    + Sync
+    + sealed::Sealed
+    + 'static
+{
+    /// The lesser of two numbers; if one is not a number, the other.
+    #[must_use]
+    fn min(self, other: Self) -> Self;
+
+    /// The greatest whole number that is not greater.
+    #[doc(hidden)]
+    #[must_use]
+    fn floor(self) -> Self;
+
+    /// The same number.
+    #[doc(hidden)]
+    fn from_f32(value: f32) -> Self;
+
+    /// A pose as nalgebra has it, which makes no isometries of numbers that it does not know.
+    #[doc(hidden)]
+    fn isometry(pose: Pose<Self>) -> Isometry2<Self>;
+
     /// 2⁴⁰ times the number, without what is behind the point; of what is too large, the largest; of what is not a number, zero.
     #[doc(hidden)]
     fn to_fixed(self) -> i64;
@@ -23,6 +56,28 @@ pub trait Scalar: RealField + Real + sealed::Sealed {
 macro_rules! scalar {
     ($float:ident) => {
         impl Scalar for $float {
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                $float::min(self, other)
+            }
+
+            #[inline]
+            fn floor(self) -> Self {
+                ComplexField::floor(self)
+            }
+
+            #[inline]
+            #[allow(clippy::useless_conversion, reason = "of an `f32` it is itself")]
+            fn from_f32(value: f32) -> Self {
+                Self::from(value)
+            }
+
+            #[inline]
+            fn isometry(pose: Pose<Self>) -> Isometry2<Self> {
+                let rotation = Unit::new_unchecked(Complex::new(pose.cos, pose.sin));
+                Isometry2::from_parts(Translation2::new(pose.x, pose.y), rotation)
+            }
+
             #[inline]
             #[allow(
                 clippy::cast_possible_truncation,

@@ -173,11 +173,11 @@ proptest! {
     fn a_straight_line_covers_what_is_within_half_its_width(ends in [[5.0..43.0, 5.0..35.0], [5.0..43.0, 5.0..35.0]], width in 0.5..9.0) {
         let found = covered(Outline::Line { points: &ends, width });
         let [from, to] = ends;
-        let way = [to[0] - from[0], to[1] - from[1]];
-        let square = way[0] * way[0] + way[1] * way[1];
+        let offset = [to[0] - from[0], to[1] - from[1]];
+        let square = offset[0] * offset[0] + offset[1] * offset[1];
         let distance = |x: f64, y: f64| {
-            let share = (((x - from[0]) * way[0] + (y - from[1]) * way[1]) / square).clamp(0.0, 1.0);
-            f64::hypot(x - from[0] - share * way[0], y - from[1] - share * way[1])
+            let share = (((x - from[0]) * offset[0] + (y - from[1]) * offset[1]) / square).clamp(0.0, 1.0);
+            f64::hypot(x - from[0] - share * offset[0], y - from[1] - share * offset[1])
         };
         for (row, found) in found.iter().rev().enumerate() {
             for (column, &found) in found.iter().enumerate() {
@@ -274,8 +274,8 @@ proptest! {
                 let at = a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]);
                 crossings += usize::from(crosses && x > at);
                 // The distance to the whole line.
-                let way = [b[0] - a[0], b[1] - a[1]];
-                let distance = ((x - a[0]) * way[1] - (y - a[1]) * way[0]) / way[0].hypot(way[1]);
+                let offset = [b[0] - a[0], b[1] - a[1]];
+                let distance = ((x - a[0]) * offset[1] - (y - a[1]) * offset[0]) / offset[0].hypot(offset[1]);
                 is_near |= distance.abs() < 2.0;
             }
             let expected = if crossings % 2 == 1 { 255 } else { 0 };

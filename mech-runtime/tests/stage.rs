@@ -99,8 +99,8 @@ proptest! {
             // Nothing has changed but where it was told.
             for (y, (before, now)) in before.pixels().iter().zip(frame.pixels()).enumerate() {
                 for (x, (before, now)) in before.iter().zip(now).enumerate() {
-                    let is_told = stage.changed().any(|area| (area.x..area.x + area.width).contains(&x) && (area.y..area.y + area.height).contains(&y));
-                    prop_assert!(before == now || is_told, "{x}, {y} at moment {number}");
+                    let is_reported = stage.changed().any(|area| (area.x..area.x + area.width).contains(&x) && (area.y..area.y + area.height).contains(&y));
+                    prop_assert!(before == now || is_reported, "{x}, {y} at moment {number}");
                 }
             }
         }

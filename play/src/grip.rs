@@ -51,17 +51,17 @@ impl Grip {
         aim: [f64; 2],
     ) -> Result<Reached<Vec<f64>>, Blocked<Vec<f64>>> {
         let mut reached = Reached::Target;
-        let Some(first) = self.way(mechanism, aim).map(length) else {
+        let Some(first) = self.offset(mechanism, aim).map(length) else {
             return Ok(reached);
         };
         for _ in 0..ROUNDS {
-            let Some(way) = self.way(mechanism, aim) else {
+            let Some(offset) = self.offset(mechanism, aim) else {
                 break;
             };
-            if length(way) <= ENOUGH * first {
+            if length(offset) <= ENOUGH * first {
                 break;
             }
-            let Some(motors) = self.nearer(mechanism, free, aim, way) else {
+            let Some(motors) = self.nearer(mechanism, free, aim, offset) else {
                 break;
             };
             reached = mechanism.move_toward(&motors, &Rates::default())?;
@@ -70,7 +70,7 @@ impl Grip {
     }
 
     /// The way that is left to `aim`.
-    fn way(self, mechanism: &dyn Playable, aim: [f64; 2]) -> Option<[f64; 2]> {
+    fn offset(self, mechanism: &dyn Playable, aim: [f64; 2]) -> Option<[f64; 2]> {
         Some(difference(aim, mechanism.place(self.spot)?))
     }
 
@@ -80,20 +80,20 @@ impl Grip {
         mechanism: &dyn Playable,
         free: &[Free],
         aim: [f64; 2],
-        way: [f64; 2],
+        offset: [f64; 2],
     ) -> Option<Vec<f64>> {
         let motors = mechanism.motors();
-        let step = self.step(mechanism, free, way)?;
+        let step = self.step(mechanism, free, offset)?;
         let shares = (0..HALVINGS).map(|halving| 0.5_f64.powi(i32::try_from(halving).unwrap_or(0)));
         let mut tries = shares.map(|share| moved(&motors, free, &step, share));
         tries.find(|motors| {
             let place = mechanism.place_toward(self.spot, motors);
-            place.is_some_and(|place| length(difference(aim, place)) < length(way))
+            place.is_some_and(|place| length(difference(aim, place)) < length(offset))
         })
     }
 
     /// A step of each motor, in parts of its reach, that goes this way as far as it can be told from here.
-    fn step(self, mechanism: &dyn Playable, free: &[Free], way: [f64; 2]) -> Option<Vec<f64>> {
+    fn step(self, mechanism: &dyn Playable, free: &[Free], offset: [f64; 2]) -> Option<Vec<f64>> {
         let motors = mechanism.motors();
         let influence = |index: usize| {
             let mut unit = vec![0.0; free.len()];
@@ -116,8 +116,8 @@ impl Grip {
         let [xx, yy] = [xx + damping, yy + damping];
         let determinant = xx * yy - xy * xy;
         let force = [
-            (yy * way[0] - xy * way[1]) / determinant,
-            (xx * way[1] - xy * way[0]) / determinant,
+            (yy * offset[0] - xy * offset[1]) / determinant,
+            (xx * offset[1] - xy * offset[0]) / determinant,
         ];
         let step: Vec<f64> = influences
             .iter()

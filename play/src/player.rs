@@ -333,8 +333,8 @@ impl Player {
             }
             Ok(Reached::Limit(blocked)) | Err(blocked) => blocked,
         };
-        let ways = from.iter().zip(target).enumerate();
-        let moved = ways.filter(|(_, (from, target))| from != target);
+        let pairs = from.iter().zip(target).enumerate();
+        let moved = pairs.filter(|(_, (from, target))| from != target);
         let motors = moved.map(|(motor, _)| motor).collect();
         self.limit = Some(Limit { blocked, motors });
         true

@@ -53,8 +53,8 @@ fn every_exhibit_goes_its_own_way() {
             phase += seconds / exhibit.seconds();
         }
         // It goes the way that its film goes, from wherever it was assembled.
-        let ways = playable.motion(phase).into_iter().zip(playable.motion(0.0));
-        let expected: Vec<f64> = ways
+        let pairs = playable.motion(phase).into_iter().zip(playable.motion(0.0));
+        let expected: Vec<f64> = pairs
             .zip(start)
             .map(|((to, from), start)| start + to - from)
             .collect();

@@ -3,7 +3,7 @@
 
 use mech_gallery::exhibits;
 use mech_play::half_blocks::{Depth, lines};
-use mech_play::{Command as Told, Painter, Player};
+use mech_play::{Command as Order, Painter, Player};
 use std::io::{Read, Write};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::{Arc, Mutex};
@@ -356,7 +356,7 @@ fn without_a_terminal_and_a_display_it_says_so() {
 fn without_true_color_there_are_256() {
     let exhibits = exhibits();
     let mut player = Player::new(exhibits, 0, [40, 20]).expect("it moves");
-    player.obey(Told::DayOrNight);
+    player.obey(Order::DayOrNight);
     let text = lines(&Painter::default().paint(&player), Depth::Cube);
     assert_eq!(text.len(), 10);
     for line in text {

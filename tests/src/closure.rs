@@ -79,8 +79,8 @@ fn coordinate(model: &Model, poses: &[[f64; 4]], id: JointId) -> (f64, bool) {
         }
         JointKind::Prismatic(a, b) => {
             let ((from, along), (to, _)) = (placed(model, poses, a), placed(model, poses, b));
-            let way = along[0] * (to[0] - from[0]) + along[1] * (to[1] - from[1]);
-            (way, false)
+            let slide = along[0] * (to[0] - from[0]) + along[1] * (to[1] - from[1]);
+            (slide, false)
         }
         _ => (0.0, false),
     }

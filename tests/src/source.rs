@@ -44,11 +44,11 @@ fn read(text: TokenStream) -> (Model, Compiled) {
         .collect();
     assert!(errors.is_empty(), "{errors:?}");
     let compiled = compile(&parsed.model).unwrap_or_else(|wrong| {
-        let told: Vec<String> = wrong
+        let messages: Vec<String> = wrong
             .iter()
             .map(|wrong| reporter::text(wrong, &parsed.model))
             .collect();
-        panic!("{}", told.join("; "))
+        panic!("{}", messages.join("; "))
     });
     (parsed.model, compiled)
 }

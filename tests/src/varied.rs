@@ -32,8 +32,8 @@ pub fn vary(model: &mut Model, dice: &mut Dice, params: usize) {
         }
     }
     for (number, axis) in model.axes.iter_mut().enumerate() {
-        let told = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
-        if told && model.links[axis.link.index()].die.is_none() {
+        let is_exposed = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
+        if is_exposed && model.links[axis.link.index()].die.is_none() {
             axis.name = Some(format!("a{number}"));
         }
     }

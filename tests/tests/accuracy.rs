@@ -119,7 +119,7 @@ fn measured<T: Real>(
             .iter()
             .map(|_| dice.between(-1.0, 1.0).signum())
             .collect();
-        let mut ways: Vec<f64> = signs;
+        let mut directions: Vec<f64> = signs;
         let part = dice.between(0.2, 0.9);
         for step in 0..far + STEPS {
             let part = if step < far { part } else { 1.0 };
@@ -127,7 +127,7 @@ fn measured<T: Real>(
             let motors: Vec<T> = (0..steps.len())
                 .map(|motor| {
                     let now = reference.position().motors[motor];
-                    T::from_f64(now + 0.999 * part * ways[motor] * steps[motor])
+                    T::from_f64(now + 0.999 * part * directions[motor] * steps[motor])
                 })
                 .collect();
             let slides = |motor: usize| {
@@ -136,19 +136,19 @@ fn measured<T: Real>(
             };
             // What slides may go anywhere, and is nowhere tried so far out.
             let gone = (0..steps.len()).any(|motor| {
-                let way = motors[motor].to_f64() - exact.start.motors[motor];
-                slides(motor) && way.abs() > 2.0 * size(model)
+                let moved = motors[motor].to_f64() - exact.start.motors[motor];
+                slides(motor) && moved.abs() > 2.0 * size(model)
             });
             if gone {
-                for way in &mut ways {
-                    *way = -*way;
+                for sign in &mut directions {
+                    *sign = -*sign;
                 }
                 continue;
             }
             let exactly: Vec<f64> = motors.iter().map(|motor| motor.to_f64()).collect();
             if reference.move_to(&exactly).is_err() {
-                for way in &mut ways {
-                    *way = -*way;
+                for sign in &mut directions {
+                    *sign = -*sign;
                 }
                 continue;
             }
@@ -159,8 +159,8 @@ fn measured<T: Real>(
             let (is, should) = (&machine.position().poses, &reference.position().poses);
             worst = worst.max(off(&spots, is, should));
             if dice.once_in(20) {
-                let motor = dice.below(ways.len());
-                ways[motor] = *dice.pick(&[1.0, -1.0, 0.0]);
+                let motor = dice.below(directions.len());
+                directions[motor] = *dice.pick(&[1.0, -1.0, 0.0]);
             }
         }
     }

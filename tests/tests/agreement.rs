@@ -67,13 +67,13 @@ where
     for frame in 0..=FRAMES {
         let phase = f64::from(frame) / f64::from(FRAMES);
         let mut motors = mechanism.motors();
-        for ((motor, start), way) in motors
+        for ((motor, start), displacement) in motors
             .as_mut()
             .iter_mut()
             .zip(&start)
             .zip((case.motion)(phase))
         {
-            *motor = <M::Scalar as Real>::from_f64(start + way);
+            *motor = <M::Scalar as Real>::from_f64(start + displacement);
         }
         mechanism
             .move_to(motors)

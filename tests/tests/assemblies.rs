@@ -62,20 +62,23 @@ fn quoted(line: &str) -> Vec<&str> {
 fn what_is_told_is_enough() {
     for count in [1, 2, 6] {
         let text = legs(count);
-        let told = message(&text);
-        let first = told
+        let messages = message(&text);
+        let first = messages
             .lines()
             .find(|line| line.starts_with("help: "))
             .expect("help");
         let start = quoted(first)[0].to_owned();
         let all = start.matches(" near ").count();
-        assert_eq!(all, 2 * count, "a loop has no clause\n{told}");
-        assert!(compile(&model(&format!("{text}{start}"))).is_ok(), "{told}");
+        assert_eq!(all, 2 * count, "a loop has no clause\n{messages}");
+        assert!(
+            compile(&model(&format!("{text}{start}"))).is_ok(),
+            "{messages}"
+        );
         // Each loop can be turned over in that statement.
-        let others = told.lines().filter(|line| line.contains("; instead `"));
+        let others = messages.lines().filter(|line| line.contains("; instead `"));
         let mut turned = 0;
         for line in others {
-            let (_, instead) = line.split_once("; instead ").expect("the other way");
+            let (_, instead) = line.split_once("; instead ").expect("the other one");
             let clause = quoted(instead)[0];
             let link = clause.split(" near ").next().expect("a link");
             let clauses = start.trim_start_matches("start { ").trim_end_matches(" }");
@@ -90,10 +93,10 @@ fn what_is_told_is_enough() {
                 })
                 .collect();
             let text = format!("{text}start {{ {} }}", changed.join(" "));
-            assert!(compile(&model(&text)).is_ok(), "{line}\n{told}");
+            assert!(compile(&model(&text)).is_ok(), "{line}\n{messages}");
             turned += 1;
         }
-        assert_eq!(turned, if count == 1 { 0 } else { 2 * count }, "{told}");
+        assert_eq!(turned, if count == 1 { 0 } else { 2 * count }, "{messages}");
     }
 }
 
@@ -121,10 +124,13 @@ fn coordinate(model: &Model, compiled: &Compiled, joint: JointId) -> f64 {
 fn chosen(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> Model {
     let mut chosen = model.clone();
     for (number, open) in loops.iter().enumerate() {
-        let way = other.map_or(0, |(turned, way)| if turned == number { way } else { 0 });
+        let assembly = other.map_or(
+            0,
+            |(turned, assembly)| if turned == number { assembly } else { 0 },
+        );
         chosen.start.near.push(Near {
             link: open.link,
-            angle: open.assemblies[way].angle,
+            angle: open.assemblies[assembly].angle,
             origin: Origin::default(),
         });
     }
@@ -146,12 +152,11 @@ fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
         let [Diagnosis::SeveralAssemblies { loops, .. }] = &wrong[..] else {
             continue;
         };
-        let ways = loops
-            .iter()
-            .enumerate()
-            .flat_map(|(number, open)| (0..open.assemblies.len()).map(move |way| (number, way)));
-        for (number, way) in ways {
-            let model = chosen(&free, loops, Some((number, way)));
+        let choices = loops.iter().enumerate().flat_map(|(number, open)| {
+            (0..open.assemblies.len()).map(move |assembly| (number, assembly))
+        });
+        for (number, assembly) in choices {
+            let model = chosen(&free, loops, Some((number, assembly)));
             let Ok(compiled) = compile(&model) else {
                 // Slides may have two ways of one direction: no clause settles these.
                 open += 1;
@@ -163,14 +168,18 @@ fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
                 ..
             } = loops[number];
             let LoopAssembly {
-                coordinate: told, ..
-            } = assemblies[way];
+                coordinate: expected,
+                ..
+            } = assemblies[assembly];
             let is = coordinate(&model, &compiled, joint);
             let off = match model.joint(joint).kind {
-                JointKind::Revolute(..) => (0.5 * (is - told)).sin().abs(),
-                _ => (is - told).abs(),
+                JointKind::Revolute(..) => (0.5 * (is - expected)).sin().abs(),
+                _ => (is - expected).abs(),
             };
-            assert!(off < 1e-6, "seed {seed}, loop {number}: {is}, told {told}");
+            assert!(
+                off < 1e-6,
+                "seed {seed}, loop {number}: {is}, expected {expected}"
+            );
             compared += 1;
         }
     }

@@ -118,8 +118,8 @@ fn is_somewhere<T: Scalar>(poses: &[Pose<T>]) {
 
 /// Tests that everything that was told is a number.
 #[track_caller]
-fn are_numbers(told: &impl Debug) {
-    let text = format!("{told:?}");
+fn are_numbers(value: &impl Debug) {
+    let text = format!("{value:?}");
     assert!(!text.contains("inf") && !text.contains("NaN"), "{text}");
 }
 
@@ -161,7 +161,7 @@ fn ask_forced(m: &mut Forced, which: u8, [x, y, z, w]: [f64; 4]) -> bool {
         }
         11 => {
             let phase = Phase::from_turns(x).unwrap_or(Phase::new(i64::MAX, u64::MAX));
-            m.turn_to(phase).is_err()
+            m.turn_to([phase]).is_err()
         }
         12 => {
             let mut buffer = [0.0; 4 * 3 * 4];
@@ -234,7 +234,7 @@ fn ask_geared(m: &mut Geared, which: u8, [x, y, z, w]: [f64; 4]) {
         2 => {
             let [s, r] =
                 [x, y].map(|turns| Phase::from_turns(turns).unwrap_or(Phase::new(1, u64::MAX)));
-            m.turn_to(s, r).is_err()
+            m.turn_to([s, r]).is_err()
         }
         _ => {
             let mut all = [*m; 2];

@@ -190,7 +190,7 @@ fn a_loop_may_turn_the_shaft() {
 fn a_million_turns_do_not_matter() {
     let mut screw = generated::Screw::new();
     let turned = Phase::new(1_000_000, 1 << 62);
-    screw.turn_to(turned).expect("it turns");
+    screw.turn_to([turned]).expect("it turns");
     let angle = TAU * 1_000_000.25;
     assert!((screw.n() - 0.001 * angle).abs() < 1e-11);
     // Twice a quarter turn, and the wave in it: exact, since whole turns are not in it.
@@ -200,7 +200,7 @@ fn a_million_turns_do_not_matter() {
     // The wave of the nut is as exact as its way is: sixteen digits of a million turns.
     assert!((screw.w() - angle.sin() / 2.0).abs() < 1e-8);
     let mut lifter = generated::Lifter::new();
-    lifter.turn_to(turned).expect("it turns");
+    lifter.turn_to([turned]).expect("it turns");
     assert!((lifter.h() - 0.2).abs() < 1e-15);
     lifter.move_to([TAU * 1e7 + 0.5]).expect("it turns");
     let expected = 0.2 * (1.0 - 0.5_f64.cos()) + 0.1 * 1.0_f64.sin();
@@ -227,9 +227,9 @@ fn what_rolls_may_hang_on_a_follower() {
     for step in 0..200 {
         let time = 0.007 * f64::from(step);
         counting.at_time(time).expect("it moves");
-        let way = 3.0 * (TAU * time).sin();
-        assert!((counting.x() - way).abs() < 1e-12);
-        let angle = (way / 0.1).rem_euclid(TAU);
+        let value = 3.0 * (TAU * time).sin();
+        assert!((counting.x() - value).abs() < 1e-12);
+        let angle = (value / 0.1).rem_euclid(TAU);
         let off = (counting.p() - angle).rem_euclid(TAU);
         assert!(off.min(TAU - off) < 1e-10, "{time}: {off}");
         let rate = TAU * 30.0 * (TAU * time).cos();

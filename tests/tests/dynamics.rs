@@ -331,8 +331,8 @@ fn what_rests_goes_on_to_rest() {
         ] {
             let mut block = Damped::new();
             for step in 0..4000 {
-                let told = block.simulate_by(method, time, [0.0]);
-                assert_eq!(told, Ok(()), "{method:?}, {time}: step {step}");
+                let outcome = block.simulate_by(method, time, [0.0]);
+                assert_eq!(outcome, Ok(()), "{method:?}, {time}: step {step}");
             }
             let [at] = block.motors();
             assert!((at + 0.1).abs() < 1e-12, "{method:?}, {time}: at {at}");
@@ -347,8 +347,8 @@ fn what_rests_goes_on_to_rest() {
         ] {
             let mut arm = Suspension::new();
             for step in 0..6000 {
-                let told = arm.simulate_by(method, time, [0.0]);
-                assert_eq!(told, Ok(()), "{method:?}, {time}: step {step}");
+                let outcome = arm.simulate_by(method, time, [0.0]);
+                assert_eq!(outcome, Ok(()), "{method:?}, {time}: step {step}");
             }
             let [kinetic, _] = arm.energy().expect("regular");
             assert!(kinetic < 1e-3, "{method:?}, {time}: {kinetic:e}");

@@ -293,9 +293,9 @@ fn newton_and_euler(
             sums[1] += force[1];
             sums[2] += arm[0] * force[1] - arm[1] * force[0] + torque;
         }
-        let told = if rolls.contains(&link) { 2 } else { 3 };
+        let count = if rolls.contains(&link) { 2 } else { 3 };
         let scale = [scale / size(model), scale / size(model), scale];
-        for (sum, scale) in sums.iter().zip(scale).take(told) {
+        for (sum, scale) in sums.iter().zip(scale).take(count) {
             assert!(
                 sum.abs() <= 1e-10 * scale.max(scale * size(model)),
                 "{}, link {}: {sums:?} of {scale}",
@@ -442,11 +442,11 @@ fn slopes(
     let unloaded = vec![0.0; given.loads.len()];
     let step = 1e-3;
     for motor in 0..held.len() {
-        let energy = |way: f64| {
+        let energy = |displacement: f64| {
             let mut machine = Machine::<f64>::new(inertia);
             machine.put_back(at.clone());
             let mut motors = at.motors.clone();
-            motors[motor] += way;
+            motors[motor] += displacement;
             machine.move_to(&motors).ok()?;
             match machine.forces(&zero, &zero, &unloaded) {
                 Ok(Forces::Inertia(felt)) => Some(felt.energy[1]),

@@ -193,10 +193,10 @@ fn constants_are_not_met_by_patterns() {
     let mut itself = patterns::ThisMechanism::new();
     itself.move_to([0.1, 0.2, 0.3]).expect("it moves");
     let before = itself;
-    let [a, some, start] = itself
+    let phases = itself
         .motors()
         .map(|value| mech_runtime::Phase::from_radians(value).expect("a number"));
-    itself.turn_to(a, some, start).expect("it is there");
+    itself.turn_to(phases).expect("it is there");
     assert!((itself.START() - before.START()).abs() < 1e-12);
 }
 

@@ -512,26 +512,26 @@ fn the_time_gives_motors_the_values_of_their_laws() {
     let source = include_str!("laws.rs");
     let (_, compiled) = mech_tests::mechanisms(source).swap_remove(0);
     let timing = compiled.timing.expect("motors have laws");
-    let (mut timed, mut told) = (generated::FourBar::new(), generated::FourBar::new());
+    let (mut timed, mut given) = (generated::FourBar::new(), generated::FourBar::new());
     for step in 0..500 {
         let time = f64::from(step) * 0.01;
         let at = timing.at(time, &[]);
         let [values, rates, seconds] = [0, 1, 2].map(|part| [at[0][part], at[1][part]]);
         timed.at_time(time).expect("it moves");
-        told.move_with(values, rates, seconds).expect("it moves");
-        assert_eq!(timed, told);
+        given.move_with(values, rates, seconds).expect("it moves");
+        assert_eq!(timed, given);
     }
 }
 
 #[test]
 fn without_effects_it_moves_as_if_it_were_told_the_values() {
-    let (mut timed, mut told) = (generated::Plain::new(), generated::Plain::new());
+    let (mut timed, mut given) = (generated::Plain::new(), generated::Plain::new());
     timed.move_to([0.0, 0.4]).expect("it moves");
     for step in 0..500 {
         let time = f64::from(step) * 0.01;
         timed.at_time(time).expect("it moves");
-        told.move_to([1.5 * time, 0.4]).expect("it moves");
-        assert_eq!(timed, told);
+        given.move_to([1.5 * time, 0.4]).expect("it moves");
+        assert_eq!(timed, given);
     }
 }
 

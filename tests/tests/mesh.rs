@@ -73,28 +73,28 @@ fn sizes(text: &str) -> [f64; 2] {
 proptest! {
     #[test]
     fn radii_fit_where_they_add_up_to_the_distance(
-        way in prop::array::uniform2(0.5..4.0), share in 0.05..0.95,
+        offset in prop::array::uniform2(0.5..4.0), share in 0.05..0.95,
     ) {
-        let distance = f64::hypot(way[0], way[1]);
+        let distance = f64::hypot(offset[0], offset[1]);
         let (a, b) = (distance * share, distance * (1.0 - share));
-        prop_assert_eq!(trouble(&text(way, &format!("{a:?} : {b:?}"))), None);
+        prop_assert_eq!(trouble(&text(offset, &format!("{a:?} : {b:?}"))), None);
         // As rounded as a drawing.
-        prop_assert_eq!(trouble(&text(way, &format!("{a:.5} : {b:.5}"))), None);
+        prop_assert_eq!(trouble(&text(offset, &format!("{a:.5} : {b:.5}"))), None);
         // A ring around a wheel.
         let (wheel, ring) = (a, a + distance);
-        prop_assert_eq!(trouble(&text(way, &format!("{wheel:?} : -{ring:?}"))), None);
-        prop_assert_eq!(trouble(&text(way, &format!("-{ring:?} : {wheel:?}"))), None);
+        prop_assert_eq!(trouble(&text(offset, &format!("{wheel:?} : -{ring:?}"))), None);
+        prop_assert_eq!(trouble(&text(offset, &format!("-{ring:?} : {wheel:?}"))), None);
     }
 
     #[test]
     fn what_is_offered_meshes(
-        way in prop::array::uniform2(0.5..4.0), [a, b] in prop::array::uniform2(0.1..6.0), inside in any::<bool>(),
+        offset in prop::array::uniform2(0.5..4.0), [a, b] in prop::array::uniform2(0.1..6.0), inside in any::<bool>(),
     ) {
-        let distance = f64::hypot(way[0], way[1]);
+        let distance = f64::hypot(offset[0], offset[1]);
         let written = if inside { format!("{a:.2} : -{b:.2}") } else { format!("{a:.2} : {b:.2}") };
         let [a, b] = sizes(&written);
         prop_assume!(((a + b).abs() - distance).abs() > 0.01 && (a + b).abs() > 0.01);
-        let wrong = text(way, &written);
+        let wrong = text(offset, &written);
         prop_assert!(trouble(&wrong).is_some());
         let diagnoses = compile(&model(&wrong)).expect_err("it does not mesh");
         let message = mech_compiler::reporter::text(&diagnoses[0], &model(&wrong));
@@ -103,20 +103,20 @@ proptest! {
         prop_assert!(!offers.is_empty() || small_ring, "{}", message);
         for offer in offers {
             let [first, second] = sizes(&offer);
-            let found = turns(&text(way, &offer));
+            let found = turns(&text(offset, &offer));
             prop_assert!((found + first / second).abs() < 1e-8, "{} turns by {}", offer, found);
         }
     }
 
     #[test]
     fn teeth_fit_at_any_distance(
-        way in prop::array::uniform2(0.01..400.0), [a, b] in prop::array::uniform2(1..90_u8),
+        offset in prop::array::uniform2(0.01..400.0), [a, b] in prop::array::uniform2(1..90_u8),
     ) {
-        prop_assert_eq!(trouble(&text(way, &format!("{a} : {b}"))), None);
+        prop_assert_eq!(trouble(&text(offset, &format!("{a} : {b}"))), None);
         if a != b {
             let (wheel, ring) = (a.min(b), a.max(b));
-            prop_assert_eq!(trouble(&text(way, &format!("{wheel} : -{ring}"))), None);
-            let inside_out = trouble(&text(way, &format!("{ring} : -{wheel}")));
+            prop_assert_eq!(trouble(&text(offset, &format!("{wheel} : -{ring}"))), None);
+            let inside_out = trouble(&text(offset, &format!("{ring} : -{wheel}")));
             prop_assert_eq!(inside_out, Some(MeshTrouble::SmallRing));
         }
     }
@@ -162,11 +162,11 @@ fn apart(a: f64, b: f64) -> f64 {
 proptest! {
     /// Coordinates that follow motors through gears go on as these do: half a turn on they are not wrapped.
     #[test]
-    fn coordinates_behind_gears_go_on(ways in prop::collection::vec(prop::array::uniform2(-40.0..40.0_f64), 1..6)) {
+    fn coordinates_behind_gears_go_on(dates in prop::collection::vec(prop::array::uniform2(-40.0..40.0_f64), 1..6)) {
         let mut clock = Clock::new();
         let starts = [clock.b(), clock.c(), clock.d()];
         prop_assert!((starts[1] + 0.25).abs() < 1e-12 && (starts[2] - 20.0_f64.to_radians()).abs() < 1e-12);
-        for [minute, date] in ways {
+        for [minute, date] in dates {
             clock.move_to([minute, date]).expect("nothing is in the way");
             let moved = minute - 0.5;
             // The hand is declared the other way round.

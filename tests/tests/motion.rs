@@ -222,13 +222,13 @@ fn told<T: Real>(dice: &mut Dice, segment: Segment, now: &[T], before: &[T]) -> 
 /// Goes to these values in small steps; tells whether it came there.
 fn in_small_steps<T: Real>(machine: &mut Machine<T>, motors: &[T]) -> Result<(), (u32, Stop)> {
     let start = machine.position().motors.clone();
-    let way = start
+    let displacement = start
         .iter()
         .zip(motors)
         .map(|(from, to)| (*to - *from).abs().to_f64())
         .fold(0.0, f64::max);
     let steps = (1_u32..400)
-        .find(|steps| f64::from(*steps) * 0.03 > way)
+        .find(|steps| f64::from(*steps) * 0.03 > displacement)
         .unwrap_or(400);
     for step in 1..steps {
         let part = T::from_f64(f64::from(step) / f64::from(steps));
@@ -247,14 +247,14 @@ fn sensitivity<T: Real>(program: &Program, at: &Position<T>) -> f64 {
     let small = T::EPSILON.sqrt();
     let mut most = 1.0_f64;
     for motor in 0..at.motors.len() {
-        for way in [small, -small] {
+        for displacement in [small, -small] {
             let mut machine = Machine::new(program);
             machine.put_back(at.clone());
             let mut motors = at.motors.clone();
-            motors[motor] = motors[motor] + T::from_f64(way);
-            let way = (motors[motor] - at.motors[motor]).to_f64();
-            if machine.move_to(&motors).is_ok() && way != 0.0 {
-                most = most.max(apart(at, machine.position()) / way.abs());
+            motors[motor] = motors[motor] + T::from_f64(displacement);
+            let displacement = (motors[motor] - at.motors[motor]).to_f64();
+            if machine.move_to(&motors).is_ok() && displacement != 0.0 {
+                most = most.max(apart(at, machine.position()) / displacement.abs());
             } else {
                 // It is at its limit: a root is there, and half of the digits are gone.
                 most = most.max(1.0 / small);

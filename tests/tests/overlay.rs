@@ -32,12 +32,12 @@ impl Moment {
     fn of(compiled: &Compiled) -> Self {
         let step = 1e-6;
         let program = &compiled.program;
-        let poses = [-step, 0.0, step].map(|way| {
+        let poses = [-step, 0.0, step].map(|shift| {
             let mut machine = Machine::<f64>::new(program);
             let start = machine.position().motors.clone();
             let motors: Vec<f64> = (0..)
                 .zip(&start)
-                .map(|(n, at)| at + way * (1.0 + 0.3 * f64::from(n)))
+                .map(|(n, at)| at + shift * (1.0 + 0.3 * f64::from(n)))
                 .collect();
             machine.move_to(&motors).expect("it moves");
             machine.position().poses.clone()
@@ -98,9 +98,9 @@ fn near(found: f64, expected: f64, what: &str) {
 fn gears_mesh(name: &str, moment: &Moment, wheels: [(Spot, f64); 2]) {
     let [(a, first), (b, second)] = wheels;
     let (p, q) = (moment.place(a), moment.place(b));
-    let way = [q[0] - p[0], q[1] - p[1]];
-    let distance = dot(way, way).sqrt();
-    let unit = way.map(|part| part / distance);
+    let offset = [q[0] - p[0], q[1] - p[1]];
+    let distance = dot(offset, offset).sqrt();
+    let unit = offset.map(|part| part / distance);
     let inside = distance < first.max(second);
     let touching = if inside {
         (first - second).abs()

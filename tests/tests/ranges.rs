@@ -39,7 +39,7 @@ impl Digger {
             let end = at(along * length, beside);
             let begin = at(-back, -below);
             let middle = [0.5 * (begin[0] + end[0]), 0.5 * (begin[1] + end[1])];
-            let way = [end[0] - begin[0], end[1] - begin[1]];
+            let offset = [end[0] - begin[0], end[1] - begin[1]];
             let _ = writeln!(
                 text,
                 "link l{number}; link c{number}; link r{number};
@@ -54,8 +54,8 @@ impl Digger {
                 begin[1],
                 middle[0],
                 middle[1],
-                way[0],
-                way[1],
+                offset[0],
+                offset[1],
                 end[0],
                 end[1],
             );

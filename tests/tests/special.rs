@@ -98,15 +98,15 @@ fn a_clock_train_is_exact_and_does_not_drift() {
 fn racks_move_by_their_radius() {
     let mut racks = rolling::TwoRacks::new();
     let mut wheel = rolling::Rolling::new();
-    for way in [0.3, -2.0, 10.0] {
-        racks.move_to([way]).unwrap();
-        assert!((racks.lower_mark().x - 1.0 - way).abs() < 1e-14);
+    for value in [0.3, -2.0, 10.0] {
+        racks.move_to([value]).unwrap();
+        assert!((racks.lower_mark().x - 1.0 - value).abs() < 1e-14);
         // The upper rack is on the other side of the pinion: it goes the other way.
-        assert!((racks.upper_mark().x - 1.0 + way).abs() < 1e-13);
-        assert!((racks.low() - way).abs() < 1e-14 && (racks.up() - way).abs() < 1e-13);
-        wheel.move_to([way]).unwrap();
+        assert!((racks.upper_mark().x - 1.0 + value).abs() < 1e-13);
+        assert!((racks.low() - value).abs() < 1e-14 && (racks.up() - value).abs() < 1e-13);
+        wheel.move_to([value]).unwrap();
         // Rolling without slip: the wheel has turned back by way / radius.
-        let off = wheel.wheel().rotation.angle() + way;
+        let off = wheel.wheel().rotation.angle() + value;
         assert!((off - TAU * (off / TAU).round()).abs() < 1e-13);
     }
 }
@@ -140,9 +140,9 @@ fn a_weld_keeps_two_links_one() {
 #[test]
 fn a_wedge_lifts_by_its_slope() {
     let mut wedge = special::Wedge::new();
-    for way in [0.5, -1.0, 3.0] {
-        wedge.move_to([way]).unwrap();
-        assert!((wedge.y() + way / 2.0).abs() < 1e-14);
+    for value in [0.5, -1.0, 3.0] {
+        wedge.move_to([value]).unwrap();
+        assert!((wedge.y() + value / 2.0).abs() < 1e-14);
     }
 }
 

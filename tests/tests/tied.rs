@@ -16,7 +16,7 @@ fn cases() -> u64 {
 }
 
 /// The way of a slide.
-fn way(model: &Model, poses: &[[f64; 4]], slide: JointId) -> f64 {
+fn displacement(model: &Model, poses: &[[f64; 4]], slide: JointId) -> f64 {
     let JointKind::Prismatic(from, to) = model.joint(slide).kind else {
         panic!("a rack's bar slides");
     };
@@ -63,8 +63,13 @@ fn off(
         RollingEnd::Bar {
             slide, forwards, ..
         } => {
-            let way = way(model, now.1, slide) - way(model, then.1, slide);
-            if forwards { way } else { -way }
+            let displacement =
+                displacement(model, now.1, slide) - displacement(model, then.1, slide);
+            if forwards {
+                displacement
+            } else {
+                -displacement
+            }
         }
     };
     let [a, b] = rolling
@@ -182,15 +187,19 @@ fn turning_as_one(corners: [[f64; 2]; 3], teeth: (i32, i32)) -> Model {
 
 /// By how much the fourth link turns at most while the motor goes these ways; which were refused. It cannot stand at a change point
 /// itself: then it goes a little farther.
-fn strays<T: Real>(model: &Model, ways: &[f64]) -> (f64, Vec<Stop>) {
+fn strays<T: Real>(model: &Model, displacements: &[f64]) -> (f64, Vec<Stop>) {
     let compiled = compile(model).unwrap_or_else(|wrong| panic!("{wrong:?}"));
     let mut machine = Machine::<T>::new(&compiled.program);
     let (mut motor, mut most) = (0.0, 0.0_f64);
     let mut refused = Vec::new();
-    for way in ways {
-        let mut go = |way: f64| machine.move_to(&[T::from_f64(motor + way)]).map(|()| way);
-        match go(*way).or_else(|stop| go(way + HAIR).map_err(|_| stop)) {
-            Ok(way) => motor += way,
+    for displacement in displacements {
+        let mut go = |displacement: f64| {
+            machine
+                .move_to(&[T::from_f64(motor + displacement)])
+                .map(|()| displacement)
+        };
+        match go(*displacement).or_else(|stop| go(displacement + HAIR).map_err(|_| stop)) {
+            Ok(displacement) => motor += displacement,
             Err(stop) => refused.push(stop),
         }
         let [cos, sin, ..] = machine.position().poses[3];
@@ -212,12 +221,12 @@ proptest! {
     fn tied_loops_go_straight_on_at_change_points(
         corners in [corner(), corner(), corner()],
         teeth in (10..40_i32, 10..40_i32),
-        ways in prop::collection::vec(-1.5..2.0_f64, 20),
+        displacements in prop::collection::vec(-1.5..2.0_f64, 20),
     ) {
         prop_assume!(teeth.0 != teeth.1);
         let model = turning_as_one(corners, teeth);
         prop_assume!(compile(&model).is_ok());
-        let (most, refused) = strays::<f64>(&model, &ways);
+        let (most, refused) = strays::<f64>(&model, &displacements);
         prop_assert!(most < 1e-6, "{most:e}");
         prop_assert!(refused.is_empty(), "{refused:?}");
     }
@@ -228,13 +237,13 @@ proptest! {
     fn tied_loops_go_straight_on_in_single_precision(
         corners in [corner(), corner(), corner()],
         teeth in (10..40_i32, 10..40_i32),
-        ways in prop::collection::vec(-1.5..2.0_f64, 20),
+        displacements in prop::collection::vec(-1.5..2.0_f64, 20),
     ) {
         prop_assume!(teeth.0 != teeth.1);
         let mut model = turning_as_one(corners, teeth);
         model.precision = Precision::F32;
         prop_assume!(compile(&model).is_ok());
-        let (most, _) = strays::<f32>(&model, &ways);
+        let (most, _) = strays::<f32>(&model, &displacements);
         prop_assert!(most < 0.05, "{most:e}");
     }
 

@@ -62,7 +62,7 @@ fn every_way_of_moving_leaves_a_trace_and_none_that_fails() {
     four_bar.move_with([0.3], [1.0]).expect("it turns");
     note(&four_bar, 3);
     four_bar
-        .turn_to(Phase::of_turn(1, 10).expect("a phase"))
+        .turn_to([Phase::of_turn(1, 10).expect("a phase")])
         .expect("it turns");
     note(&four_bar, 4);
     four_bar.move_within(FourBar::range([0.5]).expect("within"));

@@ -347,7 +347,7 @@ fn after_a_move_without_rates_it_rests() {
     assert_eq!(*four_bar.velocities(), [Velocity::ZERO; 3]);
     four_bar.move_with([0.3], [2.0], [1.0]).expect("it turns");
     four_bar
-        .turn_to(mech_runtime::Phase::from_turns(0.1).expect("a tenth"))
+        .turn_to([mech_runtime::Phase::from_turns(0.1).expect("a tenth")])
         .expect("it turns");
     assert_eq!(*four_bar.velocities(), [Velocity::ZERO; 3]);
 }

@@ -215,8 +215,8 @@ impl<'p, T: Real> Machine<'p, T> {
         if let Some(motor) = motors.iter().position(|value| !value.is_finite()) {
             return Err(refuse(Stop::NotFinite(motor)));
         }
-        let way = Move::new(&self.runner, &self.position, motors, turns);
-        self.position = way.run()?;
+        let goal = Move::new(&self.runner, &self.position, motors, turns);
+        self.position = goal.run()?;
         Ok(())
     }
 }

@@ -46,8 +46,8 @@ pub fn messages(
 pub fn text(diagnosis: &Diagnosis, model: &Model) -> String {
     let found = repair::offers(model, std::slice::from_ref(diagnosis));
     let offers = found.into_iter().next().unwrap_or_default();
-    let told = Words { model }.of(diagnosis, &offers);
-    let texts: Vec<String> = told.iter().map(|(_, text)| spaced(text)).collect();
+    let messages = Words { model }.of(diagnosis, &offers);
+    let texts: Vec<String> = messages.iter().map(|(_, text)| spaced(text)).collect();
     texts.join("\n\n")
 }
 
@@ -62,7 +62,7 @@ struct Words<'m> {
 
 impl Words<'_> {
     fn of(&self, diagnosis: &Diagnosis, offers: &Offers) -> Vec<(Origin, String)> {
-        let told = match diagnosis {
+        let messages = match diagnosis {
             Diagnosis::Loose { link } => (self.at_link(Some(link)), self.loose(*link, offers)),
             Diagnosis::Disconnected { links } => (
                 self.at_link(links.first()),
@@ -156,7 +156,7 @@ impl Words<'_> {
             | Diagnosis::NotAsDrawn { .. }
             | Diagnosis::StartNotFree { .. } => self.assembly(diagnosis, offers),
         };
-        vec![told]
+        vec![messages]
     }
 
     fn at_joint(&self, joint: Option<&JointId>) -> Origin {
@@ -201,7 +201,7 @@ impl Words<'_> {
     }
 
     fn massless(&self, motors: &[MotorId]) -> Vec<(Origin, String)> {
-        let told = motors.iter().map(|&motor| {
+        let messages = motors.iter().map(|&motor| {
             let motor = self.model.motor(motor);
             let text = format!(
                 "nothing that motor {} moves has a mass: forces do not tell how it moves\nhelp: give a link that it moves \
@@ -210,6 +210,6 @@ impl Words<'_> {
             );
             (motor.origin, text)
         });
-        told.collect()
+        messages.collect()
     }
 }

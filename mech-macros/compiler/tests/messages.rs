@@ -15,14 +15,14 @@ fn message(text: &str) -> (String, (usize, usize)) {
     let Parsed { model, places, .. } = parsed(text);
     let diagnoses = compile(&model).expect_err(text);
     let offers = repair::offers(&model, &diagnoses);
-    let mut told = reporter::messages(&diagnoses, &offers, &model, &places);
-    let first = told.remove(0);
+    let mut messages = reporter::messages(&diagnoses, &offers, &model, &places);
+    let first = messages.remove(0);
     let spot = first.place.start.start();
     (first.text, (spot.line, spot.column + 1))
 }
 
 #[track_caller]
-fn told(text: &str, expected: &str, spot: (usize, usize)) {
+fn assert_message(text: &str, expected: &str, spot: (usize, usize)) {
     assert_eq!(message(text), (expected.to_owned(), spot), "{text}");
 }
 
@@ -59,7 +59,7 @@ fn a_cam_whose_law_is_not_zero_where_its_follower_is_drawn() {
         ("0.1 + 0.2", "0.3", "0.1 + 0.2 - 0.30000000000000004"),
     ] {
         let text = TAPPET.replace("LAW", law);
-        told(
+        assert_message(
             &text,
             &format!(
                 "cam `c` gives its follower {value} at the start, but the coordinate of `f` is 0 where it is drawn\n\nhelp: draw `tappet` as it \
@@ -96,7 +96,7 @@ motor a;";
 
 #[test]
 fn a_line_of_a_link_that_is_placed_by_at() {
-    told(
+    assert_message(
         SLIDER,
         "link `block` cannot stay where it is drawn: joint `c` is placed by `at`, so the frame of `block` is the scene's\n\nnote: joint \
          `x` joins `block.way` to `ground.bore`, but in the scene they are apart\nhelp: write `line way = (0, 0.5) -> (1, 0);` in \
@@ -113,31 +113,31 @@ fn a_line_of_a_link_that_is_placed_by_at() {
 
 #[test]
 fn a_point_of_a_link_that_is_placed_by_at() {
-    let text = "struct FourBar;
+    let drawn = "struct FourBar;
 ground { point p = (4, 0); } link crank; link rod; link rocker { point foot = (0, 0); }
 joint a = revolute(ground, crank) at (0, 0);
 joint b = revolute(crank, rod) at (1, 1);
 joint c = revolute(rod, rocker) at (4, 2);
 joint d = revolute(ground.p, rocker.foot);
 motor a;";
-    let (told, spot) = message(text);
-    assert_eq!(spot, (2, 72), "{told}");
-    assert!(told.contains("joint `c` is placed by `at`"), "{told}");
-    let offer = between(&told, "write `", "`");
+    let (text, spot) = message(drawn);
+    assert_eq!(spot, (2, 72), "{text}");
+    assert!(text.contains("joint `c` is placed by `at`"), "{text}");
+    let offer = between(&text, "write `", "`");
     assert_eq!(offer, "point foot = (4, 0);");
-    compiles(&text.replace("point foot = (0, 0);", offer));
+    compiles(&drawn.replace("point foot = (0, 0);", offer));
 }
 
 #[test]
 fn lengths_that_do_not_fit_are_told_with_the_frame_that_they_are_in() {
-    let (told, _) = message(
+    let (text, _) = message(
         "struct FourBar;
 link crank { point pin = (1, 0); } link rocker { point pin = (4, 2); } link rod { point left = (0, 0); point right = (3, 0); }
 joint a = revolute(ground, crank) at (0, 0); joint d = revolute(ground, rocker) at (4, 0);
 joint b = revolute(crank.pin, rod.left); joint c = revolute(rocker.pin, rod.right); motor a;",
     );
     assert_eq!(
-        told,
+        text,
         "link `rocker` cannot stay where it is drawn: link `rod`, which has lengths of its own, does not fit\n\nnote: joint `d` is placed \
          by `at`: so the frame of `rocker` is the scene's, and `rocker.pin` is given in it\nhelp: draw it where those lengths lead, or \
          change them to fit the drawing"
@@ -155,39 +155,39 @@ motor a; start { a = 60 deg; START }";
 fn the_start_of_a_joint_that_follows_is_offered_as_an_assembly() {
     let mut offers = Vec::new();
     for start in ["c = 80 deg;", "c = -80 deg;"] {
-        let (told, spot) = message(&FOUR_BAR.replace("START", start));
-        assert_eq!(spot, (6, 30), "{told}");
-        let offer = between(&told, "write `", "` instead");
+        let (text, spot) = message(&FOUR_BAR.replace("START", start));
+        assert_eq!(spot, (6, 30), "{text}");
+        let offer = between(&text, "write `", "` instead");
         compiles(&FOUR_BAR.replace("START", offer));
-        let at = between(&told, "is at ", " deg");
+        let at = between(&text, "is at ", " deg");
         let wanted = between(start, "= ", " deg")
             .parse::<f64>()
             .expect("a number");
         let at = at.parse::<f64>().expect("a number");
-        assert!(at * wanted > 0.0, "{told}");
+        assert!(at * wanted > 0.0, "{text}");
         offers.push(offer.to_owned());
     }
     assert_ne!(offers[0], offers[1]);
     // Of several starts that follow, the first is told, and the others are no hindrance.
-    let (told, _) = message(&FOUR_BAR.replace("START", "c = 80 deg; d = 10 deg;"));
-    assert_eq!(between(&told, "write `", "` instead"), offers[0]);
+    let (text, _) = message(&FOUR_BAR.replace("START", "c = 80 deg; d = 10 deg;"));
+    assert_eq!(between(&text, "write `", "` instead"), offers[0]);
     // Where nothing is to be chosen, it is left out.
     let drawn = "struct Drawn;
 ground { point p = (4, 0); line l = (0, 0) -> (1, 0); } link crank; link rod { point tip = (4, 0); } link block { point p = (0, 0); line l = (0, 0) -> (1, 0); }
 joint a = revolute(ground, crank) at (0, 0); joint b = revolute(crank, rod) at (1, 1);
 joint c = revolute(rod.tip, block.p); joint x = prismatic(ground.l, block.l);
 motor a; start { x = 3; }";
-    let (told, _) = message(drawn);
+    let (text, _) = message(drawn);
     assert!(
-        told.ends_with("help: leave this out: there is one assembly, in which `x` is at 4"),
-        "{told}"
+        text.ends_with("help: leave this out: there is one assembly, in which `x` is at 4"),
+        "{text}"
     );
     compiles(&drawn.replace("start { x = 3; }", ""));
 }
 
 #[test]
 fn a_mechanism_without_links() {
-    told(
+    assert_message(
         "struct S;",
         "there is no link: a mechanism has at least one, besides the ground\n\nhelp: declare one with a joint and a motor, as `link arm; \
          joint a = revolute(ground, arm) at (0, 0); motor a;`",

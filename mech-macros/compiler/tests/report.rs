@@ -17,8 +17,8 @@ fn a_pitch_radius_is_told_as_it_is_written() {
             joint s = prismatic(ground, bar) at (0, -1) along (1, 0);
             joint r = rack(pinion, bar, radius {radius:?}); motor a;"
         ));
-        let told = text.split("s by ").nth(1).expect("what moves the bar");
-        let (number, _) = told.split_once(" · a").expect("the motor");
+        let line = text.split("s by ").nth(1).expect("what moves the bar");
+        let (number, _) = line.split_once(" · a").expect("the motor");
         let value = match number.split_once('/') {
             Some((a, b)) => {
                 a.parse::<f64>().expect("a number") / b.parse::<f64>().expect("a number")

@@ -47,10 +47,10 @@ fn ram(unit: &str) -> String {
     format!(
         "struct Ram; const U = {unit};
         ground {{ point a = (0, 0); point d = (2 * U, 0); }}
-        link barrel {{ point a = (0, 0); line way = (0, 0) -> (1, 0); }}
-        link rod {{ line way = (0, 0) -> (1, 0); point c = (0, 0); }}
+        link barrel {{ point a = (0, 0); line displacement = (0, 0) -> (1, 0); }}
+        link rod {{ line displacement = (0, 0) -> (1, 0); point c = (0, 0); }}
         link boom {{ point d = (0, 0); point c = (1.2 * U, 0); }}
-        joint a = revolute(ground.a, barrel.a); joint s = prismatic(barrel.way, rod.way);
+        joint a = revolute(ground.a, barrel.a); joint s = prismatic(barrel.displacement, rod.displacement);
         joint c = revolute(rod.c, boom.c); joint d = revolute(ground.d, boom.d);
         motor s; start {{ s = 2 * U; barrel near 30 deg; }}"
     )
@@ -81,12 +81,12 @@ fn read(text: &str, precision: Precision) -> Model {
 }
 
 /// Where the links are after some ways of the motor.
-fn places<T: Real>(model: &Model, ways: &[f64]) -> Result<Vec<[f64; 4]>, Vec<Diagnosis>> {
+fn places<T: Real>(model: &Model, displacements: &[f64]) -> Result<Vec<[f64; 4]>, Vec<Diagnosis>> {
     let compiled = compile(model)?;
     let mut machine = Machine::<T>::new(&compiled.program);
     let mut found = Vec::new();
-    for way in ways {
-        let to = compiled.program.start.motors[0] + way;
+    for displacement in displacements {
+        let to = compiled.program.start.motors[0] + displacement;
         machine
             .move_to(&[T::from_f64(to)])
             .unwrap_or_else(|stop| panic!("{}: {stop:?}", model.name));
@@ -97,14 +97,22 @@ fn places<T: Real>(model: &Model, ways: &[f64]) -> Result<Vec<[f64; 4]>, Vec<Dia
 }
 
 fn check<T: Real>((kind, turns): (fn(&str) -> String, bool), exponent: i32, precision: Precision) {
-    let ways = |unit: f64| [0.1, 0.3, -0.2].map(|way| if turns { way } else { way * unit });
+    let displacements = |unit: f64| {
+        [0.1, 0.3, -0.2].map(|displacement| {
+            if turns {
+                displacement
+            } else {
+                displacement * unit
+            }
+        })
+    };
     let whole = read(&kind("1"), Precision::F64);
-    let expected = places::<f64>(&whole, &ways(1.0)).expect("it moves");
+    let expected = places::<f64>(&whole, &displacements(1.0)).expect("it moves");
     let unit: f64 = format!("1e{exponent}").parse().expect("a number");
     let model = read(&kind(&format!("{unit:e}")), precision);
     let what = format!("{} {precision:?} of 1e{exponent}", model.name);
     let [least, most] = precision.lengths();
-    match places::<T>(&model, &ways(unit)) {
+    match places::<T>(&model, &displacements(unit)) {
         Err(wrong) => match wrong[..] {
             [Diagnosis::TooLarge] => assert!(10.0 * unit > most, "{what}"),
             [Diagnosis::TooSmall] => assert!(unit < least, "{what}"),

@@ -137,8 +137,9 @@ impl<W: Write> Apng<W> {
                 let patch = Patch::of_change(before, now, width);
                 let pairs = || patch.of(before, width).zip(patch.of(now, width));
                 // What is clear would let the last frame shine through.
-                let is_told = |(before, now): (&[u8; 4], &[u8; 4])| before == now || now[3] == 255;
-                let tells_changes = pairs().all(is_told);
+                let is_in_frame =
+                    |(before, now): (&[u8; 4], &[u8; 4])| before == now || now[3] == 255;
+                let tells_changes = pairs().all(is_in_frame);
                 let pixel = |(before, now): (&[u8; 4], &[u8; 4])| {
                     let is_as_before = tells_changes && before == now;
                     if is_as_before { [0; 4] } else { *now }

@@ -4,6 +4,7 @@ use super::FileError;
 use super::picture::{Picture, Pixels};
 use crate::raster::{Indexed, Memory, Soft};
 use std::io::Write;
+use std::path::Path;
 use std::vec::Vec;
 
 /// The most pixels in one direction.
@@ -19,6 +20,14 @@ impl Picture<'_> {
         let mut bytes = Vec::new();
         self.write_png(&mut bytes)?;
         Ok(bytes)
+    }
+
+    /// Makes a PNG file of it at this path, whatever that ends in; a file that is there is overwritten.
+    ///
+    /// # Errors
+    /// [`FileError`] if it is empty, or if the file cannot be written. Of an empty picture no file is made.
+    pub fn save(self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        Ok(std::fs::write(path, self.png()?)?)
     }
 
     /// Writes the same to a writer.
@@ -81,6 +90,14 @@ impl<M: Memory> Indexed<M> {
     pub fn png(&self) -> Result<Vec<u8>, FileError> {
         Picture::from(self).png()
     }
+
+    /// Makes a PNG file of it at this path, whatever that ends in; a file that is there is overwritten. With feature `std`.
+    ///
+    /// # Errors
+    /// [`FileError`] if it is 0 pixels wide or high, or if the file cannot be written.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        Picture::from(self).save(path)
+    }
 }
 
 impl<M: Memory> Soft<M> {
@@ -90,5 +107,31 @@ impl<M: Memory> Soft<M> {
     /// [`FileError`] if it is 0 pixels wide or high.
     pub fn png(&self) -> Result<Vec<u8>, FileError> {
         Picture::from(self).png()
+    }
+    /// Makes a PNG file of it at this path, whatever that ends in; a file that is there is overwritten. With feature `std`.
+    ///
+    /// ```
+    /// use mech_runtime::{HeapSmooth, mechanism};
+    ///
+    /// mechanism! {
+    ///     struct Crank;
+    ///     link crank { bar [(0, 0), (1, 0)] width 0.3; }
+    ///     joint a = revolute(ground, crank) at (0, 0);
+    ///     motor a;
+    /// }
+    /// let crank = Crank::new();
+    /// let mut picture = HeapSmooth::of::<Crank>(1920, 1080)?;     // 8 MB on the heap, none on the stack
+    /// crank.draw(&mut picture);
+    /// # let path = std::env::temp_dir().join(format!("mech-{}.png", std::process::id()));
+    /// picture.save(&path)?;                                       // such as "crank.png"
+    /// # assert!(std::fs::read(&path)?.starts_with(b"\x89PNG"));
+    /// # std::fs::remove_file(&path)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FileError`] if it is 0 pixels wide or high, or if the file cannot be written.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), FileError> {
+        Picture::from(self).save(path)
     }
 }

@@ -93,11 +93,11 @@ fn refusal<T, const M: usize, const L: usize, const K: usize, const W: usize>(
 where
     T: Scalar,
 {
-    if let Err(stop) = finite(target.values, &limits.names) {
-        return Some(position.refuse(stop));
+    if let Err(stop) = finite(target.values, limits.inputs) {
+        return Some(position.refuse(stop, limits.inputs));
     }
     let (stop, reached) = limits.leaves(&position.motors, target)?;
-    Some(Blocked::new(stop.place, stop.cause, reached.total()))
+    Some(Blocked::new(stop.place, stop.cause, reached.total()).of(limits.inputs))
 }
 
 /// The same where a position depends on the motors alone.
@@ -197,14 +197,14 @@ pub fn approach<T, const M: usize, const L: usize, const K: usize, const W: usiz
 where
     T: Scalar,
 {
-    if let Err(stop) = finite(target.values, &limits.names) {
-        return Err(position.refuse(stop));
+    if let Err(stop) = finite(target.values, limits.inputs) {
+        return Err(position.refuse(stop, limits.inputs));
     }
     let start = *position;
     let (end, target) = match limits.leaves(&start.motors, &target) {
         None => (Reached::Target, target),
         Some((stop, reached)) => {
-            let blocked = Blocked::new(stop.place, stop.cause, reached.total());
+            let blocked = Blocked::new(stop.place, stop.cause, reached.total()).of(limits.inputs);
             (Reached::Limit(blocked), reached)
         }
     };

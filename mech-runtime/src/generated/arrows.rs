@@ -1,6 +1,7 @@
 //! Arrows at the points of a mechanism.
 
 use crate::overlay::{Arrows, Spot};
+use crate::pose::pose_of;
 use crate::{Acceleration, Canvas, Pose, Reaction, Scalar, Velocity};
 
 /// Draws the velocities of points of moving links.
@@ -61,11 +62,7 @@ pub fn draw_force<T: Scalar, const LINKS: usize>(
     arrows: &Arrows<T>,
     canvas: &mut impl Canvas<T>,
 ) {
-    let pose = match point.link.checked_sub(1) {
-        None => Some(Pose::identity()),
-        Some(index) => poses.get(index).copied(),
-    };
-    if let Some(pose) = pose {
+    if let Some(pose) = pose_of(point.link, poses) {
         arrows.draw(canvas, pose.apply(point.at), force);
     }
 }

@@ -41,8 +41,8 @@ pub fn round<T: Scalar>(value: T) -> T {
 /// An axis in the scene: the pose of its link, its origin and its direction in the link's frame.
 type Axis<T> = (Pose<T>, [T; 2], [T; 2]);
 
-fn heading<T: Scalar>((pose, _, [x, y]): Axis<T>) -> [T; 2] {
-    [pose.cos * x - pose.sin * y, pose.sin * x + pose.cos * y]
+fn heading<T: Scalar>((pose, _, along): Axis<T>) -> [T; 2] {
+    pose.turn(along)
 }
 
 /// The coordinate of a revolute joint: the angle from one axis's direction to the other's, in radians.

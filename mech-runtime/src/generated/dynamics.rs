@@ -5,6 +5,7 @@
 //! Wanner, *Solving Ordinary Differential Equations I*, II.14): symmetric, of twice the order of their stages.
 
 use super::{Inertia, Motors, Position, Stop};
+use crate::blocked::Input;
 use crate::{Blocked, Cause, GaussLegendre, Real, Scalar};
 
 /// The most stages of a method.
@@ -31,15 +32,15 @@ pub struct Simulated<
 
 /// What is not in the position but moves it.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<T: 'static, const MOTORS: usize> {
+pub struct Moment<T: 'static, const INPUTS: usize, const MOTORS: usize> {
     /// The rates of the motors.
     pub rates: [T; MOTORS],
     /// Their torques, which stay as they are during the step.
     pub torques: [T; MOTORS],
     /// How long the step is.
     pub time: T,
-    /// What the motors are called.
-    pub names: &'static [&'static str; MOTORS],
+    /// The motors, and the params after them.
+    pub inputs: &'static [Input; INPUTS],
     /// Which of them turn, and may turn any number of times.
     pub turning: &'static [bool; MOTORS],
     /// A radian for each that turns, the size of the mechanism for each that slides: what their values are rounded against.
@@ -130,7 +131,7 @@ impl<T: Scalar> Tableau<T> {
 /// If something given is not a finite number, something is in the way, no mass resists a motor, or the step of time is too long.
 pub fn simulate<T, const I: usize, const M: usize, const L: usize, const K: usize>(
     start: &Position<T, I, L, K>,
-    moment: &Moment<T, M>,
+    moment: &Moment<T, I, M>,
     method: GaussLegendre,
     to: impl Fn(
         &mut Position<T, I, L, K>,
@@ -141,23 +142,23 @@ pub fn simulate<T, const I: usize, const M: usize, const L: usize, const K: usiz
 where
     T: Scalar,
 {
-    let refuse = |stop| start.refuse(stop);
     let Moment {
         rates,
         torques,
         time,
-        names,
+        inputs,
         turning,
         ..
     } = *moment;
+    let refuse = |stop| start.refuse(stop, inputs);
     if !Real::is_finite(time) {
         return Err(refuse(Stop::new("time", Cause::NotFinite)));
     }
-    super::finite(torques, names).map_err(refuse)?;
+    super::finite(torques, inputs).map_err(refuse)?;
     let tableau = Tableau::<T>::of(method);
     let mut position = *start;
     let inertia = to(&mut position, start.motors, rates)?;
-    let first = inertia.accelerations(torques, names).map_err(refuse)?;
+    let first = inertia.accelerations(torques, inputs).map_err(refuse)?;
     let mut stages = [first; STAGES];
     let mut positions = [position; STAGES];
     let near = <T as Real>::from_f64(1024.0 * T::EPSILON);
@@ -169,11 +170,12 @@ where
         let found = next.iter_mut().zip(&mut positions);
         for ((at, places, shares), (next, position)) in tableau.stages().zip(found) {
             let places = places.map(|share| time * time * share);
-            let way = way(rates, time * at, &stages, places, tableau.count);
+            let displacement = displacement(rates, time * at, &stages, places, tableau.count);
             let shares = shares.map(|share| time * share);
             let speed = sum(rates, &stages, shares, tableau.count);
-            let inertia = to(position, moved(start.motors, way), speed).map_err(too_long)?;
-            let accelerations = inertia.accelerations(torques, names);
+            let inertia =
+                to(position, moved(start.motors, displacement), speed).map_err(too_long)?;
+            let accelerations = inertia.accelerations(torques, inputs);
             *next = accelerations.map_err(refuse).map_err(too_long)?;
         }
         let pairs = stages.iter().zip(&next).take(tableau.count);
@@ -192,12 +194,12 @@ where
         return Err(refuse(Stop::new("", Cause::StepTooLong)));
     }
     let end = tableau.end.map(|share| time * time * share);
-    let way = way(rates, time, &stages, end, tableau.count);
+    let displacement = displacement(rates, time, &stages, end, tableau.count);
     let weights = tableau.weights.map(|share| time * share);
     let speed = sum(rates, &stages, weights, tableau.count);
-    let inertia = to(&mut position, moved(start.motors, way), speed)?;
-    let accelerations = inertia.accelerations(torques, names).map_err(refuse)?;
-    super::finite(speed, names).map_err(|_| refuse(Stop::new("", Cause::Overflow)))?;
+    let inertia = to(&mut position, moved(start.motors, displacement), speed)?;
+    let accelerations = inertia.accelerations(torques, inputs).map_err(refuse)?;
+    super::finite(speed, inputs).map_err(|_| refuse(Stop::new("", Cause::Overflow)))?;
     position.motors = position.motors.reduced(turning);
     Ok(Simulated {
         position,
@@ -219,7 +221,7 @@ fn too_long<M>(blocked: Blocked<M>) -> Blocked<M> {
 }
 
 /// The way that rates and second rates make.
-fn way<T: Scalar, const M: usize>(
+fn displacement<T: Scalar, const M: usize>(
     rates: [T; M],
     time: T,
     stages: &[[T; M]; STAGES],
@@ -247,11 +249,11 @@ fn sum<T: Scalar, const M: usize>(
 
 fn moved<T: Scalar, const I: usize, const M: usize>(
     motors: Motors<T, I>,
-    way: [T; M],
+    displacement: [T; M],
 ) -> Motors<T, I> {
     let mut motors = motors;
-    for (value, way) in motors.values.iter_mut().zip(way) {
-        *value += way;
+    for (value, displacement) in motors.values.iter_mut().zip(displacement) {
+        *value += displacement;
     }
     motors
 }
@@ -266,9 +268,9 @@ struct Change<T> {
 
 impl<T: Scalar> Change<T> {
     /// The change between each stage before and after.
-    fn between<'s, const M: usize>(
+    fn between<'s, const I: usize, const M: usize>(
         stages: impl Iterator<Item = (&'s [T; M], &'s [T; M])>,
-        moment: &Moment<T, M>,
+        moment: &Moment<T, I, M>,
     ) -> Self {
         let Moment { time, scales, .. } = *moment;
         let (mut of_rates, mut of_places) = (T::ZERO, T::ZERO);

@@ -2,6 +2,7 @@
 
 use super::Stop;
 use super::rates::Rates;
+use crate::blocked::Input;
 use crate::{Cause, Forces, Real, Scalar};
 
 /// The torques of the motors that hold everything at rest.
@@ -60,10 +61,10 @@ impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
     ///
     /// # Errors
     /// The first motor that no mass resists there, or that a second rate is beyond the range of the numbers.
-    pub fn accelerations(
+    pub fn accelerations<const INPUTS: usize>(
         &self,
         torques: [T; MOTORS],
-        names: &[&'static str; MOTORS],
+        inputs: &[Input; INPUTS],
     ) -> Result<[T; MOTORS], Stop> {
         let mut rows = self.matrix;
         let mut sums: [T; MOTORS] =
@@ -75,7 +76,7 @@ impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
             let least = <T as Real>::from_f64(16.0 * T::EPSILON) * self.matrix[pivot][pivot];
             let resists = square > least;
             if !resists {
-                return Err(Stop::new(names[pivot], Cause::Massless));
+                return Err(Stop::new(inputs[pivot].name(), Cause::Massless));
             }
             let root = Real::sqrt(square);
             rows[pivot][pivot] = root;

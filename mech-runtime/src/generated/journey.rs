@@ -71,7 +71,7 @@ where
     /// The error of a move that stops after this part of it.
     #[cold]
     pub(super) fn blocked(&self, part: T, stop: Stop) -> Blocked<[T; M]> {
-        Blocked::new(stop.place, stop.cause, self.motors(part).total())
+        Blocked::new(stop.place, stop.cause, self.motors(part).total()).of(self.limits.inputs)
     }
 
     /// A number of the state by which a loop is watched; none for a loop that is not there.

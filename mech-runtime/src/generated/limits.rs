@@ -1,6 +1,7 @@
 //! What is known at compile time about every move.
 
 use super::{Motors, Stop};
+use crate::blocked::Input;
 use crate::{Cause, Scalar};
 use mech_core::journey::{AtZero, Growth};
 
@@ -48,8 +49,8 @@ pub enum Stepping {
 /// What is known at compile time about every move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveLimits<T: 'static, const MOTORS: usize, const WATCHED: usize> {
-    /// The names of the motors.
-    pub names: [&'static str; MOTORS],
+    /// The motors, and after them the params.
+    pub inputs: &'static [Input; MOTORS],
     /// The loops that are watched.
     pub watched: [Watched<T, MOTORS>; WATCHED],
     /// The angles that are followed over whole turns.
@@ -123,7 +124,7 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> MoveLimits<T, MOTORS,
         if let Some(value) = reached.get_mut(motor) {
             *value = bound;
         }
-        let name = self.names.get(motor).copied().unwrap_or_default();
+        let name = self.inputs.get(motor).map_or("", Input::name);
         Some((Stop::new(name, Cause::OutOfRange), Motors::new(reached)))
     }
 }

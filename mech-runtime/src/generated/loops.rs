@@ -34,7 +34,7 @@ fn none_negative<T: Scalar, const LOOPS: usize>(
     cause: Cause,
 ) -> Result<(), Stop> {
     // What is not a number does not pass.
-    let passes = |margin: T| margin >= T::zero();
+    let passes = |margin: T| margin >= T::ZERO;
     match margins.into_iter().position(|margin| !passes(margin)) {
         None => Ok(()),
         Some(first) => Err(Stop::new(

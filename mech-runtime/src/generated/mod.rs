@@ -14,10 +14,12 @@ mod params;
 mod position;
 mod rates;
 
+pub use crate::blocked::Input;
 pub use crate::overlay::{Arrows, Overlay, Spot, Symbol};
 pub use crate::{
     Acceleration, BlockedAt, Columns, Cost, Frame, InRange, Smooth, Trace, Vector2, Velocity,
 };
+pub use crate::{Anchor, Coordinate, JointInfo, JointKind};
 pub use crate::{
     Blocked, Canvas, Isometry2, Mechanism, Outline, Palette, Phase, Point2, Pose, Reached, Shape,
 };
@@ -36,7 +38,9 @@ pub use mech_core::Real;
 pub use mech_core::contraction::{before_first, contracts};
 pub use mech_core::journey::{AtZero, Growth};
 pub use mech_core::motors::turned;
-pub use params::{blocked_motors, followed, inputs, motors_of, params_of, reached_by_motors};
+pub use params::{
+    blocked_motors, blocked_params, followed, inputs, motors_of, params_of, reached_by_motors,
+};
 pub use position::{Motors, Position, finite};
 pub use rates::{Rates, advance_with, rates_at};
 
@@ -51,6 +55,7 @@ pub use core::option::Option::{self, None, Some};
 pub use core::primitive::{f32, f64, str, usize};
 pub use core::result::Result::{self, Err, Ok};
 
+use crate::pose::pose_of;
 use crate::{Cause, Scalar};
 
 /// Why it cannot be somewhere.
@@ -79,11 +84,7 @@ pub trait Traced {
 /// Paints shapes that are already in painting order.
 pub fn paint<T: Scalar>(shapes: &[Shape<T>], poses: &[Pose<T>], canvas: &mut impl Canvas<T>) {
     for shape in shapes {
-        let pose = match shape.link.checked_sub(1) {
-            None => Some(Pose::identity()),
-            Some(index) => poses.get(index).copied(),
-        };
-        if let Some(pose) = pose {
+        if let Some(pose) = pose_of(shape.link, poses) {
             canvas.fill(shape.outline, pose, shape.color);
         }
     }

@@ -48,12 +48,14 @@ functions! {
     moved
     overlay
     params
+    phases
     picture
     points
     position
     rates
     reached
     simulated
+    slides
     stop
     t
     target

@@ -38,6 +38,16 @@ pub fn blocked_motors<T: Scalar, const ALL: usize, const MOTORS: usize>(
     blocked.map(motors_of)
 }
 
+/// What stopped it, with the values of the params alone.
+#[must_use]
+pub fn blocked_params<T: Scalar, const ALL: usize, const PARAMS: usize>(
+    blocked: Blocked<[T; ALL]>,
+) -> Blocked<[T; PARAMS]> {
+    blocked
+        .starting_at(ALL.saturating_sub(PARAMS))
+        .map(params_of)
+}
+
 /// How far it came, with the values of the motors alone.
 pub fn reached_by_motors<T: Scalar, const ALL: usize, const MOTORS: usize>(
     reached: Reached<[T; ALL]>,

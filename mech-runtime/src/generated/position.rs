@@ -1,6 +1,7 @@
 //! What is carried from one move to the next.
 
 use super::Stop;
+use crate::blocked::Input;
 use crate::{Blocked, Cause, Phase, Pose, Real, Scalar};
 
 /// The values of the motors: each so many whole turns and a rest, in radians or scene units.
@@ -139,12 +140,12 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
 #[inline]
 pub fn finite<T: Scalar, const MOTORS: usize>(
     values: [T; MOTORS],
-    names: &[&'static str; MOTORS],
+    inputs: &[Input],
 ) -> Result<(), Stop> {
     match values.iter().position(|value| !Real::is_finite(*value)) {
         None => Ok(()),
         Some(motor) => {
-            let name = names.get(motor).copied().unwrap_or_default();
+            let name = inputs.get(motor).map_or("", Input::name);
             Err(Stop::new(name, Cause::NotFinite))
         }
     }
@@ -173,7 +174,7 @@ impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const STATE: usize>
 
     /// The message that it is stopped while it stays here.
     #[cold]
-    pub fn refuse(&self, stop: Stop) -> Blocked<[T; MOTORS]> {
-        Blocked::new(stop.place, stop.cause, self.motors.total())
+    pub fn refuse(&self, stop: Stop, inputs: &'static [Input]) -> Blocked<[T; MOTORS]> {
+        Blocked::new(stop.place, stop.cause, self.motors.total()).of(inputs)
     }
 }

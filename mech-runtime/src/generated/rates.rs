@@ -102,7 +102,7 @@ where
     rates_at(position, step_full).map_err(|stop| {
         let reached = position.motors.total();
         *position = start;
-        Blocked::new(stop.place, stop.cause, reached)
+        Blocked::new(stop.place, stop.cause, reached).of(limits.inputs)
     })
 }
 

@@ -2,7 +2,6 @@
 
 use crate::raster::line;
 use crate::{Canvas, Outline, Pose, Scalar};
-use nalgebra::{convert, convert_unchecked};
 
 /// How wide lines are, in pixels.
 pub(super) const BOLD: f32 = 2.0;
@@ -46,7 +45,7 @@ impl<T: Scalar> Spot<T> {
 
 impl<T: Scalar> Pen<T> {
     pub(super) fn new(canvas: &impl Canvas<T>, size: f32, ink: u8, paper: u8) -> Self {
-        let size = convert::<f32, T>(size);
+        let size = T::from_f32(size);
         Self {
             pixel: size / canvas.scale(),
             size,
@@ -57,17 +56,17 @@ impl<T: Scalar> Pen<T> {
 
     /// From pixels to scene units.
     pub(super) fn pixels(&self, pixels: f32) -> T {
-        self.pixel * convert::<f32, T>(pixels)
+        self.pixel * T::from_f32(pixels)
     }
 
     /// From scene units to pixels.
     pub(super) fn in_pixels(&self, length: T) -> f32 {
-        convert_unchecked::<T, f32>(length / self.pixel)
+        (length / self.pixel).to_f32()
     }
 
     /// A line between two places in the scene.
     pub(super) fn line(&self, canvas: &mut impl Canvas<T>, ends: [[T; 2]; 2], width: f32) {
-        line(canvas, ends, self.size * convert::<f32, T>(width), self.ink);
+        line(canvas, ends, self.size * T::from_f32(width), self.ink);
     }
 
     /// A line, in pixels from a spot.

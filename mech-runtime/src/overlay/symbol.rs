@@ -2,6 +2,7 @@
 
 use super::arrow::{head, turn};
 use super::pen::{self, BOLD, MEDIUM, Pen, THIN};
+use crate::pose::pose_of;
 use crate::{Canvas, Pose, Real, Scalar};
 
 /// A place on a link.
@@ -105,32 +106,19 @@ const RAIL: f32 = 36.0;
 /// From one stroke of hatching to the next.
 const HATCH: f32 = 5.0;
 
-/// The pose of a link, if it is kept.
-fn pose<T: Scalar>(poses: &[Pose<T>], link: usize) -> Option<Pose<T>> {
-    match link.checked_sub(1) {
-        None => Some(Pose::identity()),
-        Some(index) => poses.get(index).copied(),
-    }
-}
-
 impl<T: Scalar> Spot<T> {
     /// Where it is in the scene.
     fn place(self, poses: &[Pose<T>]) -> Option<[T; 2]> {
-        Some(pose(poses, self.link)?.apply(self.at))
+        Some(pose_of(self.link, poses)?.apply(self.at))
     }
 
     /// The same with a direction of its link.
     fn with(self, along: [T; 2], poses: &[Pose<T>]) -> Option<pen::Spot<T>> {
-        let pose = pose(poses, self.link)?;
+        let pose = pose_of(self.link, poses)?;
         let at = pose.apply(self.at);
-        let along = turned(pose, along);
+        let along = pose.turn(along);
         Some(pen::Spot { at, along })
     }
-}
-
-/// A direction of a link, in the scene.
-fn turned<T: Scalar>(pose: Pose<T>, [u, v]: [T; 2]) -> [T; 2] {
-    [pose.cos * u - pose.sin * v, pose.sin * u + pose.cos * v]
 }
 
 impl<T: Scalar> Symbol<T> {
@@ -157,7 +145,7 @@ impl<T: Scalar> Symbol<T> {
     ) -> Option<()> {
         match *self {
             Self::Bar { link, ends } => {
-                let pose = pose(poses, link)?;
+                let pose = pose_of(link, poses)?;
                 pen.line(canvas, ends.map(|end| pose.apply(end)), BOLD);
             }
             Self::Mark(spot) => pen.dot(canvas, spot.place(poses)?, 3.0),
@@ -218,7 +206,7 @@ impl<T: Scalar> Symbol<T> {
                 guide,
                 along,
             } => {
-                let along = turned(pose(poses, guide)?, along);
+                let along = pose_of(guide, poses)?.turn(along);
                 let at = block.place(poses)?;
                 pushed(pen, canvas, pen::Spot { at, along });
             }
@@ -252,7 +240,7 @@ fn slide<T: Scalar>(
     let along = guide.along;
     let block = pen::Spot { at, along };
     let [half, height] = BLOCK;
-    let way = (at[0] - guide.at[0]) * along[0] + (at[1] - guide.at[1]) * along[1];
+    let offset = (at[0] - guide.at[0]) * along[0] + (at[1] - guide.at[1]) * along[1];
     if is_fixed {
         // The rail lies below, or to the right where it is upright.
         let is_below = along[0] > T::ZERO || (along[0] >= T::ZERO && along[1] > T::ZERO);
@@ -261,7 +249,7 @@ fn slide<T: Scalar>(
         let ends = [-RAIL, RAIL].map(|end| [end, side * depth]);
         pen.stroke(canvas, block, ends, MEDIUM);
         // The hatching stays where it is while the block slides by.
-        let remainder = HATCH * fraction(way / pen.pixels(HATCH));
+        let remainder = HATCH * fraction(offset / pen.pixels(HATCH));
         let floor = pen::Spot {
             at: block.go(T::ZERO, pen.pixels(side * depth)),
             along,
@@ -269,8 +257,16 @@ fn slide<T: Scalar>(
         pen.hatch(canvas, floor, (HATCH - RAIL - remainder, RAIL, HATCH), side);
     } else {
         let reach = pen.pixels(2.0 * half);
-        let least = if way < reach { way - reach } else { T::ZERO };
-        let most = if way > -reach { way + reach } else { T::ZERO };
+        let least = if offset < reach {
+            offset - reach
+        } else {
+            T::ZERO
+        };
+        let most = if offset > -reach {
+            offset + reach
+        } else {
+            T::ZERO
+        };
         let ends = [guide.go(least, T::ZERO), guide.go(most, T::ZERO)];
         pen.line(canvas, ends, BOLD);
     }
@@ -285,9 +281,9 @@ fn slide<T: Scalar>(
 
 /// What is left of a number when the whole below it is taken away; of one that is not finite, nothing.
 fn fraction<T: Scalar>(number: T) -> f32 {
-    let remainder = number - nalgebra::ComplexField::floor(number);
+    let remainder = number - Scalar::floor(number);
     if Real::is_finite(remainder) {
-        nalgebra::convert_unchecked::<T, f32>(remainder)
+        remainder.to_f32()
     } else {
         0.0
     }
@@ -339,8 +335,8 @@ fn rack<T: Scalar>(
     pen.line(canvas, ends, THIN);
     // Ticks half a radius apart, on the side away from the pinion.
     let apart = <T as Real>::HALF * Real::abs(radius);
-    let way = (at[0] - bar.at[0]) * u + (at[1] - bar.at[1]) * v;
-    let remainder = apart * nalgebra::convert::<f32, T>(fraction(way / apart));
+    let offset = (at[0] - bar.at[0]) * u + (at[1] - bar.at[1]) * v;
+    let remainder = apart * T::from_f32(fraction(offset / apart));
     let away = pen.pixels(if radius > T::ZERO { -5.0 } else { 5.0 });
     for number in -3..=4 {
         let ahead = apart * <T as Real>::from_i32(number) - remainder;

@@ -64,9 +64,7 @@ impl<T: Scalar> Iterator for Arc<T> {
     fn next(&mut self) -> Option<[T; 2]> {
         let corner = match self.section {
             Section::Outer => self.place(self.radius + self.half),
-            Section::Inner => {
-                self.place(nalgebra::RealField::max(self.radius - self.half, T::ZERO))
-            }
+            Section::Inner => self.place((self.radius - self.half).max(T::ZERO)),
             Section::End | Section::Beginning => {
                 let ([x, y], [u, v]) = (self.place(self.radius), self.aside);
                 [x + self.half * u, y + self.half * v]

@@ -70,7 +70,7 @@ impl View {
     /// For a picture of this width and height.
     pub(super) fn projection<T: Scalar>(self, size: [usize; 2]) -> Projection<T> {
         #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
-        let middle = size.map(|pixels| nalgebra::convert::<f32, T>(pixels as f32 / 2.0));
+        let middle = size.map(|pixels| T::from_f32(pixels as f32 / 2.0));
         Projection {
             center: self.center.map(<T as mech_core::Real>::from_f64),
             scale: <T as mech_core::Real>::from_f64(self.scale),

@@ -1,8 +1,8 @@
 //! Stills: decoded, they are the very pixels.
 
 use crate::{films, palette};
-use mech_runtime::files::Picture;
-use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, Smooth};
+use mech_runtime::files::{FileError, Picture};
+use mech_runtime::{Canvas, Frame, HeapSmooth, Outline, Palette, Pose, Smooth};
 use proptest::prelude::*;
 use std::io::Cursor;
 
@@ -51,6 +51,38 @@ fn a_smooth_picture() {
         .chunks(3)
         .map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
     assert!(opaque.eq(picture.pixels().as_flattened().iter().copied()));
+}
+
+#[test]
+fn a_large_picture_on_the_heap_is_saved() {
+    let mut picture = HeapSmooth::new(1920, 1080).expect("there is memory");
+    let circle = Outline::Circle {
+        center: [960.0, 540.0],
+        radius: 400.3,
+    };
+    picture.fill(circle, Pose::identity(), Palette::TEAL);
+    let path = std::env::temp_dir().join(format!("mech-stills-{}.png", std::process::id()));
+    picture.save(&path).expect("a file");
+    let bytes = std::fs::read(&path).expect("the file");
+    std::fs::remove_file(&path).expect("the file");
+    let (info, _, pixels) = decoded(&bytes);
+    assert_eq!((info.width, info.height), (1920, 1080));
+    let opaque = pixels
+        .chunks(3)
+        .map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
+    assert!(opaque.eq(picture.pixels().iter().copied()));
+}
+
+#[test]
+fn a_picture_that_cannot_be_saved_is_an_error() {
+    let nowhere = std::env::temp_dir().join("mech-no-such-folder/picture.png");
+    let saved = Frame::<3, 2>::new().save(&nowhere);
+    assert!(matches!(saved, Err(FileError::Write(_))), "{saved:?}");
+    // Of what has no pixels no file is made.
+    let empty = std::env::temp_dir().join(format!("mech-empty-{}.png", std::process::id()));
+    let saved = Frame::<0, 2>::new().save(&empty);
+    assert!(matches!(saved, Err(FileError::Empty)), "{saved:?}");
+    assert!(!empty.exists());
 }
 
 proptest! {

@@ -92,10 +92,10 @@ impl Canvas<f64> for Recorder {
 /// How far a straight line reaches: before its ends and beside them.
 fn around(points: &[[f64; 2]], width: f64) -> Vec<[f64; 2]> {
     let [from, to] = [points[0], points[points.len() - 1]];
-    let way = [to[0] - from[0], to[1] - from[1]];
-    let length = way[0].hypot(way[1]);
+    let offset = [to[0] - from[0], to[1] - from[1]];
+    let length = offset[0].hypot(offset[1]);
     let [u, v] = if length > 0.0 {
-        way.map(|part| part / length * width / 2.0)
+        offset.map(|part| part / length * width / 2.0)
     } else {
         [width / 2.0, 0.0]
     };
@@ -169,14 +169,14 @@ fn where_pixels_have_no_size_everything_is_where_it_stands() {
 
 proptest! {
     #[test]
-    fn an_arrow_reaches_from_its_tail_to_its_tip(tail in [-9.0..9.0, -9.0..9.0], way in [-9.0..9.0, -9.0..9.0], scale in 2.0..200.0, size in 0.5_f32..3.0) {
+    fn an_arrow_reaches_from_its_tail_to_its_tip(tail in [-9.0..9.0, -9.0..9.0], offset in [-9.0..9.0, -9.0..9.0], scale in 2.0..200.0, size in 0.5_f32..3.0) {
         let mut canvas = Recorder { scale, ..Recorder::default() };
-        let tip = [tail[0] + way[0], tail[1] + way[1]];
+        let tip = [tail[0] + offset[0], tail[1] + offset[1]];
         arrow(&mut canvas, [tail, tip], size, 3);
-        let length = f64::hypot(way[0], way[1]);
+        let length = f64::hypot(offset[0], offset[1]);
         prop_assume!(length * scale > 1.01 * f64::from(size));
         let pixel = f64::from(size) / scale;
-        let [ahead, left] = [[way[0] / length, way[1] / length], [-way[1] / length, way[0] / length]];
+        let [ahead, left] = [[offset[0] / length, offset[1] / length], [-offset[1] / length, offset[0] / length]];
         let mut reach = (f64::INFINITY, f64::NEG_INFINITY);
         for corner in canvas.polygons.iter().flatten() {
             let [x, y] = [corner[0] - tail[0], corner[1] - tail[1]];

@@ -38,7 +38,7 @@ fn main() {
         "{:>24} {:>6} {:>10} {:>10}",
         "error", "links", "ms", "at most"
     );
-    for (case, time) in cases.iter().zip(told(&root, &texts)) {
+    for (case, time) in cases.iter().zip(measured(&root, &texts)) {
         println!(
             "{:>24} {:>6} {time:>10.0} {:>10.0}",
             case.name, case.links, case.most
@@ -47,11 +47,11 @@ fn main() {
             slow.push((case.name, case.links));
         }
     }
-    assert!(slow.is_empty(), "told too late: {slow:?}");
+    assert!(slow.is_empty(), "reported too late: {slow:?}");
 }
 
 /// The milliseconds until each error is told.
-fn told(root: &Path, texts: &[std::path::PathBuf]) -> Vec<f64> {
+fn measured(root: &Path, texts: &[std::path::PathBuf]) -> Vec<f64> {
     let ours = Path::new(env!("CARGO_MANIFEST_DIR"))
         .parent()
         .expect("the workspace");
@@ -74,13 +74,14 @@ fn told(root: &Path, texts: &[std::path::PathBuf]) -> Vec<f64> {
         .env("CARGO_TARGET_DIR", root.join("target"))
         .output()
         .expect("cargo runs");
-    let told = String::from_utf8_lossy(&output.stdout);
+    let output_text = String::from_utf8_lossy(&output.stdout);
     assert!(
         output.status.success(),
         "{}",
         String::from_utf8_lossy(&output.stderr)
     );
-    told.lines()
+    output_text
+        .lines()
         .map(|line| line.parse().expect("a number"))
         .collect()
 }

@@ -78,13 +78,13 @@ impl Dense {
         for _ in 0..20 {
             self.matrix.fill(0.0);
             let mut worst = 0.0_f64;
-            for (row, way) in self.loops.iter().enumerate() {
-                let mut gap = way.ground;
-                for vector in &way.driven {
+            for (row, one) in self.loops.iter().enumerate() {
+                let mut gap = one.ground;
+                for vector in &one.driven {
                     let [x, y] = rotate([cos, sin], *vector);
                     gap = [gap[0] + x, gap[1] + y];
                 }
-                for (unknown, vector) in &way.unknown {
+                for (unknown, vector) in &one.unknown {
                     let [x, y] = rotate(self.turned[*unknown], *vector);
                     gap = [gap[0] + x, gap[1] + y];
                     self.matrix[(2 * row, *unknown)] -= y;

@@ -68,7 +68,7 @@ fn in_f64<T: Real>(poses: &[mech_runtime::Pose<T>]) -> Vec<[f64; 4]> {
 }
 
 /// Moves and changes both, to and fro: the same bits, and every joint closed.
-fn agree<M>(ways: &[f64], factors: &[&[f64]])
+fn agree<M>(displacements: &[f64], factors: &[&[f64]])
 where
     M: Changed,
     M::Scalar: Real,
@@ -81,8 +81,8 @@ where
     let mut done = 0;
     for round in 0..60 {
         let mut motors = mechanism.motors();
-        for (motor, way) in motors.as_mut().iter_mut().zip(ways) {
-            *motor += <M::Scalar as Real>::from_f64(*way);
+        for (motor, displacement) in motors.as_mut().iter_mut().zip(displacements) {
+            *motor += <M::Scalar as Real>::from_f64(*displacement);
         }
         assert_eq!(
             mechanism.move_to(motors).is_ok(),
@@ -358,7 +358,7 @@ fn everything_else_goes_on_with_the_params_as_they_are() {
     assert_eq!(all[1], one);
     let mut phased = four_bar;
     phased
-        .turn_to(Phase::from_degrees(90.0).expect("a number"))
+        .turn_to([Phase::from_degrees(90.0).expect("a number")])
         .expect("it turns");
     assert_eq!(phased.rod(), 4.5);
     let mut there = four_bar;

@@ -65,7 +65,7 @@ impl<M: Mechanism> Bed<M> {
         self.motors()[0]
     }
 
-    fn told(&self, values: &[f64]) -> M::Motors {
+    fn motors_of(&self, values: &[f64]) -> M::Motors {
         let mut motors = self.mechanism.motors();
         for (motor, value) in motors.as_mut().iter_mut().zip(values) {
             *motor = <M::Scalar as Real>::from_f64(*value);
@@ -76,7 +76,7 @@ impl<M: Mechanism> Bed<M> {
     /// Moves it; wherever it then is, it is whole, and if it did not move, nothing changed.
     pub(crate) fn go(&mut self, values: &[f64]) -> Result<(), Stuck> {
         let before = self.bits();
-        let result = self.mechanism.move_to(self.told(values));
+        let result = self.mechanism.move_to(self.motors_of(values));
         if result.is_err() {
             assert_eq!(self.bits(), before, "a refused move changes nothing");
         }
@@ -94,7 +94,7 @@ impl<M: Mechanism> Bed<M> {
 
     /// Moves it as far as it goes towards these values; gives why not all the way.
     pub(crate) fn toward(&mut self, values: &[f64]) -> Option<Stuck> {
-        let reached = self.mechanism.move_toward(self.told(values));
+        let reached = self.mechanism.move_toward(self.motors_of(values));
         self.assert_whole();
         match reached.expect("values are finite") {
             Reached::Target => None,

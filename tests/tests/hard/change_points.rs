@@ -11,7 +11,7 @@ const STEPS: [f64; 11] = [
 ];
 const TURNS: f64 = 100.0;
 
-ways! {
+variants! {
     parallelogram by [exact newton] {
         ground { point a = (0, 0); point d = (2, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -32,7 +32,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     antiparallelogram by [exact newton] {
         ground { point a = (0, 0); point d = (2, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -52,7 +52,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     kite by [exact newton] {
         ground { point a = (0, 0); point d = (1, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -75,7 +75,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     square by [exact newton] {
         ground { point a = (0, 0); point d = (1, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -96,7 +96,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     /// Crank and rod of one length: the block goes through the shaft.
     equal_slider_crank by [exact newton] {
         ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
@@ -236,9 +236,9 @@ fn round_at<M: Mechanism>(mut bed: Bed<M>, kind: Kind, at: &At, place: f64) {
 
 fn slowly<M: Mechanism>(mut bed: Bed<M>, kind: Kind, at: &At, place: f64) {
     for reach in [1e-2, 1e-4, 1e-6, 1e-8] {
-        for way in [1.0, -1.0] {
+        for sign in [1.0, -1.0] {
             for number in -20..=20 {
-                bed.must(&[place + way * f64::from(number) * reach]);
+                bed.must(&[place + sign * f64::from(number) * reach]);
                 assert_there(&mut bed, kind, at);
             }
         }

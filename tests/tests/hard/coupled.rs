@@ -3,7 +3,7 @@
 use crate::bed::Bed;
 use mech_runtime::Mechanism;
 
-ways! {
+variants! {
     /// Stephenson III, driven at its second ground pivot.
     stephenson by [exact newton] {
         link crank;
@@ -25,7 +25,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     double_butterfly by [exact newton] {
         link input;
         link left;
@@ -51,7 +51,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     three_cranks by [exact newton] {
         link first;
         link second;
@@ -74,27 +74,27 @@ ways! {
 
 /// The same position again, reached from the side of the singularity and from far away.
 fn near_its_singularity<M: Mechanism>(bed: Bed<M>) {
-    for way in [1.0, -1.0] {
+    for sign in [1.0, -1.0] {
         let mut bed = bed.fresh();
         let start = bed.clone();
-        let Some(stuck) = bed.toward(&[way * 6.0]) else {
+        let Some(stuck) = bed.toward(&[sign * 6.0]) else {
             continue;
         };
         let limit = bed.motor();
         assert_eq!(stuck.reached, [limit]);
-        bed.go(&[limit + way * 0.1])
+        bed.go(&[limit + sign * 0.1])
             .expect_err("it is singular before");
         for digits in 1..=8 {
-            let near = limit - way * 10.0_f64.powi(-digits);
+            let near = limit - sign * 10.0_f64.powi(-digits);
             // In single precision it is not known so well where the limit is.
             let rounding = 64.0 * Bed::<M>::EPSILON * bed.size();
-            if (near * way) < 0.0 || 10.0_f64.powi(-digits) < rounding {
+            if (near * sign) < 0.0 || 10.0_f64.powi(-digits) < rounding {
                 continue;
             }
             let mut other = start.clone();
             let mut angle = 0.0;
-            while (near - angle) * way > 1e-2 {
-                angle += way * 1e-2;
+            while (near - angle) * sign > 1e-2 {
+                angle += sign * 1e-2;
                 other.must(&[angle]);
             }
             other.must(&[near]);

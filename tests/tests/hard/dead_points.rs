@@ -8,7 +8,7 @@ const LENGTHS: [f64; 4] = [4.0, 1.0, 2.0, 1.5];
 /// acos(0.59375).
 const LIMIT: f64 = 0.935_085_041_393_594_5;
 
-ways! {
+variants! {
     /// Ground 4, crank 1, coupler 2, rocker 1.5.
     short_four_bar by [exact] {
         ground { point a = (0, 0); point d = (4, 0); }
@@ -40,7 +40,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     /// The same with four rounds of iteration: it may refuse, but where it is it closes.
     short_four_bar_in_four_rounds by [newton_4] {
         ground { point a = (0, 0); point d = (4, 0); }
@@ -106,10 +106,7 @@ fn beyond<M: Mechanism>(bed: Bed<M>) {
             "{stuck:?}"
         );
         let off = stuck.reached[0] - limit;
-        assert!(
-            off.abs() <= most,
-            "told {target}: reached is off by {off:e}"
-        );
+        assert!(off.abs() <= most, "to {target}: reached is off by {off:e}");
         let there = bed.toward(&[target]).expect("there is a dead point");
         assert_eq!(there, stuck, "it goes where it said it could");
         assert_right(&mut bed);

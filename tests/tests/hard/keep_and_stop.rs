@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 const LENGTHS: [f64; 4] = [2.0, 1.0, 2.0, 1.0];
 
-ways! {
+variants! {
     branch_keeper by [exact newton] {
         ground { point a = (0, 0); point d = (2, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }

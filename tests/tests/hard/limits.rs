@@ -5,7 +5,7 @@ use crate::geometry::{bisect, four_bar};
 use mech_runtime::{Mechanism, Reached, Real};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-ways! {
+variants! {
     /// An arm that a pin drives past a guide of its own: 0.5 beside its shaft, 2 below that of the crank of 1.7.
     offset_arm by [exact] {
         ground { point a = (0, 2); point d = (0, 0); }
@@ -27,7 +27,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     /// A double rocker: ground 5, crank 3, coupler 3.5, rocker 2.
     double_rocker by [exact] {
         ground { point a = (0, 0); point d = (5, 0); }
@@ -61,7 +61,7 @@ fn double_rocker_ends<M: Mechanism>(bed: Bed<M>) {
     );
 }
 
-ways! {
+variants! {
     /// An offset slider-crank whose rod is too short: 2 sin t is at most 0.5 + 1.5 and at least 0.5 − 1.5.
     offset_rocker by [exact] {
         ground { point a = (0, 0); line way = (0, 0.25) -> (1, 0); }
@@ -89,7 +89,7 @@ fn offset_rocker_ends<M: Mechanism>(bed: Bed<M>) {
     );
 }
 
-ways! {
+variants! {
     /// A slider-crank whose block a motor pushes, offset by 0.5: it ends stretched and folded.
     pushed by [exact newton] {
         ground { point a = (0, 0); line way = (0, 0.5) -> (1, 0); }
@@ -109,7 +109,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     /// A plain four-bar whose rocker carries a rod to a block that cannot follow it up: two loops.
     six_bar by [exact] {
         ground { point a = (0, 0); point d = (4, 0); line way = (0, 1.95) -> (1, 0); }
@@ -171,10 +171,10 @@ fn unstretched<M: Mechanism>(mut bed: Bed<M>, target: f64) {
 
 /// From the start towards a target, and the limit there.
 #[track_caller]
-fn ends<M: Mechanism>(bed: &Bed<M>, ways: &[(f64, f64)]) {
+fn ends<M: Mechanism>(bed: &Bed<M>, limits: &[(f64, f64)]) {
     // In double precision within 1e-12, in single as many units of rounding.
     let most = 1e-12 / f64::EPSILON * Bed::<M>::EPSILON;
-    for &(target, limit) in ways {
+    for &(target, limit) in limits {
         let mut bed = bed.fresh();
         let start = bed.motor();
         let refused = bed.go(&[target]).expect_err("it ends before");
@@ -183,7 +183,7 @@ fn ends<M: Mechanism>(bed: &Bed<M>, ways: &[(f64, f64)]) {
         let off = bed.motor() - limit;
         assert!(
             off.abs() <= most,
-            "told {target}: it ends at {:?}, off by {off:e}",
+            "to {target}: it ends at {:?}, off by {off:e}",
             bed.motor()
         );
         // It is not past its limit by more than rounding, and can go back, and comes here again from there.

@@ -10,7 +10,7 @@
 )]
 
 #[macro_use]
-mod ways;
+mod variants;
 
 mod bed;
 mod change_points;

@@ -6,7 +6,7 @@ use mech_runtime::Mechanism;
 
 macro_rules! slider_cranks {
     ($($name:ident $length:literal $methods:tt;)*) => { $(
-        ways! {
+        variants! {
             $name by $methods {
                 ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
                 link crank { point a = (0, 0); point b = (1, 0); }
@@ -33,7 +33,7 @@ slider_cranks! {
 
 macro_rules! gaps {
     ($($name:ident $gap:literal $methods:tt;)*) => { $(
-        ways! {
+        variants! {
             $name by $methods {
                 ground { point a = (0, 0); point d = (4, 0); }
                 link crank { point a = (0, 0); point b = (1, 0); }

@@ -20,7 +20,7 @@ const ROWS: [(f64, [f64; 2]); 9] = [
     (315.0, [2.248_154_277_474_726, 2.435_371_956_081_842_7]),
 ];
 
-ways! {
+variants! {
     plain_four_bar by [exact newton newton_4] {
         ground { point a = (0, 0); point d = (4, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -38,7 +38,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     plain_four_bar_step_by_step by [linear] {
         ground { point a = (0, 0); point d = (4, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -55,7 +55,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     nearly_folded_four_bar by [exact newton] {
         ground { point a = (0, 0); point d = (4, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -72,7 +72,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     nearly_folded_four_bar_in_four_rounds by [newton_4] {
         ground { point a = (0, 0); point d = (4, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }

@@ -6,7 +6,7 @@ use mech_runtime::Mechanism;
 
 macro_rules! ratios {
     ($($name:ident $long:literal $methods:tt;)*) => { $(
-        ways! {
+        variants! {
             $name by $methods {
                 ground { point a = (0, 0); point d = ($long, 0); }
                 link crank { point a = (0, 0); point b = (1, 0); }
@@ -35,7 +35,7 @@ ratios! {
     links_of_ratio_1e8 1e8 [exact_f64 newton_f64];
 }
 
-ways! {
+variants! {
     crank_of_a_millionth by [exact newton newton_4] {
         ground { point a = (0, 0); point d = (4, 0); }
         link crank { point a = (0, 0); point b = (1e-6, 0); }
@@ -52,7 +52,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     far_from_the_origin by [exact newton newton_4] {
         ground { point a = (1e6, -1e6); point d = (1e6 + 4, -1e6); }
         link crank { point a = (0, 0); point b = (1, 0); }

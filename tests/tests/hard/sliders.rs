@@ -5,7 +5,7 @@ use crate::geometry::slider_crank;
 use mech_runtime::{Cause, Mechanism};
 use std::f64::consts::FRAC_PI_6;
 
-ways! {
+variants! {
     centric_slider_crank by [exact newton newton_4] {
         ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -22,7 +22,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     offset_slider_crank by [exact newton newton_4] {
         ground { point a = (0, 0); line way = (0, 0.5) -> (1, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -39,7 +39,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     slider_crank_with_a_short_rod by [exact] {
         ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -58,7 +58,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     engine by [exact newton] {
         ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
         link crank { point a = (0, 0); point b = (1, 0); }
@@ -97,18 +97,18 @@ fn turns<M: Mechanism>(mut bed: Bed<M>, rod: f64, offset: f64, rows: &[(f64, f64
 
 fn thirty_degrees<M: Mechanism>(bed: Bed<M>) {
     let most = 1e-12 / f64::EPSILON * Bed::<M>::EPSILON;
-    for way in [1.0, -1.0] {
+    for sign in [1.0, -1.0] {
         let mut bed = bed.fresh();
         for number in (0..=30).chain((0..30).rev()) {
-            bed.must(&[way * FRAC_PI_6 * f64::from(number) / 30.0]);
+            bed.must(&[sign * FRAC_PI_6 * f64::from(number) / 30.0]);
             let should = slider_crank(1.0, 0.5, 0.0, bed.motor());
             bed.assert_at(("block", [0.0, 0.0]), should.at, should.sine);
         }
         for target in [0.53, 1.0, 2.0, 3.0, 6.0] {
-            let stuck = bed.go(&[way * target]).expect_err("the rod is too short");
+            let stuck = bed.go(&[sign * target]).expect_err("the rod is too short");
             assert!(matches!(stuck.cause, Cause::Open | Cause::DeadPoint));
-            let off = stuck.reached[0] - way * FRAC_PI_6;
-            assert!(off.abs() <= most, "told {target}: off by {off:e}");
+            let off = stuck.reached[0] - sign * FRAC_PI_6;
+            assert!(off.abs() <= most, "to {target}: off by {off:e}");
         }
     }
 }
@@ -125,7 +125,7 @@ fn dead_centres<M: Mechanism>(bed: Bed<M>) {
         let mut bed = bed.fresh();
         let stuck = bed.go(&[target]).expect_err("there is a dead centre");
         let off = stuck.reached[0] - limit;
-        assert!(off.abs() <= most, "told {target}: off by {off:e}");
+        assert!(off.abs() <= most, "to {target}: off by {off:e}");
         assert!(bed.toward(&[target]).is_some());
         bed.must(&[3.0]);
         assert_crank(&mut bed);

@@ -3,7 +3,7 @@
 use crate::bed::Bed;
 use mech_runtime::Mechanism;
 
-ways! {
+variants! {
     guides_at_1e_4_in_single_precision by [newton_f32] {
         link crank;
         link block;
@@ -21,7 +21,7 @@ ways! {
 
 macro_rules! wedges {
     ($($name:ident $slope:literal $methods:tt;)*) => { $(
-        ways! {
+        variants! {
             $name by $methods {
                 link crank;
                 link block;
@@ -45,7 +45,7 @@ wedges! {
     guides_at_1e_5 1e-5 [exact_f64 newton_f64];
 }
 
-ways! {
+variants! {
     three_slides by [exact newton linear] {
         link wedge;
         link follower { point tip = (2, 3); }
@@ -58,7 +58,7 @@ ways! {
     }
 }
 
-ways! {
+variants! {
     four_slides by [exact newton linear] {
         link a;
         link b;
@@ -94,18 +94,18 @@ fn yoke<M: Mechanism>(mut bed: Bed<M>, slope: f64) {
 
 fn wedge<M: Mechanism>(mut bed: Bed<M>) {
     for number in 0..200_u32 {
-        let way = f64::from(number * 37 % 200) * 0.1 - 10.0;
-        bed.must(&[way]);
-        let way = bed.motor();
-        bed.assert_at(("follower", [2.0, 3.0]), [2.0, 3.0 - way / 2.0], 0.4);
-        bed.assert_at(("wedge", [0.0, 0.0]), [way, 0.0], 1.0);
+        let value = f64::from(number * 37 % 200) * 0.1 - 10.0;
+        bed.must(&[value]);
+        let value = bed.motor();
+        bed.assert_at(("follower", [2.0, 3.0]), [2.0, 3.0 - value / 2.0], 0.4);
+        bed.assert_at(("wedge", [0.0, 0.0]), [value, 0.0], 1.0);
     }
     // As far as one likes: relative to how far that is.
-    for way in [1e3, 1e9, -1e20, 1e30] {
+    for value in [1e3, 1e9, -1e20, 1e30] {
         let mut bed = bed.fresh();
-        bed.must(&[way]);
-        let way = bed.motor();
-        bed.assert_at(("follower", [2.0, 3.0]), [2.0, 3.0 - way / 2.0], 0.4);
+        bed.must(&[value]);
+        let value = bed.motor();
+        bed.assert_at(("follower", [2.0, 3.0]), [2.0, 3.0 - value / 2.0], 0.4);
     }
 }
 

@@ -6,11 +6,11 @@ use mech_compiler::{compile, reporter, syntax};
 fn assert_compiles(text: &str) {
     let model = syntax::parse(text.parse().expect("it is Rust")).model;
     if let Err(wrong) = compile(&model) {
-        let told: Vec<String> = wrong
+        let messages: Vec<String> = wrong
             .iter()
             .map(|wrong| reporter::text(wrong, &model))
             .collect();
-        panic!("{}", told.join("; "));
+        panic!("{}", messages.join("; "));
     }
 }
 

@@ -11,8 +11,8 @@ trait TurnTo {
 }
 
 macro_rules! turned {
-    ($($way:ident $scalar:ident {$($method:tt)*})*) => { $(
-        mod $way {
+    ($($variant:ident $scalar:ident {$($method:tt)*})*) => { $(
+        mod $variant {
             use super::*;
 
             mod train {
@@ -41,7 +41,7 @@ macro_rules! turned {
 
             impl TurnTo for Train {
                 fn phase(&mut self, phase: Phase) {
-                    self.turn_to(phase).expect("it turns for ever");
+                    self.turn_to([phase]).expect("it turns for ever");
                 }
             }
 

@@ -89,8 +89,13 @@ fn slip(subject: &Subject, rolling: &Rolling, [start, poses]: [&[[f64; 4]]; 2]) 
         RollingEnd::Bar {
             slide, forwards, ..
         } => {
-            let way = coordinate(subject, slide, poses) - coordinate(subject, slide, start);
-            if forwards { way } else { -way }
+            let displacement =
+                coordinate(subject, slide, poses) - coordinate(subject, slide, start);
+            if forwards {
+                displacement
+            } else {
+                -displacement
+            }
         }
     };
     let [(first, a), (second, b)] = rolling.ends;

@@ -66,14 +66,18 @@ fn part(from: &[f64], to: &[f64], at: &[f64]) -> f64 {
         .zip(to)
         .zip(at)
         .map(|((from, to), at)| (to - from, at - from));
-    let (way, gone) = longest.fold((0.0_f64, 0.0), |most: (f64, f64), one| {
+    let (distance, gone) = longest.fold((0.0_f64, 0.0), |most: (f64, f64), one| {
         if one.0.abs() > most.0.abs() {
             one
         } else {
             most
         }
     });
-    if way == 0.0 { 1.0 } else { gone / way }
+    if distance == 0.0 {
+        1.0
+    } else {
+        gone / distance
+    }
 }
 
 /// At which part of a way the judge stops, if it does, and where that is.
@@ -165,11 +169,11 @@ pub(crate) fn rounding(subject: &Subject, at: &Position<f64>) -> f64 {
     let poses = subject.poses(at);
     let mut most = 1.0_f64;
     for motor in 0..at.motors.len() {
-        for way in [small, -small] {
+        for distance in [small, -small] {
             let mut machine = Machine::new(&subject.compiled.program);
             machine.put_back(at.clone());
             let mut goal = at.motors.clone();
-            goal[motor] += way;
+            goal[motor] += distance;
             let slope = match machine.move_to(&goal) {
                 Ok(()) => {
                     let there = subject.poses(machine.position());
@@ -195,8 +199,8 @@ fn same_reason(a: Stop, b: Stop) -> bool {
 }
 
 /// How `a` differs from `b`, which is believed.
-fn difference(subject: &Subject, a: &Gone, b: &Gone, way: f64) -> Option<(Kind, String)> {
-    let same = (SAME * (1.0 + way)).max(1e-9) / way;
+fn difference(subject: &Subject, a: &Gone, b: &Gone, distance: f64) -> Option<(Kind, String)> {
+    let same = (SAME * (1.0 + distance)).max(1e-9) / distance;
     match (a.stop, b.stop) {
         (None, None) => {
             let (there, here) = (subject.poses(&a.at), subject.poses(&b.at));
@@ -225,7 +229,7 @@ fn difference(subject: &Subject, a: &Gone, b: &Gone, way: f64) -> Option<(Kind, 
             format!("the leap stops at {part:.9} of the way, {stop:?}"),
         )),
         (Some((first, why)), Some((second, reason))) => {
-            let told = format!(
+            let verdict_text = format!(
                 "the leap stops at {first:.9} of the way, {why:?}, steps at {second:.9}, {reason:?}"
             );
             if (first - second).abs() > same {
@@ -234,9 +238,9 @@ fn difference(subject: &Subject, a: &Gone, b: &Gone, way: f64) -> Option<(Kind, 
                 } else {
                     Kind::OtherPlace
                 };
-                Some((kind, told))
+                Some((kind, verdict_text))
             } else if !same_reason(why, reason) {
-                Some((Kind::OtherReason, told))
+                Some((Kind::OtherReason, verdict_text))
             } else {
                 None
             }
@@ -246,15 +250,19 @@ fn difference(subject: &Subject, a: &Gone, b: &Gone, way: f64) -> Option<(Kind, 
 
 /// How many steps are small: none turns a link by much where the way begins.
 fn small_steps(subject: &Subject, start: &Position<f64>, to: &[f64]) -> f64 {
-    let way = length(&start.motors, to);
+    let distance = length(&start.motors, to);
     let poses = subject.poses(start);
     let speed = |nudge: f64| {
-        let there = in_a_leap(subject, start, &between(&start.motors, to, nudge / way));
+        let there = in_a_leap(
+            subject,
+            start,
+            &between(&start.motors, to, nudge / distance),
+        );
         offs(subject, &poses, &subject.poses(&there.at)).fold(0.0, f64::max) / nudge.abs()
     };
     // It may be blocked on one side.
     let speed = speed(1e-6).max(speed(-1e-6));
-    (speed * way / 0.05).max(1000.0).round()
+    (speed * distance / 0.05).max(1000.0).round()
 }
 
 /// The target of a way, or as much of it as takes no more than this many small steps.
@@ -287,8 +295,8 @@ fn judged(subject: &Subject, start: &Position<f64>, to: &[f64], fineness: f64) -
 }
 
 /// Whether the judge agrees with how a way was gone.
-fn agrees(subject: &Subject, verdict: &Judged, gone: &Gone, way: f64) -> bool {
-    let same = (1e-5 * (1.0 + way)).max(1e-9) / way;
+fn agrees(subject: &Subject, verdict: &Judged, gone: &Gone, distance: f64) -> bool {
+    let same = (1e-5 * (1.0 + distance)).max(1e-9) / distance;
     match (verdict.0, gone.stop) {
         (None, None) => {
             let poses = subject.poses(&gone.at);
@@ -306,8 +314,8 @@ fn agrees(subject: &Subject, verdict: &Judged, gone: &Gone, way: f64) -> bool {
 }
 
 /// Whether two verdicts are the same.
-fn agree(subject: &Subject, a: &Judged, b: &Judged, way: f64) -> bool {
-    let same = (1e-5 * (1.0 + way)).max(1e-9) / way;
+fn agree(subject: &Subject, a: &Judged, b: &Judged, distance: f64) -> bool {
+    let same = (1e-5 * (1.0 + distance)).max(1e-9) / distance;
     match (a.0, b.0) {
         (None, None) => apart(subject, &a.1, &b.1, 1e-4).is_none(),
         (Some(part), None) | (None, Some(part)) => 1.0 - part <= same,
@@ -326,8 +334,8 @@ pub(crate) fn compared(
         let text = format!("from {:?} to {to:?}: {text}", start.motors);
         findings.push(Finding { kind, text });
     };
-    let way = length(&start.motors, to);
-    if way < 1e-9 {
+    let distance = length(&start.motors, to);
+    if distance < 1e-9 {
         return (findings, None);
     }
     let mut machine = Machine::new(&subject.compiled.program);
@@ -340,7 +348,7 @@ pub(crate) fn compared(
         let first = machine.position().motors.clone();
         let _ = machine.move_toward(to);
         let farther = length(&first, &machine.position().motors);
-        if farther > SAME * (1.0 + way) {
+        if farther > SAME * (1.0 + distance) {
             find(
                 Kind::GoesFarther,
                 format!("it stops at {first:?} and then goes on by {farther:.2e}"),
@@ -374,7 +382,7 @@ pub(crate) fn compared(
         let believed = before_the_end(subject, start, to, steps, count);
         return (findings, believed);
     }
-    let Some((kind, text)) = difference(subject, &leap, &steps, way) else {
+    let Some((kind, text)) = difference(subject, &leap, &steps, distance) else {
         return (findings, before_the_end(subject, start, to, steps, count));
     };
     let Some(finer) = in_steps(subject, start, to, 4.0 * count + 3.0) else {
@@ -384,30 +392,30 @@ pub(crate) fn compared(
         );
         return (findings, None);
     };
-    let stable = difference(subject, &steps, &finer, way).is_none();
+    let stable = difference(subject, &steps, &finer, distance).is_none();
     let verdict = judged(subject, start, to, 1.0).filter(|verdict| {
         // Where nothing else is sure, it has to agree with itself.
         stable
             || judged(subject, start, to, 3.0)
-                .is_some_and(|finer| agree(subject, verdict, &finer, way))
+                .is_some_and(|finer| agree(subject, verdict, &finer, distance))
     });
     let by_judge = |gone: &Gone| {
         verdict
             .as_ref()
-            .map(|verdict| agrees(subject, verdict, gone, way))
+            .map(|verdict| agrees(subject, verdict, gone, distance))
     };
     let (for_leap, for_finer) = (by_judge(&leap), by_judge(&finer));
-    let told = match &verdict {
+    let verdict_text = match &verdict {
         None => "the judge gives up".to_owned(),
         Some((None, _)) => {
             format!("the judge arrives, with the leap {for_leap:?}, with finer steps {for_finer:?}")
         }
         Some((Some(part), _)) => format!("the judge stops at {part:.9}"),
     };
-    let text = format!("{text}; {count} steps, finer ones agree {stable}; {told}");
+    let text = format!("{text}; {count} steps, finer ones agree {stable}; {verdict_text}");
     let kind = match (stable, for_leap, for_finer) {
         // The judge has the last word where it has one, finer steps where it has none.
-        (_, _, Some(true)) if !stable && difference(subject, &leap, &finer, way).is_none() => {
+        (_, _, Some(true)) if !stable && difference(subject, &leap, &finer, distance).is_none() => {
             Kind::StepsWrong
         }
         (_, Some(true), Some(false)) => Kind::StepsWrong,

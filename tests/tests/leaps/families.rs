@@ -24,7 +24,7 @@ pub(crate) fn wrong(subject: &Subject, targets: &[Vec<f64>]) -> Vec<String> {
     let found = targets
         .iter()
         .flat_map(|to| compared(subject, &start, &shortened(subject, &start, to, 20_000.0)).0);
-    found.filter(counts).map(|found| told(&found)).collect()
+    found.filter(counts).map(|found| line_of(&found)).collect()
 }
 
 /// The same, each from where the one before led to.
@@ -35,7 +35,12 @@ fn wrong_in_a_row(subject: &Subject, targets: &[Vec<f64>]) -> Vec<String> {
     let (mut at, mut all) = (start.clone(), Vec::new());
     for to in targets {
         let (found, end) = compared(subject, &at, &shortened(subject, &at, to, 20_000.0));
-        all.extend(found.into_iter().filter(counts).map(|found| told(&found)));
+        all.extend(
+            found
+                .into_iter()
+                .filter(counts)
+                .map(|found| line_of(&found)),
+        );
         at = end.unwrap_or_else(|| start.clone());
     }
     all
@@ -45,7 +50,7 @@ fn counts(finding: &Finding) -> bool {
     finding.kind != Kind::Undecided
 }
 
-fn told(finding: &Finding) -> String {
+fn line_of(finding: &Finding) -> String {
     format!("{:?}: {}", finding.kind, finding.text)
 }
 
@@ -129,15 +134,15 @@ fn a_parallelogram_behind_gears_stays_one() {
 fn a_rack_of_a_large_or_a_small_pinion() {
     for radius in ["20", "80", "4", "0.1", "0.01"] {
         let radius_number: f64 = radius.parse().expect("a number");
-        let ways = [0.5, -0.5, 2.0, -2.0, 4.5, -4.5, 7.0, -7.0, 40.0];
-        let far = values(&ways.map(|way| way / radius_number));
+        let displacements = [0.5, -0.5, 2.0, -2.0, 4.5, -4.5, 7.0, -7.0, 40.0];
+        let far = values(&displacements.map(|displacement| displacement / radius_number));
         let subject = with(include_str!("texts/rack-rocker.txt"), "RATIO", radius);
         none(
             &format!("from a pinion of radius {radius}"),
             &subject,
             &wrong(&subject, &far),
         );
-        let far = values(&ways.map(|way| way * radius_number));
+        let far = values(&displacements.map(|displacement| displacement * radius_number));
         let subject = with(include_str!("texts/rack-crank.txt"), "RATIO", radius);
         none(
             &format!("to a pinion of radius {radius}"),
@@ -165,14 +170,17 @@ fn a_dead_zone_behind_gears_that_speed_up() {
         let (first, second) = ratio.split_once(" : ").expect("a ratio");
         let number = |text: &str| text.parse::<f64>().expect("a number");
         let speed = number(first) / number(second);
-        let ways = [
+        let displacements = [
             0.1, -0.3, 1.0, -1.0, 2.0, 3.0, -3.0, 5.0, 7.0, -7.0, 40.0, -100.0,
         ];
         let subject = with(include_str!("texts/worm-rocker.txt"), "RATIO", ratio);
         none(
             ratio,
             &subject,
-            &wrong(&subject, &values(&ways.map(|way| way / speed))),
+            &wrong(
+                &subject,
+                &values(&displacements.map(|displacement| displacement / speed)),
+            ),
         );
     }
 }
@@ -249,14 +257,14 @@ fn a_narrow_dead_zone_is_found() {
             for more in [1e-2, 0.3, 1.0, 2.5, 30.0] {
                 let to = beyond + (beyond - turned - begin).signum() * more;
                 let mut machine = Machine::<f64>::new(&subject.compiled.program);
-                let told = machine.move_to(&[to]);
+                let outcome = machine.move_to(&[to]);
                 let toward = machine.move_toward(&[to]);
                 let at = machine.position().motors[0];
-                if told.is_ok()
+                if outcome.is_ok()
                     || toward.is_ok_and(|stop| stop.is_none())
                     || (at - limit).abs() > 1e-6
                 {
-                    wrong.push(format!("zone {number}, {:.1e} wide, at {limit}: to {to}: {told:?}, it stops at {at}\n{text}", 2.0 * half));
+                    wrong.push(format!("zone {number}, {:.1e} wide, at {limit}: to {to}: {outcome:?}, it stops at {at}\n{text}", 2.0 * half));
                 }
             }
         }
@@ -327,6 +335,87 @@ fn coupled_behind_gears_that_speed_up() {
     );
 }
 
+/// How far links of coupled loops in which two pins coincide are off: what hangs on these turns with the crank as one body.
+fn off_one_body(subject: &Subject, machine: &Machine<'_, f64>, body: usize) -> f64 {
+    let crank = machine.position().motors[0];
+    let poses = subject.poses(machine.position());
+    let off = |link: usize| {
+        let angle: f64 = if link <= body { crank } else { 0.0 };
+        let [cos, sin, ..] = poses[link];
+        (cos - angle.cos()).hypot(sin - angle.sin())
+    };
+    (1..=body + 1).map(off).fold(0.0, f64::max)
+}
+
+/// Two pins coincide. Twice in a turn another assembly crosses the one that turns as one body: no step, however long, goes over to it.
+#[test]
+fn coupled_loops_go_straight_on_through_their_change_points() {
+    for text in [
+        include_str!("texts/s990355.txt"),
+        include_str!("texts/s990599.txt"),
+    ] {
+        let subject = of(text);
+        let mut found = Vec::new();
+        for far in [3.0, 5.5, -4.0, 20.0] {
+            for steps in [1_u32, 2, 3, 5, 10, 40, 100, 300, 1000, 3000, 20_000] {
+                let mut machine = Machine::<f64>::new(&subject.compiled.program);
+                for step in 1..=steps {
+                    let to: f64 = far * f64::from(step) / f64::from(steps);
+                    let outcome = machine.move_to(&[to]);
+                    let off = off_one_body(&subject, &machine, 4);
+                    if outcome.is_err() || off > 1e-6 {
+                        found.push(format!(
+                            "to {far} in {steps} steps: at {to} {outcome:?}, off by {off:.2e}"
+                        ));
+                        break;
+                    }
+                }
+            }
+        }
+        none("coincident pins", &subject, &found);
+    }
+}
+
+/// Only where rounding hides the branch a move is refused. Wherever it is not, it goes on from there to either side.
+#[test]
+fn coupled_loops_do_not_stay_at_their_change_points() {
+    let subject = of(include_str!("texts/s990355.txt"));
+    let change_point: f64 = 2.999_944_305_4;
+    let mut found = Vec::new();
+    for distance in [0.0, 1e-12, 1e-9, 1e-8, 1e-7, 2e-7, 3e-7, 1e-6, 1e-5, 1e-4] {
+        for first in [0.0, 3.2] {
+            for (at, onwards) in [
+                (distance, 0.1),
+                (-distance, 0.1),
+                (distance, -0.2),
+                (-distance, -0.2),
+            ] {
+                let mut machine = Machine::<f64>::new(&subject.compiled.program);
+                let outcome = [first, change_point + at, change_point + onwards].map(|to| {
+                    let outcome = machine.move_to(&[to]);
+                    (outcome, off_one_body(&subject, &machine, 4))
+                });
+                let [_, near, beyond] = outcome;
+                let refused = near.0.is_err() && distance >= 1e-6;
+                if refused || beyond.0.is_err() || near.1.max(beyond.1) > 1e-6 {
+                    found.push(format!(
+                        "from {first} by {at:e}, then by {onwards}: {outcome:?}"
+                    ));
+                }
+            }
+        }
+    }
+    none("at a change point", &subject, &found);
+}
+
+/// Coupled loops near their dead point, and a slide behind them that goes far out: both are at their ends in one leap.
+#[test]
+fn coupled_s990519() {
+    let subject = of(include_str!("texts/s990519.txt"));
+    let far = values(&[0.405, 0.41, 1.0, 5.0, 32.6, -0.1, -20.0]);
+    none("s990519", &subject, &wrong(&subject, &far));
+}
+
 /// A move that begins where one was stopped, at the edge of a dead zone, does not pass it: not even where rounding lets the loop close
 /// here and there beside the edge.
 #[test]
@@ -394,8 +483,8 @@ fn drag_links_near_the_change_over_turn_their_wheels_right() {
             let subject = with(&text, "RATIO", ratio);
             for step in [0.02, 0.25, 1.0, 3.0, 6.0, 12.0] {
                 let at = subject.compiled.program.start.motors[0];
-                let way = vec![vec![at + step], vec![at + 2.0 * step], vec![at - step]];
-                let wrong = wrong_in_a_row(&subject, &way);
+                let goals = vec![vec![at + step], vec![at + 2.0 * step], vec![at - step]];
+                let wrong = wrong_in_a_row(&subject, &goals);
                 found.extend(
                     wrong
                         .into_iter()
@@ -492,7 +581,7 @@ fn a_parallelogram_with_a_redundant_crank() {
                 let mut machine = Machine::<f64>::new(&subject.compiled.program);
                 for step in 1..=steps {
                     let to = far * f64::from(step) / f64::from(steps);
-                    let told = machine.move_to(&[to]);
+                    let outcome = machine.move_to(&[to]);
                     let poses = subject.poses(machine.position());
                     let off = (poses[1][1] - to.sin())
                         .abs()
@@ -500,8 +589,8 @@ fn a_parallelogram_with_a_redundant_crank() {
                     let off = off
                         .max((poses[3][1] - to.sin()).abs())
                         .max(poses[4][1].abs());
-                    if told.is_err() || off > 1e-6 {
-                        found.push(format!("({x}, {y}) to {far} in {steps} steps: at {to} {told:?}, off by {off:.2e}"));
+                    if outcome.is_err() || off > 1e-6 {
+                        found.push(format!("({x}, {y}) to {far} in {steps} steps: at {to} {outcome:?}, off by {off:.2e}"));
                         break;
                     }
                 }
@@ -526,5 +615,24 @@ fn two_parallelograms_with_a_leg() {
             &subject,
             &wrong_in_a_row(&subject, &targets(&subject, 4, 15, &[2.0, 2.0])),
         );
+    }
+}
+
+/// A crank swings one side of a parallelogram until it is flat for a moment, and back. Whatever the steps, it stays a parallelogram: the
+/// side that faces the one that only slides does not turn.
+#[test]
+fn a_parallelogram_that_is_flat_for_a_moment() {
+    let subject = of(include_str!("texts/touch.txt"));
+    for to in [4.3, 4.44, 5.0, 3.9] {
+        for steps in [1_u32, 2, 10, 100, 1000, 10_000] {
+            let mut machine = Machine::<f64>::new(&subject.compiled.program);
+            for step in 1..=steps {
+                let past = 4.45 * f64::from(step) / f64::from(steps);
+                machine.move_to(&[past]).expect("it turns");
+            }
+            machine.move_to(&[to]).expect("it turns");
+            let sine = subject.poses(machine.position())[4][1];
+            assert!(sine.abs() < 1e-9, "to {to} in {steps} steps: {sine}");
+        }
     }
 }

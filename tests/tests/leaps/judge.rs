@@ -198,8 +198,8 @@ impl<'m> Judge<'m> {
     fn apart(&self, a: &[Placed], b: &[Placed]) -> f64 {
         let extent = self.extent(b);
         let apart = a.iter().zip(b).map(|(a, b)| {
-            let way = (a[0] - b[0]).hypot(a[1] - b[1]) / extent;
-            way.max((a[2] - b[2]).abs())
+            let distance = (a[0] - b[0]).hypot(a[1] - b[1]) / extent;
+            distance.max((a[2] - b[2]).abs())
         });
         apart.fold(0.0, f64::max)
     }
@@ -233,18 +233,18 @@ impl<'m> Judge<'m> {
     /// Follows the straight way to these motor values. `fineness` divides its steps.
     pub(crate) fn follow(&mut self, to: &[f64], fineness: f64) -> Verdict {
         let from = self.motors.clone();
-        let way = from
+        let distance = from
             .iter()
             .zip(to)
             .map(|(a, b)| (a - b).abs())
             .fold(0.0, f64::max);
-        if way == 0.0 {
+        if distance == 0.0 {
             return Verdict::Arrives;
         }
         let (mut part, mut last): (f64, Option<(f64, Vec<Placed>)>) = (0.0, None);
-        let shortest = (SHORTEST / way).max(4.0 * f64::EPSILON);
+        let shortest = (SHORTEST / distance).max(4.0 * f64::EPSILON);
         // No round number, lest a step end exactly on a change point.
-        let mut step = (1e-3 / way).min(0.01) * 0.913_7;
+        let mut step = (1e-3 / distance).min(0.01) * 0.913_7;
         for _ in 0..MOST_STEPS {
             if part >= 1.0 {
                 self.motors = to.to_vec();
@@ -284,9 +284,9 @@ impl<'m> Judge<'m> {
                 }
                 // Near where it is singular: short enough to tell a change point from two dead points side by side.
                 let speed =
-                    gone / ((next - last.as_ref().map_or(0.0, |(before, _)| *before)) * way);
+                    gone / ((next - last.as_ref().map_or(0.0, |(before, _)| *before)) * distance);
                 let room = self.room() / (self.size.max(1.0) * (1.0 + speed) * fineness);
-                step = step.min((0.5 * room).max(1e-6) / way);
+                step = step.min((0.5 * room).max(1e-6) / distance);
             } else {
                 step *= 0.5;
                 if step < shortest {

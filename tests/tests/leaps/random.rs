@@ -10,7 +10,7 @@ use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 /// Ways that one mechanism goes.
-const WAYS: u64 = 5;
+const MOVES: u64 = 5;
 /// More tries than this to make an example smaller are not made; none where nobody asked for long runs.
 const SHRINKS: usize = 30;
 
@@ -30,9 +30,9 @@ pub(crate) fn target(dice: &mut Dice, drawn: &Drawn, subject: &Subject, at: &[f6
     let mut to = at.to_vec();
     for (number, value) in to.iter_mut().enumerate() {
         let most = if drawn.motors[number].1 { slide } else { turn };
-        let way = dice.between(-most, most);
+        let displacement = dice.between(-most, most);
         if only >= at.len() || only == number {
-            *value += way;
+            *value += displacement;
         }
     }
     to
@@ -46,7 +46,7 @@ fn findings(subject: &Subject, drawn: &Drawn, seed: u64, wanted: Option<Kind>) -
         .clone();
     let mut at = start.clone();
     let mut all = Vec::new();
-    for _ in 0..WAYS {
+    for _ in 0..MOVES {
         let to = target(&mut dice, drawn, subject, &at.motors);
         let to = shortened(subject, &at, &to, MOST_STEPS);
         let (found, end) = compared(subject, &at, &to);
@@ -110,7 +110,7 @@ fn tally(strategy: &impl Strategy<Value = Drawing>, default: u64) -> Tally {
             }
         };
         tally.mechanisms += 1;
-        tally.ways += usize::try_from(WAYS).unwrap_or(0);
+        tally.moves += usize::try_from(MOVES).unwrap_or(0);
         let found = findings(&subject, &drawn, seed, None);
         let mut kinds: Vec<Kind> = found.iter().map(|one| one.kind).collect();
         kinds.sort_unstable();

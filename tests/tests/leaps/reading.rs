@@ -30,11 +30,11 @@ impl Subject {
         }
         let model = parsed.model;
         let compiled = compile(&model).map_err(|wrong| {
-            let told: Vec<String> = wrong
+            let messages: Vec<String> = wrong
                 .iter()
                 .map(|one| reporter::text(one, &model))
                 .collect();
-            told.join("; ")
+            messages.join("; ")
         })?;
         Ok(Self {
             text: text.to_owned(),

@@ -19,21 +19,23 @@ fn stuck(subject: &Subject) -> Vec<String> {
     let motors = &program.start.motors;
     let mut all = Vec::new();
     for motor in 0..motors.len() {
-        let ways = SMALL.iter().flat_map(|way| [*way, -*way]);
-        let goals: Vec<Vec<f64>> = ways
-            .map(|way| {
+        let displacements = SMALL
+            .iter()
+            .flat_map(|displacement| [*displacement, -*displacement]);
+        let goals: Vec<Vec<f64>> = displacements
+            .map(|displacement| {
                 let mut goal = motors.clone();
-                goal[motor] += way;
+                goal[motor] += displacement;
                 goal
             })
             .collect();
-        let told: Vec<Result<(), Stop>> = goals
+        let outcomes: Vec<Result<(), Stop>> = goals
             .iter()
             .map(|goal| start.clone().move_to(goal))
             .collect();
-        let is_limit = |told: &Result<(), Stop>| {
+        let is_limit = |outcome: &Result<(), Stop>| {
             matches!(
-                told,
+                outcome,
                 Err(Stop::Open(_) | Stop::DeadPoint(_) | Stop::ChangePoint(_))
             )
         };
@@ -43,13 +45,13 @@ fn stuck(subject: &Subject) -> Vec<String> {
             judge.follow(goal, 1.0) == Verdict::Arrives
         };
         // Nothing so near is too far; and of two limits side by side one is none.
-        let all_limits = told.iter().all(is_limit);
-        let wrong = goals.iter().zip(&told).find(|(goal, told)| {
-            let suspicious = told.is_err() && (all_limits || !is_limit(told));
+        let all_limits = outcomes.iter().all(is_limit);
+        let wrong = goals.iter().zip(&outcomes).find(|(goal, outcome)| {
+            let suspicious = outcome.is_err() && (all_limits || !is_limit(outcome));
             suspicious && judged(goal)
         });
-        if let Some((goal, told)) = wrong {
-            all.push(format!("from {motors:?} to {goal:?}: {told:?}"));
+        if let Some((goal, outcome)) = wrong {
+            all.push(format!("from {motors:?} to {goal:?}: {outcome:?}"));
         }
     }
     all

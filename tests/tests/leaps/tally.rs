@@ -12,7 +12,7 @@ pub(crate) struct Tally {
     kinds: BTreeMap<Kind, (usize, Vec<String>)>,
     pub(crate) mechanisms: usize,
     pub(crate) refused: Vec<String>,
-    pub(crate) ways: usize,
+    pub(crate) moves: usize,
 }
 
 impl Tally {
@@ -36,10 +36,10 @@ impl Tally {
     /// All of it as text.
     pub(crate) fn table(&self) -> String {
         let mut text = format!(
-            "{} mechanisms ({} more did not compile), {} ways\n",
+            "{} mechanisms ({} more did not compile), {} moves\n",
             self.mechanisms,
             self.refused.len(),
-            self.ways
+            self.moves
         );
         for (kind, (count, _)) in &self.kinds {
             text += &format!("{count:8} {kind:?}\n");

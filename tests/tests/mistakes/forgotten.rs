@@ -53,10 +53,10 @@ proptest! {
     fn a_forgotten_joint_is_offered_where_it_was(
         pins in pins().prop_filter("pins apart", apart),
         forgotten in 1_usize..4,
-        way in -3.0_f64..3.0,
+        angle in -3.0_f64..3.0,
     ) {
         prop_assume!(compiles(&text(pins, None, [0.0; 2])));
-        let beside = if forgotten == 2 { [0.05 * way.cos(), 0.05 * way.sin()] } else { [0.0; 2] };
+        let beside = if forgotten == 2 { [0.05 * angle.cos(), 0.05 * angle.sin()] } else { [0.0; 2] };
         let broken = text(pins, Some(forgotten), beside);
         let told = messages(&broken);
         let links = ["", "crank, coupler", "coupler, rocker", "ground, rocker"][forgotten];

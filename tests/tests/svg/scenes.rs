@@ -187,9 +187,9 @@ proptest! {
             for (found, wanted) in found.iter().zip(wanted) {
                 prop_assert_eq!(&found.0, &wanted.0, "moment {}", moment);
                 prop_assert!(found.1.len() == wanted.1.len() && found.2.len() == wanted.2.len());
-                let ways = found.1.iter().zip(&wanted.1).map(|(found, wanted)| (found[0] - wanted[0]).hypot(found[1] - wanted[1]));
+                let distances = found.1.iter().zip(&wanted.1).map(|(found, wanted)| (found[0] - wanted[0]).hypot(found[1] - wanted[1]));
                 let lengths = found.2.iter().zip(&wanted.2).map(|(found, wanted)| (found - wanted).abs());
-                let worst = ways.chain(lengths).fold(0.0, f64::max);
+                let worst = distances.chain(lengths).fold(0.0, f64::max);
                 prop_assert!(worst < 0.15, "moment {}: {} pixels, {:?}, not {:?}", moment, worst, found, wanted);
             }
         }

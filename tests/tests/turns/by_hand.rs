@@ -29,9 +29,10 @@ pub(super) fn near(principal: f64, last: f64) -> f64 {
 }
 
 /// The first part of a move by so much: all motors keep the proportion of their ways.
-pub(super) fn part(from: &[f64], way: &[f64], part: f64) -> Vec<f64> {
-    let both = from.iter().zip(way);
-    both.map(|(from, way)| from + way * part).collect()
+pub(super) fn part(from: &[f64], displacement: &[f64], part: f64) -> Vec<f64> {
+    let both = from.iter().zip(displacement);
+    both.map(|(from, displacement)| from + displacement * part)
+        .collect()
 }
 
 /// A mechanism that moves in small steps, and the coordinates of some of its joints.
@@ -65,14 +66,16 @@ impl<'a> Follower<'a> {
     }
 
     /// Moves all motors by so much; whether it went all the way.
-    pub(super) fn move_by(&mut self, way: &[f64]) -> bool {
+    pub(super) fn move_by(&mut self, displacement: &[f64]) -> bool {
         let from = self.machine.position().motors.clone();
-        let longest = way.iter().fold(0.0_f64, |most, way| most.max(way.abs()));
+        let longest = displacement
+            .iter()
+            .fold(0.0_f64, |most, displacement| most.max(displacement.abs()));
         let pieces = (longest / self.step).ceil().max(1.0);
         let mut piece = 0.0;
         while piece < pieces {
             piece += 1.0;
-            let between = part(&from, way, piece / pieces);
+            let between = part(&from, displacement, piece / pieces);
             if self.machine.move_to(&between).is_err() {
                 return false;
             }

@@ -115,7 +115,7 @@ fn the_methods_of_joints_count_turns_both_ways() {
         for exactly in [false, true] {
             if exactly {
                 let to = Phase::from_radians(start + whole).expect("a phase");
-                drag.turn_to(to).expect("it turns");
+                drag.turn_to([to]).expect("it turns");
             } else {
                 drag.move_with([start + whole], [1.0]).expect("it turns");
             }

@@ -197,7 +197,7 @@ fn coordinates_with_springs_count_turns_both_ways() {
         assert!((coiled.d() - first[0] - whole).abs() < 1e-9);
         assert!((coiled.w() - wheel).abs() < 1e-9, "{}", coiled.w());
         coiled
-            .turn_to(Phase::from_radians(start + whole).expect("a phase"))
+            .turn_to([Phase::from_radians(start + whole).expect("a phase")])
             .expect("it turns");
         assert!((coiled.d() - first[0] - whole).abs() < 1e-9);
         assert!((coiled.w() - wheel).abs() < 1e-9, "{}", coiled.w());

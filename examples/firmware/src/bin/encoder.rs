@@ -68,7 +68,7 @@ fn follow(
     counter: u16,
 ) -> Result<(), Blocked<[f32; 1]>> {
     encoder.take(counter);
-    four_bar.turn_to(encoder.phase())
+    four_bar.turn_to([encoder.phase()])
 }
 
 #[entry]
@@ -91,7 +91,7 @@ fn run() -> Option<()> {
     let rest = (i64::from(READINGS) * i64::from(SPEED)).rem_euclid(4000);
     let mut there = FourBar::new();
     there
-        .turn_to(Phase::of_turn(rest, Encoder::TURN.unsigned_abs())?)
+        .turn_to([Phase::of_turn(rest, Encoder::TURN.unsigned_abs())?])
         .ok()?;
     let turns = encoder.phase().turns().unsigned_abs();
     let micro = |length: f32| (length * 1e6) as i32 as u32;

@@ -127,7 +127,7 @@ fn write_edge(text: &mut String, graph: &Graph, edge: &Edge, curve: [Point; 3]) 
         text,
         r#"<g class="{}"><title>{}</title><path d="M{ax:.1} {ay:.1}Q{:.1} {:.1} {:.1} {:.1}"/>"#,
         edge_class(edge),
-        escaped(&told(graph, edge)),
+        escaped(&label(graph, edge)),
         control[0],
         control[1],
         end[0],
@@ -140,7 +140,7 @@ fn write_edge(text: &mut String, graph: &Graph, edge: &Edge, curve: [Point; 3]) 
 }
 
 /// What is told of an edge when one points at it.
-fn told(graph: &Graph, edge: &Edge) -> String {
+fn label(graph: &Graph, edge: &Edge) -> String {
     let [from, to] = [edge.from, edge.to].map(|end| &graph.vertices[end].name);
     if graph.directed {
         return format!("{to} needs {from}");

@@ -28,7 +28,7 @@ impl Graphs {
 }
 
 /// The mechanism with this name, declared by a `mechanism!` that stands by itself in this Rust source.
-pub(crate) fn model(source: &str, name: &str) -> Option<Model> {
+fn model(source: &str, name: &str) -> Option<Model> {
     let mut models = declarations(source.parse().ok()?)
         .into_iter()
         .map(|declaration| syntax::parse(declaration).model);

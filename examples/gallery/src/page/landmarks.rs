@@ -1,7 +1,6 @@
-//! Where the joints of a mechanism are, read out of the source that declares it.
+//! Where the joints of a mechanism are.
 
-use super::graphs;
-use mech_compiler::model::{AxisId, JointKind, Model};
+use mech_runtime::{Anchor, JointKind, Mechanism};
 
 /// A place that is fixed to a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,10 +11,20 @@ pub struct Spot {
     pub at: [f64; 2],
 }
 
+impl Spot {
+    /// Where a link has a joint, if its pose is given.
+    fn of(anchor: &Anchor<f64>) -> Option<Self> {
+        anchor.link.map(|link| Self {
+            link,
+            at: anchor.at,
+        })
+    }
+}
+
 /// A joint, where each of its two links has it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Landmark {
-    joint: String,
+    joint: &'static str,
     slides: bool,
     spots: [Spot; 2],
 }
@@ -27,29 +36,25 @@ pub struct Landmarks {
 }
 
 impl Landmarks {
-    /// Of the mechanism with this name, declared by a `mechanism!` that stands by itself in this Rust source; these are its `links`.
-    /// If it is not there, no joint is known.
+    /// Of the mechanism `M`: its joints on links whose poses it gives.
     #[must_use]
-    pub fn find(source: &str, name: &str, links: &[&str]) -> Self {
-        let Some(model) = graphs::model(source, name) else {
-            return Self::default();
-        };
-        let spot = |axis: AxisId| spot(&model, axis, links);
-        let joints = model.joints.iter();
-        let landmarks = joints.filter_map(|joint| {
-            let (a, b, slides) = match joint.kind {
-                JointKind::Revolute(a, b) | JointKind::Weld(a, b) => (a, b, false),
-                JointKind::Prismatic(a, b) => (a, b, true),
+    pub fn of<M: Mechanism<Scalar = f64>>() -> Self {
+        let landmarks = M::JOINTS.iter().filter_map(|joint| {
+            let slides = match joint.kind {
+                JointKind::Revolute | JointKind::Weld => false,
+                JointKind::Prismatic => true,
                 _ => return None,
             };
+            let [first, second] = joint.anchors?;
             Some(Landmark {
-                joint: joint.name.clone(),
+                joint: joint.name,
                 slides,
-                spots: [spot(a)?, spot(b)?],
+                spots: [Spot::of(&first)?, Spot::of(&second)?],
             })
         });
-        let landmarks = landmarks.collect();
-        Self { landmarks }
+        Self {
+            landmarks: landmarks.collect(),
+        }
     }
 
     /// Where a joint is: what slides, on its second link.
@@ -76,17 +81,4 @@ impl Landmarks {
     fn named(&self, name: &str) -> Option<&Landmark> {
         self.landmarks.iter().find(|one| one.joint == name)
     }
-}
-
-/// The place of an axis, if its link is the ground or one of these.
-fn spot(model: &Model, axis: AxisId, links: &[&str]) -> Option<Spot> {
-    let axis = model.axes.get(axis.index())?;
-    let link = match axis.link.index() {
-        0 => 0,
-        moving => {
-            let name = &model.links.get(moving)?.name;
-            1 + links.iter().position(|link| link == name)?
-        }
-    };
-    Some(Spot { link, at: axis.at })
 }

@@ -19,7 +19,7 @@ impl<M: Mechanism<Scalar = f64>> Played<M> {
             mechanism: M::new(),
             motion: showcase.motion,
             effects: showcase.effects.clone(),
-            landmarks: Landmarks::find(showcase.source, M::NAME, M::LINKS),
+            landmarks: Landmarks::of::<M>(),
         }
     }
 

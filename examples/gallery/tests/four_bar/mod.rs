@@ -1,6 +1,8 @@
 //! A four-bar linkage written by hand, in closed form: what the gallery is tested with.
 
-use mech_runtime::{Blocked, Cause, Cost, Mechanism, Outline, Palette, Pose, Reached, Shape};
+use mech_runtime::{
+    Blocked, Cause, Cost, JointInfo, Mechanism, Outline, Palette, Pose, Reached, Shape,
+};
 
 const CRANK: f64 = 1.0;
 const COUPLER: f64 = 3.0;
@@ -32,6 +34,7 @@ const fn polygon(link: usize, corners: &'static [[f64; 2]], color: u8) -> Shape<
 impl Mechanism for FourBar {
     type Scalar = f64;
     type Motors = [f64; 1];
+    type Joints = [Option<f64>; 0];
 
     const NAME: &'static str = "FourBar";
     const REPORT: &'static str =
@@ -48,6 +51,7 @@ impl Mechanism for FourBar {
     const LOOP_COSTS: &'static [Cost] = &[];
     const MOTORS: &'static [&'static str] = &["a"];
     const LINKS: &'static [&'static str] = &["crank", "coupler", "rocker"];
+    const JOINTS: &'static [JointInfo<f64>] = &[];
     const SHAPES: &'static [Shape<f64>] = &[
         polygon(
             0,
@@ -121,6 +125,10 @@ impl Mechanism for FourBar {
 
     fn motors(&self) -> [f64; 1] {
         self.motors
+    }
+
+    fn joints(&self) -> [Option<f64>; 0] {
+        []
     }
 
     fn move_toward(&mut self, motors: [f64; 1]) -> Result<Reached<[f64; 1]>, Blocked<[f64; 1]>> {

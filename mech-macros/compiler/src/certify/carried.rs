@@ -49,7 +49,7 @@ pub(super) fn held(cutter: &Cutter<'_>, closed: &ClosedForm) -> Held {
 fn values_of(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
     match variable {
         Variable::Found(number, index) => match cutter.solution(number, index) {
-            Some(Solution::Slide(way)) => vec![way],
+            Some(Solution::Slide(displacement)) => vec![displacement],
             _ => directions(cutter, variable),
         },
         _ => directions(cutter, variable),

@@ -33,7 +33,7 @@ pub(crate) struct Cone {
 enum Share {
     Cos,
     Sin,
-    Way,
+    Displacement,
 }
 
 /// Cuts cones out of a program.
@@ -90,7 +90,7 @@ impl<'p> Cutter<'p> {
                         note(cos, Share::Cos);
                         note(sin, Share::Sin);
                     }
-                    Solution::Slide(way) => note(way, Share::Way),
+                    Solution::Slide(displacement) => note(displacement, Share::Displacement),
                 }
             }
         }
@@ -125,7 +125,7 @@ impl<'p> Cutter<'p> {
             let op = match self.cut(value, outputs, cuts) {
                 Some((variable, Share::Cos)) => Op::Cos(growing.variable(variable, node)),
                 Some((variable, Share::Sin)) => Op::Sin(growing.variable(variable, node)),
-                Some((variable, Share::Way)) => {
+                Some((variable, Share::Displacement)) => {
                     let input = growing.variable(variable, node);
                     growing.copies.insert(value, input);
                     continue;
@@ -163,7 +163,7 @@ impl<'p> Cutter<'p> {
         match self.program.node(value).op {
             Op::Sin(angle) if !(cuts.into)(angle) => Some((Variable::Angle(angle), Share::Sin)),
             Op::Cos(angle) if !(cuts.into)(angle) => Some((Variable::Angle(angle), Share::Cos)),
-            Op::Motor(input) => Some((Variable::Input(input), Share::Way)),
+            Op::Motor(input) => Some((Variable::Input(input), Share::Displacement)),
             _ => None,
         }
     }

@@ -156,7 +156,7 @@ impl<'m> Scene<'m> {
     }
 
     /// The coordinate of a sliding joint.
-    fn way(&self, slide: JointId) -> f64 {
+    fn displacement(&self, slide: JointId) -> f64 {
         let JointKind::Prismatic(from, to) = self.model.joint(slide).kind else {
             return 0.0;
         };
@@ -170,11 +170,11 @@ impl<'m> Scene<'m> {
         let apart = |joint: &Joint| match joint.kind {
             JointKind::Revolute(a, b) | JointKind::Weld(a, b) | JointKind::Prismatic(a, b) => {
                 let ((from, along), (to, other)) = (self.axis(a), self.axis(b));
-                let way = [to[0] - from[0], to[1] - from[1]];
+                let offset = [to[0] - from[0], to[1] - from[1]];
                 match joint.kind {
-                    JointKind::Revolute(..) => way[0].hypot(way[1]),
-                    JointKind::Weld(..) => way[0].hypot(way[1]).max(cross(along, other)),
-                    _ => cross(along, way).max(cross(along, other)),
+                    JointKind::Revolute(..) => offset[0].hypot(offset[1]),
+                    JointKind::Weld(..) => offset[0].hypot(offset[1]).max(cross(along, other)),
+                    _ => cross(along, offset).max(cross(along, other)),
                 }
             }
             // What rolls is looked at apart.
@@ -207,7 +207,7 @@ fn slip(rolling: &Rolling, start: &Scene<'_>, now: &Scene<'_>) -> f64 {
             RollingEnd::Bar {
                 slide, forwards, ..
             } => {
-                let off = now.way(slide) - start.way(slide);
+                let off = now.displacement(slide) - start.displacement(slide);
                 if forwards { off } else { -off }
             }
         };

@@ -21,7 +21,7 @@ pub(super) struct Added {
     pub(super) known: TokenStream,
     /// Methods.
     pub(super) methods: TokenStream,
-    /// Methods of the trait.
+    /// Items of the trait.
     pub(super) trait_methods: TokenStream,
     /// How traces are recorded.
     pub(super) records: TokenStream,

@@ -20,35 +20,54 @@ pub(super) fn coordinate_axes(model: &Model, joint: JointId) -> Option<(bool, Ax
     (!declared.hidden).then(|| (turns, model.seen_axis(a), model.seen_axis(b)))
 }
 
-/// The unit and the expression of a joint's coordinate.
+/// What a coordinate is measured in, and whether it counts whole turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Measure {
+    /// Scene units.
+    Length,
+    /// Radians between −π and π.
+    Angle,
+    /// Radians with whole turns.
+    Turns,
+}
+
+impl Measure {
+    /// What documentation says of it.
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            Self::Length => "scene units",
+            Self::Angle => "radians, between −π and π; `continuous` lets it count whole turns",
+            Self::Turns => "radians, whole turns since the start included",
+        }
+    }
+}
+
+/// The measure and the expression of a joint's coordinate.
 pub(super) fn coordinate(
     model: &Model,
     plan: &Plan,
     program: &Program,
     joint: JointId,
-) -> Option<(&'static str, TokenStream)> {
+) -> Option<(Measure, TokenStream)> {
     let (turns, a, b) = coordinate_axes(model, joint)?;
-    let motor = model.motor_of(joint);
-    let (unit, function) = if turns {
-        (
-            "radians, between −π and π; `continuous` lets it count whole turns",
-            quote!(generated::angle),
-        )
+    let (measure, function) = if turns {
+        (Measure::Angle, quote!(generated::angle))
     } else {
-        ("scene units", quote!(generated::slide))
+        (Measure::Length, quote!(generated::slide))
     };
-    if let Some(motor) = motor {
+    if let Some(motor) = model.motor_of(joint) {
         let index = Literal::usize_unsuffixed(motor.index());
         let value = quote!(Self::motors(self)[#index]);
-        return Some(("radians or scene units, as given to its motor", value));
+        let measure = if turns { Measure::Turns } else { measure };
+        return Some((measure, value));
     }
     if let Some(state) = program.angle_state(joint) {
         let state = Literal::usize_unsuffixed(state);
         let value = quote!(self.position.state[#state]);
-        return Some(("radians, whole turns since the start included", value));
+        return Some((Measure::Turns, value));
     }
     if let Some(value) = whole_angle(model, plan, program, joint) {
-        return Some(("radians, whole turns since the start included", value));
+        return Some((Measure::Turns, value));
     }
     let axis = |id: AxisId| {
         let axis = model.axis(id);
@@ -58,7 +77,7 @@ pub(super) fn coordinate(
         quote!((#pose, #at, [#along, #across]))
     };
     let (a, b) = (axis(a), axis(b));
-    Some((unit, quote!(#function(#a, #b))))
+    Some((measure, quote!(#function(#a, #b))))
 }
 
 /// The angle of a joint that motors turn by way of gears: it goes on over any number of turns, as they do.

@@ -5,9 +5,10 @@ use super::block::scalar;
 use super::coordinate::coordinate;
 use super::costs::costs;
 use super::effects;
+use super::joints;
 use super::known::known;
 use super::many::many;
-use super::moves::{named_motors, step_reduced, turn_to, within};
+use super::moves::{step_reduced, turn_to, within};
 use super::params;
 use super::step::step;
 use super::traces::painting;
@@ -52,11 +53,12 @@ pub(crate) fn items(
         trait_methods,
         records,
         steps: more_steps,
-    } = effects::added(krate, places, model, compiled, visibility);
+    } = effects::added(krate, places, model, compiled, visibility)
+        .and(joints::added(model, plan, program, visibility));
     let end = quote!(#standstill #record);
     let (costs, associated_costs) = costs(program, visibility);
     let known = known(krate, model, compiled, &quote!(#costs #more_known));
-    let before_constants = before_constants(krate, model, program);
+    let before_constants = before_constants(krate);
     let seen = seen(
         model,
         program,
@@ -290,15 +292,10 @@ fn alias(name: &Ident) -> Ident {
 
 /// The functions that let parameters be called as constants of the user's are. A parameter may stand before a function of its name,
 /// but where there is a constant, a static, a unit struct or a variant of its name, it would mean that.
-fn before_constants(krate: &TokenStream, model: &Model, program: &Program) -> TokenStream {
-    let motors = named_motors(model, program);
+fn before_constants(krate: &TokenStream) -> TokenStream {
     quote! {
         #[allow(unused_imports, clippy::wildcard_imports, reason = "parameters stand before these functions, where constants would stand before parameters")]
         use #krate::generated::parameters::*;
-        #(
-            #[allow(dead_code, non_snake_case, reason = "only its name is needed")]
-            fn #motors() {}
-        )*
     }
 }
 
@@ -413,10 +410,14 @@ fn accessors(
         });
     }
     for joint in model.joint_ids().filter(|&id| model.shows_joint(id)) {
-        if let Some((unit, value)) = coordinate(model, plan, program, joint) {
+        if let Some((measure, value)) = coordinate(model, plan, program, joint) {
             let joint = model.joint(joint);
             let name = user_ident(&joint.name, places, joint.origin);
-            let doc = format!(" The coordinate of joint `{}`, in {unit}.", joint.name);
+            let doc = format!(
+                " The coordinate of joint `{}`, in {}.",
+                joint.name,
+                measure.unit()
+            );
             tokens.extend(quote! {
                 #[doc = #doc]
                 #[must_use]

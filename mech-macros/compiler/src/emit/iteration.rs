@@ -126,8 +126,16 @@ fn round(
     };
     let (before, after): (Vec<Value>, Vec<Value>) =
         body.iter().partition(|value| measured.contains(value));
-    let mut before = bind(&before, scope);
+    // The determinant of a dense system, and what is made from it, come after its columns.
+    let is_dense = |value: &Value| matches!(program.node(*value).op, Op::Dense(..));
+    let (solved, columns): (Vec<Value>, Vec<Value>) = before.iter().partition(|&&value| {
+        reached(program, body, [value].into_iter())
+            .iter()
+            .any(is_dense)
+    });
+    let mut before = bind(&columns, scope);
     before.extend(newton.dense.then(|| dense(program, block, newton, scope)));
+    before.extend(bind(&solved, scope));
     (before, bind(&after, scope))
 }
 

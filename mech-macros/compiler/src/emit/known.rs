@@ -25,7 +25,7 @@ pub(super) fn known(
         ..
     } = compiled;
     let (position, start) = (position(program), start(program));
-    let (shapes, limits) = (shapes(model, plan, program), limits(program, plan));
+    let (shapes, limits) = (shapes(model, plan, program), limits(model, program, plan));
     quote! {
         mod known {
             #[allow(

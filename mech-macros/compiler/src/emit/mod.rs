@@ -9,6 +9,7 @@ mod flow;
 mod forces;
 mod items;
 mod iteration;
+mod joints;
 mod known;
 mod many;
 mod module;

@@ -5,14 +5,14 @@ use super::items::ending_with;
 use super::many::reduced_range;
 use super::module;
 use super::params;
-use super::scope::{ident, number};
+use super::scope::number;
 use super::step::takes_sines;
 use crate::bug::bug;
 use crate::model::{JointKind, Model, Motor, Precision};
 use crate::plan::Plan;
 use crate::program::{self, Program};
 use mech_core::journey::Growth;
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// The step for motor values within reach, and whatever a program finds besides.
@@ -52,10 +52,10 @@ pub(super) fn advance_with(
 }
 
 /// What is known about every move.
-pub(super) fn limits(program: &Program, plan: &Plan) -> TokenStream {
+pub(super) fn limits(model: &Model, program: &Program, plan: &Plan) -> TokenStream {
     let scalar = scalar(program);
     let n = |value: &f64| number(program.precision, *value);
-    let names: Vec<&String> = program.input_names().collect();
+    let inputs: Vec<TokenStream> = inputs(model, program).collect();
     let watched = program.watches.iter().map(|watch| {
         let [sine, rounding_square] =
             [watch.sine, watch.rounding_square].map(Literal::usize_unsuffixed);
@@ -128,10 +128,10 @@ pub(super) fn limits(program: &Program, plan: &Plan) -> TokenStream {
             quote!(Option::Some([#(#ends),*]))
         }
     };
-    let [motors, loops] = [names.len(), program.watches.len()].map(Literal::usize_unsuffixed);
+    let [motors, loops] = [inputs.len(), program.watches.len()].map(Literal::usize_unsuffixed);
     quote! {
         pub(super) const MOVE_LIMITS: MoveLimits<#scalar, #motors, #loops> = MoveLimits {
-            names: [#(#names),*],
+            inputs: &[#(#inputs),*],
             watched: [#(#watched),*],
             follows: &[#(#follows),*],
             motion_signs: #motion_signs,
@@ -142,6 +142,23 @@ pub(super) fn limits(program: &Program, plan: &Plan) -> TokenStream {
             range: #range,
         };
     }
+}
+
+/// What moves are given: the motors, and after them the params.
+fn inputs(model: &Model, program: &Program) -> impl Iterator<Item = TokenStream> {
+    let motors = model.motors.iter().zip(&program.motors);
+    let motors = motors.map(|(motor, name)| {
+        if turns(model, motor) {
+            quote!(Input::Turning(#name))
+        } else {
+            quote!(Input::Sliding(#name))
+        }
+    });
+    let params = program
+        .params
+        .iter()
+        .map(|name| quote!(Input::Param(#name)));
+    motors.chain(params)
 }
 
 /// What makes something change faster.
@@ -235,18 +252,16 @@ pub(super) fn within(
     }
 }
 
-/// The motors as variables, if there is a method that takes each by its name.
-pub(super) fn named_motors(model: &Model, program: &Program) -> Vec<Ident> {
-    if model.motors.iter().any(|motor| turns(model, motor)) {
-        program.motors.iter().map(|name| ident(name)).collect()
-    } else {
-        Vec::new()
-    }
-}
-
 /// Whether a motor turns.
 fn turns(model: &Model, motor: &Motor) -> bool {
     matches!(model.joint(motor.joint).kind, JointKind::Revolute(..))
+}
+
+/// How many motors turn, and how many slide.
+pub(super) fn motor_counts(model: &Model) -> [usize; 2] {
+    let turning = model.motors.iter().filter(|motor| turns(model, motor));
+    let turning = turning.count();
+    [turning, model.motors.len() - turning]
 }
 
 /// The method that takes phases, if a motor turns.
@@ -256,35 +271,32 @@ pub(super) fn turn_to(
     visibility: &syn::Visibility,
     standstill: &TokenStream,
 ) -> TokenStream {
-    let variables = named_motors(model, program);
-    if variables.is_empty() {
+    let [turning, sliding] = motor_counts(model);
+    if turning == 0 {
         return TokenStream::new();
     }
     let (step_reduced, refused) = (step_reduced(program), params::refused(program));
     let scalar = scalar(program);
-    let count = Literal::usize_unsuffixed(program.motors.len());
-    let mut parameters = TokenStream::new();
-    let mut values = Vec::new();
-    let mut phases = TokenStream::new();
-    let motors = model.motors.iter().zip(&program.motors).zip(&variables);
-    for (index, ((motor, name), variable)) in motors.enumerate() {
+    let literal = Literal::usize_unsuffixed;
+    let (mut values, mut phases) = (Vec::new(), TokenStream::new());
+    let (mut phase, mut slide) = ((0..).map(literal), (0..).map(literal));
+    for ((index, motor), name) in model.motors.iter().enumerate().zip(&program.motors) {
         if turns(model, motor) {
-            let index = Literal::usize_unsuffixed(index);
-            parameters.extend(quote!(#variable: Phase,));
+            let (index, phase) = (literal(index), phase.next());
             phases.extend(quote! {
-                if let Result::Err(stop) = Motors::turn(&mut motors, #index, #variable, #name) {
+                if let Result::Err(stop) = Motors::turn(&mut target, #index, phases[#phase], #name) {
                     return Result::Err(#refused);
                 }
             });
             values.push(quote!(0.0));
         } else {
-            parameters.extend(quote!(#variable: #scalar,));
-            values.push(quote!(#variable));
+            let slide = slide.next();
+            values.push(quote!(slides[#slide]));
         }
     }
     let told = params::of_motors(
         program,
-        quote!(generated::advance(&mut self.position, motors, &known::MOVE_LIMITS, #step_reduced, positions::step)),
+        quote!(generated::advance(&mut self.position, target, &known::MOVE_LIMITS, #step_reduced, positions::step)),
     );
     let advance = ending_with(told, standstill);
     let start = if program.params.is_empty() {
@@ -292,18 +304,27 @@ pub(super) fn turn_to(
     } else {
         quote!(generated::inputs([#(#values),*], &self.position.motors))
     };
-    let many = (program.motors.len() > 6).then(|| {
-        quote!(#[allow(clippy::too_many_arguments, reason = "a mechanism has as many motors as it has")])
-    });
+    let [motors, turning, counted] = [turning + sliding, turning, sliding].map(literal);
+    let (slides, what) = if sliding == 0 {
+        (
+            TokenStream::new(),
+            " The same with a phase for each motor: exact after any number of turns.",
+        )
+    } else {
+        (
+            quote!(, slides: [#scalar; #counted]),
+            " The same with phases for the motors that turn, and values for those that slide: exact after any number of turns. Both are \
+             in the order of their declaration.",
+        )
+    };
     quote! {
-        /// The same with phases for the motors that turn: exact after any number of turns.
+        #[doc = #what]
         ///
         /// # Errors
         /// If a value is not finite, a phase is beyond 2³¹ turns, or a loop cannot be closed on the way there; the mechanism
         /// then stays where it was.
-        #many
-        #visibility fn turn_to(&mut self, #parameters) -> Result<(), Blocked<[#scalar; #count]>> {
-            let mut motors = #start;
+        #visibility fn turn_to(&mut self, phases: [Phase; #turning] #slides) -> Result<(), Blocked<[#scalar; #motors]>> {
+            let mut target = #start;
             #phases
             #advance
         }

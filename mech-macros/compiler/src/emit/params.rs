@@ -44,9 +44,9 @@ pub(super) fn refused(program: &Program) -> TokenStream {
 /// The same, with what stops it.
 pub(super) fn refused_by(program: &Program, stop: &TokenStream) -> TokenStream {
     if program.params.is_empty() {
-        quote!(Position::refuse(&self.position, #stop))
+        quote!(Position::refuse(&self.position, #stop, known::MOVE_LIMITS.inputs))
     } else {
-        quote!(generated::blocked_motors(Position::refuse(&self.position, #stop)))
+        quote!(generated::blocked_motors(Position::refuse(&self.position, #stop, known::MOVE_LIMITS.inputs)))
     }
 }
 
@@ -56,16 +56,6 @@ pub(super) fn motors(program: &Program) -> TokenStream {
         quote!(Motors::total(&self.position.motors))
     } else {
         quote!(generated::motors_of(Motors::total(&self.position.motors)))
-    }
-}
-
-/// The names of the motors, for messages.
-pub(super) fn motor_names(program: &Program) -> TokenStream {
-    if program.params.is_empty() {
-        quote!(&known::MOVE_LIMITS.names)
-    } else {
-        let names = &program.motors;
-        quote!(&[#(#names),*])
     }
 }
 
@@ -110,7 +100,7 @@ fn methods(
     let count = Literal::usize_unsuffixed(names.len());
     let index = |param: usize| Literal::usize_unsuffixed(motors + param);
     let set = ending_with(
-        quote!(generated::advance(&mut self.position, target, &known::MOVE_LIMITS, #step_reduced, positions::step).map_err(|blocked| blocked.map(generated::params_of))),
+        quote!(generated::advance(&mut self.position, target, &known::MOVE_LIMITS, #step_reduced, positions::step).map_err(generated::blocked_params)),
         standstill,
     );
     let given = (0..names.len()).map(|param| {
@@ -152,7 +142,7 @@ fn methods(
         let moved = ending_with(
             quote! {
                 generated::advance(&mut self.position, target, &known::MOVE_LIMITS, #step_reduced, positions::step)
-                    .map_err(|blocked| blocked.map(|reached| reached[#index]))
+                    .map_err(|blocked| blocked.starting_at(#index).map(|reached| reached[#index]))
             },
             standstill,
         );

@@ -101,14 +101,13 @@ pub(super) fn moved_with(
     let keep_second = second.then(|| quote!(self.accelerations = accelerations;));
     let keep_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
     let refused = params::refused(moving);
-    let names = params::motor_names(moving);
     let moved = params::of_motors(
         moving,
         advance_with(moving, &quote!(&mut self.position), motors, &arguments),
     );
     quote! {
         for rates in #checked {
-            if let Result::Err(stop) = generated::finite(rates, #names) {
+            if let Result::Err(stop) = generated::finite(rates, known::MOVE_LIMITS.inputs) {
                 return Result::Err(#refused);
             }
         }

@@ -118,7 +118,7 @@ pub(super) fn methods(
     let found = quote! {
         match sensitivity::sensitivity(&self.position) {
             Result::Ok(found) => found,
-            Result::Err(stop) => return Result::Err(generated::blocked_motors(Position::refuse(&self.position, stop))),
+            Result::Err(stop) => return Result::Err(generated::blocked_motors(Position::refuse(&self.position, stop, known::MOVE_LIMITS.inputs))),
         }
     };
     let mut tokens = quote! {

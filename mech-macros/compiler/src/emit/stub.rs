@@ -28,7 +28,8 @@ pub(crate) fn stub(
     };
     let motors = Literal::usize_unsuffixed(motors);
     let links = Literal::usize_unsuffixed(model.asked_links().len());
-    let implementation = implementation(krate, header, &scalar, &motors);
+    let joints = super::joints::stub(krate, model, visibility, &scalar);
+    let implementation = implementation(krate, header, (&scalar, &motors), &joints.trait_methods);
     let methods = distinct(methods(
         krate,
         header,
@@ -36,6 +37,7 @@ pub(crate) fn stub(
         model,
         has_laws,
         (&scalar, &links, &motors),
+        &joints.methods,
     ));
     quote! {
         #(#attributes)*
@@ -67,6 +69,7 @@ fn methods(
     model: &Model,
     has_laws: bool,
     (scalar, links, motors): (&TokenStream, &Literal, &Literal),
+    joints: &TokenStream,
 ) -> TokenStream {
     let Header {
         visibility, name, ..
@@ -78,7 +81,15 @@ fn methods(
         (!model.traces.is_empty()).then(|| quote!(#visibility fn clear_traces(&mut self) {}));
     let overlay = super::overlay::stub(krate, model, visibility, scalar);
     let params = super::params::stub(krate, places, model, visibility, (scalar, links, motors));
-    let phases = model.motors.iter().map(|_| quote!(_));
+    // A size that no parameter has could not be inferred.
+    let (sliding, slides) = if super::moves::motor_counts(model)[1] > 0 {
+        (
+            quote!(, const SLIDING: #krate::generated::usize),
+            quote!(, slides: [#scalar; SLIDING]),
+        )
+    } else {
+        (TokenStream::new(), TokenStream::new())
+    };
     let at_time = at_time(krate, visibility, has_laws, (scalar, motors));
     let (names, types): (Vec<_>, Vec<_>) = accessors.into_iter().unzip();
     let [picture, _] = super::items::picture(model);
@@ -97,7 +108,7 @@ fn methods(
         #visibility fn move_to<const MOTORS: #krate::generated::usize>(&mut self, motors: [#scalar; MOTORS]) -> #krate::generated::Result<(), #krate::Blocked<[#scalar; MOTORS]>> {
             loop {}
         }
-        #visibility fn turn_to(&mut self #(, #phases: impl #krate::generated::Sized)*)
+        #visibility fn turn_to<const TURNING: #krate::generated::usize #sliding>(&mut self, phases: [#krate::Phase; TURNING] #slides)
             -> #krate::generated::Result<(), #krate::Blocked<[#scalar; #motors]>>
         {
             loop {}
@@ -145,6 +156,7 @@ fn methods(
         #clear_traces
         #overlay
         #params
+        #joints
     }
     }
 }
@@ -172,8 +184,8 @@ fn distinct(methods: TokenStream) -> TokenStream {
 fn implementation(
     krate: &TokenStream,
     header: &Header,
-    scalar: &TokenStream,
-    motors: &Literal,
+    (scalar, motors): (&TokenStream, &Literal),
+    items: &TokenStream,
 ) -> TokenStream {
     let name = &header.name;
     let text = name.to_string();
@@ -206,6 +218,7 @@ fn implementation(
                 fn poses(&self) -> &[#krate::Pose<#scalar>] {
                     &[]
                 }
+                #items
             }
     }
 }

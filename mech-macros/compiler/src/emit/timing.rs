@@ -64,7 +64,7 @@ fn at_time(
     let Some((first, _)) = model.lawful_motors().next() else {
         bug!("there is a timing without a law");
     };
-    let first = &program.motors[first.index()];
+    let first = Literal::usize_unsuffixed(first.index());
     let effects = model.effects;
     let found = match (effects.velocity, effects.acceleration) {
         (false, _) => quote!(motors),
@@ -101,7 +101,7 @@ fn at_time(
         /// # Errors
         #dead
         #visibility fn at_time(&mut self, t: f64) -> Result<(), Blocked<[#scalar; #count]>> {
-            let there = generated::finite([t], &[#first])
+            let there = generated::finite([t], &[known::MOVE_LIMITS.inputs[#first]])
                 .and_then(|()| laws::laws(self.position.motors, t));
             let #found = match there {
                 Result::Ok(there) => there,

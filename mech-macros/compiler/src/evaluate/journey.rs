@@ -63,7 +63,9 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
             return self.runner.step(last, (self.values, self.turns));
         }
         let start = self.start.motors.iter().zip(&self.displacements);
-        let motors: Vec<T> = start.map(|(value, way)| *value + *way * part).collect();
+        let motors: Vec<T> = start
+            .map(|(value, displacement)| *value + *displacement * part)
+            .collect();
         self.runner.step(last, (&motors, &self.start.turns))
     }
 

@@ -194,10 +194,11 @@ mod tests {
         let (pins, width) = (vec![[-1.0, 0.5], [1.4, -0.3]], 0.9);
         let [[x, y], [u, v]] = [pins[0], pins[1]];
         let inside = |a: f64, b: f64| {
-            let way = [u - x, v - y];
-            let along = ((a - x) * way[0] + (b - y) * way[1]) / way[0].hypot(way[1]).powi(2);
+            let offset = [u - x, v - y];
+            let along =
+                ((a - x) * offset[0] + (b - y) * offset[1]) / offset[0].hypot(offset[1]).powi(2);
             let along = along.clamp(0.0, 1.0);
-            (a - x - along * way[0]).hypot(b - y - along * way[1]) <= width / 2.0
+            (a - x - along * offset[0]).hypot(b - y - along * offset[1]) <= width / 2.0
         };
         assert_near(
             Mass::of_area(&ShapeKind::Bar {

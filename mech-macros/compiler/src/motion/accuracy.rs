@@ -233,10 +233,12 @@ impl<'m> Judge<'m> {
         let most = weigh(&self.reference);
         let of_loop = |number: usize| {
             let choice = &self.exact[number];
-            // Change points are passed in closed form or not at all, and only of a closed form it is proved that it moves through
+            // A dyad passes change points in closed form or not at all, and only of a closed form it is proved that it moves through
             // a range.
             let ranged = self.model.motors.iter().any(|motor| motor.range.is_some());
-            if changes(choice) || ranged {
+            let mut loops = self.plan.loops();
+            let is_coupled = loops.nth(number).is_some_and(|one| one.rings.len() > 1);
+            if changes(choice) && !is_coupled || ranged {
                 return Vec::new();
             }
             let until_closed = Choice::by(Method::Newton).solver;

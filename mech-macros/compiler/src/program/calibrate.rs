@@ -28,13 +28,17 @@ pub(super) fn calibrate(program: &mut Program) {
         let mut rows: Vec<Vec<f64>> = (0..newton.gap.len()).map(row).collect();
         solve(&mut rows, &mut vec![0.0; newton.gap.len()])
     };
+    let nodes = &program.nodes;
+    // Where a side is carried its sign is taken out of the determinant.
+    let sided =
+        |newton: &Newton| newton.dense && !matches!(nodes[newton.det.index()].op, Op::Dense(..));
     for block in &mut program.blocks {
         if let BlockKind::Newton(newton) = &mut block.kind {
             newton.limits = Limits {
                 size: newton.sides.iter().map(|&side| length(side)).sum(),
                 reach: newton.columns.iter().map(|column| norm(column)).product(),
                 det: det(newton).abs(),
-                positive: det(newton) > 0.0,
+                positive: sided(newton) || det(newton) > 0.0,
             };
         }
     }

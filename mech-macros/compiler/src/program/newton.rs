@@ -113,12 +113,12 @@ impl Newton {
     }
 
     /// The least determinant, its sign that of the start: a result below it is beyond a dead point or too near one. What is
-    /// iterated for want of a closed form stays as far from it as rounding shifts a root: there it can still turn back.
+    /// iterated for want of a closed form stays so far from it that rounding, which shifts a root, leaves it on its branch.
     #[must_use]
     pub fn floor(&self, epsilon: f64) -> f64 {
         match self.contracting() {
             None => 64.0 * epsilon * self.limits.reach,
-            Some(_) => 16.0 * epsilon.sqrt() * self.limits.det,
+            Some(_) => 64.0 * epsilon.sqrt() * self.limits.det,
         }
     }
 }

@@ -328,9 +328,9 @@ fn several(joints: &[JointId], count: usize) -> impl Iterator<Item = Vec<JointId
     const MOST: usize = 60;
     let mut chosen: Vec<usize> = (0..count).collect();
     let total = joints.len();
-    let mut ways = Vec::new();
-    while count <= total && ways.len() < MOST {
-        ways.push(chosen.iter().map(|&index| joints[index]).collect());
+    let mut choices = Vec::new();
+    while count <= total && choices.len() < MOST {
+        choices.push(chosen.iter().map(|&index| joints[index]).collect());
         let Some(at) = (0..count).rfind(|&at| chosen[at] < total - count + at) else {
             break;
         };
@@ -339,7 +339,7 @@ fn several(joints: &[JointId], count: usize) -> impl Iterator<Item = Vec<JointId
             *index = next + step;
         }
     }
-    ways.into_iter()
+    choices.into_iter()
 }
 
 /// A motor a little further or less far.

@@ -332,13 +332,13 @@ pub(super) fn slots(model: &Model, joints: &[JointId]) -> Vec<Repair> {
         let ([a, b], at) = drawn(model, joint)?;
         let kind = NewKind::Slot(model.axis(line).direction);
         let moving = |link: &LinkId| *link != LinkId::GROUND;
-        let ways = [[b, a], [a, b]]
+        let repairs = [[b, a], [a, b]]
             .into_iter()
             .filter(move |ends| moving(&ends[0]));
-        let ways: Vec<Repair> = ways
+        let repairs: Vec<Repair> = repairs
             .map(|links| rewritten(model, Purpose::Turn, joint, kind, links, at))
             .collect();
-        Some(ways)
+        Some(repairs)
     };
     joints.iter().filter_map(slot).flatten().take(FEW).collect()
 }

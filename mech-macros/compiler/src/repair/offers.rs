@@ -64,12 +64,12 @@ fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
     let mut offers = Offers::default();
     let mut failed = Vec::new();
     for repair in candidates(trials.model, all, diagnosis) {
-        let told = |known: &Repair| {
+        let is_known = |known: &Repair| {
             let kind = std::mem::discriminant(&repair);
             let same = one_is_enough && is_motor(known) && std::mem::discriminant(known) == kind;
             same || same_place(known, &repair)
         };
-        if offers.single.iter().any(told) || has_enough(&offers.single, &repair) {
+        if offers.single.iter().any(is_known) || has_enough(&offers.single, &repair) {
             continue;
         }
         match trials.of(std::slice::from_ref(&repair)) {

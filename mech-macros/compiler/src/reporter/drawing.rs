@@ -16,8 +16,8 @@ struct Apart {
 
 impl Words<'_> {
     pub(super) fn not_as_drawn(&self, link: LinkId) -> (Origin, String) {
-        let told = self.cam_off_the_drawing();
-        told.or_else(|| self.frame_of_the_scene()).unwrap_or_else(|| {
+        let reason = self.cam_off_the_drawing();
+        reason.or_else(|| self.frame_of_the_scene()).unwrap_or_else(|| {
             let text = format!(
                 "link {} cannot stay where it is drawn{}{}\nhelp: draw it where those lengths lead, or change them to fit \
                  the drawing",
@@ -142,12 +142,12 @@ impl Words<'_> {
         let (axis, there) = (self.model.axis(given), self.model.axis(other));
         let name = axis.own_name();
         let (a, _) = self.model.ends(joint);
-        let way = self.model.start.value(joint) * if a == axis.link { -1.0 } else { 1.0 };
+        let offset = self.model.start.value(joint) * if a == axis.link { -1.0 } else { 1.0 };
         let [c, s] = there.direction;
         let [x, y] = there.at;
         match self.model.joint(joint).kind {
             JointKind::Prismatic(..) => {
-                let (x, y) = (x + way * c, y + way * s);
+                let (x, y) = (x + offset * c, y + offset * s);
                 format!("line {name} = ({x}, {y}) -> ({c}, {s});")
             }
             JointKind::Weld(..) => format!("point {name} = ({x}, {y}) -> ({c}, {s});"),

@@ -134,19 +134,19 @@ impl Words<'_> {
         let driven = |&pin: &JointId| {
             let joint = self.model.joint(pin);
             let mut motors = self.model.motors.iter();
-            let way = motors.find(|motor| self.model.joint(motor.joint).name == joint.name)?;
-            joint.hidden.then_some((pin, way.joint))
+            let slide = motors.find(|motor| self.model.joint(motor.joint).name == joint.name)?;
+            joint.hidden.then_some((pin, slide.joint))
         };
-        let Some((pin, way)) = free.iter().find_map(driven) else {
+        let Some((pin, slide)) = free.iter().find_map(driven) else {
             return String::new();
         };
-        let name = self.joint(way);
+        let name = self.joint(slide);
         let (body, _) = self.model.ends(pin);
-        let (guide, _) = self.model.ends(way);
+        let (guide, _) = self.model.ends(slide);
         let note = format!(
             "\nnote: motor {name} drives the way of slot {name}; nothing holds the angle of its pin"
         );
-        if !self.is_drawn(way) {
+        if !self.is_drawn(slide) {
             return format!(
                 "{note}\nhelp: join the same two links by a `prismatic`, so that they only slide"
             );

@@ -63,7 +63,7 @@ impl KinematicGraph {
 
     /// The joints on a way between two links over joints that have a level: the way's highest level is as low as it can be, and
     /// of such ways it is a shortest.
-    pub(crate) fn way(
+    pub(crate) fn path(
         &self,
         from: LinkId,
         to: LinkId,
@@ -92,13 +92,13 @@ impl KinematicGraph {
                 }
             }
         }
-        let mut way = Vec::new();
+        let mut path = Vec::new();
         let mut at = to;
         while let Some((previous, joint)) = came_by[at.index()] {
-            way.push(joint);
+            path.push(joint);
             at = previous;
         }
-        way.reverse();
-        way
+        path.reverse();
+        path
     }
 }

@@ -237,5 +237,5 @@ fn aligning(model: &Model, (a, b): (LinkId, LinkId)) -> Vec<JointId> {
         let kind = model.joint(joint).kind;
         matches!(kind, JointKind::Prismatic(..) | JointKind::Weld(..)).then_some(0)
     };
-    KinematicGraph::new(model).way(a, b, keeps)
+    KinematicGraph::new(model).path(a, b, keeps)
 }

@@ -8,9 +8,9 @@ pub(super) fn named(name: &str) -> String {
     let known = known.find(|(known, _)| known.eq_ignore_ascii_case(name));
     let beginning = match known {
         Some((_, number)) => {
-            format!("a color is told by its number; write `{number}` for `{name}`")
+            format!("a color is given by its number; write `{number}` for `{name}`")
         }
-        None => format!("a color is told by its number, and no palette names one `{name}`"),
+        None => format!("a color is given by its number, and no palette names one `{name}`"),
     };
     format!("{beginning}\n\nnote: {}", choices())
 }

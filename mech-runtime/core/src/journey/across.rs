@@ -9,7 +9,7 @@ use crate::Real;
 
 /// How far beyond it is begun, in fourth roots of the precision: both what curves a straight way and what rounding does to it are
 /// small then beside the distance from the other branch.
-const WAYS: [f64; 2] = [8.0, 32.0];
+const OFFSETS: [f64; 2] = [8.0, 32.0];
 /// The same for loops in closed form, whose positions are as exact as rounding lets them be.
 const TOGETHER: [f64; 3] = [0.25, NEAREST, 2.0];
 /// What comes to zero nearer to another than this is passed with it.
@@ -20,6 +20,10 @@ const FIRST: f64 = 0.25;
 const LONGER: f64 = 1.25;
 const SHORTER: f64 = 0.25;
 const MOST_STEPS: u32 = 256;
+/// A sine that becomes less by this part of it in such a step comes to its zero.
+const FALLS: f64 = 0.0625;
+/// A fall of its square by less than this part of what rounding hides tells nothing.
+const NOISE: f64 = 0.125;
 
 /// An iterated loop comes to what may be its change point.
 pub(super) struct Meeting<P, T> {
@@ -32,6 +36,12 @@ pub(super) struct Meeting<P, T> {
 
 /// By so much a sine may be off from where it should go straight on to, as a part of that.
 const OFF: f64 = 0.25;
+
+/// A sine that is so many times less halfway to its zero touches it: one that goes straight through is half as great there.
+const TOUCHES: f64 = 2.5;
+/// That is looked at from where the square of the sine is so many times what rounding hides, if that is within so much of its change.
+const TOUCH: f64 = 1024.0;
+const LONGEST: f64 = 0.25;
 
 /// A position beyond.
 pub(super) struct Beyond<P, T> {
@@ -93,8 +103,17 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
         Event::Near(part, index) => (part, index),
         _ => return None,
     };
+    if is_near(journey, from, index)
+        && let Some(away) = away(journey, (from, done), index)
+    {
+        return Some(Meeting {
+            index,
+            before: (from.clone(), done),
+            beyond: Some(away),
+        });
+    }
     // Not so near that rounding tells more than the position.
-    let start = part - distance(journey, index, WAYS[0]) * T::HALF;
+    let start = part - distance(journey, index, OFFSETS[0]) * T::HALF;
     let before = if start <= done {
         (from.clone(), done)
     } else {
@@ -122,19 +141,19 @@ fn across<T: Real, J: Journey<T>>(
     (position, part): (&J::Position, T),
     index: usize,
 ) -> Option<Beyond<J::Position, T>> {
-    WAYS.into_iter().find_map(|times| {
-        let way = lesser(distance(journey, index, times), T::ONE - part);
-        let last = back(journey, (position, part), (way, index))?;
+    OFFSETS.into_iter().find_map(|times| {
+        let offset = lesser(distance(journey, index, times), T::ONE - part);
+        let last = back(journey, (position, part), (offset, index))?;
         let before = back(
             journey,
-            (&last, part - way),
-            (way * T::from_f64(2.0), index),
+            (&last, part - offset),
+            (offset * T::from_f64(2.0), index),
         )?;
         let line = Line {
-            before: (&before, part - way * T::from_f64(3.0)),
-            last: (&last, part - way),
+            before: (&before, part - offset * T::from_f64(3.0)),
+            last: (&last, part - offset),
         };
-        line.beyond(journey, from, part + way, index)
+        line.beyond(journey, from, part + offset, index)
     })
 }
 
@@ -145,15 +164,78 @@ pub(super) fn together<T: Real, J: Journey<T>>(
     (part, index): (T, usize),
 ) -> Option<Beyond<J::Position, T>> {
     TOGETHER.into_iter().find_map(|times| {
-        let way = distance(journey, index, times);
-        let [begun, last_part] = [3.0, 1.0].map(|ways| part - way * T::from_f64(ways));
+        let offset = distance(journey, index, times);
+        let [begun, last_part] = [3.0, 1.0].map(|offsets| part - offset * T::from_f64(offsets));
         let before = arrived(journey, from, done, begun)?;
         let last = arrived(journey, &before, begun, last_part)?;
         let line = Line {
             before: (&before, begun),
             last: (&last, last_part),
         };
-        line.beyond(journey, (from, done), lesser(part + way, T::ONE), index)
+        line.beyond(journey, (from, done), lesser(part + offset, T::ONE), index)
+    })
+}
+
+/// Whether the sine of a loop in closed form only touches a zero, and how far from it that was seen: halfway to such a zero a sine is a
+/// fourth of what it was, not a half.
+fn touch<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    (part, index): (T, usize),
+) -> Option<Touch<J::Position, T>> {
+    if journey.watch(index).at_zero != AtZero::ChangeBranch || is_stepped_over(journey, index) {
+        return None;
+    }
+    let far_enough = T::from_f64(TOUCH) * journey.rounding_square(from, index);
+    let longest = T::from_f64(LONGEST) / journey.watch(index).change;
+    let mut offset = distance(journey, index, 1.0);
+    let before = loop {
+        let before = arrived(journey, from, done, part - offset)?;
+        let sine = journey.sine(&before, index);
+        if sine * sine >= far_enough {
+            break before;
+        }
+        offset = offset * T::from_f64(2.0);
+        if offset > longest {
+            return None;
+        }
+    };
+    let halfway = arrived(journey, &before, part - offset, part - offset * T::HALF)?;
+    let [far, near] = [&before, &halfway].map(|at| journey.sine(at, index).abs());
+    (far > T::from_f64(TOUCHES) * near).then_some(Touch { halfway, offset })
+}
+
+/// A sine that touches its zero.
+struct Touch<P, T> {
+    /// The position halfway between the zero and where it was seen.
+    halfway: P,
+    /// How far before the zero it was seen.
+    offset: T,
+}
+
+/// Whether a loop stands at a zero that its sine only touched.
+pub(super) fn touches<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    index: usize,
+) -> bool {
+    touch(journey, (from, done), (done, index)).is_some()
+}
+
+/// The position beyond a zero that a sine only touches: its loop stays on its side.
+pub(super) fn touched<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    (part, index): (T, usize),
+) -> Option<Beyond<J::Position, T>> {
+    let Touch { halfway, offset } = touch(journey, (from, done), (part, index))?;
+    let end = lesser(part + offset, T::ONE);
+    let to = arrived(journey, &halfway, part - offset * T::HALF, end)?;
+    let is_clear = (0..journey.watches()).all(|one| !is_zero(journey, &to, one));
+    is_clear.then_some(Beyond {
+        to,
+        end,
+        stops: false,
     })
 }
 
@@ -229,24 +311,77 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
     }
 }
 
+/// A position farther from a zero of a sine than one beside it, where the way leads away from it: in steps so short that none goes
+/// over to another branch.
+fn away<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&J::Position, T),
+    index: usize,
+) -> Option<Beyond<J::Position, T>> {
+    let offset = lesser(distance(journey, index, OFFSETS[0]), T::ONE - done);
+    let sine = |position: &J::Position| journey.sine(position, index).abs();
+    let least = T::from_f64(1.0 - FALLS);
+    let noise = T::from_f64(NOISE) * journey.rounding_square(from, index);
+    let (mut to, mut gone, mut greatest) = (from.clone(), T::ZERO, sine(from));
+    let mut halfway: Option<T> = None;
+    let mut step = T::from_f64(FIRST) * sine(from) / journey.watch(index).change;
+    for _ in 0..MOST_STEPS {
+        // One step ends in the middle.
+        let bound = if halfway.is_some() {
+            offset
+        } else {
+            offset * T::HALF
+        };
+        let farther = lesser(gone + step, bound);
+        if done + farther <= done + gone {
+            return None;
+        }
+        // Beside a dead point no iteration reaches far.
+        let Ok(next) = journey.at(&to, done + farther) else {
+            step = step * T::from_f64(SHORTER);
+            continue;
+        };
+        let fallen = least * greatest;
+        if sine(&next) * sine(&next) + noise < fallen * fallen {
+            return None;
+        }
+        (to, gone, greatest) = (next, farther, greatest.max(sine(&to)));
+        match halfway {
+            // Straight back from here it was not on the other side of its zero.
+            Some(middle) if gone >= offset => {
+                let is_away = sine(&to) > sine(from) && middle + middle > sine(&to);
+                return is_away.then_some(Beyond {
+                    to,
+                    end: done + offset,
+                    stops: false,
+                });
+            }
+            None if gone >= bound => halfway = Some(sine(&to)),
+            _ => {}
+        }
+        step = step * T::from_f64(LONGER);
+    }
+    None
+}
+
 /// The position so far back on the way.
 fn back<T: Real, J: Journey<T>>(
     journey: &J,
     (position, part): (&J::Position, T),
-    (way, index): (T, usize),
+    (offset, index): (T, usize),
 ) -> Option<J::Position> {
     let (mut at, mut gone) = (position.clone(), T::ZERO);
     let sine = journey.sine(position, index).abs();
     let mut step = T::from_f64(FIRST) * sine / journey.watch(index).change;
     for _ in 0..MOST_STEPS {
-        let farther = lesser(gone + step, way);
+        let farther = lesser(gone + step, offset);
         if let Ok(next) = journey.at(&at, part - farther) {
             (at, gone) = (next, farther);
             step = step * T::from_f64(LONGER);
         } else {
             step = step * T::from_f64(SHORTER);
         }
-        if gone >= way {
+        if gone >= offset {
             return Some(at);
         }
     }

@@ -239,13 +239,13 @@ fn blocked_at_ends<T: Real, J: Journey<T>>(
         let is_it = |stop| !watch.iterated && journey.is_open(&stop, index);
         stop.is_some_and(|stop| !journey.subdivides() || is_it(stop))
     };
-    let mut way = end - done;
+    let mut offset = end - done;
     for _ in 0..NARROW {
-        way = way * T::HALF;
-        if journey.subdivides() && way * watch.change < T::from_f64(T::EPSILON).sqrt() {
+        offset = offset * T::HALF;
+        if journey.subdivides() && offset * watch.change < T::from_f64(T::EPSILON).sqrt() {
             break;
         }
-        for part in [done + way, end - way] {
+        for part in [done + offset, end - offset] {
             if part > done && part < end && is_blocked(part) {
                 return Event::Blocked(part);
             }

@@ -1,6 +1,6 @@
 //! A piece that is short enough for one change point of a loop at most: past it, or as far as it closes.
 
-use super::across::{bounces, distance, is_stepped_over, meeting, together};
+use super::across::{bounces, distance, is_stepped_over, meeting, together, touched, touches};
 use super::event::{Event, first_event};
 use super::pace::lesser;
 use super::{AtZero, Growth, Journey, MOST_TRIES};
@@ -28,7 +28,7 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
     // Each round passes a change point, or finds a dead point before its aim.
     for _ in 0..=8 * journey.watches() {
         let mut reach = reach(journey, &from, done, aim);
-        match leave(journey, &mut from, &reach.to) {
+        match leave(journey, (&mut from, done), &reach.to) {
             Leaving::Stopped(index) => {
                 return Reach {
                     to: from,
@@ -43,7 +43,8 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
         let mut meeting = meeting(journey, (&from, done), &reach, &event);
         let beyond = match (&mut meeting, &event) {
             (Some(meeting), _) => meeting.beyond.take(),
-            (None, Event::Zero(part, index)) => together(journey, (&from, done), (*part, *index)),
+            (None, &Event::Zero(part, index)) => together(journey, (&from, done), (part, index))
+                .or_else(|| touched(journey, (&from, done), (part, index))),
             _ => None,
         };
         if let Some(beyond) = beyond.filter(|beyond| !beyond.stops) {
@@ -164,13 +165,18 @@ enum Leaving {
 }
 
 /// Where a loop stands at its change point, the sense in which it goes decides on which side it leaves.
-fn leave<T: Real, J: Journey<T>>(journey: &J, from: &mut J::Position, to: &J::Position) -> Leaving {
+fn leave<T: Real, J: Journey<T>>(
+    journey: &J,
+    (from, done): (&mut J::Position, T),
+    to: &J::Position,
+) -> Leaving {
     let mut leaving = Leaving::Same;
     for index in 0..journey.watches() {
         let leaves = is_zero(journey, from, index) && !is_zero(journey, to, index);
         if leaves && journey.goes_on(from, index) {
             match journey.watch(index).at_zero {
                 AtZero::Stay => {}
+                AtZero::ChangeBranch if touches(journey, (from, done), index) => {}
                 AtZero::Stop => return Leaving::Stopped(index),
                 AtZero::ChangeBranch => {
                     journey.turn_over(from, index);

@@ -80,10 +80,10 @@ fn goes_astray<M: Mechanism>(
     moments: u32,
     motion: impl Fn(f64) -> M::Motors,
 ) -> Result<bool, Blocked<M::Motors>> {
-    let told = tracks::<M>(sheet, moments, 0.0, &motion)?;
+    let planned = tracks::<M>(sheet, moments, 0.0, &motion)?;
     let found = tracks::<M>(sheet, moments, BETWEEN, &motion)?;
-    let mut pairs = iter::zip(&told, &found);
-    Ok(pairs.any(|(told, found)| told.deviation(found, BETWEEN) > ASTRAY))
+    let mut pairs = iter::zip(&planned, &found);
+    Ok(pairs.any(|(planned, found)| planned.deviation(found, BETWEEN) > ASTRAY))
 }
 
 /// The tracks of all links, at moments that are so much of their distance late.

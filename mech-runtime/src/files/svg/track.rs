@@ -91,10 +91,10 @@ impl Track {
             .take(keys.len().saturating_sub(2));
         ways.zip(later.keys())
             .map(|((before, after), key)| {
-                let told = middle(*before, *after, late);
-                let turn = (key.angle - told.angle + PI).rem_euclid(TAU) - PI;
-                let angle = told.angle + turn;
-                self.between(told, Key { angle, ..key })
+                let expected = middle(*before, *after, late);
+                let turn = (key.angle - expected.angle + PI).rem_euclid(TAU) - PI;
+                let angle = expected.angle + turn;
+                self.between(expected, Key { angle, ..key })
             })
             .fold(0.0, f64::max)
     }

@@ -18,7 +18,7 @@ use embedded_graphics_core::geometry::Point;
 ///
 /// What shapes are painted on cannot fail, but a display can. Its first error is kept until [`finish`](Self::finish); nothing more is
 /// painted after it.
-#[must_use = "what the display could not do is told by `finish`"]
+#[must_use = "what the display could not do is an error of `finish`"]
 pub struct Screen<'d, D: DrawTarget, F> {
     display: &'d mut D,
     /// Where the picture begins on the display.

@@ -51,7 +51,7 @@ impl<T: Scalar> Disc<T> {
         if square.is_nan() || square <= 0.0 {
             return rows.end..rows.end;
         }
-        let reach = nalgebra::convert::<f32, T>(ComplexField::sqrt(square));
+        let reach = T::from_f32(ComplexField::sqrt(square));
         let first = fixed::border_above(self.center[1] - reach, rows.end) + 1;
         let first = first.max(rows.start).min(rows.end);
         let end = fixed::border_above(self.center[1] + reach, rows.end);

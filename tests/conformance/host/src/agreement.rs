@@ -1,7 +1,7 @@
-//! Whether two machines tell the same.
+//! Whether two machines report the same.
 
 use crate::error::Error;
-use crate::told::{Subject, Things};
+use crate::report::{Subject, Things};
 use std::fmt;
 
 /// So many units in the last place poses may differ.
@@ -33,18 +33,18 @@ impl fmt::Display for Summary {
     }
 }
 
-/// Compares what two machines told.
+/// Compares what two machines reported.
 pub(crate) fn compare(there: &Things, here: &Things) -> Result<Summary, Error> {
     let mut summary = Summary::default();
     if let Some(subject) = there.keys().find(|subject| !here.contains_key(subject)) {
-        return Err(differs(subject, "is not told here"));
+        return Err(differs(subject, "is not reported here"));
     }
     for (subject, expected) in here {
         let Some(found) = there.get(subject) else {
-            return Err(differs(subject, "is not told there"));
+            return Err(differs(subject, "is not reported there"));
         };
         if found.len() != expected.len() {
-            return Err(differs(subject, "is not told as often as here"));
+            return Err(differs(subject, "is not reported as often as here"));
         }
         for (step, (found, expected)) in found.iter().zip(expected).enumerate() {
             if found.len() != expected.len() || expected.is_empty() && subject.what == "pose" {
@@ -122,10 +122,10 @@ mod tests {
     }
 
     #[test]
-    fn what_differs_is_told() {
-        let told = |text: &str| crate::told::things(text).expect("it is well formed");
-        let here = told("pose a f64 3ff0000000000000\npicture a f64 7");
-        let near = told("pose a f64 3ff0000000000001\npicture a f64 7");
+    fn what_differs_is_reported() {
+        let parsed = |text: &str| crate::report::things(text).expect("it is well formed");
+        let here = parsed("pose a f64 3ff0000000000000\npicture a f64 7");
+        let near = parsed("pose a f64 3ff0000000000001\npicture a f64 7");
         let summary = compare(&near, &here).expect("it is near enough");
         assert_eq!((summary.poses, summary.others, summary.ulps), (1, 1, 1));
         for other in [
@@ -136,7 +136,7 @@ mod tests {
             "pose a f64 3ff0000000000000\npicture a f64 7\npicture b f64 7",
             "pose a f64 3ff0000000000000\npose a f64 3ff0000000000000\npicture a f64 7",
         ] {
-            assert!(compare(&told(other), &here).is_err(), "{other}");
+            assert!(compare(&parsed(other), &here).is_err(), "{other}");
         }
     }
 }

@@ -180,7 +180,7 @@ fn is_drawn(image: &str) -> bool {
     !is_method(image) && !image.starts_with("diagram")
 }
 
-/// The images that were run and told figures, in alphabetical order.
+/// The images that were run and reported figures, in alphabetical order.
 fn images(folder: &Path) -> Result<Vec<String>, Error> {
     let wrong = |source| Error::File {
         path: folder.to_owned(),

@@ -1,4 +1,4 @@
-//! Holds what the firmware told against this machine. Called by `tests/conformance/run`, which makes the firmware tell.
+//! Holds the report of the firmware against this machine. Called by `tests/conformance/run`, which makes the firmware tell.
 //!
 //! `mech-conformance FOLDER` compares, `mech-conformance FOLDER --update` writes the figures anew.
 
@@ -9,8 +9,8 @@ mod figures;
 mod here;
 mod image;
 mod page;
+mod report;
 mod row;
-mod told;
 
 use board::Board;
 use error::Error;
@@ -73,7 +73,7 @@ pub(crate) fn image_of(folder: &Path, board: Board, image: &str) -> PathBuf {
     release.join(image)
 }
 
-/// Holds what the firmware told against what is told here.
+/// Holds the report of the firmware against that of this machine.
 fn agree(folder: &Path) -> Result<(), Error> {
     let abilities = [Board::CortexM4F];
     for (image, here, boards) in [
@@ -83,7 +83,7 @@ fn agree(folder: &Path) -> Result<(), Error> {
         for board in boards {
             let path = folder.join(board.target()).join(format!("{image}.txt"));
             let text = fs::read_to_string(&path).map_err(|source| Error::File { path, source })?;
-            let summary = agreement::compare(&told::things(&text)?, &here)?;
+            let summary = agreement::compare(&report::things(&text)?, &here)?;
             println!("{}, {image}: {summary}", board.name());
         }
     }

@@ -31,7 +31,7 @@ impl Row {
     pub(crate) fn measured(folder: &Path, board: Board, image: &str) -> Result<Self, Error> {
         let path = folder.join(board.target()).join(format!("{image}.txt"));
         let text = fs::read_to_string(&path).map_err(|source| Error::File { path, source })?;
-        let told = |name: &str| {
+        let parsed = |name: &str| {
             let value = text
                 .lines()
                 .find_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
@@ -46,11 +46,11 @@ impl Row {
             image: image.to_owned(),
             values: [
                 flash(&image_of(folder, board, image))?,
-                told("state")?,
-                told("stack")?,
-                told("position")?,
-                told("stack-drawing")?,
-                told("frame")?,
+                parsed("state")?,
+                parsed("stack")?,
+                parsed("position")?,
+                parsed("stack-drawing")?,
+                parsed("frame")?,
             ],
         })
     }

@@ -12,10 +12,10 @@ const STRIDE: usize = 10;
 
 /// Moves a subject through its motion and draws it, measures that, prints it and ends: with a failure if something was in the way.
 pub fn figures<S: Subject>() -> ! {
-    exit(told::<S>().is_some())
+    exit(print::<S>().is_some())
 }
 
-fn told<S: Subject>() -> Option<()> {
+fn print<S: Subject>() -> Option<()> {
     let mut clock = Clock::take()?;
     // Every program copies something: that routine is no part of what a mechanism costs.
     black_box(*black_box(&[0_u32; 64]));

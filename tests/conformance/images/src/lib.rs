@@ -1,4 +1,4 @@
-//! What the images of this package have in common: a way to tell, and what is measured. The board is that of the `firmware` examples.
+//! What the images of this package have in common: a printer, and what is measured. The board is that of the `firmware` examples.
 //!
 //! Nothing here can panic. An image says so itself by `use panic_never as _;`, which makes a panic that can be reached an error of the
 //! linker.

@@ -1,9 +1,9 @@
-//! Prints what mechanisms tell.
+//! Prints what mechanisms report.
 
 use firmware::Line;
 use mech_probes::Listener;
 
-/// Prints what mechanisms tell, a line for each thing.
+/// Prints what mechanisms report, a line for each thing.
 pub struct Printer {
     line: Line,
     heard: bool,

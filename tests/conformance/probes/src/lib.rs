@@ -60,7 +60,7 @@ pub fn ask_all(probe: &mut impl Probe) {
     four_bar::visit(probe);
 }
 
-/// Who listens to what mechanisms tell.
+/// Who receives what mechanisms report.
 pub trait Listener {
     /// Something begins, about the mechanism with this name.
     fn begin(&mut self, what: &str, name: &str, precision: &str);

@@ -154,8 +154,8 @@ pub(crate) fn measure(subject: Subject, effort: Effort) -> Result<Measurement, S
 /// The motor's way from the start, there and back, in degrees.
 fn there_and_back(travel: u16, Step(tenths): Step) -> Vec<f64> {
     let steps = travel * 10 / tenths;
-    let way = (1..=steps).chain((0..steps).rev());
-    way.map(|step| f64::from(step * tenths) / 10.0).collect()
+    let values = (1..=steps).chain((0..steps).rev());
+    values.map(|step| f64::from(step * tenths) / 10.0).collect()
 }
 
 /// How often to go there and back for so many positions.

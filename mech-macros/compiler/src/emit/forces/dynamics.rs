@@ -33,9 +33,9 @@ impl Writer<'_> {
         let scales = motors_of_model
             .map(|motor| number(self.model.precision, if turns(motor) { 1.0 } else { size }));
         let (velocities, record) = (self.velocities(), self.record);
-        let (refused, names) = (
+        let (refused, inputs) = (
             params::refused(self.program),
-            params::motor_names(self.program),
+            quote!(known::MOVE_LIMITS.inputs),
         );
         let simulated = params::of_motors(
             self.program,
@@ -57,7 +57,7 @@ impl Writer<'_> {
             /// # Errors
             /// If a rate is not finite; all of them then stay what they were.
             #visibility fn set_rates(&mut self, rates: [#scalar; #motors]) -> Result<(), #blocked> {
-                match generated::finite(rates, #names) {
+                match generated::finite(rates, #inputs) {
                     Result::Ok(()) => {
                         self.rates = rates;
                         Result::Ok(())
@@ -74,9 +74,9 @@ impl Writer<'_> {
             #visibility fn motor_accelerations(&self, torques: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
                 #loads
                 let rates = self.rates;
-                generated::finite(torques, #names)
+                generated::finite(torques, #inputs)
                     .and_then(|()| generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments)))
-                    .and_then(|inertia| Inertia::accelerations(&inertia, torques, #names))
+                    .and_then(|inertia| Inertia::accelerations(&inertia, torques, #inputs))
                     .map_err(|stop| #refused)
             }
 
@@ -112,7 +112,7 @@ impl Writer<'_> {
                     rates: self.rates,
                     torques,
                     time,
-                    names: #names,
+                    inputs: #inputs,
                     turning: &[#(#turning),*],
                     scales: &[#(#scales),*],
                 };

@@ -73,20 +73,9 @@ impl Writer<'_> {
             self.given_loads(),
             self.blocked(),
         );
-        let names: Vec<&String> = model
-            .told_joints()
-            .map(|joint| &model.joint(joint).name)
-            .collect();
         let (found, _) = found(inverse_dynamics);
-        let (refused, motor_names) = (
-            params::refused(self.program),
-            params::motor_names(self.program),
-        );
-        let joints = Literal::usize_unsuffixed(names.len());
+        let refused = params::refused(self.program);
         let mut tokens = quote! {
-            /// The joints, in the order in which `forces` tells their reactions.
-            #visibility const JOINTS: [&'static str; #joints] = [#(#names),*];
-
             /// What it takes to move at these rates and second rates of the motors from where it is: the torques of the motors,
             /// the reaction in each joint, the transmission angles.
             ///
@@ -94,8 +83,8 @@ impl Writer<'_> {
             /// If a rate is not finite, or the mechanism is at a dead point or a change point, where forces are not determined.
             #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> Result<#found, #blocked> {
                 #loads
-                generated::finite(rates, #motor_names)
-                    .and_then(|()| generated::finite(accelerations, #motor_names))
+                generated::finite(rates, known::MOVE_LIMITS.inputs)
+                    .and_then(|()| generated::finite(accelerations, known::MOVE_LIMITS.inputs))
                     .and_then(|()| generated::rates_at(&self.position, |last, motors| #step_full(last, motors #arguments)))
                     .map_err(|stop| #refused)
             }

@@ -53,7 +53,6 @@ pub(in crate::emit) fn stub(
         // How many loops are dyads is not known; there are no more of them than joints.
         let forces = result(quote!(#krate::Forces<#scalar, #motors, #joints, #loads, #joints>));
         tokens.extend(quote! {
-            #visibility const JOINTS: [&'static #krate::generated::str; #joints] = [""; #joints];
             #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> #forces { loop {} }
         });
         for load in &model.actions.loads {

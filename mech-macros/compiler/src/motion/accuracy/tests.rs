@@ -209,7 +209,10 @@ fn a_motion_that_is_shorter_than_a_step_has_errors_too() {
     let parsed = parse(text.parse().expect("tokens"));
     assert_eq!(parsed.errors.len(), 0);
     let compiled = compile(&parsed.model).expect("it moves");
-    let predicted = compiled.prediction.as_ref().map(|told| told.error);
+    let predicted = compiled
+        .prediction
+        .as_ref()
+        .map(|prediction| prediction.error);
     let predicted = predicted.expect("its step is known");
     let exact = Model {
         method: None,

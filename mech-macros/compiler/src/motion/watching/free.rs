@@ -152,7 +152,7 @@ impl<'c> Asked<'c> {
         for (solution, _) in &unknowns {
             match *solution {
                 Solution::Direction(direction) => outputs.extend(direction),
-                Solution::Slide(way) => outputs.push(way),
+                Solution::Slide(displacement) => outputs.push(displacement),
             }
         }
         Self {
@@ -172,7 +172,7 @@ impl<'c> Asked<'c> {
         for (solution, _) in &self.unknowns {
             match *solution {
                 Solution::Direction(direction) => vectors.push(vector(direction)),
-                Solution::Slide(way) => numbers.push(output(way)),
+                Solution::Slide(displacement) => numbers.push(output(displacement)),
             }
         }
         let directions = vectors.len();
@@ -240,7 +240,7 @@ impl<'c> Asked<'c> {
             for (range, (solution, start)) in free.ranges.iter_mut().zip(&self.unknowns) {
                 let found = match *solution {
                     Solution::Direction([cos, sin]) => angle([at(cos), at(sin)], *start),
-                    Solution::Slide(way) => at(way),
+                    Solution::Slide(displacement) => at(displacement),
                 };
                 *range = Some(range.map_or(found, |range| range.hull(found)));
             }

@@ -80,19 +80,27 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decisi
             at_zero,
         });
     }
-    // Where rolling ties unknowns there is no closed form, and nothing is proved.
+    // Where rolling ties unknowns, or loops are coupled, there is no closed form, and nothing is proved.
     let at_zero = match model.change_points {
         AtChangePoints::GoOn => AtZero::ChangeBranch,
         AtChangePoints::Stop => AtZero::Stop,
         AtChangePoints::KeepBranch => AtZero::Stay,
     };
     for (closing, choice) in plan.loops().zip(&mut decided) {
-        if at_zero != AtZero::Stay && closing.rings.len() == 1 && !closing.ties.is_empty() {
-            choice.watching = Some(Watching {
-                bound: paces.of_tied(&closing.ties),
-                at_zero,
-            });
+        let is_coupled = closing.rings.len() > 1;
+        let passes = at_zero != AtZero::Stay && !closing.ties.is_empty();
+        if !is_coupled && !passes {
+            continue;
         }
+        // An iteration keeps no branch at a change point of coupled loops: rounding would choose one.
+        let at_zero = match at_zero {
+            AtZero::Stay => AtZero::Stop,
+            passed => passed,
+        };
+        choice.watching = Some(Watching {
+            bound: paces.of_tied(&closing.ties),
+            at_zero,
+        });
     }
     let turning = program.followed.iter();
     let turning = turning

@@ -274,8 +274,8 @@ impl<'d> Paces<'d> {
             Variable::Found(number, index) => match self.loops.get(&number) {
                 Some(goal) => {
                     let start = match self.domain.solution(number, index) {
-                        Some(Solution::Slide(way)) => {
-                            self.domain.cutter.at_start[way.index()].abs()
+                        Some(Solution::Slide(displacement)) => {
+                            self.domain.cutter.at_start[displacement.index()].abs()
                         }
                         _ => 0.0,
                     };

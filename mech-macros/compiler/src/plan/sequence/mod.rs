@@ -395,8 +395,8 @@ impl<'m> Search<'m> {
                     self.model.axis(connection.to).link,
                     self.model.axis(next.from).link,
                 );
-                let way = self.way(from, to);
-                for joint in [connection.joint].into_iter().chain(way) {
+                let path = self.path(from, to);
+                for joint in [connection.joint].into_iter().chain(path) {
                     if !members.contains(&joint) {
                         members.push(joint);
                     }
@@ -407,8 +407,8 @@ impl<'m> Search<'m> {
     }
 
     /// A way through known joints between two links of the same cluster: of the lowest level, then the shortest.
-    fn way(&self, from: LinkId, to: LinkId) -> Vec<JointId> {
-        self.graph.way(from, to, |joint| {
+    fn path(&self, from: LinkId, to: LinkId) -> Vec<JointId> {
+        self.graph.path(from, to, |joint| {
             let known = self.known[joint.index()].as_ref()?;
             (!self.model.joint(joint).kind.ties()).then_some(known.level)
         })

@@ -2,7 +2,8 @@
 
 use super::Writer;
 use super::rates::Closing;
-use super::watching::Watchable;
+use super::tied::all_columns;
+use super::watching::{Side, Watchable};
 use crate::model::{Joint, JointKind, LinkId};
 use crate::plan::{Algebra, Equation, Loop, Pose, Residuals, Solution, Unknown};
 use crate::program::choice::{MOST_ROUNDS, Solver};
@@ -77,7 +78,7 @@ impl Writer<'_> {
         let triad = self.triad(closing);
         let tied = (!closing.ties.is_empty()).then(|| self.tied(closing, &equation, first));
         self.builder.enter();
-        let (mut newton, solution) = match (&tied, &triad) {
+        let (mut newton, solution, side) = match (&tied, &triad) {
             (Some(tied), _) => self.iterate_tied(block, tied, &equation, first),
             (None, Some(triad)) => self.contract(block, triad, first),
             (None, None) => self.iterate(block, &equation, first),
@@ -85,6 +86,9 @@ impl Writer<'_> {
         newton.place.clone_from(&place);
         newton.sides.extend(self.spots(closing));
         self.builder.leave();
+        if let Some(side) = side {
+            self.watch_coupled(block, &newton, side);
+        }
         let solution = match (&tied, &triad) {
             (Some(tied), _) => {
                 let all = self.all_directions(tied, &equation, &solution);
@@ -290,7 +294,7 @@ impl Writer<'_> {
         block: BlockId,
         equation: &Equation<Value>,
         base: LinkId,
-    ) -> (Newton, Vec<Solution<Value>>) {
+    ) -> (Newton, Vec<Solution<Value>>, Option<Side>) {
         let firsts: Vec<First> = equation
             .unknowns
             .iter()
@@ -301,24 +305,24 @@ impl Writer<'_> {
         let residuals = equation.residuals(&mut self.builder, &now);
         self.name_residuals(&residuals, &names);
         let rings = || residuals.rings.iter();
-        let rates = |unknown: usize| {
-            rings()
-                .flat_map(move |ring| ring.columns[unknown])
-                .collect()
-        };
+        let columns = all_columns(&residuals, now.len());
+        let is_coupled = equation.rings.len() > 1;
+        let side = is_coupled
+            .then(|| self.keep_coupled_side(&columns))
+            .flatten();
         let system = System {
             gap: rings().flat_map(|ring| ring.gap).collect(),
-            columns: (0..now.len()).map(rates).collect(),
+            columns,
             sides: rings()
                 .flat_map(|ring| ring.sides.iter().map(|(_, side)| *side))
                 .collect(),
             extent: self.redundant_extent(equation, &now),
             legs: Vec::new(),
-            angles: (equation.rings.len() > 1)
-                .then(|| now.iter().map(Solution::is_direction).collect()),
-            side: None,
+            angles: is_coupled.then(|| now.iter().map(Solution::is_direction).collect()),
+            side: side.map(|side| side.last),
         };
-        self.advance(block, &names, scalars, &now, system)
+        let (newton, solution) = self.advance(block, &names, scalars, &now, system);
+        (newton, solution, side)
     }
 
     /// The scalars of an iteration, and its unknowns in a round.

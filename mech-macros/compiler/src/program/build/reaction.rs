@@ -266,16 +266,16 @@ impl Writer<'_> {
         }
         let pose = self.placement.pose(rolling.carrier);
         let builder = &mut self.builder;
-        let way = builder.between(from, to);
+        let offset = builder.between(from, to);
         let distance = if from.varies() || to.varies() {
-            let square = builder.dot(way, way);
+            let square = builder.dot(offset, offset);
             builder.sqrt(square)
         } else {
             builder.constant(distance)
         };
-        let [x, y] = way.map(|part| builder.div(part, distance));
+        let [x, y] = offset.map(|part| builder.div(part, distance));
         let part = builder.constant(first / (first + second));
-        let (start, on) = (builder.place(from), builder.scaled(part, way));
+        let (start, on) = (builder.place(from), builder.scaled(part, offset));
         let touch = builder.plus(start, on);
         let at = pose.carry_spot(builder, touch);
         let across = [builder.neg(y), x];

@@ -2,6 +2,7 @@
 
 use super::Writer;
 use super::closing::System;
+use super::watching::Side;
 use crate::model::{JointId, LinkId};
 use crate::plan::{Algebra, Equation, Loop, Residuals, Solution, Tie, Unknown, float_of};
 use crate::program::builder::Builder;
@@ -175,7 +176,7 @@ impl Writer<'_> {
         tied: &Tied,
         equation: &Equation<Value>,
         base: LinkId,
-    ) -> (Newton, Vec<Solution<Value>>) {
+    ) -> (Newton, Vec<Solution<Value>>, Option<Side>) {
         let mut firsts = Vec::new();
         let mut state = Vec::new();
         for (name, index) in &tied.unknowns {
@@ -195,7 +196,13 @@ impl Writer<'_> {
         let residuals = equation.residuals(&mut self.builder, &full);
         let rings = || residuals.rings.iter();
         let columns = tied.columns(&mut self.builder, &all_columns(&residuals, full.len()));
-        let side = self.keep_side(&columns);
+        let coupled = (equation.rings.len() > 1)
+            .then(|| self.keep_coupled_side(&columns))
+            .flatten();
+        let side = match coupled {
+            Some(side) => Some(side.last),
+            None => self.keep_side(&columns),
+        };
         let sides: Vec<[Value; 2]> = rings()
             .flat_map(|ring| ring.sides.iter().map(|(_, side)| *side))
             .collect();
@@ -231,7 +238,7 @@ impl Writer<'_> {
                 self.state[state] = angle;
             }
         }
-        (newton, solution)
+        (newton, solution, coupled)
     }
 
     /// How much more is rounded where the angles of a tied loop have these values: they are counted from the start.

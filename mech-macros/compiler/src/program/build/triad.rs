@@ -4,6 +4,7 @@
 
 use super::Writer;
 use super::closing::System;
+use super::watching::Side;
 use crate::model::{AxisId, LinkId};
 use crate::plan::{Algebra, Connection, ConnectionKind, Equation, Loop, Solution, Unknown};
 use crate::program::newton::Newton;
@@ -78,7 +79,7 @@ impl Writer<'_> {
         block: BlockId,
         triad: &Triad,
         first: LinkId,
-    ) -> (Newton, Vec<Solution<Value>>) {
+    ) -> (Newton, Vec<Solution<Value>>, Option<Side>) {
         let name = self.name_of(triad.middle).to_owned();
         let names = [name.clone(), format!("{name}_x"), format!("{name}_y")];
         let frame = self.last_pose(first).inverse(&mut self.builder);
@@ -104,7 +105,10 @@ impl Writer<'_> {
         for leg in triad.legs {
             self.leg_equation(leg, &now, &mut system);
         }
-        self.advance(block, &names, scalars, &now, system)
+        let side = self.keep_coupled_side(&system.columns);
+        system.side = side.map(|side| side.last);
+        let (newton, solution) = self.advance(block, &names, scalars, &now, system);
+        (newton, solution, side)
     }
 
     /// The leg's length is what it is: (|d|² − L²) / 2L = 0, with d from its foot to its head.

@@ -4,12 +4,27 @@ use super::Writer;
 use super::tied::Tied;
 use crate::plan::{Algebra, Equation, Solution, Turning};
 use crate::program::builder::Builder;
-use crate::program::node::{BlockId, Value};
+use crate::program::newton::Newton;
+use crate::program::node::{BlockId, Op, Value};
 use crate::program::{Bound, Follow, Growth, Watch};
+use mech_core::dense::solve;
 use mech_core::journey;
 
 /// Of the square of a tied loop's sine so much of rounding hides the sign: an iteration ends where a gap is that small.
 const OF_ROUNDING: f64 = 32768.0;
+
+/// The determinant of coupled loops is measured against that of the start, but against no less than this part of what their columns'
+/// lengths allow: a start near a change point is no measure.
+const OF_LENGTHS: f64 = 0.0625;
+
+/// On which side of their change points coupled loops are.
+#[derive(Clone, Copy)]
+pub(super) struct Side {
+    /// A number with its sign: the sine where they were.
+    pub(super) last: Value,
+    /// One over the determinant of which the sine is a part.
+    scale: f64,
+}
 
 /// How a loop is solved that may be watched.
 #[derive(Clone, Copy)]
@@ -145,6 +160,39 @@ impl Writer<'_> {
         let sine = self.sine_of(pair(columns)?);
         let start = self.builder.at_start(sine);
         Some(self.keep(start))
+    }
+
+    /// On which side of their change points coupled loops are, if that is carried.
+    pub(super) fn keep_coupled_side(&mut self, columns: &[Vec<Value>]) -> Option<Side> {
+        self.choice().watching?;
+        if columns.iter().any(|column| column.len() != columns.len()) {
+            return None;
+        }
+        let rate = |value: &Value| self.builder.at_start(*value);
+        let mut rows: Vec<Vec<f64>> = (0..columns.len())
+            .map(|row| columns.iter().map(|column| rate(&column[row])).collect())
+            .collect();
+        let squares = |column: &Vec<Value>| column.iter().map(|value| rate(value).powi(2)).sum();
+        let lengths: f64 = columns.iter().map(squares).map(f64::sqrt).product();
+        let det = solve(&mut rows, &mut vec![0.0; columns.len()]);
+        let scale = 1.0 / det.abs().max(OF_LENGTHS * lengths);
+        let last = self.keep(scale * det);
+        Some(Side { last, scale })
+    }
+
+    /// Coupled loops go on past their change points, or stop there. Their determinant is that where they are closed.
+    pub(super) fn watch_coupled(&mut self, block: BlockId, newton: &Newton, side: Side) {
+        let scale = self.builder.constant(side.scale);
+        let signed = self.builder.make(Op::CopySign(scale, side.last));
+        let sine = self.builder.mul(signed, newton.det);
+        let rounding_square = self
+            .builder
+            .constant(OF_ROUNDING * self.model.precision.epsilon());
+        let is = Watchable {
+            has_branch: true,
+            iterated: true,
+        };
+        self.watch_loop(block, [sine, rounding_square], is);
     }
 
     /// A tied loop goes on past its change points, or stops there: on its other side the iteration is begun from where it came.

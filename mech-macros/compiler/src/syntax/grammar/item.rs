@@ -137,7 +137,7 @@ pub(super) fn look(input: ParseStream) -> Read<(Option<Expr>, Option<Expr>)> {
 fn plane(input: ParseStream) -> Read<Option<Expr>> {
     if let Some(word) = take_word(input, "plane") {
         let plane = expression(input)?;
-        let text = format!("a plane is told by two words; write `on plane {plane}`");
+        let text = format!("a plane is given by two words; write `on plane {plane}`");
         return Err(Message::new(Place::at(word).to(plane.place), text));
     }
     if take_word(input, "on").is_none() {

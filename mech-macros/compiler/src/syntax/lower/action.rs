@@ -372,13 +372,12 @@ impl Lowering {
 }
 
 /// The methods that forces add, those that motion under forces adds, and those that both add to pictures.
-const FORCE_METHODS: [&str; 6] = [
+const FORCE_METHODS: [&str; 5] = [
     "hold_at",
     "torques",
     "forces",
     "TORQUES_COST",
     "FORCES_COST",
-    "JOINTS",
 ];
 const DYNAMICS_METHODS: [&str; 7] = [
     "rates",

@@ -130,10 +130,10 @@ impl Lowering {
         });
         let points = model.axes.iter().filter_map(|axis| {
             let name = axis.name.as_deref()?;
-            let is_told = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
+            let is_exposed = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
             let link = &model.link(axis.link).name;
             let owner = format!("point `{link}.{name}`");
-            is_told.then(|| (format!("{link}_{name}"), owner, axis.origin, "velocity"))
+            is_exposed.then(|| (format!("{link}_{name}"), owner, axis.origin, "velocity"))
         });
         let joints = model.joints.iter().filter(|joint| {
             let moves = matches!(

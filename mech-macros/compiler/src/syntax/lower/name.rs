@@ -6,10 +6,12 @@ use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
 
 /// Methods that every mechanism has.
-const RESERVED: [&str; 35] = [
+const RESERVED: [&str; 37] = [
     "NAME",
     "MOTORS",
     "LINKS",
+    "JOINTS",
+    "joints",
     "SHAPES",
     "view",
     "RATES_COST",

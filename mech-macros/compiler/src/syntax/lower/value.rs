@@ -198,8 +198,8 @@ impl Lowering {
             Direction::Parts(pair) => lowering.direction_of_parts(pair),
             Direction::Angle(angle) => {
                 let value = lowering.value(angle)?;
-                let is_told = lowering.is_degrees_perhaps(angle, value);
-                (!is_told).then(|| direction_at(value))
+                let is_reported = lowering.is_degrees_perhaps(angle, value);
+                (!is_reported).then(|| direction_at(value))
             }
         })
     }

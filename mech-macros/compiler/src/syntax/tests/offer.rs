@@ -217,7 +217,7 @@ fn a_joint_joins_two_links() {
 fn a_look_is_told_by_its_words() {
     offered(
         "link a { circle (0, 0) radius 1 «plane 2»; }",
-        "a plane is told by two words; write `on plane 2`",
+        "a plane is given by two words; write `on plane 2`",
     );
     offered(
         "link a { circle (0, 0) radius 1 on «2»; }",
@@ -243,12 +243,12 @@ fn a_color_is_a_number() {
         9 pink, 10 sky, 11 brown, 12 olive, 13 slate, 14 ink, 15 eye, 16 hatch, 17 steel";
     offered(
         "link a { circle (0, 0) radius 1 color «red»; }",
-        &format!("a color is told by its number; write `5` for `red`\n\nnote: {table}"),
+        &format!("a color is given by its number; write `5` for `red`\n\nnote: {table}"),
     );
     super::assert_messages(
         "link a { circle (0, 0) radius 1 color «black»; }",
         &[&format!(
-            "a color is told by its number, and no palette names one `black`\n\nnote: {table}"
+            "a color is given by its number, and no palette names one `black`\n\nnote: {table}"
         )],
     );
     super::assert_messages(

@@ -60,52 +60,52 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
-    use crate::abilities::ways::{BAD, ways};
+    use crate::abilities::recorder::Recorder;
+    use crate::abilities::moves::{BAD, all_moves};
     use core::hint::black_box;
     use mech_runtime::{GaussLegendre, Real};
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
-        ways::<StephensonFar>(teller, 0.02);
-        ways::<DoubleButterfly>(teller, 0.02);
-        ways::<Rounds>(teller, 0.01);
-        three(teller);
-        six(teller);
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
+        all_moves::<StephensonFar>(recorder, 0.02);
+        all_moves::<DoubleButterfly>(recorder, 0.02);
+        all_moves::<Rounds>(recorder, 0.01);
+        three(recorder);
+        six(recorder);
     }
 
-    fn three(teller: &mut Teller<impl Listener>) {
+    fn three(recorder: &mut Recorder<impl Listener>) {
         let mut m = StephensonFar::new();
-        for way in black_box([0.01, -0.02, 0.03]) {
-            let outcome = m.move_with([way], [1.0], [0.5]);
-            teller.tell("three-rates", &(outcome, m.velocities()));
-            teller.tell("three-rates", &m.accelerations());
-            teller.tell("three-influence_coefficients", &m.influence_coefficients());
-            teller.tell("three-sensitivities", &m.sensitivities());
-            teller.tell("three-tip", &m.coupler_tip_sensitivity());
-            teller.tell("three-param", &(m.set_reach(2.2 + way), m.poses()));
+        for value in black_box([0.01, -0.02, 0.03]) {
+            let outcome = m.move_with([value], [1.0], [0.5]);
+            recorder.record("three-rates", &(outcome, m.velocities()));
+            recorder.record("three-rates", &m.accelerations());
+            recorder.record("three-influence_coefficients", &m.influence_coefficients());
+            recorder.record("three-sensitivities", &m.sensitivities());
+            recorder.record("three-tip", &m.coupler_tip_sensitivity());
+            recorder.record("three-param", &(m.set_reach(2.2 + value), m.poses()));
         }
         for bad in BAD {
-            teller.tell("three-bad", &m.set_reach(Real::from_f64(black_box(bad))));
+            recorder.record("three-bad", &m.set_reach(Real::from_f64(black_box(bad))));
         }
     }
 
-    fn six(teller: &mut Teller<impl Listener>) {
+    fn six(recorder: &mut Recorder<impl Listener>) {
         let mut m = DoubleButterfly::new();
-        for way in black_box([0.01, -0.02, 0.03]) {
-            let outcome = m.move_with([way], [1.0], [0.5]);
-            teller.tell("six-rates", &(outcome, m.velocities()));
-            teller.tell("six-rates", &m.accelerations());
-            teller.tell("six-hold", &m.hold_at([way]));
-            teller.tell("six-forces", &m.forces([way], [-way]));
-            teller.tell("six-energy", &(m.energy(), m.motor_accelerations([way])));
+        for value in black_box([0.01, -0.02, 0.03]) {
+            let outcome = m.move_with([value], [1.0], [0.5]);
+            recorder.record("six-rates", &(outcome, m.velocities()));
+            recorder.record("six-rates", &m.accelerations());
+            recorder.record("six-hold", &m.hold_at([value]));
+            recorder.record("six-forces", &m.forces([value], [-value]));
+            recorder.record("six-energy", &(m.energy(), m.motor_accelerations([value])));
             for method in [GaussLegendre::Order2, GaussLegendre::Order4, GaussLegendre::Order6] {
-                let outcome = m.simulate_by(black_box(method), 0.002, [way]);
-                teller.tell("six-simulated", &(outcome, m.poses()));
+                let outcome = m.simulate_by(black_box(method), 0.002, [value]);
+                recorder.record("six-simulated", &(outcome, m.poses()));
             }
         }
         for bad in BAD {
             let bad = Real::from_f64(black_box(bad));
-            teller.tell("six-bad", &(m.hold_at([bad]), m.simulate(bad, [bad]), m.set_rates([bad])));
+            recorder.record("six-bad", &(m.hold_at([bad]), m.simulate(bad, [bad]), m.set_rates([bad])));
         }
     }
 }

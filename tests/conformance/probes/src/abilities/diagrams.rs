@@ -49,7 +49,7 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
+    use crate::abilities::recorder::Recorder;
     use crate::panel::{Panel, sum};
     use core::hint::black_box;
     use mech_runtime::overlay::Arrows;
@@ -59,12 +59,12 @@ in_both_precisions! {
     /// A number of the mechanism's.
     type Number = <Everything as Mechanism>::Scalar;
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
         let mut m = Everything::new();
-        for way in [0.3, 0.6, 0.9, 1.2, 1.5, 1.8] {
-            let way = Real::from_f64(black_box(way));
-            let moved = m.move_with([way, way], [1.0, 0.5].map(black_box), [0.5, -0.5]);
-            teller.tell("diagram", &(moved, m.set_push([way, -way]), m.set_twist(way)));
+        for value in [0.3, 0.6, 0.9, 1.2, 1.5, 1.8] {
+            let value = Real::from_f64(black_box(value));
+            let moved = m.move_with([value, value], [1.0, 0.5].map(black_box), [0.5, -0.5]);
+            recorder.record("diagram", &(moved, m.set_push([value, -value]), m.set_twist(value)));
         }
         let mut frame = Frame::<160, 120>::new();
         let mut smooth = Everything::picture::<120, 90>();
@@ -91,7 +91,7 @@ in_both_precisions! {
             screen.clear();
             drawn(&m, size, &mut screen);
             let Ok(()) = screen.finish();
-            teller.tell("diagram", &((frame, smooth), (stage, panel.sum())));
+            recorder.record("diagram", &((frame, smooth), (stage, panel.sum())));
         }
     }
 

@@ -52,32 +52,32 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
-    use crate::abilities::ways::BAD;
+    use crate::abilities::recorder::Recorder;
+    use crate::abilities::moves::BAD;
     use core::hint::black_box;
     use mech_runtime::{GaussLegendre, Mechanism, Phase, Real};
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
         macro_rules! simulated {
             ($mechanism:ty, $motors:literal) => {
                 let mut m = <$mechanism>::new();
                 let name = <$mechanism>::NAME;
-                teller.tell(name, &m.set_rates([black_box(2.0); $motors]));
+                recorder.record(name, &m.set_rates([black_box(2.0); $motors]));
                 for _ in 0..black_box(4) {
                     for method in [GaussLegendre::Order2, GaussLegendre::Order4, GaussLegendre::Order6] {
                         let outcome = m.simulate_by(black_box(method), black_box(0.01), [black_box(0.5); $motors]);
-                        teller.tell(name, &(outcome, m.motors(), m.rates()));
-                        teller.tell(name, &m.poses());
+                        recorder.record(name, &(outcome, m.motors(), m.rates()));
+                        recorder.record(name, &m.poses());
                     }
-                    teller.tell(name, &m.simulate(black_box(-0.02), [0.0; $motors]));
-                    teller.tell(name, &(m.energy(), m.motor_accelerations([black_box(1.0); $motors])));
+                    recorder.record(name, &m.simulate(black_box(-0.02), [0.0; $motors]));
+                    recorder.record(name, &(m.energy(), m.motor_accelerations([black_box(1.0); $motors])));
                 }
                 for bad in [3.0, 30.0].into_iter().chain(BAD) {
                     let bad = Real::from_f64(black_box(bad));
-                    teller.tell(name, &(m.simulate(bad, [0.0; $motors]), m.rates()));
-                    teller.tell(name, &(m.simulate(0.01, [bad; $motors]), m.rates()));
-                    teller.tell(name, &(m.set_rates([bad; $motors]), m.motor_accelerations([bad; $motors])));
-                    teller.tell(name, &(m.simulate(0.01, [0.0; $motors]), m.poses()));
+                    recorder.record(name, &(m.simulate(bad, [0.0; $motors]), m.rates()));
+                    recorder.record(name, &(m.simulate(0.01, [bad; $motors]), m.rates()));
+                    recorder.record(name, &(m.set_rates([bad; $motors]), m.motor_accelerations([bad; $motors])));
+                    recorder.record(name, &(m.simulate(0.01, [0.0; $motors]), m.poses()));
                 }
             };
         }
@@ -85,10 +85,10 @@ in_both_precisions! {
         simulated!(Bouncing, 2);
         simulated!(Weightless, 1);
         let mut swinging = Swinging::new();
-        let outcome = swinging.turn_to(Phase::from_degrees(black_box(400.0)).unwrap_or_default());
-        teller.tell("Swinging", &(outcome, swinging.poses()));
+        let outcome = swinging.turn_to([Phase::from_degrees(black_box(400.0)).unwrap_or_default()]);
+        recorder.record("Swinging", &(outcome, swinging.poses()));
         let mut bouncing = Bouncing::new();
-        teller.tell("Bouncing", &bouncing.hold_at([1.5, 1.7].map(black_box)));
-        teller.tell("Bouncing", &bouncing.forces([0.1, 0.2].map(black_box), [0.0; 2]));
+        recorder.record("Bouncing", &bouncing.hold_at([1.5, 1.7].map(black_box)));
+        recorder.record("Bouncing", &bouncing.forces([0.1, 0.2].map(black_box), [0.0; 2]));
     }
 }

@@ -55,38 +55,38 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
-    use crate::abilities::ways::BAD;
+    use crate::abilities::recorder::Recorder;
+    use crate::abilities::moves::BAD;
     use core::hint::black_box;
     use mech_runtime::Real;
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
-        press(teller);
-        bench(teller);
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
+        press(recorder);
+        bench(recorder);
     }
 
-    fn press(teller: &mut Teller<impl Listener>) {
+    fn press(recorder: &mut Recorder<impl Listener>) {
         let mut m = Press::new();
-        for way in [0.5, 1.0, -2.0, 30.0].into_iter().chain(BAD) {
-            let way = Real::from_f64(black_box(way));
-            teller.tell("press", &(m.set_work([way, -way]), m.set_twist(way)));
-            teller.tell("press", &(m.hold_at([way]), m.torques(), m.coil()));
-            teller.tell("press", &m.forces([way], [black_box(0.5)]));
-            teller.tell("press", &m.forces([black_box(2.0)], [way]));
-            teller.tell("press", &(m.work_advantage([way, black_box(1.0)]), m.twist_advantage()));
-            teller.tell("press", &(m.poses(), m.work(), m.twist()));
+        for value in [0.5, 1.0, -2.0, 30.0].into_iter().chain(BAD) {
+            let value = Real::from_f64(black_box(value));
+            recorder.record("press", &(m.set_work([value, -value]), m.set_twist(value)));
+            recorder.record("press", &(m.hold_at([value]), m.torques(), m.coil()));
+            recorder.record("press", &m.forces([value], [black_box(0.5)]));
+            recorder.record("press", &m.forces([black_box(2.0)], [value]));
+            recorder.record("press", &(m.work_advantage([value, black_box(1.0)]), m.twist_advantage()));
+            recorder.record("press", &(m.poses(), m.work(), m.twist()));
         }
     }
 
-    fn bench(teller: &mut Teller<impl Listener>) {
+    fn bench(recorder: &mut Recorder<impl Listener>) {
         let mut m = Bench::new();
-        for way in [0.1, -0.2, 0.3].into_iter().chain(BAD) {
-            let way = Real::from_f64(black_box(way));
-            teller.tell("bench", &m.set_push([way, way]));
-            teller.tell("bench", &(m.hold_at([way, way]), m.poses()));
-            teller.tell("bench", &m.forces([way, way], [way, -way]));
-            teller.tell("bench", &(m.push_advantage([way, way]), m.energy()));
-            teller.tell("bench", &(m.simulate(black_box(0.01), [way, -way]), m.poses()));
+        for value in [0.1, -0.2, 0.3].into_iter().chain(BAD) {
+            let value = Real::from_f64(black_box(value));
+            recorder.record("bench", &m.set_push([value, value]));
+            recorder.record("bench", &(m.hold_at([value, value]), m.poses()));
+            recorder.record("bench", &m.forces([value, value], [value, -value]));
+            recorder.record("bench", &(m.push_advantage([value, value]), m.energy()));
+            recorder.record("bench", &(m.simulate(black_box(0.01), [value, -value]), m.poses()));
         }
     }
 }

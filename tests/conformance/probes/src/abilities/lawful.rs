@@ -28,19 +28,19 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
-    use crate::abilities::ways::BAD;
+    use crate::abilities::recorder::Recorder;
+    use crate::abilities::moves::BAD;
     use core::hint::black_box;
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
         let (mut lawful, mut swaying) = (Lawful::new(), Swaying::new());
         for time in [0.0, 0.3, 1.7, 1e6, -0.5, 2.0, -3.0].into_iter().chain(BAD) {
             let time = black_box(time);
-            teller.tell("lawful", &lawful.at_time(time));
-            teller.tell("lawful", &(lawful.motors(), lawful.poses()));
-            teller.tell("lawful", &(lawful.velocities(), lawful.accelerations()));
-            teller.tell("swaying", &(swaying.at_time(time), swaying.motors(), swaying.poses()));
+            recorder.record("lawful", &lawful.at_time(time));
+            recorder.record("lawful", &(lawful.motors(), lawful.poses()));
+            recorder.record("lawful", &(lawful.velocities(), lawful.accelerations()));
+            recorder.record("swaying", &(swaying.at_time(time), swaying.motors(), swaying.poses()));
         }
-        teller.tell("coordinates", &[swaying.b(), swaying.c(), swaying.x(), swaying.a()]);
+        recorder.record("coordinates", &[swaying.b(), swaying.c(), swaying.x(), swaying.a()]);
     }
 }

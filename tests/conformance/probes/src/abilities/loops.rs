@@ -131,21 +131,21 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
-    use crate::abilities::ways::ways;
+    use crate::abilities::recorder::Recorder;
+    use crate::abilities::moves::all_moves;
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
-        ways::<DoubleRocker>(teller, 0.3);
-        ways::<SliderCrank>(teller, 0.7);
-        ways::<Engine>(teller, 0.3);
-        ways::<QuickReturn>(teller, 0.4);
-        ways::<Tangent>(teller, 0.2);
-        ways::<ScotchYoke>(teller, 0.6);
-        ways::<Wedge>(teller, 0.1);
-        ways::<Parallelogram>(teller, 0.4);
-        ways::<Kite>(teller, 0.4);
-        ways::<Cautious>(teller, 0.4);
-        ways::<Watt>(teller, 0.3);
-        ways::<ThreeCranks>(teller, 0.2);
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
+        all_moves::<DoubleRocker>(recorder, 0.3);
+        all_moves::<SliderCrank>(recorder, 0.7);
+        all_moves::<Engine>(recorder, 0.3);
+        all_moves::<QuickReturn>(recorder, 0.4);
+        all_moves::<Tangent>(recorder, 0.2);
+        all_moves::<ScotchYoke>(recorder, 0.6);
+        all_moves::<Wedge>(recorder, 0.1);
+        all_moves::<Parallelogram>(recorder, 0.4);
+        all_moves::<Kite>(recorder, 0.4);
+        all_moves::<Cautious>(recorder, 0.4);
+        all_moves::<Watt>(recorder, 0.3);
+        all_moves::<ThreeCranks>(recorder, 0.2);
     }
 }

@@ -47,7 +47,7 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
+    use crate::abilities::recorder::Recorder;
     use core::array;
     use core::hint::black_box;
     use mech_runtime::{Columns, Mechanism, Real};
@@ -55,7 +55,7 @@ in_both_precisions! {
     /// Positions: more than are computed side by side, and a rest.
     const COUNT: usize = 21;
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
         macro_rules! many {
             ($mechanism:ty) => {
                 for worst in [0.1, 1e4, f64::NAN, 1e30] {
@@ -65,20 +65,20 @@ in_both_precisions! {
                         let columns = Columns::new(&mut buffer, black_box(room));
                         if let Some(mut columns) = columns {
                             let outcome = <$mechanism>::new().solve_many(&motors, &mut columns);
-                            teller.tell(<$mechanism>::NAME, &outcome);
+                            recorder.record(<$mechanism>::NAME, &outcome);
                             let pose = columns.pose(black_box(2), black_box(17));
                             let point = columns.point(black_box(3), black_box(17), [1.0, 2.0]);
-                            teller.tell(<$mechanism>::NAME, &(pose, point));
+                            recorder.record(<$mechanism>::NAME, &(pose, point));
                             for link in 0..3 {
-                                teller.tell(<$mechanism>::NAME, &columns.link(link));
+                                recorder.record(<$mechanism>::NAME, &columns.link(link));
                             }
                         }
                     }
                     let mut instances: [$mechanism; COUNT] = array::from_fn(|_| <$mechanism>::new());
                     let outcome = <$mechanism>::move_many(&mut instances, &motors);
-                    teller.tell(<$mechanism>::NAME, &outcome);
+                    recorder.record(<$mechanism>::NAME, &outcome);
                     for instance in &instances {
-                        teller.tell(<$mechanism>::NAME, &instance.poses());
+                        recorder.record(<$mechanism>::NAME, &instance.poses());
                     }
                 }
             };
@@ -89,7 +89,7 @@ in_both_precisions! {
         many!(Changing);
         let mut short = [Real::from_f64(0.0); 5];
         let columns: Option<Columns<'_, f64, 3>> = Columns::new(&mut short, black_box(usize::MAX));
-        teller.tell("columns", &columns.is_some());
+        recorder.record("columns", &columns.is_some());
     }
 
     /// So many, one of them bad perhaps.

@@ -20,11 +20,11 @@ macro_rules! by_every_method {
             }
 
             use crate::Listener;
-            use crate::abilities::teller::Teller;
-            use crate::abilities::ways::ways;
+            use crate::abilities::recorder::Recorder;
+            use crate::abilities::moves::all_moves;
 
-            pub(super) fn ask(teller: &mut Teller<impl Listener>) {
-                $(ways::<$name>(teller, 0.25);)*
+            pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
+                $(all_moves::<$name>(recorder, 0.25);)*
             }
         }
     };

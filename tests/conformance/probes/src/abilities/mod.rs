@@ -16,8 +16,8 @@ macro_rules! in_both_precisions {
 
         /// Asks for all of it.
         pub(super) fn ask(listener: &mut impl crate::Listener) {
-            double::ask(&mut crate::abilities::Teller::new(listener, "f64"));
-            single::ask(&mut crate::abilities::Teller::new(listener, "f32"));
+            double::ask(&mut crate::abilities::Recorder::new(listener, "f64"));
+            single::ask(&mut crate::abilities::Recorder::new(listener, "f32"));
         }
     };
 }
@@ -30,18 +30,18 @@ mod lawful;
 mod loops;
 mod many;
 mod methods;
+mod moves;
 mod paints;
 mod params;
 mod phases;
 mod ranges;
 mod rates;
+mod recorder;
 mod rolling;
-mod teller;
-mod told;
-mod ways;
+mod words;
 
 use crate::Listener;
-use teller::Teller;
+use recorder::Recorder;
 
 /// Tells what comes of everything that mechanisms and pictures can do, with numbers the compiler cannot foresee: good ones and bad
 /// ones.

@@ -1,7 +1,7 @@
 //! Pictures of every kind, of everything that can be painted, with good numbers and bad ones.
 
-use super::teller::Teller;
-use super::ways::BAD;
+use super::moves::BAD;
+use super::recorder::Recorder;
 use crate::Listener;
 use crate::panel::sum;
 use core::hint::black_box;
@@ -28,27 +28,27 @@ const STAR: [[f64; 2]; 5] = [
 
 /// Asks for all of it.
 pub(super) fn ask(listener: &mut impl Listener) {
-    in_precision::<f64>(&mut Teller::new(listener, "f64"));
-    in_precision::<f32>(&mut Teller::new(listener, "f32"));
-    let teller = &mut Teller::new(listener, "f32");
-    palettes(teller);
-    targets(teller);
+    in_precision::<f64>(&mut Recorder::new(listener, "f64"));
+    in_precision::<f32>(&mut Recorder::new(listener, "f32"));
+    let recorder = &mut Recorder::new(listener, "f32");
+    palettes(recorder);
+    targets(recorder);
 }
 
-fn in_precision<T: Scalar>(teller: &mut Teller<impl Listener>) {
+fn in_precision<T: Scalar>(recorder: &mut Recorder<impl Listener>) {
     for number in [0.0, 1.0, 7.3, -2.0, 1e4, 1e-9].into_iter().chain(BAD) {
         let number = black_box(number);
-        of_size::<T, 96, 64>(teller, number);
-        of_size::<T, 0, 0>(teller, number);
-        of_size::<T, 3, 0>(teller, number);
-        of_size::<T, 0, 3>(teller, number);
-        of_size::<T, 1, 70>(teller, number);
+        of_size::<T, 96, 64>(recorder, number);
+        of_size::<T, 0, 0>(recorder, number);
+        of_size::<T, 3, 0>(recorder, number);
+        of_size::<T, 0, 3>(recorder, number);
+        of_size::<T, 1, 70>(recorder, number);
     }
 }
 
 /// Paints on pictures of this size.
 fn of_size<T: Scalar, const W: usize, const H: usize>(
-    teller: &mut Teller<impl Listener>,
+    recorder: &mut Recorder<impl Listener>,
     number: f64,
 ) {
     let fit = View::fit([-20.0, -20.0], [number, 20.0], W, H, black_box(2.0));
@@ -62,7 +62,7 @@ fn of_size<T: Scalar, const W: usize, const H: usize>(
         all::<T>(&mut frame, number);
         let painted = pixels(&frame);
         let pixel = (frame.pixel(black_box(90), 5), frame.rgb(5, black_box(60)));
-        teller.tell("frame", &(painted, pixel));
+        recorder.record("frame", &(painted, pixel));
 
         let mut smooth = Smooth::<W, H>::new();
         smooth.look_at(view);
@@ -74,23 +74,23 @@ fn of_size<T: Scalar, const W: usize, const H: usize>(
             .flatten()
             .copied()
             .map(u16::from));
-        teller.tell("smooth", &(painted, smooth.pixel(black_box(5), 60)));
+        recorder.record("smooth", &(painted, smooth.pixel(black_box(5), 60)));
 
         let mut display = Frame::<80, 50>::new();
         let mut screen = Screen::new(&mut display, view, mixed);
         screen.clear();
         all::<T>(&mut screen, number);
         let Ok(()) = screen.finish();
-        teller.tell("screen", &pixels(&display));
+        recorder.record("screen", &pixels(&display));
         let Ok(()) = frame.show(&mut display, mixed);
-        teller.tell("shown", &pixels(&display));
+        recorder.record("shown", &pixels(&display));
     }
-    staged::<T, W, H>(teller, number, fit);
+    staged::<T, W, H>(recorder, number, fit);
 }
 
 /// What stands still, what moves, and more than there is account of.
 fn staged<T: Scalar, const W: usize, const H: usize>(
-    teller: &mut Teller<impl Listener>,
+    recorder: &mut Recorder<impl Listener>,
     number: f64,
     view: View,
 ) {
@@ -109,14 +109,14 @@ fn staged<T: Scalar, const W: usize, const H: usize>(
             }
         });
         for area in stage.changed() {
-            teller.tell("changed", &area);
+            recorder.record("changed", &area);
             let corner = [area.x, area.y].map(|at| i32::try_from(at).unwrap_or(i32::MAX));
             let size =
                 [area.width, area.height].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
             let part = Rectangle::new(corner.into(), size.into());
             let Ok(()) = stage.frame().show_part(&mut display, &part, mixed);
         }
-        teller.tell("stage", &(pixels(stage.frame()), pixels(&display)));
+        recorder.record("stage", &(pixels(stage.frame()), pixels(&display)));
     }
 }
 
@@ -246,7 +246,7 @@ fn all<T: Scalar>(canvas: &mut impl Canvas<T>, number: f64) {
     Trace::<T, 0>::new().draw(canvas, Palette::PURPLE);
 }
 
-fn palettes(teller: &mut Teller<impl Listener>) {
+fn palettes(recorder: &mut Recorder<impl Listener>) {
     let mut palette = Palette::TEXTBOOK;
     for entry in 0..=u8::MAX {
         let entry = black_box(entry);
@@ -256,11 +256,11 @@ fn palettes(teller: &mut Teller<impl Listener>) {
             Palette::shade(entry, entry),
         ];
         palette = palette.with(entry, kinds);
-        teller.tell("palette", &(kinds, palette.rgb(entry), palette.rgba(entry)));
+        recorder.record("palette", &(kinds, palette.rgb(entry), palette.rgba(entry)));
     }
     let frame = Frame::<4, 4>::new();
     let entries: [[u8; 3]; 256] = *frame.palette().entries();
-    teller.tell("palette", &entries);
+    recorder.record("palette", &entries);
 }
 
 /// A check sum of all pixels.
@@ -274,7 +274,7 @@ const fn mixed([red, green, blue]: [u8; 3]) -> Entry {
 }
 
 /// Frames that embedded-graphics draws on, and that are drawn as images.
-fn targets(teller: &mut Teller<impl Listener>) {
+fn targets(recorder: &mut Recorder<impl Listener>) {
     let mut frame = Frame::<40, 30>::new();
     let mut display = Frame::<80, 50>::new();
     let far = [i32::MIN, -3, 7, i32::MAX];
@@ -291,9 +291,9 @@ fn targets(teller: &mut Teller<impl Listener>) {
             let picture = frame.image(mixed);
             let Ok(()) = picture.draw_sub_image(&mut display, &area);
             let Ok(()) = picture.draw(&mut display);
-            teller.tell("target", &(pixels(&frame), pixels(&display)));
+            recorder.record("target", &(pixels(&frame), pixels(&display)));
         }
     }
     let Ok(()) = DrawTarget::clear(&mut frame, Entry(black_box(7)));
-    teller.tell("target", &pixels(&frame));
+    recorder.record("target", &pixels(&frame));
 }

@@ -41,37 +41,37 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
-    use crate::abilities::ways::{BAD, ways};
+    use crate::abilities::recorder::Recorder;
+    use crate::abilities::moves::{BAD, all_moves};
     use core::hint::black_box;
     use mech_runtime::Real;
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
-        ways::<FourBar>(teller, 0.4);
-        ways::<Iterated>(teller, 0.2);
-        four_bar(teller);
-        iterated(teller);
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
+        all_moves::<FourBar>(recorder, 0.4);
+        all_moves::<Iterated>(recorder, 0.2);
+        four_bar(recorder);
+        iterated(recorder);
     }
 
-    fn four_bar(teller: &mut Teller<impl Listener>) {
+    fn four_bar(recorder: &mut Recorder<impl Listener>) {
         let mut m = FourBar::new();
         for value in [3.6, 3.4, 4.0, 0.1, -1.0].into_iter().chain(BAD) {
             let value = Real::from_f64(black_box(value));
-            teller.tell("params", &(m.set_length(value), m.set_base(value), m.params()));
-            teller.tell("params", &(m.set_params([value, black_box(4.0)]), m.poses()));
-            teller.tell("params", &m.move_with([value, 1.0], [1.0, 1.0], [0.5, 0.5]));
-            teller.tell("params", &m.sensitivities());
+            recorder.record("params", &(m.set_length(value), m.set_base(value), m.params()));
+            recorder.record("params", &(m.set_params([value, black_box(4.0)]), m.poses()));
+            recorder.record("params", &m.move_with([value, 1.0], [1.0, 1.0], [0.5, 0.5]));
+            recorder.record("params", &m.sensitivities());
             let tip = m.rod_tip_sensitivity();
-            teller.tell("params", &(tip, m.rod_sensitivity(), m.d_sensitivity()));
+            recorder.record("params", &(tip, m.rod_sensitivity(), m.d_sensitivity()));
         }
     }
 
-    fn iterated(teller: &mut Teller<impl Listener>) {
+    fn iterated(recorder: &mut Recorder<impl Listener>) {
         let mut m = Iterated::new();
         for value in [0.7, 0.9, 1.2, 9.0].into_iter().chain(BAD) {
             let value = Real::from_f64(black_box(value));
-            teller.tell("iterated", &(m.set_x(value), m.x(), m.poses()));
-            teller.tell("iterated", &(m.coupler_tip_sensitivity(), m.e_sensitivity(), m.p_sensitivity()));
+            recorder.record("iterated", &(m.set_x(value), m.x(), m.poses()));
+            recorder.record("iterated", &(m.coupler_tip_sensitivity(), m.e_sensitivity(), m.p_sensitivity()));
         }
     }
 }

@@ -25,14 +25,14 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
-    use crate::abilities::ways::{BAD, ways};
+    use crate::abilities::recorder::Recorder;
+    use crate::abilities::moves::{BAD, all_moves};
     use core::hint::black_box;
     use mech_runtime::Real;
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
-        ways::<Wiper>(teller, 0.4);
-        ways::<Winch>(teller, 9.0);
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
+        all_moves::<Wiper>(recorder, 0.4);
+        all_moves::<Winch>(recorder, 9.0);
         let (mut wiper, mut winch) = (Wiper::new(), Winch::new());
         for value in [0.5, 3.0, 6.25, -0.1].into_iter().chain(BAD) {
             let value = Real::from_f64(black_box(value));
@@ -42,7 +42,7 @@ in_both_precisions! {
             if let Some(values) = Winch::range([value, value]) {
                 winch.move_within(values);
             }
-            teller.tell("within", &(wiper.motors(), wiper.poses(), winch.poses()));
+            recorder.record("within", &(wiper.motors(), wiper.poses(), winch.poses()));
         }
     }
 }

@@ -48,47 +48,47 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
-    use crate::abilities::ways::{BAD, ways};
+    use crate::abilities::recorder::Recorder;
+    use crate::abilities::moves::{BAD, all_moves};
     use core::hint::black_box;
     use mech_runtime::{Phase, Real};
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
-        ways::<Machine>(teller, 0.8);
-        ways::<Rocking>(teller, 0.2);
-        machine(teller);
-        rocking(teller);
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
+        all_moves::<Machine>(recorder, 0.8);
+        all_moves::<Rocking>(recorder, 0.2);
+        machine(recorder);
+        rocking(recorder);
     }
 
-    fn machine(teller: &mut Teller<impl Listener>) {
+    fn machine(recorder: &mut Recorder<impl Listener>) {
         let mut m = Machine::new();
-        for way in [0.5, -1.0, 7.0, 100.0].into_iter().chain(BAD) {
-            let way = Real::from_f64(black_box(way));
-            teller.tell("machine", &m.move_with([way], [black_box(2.0)], [black_box(0.5)]));
-            teller.tell("machine", &m.velocities());
-            teller.tell("machine", &m.accelerations());
-            teller.tell("machine", &(m.rod_small_velocity(), m.rod_small_acceleration(), m.h_rate()));
-            teller.tell("machine", &(m.n(), m.n_rate(), m.h_acceleration()));
-            teller.tell("machine", &m.influence_coefficients());
-            teller.tell("machine", &m.move_with([1.0], [way], [1.0]));
-            teller.tell("machine", &m.move_with([1.0], [1.0], [way]));
+        for value in [0.5, -1.0, 7.0, 100.0].into_iter().chain(BAD) {
+            let value = Real::from_f64(black_box(value));
+            recorder.record("machine", &m.move_with([value], [black_box(2.0)], [black_box(0.5)]));
+            recorder.record("machine", &m.velocities());
+            recorder.record("machine", &m.accelerations());
+            recorder.record("machine", &(m.rod_small_velocity(), m.rod_small_acceleration(), m.h_rate()));
+            recorder.record("machine", &(m.n(), m.n_rate(), m.h_acceleration()));
+            recorder.record("machine", &m.influence_coefficients());
+            recorder.record("machine", &m.move_with([1.0], [value], [1.0]));
+            recorder.record("machine", &m.move_with([1.0], [1.0], [value]));
             for place in m.rod_small_trace().iter() {
-                teller.tell("trace", &place);
+                recorder.record("trace", &place);
             }
         }
         m.clear_traces();
         for turns in [0.25, -3.7, 1e9, 1e12] {
             let phase = Phase::from_turns(black_box(turns)).unwrap_or_default();
-            teller.tell("machine", &(m.turn_to(phase), m.poses()));
+            recorder.record("machine", &(m.turn_to([phase]), m.poses()));
         }
     }
 
-    fn rocking(teller: &mut Teller<impl Listener>) {
+    fn rocking(recorder: &mut Recorder<impl Listener>) {
         let mut m = Rocking::new();
         let reached = m.move_toward([black_box(9.0)]);
-        teller.tell("rocking", &(reached, m.poses()));
+        recorder.record("rocking", &(reached, m.poses()));
         let there = m.motors();
-        teller.tell("rocking", &(m.move_with(there, [black_box(1.0)]), m.influence_coefficients()));
-        teller.tell("rocking", &(m.coupler(), m.coupler_tip(), m.coupler_tip_velocity()));
+        recorder.record("rocking", &(m.move_with(there, [black_box(1.0)]), m.influence_coefficients()));
+        recorder.record("rocking", &(m.coupler(), m.coupler_tip(), m.coupler_tip_velocity()));
     }
 }

@@ -121,18 +121,18 @@ in_both_precisions! {
     }
 
     use crate::Listener;
-    use crate::abilities::teller::Teller;
-    use crate::abilities::ways::ways;
+    use crate::abilities::recorder::Recorder;
+    use crate::abilities::moves::all_moves;
 
-    pub(super) fn ask(teller: &mut Teller<impl Listener>) {
-        ways::<Clock>(teller, 1.3);
-        ways::<Differential>(teller, 0.9);
-        ways::<FourGears>(teller, 0.4);
-        ways::<TwoRacks>(teller, 0.3);
-        ways::<TiedFiveBar>(teller, 0.05);
-        ways::<GearedRocker>(teller, 0.3);
-        ways::<Lifter>(teller, 0.5);
-        ways::<Rocking>(teller, 0.3);
-        ways::<Ending>(teller, 0.11);
+    pub(super) fn ask(recorder: &mut Recorder<impl Listener>) {
+        all_moves::<Clock>(recorder, 1.3);
+        all_moves::<Differential>(recorder, 0.9);
+        all_moves::<FourGears>(recorder, 0.4);
+        all_moves::<TwoRacks>(recorder, 0.3);
+        all_moves::<TiedFiveBar>(recorder, 0.05);
+        all_moves::<GearedRocker>(recorder, 0.3);
+        all_moves::<Lifter>(recorder, 0.5);
+        all_moves::<Rocking>(recorder, 0.3);
+        all_moves::<Ending>(recorder, 0.11);
     }
 }

@@ -1,7 +1,7 @@
 //! What is asked of every mechanism: steps, leaps, bad numbers.
 
-use super::teller::Teller;
-use super::told::Told;
+use super::recorder::Recorder;
+use super::words::Words;
 use crate::Listener;
 use core::hint::black_box;
 use mech_runtime::{Mechanism, Real};
@@ -19,10 +19,10 @@ pub(super) const BAD: [f64; 7] = [
 
 /// Moves a mechanism by steps of this size, and as far as it can where it is blocked, back and forth; by leaps; and to bad numbers. Tells
 /// where it is.
-pub(super) fn ways<M: Mechanism>(teller: &mut Teller<impl Listener>, step: f64)
+pub(super) fn all_moves<M: Mechanism>(recorder: &mut Recorder<impl Listener>, step: f64)
 where
-    M::Motors: Told,
-    M::Scalar: Told,
+    M::Motors: Words,
+    M::Scalar: Words,
 {
     let mut mechanism = M::new();
     let start = mechanism.motors();
@@ -32,14 +32,14 @@ where
         let outcome = mechanism.move_to(to);
         if outcome.is_err() {
             let reached = mechanism.move_toward(to);
-            teller.tell(M::NAME, &(outcome, reached));
+            recorder.record(M::NAME, &(outcome, reached));
             size = -size;
         }
-        teller.tell(M::NAME, &mechanism.poses());
+        recorder.record(M::NAME, &mechanism.poses());
     }
     for leap in [1.0, -2.7, 12.0, -200.0].map(|steps| steps * step) {
         let outcome = mechanism.move_to(moved::<M>(start, leap));
-        teller.tell(M::NAME, &(outcome, mechanism.poses()));
+        recorder.record(M::NAME, &(outcome, mechanism.poses()));
     }
     for index in 0..start.as_ref().len() {
         for bad in BAD {
@@ -48,7 +48,7 @@ where
                 *motor = Real::from_f64(black_box(bad));
             }
             let outcomes = (mechanism.move_to(to), mechanism.move_toward(to));
-            teller.tell(M::NAME, &(outcomes, mechanism.poses()));
+            recorder.record(M::NAME, &(outcomes, mechanism.poses()));
         }
     }
 }

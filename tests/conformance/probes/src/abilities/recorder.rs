@@ -1,18 +1,18 @@
 //! Tells a listener what was found.
 
-use super::told::Told;
+use super::words::Words;
 use crate::Listener;
 
-/// No more words are told in one line: lines are written to places of a fixed size.
+/// No more words are in one line: lines are written to places of a fixed size.
 const MOST: usize = 48;
 
 /// Tells a listener what was found.
-pub(super) struct Teller<'l, L> {
+pub(super) struct Recorder<'l, L> {
     listener: &'l mut L,
     precision: &'static str,
 }
 
-impl<'l, L: Listener> Teller<'l, L> {
+impl<'l, L: Listener> Recorder<'l, L> {
     /// For what is found in this precision.
     pub(super) const fn new(listener: &'l mut L, precision: &'static str) -> Self {
         Self {
@@ -22,10 +22,10 @@ impl<'l, L: Listener> Teller<'l, L> {
     }
 
     /// Tells what was found by something of this name.
-    pub(super) fn tell(&mut self, name: &str, found: &impl Told) {
+    pub(super) fn record(&mut self, name: &str, found: &impl Words) {
         let mut words = 0;
         self.listener.begin("ability", name, self.precision);
-        found.tell(&mut |word| {
+        found.record(&mut |word| {
             if words == MOST {
                 words = 0;
                 self.listener.end();

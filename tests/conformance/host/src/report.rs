@@ -3,7 +3,7 @@
 use crate::error::Error;
 use std::collections::BTreeMap;
 
-/// What is told about: `pose` or `picture`, the mechanism and its precision.
+/// What is reported on: `pose` or `picture`, the mechanism and its precision.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Subject {
     pub(crate) what: String,
@@ -11,7 +11,7 @@ pub(crate) struct Subject {
     pub(crate) precision: String,
 }
 
-/// What was told, in order.
+/// What was reported, in order.
 pub(crate) type Things = BTreeMap<Subject, Vec<Vec<u64>>>;
 
 /// Reads lines of a subject and its words.
