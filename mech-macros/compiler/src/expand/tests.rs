@@ -37,10 +37,8 @@ fn mechanisms() -> Vec<String> {
     let others = [
         format!("struct Crank; {CRANK} motor hinge in -1..=1;"),
         format!("struct Crank; {CRANK} motor hinge = t;"),
-        format!(
-            "struct Crank; param a = 1; link arm {{ point tip = (a, 0); }}
-             joint hinge = revolute(ground, arm) at (0, 0); motor hinge; effects {{ velocity; sensitivity; }}"
-        ),
+        "struct Crank; param a = 1; link arm { point tip = (a, 0); }
+         joint hinge = revolute(ground, arm) at (0, 0); motor hinge; effects { velocity; sensitivity; }".to_owned(),
         "struct Slider; ground { line rail = (0, 0) -> (1, 0); } link arm { line edge = (0, 0) -> (1, 0); }
          joint guide = prismatic(ground.rail, arm.edge); motor guide;".to_owned(),
     ];
