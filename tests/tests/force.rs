@@ -41,7 +41,7 @@ fn load_up(model: &mut Model, dice: &mut Dice) {
         .filter(|&point| model.axis(point).link != LinkId::GROUND)
         .collect();
     let revolutes: Vec<_> = model
-        .told_joints()
+        .declared_joints()
         .filter(|&joint| matches!(model.joint(joint).kind, JointKind::Revolute(..)))
         .collect();
     let mut actions = Actions {
@@ -318,7 +318,7 @@ fn by_joints(
 ) -> (Vec<Act>, Vec<LinkId>) {
     let mut acts: Vec<Act> = Vec::new();
     let mut rolls: Vec<LinkId> = Vec::new();
-    for (joint, &[x, y, torque]) in model.told_joints().zip(&inverse_dynamics.reactions) {
+    for (joint, &[x, y, torque]) in model.declared_joints().zip(&inverse_dynamics.reactions) {
         let (mut first, mut second) = model.ends(joint);
         let mut point = [0.0, 0.0];
         match model.joint(joint).kind {

@@ -5,6 +5,7 @@
 //! The crate has two users: the macro, which calls [`expand`](fn@expand), and whoever analyses a [`Model`](model::Model) made in another
 //! way, by [`compile`](fn@compile).
 
+mod api;
 mod bug;
 pub mod certify;
 mod compile;

@@ -9,7 +9,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("bug", &[]),
     ("digits", &["bug"]),
     ("model", &["bug"]),
-    ("syntax", &["bug", "model"]),
+    ("api", &["model"]),
+    ("syntax", &["api", "bug", "model"]),
     ("structure", &["bug", "model"]),
     ("symbols", &["model", "structure"]),
     ("plan", &["bug", "model", "structure"]),
@@ -65,7 +66,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ),
     (
         "repair",
-        &["compile", "digits", "model", "structure", "syntax"],
+        &["api", "compile", "digits", "model", "structure"],
     ),
     (
         "reporter",
@@ -82,7 +83,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     (
         "emit",
         &[
-            "bug", "compiled", "cost", "model", "motion", "plan", "program", "symbols", "syntax",
+            "api", "bug", "compiled", "cost", "model", "motion", "plan", "program", "symbols",
+            "syntax",
         ],
     ),
     (

@@ -432,7 +432,7 @@ fn accessors(
 
 /// The named points of the moving links that are shown: link, name, place, and which axis it is.
 pub(super) fn named_points(model: &Model) -> impl Iterator<Item = (LinkId, &str, Origin, AxisId)> {
-    model.told_points().filter_map(|id| {
+    model.shown_points().filter_map(|id| {
         let axis = model.axis(id);
         Some((axis.link, axis.name.as_deref()?, axis.origin, id))
     })

@@ -18,9 +18,9 @@ pub(super) fn added(
     visibility: &syn::Visibility,
 ) -> Added {
     let scalar = scalar(program);
-    let told: Vec<Told<'_>> = model
-        .told_joints()
-        .map(|joint| Told {
+    let table: Vec<Entry<'_>> = model
+        .declared_joints()
+        .map(|joint| Entry {
             model,
             program,
             joint,
@@ -28,12 +28,12 @@ pub(super) fn added(
                 .filter(|_| model.shows_joint(joint)),
         })
         .collect();
-    let count = Literal::usize_unsuffixed(told.len());
-    let entries = told.iter().map(Told::entry);
-    let values = told.iter().map(Told::value);
+    let count = Literal::usize_unsuffixed(table.len());
+    let infos = table.iter().map(Entry::info);
+    let values = table.iter().map(Entry::value);
     Added {
         known: quote! {
-            pub(super) const JOINTS: [JointInfo<#scalar>; #count] = [#(#entries),*];
+            pub(super) const JOINTS: [JointInfo<#scalar>; #count] = [#(#infos),*];
         },
         methods: quote! {
             /// The joints, in the order of their declaration.
@@ -58,36 +58,8 @@ pub(super) fn added(
     }
 }
 
-/// The same of a mechanism that does not compile, never run.
-pub(super) fn stub(
-    krate: &TokenStream,
-    model: &Model,
-    visibility: &syn::Visibility,
-    scalar: &TokenStream,
-) -> Added {
-    let count = Literal::usize_unsuffixed(model.told_joints().count());
-    let info = quote!(#krate::JointInfo<#scalar>);
-    let values = quote!([#krate::generated::Option<#scalar>; #count]);
-    Added {
-        methods: quote! {
-            #visibility const JOINTS: [#info; #count] = [#krate::JointInfo::new("", #krate::JointKind::Weld, [""; 2], #krate::generated::None, #krate::generated::None, #krate::generated::None); #count];
-            #visibility fn joints(&self) -> #values {
-                loop {}
-            }
-        },
-        trait_methods: quote! {
-            type Joints = #values;
-            const JOINTS: &'static [#info] = &[];
-            fn joints(&self) -> #values {
-                loop {}
-            }
-        },
-        ..Added::default()
-    }
-}
-
-/// A joint that is told of.
-struct Told<'m> {
+/// A joint with what its entry has.
+struct Entry<'m> {
     model: &'m Model,
     program: &'m Program,
     joint: JointId,
@@ -95,9 +67,9 @@ struct Told<'m> {
     coordinate: Option<(Measure, TokenStream)>,
 }
 
-impl Told<'_> {
+impl Entry<'_> {
     /// Its entry in the table.
-    fn entry(&self) -> TokenStream {
+    fn info(&self) -> TokenStream {
         let joint = self.model.joint(self.joint);
         let (name, kind) = (&joint.name, self.kind());
         let [first, second] = self.links().map(|link| &self.model.link(link).name);

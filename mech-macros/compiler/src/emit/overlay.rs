@@ -6,7 +6,7 @@ use super::motion::found;
 use super::params;
 use super::scope::number;
 use crate::compiled::Compiled;
-use crate::model::{Axis, JointId, JointKind, LinkId, Load, LoadKind, Model, Precision};
+use crate::model::{Axis, JointId, JointKind, LinkId, LoadKind, Model, Precision};
 use crate::program::Program;
 use crate::symbols::{self, Spot, Symbol};
 use proc_macro2::{Literal, TokenStream};
@@ -85,7 +85,7 @@ fn forces(
     let scalar = scalar(program);
     let writer = Writer { model, program };
     let points = model
-        .told_joints()
+        .declared_joints()
         .map(|joint| match writer.place_of(joint) {
             None => quote!(Option::None),
             Some(point) => {
@@ -132,43 +132,6 @@ fn forces(
             #draw_loads
         },
         ..Added::default()
-    }
-}
-
-/// The signatures of the methods, for a mechanism that does not compile.
-pub(super) fn stub(
-    krate: &TokenStream,
-    model: &Model,
-    visibility: &syn::Visibility,
-    scalar: &TokenStream,
-) -> TokenStream {
-    let effects = model.effects;
-    if !effects.overlay {
-        return TokenStream::new();
-    }
-    let is_force = |load: &Load| matches!(load.kind, LoadKind::Force(_));
-    let draws_loads = effects.force && model.actions.loads.iter().any(is_force);
-    let reactions = effects.force.then(|| {
-        quote! {
-            #visibility fn draw_reactions<F>(&self, canvas: &mut impl #krate::Canvas<#scalar>, arrows: &#krate::overlay::Arrows<#scalar>, forces: &F) {}
-        }
-    });
-    let arrows = [
-        ("draw_loads", draws_loads),
-        ("draw_velocities", effects.velocity),
-        ("draw_accelerations", effects.acceleration),
-    ];
-    let arrows = arrows.into_iter().filter(|(_, wanted)| *wanted);
-    let arrows = arrows.map(|(name, _)| {
-        let name = quote::format_ident!("{}", name);
-        quote! {
-            #visibility fn #name(&self, canvas: &mut impl #krate::Canvas<#scalar>, arrows: &#krate::overlay::Arrows<#scalar>) {}
-        }
-    });
-    quote! {
-        #visibility fn draw_overlay(&self, canvas: &mut impl #krate::Canvas<#scalar>, overlay: &#krate::Overlay) {}
-        #(#arrows)*
-        #reactions
     }
 }
 

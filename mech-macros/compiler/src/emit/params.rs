@@ -168,54 +168,6 @@ fn methods(
     tokens
 }
 
-/// The same methods of a mechanism that does not compile, never run.
-pub(super) fn stub(
-    krate: &TokenStream,
-    places: &Places,
-    model: &Model,
-    visibility: &syn::Visibility,
-    (scalar, links, motors): (&TokenStream, &Literal, &Literal),
-) -> TokenStream {
-    let params = model.params.all();
-    if params.is_empty() {
-        return TokenStream::new();
-    }
-    let count = Literal::usize_unsuffixed(params.len());
-    let method = |name: &str, origin| user_ident(name, places, origin);
-    let get = params.iter().map(|param| method(&param.name, param.origin));
-    let set = params
-        .iter()
-        .map(|param| method(&format!("set_{}", param.name), param.origin));
-    let sensitivities = model.effects.sensitivity.then(|| {
-        quote! {
-            #visibility fn sensitivities(&self)
-                -> #krate::generated::Result<[[#krate::Velocity<#scalar>; #links]; #count], #krate::Blocked<[#scalar; #motors]>>
-            {
-                loop {}
-            }
-        }
-    });
-    quote! {
-        #visibility fn params(&self) -> [#scalar; #count] {
-            loop {}
-        }
-        #visibility fn set_params<const PARAMS: #krate::generated::usize>(&mut self, params: [#scalar; PARAMS])
-            -> #krate::generated::Result<(), #krate::Blocked<[#scalar; PARAMS]>>
-        {
-            loop {}
-        }
-        #(
-            #visibility fn #get(&self) -> #scalar {
-                loop {}
-            }
-            #visibility fn #set(&mut self, value: #scalar) -> #krate::generated::Result<(), #krate::Blocked<#scalar>> {
-                loop {}
-            }
-        )*
-        #sensitivities
-    }
-}
-
 /// Where an axis is in its link, as an array: an expression inside a method.
 pub(super) fn place(model: &Model, program: &Program, id: AxisId) -> TokenStream {
     let axis = model.axis(id);

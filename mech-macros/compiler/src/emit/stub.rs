@@ -1,12 +1,41 @@
 //! What a mechanism that does not compile leaves behind: its struct and its methods, so that nothing else in the user's
 //! crate turns red.
 
-use super::items::{named_points, user_ident};
-use crate::model::{JointKind, Model, Precision};
+use super::block::scalar_of;
+use super::items::{named_points, picture, user_ident};
+use crate::api::{Item, Subject, TABLE};
+use crate::bug::bug;
+use crate::model::{Between, JointId, LoadKind, Model, Origin};
 use crate::syntax::{Header, Places};
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Group, Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::{ImplItem, ItemImpl};
+
+/// What `krate::generated` has of the names in the table; all others are the runtime's own.
+const GENERATED: [&str; 5] = ["Option", "Result", "f64", "str", "usize"];
+const RUNTIME: [&str; 21] = [
+    "Acceleration",
+    "Blocked",
+    "BlockedAt",
+    "Canvas",
+    "Columns",
+    "Cost",
+    "Forces",
+    "GaussLegendre",
+    "InRange",
+    "Isometry2",
+    "JointInfo",
+    "JointKind",
+    "Overlay",
+    "Phase",
+    "Point2",
+    "Pose",
+    "Reached",
+    "Shape",
+    "Trace",
+    "Vector2",
+    "Velocity",
+];
 
 /// The struct and the signatures of its methods. None of it is ever run. How many motors it will have is not known as long
 /// as it has errors, so `move_to` takes any number.
@@ -22,23 +51,17 @@ pub(crate) fn stub(
         visibility,
         name,
     } = header;
-    let scalar = match model.precision {
-        Precision::F32 => quote!(#krate::generated::f32),
-        Precision::F64 => quote!(#krate::generated::f64),
-    };
-    let motors = Literal::usize_unsuffixed(motors);
-    let links = Literal::usize_unsuffixed(model.asked_links().len());
-    let joints = super::joints::stub(krate, model, visibility, &scalar);
-    let implementation = implementation(krate, header, (&scalar, &motors), &joints.trait_methods);
-    let methods = distinct(methods(
+    let writer = Writer {
         krate,
         header,
         places,
         model,
+        motors,
         has_laws,
-        (&scalar, &links, &motors),
-        &joints.methods,
-    ));
+    };
+    let methods = writer.items(|subject| subject != Subject::Trait);
+    let methods = distinct(quote!(impl #name { #methods }));
+    let of_trait = writer.items(|subject| subject == Subject::Trait);
     quote! {
         #(#attributes)*
         #[derive(#krate::generated::Clone, #krate::generated::Copy, #krate::generated::Debug, #krate::generated::PartialEq)]
@@ -56,108 +79,10 @@ pub(crate) fn stub(
                 }
             }
 
-            #implementation
-        };
-    }
-}
-
-/// The methods of the struct; a name may stand more than once.
-fn methods(
-    krate: &TokenStream,
-    header: &Header,
-    places: &Places,
-    model: &Model,
-    has_laws: bool,
-    (scalar, links, motors): (&TokenStream, &Literal, &Literal),
-    joints: &TokenStream,
-) -> TokenStream {
-    let Header {
-        visibility, name, ..
-    } = header;
-    let accessors = accessors(krate, places, model, (scalar, motors));
-    let rates = rates(krate, model, visibility, (scalar, links, motors));
-    let forces = super::forces::stub(krate, places, model, visibility, (scalar, motors));
-    let clear_traces =
-        (!model.traces.is_empty()).then(|| quote!(#visibility fn clear_traces(&mut self) {}));
-    let overlay = super::overlay::stub(krate, model, visibility, scalar);
-    let params = super::params::stub(krate, places, model, visibility, (scalar, links, motors));
-    // A size that no parameter has could not be inferred.
-    let (sliding, slides) = if super::moves::motor_counts(model)[1] > 0 {
-        (
-            quote!(, const SLIDING: #krate::generated::usize),
-            quote!(, slides: [#scalar; SLIDING]),
-        )
-    } else {
-        (TokenStream::new(), TokenStream::new())
-    };
-    let at_time = at_time(krate, visibility, has_laws, (scalar, motors));
-    let (names, types): (Vec<_>, Vec<_>) = accessors.into_iter().unzip();
-    let [picture, _] = super::items::picture(model);
-    quote! {
-    impl #name {
-        #visibility const REPORT: &'static #krate::generated::str = "";
-        #visibility const COST: #krate::Cost = #krate::Cost::NOTHING;
-        #visibility const LOOP_COSTS: [#krate::Cost; 0] = [];
-        #[must_use]
-        #visibility const fn new() -> Self {
-            Self {}
-        }
-        #visibility fn motors(&self) -> [#scalar; #motors] {
-            loop {}
-        }
-        #visibility fn move_to<const MOTORS: #krate::generated::usize>(&mut self, motors: [#scalar; MOTORS]) -> #krate::generated::Result<(), #krate::Blocked<[#scalar; MOTORS]>> {
-            loop {}
-        }
-        #visibility fn turn_to<const TURNING: #krate::generated::usize #sliding>(&mut self, phases: [#krate::Phase; TURNING] #slides)
-            -> #krate::generated::Result<(), #krate::Blocked<[#scalar; #motors]>>
-        {
-            loop {}
-        }
-        #visibility fn range<const MOTORS: #krate::generated::usize>(motors: [#scalar; MOTORS])
-            -> #krate::generated::Option<#krate::InRange<Self, [#scalar; MOTORS]>>
-        {
-            #krate::generated::Option::None
-        }
-        #visibility fn move_within<const MOTORS: #krate::generated::usize>(&mut self, motors: #krate::InRange<Self, [#scalar; MOTORS]>) {}
-        #visibility fn solve_many<const MOTORS: #krate::generated::usize>(
-            &self,
-            motors: &[[#scalar; MOTORS]],
-            columns: &mut #krate::Columns<'_, #scalar, #links>,
-        ) -> #krate::generated::Result<(), #krate::BlockedAt<[#scalar; MOTORS]>> {
-            loop {}
-        }
-        #visibility fn move_many<const MOTORS: #krate::generated::usize>(
-            instances: &mut [Self],
-            motors: &[[#scalar; MOTORS]],
-        ) -> #krate::generated::Result<(), #krate::BlockedAt<[#scalar; MOTORS]>> {
-            loop {}
-        }
-        #visibility fn move_toward<const MOTORS: #krate::generated::usize>(&mut self, motors: [#scalar; MOTORS])
-            -> #krate::generated::Result<#krate::Reached<[#scalar; MOTORS]>, #krate::Blocked<[#scalar; MOTORS]>>
-        {
-            loop {}
-        }
-        #visibility fn poses(&self) -> &[#krate::Pose<#scalar>; #links] {
-            loop {}
-        }
-        #visibility const EXTENT: [[#scalar; 2]; 2] = [[0.0; 2]; 2];
-        #visibility fn picture<const W: #krate::generated::usize, const H: #krate::generated::usize>() -> #krate::#picture<{ W }, { H }> {
-            loop {}
-        }
-        #visibility fn draw(&self, canvas: &mut impl #krate::Canvas<#scalar>) {}
-        #(
-            #visibility fn #names(&self) -> #types {
-                loop {}
+            impl #krate::Mechanism for #name {
+                #of_trait
             }
-        )*
-        #rates
-        #forces
-        #at_time
-        #clear_traces
-        #overlay
-        #params
-        #joints
-    }
+        };
     }
 }
 
@@ -180,159 +105,167 @@ fn distinct(methods: TokenStream) -> TokenStream {
     methods.into_token_stream()
 }
 
-/// The trait, never run either.
-fn implementation(
-    krate: &TokenStream,
-    header: &Header,
-    (scalar, motors): (&TokenStream, &Literal),
-    items: &TokenStream,
-) -> TokenStream {
-    let name = &header.name;
-    let text = name.to_string();
-    quote! {
-            impl #krate::Mechanism for #name {
-                type Scalar = #scalar;
-                type Motors = [#scalar; #motors];
-                const NAME: &'static #krate::generated::str = #text;
-                const REPORT: &'static #krate::generated::str = "";
-                const COST: #krate::Cost = #krate::Cost::NOTHING;
-                const LOOP_COSTS: &'static [#krate::Cost] = &[];
-                const MOTORS: &'static [&'static #krate::generated::str] = &[];
-                const LINKS: &'static [&'static #krate::generated::str] = &[];
-                const SHAPES: &'static [#krate::Shape<#scalar>] = &[];
-                const EXTENT: [[#scalar; 2]; 2] = [[0.0; 2]; 2];
-                fn new() -> Self {
-                    Self {}
-                }
-                fn motors(&self) -> [#scalar; #motors] {
-                    loop {}
-                }
-                fn move_to(&mut self, motors: [#scalar; #motors]) -> #krate::generated::Result<(), #krate::Blocked<[#scalar; #motors]>> {
-                    loop {}
-                }
-                fn move_toward(&mut self, motors: [#scalar; #motors])
-                    -> #krate::generated::Result<#krate::Reached<[#scalar; #motors]>, #krate::Blocked<[#scalar; #motors]>>
-                {
-                    loop {}
-                }
-                fn poses(&self) -> &[#krate::Pose<#scalar>] {
-                    &[]
-                }
-                #items
-            }
+/// Something that has items of its own.
+struct Named {
+    name: String,
+    origin: Origin,
+    /// How many places a trace has.
+    length: usize,
+}
+
+impl Named {
+    fn new(name: &str, origin: Origin) -> Self {
+        Self {
+            name: name.to_owned(),
+            origin,
+            length: 0,
+        }
     }
 }
 
-/// The method that laws add.
-fn at_time(
-    krate: &TokenStream,
-    visibility: &syn::Visibility,
+/// Writes items of the table for a mechanism.
+struct Writer<'m> {
+    krate: &'m TokenStream,
+    header: &'m Header,
+    places: &'m Places,
+    model: &'m Model,
+    motors: usize,
     has_laws: bool,
-    (scalar, motors): (&TokenStream, &Literal),
-) -> TokenStream {
-    if !has_laws {
-        return TokenStream::new();
-    }
-    quote! {
-        #visibility fn at_time(&mut self, t: #krate::generated::f64)
-            -> #krate::generated::Result<(), #krate::Blocked<[#scalar; #motors]>>
-        {
-            loop {}
-        }
-    }
 }
 
-/// The methods that velocities add.
-fn rates(
-    krate: &TokenStream,
-    model: &Model,
-    visibility: &syn::Visibility,
-    (scalar, links, motors): (&TokenStream, &Literal, &Literal),
-) -> TokenStream {
-    if !model.effects.velocity {
-        return TokenStream::new();
+impl Writer<'_> {
+    /// The items of these subjects.
+    fn items(&self, wanted: impl Fn(Subject) -> bool) -> TokenStream {
+        let items = TABLE.iter().filter(|item| {
+            wanted(item.subject) && item.condition.is_met(self.model, self.has_laws)
+        });
+        items.map(|item| self.item(item)).collect()
     }
-    let (given, second) = if model.effects.acceleration {
-        (
-            quote!(, accelerations: [#scalar; MOTORS]),
-            quote! {
-                #visibility fn accelerations(&self) -> &[#krate::Acceleration<#scalar>; #links] {
-                    loop {}
+
+    /// An item, once for each of its subject.
+    fn item(&self, item: &Item) -> TokenStream {
+        let Ok(text) = item.text.parse::<TokenStream>() else {
+            bug!("`{}` is no item", item.text);
+        };
+        if let Subject::Mechanism | Subject::Trait = item.subject {
+            return self.filled(text, None);
+        }
+        let named = self.named(item.subject);
+        let items = named
+            .iter()
+            .map(|named| self.filled(text.clone(), Some(named)));
+        items.collect()
+    }
+
+    /// Everything of a kind that is shown.
+    fn named(&self, subject: Subject) -> Vec<Named> {
+        let model = self.model;
+        let load = |is_force: bool| {
+            let loads = model.actions.loads.iter();
+            loads
+                .filter(move |load| matches!(load.kind, LoadKind::Force(_)) == is_force)
+                .map(|load| Named::new(&load.name, load.origin))
+        };
+        let joints = |ids: &mut dyn Iterator<Item = JointId>| {
+            ids.map(|id| model.joint(id))
+                .map(|joint| Named::new(&joint.name, joint.origin))
+                .collect()
+        };
+        match subject {
+            Subject::Mechanism | Subject::Trait => Vec::new(),
+            Subject::Link => model
+                .declared_links()
+                .filter(|&id| model.shows_link(id))
+                .map(|id| Named::new(&model.link(id).name, model.link(id).origin))
+                .collect(),
+            Subject::Point => named_points(model)
+                .map(|(link, name, origin, _)| {
+                    Named::new(&format!("{}_{name}", model.link(link).name), origin)
+                })
+                .collect(),
+            Subject::Joint => joints(&mut model.shown_joints()),
+            Subject::DependentJoint => joints(&mut model.dependent_joints()),
+            Subject::Force => load(true).collect(),
+            Subject::Torque => load(false).collect(),
+            Subject::Spring => model
+                .actions
+                .springs
+                .iter()
+                .filter(|spring| matches!(spring.between, Between::Points(..)))
+                .map(|spring| Named::new(&spring.name, spring.origin))
+                .collect(),
+            Subject::Param => {
+                let params = model.params.all().iter();
+                params
+                    .map(|param| Named::new(&param.name, param.origin))
+                    .collect()
+            }
+            Subject::Trace => model
+                .traces
+                .iter()
+                .map(|trace| {
+                    let axis = model.axis(trace.point);
+                    let name = format!("{}_{}", model.link(axis.link).name, axis.own_name());
+                    Named {
+                        length: trace.length,
+                        ..Named::new(&name, axis.origin)
+                    }
+                })
+                .collect(),
+        }
+    }
+
+    /// A text of the table with what stands for its words.
+    fn filled(&self, text: TokenStream, named: Option<&Named>) -> TokenStream {
+        let trees = text.into_iter().map(|tree| match tree {
+            TokenTree::Ident(word) => self.meaning(&word, named),
+            TokenTree::Group(group) => {
+                let inside = self.filled(group.stream(), named);
+                Group::new(group.delimiter(), inside).into_token_stream()
+            }
+            other => other.into_token_stream(),
+        });
+        trees.collect()
+    }
+
+    /// What a word of the table stands for.
+    fn meaning(&self, word: &Ident, named: Option<&Named>) -> TokenStream {
+        let (krate, model) = (self.krate, self.model);
+        let count = |count: usize| Literal::usize_unsuffixed(count).into_token_stream();
+        let text = word.to_string();
+        match text.as_str() {
+            "pub" => self.header.visibility.to_token_stream(),
+            "scalar" => {
+                let scalar = scalar_of(model.precision);
+                quote!(#krate::generated::#scalar)
+            }
+            "struct_name" => self.header.name.to_string().into_token_stream(),
+            "frame" => {
+                let [picture, _] = picture(model);
+                quote!(#krate::#picture)
+            }
+            "motor_count" => count(self.motors),
+            "link_count" => count(model.asked_links().len()),
+            "param_count" => count(model.params.len()),
+            "joint_count" => count(model.declared_joints().count()),
+            "load_count" => count(model.actions.load_names().len()),
+            "trace_length" => count(named.map_or(0, |named| named.length)),
+            "none" => quote!(#krate::generated::None),
+            "Arrows" => quote!(#krate::overlay::Arrows),
+            known if GENERATED.contains(&known) => quote!(#krate::generated::#word),
+            known if RUNTIME.contains(&known) => quote!(#krate::#word),
+            _ => match named {
+                Some(Named { name, origin, .. }) if is_pattern(&text) => {
+                    let method = text.replacen("name", name, 1);
+                    user_ident(&method, self.places, *origin).into_token_stream()
                 }
+                _ => word.into_token_stream(),
             },
-        )
-    } else {
-        (TokenStream::new(), TokenStream::new())
-    };
-    quote! {
-        #visibility fn move_with<const MOTORS: #krate::generated::usize>(&mut self, motors: [#scalar; MOTORS], rates: [#scalar; MOTORS] #given)
-            -> #krate::generated::Result<(), #krate::Blocked<[#scalar; MOTORS]>>
-        {
-            loop {}
-        }
-        #visibility fn velocities(&self) -> &[#krate::Velocity<#scalar>; #links] {
-            loop {}
-        }
-        #second
-        #visibility fn influence_coefficients(&self)
-            -> #krate::generated::Result<[[#krate::Velocity<#scalar>; #links]; #motors], #krate::Blocked<[#scalar; #motors]>>
-        {
-            loop {}
         }
     }
 }
 
-/// The methods that read links, points and joints, each once, with what they give.
-fn accessors(
-    krate: &TokenStream,
-    places: &Places,
-    model: &Model,
-    (scalar, motors): (&TokenStream, &Literal),
-) -> Vec<(Ident, TokenStream)> {
-    let params = Literal::usize_unsuffixed(model.params.len());
-    let isometry = quote!(#krate::Isometry2<#scalar>);
-    let point = quote!(#krate::Point2<#scalar>);
-    let vector = quote!(#krate::Vector2<#scalar>);
-    let velocity = quote!(#krate::Velocity<#scalar>);
-    let acceleration = quote!(#krate::Acceleration<#scalar>);
-    let mut methods: Vec<(Ident, TokenStream)> = Vec::new();
-    let mut add = |name: &str, origin, kinds: [TokenStream; 3], rate: &str| {
-        let [value, velocity, acceleration] = kinds;
-        methods.push((user_ident(name, places, origin), value));
-        if model.effects.sensitivity {
-            let name = format!("{name}_sensitivity");
-            let found = quote!(#krate::generated::Result<[#velocity; #params], #krate::Blocked<[#scalar; #motors]>>);
-            methods.push((user_ident(&name, places, origin), found));
-        }
-        if model.effects.velocity {
-            let name = format!("{name}_{rate}");
-            methods.push((user_ident(&name, places, origin), velocity));
-        }
-        if model.effects.acceleration {
-            let name = format!("{name}_acceleration");
-            methods.push((user_ident(&name, places, origin), acceleration));
-        }
-    };
-    for id in model.declared_links().filter(|&id| model.shows_link(id)) {
-        let link = model.link(id);
-        let kinds = [isometry.clone(), velocity.clone(), acceleration.clone()];
-        add(&link.name, link.origin, kinds, "velocity");
-    }
-    for (link, name, origin, _) in named_points(model) {
-        let kinds = [point.clone(), vector.clone(), vector.clone()];
-        let name = format!("{}_{name}", model.link(link).name);
-        add(&name, origin, kinds, "velocity");
-    }
-    let shown = model.joint_ids().filter(|&id| model.shows_joint(id));
-    for joint in shown.map(|id| model.joint(id)).filter(|joint| {
-        matches!(
-            joint.kind,
-            JointKind::Revolute(..) | JointKind::Prismatic(..)
-        ) && !joint.hidden
-    }) {
-        let kinds = [scalar.clone(), scalar.clone(), scalar.clone()];
-        add(&joint.name, joint.origin, kinds, "rate");
-    }
-    methods.extend(super::traces::accessors(krate, places, model));
-    methods
+/// Whether a word of the table has the name of its subject in it.
+fn is_pattern(word: &str) -> bool {
+    word == "name" || word == "set_name" || word.starts_with("name_")
 }

@@ -1,7 +1,7 @@
 //! What the struct of a mechanism has more if points are traced.
 
 use super::added::Added;
-use super::block::{scalar, scalar_of};
+use super::block::scalar;
 use super::items::user_ident;
 use super::scope::number;
 use crate::model::{Model, Trace};
@@ -63,21 +63,6 @@ pub(super) fn added(
     });
     items.records = pushes;
     items
-}
-
-/// The methods that tell traces, with what they give, for a mechanism that does not compile.
-pub(super) fn accessors(
-    krate: &TokenStream,
-    places: &Places,
-    model: &Model,
-) -> impl Iterator<Item = (Ident, TokenStream)> {
-    let scalar = scalar_of(model.precision);
-    model.traces.iter().map(move |trace| {
-        let (_, method) = names(places, model, trace);
-        let length = Literal::usize_unsuffixed(trace.length);
-        let given = quote!(&#krate::Trace<#krate::generated::#scalar, #length>);
-        (method, given)
-    })
 }
 
 /// What a trace is of, and what it is called.

@@ -1,6 +1,8 @@
 //! The door of the macro: tokens in, tokens out.
 
 mod guard;
+#[cfg(test)]
+mod tests;
 
 use crate::compile::compile;
 use crate::syntax::{self, Message, Parsed, Place};

@@ -390,8 +390,8 @@ impl Model {
         (0..self.joints.len()).map(JointId::new)
     }
 
-    /// The ids of the joints whose reactions are told: all but the pivots of slots.
-    pub fn told_joints(&self) -> impl Iterator<Item = JointId> + '_ {
+    /// The ids of the joints that were declared: all but the pivots of slots.
+    pub fn declared_joints(&self) -> impl Iterator<Item = JointId> + '_ {
         self.joint_ids().filter(|&joint| !self.joint(joint).hidden)
     }
 

@@ -22,7 +22,7 @@ impl Model {
         };
         let mut links: Vec<LinkId> = shown
             .iter()
-            .flat_map(|shown| self.told_by(*shown))
+            .flat_map(|shown| self.links_of(*shown))
             .chain(self.traced_links())
             .filter(|link| *link != LinkId::GROUND)
             .collect();
@@ -32,7 +32,7 @@ impl Model {
     }
 
     /// The links whose poses tell what is asked for. A motor's coordinate needs none.
-    fn told_by(&self, shown: Shown) -> Vec<LinkId> {
+    fn links_of(&self, shown: Shown) -> Vec<LinkId> {
         match shown {
             Shown::Link(link) => vec![link],
             Shown::Point(point) => vec![self.axis(point).link],
@@ -54,13 +54,28 @@ impl Model {
     }
 
     /// The named points of the moving links that are asked for.
-    pub fn told_points(&self) -> impl Iterator<Item = AxisId> + '_ {
+    pub fn shown_points(&self) -> impl Iterator<Item = AxisId> + '_ {
         let all = (0..self.axes.len()).map(AxisId::new);
         all.filter(|&id| {
             let axis = self.axis(id);
             let moves = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
             moves && axis.name.is_some() && self.shows_point(id)
         })
+    }
+
+    /// The joints whose coordinates are asked for.
+    pub fn shown_joints(&self) -> impl Iterator<Item = JointId> + '_ {
+        self.declared_joints().filter(|&id| {
+            let kind = self.joint(id).kind;
+            let moves = matches!(kind, JointKind::Revolute(..) | JointKind::Prismatic(..));
+            moves && self.shows_joint(id)
+        })
+    }
+
+    /// The joints whose coordinates are asked for and follow from those of the motors.
+    pub fn dependent_joints(&self) -> impl Iterator<Item = JointId> + '_ {
+        self.shown_joints()
+            .filter(|&id| self.motor_of(id).is_none())
     }
 
     /// Whether the pose of a link is asked for.

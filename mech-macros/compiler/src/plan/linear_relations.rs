@@ -18,6 +18,19 @@ pub(crate) fn float_of(exact: &Rational) -> f64 {
     float
 }
 
+/// A ratio as a fraction; where that comes from a pitch radius and is long, as a decimal number.
+pub(crate) fn fraction(part: &Rational) -> String {
+    /// No wheel has more teeth.
+    const MOST: i64 = 100_000;
+    let is_short = |whole: Option<i64>| whole.is_some_and(|whole| whole.abs() <= MOST);
+    match part.to_f64() {
+        Some(value) if !(is_short(part.numer().to_i64()) && is_short(part.denom().to_i64())) => {
+            format!("{value}")
+        }
+        _ => part.to_string(),
+    }
+}
+
 /// How far something has moved since the start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Variable {

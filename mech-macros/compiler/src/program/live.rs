@@ -1,4 +1,4 @@
-//! Which values anything depends on: what no root reaches is not emitted.
+//! Liveness: a value is live if a result depends on it. No code is written for the others.
 
 use super::node::{BlockId, Op, Value};
 use super::{Block, BlockKind, Program};

@@ -7,6 +7,7 @@ mod builder;
 mod calibrate;
 mod choice;
 mod closed_form;
+mod display;
 mod divided;
 mod forces;
 mod formula;
@@ -68,7 +69,7 @@ pub struct Program {
     pub poses: Vec<[Value; 4]>,
     /// The new values of what is carried from position to position.
     pub state: Vec<Value>,
-    /// Of what is told where it is in its link, the coordinates that depend on params.
+    /// The coordinates of axes in their links that depend on params, and where in the state each stands.
     pub places: Vec<Place>,
     /// What each loop that it solves finds, by the loop's number in the plan.
     pub(crate) solutions: Vec<(usize, Vec<Solution<Value>>)>,
@@ -84,14 +85,14 @@ pub struct Program {
     pub(crate) followed: Vec<(Turning, Value)>,
     /// How far each motor and param may go in one piece, where loops are coupled, or laws or params change what nobody has looked at.
     pub max_steps: Option<Vec<f64>>,
-    /// For each motor and param whether only the rest of its value is read, and its whole turns apart from it: where an accuracy has
-    /// to hold after any number of turns.
+    /// For each motor and param, whether its value is read less whole turns, and the turns are read as a separate count. This
+    /// keeps a declared accuracy after any number of turns.
     pub reduced: Vec<bool>,
     /// The least and the greatest value of each motor, if any has a declared range: it was proved that it moves through.
     pub range: Option<Vec<[f64; 2]>>,
     /// Whether something may move beyond the range of the numbers.
     pub overflows: bool,
-    /// Whether angles may be beyond the range of the polynomials of sine and cosine wherever the motors are: where laws make them.
+    /// Whether a law may make an angle so large that the polynomials of sine and cosine do not reach it, whatever the motors' values.
     pub curved: bool,
     /// The rates of everything, if this program goes on to them.
     pub motion: Option<Motion>,

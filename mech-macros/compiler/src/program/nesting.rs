@@ -1,5 +1,5 @@
-//! Long chains of operations are cut into pieces with names: an expression of thousands of brackets in one another would be more
-//! than the stack of the Rust compiler holds, and a reader.
+//! Long chains of operations are cut into pieces with names. An expression that nests thousands of brackets would overflow the
+//! stack of the Rust compiler, and nobody could read it.
 
 use super::Program;
 use super::node::Op;

@@ -2,8 +2,8 @@
 
 use super::is_in_cam;
 use super::sketch::is_drawn;
+use crate::api::is_reserved;
 use crate::model::{Edit, JointId, JointKind, LinkId, Model, NewJoint};
-use crate::syntax;
 
 /// Links and joints that are to be declared, some in place of others.
 #[derive(Clone, Debug, PartialEq)]
@@ -130,7 +130,7 @@ impl<'m> NewNames<'m> {
             || joints.any(|joint| joint.name == name)
             || params.any(|param| param.name == name)
             || self.given.iter().any(|given| given == name)
-            || syntax::is_reserved(name))
+            || is_reserved(name))
     }
 }
 

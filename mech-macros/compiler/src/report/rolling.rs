@@ -3,9 +3,8 @@
 use super::name;
 use crate::bug::bug;
 use crate::model::{JointKind, Model, Ratio};
-use crate::plan::{Cam, Mesh, Plan, Rational, Source};
+use crate::plan::{Cam, Mesh, Plan, Rational, Source, fraction};
 use crate::structure::Rolling;
-use num_traits::ToPrimitive as _;
 
 pub(super) fn rolling_line(model: &Model, rolling: &Rolling) -> String {
     let joint = model.joint(rolling.joint);
@@ -35,19 +34,6 @@ pub(super) fn rolling_line(model: &Model, rolling: &Rolling) -> String {
         joint.name,
         name(model, rolling.carrier)
     )
-}
-
-/// A ratio as a fraction; where that comes from a pitch radius and is long, as a decimal number.
-fn fraction(part: &Rational) -> String {
-    /// No wheel has more teeth.
-    const MOST: i64 = 100_000;
-    let is_short = |whole: Option<i64>| whole.is_some_and(|whole| whole.abs() <= MOST);
-    match part.to_f64() {
-        Some(value) if !(is_short(part.numer().to_i64()) && is_short(part.denom().to_i64())) => {
-            format!("{value}")
-        }
-        _ => part.to_string(),
-    }
 }
 
 /// By which motors, angles and slides a joint is moved that rolling moves.

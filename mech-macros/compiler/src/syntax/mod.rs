@@ -10,7 +10,6 @@ mod spelling;
 mod tests;
 mod written;
 
-pub(crate) use lower::is_reserved;
 pub use place::{Message, Place, Places};
 
 use crate::model::Model;

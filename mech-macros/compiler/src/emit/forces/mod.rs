@@ -3,9 +3,6 @@
 mod actions;
 mod dynamics;
 mod inverse_dynamics;
-mod stub;
-
-pub(super) use stub::stub;
 
 use super::added::Added;
 use super::block::scalar;

@@ -336,7 +336,7 @@ impl Writer<'_> {
     fn reactions(&mut self, unknowns: &[Unknown], found: &[Value]) -> Vec<[Value; 3]> {
         let zero = self.builder.constant(0.0);
         let mut reactions = Vec::new();
-        for joint in self.model.told_joints() {
+        for joint in self.model.declared_joints() {
             let mut sums = [zero; 3];
             for (unknown, &size) in unknowns.iter().zip(found) {
                 if unknown.joint != joint {

@@ -47,7 +47,7 @@ impl Writer<'_> {
         };
         let drawn = (0..all).map(AxisId::new);
         let mut told: Vec<AxisId> = model
-            .told_points()
+            .shown_points()
             .chain(of_joints.flatten())
             .chain(sprung.flatten())
             .chain(drawn)

@@ -14,8 +14,8 @@ impl Writer<'_> {
     pub(super) fn sensitivity(&mut self, poses: &[[Value; 4]]) -> (Motion, Sensitivity) {
         let mut motion = Motion::default();
         let (points, joints) = (
-            self.model.told_points().collect::<Vec<AxisId>>(),
-            self.told_joints(),
+            self.model.shown_points().collect::<Vec<AxisId>>(),
+            self.model.dependent_joints().collect::<Vec<JointId>>(),
         );
         let closings = std::mem::take(&mut self.closings);
         let mut of_params = Vec::new();
@@ -67,19 +67,5 @@ impl Writer<'_> {
             tangents.of(&mut self.builder, displacement)
         });
         rates.collect()
-    }
-
-    /// The joints that have a method and do not only do what they are told.
-    fn told_joints(&self) -> Vec<JointId> {
-        let told = self.model.joint_ids().filter(|&id| {
-            let joint = self.model.joint(id);
-            let moves = matches!(
-                joint.kind,
-                JointKind::Revolute(..) | JointKind::Prismatic(..)
-            );
-            let follows = moves && !joint.hidden && self.model.motor_of(id).is_none();
-            follows && self.model.shows_joint(id)
-        });
-        told.collect()
     }
 }

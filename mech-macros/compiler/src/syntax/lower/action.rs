@@ -1,6 +1,7 @@
 //! Masses, and what acts on them.
 
 use super::Lowering;
+use crate::api;
 use crate::model::{
     AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Mass, Spring,
 };
@@ -371,25 +372,6 @@ impl Lowering {
     }
 }
 
-/// The methods that forces add, those that motion under forces adds, and those that both add to pictures.
-const FORCE_METHODS: [&str; 5] = [
-    "hold_at",
-    "torques",
-    "forces",
-    "TORQUES_COST",
-    "FORCES_COST",
-];
-const DYNAMICS_METHODS: [&str; 7] = [
-    "rates",
-    "set_rates",
-    "motor_accelerations",
-    "energy",
-    "simulate",
-    "simulate_by",
-    "INERTIA_COST",
-];
-const PICTURE_METHODS: [&str; 2] = ["draw_loads", "draw_reactions"];
-
 impl Lowering {
     /// The methods that forces add must not be called as others are.
     pub(super) fn claim_force_methods(&mut self) {
@@ -397,16 +379,17 @@ impl Lowering {
             force, dynamics, ..
         } = self.acting;
         let picture = force.filter(|_| self.model.effects.overlay);
-        let lists = [
-            (force, &FORCE_METHODS[..], "force"),
-            (dynamics, &DYNAMICS_METHODS[..], "dynamics"),
-            (picture, &PICTURE_METHODS[..], "overlay"),
-        ];
-        for (place, methods, effect) in lists {
-            for method in methods {
-                if let Some(place) = place {
-                    self.claim_method((*method).to_owned(), format!("effect `{effect}`"), place);
-                }
+        for (place, effect) in [
+            (force, "force"),
+            (dynamics, "dynamics"),
+            (picture, "overlay"),
+        ] {
+            let Some(place) = place else {
+                continue;
+            };
+            let owner = format!("effect `{effect}`");
+            for method in api::names_of(&owner) {
+                self.claim_method(method.to_owned(), owner.clone(), place);
             }
         }
     }

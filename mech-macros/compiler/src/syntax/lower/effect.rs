@@ -1,6 +1,7 @@
 //! What is computed beyond positions, and the methods that tell it.
 
 use super::Lowering;
+use crate::api;
 use crate::model::{AxisKind, Effects, JointKind, LinkId, Origin};
 use crate::syntax::ast::{Effect, Read};
 use crate::syntax::{Place, spelling};
@@ -111,8 +112,10 @@ impl Lowering {
         let first = self.model.lawful_motors().next().map(|(motor, _)| motor);
         if let Some(motor) = first {
             let place = self.places.get(self.model.motor(motor).origin);
-            let owner = "the method that moves motors by their laws".to_owned();
-            self.claim_method("at_time".to_owned(), owner, place);
+            let owner = "the method that moves motors by their laws";
+            for method in api::names_of(owner) {
+                self.claim_method(method.to_owned(), owner.to_owned(), place);
+            }
         }
     }
 

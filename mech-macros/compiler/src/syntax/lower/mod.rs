@@ -24,8 +24,6 @@ mod trace;
 mod value;
 mod weld;
 
-pub(crate) use name::is_reserved;
-
 use self::action::Acting;
 use self::constant::Constants;
 use self::motor::Ranged;

@@ -1,55 +1,10 @@
 //! What the names mean.
 
 use super::Lowering;
+use crate::api::is_reserved;
 use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId};
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
-
-/// Methods that every mechanism has.
-const RESERVED: [&str; 37] = [
-    "NAME",
-    "MOTORS",
-    "LINKS",
-    "JOINTS",
-    "joints",
-    "SHAPES",
-    "view",
-    "RATES_COST",
-    "new",
-    "move_with",
-    "velocities",
-    "accelerations",
-    "influence_coefficients",
-    "clear_traces",
-    "move_to",
-    "move_toward",
-    "move_within",
-    "turn_to",
-    "range",
-    "solve_many",
-    "move_many",
-    "COST",
-    "LOOP_COSTS",
-    "METHODS",
-    "PREDICTED_ERROR",
-    "motors",
-    "poses",
-    "draw",
-    "picture",
-    "EXTENT",
-    "draw_overlay",
-    "draw_velocities",
-    "draw_accelerations",
-    "clone",
-    "default",
-    "fmt",
-    "REPORT",
-];
-
-/// Whether every mechanism has a method of this name.
-pub(crate) fn is_reserved(name: &str) -> bool {
-    RESERVED.contains(&name)
-}
 
 /// What a name of the text stands for.
 #[derive(Clone, Copy)]

@@ -1,6 +1,7 @@
 //! Params: numbers that may be changed at run time, and what is computed from them.
 
 use super::Lowering;
+use crate::api;
 use crate::model::{Formula, FormulaId, Param};
 use crate::syntax::Place;
 use crate::syntax::ast::{Constant, Expr, ExprKind, Pair};
@@ -59,15 +60,9 @@ impl Lowering {
     fn claim_setters(&mut self, name: &Ident) -> bool {
         let place = Place::at(name.span());
         if !std::mem::replace(&mut self.has_params, true) {
-            for method in [
-                "params",
-                "set_params",
-                "PARAMS",
-                "sensitivities",
-                "SENSITIVITY_COST",
-            ] {
-                let owner = "a mechanism with params".to_owned();
-                if !self.claim_method(method.to_owned(), owner, place) {
+            let owner = "a mechanism with params";
+            for method in api::names_of(owner) {
+                if !self.claim_method(method.to_owned(), owner.to_owned(), place) {
                     return false;
                 }
             }

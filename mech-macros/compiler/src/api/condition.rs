@@ -1,0 +1,77 @@
+//! When an item of the API exists.
+
+use crate::model::{JointKind, LoadKind, Model};
+
+/// What a mechanism must have for an item.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Condition {
+    Always,
+    /// Proved ranges. A mechanism with errors has the item in any case.
+    Ranges,
+    /// A motor that turns, and none that slides. A mechanism with errors need not have a motor yet.
+    Turning,
+    TurningAndSliding,
+    Velocity,
+    VelocityOnly,
+    Acceleration,
+    /// Loads and springs are told.
+    Actions,
+    Force,
+    Dynamics,
+    Overlay,
+    OverlayOfVelocity,
+    OverlayOfAcceleration,
+    OverlayOfForce,
+    OverlayOfLoads,
+    Traces,
+    Params,
+    Sensitivity,
+    Laws,
+}
+
+impl Condition {
+    /// Whether a mechanism has what it takes, as far as it was understood.
+    pub(crate) fn is_met(self, model: &Model, has_laws: bool) -> bool {
+        let effects = model.effects;
+        let slides = || {
+            let mut motors = model.motors.iter();
+            motors.any(|motor| !matches!(model.joint(motor.joint).kind, JointKind::Revolute(..)))
+        };
+        let has_forces = || {
+            let mut loads = model.actions.loads.iter();
+            loads.any(|load| matches!(load.kind, LoadKind::Force(_)))
+        };
+        match self {
+            Self::Always | Self::Ranges => true,
+            Self::Turning => !slides(),
+            Self::TurningAndSliding => slides(),
+            Self::Velocity => effects.velocity,
+            Self::VelocityOnly => effects.velocity && !effects.acceleration,
+            Self::Acceleration => effects.acceleration,
+            Self::Actions => effects.needs_actions(),
+            Self::Force => effects.force,
+            Self::Dynamics => effects.dynamics,
+            Self::Overlay => effects.overlay,
+            Self::OverlayOfVelocity => effects.overlay && effects.velocity,
+            Self::OverlayOfAcceleration => effects.overlay && effects.acceleration,
+            Self::OverlayOfForce => effects.overlay && effects.force,
+            Self::OverlayOfLoads => effects.overlay && effects.force && has_forces(),
+            Self::Traces => !model.traces.is_empty(),
+            Self::Params => !model.params.is_empty(),
+            Self::Sensitivity => effects.sensitivity && !model.params.is_empty(),
+            Self::Laws => has_laws,
+        }
+    }
+
+    /// What takes the name of an item; none if it is taken in every mechanism.
+    pub(super) fn owner(self) -> Option<&'static str> {
+        match self {
+            Self::Force => Some("effect `force`"),
+            Self::Dynamics => Some("effect `dynamics`"),
+            Self::OverlayOfForce | Self::OverlayOfLoads => Some("effect `overlay`"),
+            Self::Params | Self::Sensitivity => Some("a mechanism with params"),
+            Self::Laws => Some("the method that moves motors by their laws"),
+            _ => None,
+        }
+    }
+}
