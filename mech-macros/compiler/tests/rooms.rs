@@ -9,7 +9,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("bug", &[]),
     ("digits", &["bug"]),
     ("model", &["bug"]),
-    ("api", &["model"]),
+    ("api", &["bug", "model"]),
     ("syntax", &["api", "bug", "model"]),
     ("structure", &["bug", "model"]),
     ("symbols", &["model", "structure"]),

@@ -1,6 +1,7 @@
 //! When an item of the API exists.
 
 use crate::model::{JointKind, LoadKind, Model};
+use std::fmt::{self, Display, Formatter};
 
 /// What a mechanism must have for an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,14 +65,47 @@ impl Condition {
     }
 
     /// What takes the name of an item; none if it is taken in every mechanism.
-    pub(super) fn owner(self) -> Option<&'static str> {
+    pub(super) fn owner(self) -> Option<Owner> {
         match self {
-            Self::Force => Some("effect `force`"),
-            Self::Dynamics => Some("effect `dynamics`"),
-            Self::OverlayOfForce | Self::OverlayOfLoads => Some("effect `overlay`"),
-            Self::Params | Self::Sensitivity => Some("a mechanism with params"),
-            Self::Laws => Some("the method that moves motors by their laws"),
+            Self::Force => Some(Owner::Force),
+            Self::Dynamics => Some(Owner::Dynamics),
+            Self::OverlayOfForce | Self::OverlayOfLoads => Some(Owner::Overlay),
+            Self::Params | Self::Sensitivity => Some(Owner::Params),
+            Self::Laws => Some(Owner::Laws),
             _ => None,
         }
+    }
+}
+
+/// What takes names only in some mechanisms: messages call it as it is displayed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Owner {
+    Force,
+    Dynamics,
+    Overlay,
+    Params,
+    Laws,
+}
+
+impl Owner {
+    #[cfg(test)]
+    pub(crate) const ALL: [Self; 5] = [
+        Self::Force,
+        Self::Dynamics,
+        Self::Overlay,
+        Self::Params,
+        Self::Laws,
+    ];
+}
+
+impl Display for Owner {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Force => "effect `force`",
+            Self::Dynamics => "effect `dynamics`",
+            Self::Overlay => "effect `overlay`",
+            Self::Params => "a mechanism with params",
+            Self::Laws => "the method that moves motors by their laws",
+        })
     }
 }

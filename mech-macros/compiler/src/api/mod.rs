@@ -3,7 +3,8 @@
 mod condition;
 mod table;
 
-pub(crate) use condition::Condition;
+use crate::bug::bug;
+pub(crate) use condition::{Condition, Owner};
 pub(crate) use table::TABLE;
 
 /// What of a mechanism an item is for.
@@ -41,7 +42,9 @@ impl Item {
         let mut after = ["fn ", "const ", "type "]
             .into_iter()
             .filter_map(|keyword| Some(self.text.split_once(keyword)?.1));
-        let after = after.next().unwrap_or_default();
+        let Some(after) = after.next() else {
+            bug!("`{}` has no name", self.text);
+        };
         let is_part = |letter: char| letter == '_' || letter.is_alphanumeric();
         let end = after.find(|letter| !is_part(letter));
         &after[..end.unwrap_or(after.len())]
@@ -65,7 +68,7 @@ pub(crate) fn is_reserved(name: &str) -> bool {
 }
 
 /// The names that are taken only where something was asked for.
-pub(crate) fn names_of(owner: &str) -> impl Iterator<Item = &'static str> {
+pub(crate) fn names_of(owner: Owner) -> impl Iterator<Item = &'static str> {
     let items = TABLE.iter().filter(|item| item.is_fixed());
     items
         .filter(move |item| item.condition.owner() == Some(owner))

@@ -1,7 +1,7 @@
 //! A mechanism with errors has the same items as one without.
 
 use super::{analyse_and_emit, stub};
-use crate::api::{self, Condition, Subject, TABLE};
+use crate::api::{self, Condition, Owner, Subject, TABLE};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use std::collections::{BTreeMap, BTreeSet};
@@ -150,14 +150,7 @@ fn a_stub_has_the_signatures_of_the_items() {
 
 #[test]
 fn the_names_of_all_mechanisms_are_taken() {
-    let owners = [
-        "effect `force`",
-        "effect `dynamics`",
-        "effect `overlay`",
-        "a mechanism with params",
-        "the method that moves motors by their laws",
-    ];
-    let claimed: BTreeSet<&str> = owners.into_iter().flat_map(api::names_of).collect();
+    let claimed: BTreeSet<&str> = Owner::ALL.into_iter().flat_map(api::names_of).collect();
     for item in TABLE {
         let name = item.name();
         let is_fixed = matches!(item.subject, Subject::Mechanism | Subject::Trait);

@@ -1,7 +1,7 @@
 //! Masses, and what acts on them.
 
 use super::Lowering;
-use crate::api;
+use crate::api::Owner;
 use crate::model::{
     AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Mass, Spring,
 };
@@ -379,17 +379,13 @@ impl Lowering {
             force, dynamics, ..
         } = self.acting;
         let picture = force.filter(|_| self.model.effects.overlay);
-        for (place, effect) in [
-            (force, "force"),
-            (dynamics, "dynamics"),
-            (picture, "overlay"),
+        for (place, owner) in [
+            (force, Owner::Force),
+            (dynamics, Owner::Dynamics),
+            (picture, Owner::Overlay),
         ] {
-            let Some(place) = place else {
-                continue;
-            };
-            let owner = format!("effect `{effect}`");
-            for method in api::names_of(&owner) {
-                self.claim_method(method.to_owned(), owner.clone(), place);
+            if let Some(place) = place {
+                self.claim_methods(owner, place);
             }
         }
     }

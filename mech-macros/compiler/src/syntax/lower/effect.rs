@@ -1,7 +1,7 @@
 //! What is computed beyond positions, and the methods that tell it.
 
 use super::Lowering;
-use crate::api;
+use crate::api::Owner;
 use crate::model::{AxisKind, Effects, JointKind, LinkId, Origin};
 use crate::syntax::ast::{Effect, Read};
 use crate::syntax::{Place, spelling};
@@ -112,10 +112,7 @@ impl Lowering {
         let first = self.model.lawful_motors().next().map(|(motor, _)| motor);
         if let Some(motor) = first {
             let place = self.places.get(self.model.motor(motor).origin);
-            let owner = "the method that moves motors by their laws";
-            for method in api::names_of(owner) {
-                self.claim_method(method.to_owned(), owner.to_owned(), place);
-            }
+            self.claim_methods(Owner::Laws, place);
         }
     }
 

@@ -1,7 +1,7 @@
 //! What the names mean.
 
 use super::Lowering;
-use crate::api::is_reserved;
+use crate::api::{self, Owner, is_reserved};
 use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId};
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
@@ -175,6 +175,13 @@ impl Lowering {
         }
         self.names.methods.push((method, owner));
         true
+    }
+
+    /// Takes all methods of this owner, and reports each that something else has.
+    pub(super) fn claim_methods(&mut self, owner: Owner, place: Place) {
+        for method in api::names_of(owner) {
+            self.claim_method(method.to_owned(), owner.to_string(), place);
+        }
     }
 
     /// The link of this name.

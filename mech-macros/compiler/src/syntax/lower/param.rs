@@ -1,7 +1,7 @@
 //! Params: numbers that may be changed at run time, and what is computed from them.
 
 use super::Lowering;
-use crate::api;
+use crate::api::{self, Owner};
 use crate::model::{Formula, FormulaId, Param};
 use crate::syntax::Place;
 use crate::syntax::ast::{Constant, Expr, ExprKind, Pair};
@@ -60,9 +60,9 @@ impl Lowering {
     fn claim_setters(&mut self, name: &Ident) -> bool {
         let place = Place::at(name.span());
         if !std::mem::replace(&mut self.has_params, true) {
-            let owner = "a mechanism with params";
+            let owner = Owner::Params;
             for method in api::names_of(owner) {
-                if !self.claim_method(method.to_owned(), owner.to_owned(), place) {
+                if !self.claim_method(method.to_owned(), owner.to_string(), place) {
                     return false;
                 }
             }
