@@ -5,6 +5,7 @@ use super::cluster::Clusters;
 use super::equation::Unknown;
 use super::linear_relations::{Rational, fraction};
 use super::step::{Connection, ConnectionKind, Loop, Source, Step, Tie};
+use super::triad::Triad;
 use crate::model::{AxisId, JointId, LinkId, Model};
 use std::fmt::{self, Display, Formatter};
 
@@ -102,8 +103,8 @@ impl PlanText<'_> {
         };
         match &closing.rings[..] {
             rings if rings.len() > 1 => {
-                let triad = self.is_triad(closing, clusters);
-                let kind = if triad { "triad" } else { "coupled" };
+                let triad = Triad::of(closing, |axis| clusters.base(self.link_of(axis)));
+                let kind = triad.map_or("coupled", |_| "triad");
                 let rings: Vec<String> = rings.iter().map(letters).collect();
                 format!("{tied}{kind}, rings {}", rings.join(" and "))
             }
@@ -116,36 +117,6 @@ impl PlanText<'_> {
                 rings.iter().map(letters).collect::<String>()
             ),
         }
-    }
-
-    /// Whether three legs of one link each join a middle link to what is known.
-    fn is_triad(&self, closing: &Loop, clusters: &Clusters) -> bool {
-        let ends = |connection: &Connection| {
-            [connection.from, connection.to].map(|axis| clusters.base(self.link_of(axis)))
-        };
-        let Some(known) = closing.tree.first().map(|first| ends(first)[0]) else {
-            return false;
-        };
-        let joined: Vec<[LinkId; 2]> = closing
-            .connections()
-            .map(|connection| ends(&connection))
-            .collect();
-        let neighbours = |link: LinkId| -> Vec<LinkId> {
-            joined
-                .iter()
-                .filter(|ends| ends.contains(&link))
-                .map(|&[a, b]| if a == link { b } else { a })
-                .collect()
-        };
-        let is_leg = |&leg: &LinkId| {
-            let two = neighbours(leg);
-            leg != known && two.len() == 2 && two.contains(&known)
-        };
-        joined.len() == 6
-            && joined.iter().flatten().any(|&middle| {
-                let legs = neighbours(middle);
-                middle != known && legs.len() == 3 && legs.iter().all(is_leg)
-            })
     }
 
     /// Which links a step places, and relative to what: it merges their clusters.

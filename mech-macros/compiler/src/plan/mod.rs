@@ -17,6 +17,7 @@ mod search;
 mod sequence;
 mod step;
 mod tight;
+mod triad;
 
 pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::{Assembly, CamStart};
@@ -29,6 +30,7 @@ pub(crate) use linear_relations::{float_of, fraction};
 pub use needed::Needed;
 pub(crate) use placement::{Coordinate, Placement};
 pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
+pub(crate) use triad::{Leg, Triad};
 
 use crate::model::Model;
 use crate::structure::{Diagnosis, Structure};

@@ -5,7 +5,7 @@ use super::rates::Closing;
 use super::tied::all_columns;
 use super::watching::{Side, Watchable};
 use crate::model::{Joint, JointKind, LinkId};
-use crate::plan::{Algebra, Equation, Loop, Pose, Residuals, Solution, Unknown};
+use crate::plan::{Algebra, Equation, Loop, Pose, Residuals, Solution, Triad, Unknown};
 use crate::program::choice::{MOST_ROUNDS, Solver};
 use crate::program::newton::{Limits, Newton, Rounds, Scalar};
 use crate::program::node::{BlockId, Op, Part, Slot, Value};
@@ -75,7 +75,7 @@ impl Writer<'_> {
             });
             return;
         }
-        let triad = self.triad(closing);
+        let triad = Triad::of(closing, |axis| self.placement.base(axis));
         let tied = (!closing.ties.is_empty()).then(|| self.tied(closing, &equation, first));
         self.builder.enter();
         let (mut newton, solution, side) = match (&tied, &triad) {

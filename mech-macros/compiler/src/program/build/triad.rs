@@ -5,74 +5,12 @@
 use super::Writer;
 use super::closing::System;
 use super::watching::Side;
-use crate::model::{AxisId, LinkId};
-use crate::plan::{Algebra, Connection, ConnectionKind, Equation, Loop, Solution, Unknown};
+use crate::model::LinkId;
+use crate::plan::{Algebra, Equation, Leg, Solution, Triad, Unknown};
 use crate::program::newton::Newton;
 use crate::program::node::{BlockId, Value};
 
-/// A middle link and its legs, by the bases of their clusters.
-pub(super) struct Triad {
-    middle: LinkId,
-    legs: [Leg; 3],
-}
-
-/// A binary leg.
-#[derive(Clone, Copy)]
-struct Leg {
-    base: LinkId,
-    /// From what is known to the leg.
-    foot: Connection,
-    /// From the leg to the middle link.
-    head: Connection,
-}
-
 impl Writer<'_> {
-    /// The triad that a loop is, if it is one.
-    pub(super) fn triad(&self, closing: &Loop) -> Option<Triad> {
-        let base = |axis: AxisId| self.placement.base(axis);
-        let first = base(closing.tree.first()?.from);
-        let mut connections: Vec<Connection> = Vec::new();
-        for connection in closing.rings.iter().flatten() {
-            let ends = |other: &Connection| [base(other.from), base(other.to)];
-            let same = |other: &Connection| {
-                ends(other) == ends(connection) || ends(&other.reversed()) == ends(connection)
-            };
-            if !connections.iter().any(same) {
-                connections.push(*connection);
-            }
-        }
-        let turns = connections
-            .iter()
-            .all(|connection| connection.kind == ConnectionKind::Revolute);
-        if !turns || connections.len() != 6 || closing.tree.len() != 4 {
-            return None;
-        }
-        let from = |start: LinkId, end: LinkId| {
-            let both = connections
-                .iter()
-                .flat_map(|connection| [*connection, connection.reversed()]);
-            both.into_iter()
-                .find(|connection| base(connection.from) == start && base(connection.to) == end)
-        };
-        let others = || closing.tree.iter().map(|connection| base(connection.to));
-        let middle = others().find(|&middle| from(first, middle).is_none())?;
-        let leg = |leg: LinkId| {
-            Some(Leg {
-                base: leg,
-                foot: from(first, leg)?,
-                head: from(leg, middle)?,
-            })
-        };
-        let legs: Vec<Leg> = others()
-            .filter(|&other| other != middle)
-            .map(leg)
-            .collect::<Option<_>>()?;
-        Some(Triad {
-            middle,
-            legs: legs.try_into().ok()?,
-        })
-    }
-
     /// The iteration on the pose of the middle link: a direction and the place of its origin.
     pub(super) fn contract(
         &mut self,
