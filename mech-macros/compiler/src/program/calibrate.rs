@@ -8,25 +8,13 @@ use mech_core::dense::solve;
 pub(super) fn calibrate(program: &mut Program) {
     let values = at_start(program);
     let length = |[x, y]: [Value; 2]| values[x.index()].hypot(values[y.index()]);
-    let norm = |column: &[Value]| {
-        column
-            .iter()
-            .map(|value| values[value.index()].powi(2))
-            .sum::<f64>()
-            .sqrt()
-    };
+    let number = |value: Value| values[value.index()];
     let det = |newton: &Newton| {
-        if !newton.dense {
-            return values[newton.det.index()];
+        if newton.dense {
+            determinant(&newton.columns, number)
+        } else {
+            number(newton.det)
         }
-        let rate = |row: usize, column: usize| values[newton.columns[column][row].index()];
-        let row = |row: usize| -> Vec<f64> {
-            (0..newton.columns.len())
-                .map(|column| rate(row, column))
-                .collect()
-        };
-        let mut rows: Vec<Vec<f64>> = (0..newton.gap.len()).map(row).collect();
-        solve(&mut rows, &mut vec![0.0; newton.gap.len()])
     };
     let nodes = &program.nodes;
     // Where a side is carried its sign is taken out of the determinant.
@@ -36,12 +24,25 @@ pub(super) fn calibrate(program: &mut Program) {
         if let BlockKind::Newton(newton) = &mut block.kind {
             newton.limits = Limits {
                 size: newton.sides.iter().map(|&side| length(side)).sum(),
-                reach: newton.columns.iter().map(|column| norm(column)).product(),
+                reach: reach(&newton.columns, number),
                 det: det(newton).abs(),
                 positive: sided(newton) || det(newton) > 0.0,
             };
         }
     }
+}
+
+/// The determinant of columns, as many as each has numbers.
+pub(super) fn determinant(columns: &[Vec<Value>], number: impl Fn(Value) -> f64) -> f64 {
+    let row = |row: usize| columns.iter().map(|column| number(column[row])).collect();
+    let mut rows: Vec<Vec<f64>> = (0..columns.len()).map(row).collect();
+    solve(&mut rows, &mut vec![0.0; columns.len()])
+}
+
+/// The greatest determinant that columns of these lengths allow: the product of the lengths.
+pub(super) fn reach(columns: &[Vec<Value>], number: impl Fn(Value) -> f64) -> f64 {
+    let square = |column: &Vec<Value>| column.iter().map(|&value| number(value).powi(2)).sum();
+    columns.iter().map(square).map(f64::sqrt).product()
 }
 
 /// All values at the start, where every loop is already closed.

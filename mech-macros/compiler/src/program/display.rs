@@ -218,24 +218,15 @@ impl Program {
             };
             let bounds = if watch.guessed { "guessed" } else { "bounded" };
             let number = number + 1;
-            let rates: Vec<String> = rates.iter().map(|rate| format!("{rate:.3e}")).collect();
-            let rates = rates.join(", ");
+            let rates = short(rates);
             writeln!(
                 f,
                 "watch loop {number}: sine s{sine}; at zero it {at_zero}; rates {bounds} {rates}"
             )?;
         }
         for follow in &self.follows {
-            let rates: Vec<String> = follow
-                .rates
-                .iter()
-                .map(|rate| format!("{rate:.3e}"))
-                .collect();
-            writeln!(
-                f,
-                "follow an angle over whole turns: rates {}",
-                rates.join(", ")
-            )?;
+            let rates = short(&follow.rates);
+            writeln!(f, "follow an angle over whole turns: rates {rates}")?;
         }
         Ok(())
     }
@@ -389,4 +380,10 @@ impl Program {
         let operands: Vec<Value> = op.operands().collect();
         format!("{name} {}", self.list(&operands))
     }
+}
+
+/// Numbers to four digits.
+fn short(numbers: &[f64]) -> String {
+    let numbers = numbers.iter().map(|number| format!("{number:.3e}"));
+    numbers.collect::<Vec<_>>().join(", ")
 }

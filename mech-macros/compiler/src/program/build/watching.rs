@@ -4,10 +4,10 @@ use super::Writer;
 use super::tied::Tied;
 use crate::plan::{Algebra, Equation, Solution, Turning};
 use crate::program::builder::Builder;
+use crate::program::calibrate::{determinant, reach};
 use crate::program::newton::Newton;
 use crate::program::node::{BlockId, Op, Value};
 use crate::program::{Bound, Follow, Growth, Watch};
-use mech_core::dense::solve;
 use mech_core::journey;
 
 /// Of the square of a tied loop's sine so much of rounding hides the sign: an iteration ends where a gap is that small.
@@ -168,14 +168,9 @@ impl Writer<'_> {
         if columns.iter().any(|column| column.len() != columns.len()) {
             return None;
         }
-        let rate = |value: &Value| self.builder.at_start(*value);
-        let mut rows: Vec<Vec<f64>> = (0..columns.len())
-            .map(|row| columns.iter().map(|column| rate(&column[row])).collect())
-            .collect();
-        let squares = |column: &Vec<Value>| column.iter().map(|value| rate(value).powi(2)).sum();
-        let lengths: f64 = columns.iter().map(squares).map(f64::sqrt).product();
-        let det = solve(&mut rows, &mut vec![0.0; columns.len()]);
-        let scale = 1.0 / det.abs().max(OF_LENGTHS * lengths);
+        let number = |value: Value| self.builder.at_start(value);
+        let det = determinant(columns, number);
+        let scale = 1.0 / det.abs().max(OF_LENGTHS * reach(columns, number));
         let last = self.keep(scale * det);
         Some(Side { last, scale })
     }
