@@ -485,10 +485,15 @@ pub use mech_macros::mechanism as expand_mechanism;
 ///
 /// # Params
 ///
-/// `param rod_length = 4.0;` is a number that can be changed at run time. The places of points, lines and drawn joints may depend on
-/// it, and laws may, also through constants (`const HALF = rod_length / 2;`). Everything else (directions, shapes, ratios, ranges,
-/// starts, masses, springs) may not, and a mechanism with params has no declared ranges, because what is proved holds for one shape
-/// only. It is analysed and assembled with the values that are declared.
+/// `param rod_length = 4.0;` is a number that can be changed at run time. These may depend on it, also through constants
+/// (`const HALF = rod_length / 2;`): the places of points, lines and drawn joints; the directions of lines, also of drawn ones
+/// (`along tilt`); shapes; and laws. Everything else (ratios, starts, masses, springs, colors) may not. A gear, belt or rack keeps its
+/// ratio, so that it counts whole turns exactly; a cam may have a ratio in its law (`cam(first, second, -radius / 2 * q)`). A mechanism
+/// with params has no declared ranges, because what is proved holds for one shape only. It is analysed and assembled with the values
+/// that are declared.
+///
+/// `draw` paints shapes as the params have them; [`Mechanism::SHAPES`] and [`Mechanism::EXTENT`] are as at the start. A shape whose
+/// length is no longer positive is not seen. Wheels stay in mesh where a param turns a slide.
 ///
 /// Forces, motions under forces and laws go with params. What they tell is for the present values. A motor that follows a law stays
 /// where it is when a param of its law is changed, until `at_time` moves it.

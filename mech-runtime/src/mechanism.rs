@@ -34,12 +34,14 @@ pub trait Mechanism: Clone {
     const LINKS: &'static [&'static str];
     /// The joints, in the order of their declaration: what they are and where.
     const JOINTS: &'static [JointInfo<Self::Scalar>];
-    /// Everything that is seen, from the plane farthest from the eye to the nearest.
+    /// Everything that is seen, from the plane farthest from the eye to the nearest. What depends on params is as at the start;
+    /// [`draw`](Self::draw) paints it as it is.
     const SHAPES: &'static [Shape<Self::Scalar>];
 
     /// The smallest upright box around all that is seen, wherever its motors move it: lower left and upper right corner, in scene
     /// units. Found at compile time by moving each motor alone through its range or whole turns, and all of them in several
-    /// proportions. What is seen are its shapes; of a mechanism without any, its joints and points.
+    /// proportions, with the params as they are at the start. What is seen are its shapes; of a mechanism without any, its joints and
+    /// points.
     const EXTENT: [[Self::Scalar; 2]; 2];
 
     /// The mechanism as it was assembled at compile time.

@@ -16,7 +16,7 @@ pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
 pub use grow::{Grown, grow, grow_coupled, in_own_frames};
 pub use source::{bodies, mechanisms};
-pub use varied::{place, scale, vary, with_params};
+pub use varied::{direction, place, scale, vary, with_params};
 
 use std::time::Instant;
 

@@ -66,15 +66,15 @@ pub enum Symbol {
         radius: f64,
         /// The bar, at the origin of the line along which it slides.
         bar: Spot,
-        /// The direction of that line, in the bar's frame.
-        along: [f64; 2],
+        /// That line.
+        along: AxisId,
     },
     /// A line along which something slides.
     Line {
         /// Its origin.
         at: Spot,
-        /// Its direction, in the link's frame.
-        along: [f64; 2],
+        /// The line.
+        along: AxisId,
     },
     /// A point about which something turns.
     Point(Spot),
@@ -82,8 +82,8 @@ pub enum Symbol {
     Slide {
         /// The part with the guide, at the origin of its line.
         guide: Spot,
-        /// The direction of the guide, in its link's frame.
-        along: [f64; 2],
+        /// The line of the guide.
+        along: AxisId,
         /// The part that slides.
         block: Spot,
     },
@@ -99,8 +99,8 @@ pub enum Symbol {
         block: Spot,
         /// The link with the guide.
         guide: LinkId,
-        /// The guide's direction, in that link's frame.
-        along: [f64; 2],
+        /// The line of the guide.
+        along: AxisId,
     },
 }
 
@@ -216,7 +216,7 @@ impl Diagram<'_> {
         let (at, block) = (self.first_kept(&[guide])?, self.first_kept(&[block])?);
         Some(Symbol::Slide {
             guide: at,
-            along: self.model.axis(guide).direction,
+            along: guide,
             block,
         })
     }
@@ -293,7 +293,7 @@ impl Diagram<'_> {
             AxisKind::Point => Symbol::Point(self.spot(axis)),
             AxisKind::Line => Symbol::Line {
                 at: self.spot(axis),
-                along: self.model.axis(axis).direction,
+                along: axis,
             },
         };
         declared.map(symbol).collect()
@@ -375,7 +375,7 @@ impl Diagram<'_> {
             pinion: center,
             radius,
             bar: at,
-            along: self.model.axis(line).direction,
+            along: line,
         };
         Some(vec![wheel, rack])
     }

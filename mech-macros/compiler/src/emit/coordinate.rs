@@ -70,11 +70,10 @@ pub(super) fn coordinate(
         return Some((Measure::Turns, value));
     }
     let axis = |id: AxisId| {
-        let axis = model.axis(id);
         let at = params::place(model, program, id);
-        let [along, across] = axis.direction.map(|value| number(program.precision, value));
-        let pose = pose(program, axis.link);
-        quote!((#pose, #at, [#along, #across]))
+        let direction = params::direction(model, program, id);
+        let pose = pose(program, model.axis(id).link);
+        quote!((#pose, #at, #direction))
     };
     let (a, b) = (axis(a), axis(b));
     Some((measure, quote!(#function(#a, #b))))

@@ -6,7 +6,7 @@ use super::motion::found;
 use super::params;
 use super::scope::number;
 use crate::compiled::Compiled;
-use crate::model::{Axis, JointId, JointKind, LinkId, LoadKind, Model, Precision};
+use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, LoadKind, Model, Precision};
 use crate::program::Program;
 use crate::symbols::{self, Spot, Symbol};
 use proc_macro2::{Literal, TokenStream};
@@ -198,6 +198,10 @@ impl Writer<'_> {
         params::place(self.model, self.program, spot.axis)
     }
 
+    fn direction(&self, line: AxisId) -> TokenStream {
+        params::direction(self.model, self.program, line)
+    }
+
     fn spot(&self, spot: Spot) -> TokenStream {
         let (link, at) = (self.link(spot.link), self.place(spot));
         quote!(Spot { link: #link, at: #at })
@@ -229,11 +233,11 @@ impl Writer<'_> {
                 along,
             } => {
                 let (pinion, bar) = (self.spot(pinion), self.spot(bar));
-                let (radius, along) = (self.number(radius), self.pair(along));
+                let (radius, along) = (self.number(radius), self.direction(along));
                 quote!(Symbol::Rack { pinion: #pinion, radius: #radius, bar: #bar, along: #along })
             }
             Symbol::Line { at, along } => {
-                let (at, along) = (self.spot(at), self.pair(along));
+                let (at, along) = (self.spot(at), self.direction(along));
                 quote!(Symbol::Line { at: #at, along: #along })
             }
             Symbol::Point(spot) => {
@@ -245,7 +249,7 @@ impl Writer<'_> {
                 along,
                 block,
             } => {
-                let (guide, along) = (self.spot(guide), self.pair(along));
+                let (guide, along) = (self.spot(guide), self.direction(along));
                 let block = self.spot(block);
                 quote!(Symbol::Slide { guide: #guide, along: #along, block: #block })
             }
@@ -267,7 +271,7 @@ impl Writer<'_> {
                 along,
             } => {
                 let (block, guide) = (self.spot(block), self.link(guide));
-                let along = self.pair(along);
+                let along = self.direction(along);
                 quote!(Symbol::Pushed { block: #block, guide: #guide, along: #along })
             }
         }

@@ -9,7 +9,7 @@ use super::scope::number;
 use super::sensitivity;
 use super::step::step;
 use crate::compiled::Compiled;
-use crate::model::{AxisId, Model};
+use crate::model::{AxisId, FormulaId, Model};
 use crate::program::Program;
 use crate::syntax::Places;
 use proc_macro2::{Literal, TokenStream};
@@ -171,12 +171,27 @@ fn methods(
 /// Where an axis is in its link, as an array: an expression inside a method.
 pub(super) fn place(model: &Model, program: &Program, id: AxisId) -> TokenStream {
     let axis = model.axis(id);
-    let [x, y] = [0, 1].map(|part| match program.kept_place(id, part) {
-        None => number(program.precision, axis.at[part]),
+    pair(program, axis.at, axis.formulas)
+}
+
+/// Which way an axis points in its link, in the same form.
+pub(super) fn direction(model: &Model, program: &Program, id: AxisId) -> TokenStream {
+    let axis = model.axis(id);
+    pair(program, axis.direction, axis.direction_formulas)
+}
+
+fn pair(program: &Program, start: [f64; 2], formulas: [Option<FormulaId>; 2]) -> TokenStream {
+    let [x, y] = [0, 1].map(|part| present(program, start[part], formulas[part]));
+    quote!([#x, #y])
+}
+
+/// A number that may depend on params: an expression inside a method.
+pub(super) fn present(program: &Program, start: f64, formula: Option<FormulaId>) -> TokenStream {
+    match formula.and_then(|formula| program.kept_number(formula)) {
+        None => number(program.precision, start),
         Some(state) => {
             let state = Literal::usize_unsuffixed(state);
             quote!(self.position.state[#state])
         }
-    });
-    quote!([#x, #y])
+    }
 }

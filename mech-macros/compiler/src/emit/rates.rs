@@ -8,7 +8,6 @@ use super::items::{named_points, pose, user_ident};
 use super::motion::given;
 use super::moves::{advance_with, step_full};
 use super::params;
-use super::scope::number;
 use super::step::step;
 use crate::compiled::Compiled;
 use crate::model::{AxisId, Effects, LinkId, Model};
@@ -318,9 +317,9 @@ fn joint_rate(
     }
     let end = |end: AxisId| {
         let id = link(end);
-        let (axis, pose) = (model.axis(end), pose(program, id));
+        let pose = pose(program, id);
         let at = params::place(model, program, end);
-        let [along, across] = axis.direction.map(|value| number(model.precision, value));
+        let direction = params::direction(model, program, end);
         let (velocity, acceleration) = if id == LinkId::GROUND {
             (quote!(Velocity::ZERO), quote!(Acceleration::ZERO))
         } else {
@@ -335,7 +334,7 @@ fn joint_rate(
         } else {
             velocity
         };
-        quote!((#pose, #at, [#along, #across]), #rates)
+        quote!((#pose, #at, #direction), #rates)
     };
     let function = if second {
         quote!(generated::slide_acceleration)

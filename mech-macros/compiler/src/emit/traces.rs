@@ -3,14 +3,15 @@
 use super::added::Added;
 use super::block::scalar;
 use super::items::user_ident;
-use super::scope::number;
-use crate::model::{Model, Trace};
+use super::params;
+use crate::model::{Model, Shape, Trace};
 use crate::program::Program;
 use crate::syntax::Places;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+use std::ops::Range;
 
-/// What traces add to a mechanism.
+/// What traces, and shapes that params change, add to a mechanism.
 pub(super) fn added(
     krate: &TokenStream,
     places: &Places,
@@ -18,18 +19,24 @@ pub(super) fn added(
     program: &Program,
     visibility: &syn::Visibility,
 ) -> Added {
-    if model.traces.is_empty() {
-        return Added::default();
-    }
     let scalar = scalar(program);
+    let draw = quote! {
+        fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
+            Self::draw(self, canvas);
+        }
+    };
+    if model.traces.is_empty() {
+        let mut shapes = model.links.iter().flat_map(|link| &link.shapes);
+        let changes = shapes.any(Shape::varies);
+        return Added {
+            trait_methods: if changes { draw } else { TokenStream::new() },
+            ..Added::default()
+        };
+    }
     let mut items = Added {
         record: quote!(Traced::record(self);),
         instance_record: quote!(Traced::record(instance)),
-        trait_methods: quote! {
-            fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
-                Self::draw(self, canvas);
-            }
-        },
+        trait_methods: draw,
         ..Added::default()
     };
     let (mut pushes, mut clears) = (TokenStream::new(), TokenStream::new());
@@ -75,16 +82,10 @@ fn names(places: &Places, model: &Model, trace: &Trace) -> (String, Ident) {
 
 /// Where a traced point is.
 fn place(model: &Model, program: &Program, trace: &Trace) -> TokenStream {
-    let axis = model.axis(trace.point);
-    let [x, y] = [0, 1].map(|part| match program.kept_place(trace.point, part) {
-        None => number(program.precision, axis.at[part]),
-        Some(state) => {
-            let state = Literal::usize_unsuffixed(state);
-            quote!(self.position.state[#state])
-        }
-    });
-    let index = Literal::usize_unsuffixed(program.kept_pose(axis.link));
-    quote!(self.position.poses[#index].apply([#x, #y]))
+    let at = params::place(model, program, trace.point);
+    let link = model.axis(trace.point).link;
+    let index = Literal::usize_unsuffixed(program.kept_pose(link));
+    quote!(self.position.poses[#index].apply(#at))
 }
 
 /// The painting of all shapes and traces, from the plane farthest from the eye to the nearest.
@@ -106,28 +107,40 @@ pub(super) fn painting(places: &Places, model: &Model, program: &Program) -> Tok
         .collect();
     traces.sort_by_key(|(behind, _)| *behind);
     let mut tokens = TokenStream::new();
-    let mut painted = 0;
-    let paint =
-        |shapes: TokenStream| quote!(generated::paint(#shapes, &self.position.poses, canvas););
-    for (behind, trace) in traces {
-        if behind > painted {
-            let [from, to] = [painted, behind].map(Literal::usize_unsuffixed);
-            tokens.extend(paint(
-                quote!(known::SHAPES.get(#from..#to).unwrap_or_default()),
-            ));
-            painted = behind;
+    let mut traces = traces.into_iter().peekable();
+    // From which shape on nothing is painted yet: as many as possible are painted at once.
+    let mut first = 0;
+    for place in 0..=shapes.len() {
+        let fill = shapes.get(place).and_then(super::shapes::fill);
+        let is_next = |(behind, _): &(usize, &Trace)| *behind == place;
+        let interrupts = fill.is_some() || traces.peek().is_some_and(is_next);
+        if (interrupts || place == shapes.len()) && first < place {
+            tokens.extend(paint(first..place, shapes.len()));
+            first = place;
         }
-        let (_, field) = names(places, model, trace);
-        let color = Literal::u8_unsuffixed(trace.color);
-        tokens.extend(quote!(Trace::draw(&self.#field, canvas, #color);));
+        while let Some((_, trace)) = traces.next_if(is_next) {
+            let (_, field) = names(places, model, trace);
+            let color = Literal::u8_unsuffixed(trace.color);
+            tokens.extend(quote!(Trace::draw(&self.#field, canvas, #color);));
+        }
+        if let Some(fill) = fill {
+            tokens.extend(fill);
+            first = place + 1;
+        }
     }
-    if painted == 0 {
-        tokens.extend(paint(quote!(known::SHAPES)));
-    } else if painted < shapes.len() {
-        let from = Literal::usize_unsuffixed(painted);
-        tokens.extend(paint(
-            quote!(known::SHAPES.get(#from..).unwrap_or_default()),
-        ));
+    if shapes.is_empty() {
+        tokens.extend(paint(0..0, 0));
     }
     tokens
+}
+
+/// The painting of some of all shapes.
+fn paint(some: Range<usize>, all: usize) -> TokenStream {
+    let [from, to] = [some.start, some.end].map(Literal::usize_unsuffixed);
+    let shapes = match (some.start == 0, some.end == all) {
+        (true, true) => quote!(known::SHAPES),
+        (false, true) => quote!(known::SHAPES.get(#from..).unwrap_or_default()),
+        (_, false) => quote!(known::SHAPES.get(#from..#to).unwrap_or_default()),
+    };
+    quote!(generated::paint(#shapes, &self.position.poses, canvas);)
 }

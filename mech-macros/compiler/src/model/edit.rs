@@ -82,6 +82,7 @@ impl Edit {
             origin,
             kind: AxisKind::Line,
             direction: along,
+            direction_formulas: [None; 2],
             ..self.model.axis(other).clone()
         });
         self.keeps_joint[id.index()] = false;

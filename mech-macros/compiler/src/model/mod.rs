@@ -349,6 +349,7 @@ impl Model {
                 at,
                 formulas: [None; 2],
                 direction,
+                direction_formulas: [None; 2],
             });
             AxisId::new(self.axes.len() - 1)
         };

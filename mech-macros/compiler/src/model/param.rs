@@ -81,10 +81,22 @@ impl Params {
 }
 
 impl Axis {
-    /// Whether where it is in its link depends on a param.
+    /// Whether where it is in its link, or its direction there, depends on a param.
     #[must_use]
     pub fn varies(&self) -> bool {
-        self.formulas.iter().any(Option::is_some)
+        self.all_formulas().next().is_some()
+    }
+
+    /// Whether its direction in its link depends on a param.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        self.direction_formulas.iter().any(Option::is_some)
+    }
+
+    /// How everything of it is computed that depends on params.
+    pub(crate) fn all_formulas(&self) -> impl Iterator<Item = FormulaId> + '_ {
+        let all = self.formulas.iter().chain(&self.direction_formulas);
+        all.flatten().copied()
     }
 }
 
@@ -111,15 +123,23 @@ impl Model {
             params: &params,
             by: param,
         });
-        let used = self.axes.iter().flat_map(|axis| axis.formulas).flatten();
-        let slopes = used.map(|formula| slopes[formula.index()]);
         let size = self.size().max(f64::MIN_POSITIVE);
+        let slope = |formula: FormulaId| slopes[formula.index()].1.abs();
+        let axes = self.axes.iter().map(|axis| {
+            let [placed, turned] = [axis.formulas, axis.direction_formulas].map(|formulas| {
+                formulas
+                    .into_iter()
+                    .flatten()
+                    .map(slope)
+                    .fold(0.0, f64::max)
+            });
+            placed.max(size * turned)
+        });
         let followers = self.cams().map(|(_, _, follower, law)| {
             let slides = matches!(self.joint(follower).kind, JointKind::Prismatic(..));
             let steepest = steepest(law, param, &params);
             if slides { steepest } else { steepest * size }
         });
-        let axes = slopes.map(|(_, slope)| slope.abs());
         let scale = size / axes.chain(followers).fold(0.0, f64::max);
         scale.is_finite().then_some(scale)
     }

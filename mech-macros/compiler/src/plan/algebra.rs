@@ -23,6 +23,17 @@ pub(crate) trait Algebra {
         self.vector(axis.at)
     }
 
+    /// The direction of an axis in its link: with numbers, at the start.
+    fn direction(&mut self, axis: &Axis) -> [Self::Scalar; 2] {
+        self.vector(axis.direction)
+    }
+
+    /// The same, mirrored in the link's x axis: the opposite angle.
+    fn mirrored_direction(&mut self, axis: &Axis) -> [Self::Scalar; 2] {
+        let [x, y] = axis.direction;
+        self.vector([x, -y])
+    }
+
     /// The way from one axis of a link to another, in the link.
     fn between(&mut self, from: &Axis, to: &Axis) -> [Self::Scalar; 2] {
         self.vector([to.at[0] - from.at[0], to.at[1] - from.at[1]])
@@ -128,17 +139,13 @@ impl<S: Copy> Pose<S> {
         algebra: &mut A,
         point: [f64; 2],
     ) -> [S; 2] {
-        let turned = self.turn(algebra, point);
-        algebra.plus(self.origin, turned)
+        let point = algebra.vector(point);
+        self.carry_spot(algebra, point)
     }
 
-    /// Where a direction of the link points.
-    pub(crate) fn turn<A: Algebra<Scalar = S>>(
-        self,
-        algebra: &mut A,
-        direction: [f64; 2],
-    ) -> [S; 2] {
-        let direction = algebra.vector(direction);
+    /// Where an axis of the link points.
+    pub(crate) fn heading<A: Algebra<Scalar = S>>(self, algebra: &mut A, axis: &Axis) -> [S; 2] {
+        let direction = algebra.direction(axis);
         algebra.turned(self.direction, direction)
     }
 

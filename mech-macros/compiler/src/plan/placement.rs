@@ -80,7 +80,7 @@ impl<'m, S: Copy> Placement<'m, S> {
     /// The direction of an axis, relative to the base of its cluster.
     pub(crate) fn heading<A: Algebra<Scalar = S>>(&self, algebra: &mut A, id: AxisId) -> [S; 2] {
         let axis = self.axis(id);
-        self.pose(axis.link).turn(algebra, axis.direction)
+        self.pose(axis.link).heading(algebra, axis)
     }
 
     /// The way from one axis to another in the same cluster, relative to its base.
@@ -116,8 +116,7 @@ impl<'m, S: Copy> Placement<'m, S> {
                 (heading, algebra.plus(spot, offset))
             }
         };
-        let [x, y] = self.axis(connection.to).direction;
-        let own = algebra.vector([x, -y]);
+        let own = algebra.mirrored_direction(self.axis(connection.to));
         let direction = algebra.turned(facing, own);
         self.hang(algebra, connection, meeting, direction);
     }

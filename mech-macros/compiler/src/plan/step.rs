@@ -3,7 +3,7 @@
 use super::equation::Unknown;
 use super::linear_relations::Rational;
 use crate::bug::bug;
-use crate::model::{AxisId, JointId, LinkId, Model, MotorId};
+use crate::model::{AxisId, JointId, LinkId, MotorId};
 
 /// One step: it merges clusters of links, so that the links inside keep known relative positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -184,16 +184,6 @@ impl Loop {
 }
 
 impl Connection {
-    /// The angle from the frame of the first link to that of the second when the coordinate is zero.
-    #[must_use]
-    pub fn frame_angle(&self, model: &Model) -> f64 {
-        let heading = |axis| {
-            let [x, y] = model.axis(axis).direction;
-            f64::atan2(y, x)
-        };
-        heading(self.from) - heading(self.to)
-    }
-
     /// The same connection, walked the other way.
     #[must_use]
     pub fn reversed(self) -> Self {

@@ -243,9 +243,25 @@ impl Algebra for Builder {
 
     fn place(&mut self, axis: &Axis) -> [Value; 2] {
         [0, 1].map(|part| match axis.formulas[part] {
-            Some(id) => self.formulas[id.index()],
+            Some(id) => self.formula(id),
             None => self.constant(axis.at[part]),
         })
+    }
+
+    fn direction(&mut self, axis: &Axis) -> [Value; 2] {
+        [0, 1].map(|part| match axis.direction_formulas[part] {
+            Some(id) => self.formula(id),
+            None => self.constant(axis.direction[part]),
+        })
+    }
+
+    fn mirrored_direction(&mut self, axis: &Axis) -> [Value; 2] {
+        if axis.turns() {
+            let direction = self.direction(axis);
+            return self.conjugate(direction);
+        }
+        let [x, y] = axis.direction;
+        self.vector([x, -y])
     }
 
     fn between(&mut self, from: &Axis, to: &Axis) -> [Value; 2] {

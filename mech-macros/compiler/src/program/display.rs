@@ -72,10 +72,7 @@ impl Program {
             return format!(": coordinate of joint {}", angle.joint.index());
         }
         match self.places.iter().find(|place| place.state == number) {
-            Some(place) => {
-                let part = if place.part == 0 { "x" } else { "y" };
-                format!(": {part} of axis {} in its link", place.axis.index())
-            }
+            Some(place) => format!(": formula {} of params", place.formula.index()),
             None => String::new(),
         }
     }

@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::node::{Op, Value};
 use crate::bug::bug;
-use crate::model::{Arithmetic, BinaryFunction, Function, Law, Model, ParamId};
+use crate::model::{Arithmetic, BinaryFunction, FormulaId, Function, Law, Model, ParamId};
 use crate::plan::Algebra;
 
 impl Builder {
@@ -14,6 +14,11 @@ impl Builder {
             builder: self,
             variable: None,
         });
+    }
+
+    /// What a formula gives.
+    pub(super) fn formula(&self, id: FormulaId) -> Value {
+        self.formulas[id.index()]
     }
 
     /// The values of all params.

@@ -1,24 +1,23 @@
-//! Where axes are in their links, if that depends on params.
+//! Numbers of axes and shapes that depend on params.
 
 use super::Program;
-use crate::model::AxisId;
+use crate::model::FormulaId;
 
-/// A coordinate of an axis in its link that depends on params.
+/// A number that depends on params: of the place or direction of an axis in its link, or of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The axis.
-    pub axis: AxisId,
-    /// Which of its coordinates: zero for the abscissa, one for the ordinate.
-    pub part: usize,
+    /// How it is computed.
+    pub formula: FormulaId,
     /// Where its value is kept.
     pub state: usize,
 }
 
 impl Program {
-    /// Where a coordinate of an axis in its link is kept; none if it is a constant, or nothing tells it.
+    /// Where what a formula gives is kept; none if nothing tells it.
     #[must_use]
-    pub fn kept_place(&self, axis: AxisId, part: usize) -> Option<usize> {
-        let found = |place: &&Place| place.axis == axis && place.part == part;
-        self.places.iter().find(found).map(|place| place.state)
+    pub fn kept_number(&self, formula: FormulaId) -> Option<usize> {
+        let mut places = self.places.iter();
+        let found = places.find(|place| place.formula == formula);
+        found.map(|place| place.state)
     }
 }

@@ -313,7 +313,7 @@ pub(super) fn guides(model: &Model, joints: &[JointId]) -> Vec<Repair> {
         let (point, line) = (model.axis(point), model.axis(line));
         let is_drawn = [point, line]
             .iter()
-            .all(|axis| axis.name.is_none() && axis.formulas == [None; 2]);
+            .all(|axis| axis.name.is_none() && !axis.varies());
         is_drawn.then(|| {
             let links = [line.link, point.link];
             let kind = NewKind::Prismatic(line.direction);

@@ -59,7 +59,8 @@ impl Sketch {
             }
         }
         for link in model.declared_links().filter(|&id| is_in_scene(model, id)) {
-            for shape in &model.link(link).shapes {
+            let shapes = model.link(link).shapes.iter();
+            for shape in shapes.filter(|shape| !shape.varies()) {
                 if let ShapeKind::Bar { pins, .. } = &shape.kind {
                     for at in [pins.first(), pins.last()].into_iter().flatten() {
                         sketch.note_end(model, link, None, *at);
@@ -126,7 +127,7 @@ impl Sketch {
 
 /// Whether an axis is where the drawing has it, whatever the params.
 pub(super) fn is_drawn(model: &Model, axis: &Axis) -> bool {
-    is_in_scene(model, axis.link) && axis.formulas == [None; 2]
+    is_in_scene(model, axis.link) && !axis.varies()
 }
 
 /// The axes that joints make coincide.
@@ -140,7 +141,7 @@ pub(super) fn unjoined(model: &Model) -> Vec<AxisId> {
     let ids = (0..model.axes.len()).map(AxisId::new);
     let is_free = |id: &AxisId| {
         let axis = model.axis(*id);
-        let named = axis.name.is_some() && axis.formulas == [None; 2];
+        let named = axis.name.is_some() && !axis.varies();
         let point = axis.kind == AxisKind::Point && model.link(axis.link).die.is_none();
         let traced = model.traces.iter().any(|trace| trace.point == *id);
         named && point && !traced && joined(model).all(|other| other != *id)

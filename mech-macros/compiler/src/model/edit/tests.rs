@@ -26,6 +26,7 @@ fn axis(model: &mut Model, dice: &mut Dice, kind: AxisKind) -> AxisId {
         kind,
         at: [1.0, 2.0],
         formulas: [None; 2],
+        direction_formulas: [None; 2],
         direction: [1.0, 0.0],
     });
     AxisId::new(number)

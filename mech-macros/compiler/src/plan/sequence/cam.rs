@@ -23,6 +23,7 @@ impl Search<'_> {
             ConnectionKind::Prismatic => Source::Displacement(cam.connection.joint),
         };
         self.source(source, &coordinate(cam.connection, (from, to)), how.clone());
+        self.turned_slide(cam.connection.joint, &how);
         self.merge(&[from, to], &how);
         self.steps.push(Step::Cam(cam));
         true

@@ -130,6 +130,7 @@ impl<'m> Search<'m> {
                 &coordinate(connection, (a, b)),
                 Knowledge::default(),
             );
+            self.turned_slide(joint, &Knowledge::default());
             self.merge(&[a, b], &Knowledge::default());
             self.steps.push(Step::Drive(Drive { motor, connection }));
         }

@@ -2,7 +2,7 @@
 
 use super::Search;
 use crate::bug::bug;
-use crate::model::{JointKind, LinkId};
+use crate::model::{JointId, JointKind, LinkId};
 use crate::plan::equation::Unknown;
 use crate::plan::knowledge::Knowledge;
 use crate::plan::linear_relations::{LinearForm, Rational};
@@ -28,7 +28,9 @@ impl Search<'_> {
         for joint in self.model.joint_ids() {
             if let JointKind::Prismatic(..) | JointKind::Weld(..) = self.model.joint(joint).kind {
                 let (a, b) = self.model.ends(joint);
-                self.relations.add(&LinearForm::turn(a, b));
+                if !self.is_turned(joint) {
+                    self.relations.add(&LinearForm::turn(a, b));
+                }
                 self.aligned.union(a.index(), b.index());
             }
         }
@@ -44,6 +46,21 @@ impl Search<'_> {
             self.relations.add(&quantity.clone().plus(&-one(), &number));
             self.sources.push(source);
             self.behind.push(behind);
+        }
+    }
+
+    /// Whether params turn what a joint keeps parallel.
+    fn is_turned(&self, joint: JointId) -> bool {
+        let axes = self.model.joint(joint).kind.axes().into_iter().flatten();
+        axes.into_iter().any(|axis| self.model.axis(axis).turns())
+    }
+
+    /// Enters the angle across a slide that was just found, if params turn it: no relation gives it.
+    pub(super) fn turned_slide(&mut self, joint: JointId, how: &Knowledge) {
+        if self.is_turned(joint) {
+            let (from, to) = self.model.ends(joint);
+            let angle = Source::Angle { from, to };
+            self.source(angle, &LinearForm::turn(from, to), how.clone());
         }
     }
 
@@ -72,6 +89,7 @@ impl Search<'_> {
         let Some(mesh) = found else { return false };
         let how = Knowledge::of(mesh.parts.iter().map(|(source, _)| &self.behind[*source]));
         let (from, to) = self.link_of(mesh.connection);
+        self.turned_slide(mesh.connection.joint, &how);
         self.merge(&[from, to], &how);
         self.steps.push(Step::Mesh(mesh));
         true

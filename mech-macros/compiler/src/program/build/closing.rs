@@ -239,9 +239,7 @@ impl Writer<'_> {
         if let Some((pin, guide)) = self.model.link(link).die {
             let (pin, guide) = (self.model.axis(pin), self.model.axis(guide));
             let origin = self.last_pose(pin.link).carry(&mut self.builder, pin);
-            let direction = self
-                .last_pose(guide.link)
-                .turn(&mut self.builder, guide.direction);
+            let direction = self.last_pose(guide.link).heading(&mut self.builder, guide);
             return Pose { direction, origin };
         }
         match number_among_all(link) {
@@ -275,7 +273,7 @@ impl Writer<'_> {
                     JointKind::Prismatic(from, to) => {
                         let (from, to) = (self.model.axis(from), self.model.axis(to));
                         let (start, end) = (self.last_pose(from.link), self.last_pose(to.link));
-                        let heading = start.turn(&mut self.builder, from.direction);
+                        let heading = start.heading(&mut self.builder, from);
                         let start = start.carry(&mut self.builder, from);
                         let end = end.carry(&mut self.builder, to);
                         let displacement = self.builder.minus(end, start);

@@ -283,7 +283,7 @@ impl Writer<'_> {
         };
         let axis = self.model.axis(a);
         let pose = self.placement.pose(axis.link);
-        pose.turn(&mut self.builder, axis.direction)
+        pose.heading(&mut self.builder, axis)
     }
 
     /// A force along and across what the forces of a link are summed along.

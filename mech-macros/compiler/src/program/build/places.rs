@@ -1,26 +1,24 @@
-//! What is carried of params: where axes are in their links that something tells, and what says so must be a number.
+//! What is carried of params: where axes are in their links that something tells, and what shapes are made of.
 
 use super::Writer;
 use crate::model::{AxisId, Between, JointKind};
-use crate::plan::Algebra;
 use crate::program::Place;
 
 impl Writer<'_> {
-    /// Carries where axes are that are told by themselves, by a joint's coordinate, by a spring or by the overlay, if it depends on
-    /// params.
+    /// Carries what depends on params of axes that are told by themselves, by a joint's coordinate, by a spring or by the overlay, and
+    /// of shapes.
     pub(super) fn keep_places(&mut self) {
-        for id in self.told_axes() {
-            let axis = self.model.axis(id);
-            let place = self.builder.place(axis);
-            for part in (0..2).filter(|&part| axis.formulas[part].is_some()) {
-                let state = self.state.len();
-                self.keep(self.builder.at_start(place[part]));
-                self.state[state] = place[part];
-                self.places.push(Place {
-                    axis: id,
-                    part,
-                    state,
-                });
+        let model = self.model;
+        let axes = self.told_axes().into_iter();
+        let of_axes = axes.flat_map(|id| model.axis(id).all_formulas());
+        let shapes = model.links.iter().flat_map(|link| &link.shapes);
+        let of_shapes = shapes.flat_map(|shape| shape.formulas.iter().flatten().copied());
+        for formula in of_axes.chain(of_shapes) {
+            if self.places.iter().all(|place| place.formula != formula) {
+                let (value, state) = (self.builder.formula(formula), self.state.len());
+                self.keep(self.builder.at_start(value));
+                self.state[state] = value;
+                self.places.push(Place { formula, state });
             }
         }
     }

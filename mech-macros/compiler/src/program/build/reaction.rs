@@ -296,15 +296,22 @@ impl Writer<'_> {
             return None;
         };
         let line = self.model.axis(if forwards { a } else { b });
-        let [x, y] = line.direction;
         let radius = -number(turn) / number(displacement);
         let center = center(structure, pinion, rolling.carrier)?;
         let center = self.builder.place(self.model.axis(center));
-        let beside = self.builder.vector([radius * y, -radius * x]);
+        let beside = if line.turns() {
+            let [x, y] = self.builder.direction(line);
+            let radius = self.builder.constant(radius);
+            let across = [y, self.builder.neg(x)];
+            self.builder.scaled(radius, across)
+        } else {
+            let [x, y] = line.direction;
+            self.builder.vector([radius * y, -radius * x])
+        };
         let touch = self.builder.plus(center, beside);
         let pose = self.placement.pose(rolling.carrier);
         let at = pose.carry_spot(&mut self.builder, touch);
-        let along = pose.turn(&mut self.builder, [x, y]);
+        let along = pose.heading(&mut self.builder, line);
         Some((at, Along::Scene(along)))
     }
 }

@@ -3,7 +3,8 @@
 use super::Lowering;
 use crate::api::Owner;
 use crate::model::{
-    AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Mass, Spring,
+    AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Mass, Shape,
+    Spring,
 };
 use crate::syntax::Place;
 use crate::syntax::ast::{
@@ -84,6 +85,13 @@ impl Lowering {
                     let name = &self.model.link(link).name;
                     let text = format!(
                         "`{name}` has no shapes whose mass this could be; draw it, or give its `mass`"
+                    );
+                    return self.report.error(place, text);
+                }
+                if known.iter().any(Shape::varies) {
+                    let name = &self.model.link(link).name;
+                    let text = format!(
+                        "the shapes of `{name}` depend on a param, but a mass may not; give its `mass`"
                     );
                     return self.report.error(place, text);
                 }
