@@ -44,6 +44,12 @@ impl<T: mech_runtime::Scalar> Canvas<T> for List {
     fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8) {
         self.0.push(format!("{outline:?} {pose:?} {color}"));
     }
+
+    fn text(&mut self, _: [T; 2], _: &str, _: u8) {}
+
+    fn scale(&self) -> T {
+        T::ONE
+    }
 }
 
 fn list<M: Mechanism>(mechanism: &M) -> List {

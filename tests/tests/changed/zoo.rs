@@ -165,7 +165,7 @@ mechanism! {
     pub struct Tilted30;
     link crank { point o = (0, 0); point b = (0, 1); }
     link rod { point b = (0, 1); point c = (4, 0); point middle = (2, 0.5); }
-    link block { point c = (4, 0); line x = (4, 0) -> 20 deg; }
+    link block { point c = (4, 0); line x = (4, 0) -> 30 deg; }
     ground { point o = (0, 0); line x = (4, 0) -> 30 deg; }
     joint a = revolute(ground.o, crank.o);
     joint b = revolute(crank.b, rod.b);
@@ -195,16 +195,17 @@ mechanism! {
     /// A wheel that rolls on what a param turns: teeth stay in mesh.
     pub struct Rolling;
     param tilt = 30 deg;
-    link block;
+    ground { line rail = (0, 0) -> tilt; }
+    link block { line guide = (0, 0) -> 30 deg; }
     link arm;
     link wheel { point mark = (2.5, 0.5); }
     link carriage;
-    joint s = prismatic(ground, block) at (0, 0) along tilt;
+    joint s = prismatic(ground.rail, block.guide);
     joint p = revolute(block, arm) at (0, 0);
     joint w = revolute(arm, wheel) at (2, 0);
     joint u = prismatic(arm, carriage) at (0, 2) along (1, 0);
     joint v = prismatic(ground, carriage) at (0, 2) along (0, 1);
-    joint mesh = gear(block, wheel, 20 : 10) on arm;
+    joint mesh = gear(block, wheel, 20 : 10 on arm);
     motor s;
     effects { sensitivity; }
 }

@@ -49,10 +49,13 @@ impl Search<'_> {
         }
     }
 
-    /// Whether params turn what a joint keeps parallel.
+    /// Whether params turn the links of a joint against each other, whose directions it keeps otherwise.
     fn is_turned(&self, joint: JointId) -> bool {
-        let axes = self.model.joint(joint).kind.axes().into_iter().flatten();
-        axes.into_iter().any(|axis| self.model.axis(axis).turns())
+        let axes = self.model.joint(joint).kind.axes();
+        axes.is_some_and(|axes| {
+            let [a, b] = axes.map(|axis| self.model.axis(axis).direction_formulas);
+            a != b
+        })
     }
 
     /// Enters the angle across a slide that was just found, if params turn it: no relation gives it.
