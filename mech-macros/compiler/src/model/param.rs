@@ -113,8 +113,8 @@ impl Model {
         law.at(variable, &self.params.values().collect::<Vec<f64>>())
     }
 
-    /// How far a param has to go until some axis or follower has gone as far as the mechanism is large, as far as its slope at the
-    /// start tells: none if nothing depends on it.
+    /// By how much a param must change until some axis or follower has moved as far as the mechanism is large, by its slope at the
+    /// start: none if nothing depends on it.
     #[must_use]
     pub fn param_scale(&self, param: ParamId) -> Option<f64> {
         let params: Vec<f64> = self.params.values().collect();
@@ -157,6 +157,6 @@ fn steepest(law: &Law, by: ParamId, params: &[f64]) -> f64 {
         });
         slope.abs()
     });
-    // Where it has none, others tell.
+    // Places where it has none do not count.
     slopes.filter(|slope| slope.is_finite()).fold(0.0, f64::max)
 }

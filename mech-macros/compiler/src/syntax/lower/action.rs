@@ -185,13 +185,13 @@ impl Lowering {
                 return None;
             }
         };
-        let between = self.between(&body.between, what);
+        let between = self.resolve_between(&body.between, what);
         let strength = self.not_negative(&body.strength, strength);
         let both = between.zip(strength).filter(|_| kept);
         both.map(|(between, strength)| (between, strength, body))
     }
 
-    fn between(&mut self, ends: &BetweenEnds, what: &str) -> Option<Between> {
+    fn resolve_between(&mut self, ends: &BetweenEnds, what: &str) -> Option<Between> {
         match ends {
             BetweenEnds::Points([first, second]) => {
                 let (a, b) = (self.end_point(first, what), self.end_point(second, what));
@@ -213,7 +213,7 @@ impl Lowering {
                 }
                 Some(Between::Points(a, b))
             }
-            BetweenEnds::Joint(name) => self.turning(name, what).map(Between::Joint),
+            BetweenEnds::Joint(name) => self.find_turning(name, what).map(Between::Joint),
         }
     }
 
@@ -232,7 +232,7 @@ impl Lowering {
     }
 
     /// The joint of this name, if it turns.
-    fn turning(&mut self, name: &Ident, what: &str) -> Option<JointId> {
+    fn find_turning(&mut self, name: &Ident, what: &str) -> Option<JointId> {
         let joint = self.find_joint(name)?;
         if let JointKind::Revolute(..) = self.model.joint(joint).kind {
             return Some(joint);

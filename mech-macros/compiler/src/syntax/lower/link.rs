@@ -106,7 +106,7 @@ impl Lowering {
             return;
         }
         let origin = self.note(&axis.name);
-        // Something wrong was told: any place will do.
+        // An error was reported: any value will do.
         let (at, formulas) = at.unwrap_or_default();
         let (direction, direction_formulas) = direction.unwrap_or((FORWARD, [None; 2]));
         self.model.axes.push(model::Axis {
@@ -181,7 +181,7 @@ impl Lowering {
             && !self.constants.has(&name.to_string())
         {
             self.report
-                .error(color.place, color::named(&name.to_string()));
+                .error(color.place, color::advice_for(&name.to_string()));
             return None;
         }
         self.whole(color, "a color", [0, 255])

@@ -97,7 +97,7 @@ impl Lowering {
         Some(([x.value?, y.value?], [x.formula, y.formula]))
     }
 
-    /// Reads numbers that may not depend on params, which would be told with this reason.
+    /// Reads numbers that may not depend on params, for this reason.
     pub(super) fn with_fixed_numbers<T>(
         &mut self,
         why: &'static str,

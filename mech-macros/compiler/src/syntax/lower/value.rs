@@ -143,7 +143,7 @@ impl Lowering {
             .and_then(|value| Some((value, function.trouble_at(value)?)))
         {
             self.report
-                .error(place, format!("{} {trouble}", shown(value)));
+                .error(place, format!("{} {trouble}", format_number(value)));
             return None;
         }
         let value = of.value.map(|value| function.at(value));
@@ -253,7 +253,7 @@ impl Lowering {
         if value < f64::from(low) || value > f64::from(high) || value.fract() != 0.0 {
             let text = format!(
                 "{what} is a whole number from {low} to {high}, not {}",
-                shown(value)
+                format_number(value)
             );
             self.report.error(expr.place, text);
             return None;
@@ -285,7 +285,10 @@ impl Lowering {
         }
         self.report.error(
             expr.place,
-            format!("{what} must be greater than zero, not {}", shown(value)),
+            format!(
+                "{what} must be greater than zero, not {}",
+                format_number(value)
+            ),
         );
         None
     }
@@ -334,7 +337,7 @@ fn direction_at(angle: f64) -> [f64; 2] {
 }
 
 /// A number for people: without a row of zeros.
-pub(super) fn shown(value: f64) -> String {
+pub(super) fn format_number(value: f64) -> String {
     if value == 0.0 || (1e-4..1e15).contains(&value.abs()) {
         format!("{value}")
     } else {

@@ -3,8 +3,7 @@
 use super::{assert_messages, good};
 use crate::model::{Axis, Model, Now};
 
-const ONLY: &str =
-    "only laws, points, lines, joints in a drawing and shapes may depend on one; use a `const` here";
+const ONLY: &str = "only laws, points, lines, joints in a drawing and shapes may depend on one; use a `const` here";
 
 const POINT: &str = "the joints of a point count angles from its direction; only lines may turn; use a `const` here";
 
@@ -78,7 +77,8 @@ fn a_direction_may_depend_on_params() {
         model.params.evaluate(&mut Now { variable, params })
     };
     let turned = |axis: &Axis, params: &[f64]| {
-        axis.direction_formulas.map(|formula| now(params)[formula.expect("both").index()])
+        axis.direction_formulas
+            .map(|formula| now(params)[formula.expect("both").index()])
     };
     assert_eq!(turned(l, &[3.0]), [0.6, 0.8]);
     assert_eq!(turned(l, &[-3.0]), [-0.6, 0.8]);
