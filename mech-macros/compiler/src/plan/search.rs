@@ -3,6 +3,7 @@
 use super::algebra::Numbers;
 use super::closed_form::Closure;
 use super::equation::{Equation, Solution, Unknown};
+use super::halton::Halton;
 use crate::model::LinkId;
 use nalgebra::{DMatrix, DVector};
 
@@ -34,7 +35,7 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
     } else {
         STARTS * equation.unknowns.len()
     };
-    let mut sequence = Halton(0);
+    let mut sequence = Halton::default();
     let mut solutions: Vec<Vec<Solution<f64>>> = Vec::new();
     let (mut least, mut dead) = (f64::INFINITY, false);
     for start in 0..starts {
@@ -52,7 +53,7 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
                 }
             });
         }
-        sequence.0 += 1;
+        sequence.advance();
         match newton(equation, now, size) {
             Found::Solution(solution)
                 if solutions.iter().all(|known| far(known, &solution, size)) =>
@@ -68,23 +69,6 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
         (false, _) => Closure::Solutions(solutions),
         (true, true) => Closure::Dead,
         (true, false) => Closure::Gap(least),
-    }
-}
-
-/// Points that fill a box evenly (Halton's sequence), the same in every build.
-struct Halton(u32);
-
-impl Halton {
-    fn at(&self, axis: usize) -> f64 {
-        const PRIMES: [u32; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
-        let base = PRIMES[axis % PRIMES.len()];
-        let (mut index, mut part, mut sum) = (self.0 + 1, 1.0, 0.0);
-        while index > 0 {
-            part /= f64::from(base);
-            sum += part * f64::from(index % base);
-            index /= base;
-        }
-        sum
     }
 }
 
