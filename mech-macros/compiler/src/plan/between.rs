@@ -32,7 +32,7 @@ impl Between {
     }
 
     fn slides(self) -> bool {
-        self.connection.kind == ConnectionKind::Prismatic
+        self.connection.slides()
     }
 }
 

@@ -8,6 +8,7 @@ mod closed_form;
 mod cluster;
 mod coupled;
 mod display;
+mod dyad;
 mod equation;
 mod knowledge;
 mod linear_relations;
@@ -19,16 +20,18 @@ mod step;
 mod tight;
 mod triad;
 
+pub(crate) use crate::model::Arithmetic;
 pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::{Assembly, CamStart};
 pub use bound::{Bound, Growth, Turning};
 pub use display::PlanText;
+pub(crate) use dyad::{CircleAndLine, Dyad, Line, TurningLine, TwoCircles, TwoLines};
 pub use equation::Unknown;
-pub(crate) use equation::{Equation, Residuals, Slide, Solution};
+pub(crate) use equation::{Equation, Residuals, Solution};
 pub use linear_relations::Rational;
 pub(crate) use linear_relations::{float_of, fraction};
 pub use needed::Needed;
-pub(crate) use placement::{Coordinate, Placement};
+pub(crate) use placement::Placement;
 pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
 pub(crate) use triad::{Leg, Triad};
 

@@ -1,7 +1,7 @@
 //! The solutions of coupled loops, by numbers: Newton's iteration from many starts, at compile time.
 
 use super::algebra::Numbers;
-use super::closed_form::Closure;
+use super::closed_form::LoopSolutions;
 use super::equation::{Equation, Solution, Unknown};
 use crate::model::LinkId;
 use nalgebra::{DMatrix, DVector};
@@ -17,7 +17,7 @@ const APART: f64 = 1e-5;
 pub(super) type Guess<'g> = &'g dyn Fn(LinkId) -> Option<[f64; 2]>;
 
 /// Solves any equation: from the guess, and where the guess leaves something open from many starts.
-pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> Closure {
+pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> LoopSolutions {
     let given = |unknown: &Unknown| match unknown {
         Unknown::Direction(base) => guess(*base),
         Unknown::Slide(_) => None,
@@ -65,9 +65,9 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
         }
     }
     match (solutions.is_empty(), dead) {
-        (false, _) => Closure::Solutions(solutions),
-        (true, true) => Closure::Dead,
-        (true, false) => Closure::Gap(least),
+        (false, _) => LoopSolutions::Found(solutions),
+        (true, true) => LoopSolutions::DeadPoint,
+        (true, false) => LoopSolutions::Gap(least),
     }
 }
 

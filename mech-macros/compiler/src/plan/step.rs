@@ -3,7 +3,7 @@
 use super::equation::Unknown;
 use super::linear_relations::Rational;
 use crate::bug::bug;
-use crate::model::{AxisId, JointId, LinkId, Model, MotorId};
+use crate::model::{AxisId, JointId, LinkId, MotorId};
 
 /// One step: it merges clusters of links, so that the links inside keep known relative positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -113,6 +113,22 @@ pub struct Connection {
 }
 
 impl Connection {
+    /// The same connection, walked backwards.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        Self {
+            from: self.to,
+            to: self.from,
+            ..self
+        }
+    }
+
+    /// Whether its links slide along it.
+    #[must_use]
+    pub fn slides(&self) -> bool {
+        self.kind == ConnectionKind::Prismatic
+    }
+
     /// Whether it goes forwards from the first to the second of these axes, or backwards; none if it joins others.
     #[must_use]
     pub fn turns_between(&self, [a, b]: [AxisId; 2]) -> Option<bool> {
@@ -180,27 +196,5 @@ impl Loop {
     #[must_use]
     pub fn is_coupled(&self) -> bool {
         self.rings.len() > 1
-    }
-}
-
-impl Connection {
-    /// The angle from the frame of the first link to that of the second when the coordinate is zero.
-    #[must_use]
-    pub fn frame_angle(&self, model: &Model) -> f64 {
-        let heading = |axis| {
-            let [x, y] = model.axis(axis).direction;
-            f64::atan2(y, x)
-        };
-        heading(self.from) - heading(self.to)
-    }
-
-    /// The same connection, walked the other way.
-    #[must_use]
-    pub fn reversed(self) -> Self {
-        Self {
-            from: self.to,
-            to: self.from,
-            ..self
-        }
     }
 }

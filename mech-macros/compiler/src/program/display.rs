@@ -3,7 +3,7 @@
 use super::forces::Forces;
 use super::newton::{Newton, Rounds};
 use super::node::{BlockId, Op, Part, Slot, Value};
-use super::{BlockKind, ClosedForm, Form, Motion, Program, Sensitivity, Watch};
+use super::{BlockKind, ClosedForm, Dyad, Motion, Program, Sensitivity, Watch};
 use crate::model::{LinkId, Precision};
 use mech_core::journey::AtZero;
 use std::fmt::{self, Display, Formatter};
@@ -65,13 +65,23 @@ impl Program {
             }
         }
         let signs = |first: usize| (first..first + self.inputs()).contains(&number);
-        if self.motion_signs.is_some_and(signs) {
+        if self.layout.motion_signs.is_some_and(signs) {
             return ": sign of an input's last motion".to_owned();
         }
-        if let Some(angle) = self.joint_angles.iter().find(|angle| angle.state == number) {
+        if let Some(angle) = self
+            .layout
+            .joint_angles
+            .iter()
+            .find(|angle| angle.state == number)
+        {
             return format!(": coordinate of joint {}", angle.joint.index());
         }
-        match self.places.iter().find(|place| place.state == number) {
+        match self
+            .layout
+            .places
+            .iter()
+            .find(|place| place.state == number)
+        {
             Some(place) => {
                 let part = if place.part == 0 { "x" } else { "y" };
                 format!(": {part} of axis {} in its link", place.axis.index())
@@ -117,11 +127,11 @@ impl Program {
     }
 
     fn closing(&self, f: &mut Formatter<'_>, closed: &ClosedForm) -> fmt::Result {
-        let form = match closed.form {
-            Form::TwoCircles { .. } => "two circles",
-            Form::CircleAndLine { .. } => "a circle and a line",
-            Form::TurningLine { .. } => "a line that turns with an arm, through a point",
-            Form::TwoLines { .. } => "two lines",
+        let form = match closed.dyad {
+            Dyad::TwoCircles { .. } => "two circles",
+            Dyad::CircleAndLine { .. } => "a circle and a line",
+            Dyad::TurningLine { .. } => "a line that turns with an arm, through a point",
+            Dyad::TwoLines { .. } => "two lines",
         };
         let margin = self.operand(closed.margin);
         let found = closed.found.iter().copied();
@@ -361,22 +371,10 @@ impl Program {
             Op::Linear(system, number) => {
                 return format!("solution {number} of linear system {system}");
             }
-            Op::Neg(_) => "neg",
-            Op::Abs(_) => "abs",
-            Op::Sqrt(_) => "sqrt",
-            Op::Add(..) => "add",
-            Op::Sub(..) => "sub",
-            Op::Mul(..) => "mul",
-            Op::Div(..) => "div",
-            Op::Sin(_) => "sin",
-            Op::Cos(_) => "cos",
-            Op::Max(..) => "max",
-            Op::CopySign(..) => "copysign",
-            Op::Choose(..) => "choose",
-            Op::Atan2(..) => "atan2",
-            Op::Round(_) => "round",
-            Op::Exp(_) => "exp",
+            op => format!("{op:?}"),
         };
+        // What stands before the operands.
+        let name = name.split('(').next().unwrap_or(&name).to_lowercase();
         let operands: Vec<Value> = op.operands().collect();
         format!("{name} {}", self.list(&operands))
     }

@@ -38,15 +38,6 @@ pub struct Newton {
     pub limits: Limits,
 }
 
-impl Newton {
-    /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
-    #[must_use]
-    pub fn contracting(&self) -> Option<Value> {
-        self.step
-            .filter(|_| !matches!(self.rounds, Rounds::Exactly(0 | 1)))
-    }
-}
-
 /// A scalar that is iterated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scalar {
@@ -100,6 +91,13 @@ pub struct Limits {
 }
 
 impl Newton {
+    /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
+    #[must_use]
+    pub fn contracting(&self) -> Option<Value> {
+        self.step
+            .filter(|_| !matches!(self.rounds, Rounds::Exactly(0 | 1)))
+    }
+
     /// A gap, as a part of the loop's size, at which no further round is worth while.
     #[must_use]
     pub fn tight(&self, epsilon: f64) -> f64 {

@@ -134,41 +134,17 @@ pub enum Op {
 impl Op {
     /// The values it is made from.
     pub fn operands(self) -> impl Iterator<Item = Value> {
-        let triple = match self {
-            Self::Constant(_)
-            | Self::Motor(_)
-            | Self::Turns(_)
-            | Self::Turned(..)
-            | Self::Last(_)
-            | Self::Unknown(..)
-            | Self::Solved(..)
-            | Self::Dense(..)
-            | Self::Time
-            | Self::Rate(_)
-            | Self::Acceleration(_)
-            | Self::Load(_)
-            | Self::Linear(..) => [None, None, None],
-            Self::Neg(a)
-            | Self::Abs(a)
-            | Self::Sqrt(a)
-            | Self::Sin(a)
-            | Self::Cos(a)
-            | Self::Round(a)
-            | Self::Exp(a) => [Some(a), None, None],
-            Self::Choose(test, a, b) => [Some(test), Some(a), Some(b)],
-            Self::Add(a, b)
-            | Self::Sub(a, b)
-            | Self::Mul(a, b)
-            | Self::Div(a, b)
-            | Self::Max(a, b)
-            | Self::CopySign(a, b)
-            | Self::Atan2(a, b) => [Some(a), Some(b), None],
-        };
-        triple.into_iter().flatten()
+        let mut operands = [None; 3];
+        let mut places = operands.iter_mut();
+        let _ = self.map(|operand| {
+            if let Some(place) = places.next() {
+                *place = Some(operand);
+            }
+            operand
+        });
+        operands.into_iter().flatten()
     }
-}
 
-impl Op {
     /// The same operation on other values.
     #[must_use]
     pub(crate) fn map(self, mut other: impl FnMut(Value) -> Value) -> Self {

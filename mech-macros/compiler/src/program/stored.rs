@@ -20,7 +20,7 @@ impl Program {
     }
 
     /// The position of a pose that is kept, where only these are asked for.
-    pub(crate) fn kept_pose(&self, link: LinkId) -> usize {
+    pub(crate) fn pose_index(&self, link: LinkId) -> usize {
         let Some(place) = self.place_of(link) else {
             bug!("the pose of link {} is not state", link.index());
         };

@@ -227,7 +227,7 @@ impl<'m> Search<'m> {
     fn is_square(&self, closing: &Loop) -> bool {
         let slides = closing
             .connections()
-            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
+            .filter(|connection| connection.slides())
             .count();
         self.turning(&closing.rings, &closing.tree).len() + slides
             == 2 * closing.rings.len() + closing.ties.len()
@@ -241,7 +241,7 @@ impl<'m> Search<'m> {
         for connection in rings
             .iter()
             .flatten()
-            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
+            .filter(|connection| connection.slides())
         {
             classes.union(base(connection.from).index(), base(connection.to).index());
         }
@@ -294,10 +294,7 @@ impl<'m> Search<'m> {
             };
             self.source(angle, &LinearForm::turn(first, base), how.clone());
         }
-        for connection in found
-            .connections()
-            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
-        {
+        for connection in found.connections().filter(|connection| connection.slides()) {
             self.source(
                 Source::Displacement(connection.joint),
                 &LinearForm::slide(connection.joint),

@@ -164,7 +164,7 @@ impl Search<'_> {
         let mut unknowns: Vec<Unknown> = turning.map(Unknown::Direction).collect();
         for connection in rings.iter().flatten() {
             let slide = Unknown::Slide(connection.joint);
-            if connection.kind == ConnectionKind::Prismatic && !unknowns.contains(&slide) {
+            if connection.slides() && !unknowns.contains(&slide) {
                 unknowns.push(slide);
             }
         }

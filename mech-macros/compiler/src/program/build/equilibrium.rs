@@ -23,7 +23,7 @@ const PASSES: usize = 3;
 
 /// Chooses one of several ways to write the equations of each link, three at a time, so that as few as possible have to be solved
 /// together. Gives the choices and the blocks, in the order in which they are solved; none if they do not determine the unknowns.
-pub(super) fn chosen(
+pub(super) fn choose_balances(
     alternatives: &[Vec<[Vec<usize>; 3]>],
     unknowns: usize,
 ) -> Option<(Vec<usize>, Vec<Together>)> {
