@@ -19,7 +19,7 @@ pub(super) struct Given<'g, T> {
     pub(super) loads: &'g [T],
 }
 
-/// A program that is ready to be run, in any precision, whatever it was written for.
+/// A program that is ready to be run, in any precision, whatever it was compiled for.
 #[derive(Clone, Debug)]
 pub(super) struct Runner<'p> {
     pub(super) program: &'p Program,
@@ -106,11 +106,11 @@ impl<'p> Runner<'p> {
         if given.loads.len() != motion.loads.len() {
             return Err(Stop::MotorCount);
         }
-        Ok((motion, self.determined(at, given)?))
+        Ok((motion, self.determined_values(at, given)?))
     }
 
     /// All values of the program where it is, if rates are determined there.
-    pub(super) fn determined<T: Real>(
+    pub(super) fn determined_values<T: Real>(
         &self,
         at: &Position<T>,
         given: Given<'_, T>,

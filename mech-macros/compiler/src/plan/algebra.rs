@@ -1,5 +1,5 @@
-//! The arithmetic that geometry is written in: with numbers to assemble a mechanism now, with symbols to write the
-//! program that moves it later. The formulas stand only once.
+//! The arithmetic of geometry: with numbers it assembles a mechanism now, with symbols it makes the program that moves it later. So each
+//! formula stands once.
 
 use crate::model::{Arithmetic, Axis};
 
@@ -21,7 +21,7 @@ pub(crate) trait Algebra<S: Copy>: Arithmetic<Scalar = S> {
         self.vector(axis.at)
     }
 
-    /// The way from one axis of a link to another, in the link.
+    /// The vector from one axis of a link to another, in the link.
     fn between(&mut self, from: &Axis, to: &Axis) -> [S; 2] {
         self.vector([to.at[0] - from.at[0], to.at[1] - from.at[1]])
     }

@@ -11,10 +11,10 @@ use crate::model::{JointId, JointKind, LinkId, Model, Near};
 use crate::structure::{Diagnosis, LoopAssembly, OpenLoop};
 use std::f64::consts::TAU;
 
-/// No more assemblies than this are told apart from each other.
+/// No more assemblies than this are compared with each other.
 const MOST: usize = 64;
 
-/// Two assemblies are told apart by angles that differ by more than this.
+/// The angles of two assemblies differ by more than this.
 const APART: f64 = 1e-5;
 
 /// Where everything is at the start.
@@ -78,9 +78,12 @@ pub(super) fn assemble(
         };
         drafts = keep_as_drawn(model, drafts)?;
         wishes.retain(|wish| {
-            let ready = drafts
-                .iter()
-                .all(|draft| draft.placement.clusters.joined(wish.link, LinkId::GROUND));
+            let ready = drafts.iter().all(|draft| {
+                draft
+                    .placement
+                    .clusters
+                    .are_joined(wish.link, LinkId::GROUND)
+            });
             if ready {
                 keep_nearest(&mut drafts, *wish);
             }
@@ -100,17 +103,17 @@ pub(super) fn assemble(
 /// Of very many drafts, keeps the first and those in which one loop is closed otherwise.
 fn keep_alike(drafts: &mut Vec<Draft<'_>>) {
     if let Some(first) = drafts.first().map(|draft| draft.solutions.clone()) {
-        drafts.retain(|draft| differing(&draft.solutions, &first).count() <= 1);
+        drafts.retain(|draft| differing_loops(&draft.solutions, &first).count() <= 1);
     }
 }
 
 /// The loops that are closed otherwise.
-fn differing(a: &[usize], b: &[usize]) -> impl Iterator<Item = usize> {
+fn differing_loops(a: &[usize], b: &[usize]) -> impl Iterator<Item = usize> {
     let pairs: Vec<bool> = a.iter().zip(b).map(|(a, b)| a != b).collect();
     (0..pairs.len()).filter(move |&number| pairs[number])
 }
 
-/// The start value of a connection's joint, for one who walks the connection.
+/// The start value of a connection's joint, from the connection's first axis to its second.
 fn start_along(model: &Model, connection: Connection) -> f64 {
     let forwards = model.ends(connection.joint).1 == model.axis(connection.to).link;
     let value = model.start.value(connection.joint);
@@ -247,7 +250,11 @@ fn close_loop<'m>(
         let equation = Equation::new(&mut Numbers, &draft.placement, closing);
         let solutions = solve(&equation).unwrap_or_else(|| {
             let first = draft.placement.base(closing.first().from);
-            search(&equation, &|base| wanted(model, first, base), size(model))
+            search(
+                &equation,
+                &|base| wanted_direction(model, first, base),
+                size(model),
+            )
         });
         match solutions {
             LoopSolutions::Found(solutions) => {
@@ -281,7 +288,7 @@ fn close_loop<'m>(
 }
 
 /// The direction in which the start wants a link, seen from the first cluster's base; of a drawn link the drawn one.
-fn wanted(model: &Model, first: LinkId, link: LinkId) -> Option<[f64; 2]> {
+fn wanted_direction(model: &Model, first: LinkId, link: LinkId) -> Option<[f64; 2]> {
     let angle = |link: LinkId| {
         let near = model.start.near.iter().find(|near| near.link == link);
         let drawn = link == LinkId::GROUND || model.link(link).drawn;
@@ -354,12 +361,12 @@ fn turn(a: f64, b: f64) -> f64 {
     off.min(TAU - off)
 }
 
-/// Which links tell the assemblies apart, and by which angles.
+/// The links by whose angles the assemblies differ, and these angles.
 fn several(model: &Model, steps: &[Step], drafts: &[Draft<'_>], many: bool) -> Diagnosis {
     let placed = |link: &LinkId| {
         drafts
             .iter()
-            .all(|draft| draft.placement.clusters.joined(*link, LinkId::GROUND))
+            .all(|draft| draft.placement.clusters.are_joined(*link, LinkId::GROUND))
     };
     let same = |a: &Draft<'_>, b: &Draft<'_>, link| turn(angle(a, link), angle(b, link)) < APART;
     let mut links: Vec<LinkId> = Vec::new();
@@ -385,7 +392,7 @@ fn several(model: &Model, steps: &[Step], drafts: &[Draft<'_>], many: bool) -> D
     }
 }
 
-/// The loops that can be closed in several ways, all others as in the first draft.
+/// The loops that have several assemblies while all others are as in the first draft.
 fn open_loops(model: &Model, steps: &[Step], drafts: &[Draft<'_>]) -> Vec<OpenLoop> {
     let closings = steps.iter().filter_map(|step| match step {
         Step::Close(closing) => Some(closing),
@@ -397,14 +404,14 @@ fn open_loops(model: &Model, steps: &[Step], drafts: &[Draft<'_>]) -> Vec<OpenLo
     let open = |(number, closing): (usize, &Loop)| {
         let others = others.iter();
         let others =
-            others.filter(|draft| differing(&draft.solutions, &first.solutions).eq([number]));
+            others.filter(|draft| differing_loops(&draft.solutions, &first.solutions).eq([number]));
         let all: Vec<&Draft<'_>> = std::iter::once(first).chain(others).collect();
         open_loop(model, steps, closing, &all)
     };
     closings.enumerate().filter_map(open).collect()
 }
 
-/// A loop by the link whose angle tells its assemblies apart best, and by the joint whose coordinate does.
+/// A loop, with the link by whose angle its assemblies differ most, and the joint by whose coordinate they do.
 fn open_loop(
     model: &Model,
     steps: &[Step],

@@ -1,8 +1,8 @@
 //! Loops of two unknowns: circles and lines that cut each other.
 //!
 //! The vectors round the ring add to zero, so its two unknowns contribute the goal, `−offset`. The formulas stand in an [`Algebra`]: with
-//! numbers they assemble the mechanism, with symbols they are its program. The sign of a root tells the two solutions apart; it is the sign
-//! of the loop's determinant. Discriminants stay in factors: expanded they lose half of all digits where lengths differ much.
+//! numbers they assemble the mechanism, with symbols they are its program. The sign of a root distinguishes the two solutions; it is
+//! the sign of the loop's determinant. Discriminants stay in factors: expanded they lose half of all digits where lengths differ much.
 
 use super::algebra::Algebra;
 use super::equation::{Equation, Solution, Unknown};

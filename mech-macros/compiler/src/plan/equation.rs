@@ -1,6 +1,6 @@
 //! The equations of loops: the vectors round each ring add to zero.
 //!
-//! Of the unknown coordinates, those of sliding joints are kept, and those of turning ones are replaced by the directions of
+//! Of the unknown coordinates, those of sliding joints remain, and those of turning ones are replaced by the directions of
 //! the clusters between them. For a loop of three unknowns the angle row of the 3×3 system (its entries are 0 and 1) is thereby
 //! already eliminated: two unknowns and two equations remain.
 
@@ -340,7 +340,7 @@ fn classes<S: Copy>(
         .iter()
         .flatten()
         .filter(|connection| connection.slides())
-        .flat_map(|&connection| [connection, connection.reversed()])
+        .flat_map(|&connection| [connection, connection.reverse()])
         .collect();
     spread(algebra, placement, &slides, &mut classes);
     for connection in &closing.tree {

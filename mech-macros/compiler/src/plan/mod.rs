@@ -67,7 +67,7 @@ impl Plan {
 /// Plans a mechanism whose structure was found coherent.
 ///
 /// # Errors
-/// It is not sequential, it cannot be assembled, or it can be in several ways.
+/// It is not sequential, it has no assembly, or it has several.
 pub fn plan(model: &Model, structure: &Structure) -> Result<Plan, Diagnosis> {
     let sequence = sequence::sequence(model, structure)?;
     let start = assembly::assemble(model, &sequence.steps, &sequence.sources)?;

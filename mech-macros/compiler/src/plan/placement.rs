@@ -35,7 +35,7 @@ impl<'m, S: Copy> Placement<'m, S> {
         self.model.axis(id)
     }
 
-    /// Whether a sliding connection is walked in the direction in which its joint was declared.
+    /// Whether a sliding connection leads from the first axis of its joint to the second.
     pub(crate) fn as_declared(&self, connection: Connection) -> bool {
         matches!(self.model.joint(connection.joint).kind, JointKind::Prismatic(from, _) if from == connection.from)
     }
@@ -71,7 +71,7 @@ impl<'m, S: Copy> Placement<'m, S> {
         self.pose(axis.link).turn(algebra, axis.direction)
     }
 
-    /// The way from one axis to another in the same cluster, relative to its base.
+    /// The vector from one axis to another in the same cluster, relative to its base.
     pub(crate) fn span(&self, algebra: &mut impl Algebra<S>, from: AxisId, to: AxisId) -> [S; 2] {
         let (start, end) = (self.axis(from), self.axis(to));
         if start.link == end.link {

@@ -55,7 +55,7 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> L
         sequence.0 += 1;
         match newton(equation, now, size) {
             Found::Solution(solution)
-                if solutions.iter().all(|known| far(known, &solution, size)) =>
+                if solutions.iter().all(|known| differ(known, &solution, size)) =>
             {
                 solutions.push(solution);
             }
@@ -144,7 +144,7 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> F
 }
 
 /// Whether two solutions differ.
-fn far(a: &[Solution<f64>], b: &[Solution<f64>], size: f64) -> bool {
+fn differ(a: &[Solution<f64>], b: &[Solution<f64>], size: f64) -> bool {
     a.iter().zip(b).any(|pair| match pair {
         (Solution::Direction(a), Solution::Direction(b)) => {
             (a[0] - b[0]).hypot(a[1] - b[1]) > APART

@@ -72,14 +72,14 @@ pub enum Source {
 /// Joints whose coordinates are found together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// The rings that must close, each walked round: every connection begins in the cluster in which the one before it ends,
+    /// The rings that must close: every connection begins in the cluster in which the one before it ends,
     /// the first in that in which the last ends.
     pub rings: Vec<Vec<Connection>>,
     /// For each cluster but the first, which is known, the connection by which it hangs on one before it.
     pub tree: Vec<Connection>,
-    /// The directions and ways that rolling ties to others of this loop, or to what is known.
+    /// The directions and displacements that rolling ties to others of this loop, or to what is known.
     pub ties: Vec<Tie>,
-    /// All joints of the rings: the unknown ones and, between them, ways through what is already known.
+    /// All joints of the rings: the unknown ones and, between them, paths through what is already known.
     pub members: Vec<JointId>,
     /// One more than the level of the last loop it depends on; a loop that only motors and gears lead to has level 1.
     pub level: usize,
@@ -113,9 +113,9 @@ pub struct Connection {
 }
 
 impl Connection {
-    /// The same connection, walked backwards.
+    /// The same connection, from its second axis to its first.
     #[must_use]
-    pub fn reversed(self) -> Self {
+    pub fn reverse(self) -> Self {
         Self {
             from: self.to,
             to: self.from,

@@ -1,4 +1,4 @@
-//! The construction of a program in SSA form: it folds constants and finds common subexpressions on the way.
+//! The construction of a program in SSA form: constants are folded, and common subexpressions made once.
 
 use super::node::{BlockId, Node, Op, Slot, Value};
 use super::{Block, BlockKind, Position};
@@ -138,7 +138,7 @@ impl SsaBuilder {
         let iterated = self.inside.is_some()
             && (matches!(op, Op::Unknown(..) | Op::Dense(..)) || op.operands().any(depends));
         let value = Value::at(self.nodes.len());
-        // Where unknowns begin is told afterwards.
+        // Where unknowns begin is set afterwards.
         let at_start = op.at_start(&self.start, |value| self.at_start[value.index()]);
         self.at_start.push(at_start);
         let varies = match op {
@@ -185,7 +185,7 @@ impl SsaBuilder {
     }
 
     pub(super) fn abs(&mut self, a: Value) -> Value {
-        match (self.number(a), self.negated(a)) {
+        match (self.number(a), self.negation(a)) {
             (Some(a), _) => self.constant(a.abs()),
             (_, Some(inner)) => self.abs(inner),
             _ => self.make(Op::Abs(a)),
@@ -228,7 +228,7 @@ impl SsaBuilder {
         }
     }
 
-    fn negated(&self, value: Value) -> Option<Value> {
+    fn negation(&self, value: Value) -> Option<Value> {
         match self.nodes[value.index()].op {
             Op::Neg(inner) => Some(inner),
             _ => None,
@@ -250,7 +250,7 @@ impl Arithmetic for SsaBuilder {
             (_, Some(0.0)) => return a,
             _ => {}
         }
-        match (self.negated(a), self.negated(b)) {
+        match (self.negation(a), self.negation(b)) {
             (_, Some(b)) => self.sub(a, b),
             (Some(a), _) => self.sub(b, a),
             _ => self.make(Op::Add(a.min(b), a.max(b))),
@@ -264,7 +264,7 @@ impl Arithmetic for SsaBuilder {
             (_, Some(0.0)) => return a,
             _ => {}
         }
-        match self.negated(b) {
+        match self.negation(b) {
             Some(b) => self.add(a, b),
             None => self.make(Op::Sub(a, b)),
         }
@@ -280,7 +280,7 @@ impl Arithmetic for SsaBuilder {
             (_, Some(-1.0)) => return self.neg(a),
             _ => {}
         }
-        match (self.negated(a), self.negated(b)) {
+        match (self.negation(a), self.negation(b)) {
             (Some(a), Some(b)) => self.mul(a, b),
             (Some(a), None) => {
                 let product = self.mul(a, b);
@@ -308,7 +308,7 @@ impl Arithmetic for SsaBuilder {
     }
 
     fn neg(&mut self, a: Value) -> Value {
-        match (self.number(a), self.negated(a)) {
+        match (self.number(a), self.negation(a)) {
             (Some(a), _) => self.constant(-a),
             (_, Some(inner)) => inner,
             _ => self.make(Op::Neg(a)),

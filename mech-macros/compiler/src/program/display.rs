@@ -19,7 +19,7 @@ impl Display for Program {
         for block in self.block_ids() {
             self.block(f, block)?;
         }
-        self.watched(f)?;
+        self.watches(f)?;
         for (name, pose) in self.links.iter().zip(&self.poses) {
             writeln!(f, "pose {name} = {}", self.list(pose))?;
         }
@@ -107,7 +107,7 @@ impl Program {
             BlockKind::Straight => self.operations(f, "  ", &values),
             BlockKind::ClosedForm(closed) => {
                 self.operations(f, "  ", &values)?;
-                self.closing(f, closed)
+                self.closed_form_lines(f, closed)
             }
             BlockKind::Newton(newton) => self.iteration(f, newton, block, &values),
         }
@@ -126,7 +126,7 @@ impl Program {
         Ok(())
     }
 
-    fn closing(&self, f: &mut Formatter<'_>, closed: &ClosedForm) -> fmt::Result {
+    fn closed_form_lines(&self, f: &mut Formatter<'_>, closed: &ClosedForm) -> fmt::Result {
         let form = match closed.dyad {
             Dyad::TwoCircles { .. } => "two circles",
             Dyad::CircleAndLine { .. } => "a circle and a line",
@@ -177,7 +177,7 @@ impl Program {
         }
         writeln!(f, "    residuals {}", self.list(&newton.gap))?;
         for (number, column) in newton.columns.iter().enumerate() {
-            // A system of two equations is written out: its columns may be read by nothing.
+            // A system of two equations is solved by explicit formulas: its columns may be read by nothing.
             if column.iter().all(|value| self.live[value.index()]) {
                 writeln!(f, "    column {number}: {}", self.list(column))?;
             }
@@ -212,7 +212,7 @@ impl Program {
         }
     }
 
-    fn watched(&self, f: &mut Formatter<'_>) -> fmt::Result {
+    fn watches(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f)?;
         for watch in &self.watches {
             let Watch {

@@ -60,7 +60,7 @@ pub struct Program {
     pub motors: Vec<String>,
     /// The names of the params: they are given after the motors, by the same operation.
     pub params: Vec<String>,
-    /// The moving links whose poses are kept, in the order of their declaration: without a `show` all.
+    /// The moving links whose poses are stored, in the order of their declaration: without a `show` all.
     pub stored: Vec<LinkId>,
     /// Their names.
     pub links: Vec<String>,
@@ -89,9 +89,9 @@ pub struct Program {
     pub overflows: bool,
     /// Whether a law may make an angle so large that the polynomials of sine and cosine do not reach it, whatever the motors' values.
     pub curved: bool,
-    /// The rates of everything, if this program goes on to them.
+    /// Rates or forces, if this program computes them.
     pub motion: Option<Motion>,
-    /// How everything follows the params, if this program tells that.
+    /// The rates of everything with each param, if this program computes them.
     pub sensitivity: Option<Sensitivity>,
     /// Which values anything depends on.
     pub live: Vec<bool>,
@@ -139,7 +139,7 @@ pub struct Position<T> {
     pub motors: Vec<T>,
     /// Whole turns of the motors besides.
     pub turns: Vec<i32>,
-    /// For each moving link whose pose is kept its cosine, sine, x and y.
+    /// For each moving link whose pose is stored its cosine, sine, x and y.
     pub poses: Vec<[T; 4]>,
     /// What is carried from position to position besides: unwrapped angles, sides of dyads.
     pub state: Vec<T>,
@@ -208,11 +208,6 @@ impl Program {
         let motion = self.motion.iter().flat_map(Motion::roots);
         let sensitivity = self.sensitivity.iter().flat_map(Sensitivity::roots);
         position.chain(motion).chain(sensitivity)
-    }
-
-    /// What every value is at the start.
-    pub(crate) fn values_at_start(&self) -> Vec<f64> {
-        calibrate::at_start(self)
     }
 
     /// The loop of a block, if it solves one.

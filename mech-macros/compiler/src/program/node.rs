@@ -39,7 +39,7 @@ impl BlockId {
 /// What the last position left behind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slot {
-    /// A number of the pose of a link, by its position among those whose poses are kept.
+    /// A number of the pose of a link, by its position among the links that a position stores.
     Pose(usize, Part),
     /// A number that is carried from position to position: an angle that a gear needs unwrapped, or on which side a dyad
     /// lies that passes change points.
@@ -60,7 +60,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// All four, in the order in which poses are written.
+    /// All four, in the order in which poses are stored.
     pub const ALL: [Self; 4] = [Self::Cos, Self::Sin, Self::X, Self::Y];
 
     /// Its position in that order.

@@ -31,15 +31,6 @@ pub struct Timed {
     pub second: Option<Value>,
 }
 
-impl Timed {
-    /// All that it is given.
-    fn values(&self) -> impl Iterator<Item = Value> {
-        [Some(self.value), self.rate, self.second]
-            .into_iter()
-            .flatten()
-    }
-}
-
 impl Timing {
     /// The value of the time, if any law depends on it.
     #[must_use]
@@ -100,11 +91,12 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
         });
     }
     let (_, _, nodes, blocks) = ssa.finish();
+    let values = |timed: &Timed| [Some(timed.value), timed.rate, timed.second];
     let mut program = Program {
         name: model.name.clone(),
         nodes,
         blocks,
-        state: motors.iter().flat_map(Timed::values).collect(),
+        state: motors.iter().flat_map(values).flatten().collect(),
         curved: true,
         ..Program::default()
     };

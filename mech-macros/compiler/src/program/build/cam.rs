@@ -45,7 +45,7 @@ impl PositionPass<'_> {
         self.lowering.ssa.block(format!("follow_{name}"), title);
         let turns = matches!(model.joint(shaft).kind, JointKind::Revolute(..));
         let winding = law.winding().filter(|_| turns);
-        // Of what goes on by whole turns with its shaft, an angle needs only what it is in one turn, and what returns anything.
+        // Of a coordinate that grows by whole turns with its shaft, an angle needs only what it is in one turn, and what returns anything.
         let in_one_turn = match cam.connection.kind {
             ConnectionKind::Revolute => winding.is_some_and(|turns| turns.fract() == 0.0),
             ConnectionKind::Prismatic => winding == Some(0.0),

@@ -1,5 +1,5 @@
 //! Loops that place links which are needed, but whose solution is not: where two slides follow each other, a link between them keeps
-//! a direction that is known, and may be where it is whatever the way of the slides.
+//! a direction that is known, and may be where it is whatever the displacements of the slides.
 
 use crate::model::Model;
 use crate::plan::Plan;

@@ -43,7 +43,7 @@ pub(super) struct System {
     pub(super) extent: Option<Value>,
     /// The legs of a middle link, whose pose the unknowns are: how far each turns is a part of the step.
     pub(super) legs: Vec<Lever>,
-    /// For each unknown whether it is an angle, where the determinant's sign does not tell all assemblies apart.
+    /// For each unknown whether it is an angle, where the determinant's sign does not distinguish all assemblies.
     pub(super) angles: Option<Vec<bool>>,
     /// A number with the sign that the determinant must have, plus for that of the start, if it may change.
     pub(super) side: Option<Value>,

@@ -1,4 +1,4 @@
-//! The last position, where iterations begin and which tells dyads their side.
+//! The last position: there iterations begin, and it determines the side of a dyad.
 
 use crate::model::{JointKind, LinkId, Model};
 use crate::plan::{Algebra, Arithmetic, Pose, Solution, Unknown};

@@ -1,4 +1,4 @@
-//! The linear system of a loop, written out.
+//! The linear system of a loop, solved by explicit formulas.
 
 use crate::plan::{Algebra, Arithmetic};
 use crate::program::builder::SsaBuilder;

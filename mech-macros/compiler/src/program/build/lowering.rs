@@ -85,11 +85,8 @@ impl<'m> Lowering<'m> {
 
     /// Carries the signs of the inputs' last motions, if a loop passes change points: they say on which side it leaves one.
     pub(super) fn carry_motion_signs(&mut self, watches: &Watches) {
-        if watches
-            .loops
-            .iter()
-            .all(|watch| watch.at_zero == AtZero::Stay)
-        {
+        let mut loops = watches.loops.iter();
+        if loops.all(|watch| watch.at_zero == AtZero::Stay) {
             return;
         }
         let signs = (0..self.model.inputs()).map(|_| self.ssa.carry(1.0).index);

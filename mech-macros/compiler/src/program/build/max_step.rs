@@ -1,4 +1,4 @@
-//! How far motors may go in one piece where nothing else tells it: loops that are solved together could leap over a place where they do
+//! How far motors may go in one piece where no bound is known: loops that are solved together could leap over a place where they do
 //! not close.
 
 use crate::model::{JointKind, Model};

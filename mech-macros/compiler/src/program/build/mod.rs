@@ -56,7 +56,14 @@ pub fn build(model: &Model, plan: &Plan) -> Program {
 pub fn build_as(model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
     let mut links = model.asked_links();
     loop {
-        let lower = |idle: &[usize]| Target::positions(&links, idle).lower(model, plan, choices);
+        let lower = |idle: &[usize]| {
+            let target = Target {
+                links: &links,
+                idle,
+                output: None,
+            };
+            target.lower(model, plan, choices)
+        };
         let mut program = lower(&[]);
         let idle = program.idle_loops(model, plan);
         if !idle.is_empty() {
@@ -99,17 +106,15 @@ pub fn derive(
     let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
     let idle: Vec<usize> = idle.collect();
     let target = Target {
+        links: &positions.stored,
+        idle: &idle,
         output: Some(output),
-        ..Target::positions(&positions.stored, &idle)
     };
     let mut program = target.lower(model, plan, choices);
     program.number_stored();
     // Where joints hold links more than once, equilibrium does not determine what they do.
-    let undetermined = matches!(output, Output::InverseDynamics(_))
-        && program
-            .motion
-            .as_ref()
-            .is_none_or(|motion| motion.forces.is_none());
+    let forces = program.motion.iter().flat_map(|motion| &motion.forces);
+    let undetermined = matches!(output, Output::InverseDynamics(_)) && forces.count() == 0;
     (!undetermined).then_some(program)
 }
 
@@ -148,15 +153,7 @@ struct Target<'t> {
     output: Option<Output<'t>>,
 }
 
-impl<'t> Target<'t> {
-    fn positions(links: &'t [LinkId], idle: &'t [usize]) -> Self {
-        Self {
-            links,
-            idle,
-            output: None,
-        }
-    }
-
+impl Target<'_> {
     /// Lowers a plan to a program; poses are numbered among those of all links.
     fn lower(self, model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
         let needed = needed(model, plan, self.links);
@@ -253,7 +250,7 @@ impl<'t> Target<'t> {
             follows: watches.follows,
             followed: watches.angles,
             max_steps,
-            reduced: overflow::reduced(model, plan),
+            reduced: overflow::reduced_inputs(model, plan),
             overflows: overflow::overflows(model, plan),
             curved: model.cams().next().is_some(),
             motors: motors
@@ -295,7 +292,7 @@ impl<'t> Target<'t> {
     }
 }
 
-/// What the positions were found with: whatever is derived from them goes on from it.
+/// What the positions were found with: rates, forces and sensitivities are derived from it.
 struct Positions {
     /// The loops that were solved, but for those whose solution nothing needs.
     loops: Vec<SolvedLoop>,

@@ -6,7 +6,7 @@ use num_traits::Signed;
 
 /// For each motor and param, whether its value is read less whole turns, and the turns apart from it. It is so where gears turn by a part
 /// of it, and the model asks for an accuracy.
-pub(super) fn reduced(model: &Model, plan: &Plan) -> Vec<bool> {
+pub(super) fn reduced_inputs(model: &Model, plan: &Plan) -> Vec<bool> {
     let asked = model.accuracy.is_some() || model.motors.iter().any(|motor| motor.step.is_some());
     let meshes = plan
         .steps

@@ -89,7 +89,7 @@ impl SsaBuilder {
         sum
     }
 
-    /// By how much params may have made the way round a loop longer than it is at the start; none if they have no part in it.
+    /// By how much params may have made the vectors round a loop longer than they are at the start; none if they have no part in it.
     pub(super) fn varying_extent(&mut self, equation: &Equation<Value>) -> Option<Value> {
         let arms = equation
             .rings

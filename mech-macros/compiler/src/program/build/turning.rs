@@ -1,4 +1,4 @@
-//! Directions that are turned, and kept at length one.
+//! Directions: how they are turned and stay at length one, and the angles between them.
 
 use crate::plan::{Algebra, Arithmetic, Solution};
 use crate::program::builder::SsaBuilder;

@@ -163,7 +163,7 @@ impl Watches {
         self.watch(ssa, site, [sine, rounding_square], false);
     }
 
-    /// Watches coupled loops that go on past their change points, or stop there. Their determinant is that where they are closed.
+    /// Watches coupled loops, which pass their change points or stop there. Their determinant is that where they are closed.
     pub(super) fn watch_coupled(
         &mut self,
         ssa: &mut SsaBuilder,
@@ -178,7 +178,7 @@ impl Watches {
         self.watch(ssa, site, [sine, rounding_square], true);
     }
 
-    /// Watches a tied loop that goes on past its change points, or stops there: on its other side the iteration begins where the loop came
+    /// Watches a tied loop, which passes its change points or stops there: on its other side the iteration begins where the loop came
     /// from. Its columns are those where it is closed; its angles add these roundings.
     pub(super) fn watch_tied(
         &mut self,

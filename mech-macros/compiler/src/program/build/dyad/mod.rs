@@ -1,4 +1,4 @@
-//! Dyads in closed form: their formulas, with what tells whether they close and on which side they lie.
+//! Dyads in closed form: whether they close, and on which side they lie.
 
 mod circles;
 mod lines;
