@@ -91,7 +91,7 @@ pub(super) fn limits(model: &Model, program: &Program, plan: &Plan) -> TokenStre
         let growth = growth(program.precision, &follow.growth);
         quote!(Followed { rates: [#(#rates),*], growth: &[#(#growth),*] })
     });
-    let motion_signs = match program.motion_signs {
+    let motion_signs = match program.layout.motion_signs {
         None => quote!(Option::None),
         Some(first) => {
             let first = Literal::usize_unsuffixed(first);

@@ -190,7 +190,7 @@ impl Writer<'_> {
     fn link(&self, link: LinkId) -> Literal {
         Literal::usize_unsuffixed(match link {
             LinkId::GROUND => 0,
-            link => self.program.kept_pose(link) + 1,
+            link => self.program.pose_index(link) + 1,
         })
     }
 

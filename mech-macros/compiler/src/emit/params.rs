@@ -171,7 +171,7 @@ fn methods(
 /// Where an axis is in its link, as an array: an expression inside a method.
 pub(super) fn place(model: &Model, program: &Program, id: AxisId) -> TokenStream {
     let axis = model.axis(id);
-    let [x, y] = [0, 1].map(|part| match program.kept_place(id, part) {
+    let [x, y] = [0, 1].map(|part| match program.place_state(id, part) {
         None => number(program.precision, axis.at[part]),
         Some(state) => {
             let state = Literal::usize_unsuffixed(state);

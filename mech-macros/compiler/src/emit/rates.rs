@@ -348,5 +348,5 @@ fn joint_rate(
 
 /// Where the rates of a link are kept.
 fn index(program: &Program, link: LinkId) -> Literal {
-    Literal::usize_unsuffixed(program.kept_pose(link))
+    Literal::usize_unsuffixed(program.pose_index(link))
 }

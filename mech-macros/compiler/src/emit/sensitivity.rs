@@ -185,7 +185,7 @@ pub(super) fn methods(
 
 /// Where the rates of a link are.
 fn place(program: &Program, link: LinkId) -> Literal {
-    Literal::usize_unsuffixed(program.kept_pose(link))
+    Literal::usize_unsuffixed(program.pose_index(link))
 }
 
 /// What a point's method is called, and what it is.

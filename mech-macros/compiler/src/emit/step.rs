@@ -22,7 +22,7 @@ const MOST_BLOCKS: usize = 32;
 /// The module of a program: the function `step`, and those it calls.
 pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
     let name = module::name(program);
-    let program = &*program.divided(MOST_LETS);
+    let program = &*program.divide(MOST_LETS);
     let flows = flows(program);
     let position = position(program);
     let in_place = straight_values(program) <= MOST_IN_PLACE;

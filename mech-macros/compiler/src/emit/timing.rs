@@ -114,7 +114,7 @@ fn at_time(
 
 /// The laws as a function.
 fn laws(krate: &TokenStream, model: &Model, program: &Program, timing: &Timing) -> TokenStream {
-    let written = &*timing.program.divided(MOST_LETS);
+    let written = &*timing.program.divide(MOST_LETS);
     let mut scope = Scope::new(written, all_uses(written));
     let time = scope.fresh("t");
     let motors = Literal::usize_unsuffixed(program.motors.len());

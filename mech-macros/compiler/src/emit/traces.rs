@@ -76,14 +76,14 @@ fn names(places: &Places, model: &Model, trace: &Trace) -> (String, Ident) {
 /// Where a traced point is.
 fn place(model: &Model, program: &Program, trace: &Trace) -> TokenStream {
     let axis = model.axis(trace.point);
-    let [x, y] = [0, 1].map(|part| match program.kept_place(trace.point, part) {
+    let [x, y] = [0, 1].map(|part| match program.place_state(trace.point, part) {
         None => number(program.precision, axis.at[part]),
         Some(state) => {
             let state = Literal::usize_unsuffixed(state);
             quote!(self.position.state[#state])
         }
     });
-    let index = Literal::usize_unsuffixed(program.kept_pose(axis.link));
+    let index = Literal::usize_unsuffixed(program.pose_index(axis.link));
     quote!(self.position.poses[#index].apply([#x, #y]))
 }
 

@@ -1,7 +1,7 @@
 //! The solutions of coupled loops, by numbers: Newton's iteration from many starts, at compile time.
 
 use super::algebra::Numbers;
-use super::closed_form::Closure;
+use super::closed_form::LoopSolutions;
 use super::equation::{Equation, Solution, Unknown};
 use super::halton::Halton;
 use crate::model::LinkId;
@@ -18,7 +18,7 @@ const APART: f64 = 1e-5;
 pub(super) type Guess<'g> = &'g dyn Fn(LinkId) -> Option<[f64; 2]>;
 
 /// Solves any equation: from the guess, and where the guess leaves something open from many starts.
-pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> Closure {
+pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> LoopSolutions {
     let given = |unknown: &Unknown| match unknown {
         Unknown::Direction(base) => guess(*base),
         Unknown::Slide(_) => None,
@@ -56,7 +56,7 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
         sequence.advance();
         match newton(equation, now, size) {
             Found::Solution(solution)
-                if solutions.iter().all(|known| far(known, &solution, size)) =>
+                if solutions.iter().all(|known| differ(known, &solution, size)) =>
             {
                 solutions.push(solution);
             }
@@ -66,9 +66,9 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
         }
     }
     match (solutions.is_empty(), dead) {
-        (false, _) => Closure::Solutions(solutions),
-        (true, true) => Closure::Dead,
-        (true, false) => Closure::Gap(least),
+        (false, _) => LoopSolutions::Found(solutions),
+        (true, true) => LoopSolutions::DeadPoint,
+        (true, false) => LoopSolutions::Gap(least),
     }
 }
 
@@ -128,7 +128,7 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> F
 }
 
 /// Whether two solutions differ.
-fn far(a: &[Solution<f64>], b: &[Solution<f64>], size: f64) -> bool {
+fn differ(a: &[Solution<f64>], b: &[Solution<f64>], size: f64) -> bool {
     a.iter().zip(b).any(|pair| match pair {
         (Solution::Direction(a), Solution::Direction(b)) => {
             (a[0] - b[0]).hypot(a[1] - b[1]) > APART
