@@ -40,8 +40,5 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
             methods.extend(emitter.accessor(&name, &doc, scalar, &coordinate.value));
         }
     }
-    Parts {
-        methods,
-        ..Parts::default()
-    }
+    Parts::methods(methods)
 }

@@ -90,8 +90,13 @@ pub(super) fn of_motors(emitter: &Emitter<'_>, result: TokenStream) -> TokenStre
     }
 }
 
-/// The error of a mechanism that stays where it is because of `stop`.
-pub(super) fn refusal(emitter: &Emitter<'_>, stop: &TokenStream) -> TokenStream {
+/// The error of a mechanism that stays where it is because of the variable `stop`.
+pub(super) fn refusal(emitter: &Emitter<'_>) -> TokenStream {
+    refusal_by(emitter, &quote!(stop))
+}
+
+/// The same with an expression for `stop`.
+pub(super) fn refusal_by(emitter: &Emitter<'_>, stop: &TokenStream) -> TokenStream {
     let refusal = quote!(Position::refuse(&self.position, #stop, known::MOVE_LIMITS.inputs));
     if emitter.has_params() {
         quote!(generated::blocked_motors(#refusal))
@@ -102,9 +107,7 @@ pub(super) fn refusal(emitter: &Emitter<'_>, stop: &TokenStream) -> TokenStream 
 
 /// The statements after a move without rates: everything stands still, and points are traced.
 pub(super) fn end(emitter: &Emitter<'_>) -> TokenStream {
-    let this = quote!(self);
-    let standstill = standstill(emitter, &this);
-    let record = record(emitter, &this).map(|record| quote!(#record;));
+    let (standstill, record) = (standstill(emitter, &quote!(self)), record(emitter));
     quote!(#standstill #record)
 }
 
@@ -137,7 +140,7 @@ pub(super) fn standstill(emitter: &Emitter<'_>, instance: &TokenStream) -> Token
     quote!(#velocities #accelerations #rates)
 }
 
-/// The call that traces the points of an instance; nothing without traces.
-pub(super) fn record(emitter: &Emitter<'_>, instance: &TokenStream) -> Option<TokenStream> {
-    (!emitter.model.traces.is_empty()).then(|| quote!(Traced::record(#instance)))
+/// The statement that stores the places of traced points; nothing without traces.
+pub(super) fn record(emitter: &Emitter<'_>) -> Option<TokenStream> {
+    (!emitter.model.traces.is_empty()).then(|| quote!(Traced::record(self);))
 }

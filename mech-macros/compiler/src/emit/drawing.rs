@@ -44,10 +44,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
                     #painting
                 }
     };
-    Parts {
-        methods,
-        ..Parts::default()
-    }
+    Parts::methods(methods)
 }
 
 /// The type of the pictures that a mechanism makes.

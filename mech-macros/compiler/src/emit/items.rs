@@ -1,25 +1,14 @@
 //! The struct and its implementations.
 
-use super::accessors;
-use super::costs;
-use super::drawing;
 use super::emitter::Emitter;
-use super::forces;
-use super::joints;
 use super::known::known;
-use super::many;
-use super::moves;
-use super::overlay;
-use super::params;
 use super::parts::Parts;
-use super::phases;
-use super::ranges;
-use super::rates;
-use super::sensitivity;
 use super::step::step;
-use super::timing;
 use super::tokens::integer;
-use super::traces;
+use super::{
+    accessors, costs, drawing, forces, joints, many, moves, overlay, params, phases, ranges, rates,
+    sensitivity, timing, traces,
+};
 use crate::compiled::Compiled;
 use crate::syntax::{Header, Parsed};
 use proc_macro2::{Ident, TokenStream};

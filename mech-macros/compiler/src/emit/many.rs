@@ -1,6 +1,6 @@
 //! The methods that compute many positions at once.
 
-use super::advance::{Target, advance, of_motors, record, standstill};
+use super::advance::{Target, advance, of_motors, standstill};
 use super::emitter::Emitter;
 use super::limits::reduced_range;
 use super::parts::Parts;
@@ -17,11 +17,11 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         scalar,
         motors,
         links,
+        model,
         program,
-        compiled,
         ..
     } = emitter;
-    let reduced_range = emitter.number(reduced_range(program, &compiled.plan));
+    let reduced_range = emitter.number(reduced_range(program, &emitter.compiled.plan));
     // What the vector unit of any x86-64 holds in a few registers; more lanes spill.
     let lanes = integer(match program.precision {
         Precision::F32 => 8,
@@ -42,20 +42,18 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
             Result::Ok(())
         }
     } else {
-        let instance = quote!(instance);
-        let standstill = standstill(emitter, &instance);
+        let standstill = standstill(emitter, &quote!(instance));
         let position = if standstill.is_empty() {
             quote!(&mut instance.position)
         } else {
             quote!({ #standstill &mut instance.position })
         };
-        let record = record(emitter, &instance);
-        let function = if record.is_some() {
-            quote!(generated::move_many_then)
-        } else {
-            quote!(generated::move_many)
-        };
-        let then = record.map(|record| quote!(|instance| #record,));
+        let mut function = quote!(generated::move_many);
+        let mut then = None;
+        if !model.traces.is_empty() {
+            function = quote!(generated::move_many_then);
+            then = Some(quote!(|instance| Traced::record(instance),));
+        }
         quote! {
             #function::<_, _, _, _, _, #lanes>(
                 instances,
@@ -99,10 +97,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
             #move_all
         }
     };
-    Parts {
-        methods,
-        ..Parts::default()
-    }
+    Parts::methods(methods)
 }
 
 /// The closure that computes several positions and their smallest margins; one whose margins are negative computes one by one.

@@ -53,8 +53,5 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
                     #move_toward
                 }
     };
-    Parts {
-        methods,
-        ..Parts::default()
-    }
+    Parts::methods(methods)
 }

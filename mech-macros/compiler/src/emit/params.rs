@@ -79,8 +79,5 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
             }
         });
     }
-    Parts {
-        methods,
-        ..Parts::default()
-    }
+    Parts::methods(methods)
 }

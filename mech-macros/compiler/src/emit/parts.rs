@@ -19,6 +19,16 @@ pub(super) struct Parts {
     pub(super) modules: TokenStream,
 }
 
+impl Parts {
+    /// Associated constants and methods alone.
+    pub(super) fn methods(methods: TokenStream) -> Self {
+        Self {
+            methods,
+            ..Self::default()
+        }
+    }
+}
+
 impl FromIterator<Parts> for Parts {
     fn from_iter<I: IntoIterator<Item = Self>>(all: I) -> Self {
         let mut sum = Self::default();

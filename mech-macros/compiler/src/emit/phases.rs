@@ -19,7 +19,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     } = emitter;
     let (mut values, mut phases) = (Vec::new(), TokenStream::new());
     let (mut turning, mut sliding) = (0, 0);
-    let refusal = refusal(emitter, &quote!(stop));
+    let refusal = refusal(emitter);
     for (motor, name) in model.motor_ids().zip(&program.motors) {
         if emitter.turns(motor) {
             let (index, phase) = (integer(motor.index()), integer(turning));
@@ -69,8 +69,5 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
             #advance
         }
     };
-    Parts {
-        methods,
-        ..Parts::default()
-    }
+    Parts::methods(methods)
 }

@@ -62,8 +62,5 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
             #end
         }
     };
-    Parts {
-        methods,
-        ..Parts::default()
-    }
+    Parts::methods(methods)
 }

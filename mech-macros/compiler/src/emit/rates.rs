@@ -63,8 +63,8 @@ pub(super) fn advance_at_rates(
         .acceleration
         .then(|| quote!(self.accelerations = accelerations;));
     let store_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
-    let record = record(emitter, &quote!(self)).map(|record| quote!(#record;));
-    let refusal = refusal(emitter, &quote!(stop));
+    let record = record(emitter);
+    let refusal = refusal(emitter);
     let advance = advance_with(moving, &quote!(&mut self.position), target);
     let advance = of_motors(emitter, advance);
     quote! {
@@ -95,7 +95,7 @@ fn methods(emitter: &Emitter<'_>, moving: &Program) -> TokenStream {
     let parameters = parameters(moving);
     let Target { before, value } = Target::new(emitter, &quote!(self.position));
     let advance = advance_at_rates(emitter, moving, &value);
-    let refusal = refusal(emitter, &quote!(stop));
+    let refusal = refusal(emitter);
     let (mut given, mut arguments) = ("values and rates", quote!(, rates));
     let (mut accelerations, mut first) = (None, None);
     if emitter.model.effects.acceleration {

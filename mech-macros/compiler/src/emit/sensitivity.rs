@@ -31,7 +31,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         bug!("the program of sensitivities computes none");
     };
     let cost = literal(cost::of_program(program));
-    let refusal = refusal(emitter, &quote!(stop));
+    let refusal = refusal(emitter);
     let rates = quote! {
         match sensitivity::sensitivity(&self.position) {
             Result::Ok(found) => found,

@@ -58,7 +58,7 @@ fn at_time(emitter: &Emitter<'_>) -> TokenStream {
             ending(emitter, of_motors(emitter, advance))
         }
     };
-    let refusal = refusal(emitter, &quote!(stop));
+    let refusal = refusal(emitter);
     let errors = if effects.velocity {
         quote! {
             #[doc = " If the time, or the value or a rate of a law at it, is not a finite number, a loop cannot be closed on the"]

@@ -1,6 +1,6 @@
 //! The methods that read and set loads, and return the forces of springs.
 
-use super::super::advance::refusal;
+use super::super::advance::refusal_by;
 use super::super::emitter::Emitter;
 use super::super::parts::Parts;
 use super::super::shown::NamedPoint;
@@ -26,6 +26,12 @@ pub(super) fn loads(emitter: &Emitter<'_>) -> Parts {
     }
 }
 
+/// The statement that binds the loads for a step that takes them.
+pub(super) fn bind_loads(emitter: &Emitter<'_>) -> Option<TokenStream> {
+    let has_loads = !emitter.model.actions.loads.is_empty();
+    has_loads.then(|| quote!(let loads = self.loads;))
+}
+
 /// The methods of a load; `first` is the index of its first number.
 fn load(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
     let Emitter {
@@ -36,7 +42,7 @@ fn load(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
         ..
     } = emitter;
     let name = &load.name;
-    let refusal = refusal(emitter, &quote!(generated::not_finite(#name)));
+    let refusal = refusal_by(emitter, &quote!(generated::not_finite(#name)));
     let getter = emitter.ident(name, load.origin);
     let setter = emitter.ident(&format!("set_{name}"), load.origin);
     let [index, next] = [first, first + 1].map(integer);
@@ -99,8 +105,5 @@ pub(super) fn springs(emitter: &Emitter<'_>) -> Parts {
         let value = quote!(generated::pull(#from, #to, #stiffness, #rest));
         Some(emitter.accessor(&name, &doc, &emitter.scalar, &value))
     });
-    Parts {
-        methods: methods.collect(),
-        ..Parts::default()
-    }
+    Parts::methods(methods.collect())
 }

@@ -4,7 +4,7 @@ use super::super::advance::{advance_with, of_motors, rates_at, record, refusal};
 use super::super::emitter::Emitter;
 use super::super::parts::Parts;
 use super::super::step::arguments;
-use super::bind_loads;
+use super::actions::bind_loads;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -31,11 +31,8 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         .motor_ids()
         .map(|motor| emitter.number(if emitter.turns(motor) { 1.0 } else { size }));
     let (loads, rates) = (bind_loads(emitter), rates_after(emitter));
-    let record = record(emitter, &quote!(self)).map(|record| quote!(#record;));
-    let (refusal, inputs) = (
-        refusal(emitter, &quote!(stop)),
-        quote!(known::MOVE_LIMITS.inputs),
-    );
+    let record = record(emitter);
+    let (refusal, inputs) = (refusal(emitter), quote!(known::MOVE_LIMITS.inputs));
     let simulated = quote! {
         generated::simulate(&self.position, &moment, method, |position, motors, rates| {
             #advance
@@ -133,7 +130,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
 /// The statement that stores velocities and accelerations after a step of time, if they are asked for.
 fn rates_after(emitter: &Emitter<'_>) -> Option<TokenStream> {
     let moving = emitter.compiled.moving.as_ref()?;
-    let refusal = refusal(emitter, &quote!(stop));
+    let refusal = refusal(emitter);
     let (mut arguments, mut found, mut store) =
         (quote!(, simulated.rates), quote!(velocities), None);
     if emitter.model.effects.acceleration {

@@ -1,11 +1,11 @@
 //! The methods that return the torques and reactions by which a mechanism stands or moves.
 
-use super::super::advance::{Target, advance_with, end, of_motors, rates_at, refusal};
+use super::super::advance::{Target, advance_with, end, of_motors, rates_at, refusal, refusal_by};
 use super::super::emitter::Emitter;
 use super::super::parts::Parts;
 use super::super::step::{arguments, outcome_type};
 use super::super::tokens::integer;
-use super::bind_loads;
+use super::actions::bind_loads;
 use crate::model::{Load, LoadKind};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -25,7 +25,7 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
     let (loads, end) = (bind_loads(emitter), end(emitter));
     let position = quote!(self.position);
     let Target { before, value } = Target::new(emitter, &position);
-    let refusal = refusal(emitter, &quote!(stop));
+    let refusal = refusal(emitter);
     let advance = advance_with(holding, &quote!(&mut #position), &value);
     let advance = of_motors(emitter, advance);
     let found = rates_at(holding, &position, &arguments(holding));
@@ -56,10 +56,7 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
                 .map_err(|stop| #refusal)
         }
     };
-    Parts {
-        methods,
-        ..Parts::default()
-    }
+    Parts::methods(methods)
 }
 
 /// `forces`, and the mechanical advantage over each load.
@@ -81,7 +78,7 @@ pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
         &quote!(self.position),
         &arguments(inverse_dynamics),
     );
-    let refusal = refusal(emitter, &quote!(stop));
+    let refusal = refusal(emitter);
     let mut methods = quote! {
         /// What it takes to move at these rates and second rates of the motors from where it is: the torques of the motors,
         /// the reaction in each joint, the transmission angles.
@@ -98,10 +95,7 @@ pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
     };
     let loads = model.actions.numbered_loads();
     methods.extend(loads.map(|(first, load)| advantage(emitter, first, load)));
-    Parts {
-        methods,
-        ..Parts::default()
-    }
+    Parts::methods(methods)
 }
 
 /// The method that returns the mechanical advantage over a load; `first` is the index of the load's first number.
@@ -119,7 +113,7 @@ fn advantage(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
     let mut ratio = quote!(velocity_ratio[#index]);
     if let LoadKind::Force(_) = load.kind {
         let (next, place) = (integer(first + 1), &load.name);
-        let refusal = refusal(emitter, &quote!(generated::not_finite(#place)));
+        let refusal = refusal_by(emitter, &quote!(generated::not_finite(#place)));
         what = ", for forces in this direction";
         parameter = Some(quote!(, along: [#scalar; 2]));
         test = Some(quote! {

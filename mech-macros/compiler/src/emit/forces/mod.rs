@@ -8,8 +8,6 @@ use super::costs::extra_cost;
 use super::emitter::Emitter;
 use super::parts::Parts;
 use super::step::step;
-use proc_macro2::TokenStream;
-use quote::quote;
 
 /// Loads, springs, and the forces or the dynamics that are asked for.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
@@ -44,10 +42,4 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     .into_iter()
     .chain(derived)
     .collect()
-}
-
-/// The statement that binds the loads for a step that takes them.
-fn bind_loads(emitter: &Emitter<'_>) -> Option<TokenStream> {
-    let has_loads = !emitter.model.actions.loads.is_empty();
-    has_loads.then(|| quote!(let loads = self.loads;))
 }
