@@ -10,7 +10,6 @@ use mech_gallery::rocker_arm::RockerArm;
 use mech_gallery::watt::Watt;
 use mech_runtime::files::{AnimatedSvg, Sheet, animate};
 use mech_runtime::{Blocked, Canvas, Mechanism, Outline, Palette, Pose, Scalar, View, mechanism};
-use mech_tests::Dice;
 use proptest::prelude::*;
 use resvg::usvg::roxmltree::Document;
 use std::f64::consts::TAU;
@@ -27,8 +26,10 @@ fn deviation<M: Mechanism>(view: View, motion: impl Fn(f64) -> M::Motors) -> f64
     assert_eq!(player.period, 2.7);
     let mut mechanism = M::new();
     let mut worst = 0.0_f64;
-    let mut dice = Dice::new(7);
-    let mut phases: Vec<_> = (0..200).map(|_| dice.between(0.0, 1.0)).collect();
+    // By the golden ratio: spread over the turn, and in step with no frames.
+    let mut phases: Vec<_> = (0..200)
+        .map(|number: u16| (0.618_034 * f64::from(number)).fract())
+        .collect();
     phases.sort_by(f64::total_cmp);
     for phase in phases {
         mechanism.move_to(motion(phase)).expect("it moves");
