@@ -1,73 +1,78 @@
-//! What is seen, in painting order.
+//! The shapes, in the order in which they are painted.
 
-use super::block::scalar;
-use super::params;
-use super::scope::number;
-use crate::model::{FormulaId, LinkId, Model, Shape, ShapeKind};
-use crate::plan::Plan;
-use crate::program::Program;
+use super::emitter::Emitter;
+use super::tokens::integer;
+use crate::model::{FormulaId, LinkId, Shape, ShapeKind};
+use crate::motion::extent::extent;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// One thing that is painted.
+/// One outline of a shape.
 pub(super) struct Painted {
-    /// Its link: 0 is the ground.
+    /// The number of its link: 0 is the ground.
     pub(super) link: usize,
     pub(super) plane: i32,
-    /// Its outline at the start.
+    /// At the start.
     outline: TokenStream,
-    /// Its outline now, an expression inside a method, if params change it.
+    /// Now, an expression in a method, if params change it.
     changed: Option<TokenStream>,
     color: TokenStream,
 }
 
-/// What is painted of the ground and of all links whose poses are kept, from the plane farthest from the eye to the nearest; within a
+impl Painted {
+    /// The statement that paints it as params have it; none if they do not change it.
+    pub(super) fn fill(&self) -> Option<TokenStream> {
+        let (outline, color) = (self.changed.as_ref()?, &self.color);
+        let pose = match self.link.checked_sub(1) {
+            None => quote!(Pose::identity()),
+            Some(index) => {
+                let index = integer(index);
+                quote!(self.position.poses[#index])
+            }
+        };
+        Some(quote!(Canvas::fill(canvas, #outline, #pose, #color);))
+    }
+}
+
+/// The outlines of the ground and of all links whose poses are known, from the plane farthest from the eye to the nearest; within a
 /// plane as declared, the ground's first.
-pub(super) fn in_order(model: &Model, program: &Program) -> Vec<Painted> {
-    let stored = program.stored.iter().copied();
-    let seen = std::iter::once(LinkId::GROUND).chain(stored);
-    let all = seen.enumerate().flat_map(|(link, id)| {
-        let shapes = model.link(id).shapes.iter();
-        shapes.flat_map(move |shape| painted(link, shape, program))
+pub(super) fn in_order(emitter: &Emitter<'_>) -> Vec<Painted> {
+    let stored = emitter.program.stored.iter().copied();
+    let links = std::iter::once(LinkId::GROUND).chain(stored);
+    let all = links.enumerate().flat_map(|(link, id)| {
+        let shapes = emitter.model.link(id).shapes.iter();
+        shapes.flat_map(move |shape| outlines(emitter, link, shape))
     });
-    let mut all: Vec<_> = all.collect();
+    let mut all: Vec<Painted> = all.collect();
     all.sort_by_key(|painted| painted.plane);
     all
 }
 
-/// What a shape is painted with, from back to front.
-fn painted(link: usize, shape: &Shape, program: &Program) -> Vec<Painted> {
-    let at_start = |share: f64, value: f64, _| number(program.precision, share * value);
-    let now = |share: f64, value: f64, formula: Option<FormulaId>| match formula {
-        None => at_start(share, value, None),
-        Some(_) => {
-            let (share, value) = (
-                number(program.precision, share),
-                params::present(program, value, formula),
-            );
-            quote!(#share * #value)
+/// The outlines of a shape, from back to front.
+fn outlines(emitter: &Emitter<'_>, link: usize, shape: &Shape) -> Vec<Painted> {
+    let at_start = |share: f64, value: f64, _| emitter.number(share * value);
+    let now = |share: f64, value: f64, formula: Option<FormulaId>| {
+        if formula.is_none() {
+            return at_start(share, value, None);
         }
+        let (share, value) = (emitter.number(share), emitter.present(value, formula));
+        quote!(#share * #value)
     };
-    let changed: Vec<_> = if shape.varies() {
-        parts(shape, now)
-    } else {
-        Vec::new()
-    };
-    let changed = changed.into_iter().map(|(outline, _)| Some(outline));
-    let parts = parts(shape, at_start).into_iter();
-    let parts = parts.zip(changed.chain(std::iter::repeat(None)));
-    let painted = parts.map(|((outline, color), changed)| Painted {
+    let changed = shape.varies().then(|| colored_outlines(shape, now));
+    let mut changed = changed.into_iter().flatten();
+    let outlines = colored_outlines(shape, at_start).into_iter();
+    let painted = outlines.map(|(outline, color)| Painted {
         link,
         plane: shape.plane,
         outline,
-        changed,
+        changed: changed.next().map(|(outline, _)| outline),
         color,
     });
     painted.collect()
 }
 
-/// Outlines and colours. `scaled` writes so many times a number of the shape, and how that is computed if it depends on params.
-fn parts(
+/// Outlines and their colours. `scaled` gives so many times a number of the shape, of which it also takes the formula.
+fn colored_outlines(
     shape: &Shape,
     scaled: impl Fn(f64, f64, Option<FormulaId>) -> TokenStream,
 ) -> Vec<(TokenStream, TokenStream)> {
@@ -103,58 +108,35 @@ fn parts(
                 quote!(Outline::Line { points: #points, width: #width })
             };
             // As `mech_runtime::raster::bar` draws it.
-            let lines = [
+            let mut all = vec![
                 (line(1.0), quote!(Palette::darker(#color))),
                 (line(0.76), quote!(#color)),
             ];
-            let eyes = (0..count).flat_map(|pin| {
-                [
-                    (circle(pin, 0.28), quote!(Palette::INK)),
-                    (circle(pin, 0.14), quote!(Palette::EYE)),
-                ]
-            });
-            return lines.into_iter().chain(eyes).collect();
+            for pin in 0..count {
+                all.push((circle(pin, 0.28), quote!(Palette::INK)));
+                all.push((circle(pin, 0.14), quote!(Palette::EYE)));
+            }
+            return all;
         }
     };
     vec![(outline, quote!(#color))]
 }
 
-/// The painting of a part that params change: nothing of one that they do not.
-pub(super) fn fill(painted: &Painted) -> Option<TokenStream> {
-    let Painted {
-        link,
-        changed,
-        color,
-        ..
-    } = painted;
-    let outline = changed.as_ref()?;
-    let pose = match link.checked_sub(1) {
-        None => quote!(Pose::identity()),
-        Some(place) => {
-            let place = Literal::usize_unsuffixed(place);
-            quote!(self.position.poses[#place])
-        }
-    };
-    Some(quote!(Canvas::fill(canvas, #outline, #pose, #color);))
-}
-
-/// All of them as tokens, and the box around them wherever they are moved to.
-pub(super) fn shapes(model: &Model, plan: &Plan, program: &Program) -> TokenStream {
-    let entries = in_order(model, program).into_iter().map(|painted| {
+/// The constants `SHAPES` and `EXTENT`, the box around all of them wherever they move.
+pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
+    let entries = in_order(emitter).into_iter().map(|painted| {
         let Painted {
             link,
             outline,
             color,
             ..
         } = painted;
-        let link = Literal::usize_unsuffixed(link);
+        let link = integer(link);
         quote!(Shape { link: #link, outline: #outline, color: #color })
     });
-    let scalar = scalar(program);
-    let corners = crate::motion::extent::extent(model, plan, program).map(|corner| {
-        let [x, y] = corner.map(|value| number(program.precision, value));
-        quote!([#x, #y])
-    });
+    let (scalar, program) = (&emitter.scalar, emitter.program);
+    let corners = extent(emitter.model, &emitter.compiled.plan, program);
+    let corners = corners.map(|corner| emitter.pair(corner));
     quote! {
         pub(super) const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];
 
