@@ -40,7 +40,9 @@ pub trait Mechanism: Clone {
     /// The upright box around the shapes throughout the motion: lower left and upper right corner, in scene units. Without shapes, the
     /// box around joints and points.
     ///
-    /// The compiler finds it. It moves each motor alone through its range or whole turns, then all of them in several proportions.
+    /// The compiler finds it by moving the mechanism: each motor alone through its range or whole turns, then all of them to some
+    /// hundred combinations, and from the outermost positions farther out. A motor that slides without a range moves by four sizes of
+    /// the mechanism.
     const EXTENT: [[Self::Scalar; 2]; 2];
 
     /// The mechanism as assembled at compile time.

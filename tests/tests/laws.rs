@@ -3,13 +3,12 @@
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{
-    Arithmetic, BinaryFunction, Effects, Function, Law, Method, Model, Now, ParamId, Precision,
+    Arithmetic, BinaryFunction, Effects, FormulaArithmetic, Function, Law, Method, Model, Now,
+    ParamId, Precision,
 };
 use mech_compiler::program::{Timing, build_timing};
-use mech_compiler::syntax::parse;
 use mech_runtime::Cause;
 use mech_tests::{Dice, grow, size};
-use proc_macro2::TokenStream;
 
 fn cases() -> u64 {
     mech_tests::cases(200)
@@ -71,10 +70,7 @@ fn model(law: &str) -> Model {
         "struct M; ground {{ point o = (0, 0); }} link crank {{ point o = (0, 0); }}
         joint a = revolute(ground.o, crank.o); motor a = {law};"
     );
-    let parsed = parse(text.parse::<TokenStream>().expect("tokens"));
-    let errors: Vec<_> = parsed.errors.iter().map(|error| &error.text).collect();
-    assert!(errors.is_empty(), "{law}: {errors:?}");
-    let mut model = parsed.model;
+    let mut model = mech_tests::model(&text);
     model.effects = EFFECTS;
     model
 }
@@ -179,14 +175,6 @@ impl Arithmetic for At {
         Jet([value, 0.0, 0.0])
     }
 
-    fn variable(&mut self) -> Jet {
-        Jet([self.0, 1.0, 0.0])
-    }
-
-    fn param(&mut self, _: ParamId) -> Jet {
-        unreachable!("no law here has a param")
-    }
-
     fn neg(&mut self, Jet(a): Jet) -> Jet {
         Jet(a.map(|part| -part))
     }
@@ -207,6 +195,16 @@ impl Arithmetic for At {
         let below = b.0[0];
         let inverse = [1.0 / below, -below.powi(-2), 2.0 * below.powi(-3)];
         a.product(b.through(inverse))
+    }
+}
+
+impl FormulaArithmetic for At {
+    fn variable(&mut self) -> Jet {
+        Jet([self.0, 1.0, 0.0])
+    }
+
+    fn param(&mut self, _: ParamId) -> Jet {
+        unreachable!("no law here has a param")
     }
 
     fn of(&mut self, function: Function, a: Jet) -> Jet {
@@ -339,16 +337,8 @@ fn lawful(dice: &mut Dice, seed: u64) -> Model {
             1 => format!("{start} + {speed} * t / (1 + t * t)"),
             _ => format!("{start} + {speed} * (1 - exp(-t * t))"),
         };
-        let parsed = parse(
-            format!(
-                "struct M; ground {{ point o = (0, 0); }} link crank {{ point o = (0, 0); }}
-                joint a = revolute(ground.o, crank.o); motor a = {text};"
-            )
-            .parse::<TokenStream>()
-            .expect("tokens"),
-        );
         model.motors[motor].law = Some(mech_compiler::model::LawId::new(model.laws.len()));
-        model.laws.extend(parsed.model.laws);
+        model.laws.push(mech_tests::law(&text));
     }
     model
 }

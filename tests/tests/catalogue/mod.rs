@@ -1,0 +1,146 @@
+//! `docs/diagnoses.md` is what the compiler says: the meanings are those of the enum's own documentation, the messages those
+//! of the reporter, and each remedy is made and compiled. Renew with
+//! `UPDATE_CATALOGUE=1 cargo test -p mech-tests --test compiler catalogue`, and read it.
+
+mod entries;
+
+use entries::{ENTRIES, Entry};
+use mech_compiler::model::Model;
+use mech_compiler::syntax::{Places, parse};
+use mech_compiler::{compile, repair, reporter};
+use std::fmt::Write as _;
+use std::{env, fs};
+
+const HEAD: &str = "\
+# What the compiler can find wrong
+
+Each diagnosis with its meaning, the smallest mechanism that has it, what the compiler says about that, and a remedy: an \
+edit after which it compiles. Errors of the text itself (unknown names, bad numbers, misspelt statements) come before these \
+and are not listed. This page is made and checked by `tests/tests/catalogue`.
+";
+
+#[test]
+fn every_diagnosis_is_listed() {
+    let mut listed: Vec<&str> = ENTRIES.iter().map(|entry| entry.variant).collect();
+    listed.dedup();
+    let variants: Vec<String> = variants().into_iter().map(|(name, _)| name).collect();
+    assert_eq!(listed, variants, "entries.rs against the enum");
+}
+
+#[test]
+fn the_page_is_what_the_compiler_says() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/diagnoses.md");
+    let page = page();
+    if env::var_os("UPDATE_CATALOGUE").is_some() {
+        fs::write(path, &page).expect("the page");
+    }
+    let there = fs::read_to_string(path)
+        .expect("the page")
+        .replace("\r\n", "\n");
+    assert!(
+        there == page,
+        "docs/diagnoses.md is stale: renew it with UPDATE_CATALOGUE=1, and read what changed\n{page}"
+    );
+}
+
+#[test]
+fn every_remedy_mends_its_example() {
+    for entry in ENTRIES {
+        let (from, to) = entry.edit;
+        let name = entry.variant;
+        assert_eq!(entry.example.matches(from).count(), 1, "{name}: {from}");
+        let (model, _) = read(&entry.example.replace(from, to));
+        if let Err(diagnoses) = compile(&model) {
+            panic!("{name} is not mended: {diagnoses:?}");
+        }
+    }
+}
+
+fn page() -> String {
+    let mut page = HEAD.to_owned();
+    for (variant, meaning) in variants() {
+        let _ = write!(page, "\n## `{variant}`\n\n{meaning}\n");
+        for entry in ENTRIES.iter().filter(|entry| entry.variant == variant) {
+            let (example, messages) = (entry.example.trim(), messages(entry));
+            let _ = write!(
+                page,
+                "\n```text\n{example}\n```\n\n```text\n{messages}\n```\n\n{} Here: {}.\n",
+                entry.remedy,
+                edit(entry.edit)
+            );
+        }
+    }
+    page
+}
+
+fn edit((from, to): (&str, &str)) -> String {
+    let quoted = |text: &str| {
+        let lines: Vec<String> = text
+            .lines()
+            .map(|line| format!("`{}`", line.trim()))
+            .collect();
+        lines.join(" ")
+    };
+    let from = quoted(from);
+    match to {
+        "" => format!("leave {from} out"),
+        to => format!("instead of {from} write {}", quoted(to)),
+    }
+}
+
+/// All that the compiler says, as it shows it.
+fn messages(entry: &Entry) -> String {
+    let (model, places) = read(entry.example);
+    let diagnoses = compile(&model).expect_err(entry.variant);
+    let first = format!("{:?}", diagnoses[0]);
+    let name = first.split([' ', '{', '(']).next();
+    assert_eq!(name, Some(entry.variant), "{diagnoses:?}");
+    let offers = repair::offers(&model, &diagnoses);
+    let messages = reporter::messages(&diagnoses, &offers, &model, &places);
+    let shown = |text: &str| {
+        let text = format!("error: {text}").replace('\n', "\n       ");
+        let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+        lines.join("\n")
+    };
+    let shown: Vec<String> = messages
+        .iter()
+        .map(|message| shown(&message.text))
+        .collect();
+    shown.join("\n\n")
+}
+
+fn read(text: &str) -> (Model, Places) {
+    let parsed = parse(text.parse().expect("tokens"));
+    let errors: Vec<&str> = parsed.errors.iter().map(|error| &error.text[..]).collect();
+    assert!(errors.is_empty(), "{errors:?} in {text}");
+    (parsed.model, parsed.places)
+}
+
+/// The variants of `Diagnosis` with their documentation, as its source has them.
+fn variants() -> Vec<(String, String)> {
+    let source = include_str!("../../../mech-macros/compiler/src/structure/diagnosis.rs");
+    let file = syn::parse_file(source).expect("the source is Rust");
+    let diagnosis = file.items.into_iter().find_map(|item| match item {
+        syn::Item::Enum(item) if item.ident == "Diagnosis" => Some(item),
+        _ => None,
+    });
+    let variants = diagnosis.expect("the enum").variants;
+    let variant = |variant: &syn::Variant| (variant.ident.to_string(), meaning(&variant.attrs));
+    variants.iter().map(variant).collect()
+}
+
+fn meaning(attributes: &[syn::Attribute]) -> String {
+    let line = |attribute: &syn::Attribute| match &attribute.meta {
+        syn::Meta::NameValue(syn::MetaNameValue {
+            value:
+                syn::Expr::Lit(syn::ExprLit {
+                    lit: syn::Lit::Str(text),
+                    ..
+                }),
+            ..
+        }) => Some(text.value().trim().to_owned()),
+        _ => None,
+    };
+    let lines: Vec<String> = attributes.iter().filter_map(line).collect();
+    lines.join(" ")
+}
