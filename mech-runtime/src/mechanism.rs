@@ -38,8 +38,9 @@ pub trait Mechanism: Clone {
     const SHAPES: &'static [Shape<Self::Scalar>];
 
     /// The smallest upright box around all that is seen, wherever its motors move it: lower left and upper right corner, in scene
-    /// units. Found at compile time by moving each motor alone through its range or whole turns, and all of them in several
-    /// proportions. What is seen are its shapes; of a mechanism without any, its joints and points.
+    /// units. Found at compile time by moving the mechanism: each motor alone through its range or through whole turns, all of them to
+    /// some hundred combinations, and from the outermost positions on outwards. A motor that slides without a range is moved by four
+    /// sizes of the mechanism. What is seen are its shapes; of a mechanism without any, its joints and points.
     const EXTENT: [[Self::Scalar; 2]; 2];
 
     /// The mechanism as it was assembled at compile time.

@@ -107,7 +107,7 @@ impl<'a> Emitter<'a> {
 
     /// The index of a moving link among the poses and rates of a position.
     pub(super) fn index(&self, link: LinkId) -> Literal {
-        integer(self.program.kept_pose(link))
+        integer(self.program.pose_index(link))
     }
 
     /// The pose of a link in the scene, as an expression in a method.
@@ -122,7 +122,7 @@ impl<'a> Emitter<'a> {
     /// The place of an axis in its link, as an array: an expression in a method.
     pub(super) fn place(&self, id: AxisId) -> TokenStream {
         let axis = self.model.axis(id);
-        let [x, y] = [0, 1].map(|part| match self.program.kept_place(id, part) {
+        let [x, y] = [0, 1].map(|part| match self.program.place_state(id, part) {
             None => self.number(axis.at[part]),
             Some(state) => {
                 let state = integer(state);

@@ -49,7 +49,7 @@ pub(super) fn limits(emitter: &Emitter<'_>) -> TokenStream {
         let growth = growth(emitter, &follow.growth);
         quote!(Followed { rates: [#(#rates),*], growth: #growth })
     });
-    let motion_signs = option(program.motion_signs.map(|first| {
+    let motion_signs = option(program.layout.motion_signs.map(|first| {
         let first = integer(first);
         quote!(#first)
     }));

@@ -24,7 +24,7 @@ pub(in crate::emit) fn laws(emitter: &Emitter<'_>, timing: &Timing) -> TokenStre
         values,
         ..
     } = emitter;
-    let laws = &*timing.program.divided(MOST_LETS);
+    let laws = &*timing.program.divide(MOST_LETS);
     let mut scope = Scope::new(laws, all_uses(laws), quote!(sin_cos));
     let mut time = scope.fresh("t");
     let mut body = TokenStream::new();

@@ -33,7 +33,7 @@ use std::collections::BTreeSet;
 /// The module of a program: the function `step`, and those it calls.
 pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
     let name = module::name(program);
-    let program = &*program.divided(MOST_LETS);
+    let program = &*program.divide(MOST_LETS);
     let flows = flows(program);
     let sin_cos = if takes_sines(program) {
         quote!(S::sin_cos)
