@@ -25,7 +25,7 @@ if ((${#missing[@]} > 0)); then
     { apt-get update && apt-get install -y "${missing[@]}"; } >/dev/null || fail "cannot install ${missing[*]}"
 fi
 
-cargo build --release -p mech-play
+cargo build --release --bin play
 shots=target/virtual-display
 rm -rf "$shots" && mkdir -p "$shots"
 

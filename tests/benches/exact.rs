@@ -12,28 +12,12 @@
 mod common;
 
 use common::{Threshold, compare};
-use mech_runtime::mechanism;
 use std::hint::black_box;
 
 /// A four-bar: ground 4, crank 1, coupler 3.5, rocker 3.
 macro_rules! emitted {
     ($name:ident, $float:ident, $($range:tt)*) => {
-        mechanism! {
-            struct $name: $float;
-
-            ground { point crank_shaft = (0, 0); point rocker_shaft = (4, 0); }
-            link crank { point shaft = (0, 0); point pin = (1, 0); }
-            link coupler { point a = (0, 0); point b = (3.5, 0); }
-            link rocker { point shaft = (0, 0); point b = (3, 0); }
-
-            joint a = revolute(ground.crank_shaft, crank.shaft);
-            joint b = revolute(crank.pin, coupler.a);
-            joint c = revolute(coupler.b, rocker.b);
-            joint d = revolute(ground.rocker_shaft, rocker.shaft);
-
-            motor a $($range)*;
-            start { coupler near 50 deg; }
-        }
+        mech_tests::four_bar!(struct $name: $float; motor a $($range)*;);
     };
 }
 

@@ -1,30 +1,12 @@
 //! The emitted four-bar beside a hand-written Newton iteration: same geometry, same rounds, same guard, one process,
 //! interleaved rounds, medians.
 
-use mech_runtime::mechanism;
 use mech_tests::side_by_side;
 use std::hint::black_box;
 
 macro_rules! emitted {
     ($name:ident, $rounds:literal) => {
-        mechanism! {
-            /// Ground 4, crank 1, coupler 3.5, rocker 3.
-            struct $name;
-
-            ground { point crank_shaft = (0, 0); point rocker_shaft = (4, 0); }
-            link crank { point shaft = (0, 0); point pin = (1, 0); }
-            link coupler { point a = (0, 0); point b = (3.5, 0); }
-            link rocker { point shaft = (0, 0); point b = (3, 0); }
-
-            joint a = revolute(ground.crank_shaft, crank.shaft);
-            joint b = revolute(crank.pin, coupler.a);
-            joint c = revolute(coupler.b, rocker.b);
-            joint d = revolute(ground.rocker_shaft, rocker.shaft);
-
-            motor a;
-            start { coupler near 50 deg; }
-            method newton($rounds);
-        }
+        mech_tests::four_bar!(struct $name: f64; motor a; method newton($rounds););
     };
 }
 

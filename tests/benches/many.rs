@@ -10,8 +10,8 @@
 mod common;
 
 use common::{Threshold, compare};
+use mech_runtime::Columns;
 use mech_runtime::generated::{Reduced, Sines};
-use mech_runtime::{Columns, mechanism};
 use std::hint::black_box;
 
 /// The greatest angle that the polynomials of sine and cosine are trusted with here: both ways are slower beyond.
@@ -22,23 +22,7 @@ macro_rules! bench {
         mod $float {
             use super::*;
 
-            mechanism! {
-                /// Ground 4, crank 1, coupler 3.5, rocker 3.
-                struct Emitted: $float;
-
-                ground { point crank_shaft = (0, 0); point rocker_shaft = (4, 0); }
-                link crank { point shaft = (0, 0); point pin = (1, 0); }
-                link coupler { point a = (0, 0); point b = (3.5, 0); }
-                link rocker { point shaft = (0, 0); point b = (3, 0); }
-
-                joint a = revolute(ground.crank_shaft, crank.shaft);
-                joint b = revolute(crank.pin, coupler.a);
-                joint c = revolute(coupler.b, rocker.b);
-                joint d = revolute(ground.rocker_shaft, rocker.shaft);
-
-                motor a;
-                start { coupler near 50 deg; }
-            }
+            mech_tests::four_bar!(struct Emitted: $float; motor a;);
 
             const GROUND: $float = 4.0;
             const COUPLER: $float = 3.5;

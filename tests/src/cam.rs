@@ -1,11 +1,9 @@
 //! Random cams on random mechanisms.
 
-use crate::Dice;
+use crate::{Dice, model};
 use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Law, LawId, Link, LinkId, Model, Origin,
 };
-use mech_compiler::syntax::parse;
-use proc_macro2::TokenStream;
 
 /// A law by its text, in `t`.
 ///
@@ -17,10 +15,7 @@ pub fn law(text: &str) -> Law {
         "struct M; ground {{ point o = (0, 0); }} link crank {{ point o = (0, 0); }}
         joint a = revolute(ground.o, crank.o); motor a = {text};"
     );
-    let parsed = parse(text.parse::<TokenStream>().expect("tokens"));
-    let errors: Vec<_> = parsed.errors.iter().map(|error| &error.text).collect();
-    assert!(errors.is_empty(), "{text}: {errors:?}");
-    parsed.model.laws.into_iter().next().expect("a law")
+    model(&text).laws.into_iter().next().expect("a law")
 }
 
 /// Puts a link on an end of some joint of a mechanism as drawn, with a cam by which it follows that joint: the cam, if the

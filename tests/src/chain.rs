@@ -1,7 +1,5 @@
 //! Long trunks: four-bars in a row, each driven by the rocker of the one before it.
 
-use std::fmt::Write;
-
 use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, Origin,
 };
@@ -32,36 +30,9 @@ pub fn chain(loops: usize) -> Model {
 }
 
 /// The same as the text of a `mechanism!`, in the form of a drawing.
-///
-/// # Panics
-/// Never: it has revolute joints only.
 #[must_use]
 pub fn chain_text(loops: usize) -> String {
-    let model = chain(loops);
-    let mut text = format!("struct {};\n", model.name);
-    for link in model.links.iter().skip(1) {
-        line(&mut text, format_args!("link {};", link.name));
-    }
-    for joint in &model.joints {
-        let JointKind::Revolute(a, b) = joint.kind else {
-            unreachable!("a chain has revolute joints only")
-        };
-        let on = |axis| &model.link(model.axis(axis).link).name;
-        let (name, a, b, [x, y]) = (&joint.name, on(a), on(b), model.axis(a).at);
-        line(
-            &mut text,
-            format_args!("joint {name} = revolute({a}, {b}) at ({x:?}, {y:?});"),
-        );
-    }
-    for motor in &model.motors {
-        let name = &model.joint(motor.joint).name;
-        line(&mut text, format_args!("motor {name};"));
-    }
-    text
-}
-
-fn line(text: &mut String, line: std::fmt::Arguments<'_>) {
-    writeln!(text, "{line}").expect("a string takes any text");
+    crate::text(&chain(loops))
 }
 
 fn link(model: &mut Model, name: &str) -> LinkId {

@@ -4,7 +4,7 @@
 mod coupled;
 
 use crate::Dice;
-pub use coupled::grow_coupled;
+pub use coupled::{grow_coupled, grow_coupled_from};
 use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, Near, Origin,
     Ratio, StartValue,
@@ -34,22 +34,39 @@ const LEAST_SINE: f64 = 0.3;
 /// Grows a mechanism: a motor on the ground, then as many additions as asked for.
 #[must_use]
 pub fn grow(dice: &mut Dice, additions: usize) -> Grown {
-    let mut grown = Grown {
-        model: Model::new("Grown", Origin::default()),
-        loops: 0,
-        gears: 0,
-        arms: 0,
-        slots: Vec::new(),
-    };
-    grown.arm(dice, LinkId::GROUND);
+    let mut grown = Grown::new(dice, false);
     for _ in 0..additions {
         grown.add(dice);
     }
-    grown.finish();
-    grown
+    grown.finish()
+}
+
+/// Grows a mechanism as [`grow`] does, each of whose additions draws from dice of its own: it stays when another is left out.
+#[must_use]
+pub fn grow_from(motor: &mut Dice, additions: &[Dice]) -> Grown {
+    let mut grown = Grown::new(motor, false);
+    for addition in additions {
+        grown.add(&mut addition.clone());
+    }
+    grown.finish()
 }
 
 impl Grown {
+    /// A motor on the ground.
+    fn new(dice: &mut Dice, coupled: bool) -> Self {
+        let mut model = Model::new("Grown", Origin::default());
+        model.allow.coupled = coupled;
+        let mut grown = Self {
+            model,
+            loops: 0,
+            gears: 0,
+            arms: 0,
+            slots: Vec::new(),
+        };
+        grown.arm(dice, LinkId::GROUND);
+        grown
+    }
+
     /// Adds anything that is solved loop by loop.
     fn add(&mut self, dice: &mut Dice) {
         match dice.below(12) {
@@ -65,13 +82,14 @@ impl Grown {
         }
     }
 
-    fn finish(&mut self) {
+    fn finish(mut self) -> Self {
         // Dies come after all links that are declared.
         for (point, line) in std::mem::take(&mut self.slots) {
             let name = format!("j{}", self.model.joints.len());
             self.model.add_slot(&name, Origin::default(), point, line);
         }
         self.count_arms();
+        self
     }
 
     fn any_link(&self, dice: &mut Dice) -> LinkId {

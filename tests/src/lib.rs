@@ -5,8 +5,12 @@ mod cases;
 mod chain;
 mod closure;
 mod dice;
+mod fixtures;
 mod grow;
+mod rustc;
+mod sample;
 mod source;
+mod text;
 mod varied;
 
 pub use cam::{add_cam, law};
@@ -14,8 +18,12 @@ pub use cases::{cases, seeds};
 pub use chain::{chain, chain_text};
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
-pub use grow::{Grown, grow, grow_coupled, in_own_frames};
-pub use source::{bodies, mechanisms};
+pub use fixtures::SOURCES;
+pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, in_own_frames};
+pub use rustc::rustc;
+pub use sample::{Sample, coupled_samples, dice, for_all, samples};
+pub use source::{bodies, mechanisms, model, models};
+pub use text::text;
 pub use varied::{place, scale, vary, with_params};
 
 use std::time::Instant;

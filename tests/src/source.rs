@@ -3,8 +3,7 @@
 use mech_compiler::model::Model;
 use mech_compiler::syntax::parse;
 use mech_compiler::{Compiled, compile, reporter};
-use proc_macro2::TokenStream;
-use syn::visit::Visit;
+use proc_macro2::{TokenStream, TokenTree};
 
 /// Every `mechanism!` of a source file, in order.
 ///
@@ -12,6 +11,15 @@ use syn::visit::Visit;
 /// If the file is not Rust or a mechanism in it has errors: the caller has just compiled it.
 #[must_use]
 pub fn mechanisms(source: &str) -> Vec<(Model, Compiled)> {
+    bodies(source).into_iter().map(compiled).collect()
+}
+
+/// Every `mechanism!` of a source file, in order, without compiling it.
+///
+/// # Panics
+/// If the file is not Rust, or there is an error in the text of a mechanism.
+#[must_use]
+pub fn models(source: &str) -> Vec<Model> {
     bodies(source).into_iter().map(read).collect()
 }
 
@@ -21,34 +29,52 @@ pub fn mechanisms(source: &str) -> Vec<(Model, Compiled)> {
 /// If the file is not Rust: the caller has just compiled it.
 #[must_use]
 pub fn bodies(source: &str) -> Vec<TokenStream> {
-    struct Found(Vec<TokenStream>);
-    impl<'ast> Visit<'ast> for Found {
-        fn visit_macro(&mut self, called: &'ast syn::Macro) {
-            if called.path.is_ident("mechanism") {
-                self.0.push(called.tokens.clone());
-            }
-        }
-    }
-    let file = syn::parse_file(source).expect("the file is Rust");
-    let mut found = Found(Vec::new());
-    found.visit_file(&file);
-    found.0
+    let mut found = Vec::new();
+    collect(source.parse().expect("the file is Rust"), &mut found);
+    found
 }
 
-fn read(text: TokenStream) -> (Model, Compiled) {
+fn collect(tokens: TokenStream, found: &mut Vec<TokenStream>) {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    for (place, tree) in trees.iter().enumerate() {
+        let TokenTree::Group(group) = tree else {
+            continue;
+        };
+        match &trees[..place] {
+            [.., TokenTree::Ident(name), TokenTree::Punct(mark)] if mark.as_char() == '!' => {
+                if name == "mechanism" {
+                    found.push(group.stream());
+                }
+            }
+            _ => collect(group.stream(), found),
+        }
+    }
+}
+
+/// The mechanism that a text declares.
+///
+/// # Panics
+/// If there is an error in the text itself.
+#[must_use]
+pub fn model(text: &str) -> Model {
+    read(text.parse().expect("tokens"))
+}
+
+fn read(text: TokenStream) -> Model {
     let parsed = parse(text);
-    let errors: Vec<&str> = parsed
-        .errors
-        .iter()
-        .map(|error| error.text.as_str())
-        .collect();
-    assert!(errors.is_empty(), "{errors:?}");
-    let compiled = compile(&parsed.model).unwrap_or_else(|wrong| {
+    let errors: Vec<_> = parsed.errors.iter().map(|error| &error.text).collect();
+    assert!(errors.is_empty(), "{errors:?} in {:?}", parsed.model.name);
+    parsed.model
+}
+
+fn compiled(text: TokenStream) -> (Model, Compiled) {
+    let model = read(text);
+    let compiled = compile(&model).unwrap_or_else(|wrong| {
         let messages: Vec<String> = wrong
             .iter()
-            .map(|wrong| reporter::text(wrong, &parsed.model))
+            .map(|wrong| reporter::text(wrong, &model))
             .collect();
         panic!("{}", messages.join("; "))
     });
-    (parsed.model, compiled)
+    (model, compiled)
 }

@@ -6,38 +6,8 @@ use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Method, Model, Precision};
 use mech_compiler::program::Program;
 use mech_compiler::structure::Diagnosis;
-use mech_compiler::syntax::parse;
 use mech_runtime::Real;
-use mech_tests::{Dice, bodies, grow, size};
-
-const GALLERY: [(&str, &str); 8] = [
-    (
-        "andrews",
-        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
-    ),
-    (
-        "four_bar",
-        include_str!("../../examples/gallery/src/mechanisms/four_bar.rs"),
-    ),
-    (
-        "geared_piston",
-        include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
-    ),
-    (
-        "jansen",
-        include_str!("../../examples/gallery/src/mechanisms/jansen.rs"),
-    ),
-    (
-        "rocker_arm",
-        include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
-    ),
-    (
-        "watt",
-        include_str!("../../examples/gallery/src/mechanisms/watt.rs"),
-    ),
-    ("rolling", include_str!("zoo/rolling.rs")),
-    ("special", include_str!("zoo/special.rs")),
-];
+use mech_tests::{Dice, SOURCES, grow, model, models, size};
 
 /// Methods, and from how many differences their iterations are started.
 const METHODS: [(Method, u8); 5] = [
@@ -47,11 +17,6 @@ const METHODS: [(Method, u8); 5] = [
     (Method::NewtonSteps(1), 1),
     (Method::NewtonSteps(1), 3),
 ];
-
-fn models(source: &str) -> Vec<Model> {
-    let models = bodies(source).into_iter().map(|body| parse(body).model);
-    models.collect()
-}
 
 /// The same mechanism with this step of its motors, in degrees: what slides goes as far as its mechanism's size turned so much.
 fn with_step(model: &Model, degrees: f64) -> Model {
@@ -260,7 +225,7 @@ fn nothing_in_the_gallery_is_worse_than_predicted() {
     let mut dice = Dice::new(5);
     for precision in [Precision::F64, Precision::F32] {
         let mut seen = Seen::default();
-        for (file, source) in GALLERY {
+        for (file, source) in &SOURCES[..8] {
             for mut model in models(source) {
                 model.precision = precision;
                 for degrees in [0.1, 1.0, 5.0] {
@@ -276,7 +241,7 @@ fn nothing_in_the_gallery_is_worse_than_predicted() {
 }
 
 fn cases() -> u64 {
-    mech_tests::cases(100)
+    mech_tests::cases(20)
 }
 
 #[test]
@@ -318,10 +283,9 @@ const CRANKED: &str = "struct SixBar;
 #[test]
 fn what_an_accuracy_accepts_is_as_accurate() {
     let mut dice = Dice::new(11);
-    let mut models = vec![parse(CRANKED.parse().expect("tokens")).model];
-    models.extend(GALLERY.iter().flat_map(|(_, source)| self::models(source)));
+    let others = SOURCES[..8].iter().flat_map(|(_, source)| models(source));
     let (mut accepted, mut counted) = (0, 0);
-    for model in models {
+    for model in [model(CRANKED)].into_iter().chain(others) {
         let Some(exact) = exact(&model) else {
             continue;
         };

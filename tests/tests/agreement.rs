@@ -1,7 +1,6 @@
 //! The generated code beside the interpreted program, and both beside the definition of the joints.
 
-mod zoo;
-
+use super::zoo;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Model};
 use mech_compiler::{Compiled, model::LinkId};

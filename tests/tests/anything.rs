@@ -7,8 +7,12 @@ use mech_compiler::model::{
 };
 use mech_compiler::structure::{Factor, RollingEnd};
 use mech_compiler::{Compiled, compile, reporter};
-use mech_tests::{Dice, law, with_ground, worst_gap};
+use mech_tests::{Dice, dice, for_all, law, text, with_ground, worst_gap};
+use proptest::collection::vec;
+use proptest::prelude::Strategy;
+use std::cell::Cell;
 use std::f64::consts::TAU;
+use std::fmt;
 
 /// Coordinates on a coarse grid, so that axes coincide, lie in line and run parallel.
 fn spot(dice: &mut Dice) -> [f64; 2] {
@@ -35,34 +39,53 @@ fn axis(
     AxisId::new(model.axes.len() - 1)
 }
 
-fn anything(dice: &mut Dice) -> Model {
+/// Whatever a hand declares.
+struct Declared {
+    model: Model,
+    dice: Dice,
+}
+
+impl fmt::Debug for Declared {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}with {:?}", text(&self.model), self.dice)
+    }
+}
+
+/// Up to six links and thirteen joints, which are left out where a test fails without them.
+fn declared() -> impl Strategy<Value = Declared> {
+    (dice(), vec(dice(), 1..=13)).prop_map(|(mut dice, joints)| Declared {
+        model: anything(&mut dice, &joints),
+        dice,
+    })
+}
+
+fn anything(dice: &mut Dice, joints: &[Dice]) -> Model {
     let mut model = Model::new("Anything", Origin::default());
     let drawn = !dice.once_in(4);
-    let links = 1 + dice.below(6);
+    // A joint for each link, up to one more than two.
+    let (fewest, most) = ((joints.len() - 1).div_ceil(2).max(1), joints.len().min(6));
+    let links = fewest + dice.below(most - fewest + 1);
     for number in 0..links {
         let mut link = Link::new(&format!("l{number}"), Origin::default());
         link.drawn = drawn;
         model.links.push(link);
     }
-    let joints = links + dice.below(links + 2);
     let mut slots = Vec::new();
-    for number in 0..joints {
-        let (a, b) = (
-            LinkId::new(dice.below(links + 1)),
-            LinkId::new(1 + dice.below(links)),
-        );
+    for (number, mut dice) in joints.iter().cloned().enumerate() {
+        let dice = &mut dice;
+        let [a, b] = [dice.below(links + 1), 1 + dice.below(links)].map(LinkId::new);
         if a == b {
             continue;
         }
         let (p, q) = (spot(dice), spot(dice));
         let q = if drawn { p } else { q };
         let d = *dice.pick(&[[1.0, 0.0], [0.0, 1.0], [0.6, 0.8]]);
+        let points = |model: &mut Model| {
+            [(a, p), (b, q)].map(|(link, at)| axis(model, link, AxisKind::Point, at, [1.0, 0.0]))
+        };
         let kind = match dice.below(12) {
             0..=5 => {
-                let (a, b) = (
-                    axis(&mut model, a, AxisKind::Point, p, [1.0, 0.0]),
-                    axis(&mut model, b, AxisKind::Point, q, [1.0, 0.0]),
-                );
+                let [a, b] = points(&mut model);
                 JointKind::Revolute(a, b)
             }
             6 | 7 => JointKind::Prismatic(
@@ -70,10 +93,7 @@ fn anything(dice: &mut Dice) -> Model {
                 axis(&mut model, b, AxisKind::Line, q, d),
             ),
             8 => {
-                let (a, b) = (
-                    axis(&mut model, a, AxisKind::Point, p, [1.0, 0.0]),
-                    axis(&mut model, b, AxisKind::Point, q, [1.0, 0.0]),
-                );
+                let [a, b] = points(&mut model);
                 JointKind::Weld(a, b)
             }
             9 => JointKind::Gear {
@@ -135,6 +155,9 @@ fn put_cams(model: &mut Model, dice: &mut Dice) {
         kinds && !joint.hidden
     };
     let joints: Vec<JointId> = model.joint_ids().filter(moves).collect();
+    if joints.is_empty() {
+        return;
+    }
     for number in 0..=dice.below(2) {
         let (shaft, follower) = (*dice.pick(&joints), *dice.pick(&joints));
         if shaft == follower || model.carrier_of_cam(shaft, follower).is_none() {
@@ -181,7 +204,7 @@ fn reciprocal() -> Law {
 }
 
 /// After a small motion two wheels have turned by their ratio, seen from their carrier.
-fn no_slip(compiled: &Compiled, seed: u64) {
+fn no_slip(compiled: &Compiled) {
     let mut machine = Machine::<f64>::new(&compiled.program);
     let turn = |poses: &[[f64; 4]], from: LinkId, to: LinkId| {
         let pose = |link: LinkId| {
@@ -216,50 +239,44 @@ fn no_slip(compiled: &Compiled, seed: u64) {
         };
         let [m, n] = [m, n].map(|teeth| f64::from(i32::try_from(teeth).unwrap_or(0)));
         let slip = m * moved(a) + n * moved(b);
-        assert!(slip.abs() < 1e-10, "seed {seed}: a gear slips by {slip:e}");
+        assert!(slip.abs() < 1e-10, "a gear slips by {slip:e}");
     }
 }
 
 #[test]
 fn anything_at_all() {
-    try_all(anything);
+    try_all(&declared());
 }
 
 #[test]
 fn anything_with_cams() {
-    try_all(|dice| {
-        let mut model = anything(dice);
-        if model.joints.iter().any(|joint| {
-            !joint.hidden
-                && matches!(
-                    joint.kind,
-                    JointKind::Revolute(..) | JointKind::Prismatic(..)
-                )
-        }) {
-            put_cams(&mut model, dice);
-        }
-        model
-    });
+    try_all(&declared().prop_map(
+        |Declared {
+             mut model,
+             mut dice,
+         }| {
+            put_cams(&mut model, &mut dice);
+            Declared { model, dice }
+        },
+    ));
 }
 
-fn try_all(anything: impl Fn(&mut Dice) -> Model) {
-    let cases = mech_tests::cases(5_000);
-    let (mut accepted, mut moved) = (0, 0);
-    for seed in mech_tests::seeds(cases) {
-        let mut dice = Dice::new(seed);
-        let model = anything(&mut dice);
+fn try_all(declared: &impl Strategy<Value = Declared>) {
+    let [all, accepted, moved] = [0, 0, 0].map(Cell::new);
+    for_all(2_000, declared, |Declared { model, mut dice }| {
+        all.set(all.get() + 1);
         let compiled = match compile(&model) {
             Ok(compiled) => compiled,
             Err(diagnoses) => {
-                assert!(!diagnoses.is_empty(), "seed {seed}");
+                assert!(!diagnoses.is_empty());
                 for diagnosis in &diagnoses {
-                    assert!(!reporter::text(diagnosis, &model).is_empty(), "seed {seed}");
+                    assert!(!reporter::text(diagnosis, &model).is_empty());
                 }
-                continue;
+                return;
             }
         };
-        accepted += 1;
-        no_slip(&compiled, seed);
+        accepted.set(accepted.get() + 1);
+        no_slip(&compiled);
         let mut machine = Machine::<f64>::new(&compiled.program);
         for _ in 0..10 {
             let motors: Vec<f64> = machine
@@ -270,26 +287,24 @@ fn try_all(anything: impl Fn(&mut Dice) -> Model) {
                 .collect();
             let before = machine.position().clone();
             if machine.move_to(&motors).is_err() {
-                assert_eq!(machine.position(), &before, "seed {seed}");
+                assert_eq!(machine.position(), &before);
                 continue;
             }
-            moved += 1;
+            moved.set(moved.get() + 1);
             let poses = with_ground(&model, &machine.position().poses);
-            assert!(
-                poses.iter().flatten().all(|number| number.is_finite()),
-                "seed {seed}"
-            );
+            assert!(poses.iter().flatten().all(|number| number.is_finite()));
             let reach = poses
                 .iter()
                 .map(|pose| pose[2].hypot(pose[3]))
                 .fold(10.0, f64::max);
             let gap = worst_gap(&model, &poses);
-            assert!(gap < 1e-11 * reach, "seed {seed}: gap {gap:e}");
+            assert!(gap < 1e-11 * reach, "gap {gap:e}");
         }
-    }
-    println!("{accepted} of {cases} accepted, {moved} moves");
+    });
+    let [all, accepted, moved] = [all, accepted, moved].map(Cell::into_inner);
+    println!("{accepted} of {all} accepted, {moved} moves");
     assert!(
-        accepted > cases / 100 && moved > accepted,
-        "{accepted} of {cases}, {moved} moves"
+        accepted > all / 100 && moved > accepted,
+        "{accepted} of {all}, {moved} moves"
     );
 }

@@ -2,16 +2,8 @@
 
 use mech_compiler::model::{JointId, JointKind, Model, Near, Origin};
 use mech_compiler::structure::{Diagnosis, LoopAssembly, OpenLoop};
-use mech_compiler::syntax::parse;
 use mech_compiler::{Compiled, compile, reporter};
-use mech_tests::{Dice, grow, in_own_frames};
-
-fn model(text: &str) -> Model {
-    let parsed = parse(text.parse().expect("tokens"));
-    let texts: Vec<String> = parsed.errors.into_iter().map(|error| error.text).collect();
-    assert!(texts.is_empty(), "{texts:?}\n{text}");
-    parsed.model
-}
+use mech_tests::{Dice, grow, in_own_frames, model};
 
 /// Legs of two loops each, in frames of their own, that one crank moves through gears.
 fn legs(count: usize) -> String {

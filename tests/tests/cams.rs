@@ -2,13 +2,11 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{Model, Shown};
+use mech_compiler::model::Shown;
 use mech_compiler::program::build;
 use mech_compiler::structure::{Diagnosis, RangeTrouble};
-use mech_compiler::syntax::parse;
 use mech_runtime::{Cause, Phase};
-use mech_tests::{Dice, add_cam, grow, with_ground, worst_gap};
-use proc_macro2::TokenStream;
+use mech_tests::{Dice, add_cam, grow, model, with_ground, worst_gap};
 use std::f64::consts::{PI, TAU};
 
 mod generated {
@@ -245,13 +243,6 @@ fn the_report_tells_of_cams() {
     assert!(report.contains(line), "{report}");
     assert!(report.contains("mobility  1 = 3·5 − 2·6 − 2"), "{report}");
     assert!(report.contains("driven by cam c"), "{report}");
-}
-
-fn model(text: &str) -> Model {
-    let parsed = parse(text.parse::<TokenStream>().expect("tokens"));
-    let errors: Vec<_> = parsed.errors.iter().map(|error| &error.text).collect();
-    assert!(errors.is_empty(), "{errors:?}");
-    parsed.model
 }
 
 const PARTS: &str = "struct M;

@@ -8,9 +8,8 @@ use mech_compiler::model::{
     Model, Origin, Spring,
 };
 use mech_compiler::program::{Forces, Inertia, InverseDynamics};
-use mech_compiler::syntax::parse;
 use mech_compiler::{Compiled, compile};
-use mech_tests::{Dice, bodies, grow, grow_coupled, size};
+use mech_tests::{Dice, SOURCES, grow, grow_coupled, models, size};
 
 fn cases() -> u64 {
     mech_tests::cases(200)
@@ -504,20 +503,9 @@ fn forces_in_random_mechanisms_obey_newton_and_euler_and_virtual_work() {
 
 #[test]
 fn forces_in_the_zoo_and_the_gallery_do_too() {
-    let sources = [
-        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/four_bar.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/jansen.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/watt.rs"),
-        include_str!("zoo/rolling.rs"),
-        include_str!("zoo/special.rs"),
-    ];
     let mut seen = Seen::default();
     let mut dice = Dice::new(11);
-    for body in sources.into_iter().flat_map(bodies) {
-        let mut model = parse(body).model;
+    for mut model in SOURCES[..8].iter().flat_map(|(_, source)| models(source)) {
         load_up(&mut model, &mut dice);
         check(&model, &mut dice, 8, &mut seen);
     }

@@ -1,7 +1,6 @@
 //! What mechanisms tell of their joints, beside where the poses of their links put these.
 
-mod zoo;
-
+use super::zoo;
 use mech_runtime::{Coordinate, JointInfo, JointKind, Mechanism, mechanism};
 use std::f64::consts::{PI, TAU};
 

@@ -7,10 +7,8 @@ use mech_compiler::model::{
     ParamId, Precision,
 };
 use mech_compiler::program::{Timing, build_timing};
-use mech_compiler::syntax::parse;
 use mech_runtime::Cause;
 use mech_tests::{Dice, grow, size};
-use proc_macro2::TokenStream;
 
 fn cases() -> u64 {
     mech_tests::cases(200)
@@ -72,10 +70,7 @@ fn model(law: &str) -> Model {
         "struct M; ground {{ point o = (0, 0); }} link crank {{ point o = (0, 0); }}
         joint a = revolute(ground.o, crank.o); motor a = {law};"
     );
-    let parsed = parse(text.parse::<TokenStream>().expect("tokens"));
-    let errors: Vec<_> = parsed.errors.iter().map(|error| &error.text).collect();
-    assert!(errors.is_empty(), "{law}: {errors:?}");
-    let mut model = parsed.model;
+    let mut model = mech_tests::model(&text);
     model.effects = EFFECTS;
     model
 }
@@ -342,16 +337,8 @@ fn lawful(dice: &mut Dice, seed: u64) -> Model {
             1 => format!("{start} + {speed} * t / (1 + t * t)"),
             _ => format!("{start} + {speed} * (1 - exp(-t * t))"),
         };
-        let parsed = parse(
-            format!(
-                "struct M; ground {{ point o = (0, 0); }} link crank {{ point o = (0, 0); }}
-                joint a = revolute(ground.o, crank.o); motor a = {text};"
-            )
-            .parse::<TokenStream>()
-            .expect("tokens"),
-        );
         model.motors[motor].law = Some(mech_compiler::model::LawId::new(model.laws.len()));
-        model.laws.extend(parsed.model.laws);
+        model.laws.push(mech_tests::law(&text));
     }
     model
 }

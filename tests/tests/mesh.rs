@@ -2,10 +2,9 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::Model;
 use mech_compiler::structure::{Diagnosis, MeshTrouble};
-use mech_compiler::syntax::parse;
 use mech_runtime::mechanism;
+use mech_tests::model;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -26,13 +25,6 @@ fn text(distance: [f64; 2], sizes: &str) -> String {
         0.25 + x,
         0.5 + y
     )
-}
-
-fn model(text: &str) -> Model {
-    let parsed = parse(text.parse().expect("tokens"));
-    let texts: Vec<String> = parsed.errors.into_iter().map(|error| error.text).collect();
-    assert!(texts.is_empty(), "{texts:?}");
-    parsed.model
 }
 
 fn trouble(text: &str) -> Option<MeshTrouble> {

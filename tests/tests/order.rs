@@ -3,7 +3,8 @@
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{Axis, AxisId, JointId, JointKind, LinkId, Model, MotorId};
-use mech_tests::{Dice, cases, grow, grow_coupled, seeds};
+use mech_tests::{Dice, Sample, coupled_samples, for_all, model, samples};
+use std::cell::Cell;
 use std::collections::BTreeSet;
 
 /// The same mechanism, declared in another order.
@@ -107,13 +108,10 @@ fn outcome(model: &Model) -> Result<BTreeSet<(BTreeSet<String>, usize)>, String>
 
 #[test]
 fn shuffled_declarations_make_the_same_mechanism() {
-    for seed in seeds(cases(2_000)) {
-        let mut dice = Dice::new(seed);
-        let additions = 1 + dice.below(8);
-        let grown = grow(&mut dice, additions);
+    for_all(300, &samples(1..=8), |Sample { grown, mut dice }| {
         let other = shuffled(&grown.model, &mut dice);
-        assert_eq!(outcome(&grown.model), outcome(&other), "seed {seed}");
-    }
+        assert_eq!(outcome(&grown.model), outcome(&other));
+    });
 }
 
 /// Where every declared link is after some small moves, in the order of their names; less if it cannot be moved so far.
@@ -150,27 +148,29 @@ fn moves(model: &Model, dice: &mut Dice) -> Vec<Vec<f64>> {
 
 #[test]
 fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
-    let mut compiled = 0;
-    for seed in seeds(cases(600)) {
-        let mut dice = Dice::new(seed);
-        let additions = 1 + dice.below(4);
-        let model = grow_coupled(&mut dice, additions).model;
-        let other = shuffled(&model, &mut dice);
-        let found = outcome(&model);
-        assert_eq!(found, outcome(&other), "seed {seed}");
-        if found.is_err() {
-            continue;
-        }
-        compiled += 1;
-        let moves = moves(&model, &mut dice);
-        let (one, another) = (motion(&model, &moves), motion(&other, &moves));
-        assert_eq!(one.len(), another.len(), "seed {seed}");
-        for (one, another) in one.iter().flatten().zip(another.iter().flatten()) {
-            let near = one.iter().zip(another).all(|(a, b)| (a - b).abs() < 1e-8);
-            assert!(near, "seed {seed}: {one:?} and {another:?}");
-        }
-    }
-    println!("{compiled} compiled");
+    let compiled = Cell::new(0);
+    for_all(
+        600,
+        &coupled_samples(1..=4),
+        |Sample { grown, mut dice }| {
+            let model = grown.model;
+            let other = shuffled(&model, &mut dice);
+            let found = outcome(&model);
+            assert_eq!(found, outcome(&other));
+            if found.is_err() {
+                return;
+            }
+            compiled.set(compiled.get() + 1);
+            let moves = moves(&model, &mut dice);
+            let (one, another) = (motion(&model, &moves), motion(&other, &moves));
+            assert_eq!(one.len(), another.len());
+            for (one, another) in one.iter().flatten().zip(another.iter().flatten()) {
+                let near = one.iter().zip(another).all(|(a, b)| (a - b).abs() < 1e-8);
+                assert!(near, "{one:?} and {another:?}");
+            }
+        },
+    );
+    println!("{} compiled", compiled.get());
 }
 
 /// A platform on three legs, of which one drives a wheel that carries a chain.
@@ -202,19 +202,15 @@ fn a_chain_behind_a_platform_is_solved_after_it() {
     let mut dice = Dice::new(0);
     for _ in 0..60 {
         let text = text(&permutation(17, &mut dice, false));
-        let parsed = mech_compiler::syntax::parse(text.parse().expect("tokens"));
-        assert!(parsed.errors.is_empty());
-        let found = outcome(&parsed.model).expect("it moves");
+        let found = outcome(&model(&text)).expect("it moves");
         assert_eq!(found.len(), 2, "{found:?}");
     }
 }
 
 #[test]
 fn shuffled_declarations_of_what_is_broken_have_the_same_verdict() {
-    for seed in 0..1_000 {
-        let mut dice = Dice::new(seed);
-        let additions = 2 + dice.below(6);
-        let mut model = grow(&mut dice, additions).model;
+    for_all(300, &samples(2..=7), |Sample { grown, mut dice }| {
+        let mut model = grown.model;
         // A joint too few, so that something stays free; or no motor.
         if dice.once_in(2) || model.joints.iter().any(|joint| joint.kind.rolls()) {
             model
@@ -225,23 +221,20 @@ fn shuffled_declarations_of_what_is_broken_have_the_same_verdict() {
                 .joint_ids()
                 .filter(|&joint| model.motor_of(joint).is_none())
                 .collect();
-            if model.links.iter().any(|link| link.die.is_some()) {
-                continue;
+            if loose.is_empty() || model.links.iter().any(|link| link.die.is_some()) {
+                return;
             }
-            if loose.is_empty() {
-                continue;
-            }
-            let gone = *dice.pick(&loose);
-            model.joints.remove(gone.index());
+            let joint = *dice.pick(&loose);
+            model.joints.remove(joint.index());
             for motor in &mut model.motors {
-                if motor.joint > gone {
+                if motor.joint > joint {
                     motor.joint = JointId::new(motor.joint.index() - 1);
                 }
             }
         }
         let other = shuffled(&model, &mut dice);
         let (one, another) = (outcome(&model), outcome(&other));
-        assert!(one.is_err(), "seed {seed}: something is missing");
-        assert_eq!(one, another, "seed {seed}");
-    }
+        assert!(one.is_err(), "something is missing");
+        assert_eq!(one, another);
+    });
 }

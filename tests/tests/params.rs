@@ -5,9 +5,8 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::{Followed, Machine, Stop, sensitivities};
 use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, Method, Model};
 use mech_compiler::program::{Position, Program};
-use mech_compiler::syntax::parse;
 use mech_tests::{
-    Dice, bodies, grow, in_own_frames, place, scale, size, vary, with_ground, with_params,
+    Dice, SOURCES, grow, in_own_frames, models, place, scale, size, vary, with_ground, with_params,
     worst_gap, worst_stretch,
 };
 use proptest::prelude::*;
@@ -480,20 +479,9 @@ fn params_go_with_every_method() {
 /// Mechanisms that are compiled by text: coupled and tied loops follow params too.
 #[test]
 fn sensitivities_of_special_mechanisms_are_those_of_their_positions() {
-    let sources = [
-        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/jansen.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/watt.rs"),
-        include_str!("zoo/rolling.rs"),
-        include_str!("zoo/special.rs"),
-        include_str!("changed/zoo.rs"),
-    ];
     let mut seen = Seen::default();
     let (mut dice, mut refused) = (Dice::new(7), 0);
-    for model in sources.into_iter().flat_map(bodies) {
-        let mut model = parse(model).model;
+    for mut model in SOURCES.iter().flat_map(|(_, source)| models(source)) {
         for motor in &mut model.motors {
             motor.range = None;
         }

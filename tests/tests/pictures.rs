@@ -1,6 +1,6 @@
 //! Pictures of the gallery's mechanisms, compared pixel for pixel with those in `tests/pictures`, which somebody has looked at.
 //!
-//! `UPDATE_PICTURES=1 cargo test --release -p mech-tests --test pictures` makes them anew.
+//! `UPDATE_PICTURES=1 cargo test --release -p mech-tests --test generated pictures` makes them anew.
 
 use mech_gallery::{
     andrews::AndrewsSqueezer, crane::LuffingCrane, four_bar::CrankRocker,

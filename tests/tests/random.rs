@@ -1,122 +1,95 @@
 //! Random mechanisms whose truth is known by construction.
 
 use mech_compiler::evaluate::Machine;
+use mech_compiler::model::Model;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::{compile, reporter};
-use mech_tests::{Dice, Grown, grow, in_own_frames, size, with_ground, worst_gap, worst_stretch};
+use mech_tests::{
+    Sample, for_all, in_own_frames, samples, size, with_ground, worst_gap, worst_stretch,
+};
+use std::cell::Cell;
 
 /// How many mechanisms a test tries.
-fn cases() -> u64 {
-    mech_tests::cases(2_000)
-}
+const CASES: u64 = 300;
 
-fn grown(seed: u64) -> (Dice, Grown) {
-    let mut dice = Dice::new(seed);
-    let additions = 1 + dice.below(8);
-    let grown = grow(&mut dice, additions);
-    (dice, grown)
-}
-
-fn told(
-    diagnoses: &[mech_compiler::structure::Diagnosis],
-    model: &mech_compiler::model::Model,
-) -> String {
-    diagnoses
+fn messages(diagnoses: &[Diagnosis], model: &Model) -> String {
+    let texts = diagnoses
         .iter()
-        .map(|diagnosis| reporter::text(diagnosis, model))
-        .collect::<Vec<_>>()
-        .join("; ")
+        .map(|diagnosis| reporter::text(diagnosis, model));
+    texts.collect::<Vec<_>>().join("; ")
+}
+
+/// How far two poses are apart, in any of their numbers.
+fn apart(a: &[f64; 4], b: &[f64; 4]) -> f64 {
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
 }
 
 #[test]
 fn what_is_coherent_by_construction_is_accepted_and_understood() {
-    for seed in mech_tests::seeds(cases()) {
-        let (_, grown) = grown(seed);
+    for_all(CASES, &samples(1..=8), |Sample { grown, .. }| {
         let compiled = compile(&grown.model)
-            .unwrap_or_else(|wrong| panic!("seed {seed}: {}", told(&wrong, &grown.model)));
-        assert_eq!(
-            compiled.plan.loops().count(),
-            grown.loops,
-            "loops, seed {seed}"
-        );
-        assert_eq!(
-            compiled.structure.rollings.len(),
-            grown.gears,
-            "gears, seed {seed}"
-        );
-        assert_eq!(
-            compiled.structure.arms.len(),
-            grown.arms,
-            "arms, seed {seed}"
-        );
-        assert_eq!(
-            usize::try_from(compiled.structure.mobility),
-            Ok(grown.model.motors.len()),
-            "mobility, seed {seed}"
-        );
-    }
+            .unwrap_or_else(|wrong| panic!("{}", messages(&wrong, &grown.model)));
+        let structure = &compiled.structure;
+        assert_eq!(compiled.plan.loops().count(), grown.loops, "loops");
+        assert_eq!(structure.rollings.len(), grown.gears, "gears");
+        assert_eq!(structure.arms.len(), grown.arms, "arms");
+        let motors = grown.model.motors.len();
+        assert_eq!(usize::try_from(structure.mobility), Ok(motors), "mobility");
+    });
 }
 
 #[test]
 fn it_starts_as_it_was_drawn() {
-    for seed in mech_tests::seeds(cases()) {
-        let (_, grown) = grown(seed);
+    for_all(CASES, &samples(1..=8), |Sample { grown, .. }| {
         let compiled = compile(&grown.model).expect("coherent");
         for pose in &compiled.program.start.poses {
-            let off = pose
-                .iter()
-                .zip([1.0, 0.0, 0.0, 0.0])
-                .map(|(is, should)| (is - should).abs())
-                .fold(0.0, f64::max);
-            assert!(off < 1e-9, "seed {seed}: {pose:?}");
+            assert!(apart(pose, &[1.0, 0.0, 0.0, 0.0]) < 1e-9, "{pose:?}");
         }
-    }
+    });
 }
 
 #[test]
 fn in_own_frames_it_is_assembled_the_same_way() {
-    let mut others = 0;
-    for seed in mech_tests::seeds(cases()) {
-        let (mut dice, grown) = grown(seed);
+    let [all, others] = [0, 0].map(Cell::new);
+    for_all(CASES, &samples(1..=8), |Sample { grown, mut dice }| {
+        all.set(all.get() + 1);
         let (model, poses) = in_own_frames(&grown.model, &mut dice);
         let compiled = match compile(&model) {
             Ok(compiled) => compiled,
             // Of several joints that one wheel could be said to move, only one is free to start anywhere: not always the one
             // that was grown with it.
             Err(wrong) if matches!(wrong[..], [Diagnosis::StartNotFree { .. }]) => {
-                others += 1;
-                continue;
+                others.set(others.get() + 1);
+                return;
             }
-            Err(wrong) => panic!("seed {seed}: {}", told(&wrong, &model)),
+            Err(wrong) => panic!("{}", messages(&wrong, &model)),
         };
         let start = with_ground(&model, &compiled.program.start.poses);
         let declared = 1 + model.declared_links().count();
         for (link, (is, should)) in start.iter().zip(&poses).enumerate().take(declared) {
-            let off = is
-                .iter()
-                .zip(should)
-                .map(|(is, should)| (is - should).abs())
-                .fold(0.0, f64::max);
             assert!(
-                off < 1e-8,
-                "seed {seed}, link {link}: {is:?} instead of {should:?}"
+                apart(is, should) < 1e-8,
+                "link {link}: {is:?} instead of {should:?}"
             );
         }
-    }
-    assert!(1_000 * others <= cases(), "{others} of {}", cases());
+    });
+    let (all, others) = (all.get(), others.get());
+    assert!(1_000 * others <= all, "{others} of {all}");
 }
 
 #[test]
 fn it_moves_and_closes_or_stays_where_it_was() {
-    for seed in mech_tests::seeds(cases()) {
-        let (mut dice, grown) = grown(seed);
+    for_all(CASES, &samples(1..=8), |Sample { grown, mut dice }| {
         let compiled = compile(&grown.model).expect("coherent");
         let mut machine = Machine::<f64>::new(&compiled.program);
         let nudge: Vec<f64> = grown.model.motors.iter().map(|_| 1e-6).collect();
         assert_eq!(
             machine.move_to(&nudge),
             Ok(()),
-            "seed {seed}: away from dead points a small motion is possible"
+            "away from dead points a small motion is possible"
         );
         for _ in 0..20 {
             let before = machine.position().clone();
@@ -126,11 +99,7 @@ fn it_moves_and_closes_or_stays_where_it_was() {
                 .map(|motor| motor + dice.between(-0.3, 0.4))
                 .collect();
             if machine.move_to(&motors).is_err() {
-                assert_eq!(
-                    machine.position(),
-                    &before,
-                    "seed {seed}: a failed move changes nothing"
-                );
+                assert_eq!(machine.position(), &before, "a failed move changes nothing");
                 continue;
             }
             let poses = with_ground(&grown.model, &machine.position().poses);
@@ -139,14 +108,8 @@ fn it_moves_and_closes_or_stays_where_it_was() {
                 .map(|pose| pose[2].hypot(pose[3]))
                 .fold(size(&grown.model), f64::max);
             let gap = worst_gap(&grown.model, &poses);
-            assert!(
-                gap < 1e-13 * reach,
-                "seed {seed}: gap {gap:e} at reach {reach}"
-            );
-            assert!(
-                worst_stretch(&poses) < 1e-14,
-                "seed {seed}: a link is stretched"
-            );
+            assert!(gap < 1e-13 * reach, "gap {gap:e} at reach {reach}");
+            assert!(worst_stretch(&poses) < 1e-14, "a link is stretched");
         }
-    }
+    });
 }

@@ -2,10 +2,9 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::Model;
 use mech_compiler::reporter;
 use mech_compiler::structure::{Diagnosis, RangeTrouble};
-use mech_compiler::syntax::parse;
+use mech_tests::model;
 use proptest::prelude::*;
 use std::fmt::Write as _;
 
@@ -74,12 +73,6 @@ fn diggers() -> impl Strategy<Value = Digger> {
     );
     (any::<bool>(), prop::collection::vec(link, 2..=4))
         .prop_map(|(turret, links)| Digger { turret, links })
-}
-
-fn model(text: &str) -> Model {
-    let parsed = parse(text.parse().expect("tokens"));
-    assert!(parsed.errors.is_empty(), "{text}");
-    parsed.model
 }
 
 proptest! {

@@ -5,8 +5,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{Effects, LinkId, Method, Model, Precision, Shown};
 use mech_compiler::program::{Position, Program};
-use mech_compiler::syntax::parse;
-use mech_tests::{Dice, add_cam, bodies, grow, grow_coupled, size};
+use mech_tests::{Dice, SOURCES, add_cam, grow, grow_coupled, models, size};
 
 /// A step of the time, in which motors move about a unit a unit.
 const STEP: f64 = 1e-3;
@@ -254,21 +253,9 @@ fn what_is_shown_moves_as_it_does_in_the_whole() {
 
 #[test]
 fn rates_of_the_zoo_and_the_gallery_are_those_of_their_positions() {
-    let sources = [
-        include_str!("../../examples/gallery/src/mechanisms/andrews.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/four_bar.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/geared_piston.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/jansen.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/rocker_arm.rs"),
-        include_str!("../../examples/gallery/src/mechanisms/watt.rs"),
-        include_str!("zoo/rolling.rs"),
-        include_str!("zoo/special.rs"),
-        include_str!("changed/zoo.rs"),
-    ];
     let mut seen = Seen::default();
     let mut dice = Dice::new(5);
-    for model in sources.into_iter().flat_map(bodies) {
-        let mut model = parse(model).model;
+    for mut model in SOURCES.iter().flat_map(|(_, source)| models(source)) {
         with_effects(&mut model);
         compare(&model, &mut dice, 12, &mut seen);
     }

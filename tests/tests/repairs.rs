@@ -8,26 +8,21 @@ use mech_compiler::model::{
 use mech_compiler::repair::{Offers, Repair, Search, apply_all, offers};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
-use mech_compiler::syntax::{Places, parse};
-use mech_tests::{Dice, chain, grow};
+use mech_compiler::syntax::Places;
+use mech_tests::{Dice, Sample, chain, for_all, samples};
 
-/// How many mechanisms a test tries.
-fn cases() -> u64 {
-    mech_tests::cases(200)
+/// Tries a test on random mechanisms, which are coherent.
+fn for_coherent(test: impl Fn(Model, Dice)) {
+    for_all(60, &samples(1..=6), |Sample { grown, dice }| {
+        test(grown.model, dice)
+    });
 }
 
-fn coherent(seed: u64) -> (Dice, Model) {
-    let mut dice = Dice::new(seed);
-    let additions = 1 + dice.below(6);
-    let model = grow(&mut dice, additions).model;
-    (dice, model)
-}
-
-fn rejected(model: &Model, what: &str) -> Vec<Diagnosis> {
+fn rejected(model: &Model) -> Vec<Diagnosis> {
     match compile(model) {
-        Ok(_) => panic!("{what}: accepted"),
+        Ok(_) => panic!("accepted"),
         Err(diagnoses) => {
-            assert!(!diagnoses.is_empty(), "{what}: no reason");
+            assert!(!diagnoses.is_empty(), "no reason");
             diagnoses
         }
     }
@@ -40,9 +35,9 @@ enum Outcome {
     Other(Vec<Diagnosis>),
 }
 
-fn outcome(repairs: &[Repair], model: &Model, what: &str) -> Outcome {
+fn outcome(repairs: &[Repair], model: &Model) -> Outcome {
     let Some(mended) = apply_all(repairs, model) else {
-        panic!("{what}: {repairs:?} cannot be made")
+        panic!("{repairs:?} cannot be made")
     };
     let Err(wrong) = compile(&mended) else {
         return Outcome::Accepted;
@@ -55,38 +50,38 @@ fn outcome(repairs: &[Repair], model: &Model, what: &str) -> Outcome {
 }
 
 /// Every repair that is offered does what it is offered for.
-fn assert_mended(model: &Model, diagnoses: &[Diagnosis], what: &str) -> Vec<Offers> {
+fn assert_mended(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Offers> {
     let found = offers(model, diagnoses);
-    assert_eq!(found.len(), diagnoses.len(), "{what}: an offer each");
+    assert_eq!(found.len(), diagnoses.len(), "an offer each");
     for offers in &found {
         for repair in &offers.single {
-            let mended = outcome(std::slice::from_ref(repair), model, what);
-            assert!(matches!(mended, Outcome::Accepted), "{what}: {repair:?}");
+            let mended = outcome(std::slice::from_ref(repair), model);
+            assert!(matches!(mended, Outcome::Accepted), "{repair:?}");
         }
         for pair in &offers.pairs {
-            let mended = outcome(pair, model, what);
-            assert!(matches!(mended, Outcome::Accepted), "{what}: {pair:?}");
+            let mended = outcome(pair, model);
+            assert!(matches!(mended, Outcome::Accepted), "{pair:?}");
         }
         for repair in &offers.elsewhere {
-            let mended = outcome(std::slice::from_ref(repair), model, what);
-            assert!(matches!(mended, Outcome::OpenAtStart), "{what}: {repair:?}");
+            let mended = outcome(std::slice::from_ref(repair), model);
+            assert!(matches!(mended, Outcome::OpenAtStart), "{repair:?}");
         }
         for repair in &offers.coupled {
             let repairs = [repair.clone(), Repair::AllowCoupled];
-            let mended = outcome(&repairs, model, what);
-            assert!(!matches!(mended, Outcome::Other(_)), "{what}: {repair:?}");
+            let mended = outcome(&repairs, model);
+            assert!(!matches!(mended, Outcome::Other(_)), "{repair:?}");
         }
         for repair in &offers.partial {
-            match outcome(std::slice::from_ref(repair), model, what) {
-                Outcome::Other(rest) => assert!(rest.len() < diagnoses.len(), "{what}: {repair:?}"),
-                _ => panic!("{what}: {repair:?} is enough"),
+            match outcome(std::slice::from_ref(repair), model) {
+                Outcome::Other(rest) => assert!(rest.len() < diagnoses.len(), "{repair:?}"),
+                _ => panic!("{repair:?} is enough"),
             }
         }
     }
     for message in reporter::messages(diagnoses, &found, model, &Places::default()) {
         let lines = message.text.lines().count();
-        assert!(lines <= 8, "{what}: {}", message.text);
-        assert!(!repeats_itself(&message.text), "{what}: {}", message.text);
+        assert!(lines <= 8, "{}", message.text);
+        assert!(!repeats_itself(&message.text), "{}", message.text);
     }
     found
 }
@@ -201,88 +196,77 @@ fn brace_two(model: &mut Model, dice: &mut Dice) -> LinkId {
 
 #[test]
 fn a_brace_too_many_is_found_and_can_be_removed() {
-    for seed in mech_tests::seeds(cases()) {
-        let (mut dice, mut model) = coherent(seed);
+    for_coherent(|mut model, mut dice| {
         let link = brace_two(&mut model, &mut dice);
-        let what = format!("seed {seed}");
-        let wrong = rejected(&model, &what);
+        let wrong = rejected(&model);
         if ties_wheels(&wrong) {
-            continue;
+            return;
         }
-        assert!(wrong.iter().all(is_held), "{what}: {wrong:?}");
-        let found = assert_mended(&model, &wrong, &what);
+        assert!(wrong.iter().all(is_held), "{wrong:?}");
+        let found = assert_mended(&model, &wrong);
         let removed = Repair::RemoveLink(link);
         let told = found.iter().any(|offers| offers.single.contains(&removed));
-        assert!(told, "{what}: remove the brace: {wrong:?} {found:?}");
-    }
+        assert!(told, "remove the brace: {wrong:?} {found:?}");
+    });
 }
 
 #[test]
 fn a_missing_motor_is_found_and_can_be_put_back() {
-    for seed in mech_tests::seeds(cases()) {
-        let (mut dice, whole) = coherent(seed);
+    for_coherent(|whole, mut dice| {
         let motor = MotorId::new(dice.below(whole.motors.len()));
         let joint = whole.motor(motor).joint;
         let model = whole.without_motor(motor);
-        let what = format!("seed {seed}");
-        let wrong = rejected(&model, &what);
+        let wrong = rejected(&model);
         match &wrong[..] {
             [Diagnosis::NoMotor { freedom: 1, .. }] => {
-                assert!(model.motors.is_empty(), "{what}");
+                assert!(model.motors.is_empty());
             }
             [Diagnosis::Undetermined { freedom: 1, .. }] => {
-                assert!(!model.motors.is_empty(), "{what}");
+                assert!(!model.motors.is_empty());
             }
-            _ => panic!("{what}: {wrong:?}"),
+            _ => panic!("{wrong:?}"),
         }
-        let found = assert_mended(&model, &wrong, &what);
+        let found = assert_mended(&model, &wrong);
         let added = Repair::AddMotors(vec![joint]);
-        assert!(found[0].single.contains(&added), "{what}: {found:?}");
-    }
+        assert!(found[0].single.contains(&added), "{found:?}");
+    });
 }
 
 #[test]
 fn a_motor_too_many_is_found_and_can_be_removed() {
-    for seed in mech_tests::seeds(cases()) {
-        let (mut dice, whole) = coherent(seed);
+    for_coherent(|whole, mut dice| {
         let free: Vec<JointId> = whole
             .joint_ids()
             .filter(|&id| can_take_a_motor(&whole, id))
             .collect();
         if free.is_empty() {
-            continue;
+            return;
         }
         let mut model = whole.clone();
         let motor = MotorId::new(model.motors.len());
         model
             .motors
             .push(Motor::new(*dice.pick(&free), Origin::default()));
-        let what = format!("seed {seed}");
-        let wrong = rejected(&model, &what);
+        let wrong = rejected(&model);
         let right = |diagnosis: &Diagnosis| {
             matches!(
                 diagnosis,
                 Diagnosis::TooManyMotors { .. } | Diagnosis::Blocked { .. }
             )
         };
-        assert!(
-            wrong.len() == 1 && wrong.iter().all(right),
-            "{what}: {wrong:?}"
-        );
-        let found = assert_mended(&model, &wrong, &what);
+        assert!(wrong.len() == 1 && wrong.iter().all(right), "{wrong:?}");
+        let found = assert_mended(&model, &wrong);
         let removed = Repair::RemoveMotor(motor);
-        assert!(found[0].single.contains(&removed), "{what}: {found:?}");
-    }
+        assert!(found[0].single.contains(&removed), "{found:?}");
+    });
 }
 
 #[test]
 fn a_missing_joint_is_found() {
-    for seed in mech_tests::seeds(cases()) {
-        let (mut dice, whole) = coherent(seed);
+    for_coherent(|whole, mut dice| {
         let joint = JointId::new(dice.below(whole.joints.len()));
         let model = whole.without_joint(joint);
-        let what = format!("seed {seed}, without {}", whole.joint(joint).name);
-        let wrong = rejected(&model, &what);
+        let wrong = rejected(&model);
         let right = |diagnosis: &Diagnosis| {
             matches!(
                 diagnosis,
@@ -293,42 +277,44 @@ fn a_missing_joint_is_found() {
                     | Diagnosis::NoCarrier { .. }
             )
         };
-        assert!(wrong.iter().all(right), "{what}: {wrong:?}");
-        let found = assert_mended(&model, &wrong, &what);
+        assert!(wrong.iter().all(right), "{wrong:?}");
+        let found = assert_mended(&model, &wrong);
         for (diagnosis, offers) in wrong.iter().zip(&found) {
             if let Diagnosis::Undetermined { candidates, .. }
             | Diagnosis::NoMotor { candidates, .. } = diagnosis
             {
                 // No motor sits on the pin of a slot.
                 let sits = candidates.iter().all(|&id| !model.joint(id).hidden);
-                assert!(!offers.is_empty() || !sits, "{what}: {wrong:?}");
+                assert!(!offers.is_empty() || !sits, "{wrong:?}");
             }
         }
-    }
+    });
 }
 
 #[test]
 fn two_braces_too_many_are_found_and_can_be_removed() {
-    for seed in mech_tests::seeds(cases() / 10) {
-        let (mut dice, mut model) = coherent(seed);
+    for_coherent(|mut model, mut dice| {
+        // Pairs of repairs take long.
+        if !dice.once_in(10) {
+            return;
+        }
         for _ in 0..2 {
             brace_two(&mut model, &mut dice);
         }
         for (index, joint) in model.joints.iter_mut().rev().take(2).enumerate() {
             joint.name = format!("b{index}");
         }
-        let what = format!("seed {seed}");
-        let wrong = rejected(&model, &what);
+        let wrong = rejected(&model);
         if ties_wheels(&wrong) {
-            continue;
+            return;
         }
-        assert!(wrong.iter().all(is_held), "{what}: {wrong:?}");
-        let found = assert_mended(&model, &wrong, &what);
+        assert!(wrong.iter().all(is_held), "{wrong:?}");
+        let found = assert_mended(&model, &wrong);
         assert!(
             found.iter().any(|offers| !offers.is_empty()),
-            "{what}: {wrong:?} {found:?}"
+            "{wrong:?} {found:?}"
         );
-    }
+    });
 }
 
 /// The work for one message is bounded, by a count that is the same on every machine; where it ends, the message says so.
@@ -337,8 +323,8 @@ fn of_a_large_mechanism_not_all_repairs_are_tried() {
     let mut model = chain(150);
     let joint = model.joint_ids().nth(6).expect("a long chain");
     model.motors.push(Motor::new(joint, Origin::default()));
-    let wrong = rejected(&model, "a long chain");
-    let found = assert_mended(&model, &wrong, "a long chain");
+    let wrong = rejected(&model);
+    let found = assert_mended(&model, &wrong);
     assert_eq!(found[0].search, Search::Bounded);
     assert!(!found[0].single.is_empty());
     let told = reporter::messages(&wrong, &found, &model, &Places::default());
@@ -361,11 +347,11 @@ fn repairs_are_tried_without_proofs_of_ranges() {
             joint s = revolute(ground, stay) at (0, 9); joint t = revolute(stay, coupler) at (1, 8);
             motor a {range};"
         );
-        mech_compiler::syntax::parse(text.parse().expect("tokens")).model
+        mech_tests::model(&text)
     };
     let [free, ranged] = ["", "in -170 deg ..= 170 deg"].map(with_range);
     let [free, ranged] = [free, ranged].map(|model| {
-        let wrong = rejected(&model, "a stay too many");
+        let wrong = rejected(&model);
         offers(&model, &wrong)
     });
     assert_eq!(free, ranged);
@@ -383,9 +369,9 @@ fn one_choice_of_several_motors_is_offered_beside_something_else() {
         joint w = revolute(ground.w, wheel.w); joint s = revolute(wheel.w, spur.w);
         joint mesh = gear(crank, wheel, 30 : 17);
         motor a;";
-    let model = parse(text.parse().expect("tokens")).model;
-    let diagnoses = rejected(&model, text);
-    let found = assert_mended(&model, &diagnoses, text);
+    let model = mech_tests::model(text);
+    let diagnoses = rejected(&model);
+    let found = assert_mended(&model, &diagnoses);
     let adds = |repair: &&Repair| matches!(repair, Repair::AddMotors(_));
     let added: Vec<usize> = found
         .iter()
@@ -405,9 +391,9 @@ fn wheels_on_one_shaft_may_go() {
             "struct Shaft; link a; link b; joint p = revolute(ground, a) at (0, 0); joint q = revolute(ground, b) at (0, 0);
             joint mesh = gear(a, b, 20 : 40); {beside} motor p;"
         );
-        let model = parse(text.parse().expect("tokens")).model;
-        let diagnoses = rejected(&model, &text);
-        let found = assert_mended(&model, &diagnoses, &text);
+        let model = mech_tests::model(&text);
+        let diagnoses = rejected(&model);
+        let found = assert_mended(&model, &diagnoses);
         assert!(found.iter().all(|offers| !offers.is_empty()), "{text}");
     }
 }

@@ -6,7 +6,6 @@ use mech_compiler::model::{LinkId, Method, Model, Range, Shown};
 use mech_compiler::plan::{Plan, Source, Step, plan};
 use mech_compiler::program::{Op, Program, Slot, Value, build};
 use mech_compiler::structure::analyse;
-use mech_compiler::syntax::parse;
 use mech_tests::{Dice, grow};
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
@@ -246,11 +245,7 @@ const PRESS: &str = "
     motor a; motor g;";
 
 fn model(head: &str, show: &str) -> Model {
-    let text = format!("{head} {PRESS} {show}");
-    let parsed = parse(text.parse().expect("tokens"));
-    let told: Vec<&str> = parsed.errors.iter().map(|one| one.text.as_str()).collect();
-    assert!(told.is_empty(), "{told:?}");
-    parsed.model
+    mech_tests::model(&format!("{head} {PRESS} {show}"))
 }
 
 /// What the mechanism becomes.

@@ -1,12 +1,10 @@
 //! What rolls keeps its exact ratio; what is coupled, redundant or slotted is where another way of looking says.
 
-mod zoo;
-
+use super::zoo::{self, rolling, special};
 use mech_compiler::plan::{Mesh, Rational, Step};
 use mech_runtime::mechanism;
 use mech_tests::mechanisms;
 use std::f64::consts::TAU;
-use zoo::{rolling, special};
 
 mechanism! {
     /// The six-bar of [`special::StephensonFar`], driven where it is sequential.

@@ -2,34 +2,39 @@
 
 use super::{Grown, direction, point};
 use crate::Dice;
-use mech_compiler::model::{JointKind, LinkId, Model, Origin, Ratio};
+use mech_compiler::model::{JointKind, LinkId, Ratio};
 
 /// Grows a mechanism as [`grow`](super::grow) does, with platforms and tied rings among its additions. One of these comes first.
 #[must_use]
 pub fn grow_coupled(dice: &mut Dice, additions: usize) -> Grown {
-    let mut model = Model::new("Coupled", Origin::default());
-    model.allow.coupled = true;
-    let mut grown = Grown {
-        model,
-        loops: 0,
-        gears: 0,
-        arms: 0,
-        slots: Vec::new(),
-    };
-    grown.arm(dice, LinkId::GROUND);
+    let mut grown = Grown::new(dice, true);
     for addition in 0..additions {
-        match dice.below(if addition == 0 { 4 } else { 8 }) {
-            0 => grown.platform(dice),
-            1 => grown.geared_ring(dice),
-            2 | 3 => grown.racked_ring(dice),
-            _ => grown.add(dice),
-        }
+        grown.add_coupled(dice, addition == 0);
     }
-    grown.finish();
-    grown
+    grown.finish()
+}
+
+/// Grows a mechanism as [`grow_coupled`] does, each of whose additions draws from dice of its own.
+#[must_use]
+pub fn grow_coupled_from(motor: &mut Dice, additions: &[Dice]) -> Grown {
+    let mut grown = Grown::new(motor, true);
+    for (number, addition) in additions.iter().enumerate() {
+        grown.add_coupled(&mut addition.clone(), number == 0);
+    }
+    grown.finish()
 }
 
 impl Grown {
+    /// Adds anything; what waits for something else, if it has to.
+    fn add_coupled(&mut self, dice: &mut Dice, must_wait: bool) {
+        match dice.below(if must_wait { 4 } else { 8 }) {
+            0 => self.platform(dice),
+            1 => self.geared_ring(dice),
+            2 | 3 => self.racked_ring(dice),
+            _ => self.add(dice),
+        }
+    }
+
     /// A link on three legs.
     fn platform(&mut self, dice: &mut Dice) {
         let bases = [0; 3].map(|_| self.any_link(dice));

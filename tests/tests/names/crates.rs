@@ -1,8 +1,7 @@
 //! Crates of one line a case, checked by the compiler.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
 /// So many lines are compiled at once.
 const BATCH: usize = 100;
@@ -43,7 +42,7 @@ pub(crate) fn compile(name: &str, lines: &[Line]) {
 /// What is wrong with the lines of a crate.
 fn check(name: &str, lines: &[Line]) -> Vec<String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("names");
-    fs::create_dir_all(&folder).expect("a folder");
+    let mut rustc = mech_tests::rustc(&folder);
     let source = folder.join(format!("{name}.rs"));
     let mut text = "#![allow(warnings)] ".to_owned();
     for (number, line) in lines.iter().enumerate() {
@@ -51,24 +50,9 @@ fn check(name: &str, lines: &[Line]) -> Vec<String> {
         text += &format!("mod case_{number} {{ {code} }}\n");
     }
     fs::write(&source, text).expect("a file");
-    let (library, libraries) = runtime();
-    let output = Command::new("rustc")
-        .args([
-            "--edition",
-            "2024",
-            "--crate-type",
-            "lib",
-            "--emit",
-            "metadata",
-            "--error-format",
-            "short",
-        ])
-        .arg("--extern")
-        .arg(format!("mech_runtime={}", library.display()))
-        .arg("-L")
-        .arg(format!("dependency={}", libraries.display()))
-        .arg("--out-dir")
-        .arg(&folder)
+    let output = rustc
+        .args(["--crate-type", "lib", "--emit", "metadata"])
+        .args(["--error-format", "short"])
         .arg(&source)
         .output()
         .expect("the compiler runs");
@@ -105,24 +89,4 @@ fn check(name: &str, lines: &[Line]) -> Vec<String> {
         wrong.push(said.into_owned());
     }
     wrong
-}
-
-/// The library that these tests were built with, and where those are that it needs: beside this executable.
-fn runtime() -> (PathBuf, PathBuf) {
-    let this = std::env::current_exe().expect("the path of this executable");
-    let folder = this.parent().expect("its folder").to_owned();
-    let files = fs::read_dir(&folder).expect("the folder of libraries");
-    let newest = files
-        .filter_map(|file| {
-            let file = file.ok()?;
-            let name = file.file_name().into_string().ok()?;
-            let is_library = name
-                .strip_prefix("libmech_runtime-")
-                .is_some_and(|rest| rest.split_once('.').is_some_and(|(_, end)| end == "rlib"));
-            let changed = file.metadata().ok()?.modified().ok()?;
-            is_library.then(|| (changed, file.path()))
-        })
-        .max();
-    let (_, library) = newest.expect("the runtime was built");
-    (library, folder)
 }

@@ -1,8 +1,8 @@
 //! What else a crate may have by a name, beside a mechanism.
 
-use crate::crates::Line;
-use crate::subjects::SUBJECTS;
-use crate::{invocation, left};
+use super::crates::Line;
+use super::subjects::SUBJECTS;
+use super::{invocation, left};
 
 /// A kind of item: its name, and what declares items of all these names.
 type Kind = (&'static str, fn(&[&str]) -> String);

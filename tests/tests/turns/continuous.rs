@@ -2,12 +2,12 @@
 
 use super::by_hand::{Follower, near, part, principal};
 use super::moves;
-use super::subjects::{behind, drag_link, geared, meshing, model};
+use super::subjects::{behind, drag_link, geared, meshing};
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointId, JointKind, Model};
 use mech_runtime::{Phase, mechanism};
-use mech_tests::{Dice, grow};
+use mech_tests::{Dice, grow, model};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

@@ -2,11 +2,12 @@
 
 use super::by_hand::{Follower, near, part, principal};
 use super::moves;
-use super::subjects::{behind, drag_link, geared, meshing, model};
+use super::subjects::{behind, drag_link, geared, meshing};
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::program::{Forces, Position};
 use mech_runtime::{GaussLegendre, Phase, mechanism};
+use mech_tests::{four_bar, model};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -118,16 +119,10 @@ proptest! {
     }
 }
 
-mechanism! {
+four_bar! {
     /// A crank rocker whose spring is wound from the start.
-    struct Wound;
-    ground { point a = (0, 0); point d = (4, 0); }
-    link crank { point a = (0, 0); point b = (1, 0); }
-    link coupler { point b = (0, 0); point c = (3.5, 0); }
-    link rocker { point d = (0, 0); point c = (3, 0); }
-    joint a = revolute(ground.a, crank.a); joint b = revolute(crank.b, coupler.b);
-    joint c = revolute(coupler.c, rocker.c); joint d = revolute(ground.d, rocker.d);
-    motor a; start { coupler near 50 deg; }
+    struct Wound: f64;
+    motor a;
     spring coil = torsional(d) stiffness 1 rest 6;
     effects { force; }
 }

@@ -1,16 +1,6 @@
 //! Mechanisms whose joints turn over and over. What is asked of them is put at their end.
 
-use mech_compiler::model::Model;
-use mech_compiler::syntax::parse;
 use std::cmp::Ordering;
-
-/// The mechanism that a text declares.
-pub(super) fn model(text: &str) -> Model {
-    let parsed = parse(text.parse().expect("tokens"));
-    let errors: Vec<&String> = parsed.errors.iter().map(|error| &error.text).collect();
-    assert!(errors.is_empty(), "{errors:?}\n{text}");
-    parsed.model
-}
 
 /// A drag link with these lengths and names of joints: the ground is the shortest, so that all links turn all the way round.
 pub(super) fn drag_link(lengths: [f64; 3], joints: [&str; 4], asked: &str) -> String {

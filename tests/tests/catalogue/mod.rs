@@ -1,6 +1,6 @@
 //! `docs/diagnoses.md` is what the compiler says: the meanings are those of the enum's own documentation, the messages those
 //! of the reporter, and each remedy is made and compiled. Renew with
-//! `UPDATE_CATALOGUE=1 cargo test -p mech-tests --test catalogue`, and read it.
+//! `UPDATE_CATALOGUE=1 cargo test -p mech-tests --test compiler catalogue`, and read it.
 
 mod entries;
 

@@ -2,7 +2,7 @@
 //! effects between them, is made the name of everything else that a crate may have, and of everything that a mechanism may have; all
 //! of it is compiled. What a mechanism cannot be given as a name is refused by the macro's own message about that name.
 //!
-//! `MECH_CASES=100000 cargo test -p mech-tests --test names` compiles every identifier in every role.
+//! `MECH_CASES=100000 cargo test -p mech-tests --test compiler names` compiles every identifier in every role.
 
 mod crates;
 mod scopes;

@@ -1,0 +1,36 @@
+//! Crates beside the tests, compiled against the runtime that the tests were built with.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// A call of the compiler that knows `mech_runtime`, and leaves what it makes in this folder.
+///
+/// # Panics
+/// If the folder cannot be made, or the runtime is not beside this executable.
+#[must_use]
+pub fn rustc(out: &Path) -> Command {
+    fs::create_dir_all(out).expect("a folder");
+    let this = std::env::current_exe().expect("the path of this executable");
+    let folder = this.parent().expect("its folder");
+    let files = fs::read_dir(folder).expect("the folder of libraries");
+    let newest = files
+        .filter_map(|file| {
+            let file = file.ok()?;
+            let name = file.file_name().into_string().ok()?;
+            let hash = name.strip_prefix("libmech_runtime-")?;
+            let changed = file.metadata().ok()?.modified().ok()?;
+            hash.ends_with(".rlib").then(|| (changed, file.path()))
+        })
+        .max();
+    let (_, library) = newest.expect("the runtime was built");
+    let mut command = Command::new("rustc");
+    command
+        .args(["--edition", "2024", "--extern"])
+        .arg(format!("mech_runtime={}", library.display()))
+        .arg("-L")
+        .arg(format!("dependency={}", folder.display()))
+        .arg("--out-dir")
+        .arg(out);
+    command
+}

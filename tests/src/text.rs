@@ -1,0 +1,91 @@
+//! Mechanisms as text.
+
+use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model};
+
+/// The text of a `mechanism!`, in the form of a drawing. Where a mechanism is not drawn, a comment says where its second axis is.
+#[must_use]
+pub fn text(model: &Model) -> String {
+    let mut text = format!("struct {};\n", model.name);
+    for link in model.declared_links() {
+        text += &format!("link {};\n", model.link(link).name);
+    }
+    for joint in model.joints.iter().filter(|joint| !joint.hidden) {
+        text += &format!("joint {} = {};\n", joint.name, kind(model, joint));
+    }
+    for motor in &model.motors {
+        text += &format!("motor {};\n", model.joint(motor.joint).name);
+    }
+    for (allowed, word) in [
+        (model.allow.coupled, "coupled"),
+        (model.allow.redundant, "redundant"),
+    ] {
+        if allowed {
+            text += &format!("allow {word};\n");
+        }
+    }
+    text
+}
+
+fn kind(model: &Model, joint: &Joint) -> String {
+    let name = |link: LinkId| &model.link(link).name;
+    let on = |on: Option<LinkId>| on.map_or(String::new(), |on| format!(" on {}", name(on)));
+    let points = |word: &str, a, b| format!("{word} {}", pair(model, a, b));
+    let lines = |word: &str, a, b| {
+        let [x, y] = model.axis(a).direction;
+        format!("{word} {} along ({x:?}, {y:?})", pair(model, a, b))
+    };
+    let wheels = |word: &str, [a, b]: [LinkId; 2], sizes: String, carrier| {
+        format!("{word}({}, {}, {sizes}{})", name(a), name(b), on(carrier))
+    };
+    let ratio = |ratio: mech_compiler::model::Ratio| {
+        let [a, b] = ratio.sizes();
+        format!("{a} : {b}")
+    };
+    match joint.kind {
+        JointKind::Revolute(a, b) => points("revolute", a, b),
+        JointKind::Weld(a, b) => points("weld", a, b),
+        JointKind::Prismatic(a, b) => match model.link(model.axis(b).link).die {
+            Some((point, line)) => lines("slot", point, line),
+            None => lines("prismatic", a, b),
+        },
+        JointKind::Gear {
+            a,
+            b,
+            ratio: sizes,
+            on,
+        } => wheels("gear", [a, b], ratio(sizes), on),
+        JointKind::Belt {
+            a,
+            b,
+            ratio: sizes,
+            on,
+        } => wheels("belt", [a, b], ratio(sizes), on),
+        JointKind::Rack {
+            pinion,
+            bar,
+            radius,
+            on,
+        } => wheels("rack", [pinion, bar], format!("radius {radius:?}"), on),
+        JointKind::Cam {
+            shaft,
+            follower,
+            law,
+        } => {
+            let [shaft, follower] = [shaft, follower].map(|id| &model.joint(id).name);
+            format!("cam({shaft}, {follower}, {})", model.law(law).written)
+        }
+    }
+}
+
+/// Two links, and where the axes are on which they meet.
+fn pair(model: &Model, a: AxisId, b: AxisId) -> String {
+    let [a, b] = [a, b].map(|axis| model.axis(axis));
+    let [from, to] = [a, b].map(|axis| &model.link(axis.link).name);
+    let ([x, y], [u, v]) = (a.at, b.at);
+    let elsewhere = if a.at == b.at {
+        String::new()
+    } else {
+        format!(" /* ({u:?}, {v:?}) */")
+    };
+    format!("({from}, {to}) at ({x:?}, {y:?}){elsewhere}")
+}

@@ -1,0 +1,21 @@
+//! Tests of the compiler as a library: what it accepts, offers and computes, by its interpreter. None expands a mechanism.
+
+mod accuracy;
+mod anything;
+mod assemblies;
+mod catalogue;
+mod embedded_page;
+mod expand;
+mod force;
+mod large;
+mod mistakes;
+mod motion;
+mod names;
+mod order;
+mod params;
+mod random;
+mod ranges;
+mod rates;
+mod repairs;
+mod show;
+mod ui;
