@@ -1,10 +1,10 @@
 //! The methods that move a mechanism by forces.
 
-use super::super::advance::{advance_with, rates_at, record, refusal, strip_params};
-use super::super::emitter::Emitter;
-use super::super::parts::Parts;
-use super::super::step::arguments;
 use super::actions::bind_loads;
+use crate::emit::advance::{advance_with, rates_at, record, refusal, strip_params};
+use crate::emit::emitter::Emitter;
+use crate::emit::parts::Parts;
+use crate::emit::step::arguments;
 use proc_macro2::TokenStream;
 use quote::quote;
 

@@ -1,13 +1,13 @@
 //! The methods that return the torques and reactions by which a mechanism stands or moves.
 
-use super::super::advance::{
+use super::actions::bind_loads;
+use crate::emit::advance::{
     Target, advance_with, end, rates_at, refusal, refusal_by, strip_params,
 };
-use super::super::emitter::Emitter;
-use super::super::parts::Parts;
-use super::super::step::{arguments, outcome_type};
-use super::super::tokens::integer;
-use super::actions::bind_loads;
+use crate::emit::emitter::Emitter;
+use crate::emit::parts::Parts;
+use crate::emit::step::{arguments, outcome_type};
+use crate::emit::tokens::integer;
 use crate::model::{Load, LoadKind};
 use proc_macro2::TokenStream;
 use quote::quote;

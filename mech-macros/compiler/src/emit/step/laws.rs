@@ -1,8 +1,5 @@
 //! The laws of the motors as a function of time.
 
-use super::super::emitter::Emitter;
-use super::super::module;
-use super::super::tokens::integer;
 use super::binding::binding;
 use super::block::function;
 use super::flow::flows;
@@ -10,6 +7,9 @@ use super::inputs::motors_type;
 use super::scope::Scope;
 use super::stages::MOST_LETS;
 use super::uses::all_uses;
+use crate::emit::emitter::Emitter;
+use crate::emit::module;
+use crate::emit::tokens::integer;
 use crate::model::Precision;
 use crate::program::{Timed, Timing, Value};
 use proc_macro2::TokenStream;

@@ -1,8 +1,8 @@
 //! The names in a generated function, and expressions that use them.
 
-use super::super::module;
-use super::super::tokens::{hidden_ident, integer, number};
 use crate::bug::bug;
+use crate::emit::module;
+use crate::emit::tokens::{hidden_ident, integer, number};
 use crate::program::{Op, Part, Program, Slot, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;

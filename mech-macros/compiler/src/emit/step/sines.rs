@@ -1,6 +1,6 @@
 //! The steps that compute sines and cosines by a type parameter: by polynomials of a reduced range, or for any angle.
 
-use super::super::tokens::scalar;
+use crate::emit::tokens::scalar;
 use crate::program::{BlockKind, Op, Program, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
