@@ -1,11 +1,11 @@
 //! One block as Rust.
 
-use super::super::tokens::{integer, position, scalar};
 use super::binding::{binding, system};
 use super::flow::{Flow, is_given};
 use super::iteration::iteration;
 use super::scope::Scope;
 use super::uses::uses;
+use crate::emit::tokens::{integer, position, scalar};
 use crate::program::{BlockId, BlockKind, Op, Program};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;

@@ -26,7 +26,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use scope::Scope;
 use sensitivity::sensitivity_functions;
-pub(super) use sines::{in_lanes, takes_sines};
+pub(super) use sines::{runs_in_lanes, takes_sines};
 use stages::{Act, Body, MOST_LETS, body, count_lets};
 use std::collections::BTreeSet;
 
