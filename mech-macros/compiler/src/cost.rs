@@ -212,7 +212,7 @@ pub fn of_rates(program: &Program, moving: &Program) -> Cost {
 /// What each loop costs, in the order in which they are closed.
 #[must_use]
 pub fn of_loops(program: &Program) -> Vec<Cost> {
-    let blocks = program.blocks.iter().zip(of_blocks(program));
+    let blocks = program.ssa.blocks.iter().zip(of_blocks(program));
     blocks
         .filter(|(block, _)| !matches!(block.kind, BlockKind::Straight))
         .map(|(_, cost)| cost)
@@ -223,7 +223,7 @@ pub fn of_loops(program: &Program) -> Vec<Cost> {
 #[must_use]
 pub fn of_blocks(program: &Program) -> Vec<Cost> {
     let sine_of = sines(program);
-    let mut costs = vec![Cost::default(); program.blocks.len()];
+    let mut costs = vec![Cost::default(); program.ssa.blocks.len()];
     let iterations: Vec<Option<Iteration>> = program
         .block_ids()
         .map(|block| {
@@ -241,7 +241,7 @@ pub fn of_blocks(program: &Program) -> Vec<Cost> {
         let cost = &mut costs[node.block.index()];
         *cost = *cost + once * times;
     }
-    for ((block, iteration), cost) in program.blocks.iter().zip(&iterations).zip(&mut costs) {
+    for ((block, iteration), cost) in program.ssa.blocks.iter().zip(&iterations).zip(&mut costs) {
         *cost = *cost + tests(program, block, iteration.as_ref());
     }
     costs
@@ -249,7 +249,7 @@ pub fn of_blocks(program: &Program) -> Vec<Cost> {
 
 /// Of which values the sine is needed.
 fn sines(program: &Program) -> Vec<bool> {
-    let mut sines = vec![false; program.nodes.len()];
+    let mut sines = vec![false; program.ssa.nodes.len()];
     for value in program.live_values() {
         if let Op::Sin(angle) = program.node(value).op {
             sines[angle.index()] = true;
@@ -320,7 +320,7 @@ impl Iteration {
             .chain([newton.det])
             .chain(newton.extent)
             .collect();
-        let mut measured = vec![false; program.nodes.len()];
+        let mut measured = vec![false; program.ssa.nodes.len()];
         while let Some(value) = waiting.pop() {
             let node = program.node(value);
             let here = node.block == block && node.iterated;

@@ -158,8 +158,8 @@ impl<'p> Runner<'p> {
         };
         let inputs = motors.iter().zip(turns).enumerate().map(reduced);
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
-        let mut values = vec![T::from_f64(0.0); self.program.nodes.len()];
-        let mut solved = vec![false; self.program.blocks.len()];
+        let mut values = vec![T::from_f64(0.0); self.program.ssa.nodes.len()];
+        let mut solved = vec![false; self.program.ssa.blocks.len()];
         let closes = |(block, closed): (BlockId, &ClosedForm), values: &[T]| {
             if values[closed.margin.index()] >= T::from_f64(0.0) {
                 Ok(())
@@ -174,7 +174,7 @@ impl<'p> Runner<'p> {
             }
             if let Op::Solved(block, _) = node.op
                 && !std::mem::replace(&mut solved[block.index()], true)
-                && let BlockKind::Newton(newton) = &self.program.blocks[block.index()].kind
+                && let BlockKind::Newton(newton) = &self.program.ssa.blocks[block.index()].kind
             {
                 for before in self.program.margins().take_while(|(id, _)| *id < block) {
                     closes(before, &values)?;

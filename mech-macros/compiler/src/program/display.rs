@@ -98,7 +98,7 @@ impl Program {
         if values.is_empty() {
             return Ok(());
         }
-        let of = &self.blocks[block.index()];
+        let of = &self.ssa.blocks[block.index()];
         match of.title.as_str() {
             "" => writeln!(f, "\n{}:", of.name)?,
             title => writeln!(f, "\n{}: {title}", of.name)?,
@@ -243,7 +243,7 @@ impl Program {
 
     fn motion(&self, f: &mut Formatter<'_>, motion: &Motion) -> fmt::Result {
         for (number, system) in motion.systems.iter().enumerate() {
-            let name = &self.blocks[system.block.index()].name;
+            let name = &self.ssa.blocks[system.block.index()].name;
             writeln!(f, "linear system {number} of {name}")?;
             for column in &system.columns {
                 writeln!(f, "  column {}", self.list(column))?;

@@ -52,10 +52,8 @@ pub struct Program {
     pub name: String,
     /// What it computes in.
     pub precision: Precision,
-    /// All values, each after those it is made from.
-    pub nodes: Vec<Node>,
-    /// The blocks, in the order in which they run.
-    pub blocks: Vec<Block>,
+    /// Its operations.
+    pub ssa: Ssa,
     /// The names of the motors' joints.
     pub motors: Vec<String>,
     /// The names of the params: they are given after the motors, by the same operation.
@@ -97,6 +95,15 @@ pub struct Program {
     pub live: Vec<bool>,
     /// The position in which the mechanism is assembled.
     pub start: Position<f64>,
+}
+
+/// Operations in SSA form, whatever they are for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ssa {
+    /// All values, each after those it is made from.
+    pub nodes: Vec<Node>,
+    /// The blocks, in the order in which they run.
+    pub blocks: Vec<Block>,
 }
 
 /// One step of the plan.
@@ -160,7 +167,7 @@ impl Program {
     #[must_use]
     pub fn fits(&self) -> bool {
         let start = self.start.poses.iter().flatten().chain(&self.start.state);
-        let constants = self.nodes.iter().filter_map(|node| match node.op {
+        let constants = self.ssa.nodes.iter().filter_map(|node| match node.op {
             Op::Constant(number) => Some(number.get()),
             _ => None,
         });
@@ -190,7 +197,7 @@ impl Program {
     /// The node that makes a value.
     #[must_use]
     pub fn node(&self, value: Value) -> &Node {
-        &self.nodes[value.index()]
+        &self.ssa.nodes[value.index()]
     }
 
     /// All values that something depends on, each after those it is made from.
@@ -213,7 +220,7 @@ impl Program {
     /// The loop of a block, if it solves one.
     #[must_use]
     pub fn newton(&self, block: BlockId) -> Option<&Newton> {
-        match &self.blocks[block.index()].kind {
+        match &self.ssa.blocks[block.index()].kind {
             BlockKind::Newton(newton) => Some(newton),
             BlockKind::Straight | BlockKind::ClosedForm(_) => None,
         }
@@ -222,7 +229,7 @@ impl Program {
     /// The closed form of a block, if it is one.
     #[must_use]
     pub fn closed_form(&self, block: BlockId) -> Option<&ClosedForm> {
-        match &self.blocks[block.index()].kind {
+        match &self.ssa.blocks[block.index()].kind {
             BlockKind::ClosedForm(closed) => Some(closed),
             BlockKind::Straight | BlockKind::Newton(_) => None,
         }
@@ -231,13 +238,17 @@ impl Program {
     /// The number of the loop that a block solves, if it solves one.
     #[must_use]
     pub fn loop_of(&self, block: BlockId) -> Option<usize> {
-        self.blocks[block.index()].loop_number()
+        self.ssa.blocks[block.index()].loop_number()
     }
 
     /// The loops that it solves, by their numbers in the plan.
     #[must_use]
     pub fn solved_loops(&self) -> Vec<usize> {
-        self.blocks.iter().filter_map(Block::loop_number).collect()
+        self.ssa
+            .blocks
+            .iter()
+            .filter_map(Block::loop_number)
+            .collect()
     }
 
     /// The linear systems of the motion that something depends on.
@@ -255,7 +266,7 @@ impl Program {
     #[must_use]
     pub fn subdivides(&self) -> bool {
         let rounds = |wanted: fn(Rounds) -> bool| {
-            self.blocks.iter().any(
+            self.ssa.blocks.iter().any(
                 |block| matches!(&block.kind, BlockKind::Newton(newton) if wanted(newton.rounds)),
             )
         };
@@ -285,6 +296,7 @@ impl Program {
     #[must_use]
     pub fn is_closed(&self) -> bool {
         !self
+            .ssa
             .blocks
             .iter()
             .any(|block| matches!(block.kind, BlockKind::Newton(_)))
@@ -310,6 +322,6 @@ impl Program {
 
     /// The ids of all blocks, in the order in which they run.
     pub fn block_ids(&self) -> impl Iterator<Item = BlockId> + use<> {
-        (0u32..).take(self.blocks.len()).map(BlockId)
+        (0u32..).take(self.ssa.blocks.len()).map(BlockId)
     }
 }

@@ -90,12 +90,10 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
             second,
         });
     }
-    let (_, _, nodes, blocks) = ssa.finish();
     let values = |timed: &Timed| [Some(timed.value), timed.rate, timed.second];
     let mut program = Program {
         name: model.name.clone(),
-        nodes,
-        blocks,
+        ssa: ssa.ssa,
         state: motors.iter().flat_map(values).flatten().collect(),
         curved: true,
         ..Program::default()

@@ -31,6 +31,7 @@ mod wrench;
 
 pub(super) use tangent::{Seed, Tangents};
 
+use super::builder::SsaBuilder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::Value;
@@ -221,7 +222,12 @@ impl Target<'_> {
             motion.loads = model.actions.load_names();
         }
         let Lowering { ssa, layout, .. } = lowering;
-        let (start, mut state, nodes, blocks) = ssa.finish();
+        let SsaBuilder {
+            ssa,
+            start,
+            mut state,
+            ..
+        } = ssa;
         if sensitivity.is_some() {
             // It computes nothing else.
             state.clear();
@@ -231,9 +237,9 @@ impl Target<'_> {
             matches!(&block.kind, BlockKind::Newton(newton)
                 if newton.step.is_some() && matches!(newton.rounds, Rounds::UntilClosed(_)))
         };
-        let has_loops = blocks.iter().any(|block| block.loop_number().is_some());
+        let has_loops = ssa.blocks.iter().any(|block| block.loop_number().is_some());
         let varies = (wanders || !model.params.is_empty()) && has_loops;
-        let is_coupled = blocks.iter().any(leaps);
+        let is_coupled = ssa.blocks.iter().any(leaps);
         let max_steps =
             (winds || varies || is_coupled).then(|| max_step::max_steps(model, plan, is_coupled));
         let motors = model.motors.iter();
@@ -242,8 +248,7 @@ impl Target<'_> {
         let mut program = Program {
             name: model.name.clone(),
             precision: model.precision,
-            nodes,
-            blocks,
+            ssa,
             layout,
             solutions,
             watches: watches.loops,
