@@ -11,7 +11,7 @@ use mech_core::contraction::{before_first, contracts};
 use mech_core::dense::solve;
 use mech_core::motors::turned;
 
-/// What a program besides that of positions is given, apart from the motors' values.
+/// The inputs of a program of rates or forces, besides the motors' values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Given<'g, T> {
     pub(super) rates: &'g [T],
@@ -133,7 +133,7 @@ impl<'p> Runner<'p> {
         }
     }
 
-    /// Which loop a block closes.
+    /// The number of the loop that a block closes.
     fn number(&self, block: BlockId) -> usize {
         let Some(number) = self.program.loop_of(block) else {
             bug!("block {} closes no loop", block.index());

@@ -12,21 +12,21 @@ pub(super) struct SsaBuilder {
     pub(super) ssa: Ssa,
     /// Looked up only, never iterated: the program does not depend on its order.
     known: HashMap<Op, Value>,
-    /// What is known only inside the present iteration.
+    /// The operations that are known only inside the present iteration.
     inside: Option<Vec<Op>>,
-    /// What every value is at the start.
+    /// Every value at the start.
     at_start: Vec<f64>,
-    /// Where the mechanism is at the start.
+    /// The position at the start.
     pub(super) start: Position<f64>,
     /// The new values of the state's numbers.
     pub(super) state: Vec<Value>,
     /// The rounding unit of what the program computes in.
     pub(super) epsilon: f64,
-    /// How many motors there are: what is given after them are params.
+    /// The number of motors: inputs after them are params.
     pub(super) motors: usize,
     /// Whether a value is made from a param.
     varies: Vec<bool>,
-    /// What is computed from params, by the numbers of the model's formulas.
+    /// The values of the model's formulas, by their numbers.
     pub(super) formulas: Vec<Value>,
     /// The variable of the law that is being lowered.
     pub(super) variable: Option<Value>,
@@ -56,7 +56,7 @@ impl SsaBuilder {
         self.varies[value.index()]
     }
 
-    /// What a value is at the start.
+    /// A value at the start.
     pub(super) fn at_start(&self, value: Value) -> f64 {
         self.at_start[value.index()]
     }
@@ -205,12 +205,12 @@ impl SsaBuilder {
         }
     }
 
-    /// What a value is called.
+    /// The name of a value.
     pub(super) fn name_of(&self, value: Value) -> Option<&str> {
         self.ssa.nodes[value.index()].name.as_deref()
     }
 
-    /// What makes a value.
+    /// The operation that makes a value.
     pub(super) fn op(&self, value: Value) -> Op {
         self.ssa.nodes[value.index()].op
     }

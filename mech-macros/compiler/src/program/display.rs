@@ -54,7 +54,7 @@ impl Program {
         Ok(())
     }
 
-    /// What a number of the state is, as far as the program says it.
+    /// The meaning of a number of the state, as far as the program says it.
     fn state_meaning(&self, number: usize) -> String {
         for watch in &self.watches {
             if watch.sine == number {

@@ -5,15 +5,15 @@ use super::{Block, BlockKind, Program, System};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// How many `let`s are in one part of a block that is divided.
+/// The number of `let`s in one part of a block that is divided.
 const PART: usize = 256;
 
-/// What is bound together, by one `let`.
+/// Values that are bound together, by one `let`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Together {
     /// Sine and cosine of an angle.
     Sines(Value),
-    /// What a linear system gives.
+    /// The results of a linear system.
     System(usize),
     /// Nothing else.
     Alone(Value),
@@ -60,7 +60,7 @@ impl Program {
         self.ssa.nodes.iter().enumerate().map(is_let).collect()
     }
 
-    /// What a value is made from, directly or by the system that gives it.
+    /// The values that a value is made from, directly or by the system that gives it.
     fn read_by(&self, value: Value) -> impl Iterator<Item = Value> {
         let op = self.node(value).op;
         let system = match op {

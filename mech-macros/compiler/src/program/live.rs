@@ -31,7 +31,7 @@ pub(super) fn live(program: &Program) -> Vec<bool> {
     live
 }
 
-/// What an iteration needs.
+/// The values that an iteration needs.
 pub(super) fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
     match &blocks[block.index()].kind {
         BlockKind::Straight | BlockKind::ClosedForm(_) => Vec::new(),

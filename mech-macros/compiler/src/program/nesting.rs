@@ -4,7 +4,7 @@
 use super::Program;
 use super::node::Op;
 
-/// How many operations may stand in one another.
+/// The number of operations that may stand in one another.
 const DEPTH: usize = 64;
 
 impl Program {

@@ -28,7 +28,7 @@ pub struct Rates {
 }
 
 impl Sensitivity {
-    /// What is asked for.
+    /// All values that it consists of.
     pub fn roots(&self) -> impl Iterator<Item = Value> + '_ {
         self.of_params.iter().flat_map(|rates| {
             let links = rates.links.iter().flatten();

@@ -3,7 +3,7 @@
 use super::Program;
 use crate::model::{AxisId, JointId};
 
-/// Where in the state each number stands that has a meaning outside of the loops.
+/// The places in the state of all numbers that have a meaning outside of the loops.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StateLayout {
     /// The first of the signs of the inputs' last motions, if a loop passes change points: one number for each motor and param.
@@ -28,7 +28,7 @@ pub struct JointAngle {
 pub struct Place {
     /// The axis.
     pub axis: AxisId,
-    /// Which of its coordinates: zero for the abscissa, one for the ordinate.
+    /// The coordinate: zero for the abscissa, one for the ordinate.
     pub part: usize,
     /// The index in the state.
     pub state: usize,

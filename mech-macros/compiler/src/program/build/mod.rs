@@ -119,7 +119,7 @@ pub fn derive(
     (!undetermined).then_some(program)
 }
 
-/// What a program computes besides positions.
+/// A result of a program besides positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Output<'s> {
     /// The rates of everything.
@@ -129,7 +129,7 @@ pub enum Output<'s> {
     /// The torques and forces of motors that a given motion takes, and the reactions in all joints of this structure, of which none is
     /// redundant.
     InverseDynamics(&'s Structure),
-    /// How it moves under the torques of its motors.
+    /// The inertia and forces that its motors feel.
     Inertia,
     /// The rates of everything with each param.
     Sensitivity,
@@ -144,7 +144,7 @@ pub(crate) fn needed(model: &Model, plan: &Plan, stored: &[LinkId]) -> Needed {
     }
 }
 
-/// What a program is for.
+/// The results that a program is built for.
 #[derive(Clone, Copy)]
 struct Target<'t> {
     /// The links whose poses it finds.
@@ -278,7 +278,7 @@ impl Target<'_> {
         program
     }
 
-    /// How a loop is solved.
+    /// The choice of a loop's solver and watch.
     fn choice(self, model: &Model, choices: &[Choice], number: usize) -> Choice {
         let otherwise = || Choice {
             predictor: model.predictor,
@@ -297,7 +297,7 @@ impl Target<'_> {
     }
 }
 
-/// What the positions were found with: rates, forces and sensitivities are derived from it.
+/// Everything that positions were found with: rates, forces and sensitivities are derived from it.
 struct Positions {
     /// The loops that were solved, but for those whose solution nothing needs.
     loops: Vec<SolvedLoop>,

@@ -7,7 +7,7 @@ use crate::plan::{Algebra, Arithmetic};
 use crate::program::node::Value;
 use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 
-/// Where something pushes.
+/// The point of application of a force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Place {
     /// At an axis of the link that is pushed.
@@ -27,7 +27,7 @@ pub(super) enum Along {
     Across(JointId),
 }
 
-/// What an unknown of size one does to a link.
+/// The force or torque of an unknown of size one on a link.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Push {
     /// A force of this size.
@@ -45,11 +45,11 @@ pub(super) enum Push {
 #[derive(Clone, Debug)]
 pub(super) struct Unknown {
     pub(super) joint: JointId,
-    /// What it is called.
+    /// Its name.
     pub(super) name: String,
-    /// What it does to each link.
+    /// Its forces and torques on all links.
     pub(super) pushes: Vec<Push>,
-    /// Which part of the joint's reaction it is.
+    /// The part of the joint's reaction that it is.
     pub(super) part: Part,
 }
 
@@ -272,7 +272,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Where two wheels touch, and in which direction the one pushes the other: across the line of their centres.
+    /// The point where two wheels touch, and the direction in which the one pushes the other: across the line of their centres.
     fn wheel_contact(
         &mut self,
         structure: &Structure,
@@ -307,7 +307,7 @@ impl Lowering<'_> {
         Some((at, Along::Scene(along)))
     }
 
-    /// Where a pinion touches its bar, and in which direction it pushes it: along its line.
+    /// The point where a pinion touches its bar, and the direction in which it pushes it: along its line.
     fn rack_contact(
         &mut self,
         structure: &Structure,
