@@ -16,7 +16,7 @@ pub(crate) trait Algebra<S: Copy>: Arithmetic<Scalar = S> {
         [self.constant(x), self.constant(y)]
     }
 
-    /// Where an axis is in its link: with numbers, at the start.
+    /// The place of an axis in its link: with numbers, at the start.
     fn place(&mut self, axis: &Axis) -> [S; 2] {
         self.vector(axis.at)
     }
@@ -120,25 +120,25 @@ impl<S: Copy> Pose<S> {
         [cos, sin, x, y]
     }
 
-    /// Where an axis of the link is.
+    /// The place of an axis of the link in the outer frame.
     pub(crate) fn carry(self, algebra: &mut impl Algebra<S>, axis: &Axis) -> [S; 2] {
         let point = algebra.place(axis);
         self.carry_spot(algebra, point)
     }
 
-    /// Where a spot of the link is.
+    /// The place of a spot of the link in the outer frame.
     pub(crate) fn carry_spot(self, algebra: &mut impl Algebra<S>, spot: [S; 2]) -> [S; 2] {
         let turned = algebra.rotate(self.direction, spot);
         algebra.plus(self.origin, turned)
     }
 
-    /// Where a point of the link is that no param moves.
+    /// The place in the outer frame of a point of the link that no param moves.
     pub(crate) fn carry_point(self, algebra: &mut impl Algebra<S>, point: [f64; 2]) -> [S; 2] {
         let turned = self.turn(algebra, point);
         algebra.plus(self.origin, turned)
     }
 
-    /// Where a direction of the link points.
+    /// A direction of the link in the outer frame.
     pub(crate) fn turn(self, algebra: &mut impl Algebra<S>, direction: [f64; 2]) -> [S; 2] {
         let direction = algebra.vector(direction);
         algebra.rotate(self.direction, direction)

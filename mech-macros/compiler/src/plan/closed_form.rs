@@ -72,7 +72,7 @@ pub(super) fn solve(equation: &Equation<f64>) -> Option<LoopSolutions> {
 
 /// Whether a dyad reaches its goal.
 struct Reach {
-    /// What is missing, in scene units; not positive if it closes.
+    /// The gap, in scene units; not positive if the loop closes.
     gap: f64,
     /// The length that the gap is measured by.
     size: f64,
