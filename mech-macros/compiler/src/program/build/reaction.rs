@@ -124,8 +124,14 @@ impl Lowering<'_> {
         }
     }
 
-    fn reaction_name(&self, joint: JointId, part: &str) -> String {
-        format!("{}_{part}", self.model.joint(joint).name)
+    /// An unknown of a joint.
+    fn unknown(&self, joint: JointId, name: &str, pushes: Vec<Push>, part: Part) -> Unknown {
+        Unknown {
+            joint,
+            name: format!("{}_{name}", self.model.joint(joint).name),
+            pushes,
+            part,
+        }
     }
 
     /// Two forces at a pin, along x and y.
@@ -152,12 +158,12 @@ impl Lowering<'_> {
             size,
         };
         let (one, back) = (self.ssa.constant(1.0), self.ssa.constant(-1.0));
-        Unknown {
+        self.unknown(
             joint,
-            name: self.reaction_name(joint, name),
-            pushes: vec![push(second, one), push(first, back)],
-            part: Part::Force(along),
-        }
+            name,
+            vec![push(second, one), push(first, back)],
+            Part::Force(along),
+        )
     }
 
     /// A force between the links of a slide, where the second one's line begins.
@@ -181,12 +187,8 @@ impl Lowering<'_> {
     /// A torque on the second link of a joint, and back on the first.
     fn joint_torque(&mut self, joint: JointId, name: &str) -> Unknown {
         let one = self.ssa.constant(1.0);
-        Unknown {
-            joint,
-            name: self.reaction_name(joint, name),
-            pushes: self.torques(joint, one),
-            part: Part::Torque,
-        }
+        let pushes = self.torques(joint, one);
+        self.unknown(joint, name, pushes, Part::Torque)
     }
 
     /// A torque of this size on the second link of a joint, and back on the first.
@@ -213,12 +215,7 @@ impl Lowering<'_> {
             JointKind::Prismatic(..) => Part::Force(Along::Slide(follower)),
             _ => Part::Torque,
         };
-        Unknown {
-            joint,
-            name: self.reaction_name(joint, "push"),
-            pushes,
-            part,
-        }
+        self.unknown(joint, "push", pushes, part)
     }
 
     /// The pushes that drive the coordinate of a joint: torques, or forces along its slide.
@@ -251,25 +248,15 @@ impl Lowering<'_> {
             let place = Place::Scene(at);
             return self.force(joint, "tooth", along, [(a, place), (b, place)]);
         }
-        let sizes = rolling.ends.map(|(_, factor)| number(factor));
-        let mut pushes = Vec::new();
-        for ((end, _), size) in rolling.ends.iter().zip(sizes) {
-            pushes.push(Push::Torque {
-                link: end.link(),
-                size: self.ssa.constant(size),
-            });
-        }
-        let on_carrier = self.ssa.constant(-sizes[0] - sizes[1]);
-        pushes.push(Push::Torque {
-            link: rolling.carrier,
-            size: on_carrier,
+        let [(first, p), (second, q)] = rolling
+            .ends
+            .map(|(end, factor)| (end.link(), number(factor)));
+        let torques = [(first, p), (second, q), (rolling.carrier, -p - q)];
+        let pushes = torques.map(|(link, size)| Push::Torque {
+            link,
+            size: self.ssa.constant(size),
         });
-        Unknown {
-            joint,
-            name: self.reaction_name(joint, "pull"),
-            pushes,
-            part: Part::Torque,
-        }
+        self.unknown(joint, "pull", pushes.to_vec(), Part::Torque)
     }
 
     /// The point where two wheels touch, and the direction in which the one pushes the other: across the line of their centres.

@@ -2,7 +2,7 @@
 
 use super::closing::LoopSite;
 use super::lowering::Lowering;
-use crate::plan::{Algebra, Arithmetic, Equation, Plan, Solution, Turning};
+use crate::plan::{Algebra, Arithmetic, Equation, Solution, Turning};
 use crate::program::builder::SsaBuilder;
 use crate::program::calibrate::{determinant, reach};
 use crate::program::choice::Choice;
@@ -113,7 +113,16 @@ impl Watches {
         principal: Value,
         start: f64,
     ) -> usize {
-        self.follow(lowering.plan, lowering.model.inputs(), what, principal);
+        self.angles.push((what, principal));
+        let mut known = lowering.plan.turning.iter();
+        let bound = known.find(|(turning, _)| *turning == what);
+        let bound = bound.map(|(_, bound)| bound.clone());
+        // As long as nobody has looked, nothing moves.
+        let bound = bound.unwrap_or_else(|| Bound::still(lowering.model.inputs()));
+        self.follows.push(Follow {
+            growth: self.growth(&bound),
+            rates: bound.rates,
+        });
         let ssa = &mut lowering.ssa;
         let carried = ssa.carry(start);
         let behind = ssa.sub(carried.last, principal);
@@ -124,20 +133,6 @@ impl Watches {
         let angle = ssa.add(principal, whole);
         ssa.update(carried.index, angle);
         carried.index
-    }
-
-    /// Notes the greatest rates of an angle whose turns are counted.
-    fn follow(&mut self, plan: &Plan, inputs: usize, what: Turning, angle: Value) {
-        self.angles.push((what, angle));
-        let mut known = plan.turning.iter();
-        let bound = known.find(|(turning, _)| *turning == what);
-        let bound = bound.map(|(_, bound)| bound.clone());
-        // As long as nobody has looked, nothing moves.
-        let bound = bound.unwrap_or_else(|| Bound::still(inputs));
-        self.follows.push(Follow {
-            growth: self.growth(&bound),
-            rates: bound.rates,
-        });
     }
 
     /// Watches a dyad that is iterated like one in closed form: over a place where it does not close it may not leap.
