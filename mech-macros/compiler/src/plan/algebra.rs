@@ -132,13 +132,13 @@ impl<S: Copy> Pose<S> {
         algebra.plus(self.origin, turned)
     }
 
-    /// The place in the outer frame of a point of the link that no param moves.
+    /// Where a point of the link is that no param moves.
     pub(crate) fn carry_point(self, algebra: &mut impl Algebra<S>, point: [f64; 2]) -> [S; 2] {
         let turned = self.turn(algebra, point);
         algebra.plus(self.origin, turned)
     }
 
-    /// A direction of the link in the outer frame.
+    /// Where a direction of the link points.
     pub(crate) fn turn(self, algebra: &mut impl Algebra<S>, direction: [f64; 2]) -> [S; 2] {
         let direction = algebra.vector(direction);
         algebra.rotate(self.direction, direction)

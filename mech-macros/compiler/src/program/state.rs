@@ -28,7 +28,7 @@ pub struct JointAngle {
 pub struct Place {
     /// The axis.
     pub axis: AxisId,
-    /// The coordinate: zero for the abscissa, one for the ordinate.
+    /// Which of its coordinates: zero for the abscissa, one for the ordinate.
     pub part: usize,
     /// The index in the state.
     pub state: usize,
