@@ -35,7 +35,7 @@ use super::builder::SsaBuilder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::Value;
-use super::{Block, BlockKind, Choice, Program, Rounds};
+use super::{Block, BlockKind, Choice, Motion, Program, Rounds, Sensitivity};
 use crate::model::{LinkId, Model};
 use crate::plan::{Needed, Plan, Step};
 use crate::structure::Structure;
@@ -204,23 +204,7 @@ impl Target<'_> {
         };
         let pose = |&link: &LinkId| lowering.placement.pose(link).numbers();
         let mut poses: Vec<[Value; 4]> = self.links.iter().map(pose).collect();
-        let mut sensitivity = None;
-        let mut motion = self.output.map(|output| match output {
-            Output::Rates => lowering.derive_rates(&positions, &poses),
-            Output::Holding => lowering.derive_holding(&positions),
-            Output::InverseDynamics(structure) => {
-                lowering.derive_inverse_dynamics(&positions, structure)
-            }
-            Output::Inertia => lowering.derive_inertia(&positions),
-            Output::Sensitivity => {
-                let (motion, found) = lowering.derive_sensitivity(&positions, &poses);
-                sensitivity = Some(found);
-                motion
-            }
-        });
-        if let Some(motion) = motion.as_mut().filter(|motion| motion.forces.is_some()) {
-            motion.loads = model.actions.load_names();
-        }
+        let (motion, sensitivity) = self.derive(&mut lowering, &positions, &poses);
         let Lowering { ssa, layout, .. } = lowering;
         let SsaBuilder {
             ssa,
@@ -276,6 +260,32 @@ impl Target<'_> {
         program.cut_chains();
         calibrate(&mut program);
         program
+    }
+
+    /// Derives the output from positions.
+    fn derive(
+        self,
+        lowering: &mut Lowering<'_>,
+        positions: &Positions,
+        poses: &[[Value; 4]],
+    ) -> (Option<Motion>, Option<Sensitivity>) {
+        let mut motion = match self.output {
+            None => return (None, None),
+            Some(Output::Sensitivity) => {
+                let (motion, sensitivity) = lowering.derive_sensitivity(positions, poses);
+                return (Some(motion), Some(sensitivity));
+            }
+            Some(Output::Rates) => lowering.derive_rates(positions, poses),
+            Some(Output::Holding) => lowering.derive_holding(positions),
+            Some(Output::InverseDynamics(structure)) => {
+                lowering.derive_inverse_dynamics(positions, structure)
+            }
+            Some(Output::Inertia) => lowering.derive_inertia(positions),
+        };
+        if motion.forces.is_some() {
+            motion.loads = lowering.model.actions.load_names();
+        }
+        (Some(motion), None)
     }
 
     /// The choice of a loop's solver and watch.
