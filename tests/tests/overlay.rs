@@ -6,18 +6,15 @@ use mech_compiler::model::{LinkId, Model};
 use mech_compiler::symbols::{Spot, Symbol, moving_points, symbols};
 use mech_runtime::overlay::Arrows;
 use mech_runtime::{Canvas, Outline, Overlay, Pose, mechanism};
-use mech_tests::mechanisms;
+use mech_tests::{SOURCES, mechanisms};
 
 type Vector = [f64; 2];
 
 /// All mechanisms of the zoo.
 fn zoo() -> Vec<(Model, Compiled)> {
-    let sources = [
-        include_str!("zoo/mod.rs"),
-        include_str!("zoo/rolling.rs"),
-        include_str!("zoo/special.rs"),
-    ];
-    sources.into_iter().flat_map(mechanisms).collect()
+    let others = SOURCES[6..8].iter().map(|(_, source)| *source);
+    let sources = [include_str!("zoo/mod.rs")].into_iter().chain(others);
+    sources.flat_map(mechanisms).collect()
 }
 
 /// Where everything is at a moment, and a little before and after it.
