@@ -2,7 +2,7 @@
 //!
 //! Run it with `cargo run --example picture`, then open `target/picture.png` and, in a browser, `target/picture.svg`.
 
-use mech_runtime::files::{Sheet, animated};
+use mech_runtime::files::{Sheet, animate};
 use mech_runtime::{HeapSmooth, Mechanism, Overlay, mechanism};
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::write("target/picture.png", picture.png()?)?;
 
     let sheet = Sheet::new(width, height).look_at(FourBar::view(width, height));
-    let turn = animated::<FourBar>(&sheet, Duration::from_secs(4), |phase| [phase * TAU])?;
+    let turn = animate::<FourBar>(&sheet, Duration::from_secs(4), |phase| [phase * TAU])?;
     fs::write("target/picture.svg", turn)?;
     println!("open target/picture.png and target/picture.svg");
     Ok(())

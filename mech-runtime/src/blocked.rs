@@ -1,27 +1,25 @@
-//! Why a mechanism did not go where it was told.
+//! Errors of moves.
 
 use crate::{Mechanism, Scalar};
 use core::fmt;
 
-/// A mechanism could not be moved as told; it is where it was.
+/// The error of a move that failed. The mechanism is where it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Blocked<M = [f64; 1]> {
-    /// The motor, the param or the loop at which it stopped: the name of the motor's joint or of the param, or the loop's joints of
-    /// unknown coordinate.
+    /// The motor, param or loop that stopped it: the name of the motor's joint or of the param, or the loop's joints of unknown
+    /// coordinate.
     pub place: &'static str,
-    /// What stopped it.
+    /// The cause.
     pub cause: Cause,
-    /// The values of the motors up to which it could have gone on the straight way to those it was told, in radians or scene
-    /// units. [`move_toward`](crate::Mechanism::move_toward) goes there. Of a param that could not be set, the value up to which it
-    /// could have been changed.
+    /// The motor values that the straight move could have reached, in radians or scene units.
+    /// [`move_toward`](crate::Mechanism::move_toward) moves there. For a param that could not be set: the value it could have reached.
     pub reached: M,
-    /// What the numbers reached belong to, for messages; nothing, if that is not known.
+    /// The inputs to which the numbers reached belong, for messages. Empty if unknown.
     pub(crate) inputs: &'static [Input],
 }
 
-/// What stopped the mechanism `X`, as its methods tell it: `Blocked` with the values of all its motors. Stable Rust has no
-/// `X::Blocked`.
+/// The error of the mechanism `X`: `Blocked` with the values of all its motors. Stable Rust has no `X::Blocked`.
 ///
 /// ```
 /// use mech_runtime::{BlockedOf, mechanism};
@@ -46,7 +44,7 @@ pub struct Blocked<M = [f64; 1]> {
 /// ```
 pub type BlockedOf<X> = Blocked<<X as Mechanism>::Motors>;
 
-/// Where a mechanism was stopped.
+/// The place at which a mechanism was stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
@@ -54,28 +52,28 @@ pub enum Place {
     Motor(&'static str),
     /// At this param.
     Param(&'static str),
-    /// In the loop whose joints of unknown coordinate are these, each between `` ` ``.
+    /// In the loop with these joints of unknown coordinate, each between `` ` ``.
     Loop(&'static str),
-    /// At something else that was given: a load of this name, or the `time`.
+    /// At another argument: a load of this name, or the `time`.
     Given(&'static str),
-    /// At no place that could be told.
+    /// At no particular place.
     Everywhere,
 }
 
-/// A number that moves are given.
+/// An argument of a move.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Input {
-    /// Of a motor that turns, in radians.
+    /// The value of a motor that turns, in radians.
     Turning(&'static str),
-    /// Of a motor that slides, in scene units.
+    /// The value of a motor that slides, in scene units.
     Sliding(&'static str),
-    /// Of a param.
+    /// The value of a param.
     Param(&'static str),
 }
 
 impl Input {
-    /// What it is called.
+    /// The name of the motor's joint or of the param.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -84,47 +82,47 @@ impl Input {
     }
 }
 
-/// What stopped a mechanism.
+/// The cause of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Cause {
     /// The value or rate given to this motor or param is not a finite number.
     NotFinite,
-    /// This loop does not close beyond the motor values reached: there is a dead point, or, where a fixed number of Newton
-    /// steps was chosen, the step is too long for it.
+    /// This loop does not close beyond the motor values reached. It is at a dead point, or the step is too long for the chosen number
+    /// of Newton's iterations.
     Open,
-    /// This loop, solved by iteration, would have to pass a dead point or a change point to get there.
+    /// This loop, solved by iteration, would have to pass a dead point or a change point.
     DeadPoint,
-    /// This loop is at a change point, and it was declared to stop there.
+    /// This loop is at a change point, and the declaration says `stop`.
     ChangePoint,
-    /// The way is too long to be followed past all its change points and dead points in one move.
+    /// The move is too long to be followed past all its change points and dead points at once.
     TooFar,
     /// The value given to this motor is outside its declared range.
     OutOfRange,
-    /// There is no room left in the columns.
+    /// The columns are full.
     NoRoom,
-    /// A coordinate would be beyond the range of the scalar type, or a cam's law has no value there.
+    /// A coordinate would exceed the range of the scalar type, or a cam's law has no value.
     Overflow,
-    /// This loop is at a dead point or a change point, where rates are not determined by those of the motors.
+    /// This loop is at a dead point or a change point, where the motors' rates do not determine its own.
     Singular,
-    /// No mass resists this motor where it is, so forces do not tell how it moves.
+    /// No mass resists this motor, so forces do not determine its acceleration.
     Massless,
-    /// The step of time is so long that its iteration does not settle.
+    /// The step of time is so long that its iteration does not converge.
     StepTooLong,
 }
 
-/// How far a mechanism came that was moved as far as it goes.
+/// The end of a move that goes as far as it can.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use]
 pub enum Reached<M = [f64; 1]> {
-    /// It is where it was told to go.
+    /// The mechanism is at its target.
     Target,
-    /// It is at its limit, at the motor values [`Blocked::reached`].
+    /// The mechanism is at its limit, at the motor values [`Blocked::reached`].
     Limit(Blocked<M>),
 }
 
 impl<M> Blocked<M> {
-    /// The same with the motors' values in another form, in the same order.
+    /// Converts the motors' values to another form, in the same order.
     #[must_use]
     pub fn map<N>(self, form: impl FnOnce(M) -> N) -> Blocked<N> {
         Blocked {
@@ -135,7 +133,7 @@ impl<M> Blocked<M> {
         }
     }
 
-    /// Where it stopped: a motor, a param, a loop.
+    /// The place at which it stopped: a motor, a param, a loop.
     #[must_use]
     pub fn at(&self) -> Place {
         let named = |input: &&Input| input.name() == self.place;
@@ -162,7 +160,7 @@ impl<M> Blocked<M> {
         }
     }
 
-    /// The same with what the numbers reached belong to.
+    /// Adds the inputs to which the numbers reached belong.
     #[doc(hidden)]
     #[must_use]
     pub const fn of(mut self, inputs: &'static [Input]) -> Self {
@@ -170,7 +168,7 @@ impl<M> Blocked<M> {
         self
     }
 
-    /// The same of all inputs from this one on.
+    /// Keeps the inputs from this one on.
     #[doc(hidden)]
     #[must_use]
     pub fn starting_at(mut self, first: usize) -> Self {
@@ -188,12 +186,12 @@ mod sealed {
     impl Sealed for f64 {}
 }
 
-/// The numbers in a [`Blocked`] that can be printed: an array, a `Vec`, or a single one.
+/// Numbers in a [`Blocked`] that can be printed: an array, a `Vec`, or a single number.
 pub trait Values: sealed::Sealed {
-    /// `f32` or `f64`.
+    /// The type of each number: `f32` or `f64`.
     type Number: Scalar;
 
-    /// All of them, in the order of the motors or params.
+    /// The numbers, in the order of the motors or params.
     fn numbers(&self) -> &[Self::Number];
 }
 

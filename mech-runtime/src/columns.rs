@@ -1,10 +1,10 @@
-//! Poses of many positions, side by side.
+//! Poses of many positions in columns.
 
 use crate::blocked::Values;
 use crate::{Blocked, Pose, Scalar};
 
-/// Poses of many positions: for each moving link, in the order of declaration, four columns, cosine, sine, x and y, one number
-/// for each position. They are in memory of the caller's.
+/// Poses of many positions, in the caller's memory. Each moving link, in the order of declaration, has four columns: cosine, sine, x
+/// and y, in scene units. A column has one number for each position.
 #[derive(Debug)]
 pub struct Columns<'a, T, const LINKS: usize> {
     columns: [[&'a mut [T]; 4]; LINKS],
@@ -12,7 +12,7 @@ pub struct Columns<'a, T, const LINKS: usize> {
 }
 
 impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
-    /// Columns for so many positions, in a buffer of at least `4 · LINKS · len` numbers. None if it is smaller.
+    /// Columns for `len` positions, in a buffer of at least `4 · LINKS · len` numbers. `None` if it is smaller.
     ///
     /// ```
     /// use mech_runtime::Columns;
@@ -38,19 +38,19 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
         })
     }
 
-    /// How many positions they hold.
+    /// The number of positions.
     #[must_use]
     pub fn len(&self) -> usize {
         self.len
     }
 
-    /// Whether they hold none.
+    /// Whether there are no positions.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
 
-    /// The pose of a link, by its number, in a position. None if there is no such link or position.
+    /// The pose of a link, by its number, in a position. `None` if there is no such link or position.
     #[must_use]
     pub fn pose(&self, link: usize, position: usize) -> Option<Pose<T>> {
         let [cos, sin, x, y] = self.columns.get(link)?;
@@ -62,20 +62,20 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
         })
     }
 
-    /// The cosines, sines, abscissas and ordinates of a link, by its number. None if there is no such link.
+    /// The cosines, sines, x and y of a link, by its number. `None` if there is no such link.
     #[must_use]
     pub fn link(&self, link: usize) -> Option<[&[T]; 4]> {
         let columns = self.columns.get(link)?;
         Some(columns.each_ref().map(|column| &**column))
     }
 
-    /// Where a point of a link is in a position. None if there is no such link or position.
+    /// The place of a link's point in a position. `None` if there is no such link or position.
     #[must_use]
     pub fn point(&self, link: usize, position: usize, point: [T; 2]) -> Option<[T; 2]> {
         Some(self.pose(link, position)?.apply(point))
     }
 
-    /// Puts a position into its place; tells whether there is one.
+    /// Stores a position; returns whether there is room for it.
     #[inline]
     pub(crate) fn put(&mut self, position: usize, poses: &[Pose<T>; LINKS]) -> bool {
         if position >= self.len {
@@ -108,7 +108,7 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
         }))
     }
 
-    /// Puts several positions into their places, if there are any.
+    /// Stores several positions, if there is room for them.
     #[inline]
     pub(crate) fn put_lanes<const LANES: usize>(
         &mut self,
@@ -126,12 +126,12 @@ impl<'a, T: Scalar, const LINKS: usize> Columns<'a, T, LINKS> {
     }
 }
 
-/// Which of many positions is blocked, and why.
+/// The error of one of many positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockedAt<M = [f64; 1]> {
     /// The number of the position, from 0.
     pub index: usize,
-    /// Why.
+    /// The error.
     pub blocked: Blocked<M>,
 }
 

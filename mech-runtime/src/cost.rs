@@ -1,9 +1,9 @@
-//! What a position costs.
+//! The cost of a position.
 
 use core::fmt;
 
-/// How many operations it takes to find a position, as they are generated: what is never needed is not counted. An iteration is
-/// counted as often as it runs; one that runs until its loop closes as often as it usually does: three rounds.
+/// The number of operations that a position takes, as generated. An operation whose result is never needed is not counted. An iteration
+/// counts once for each round. Where a loop iterates until it closes, three rounds are counted.
 ///
 /// ```
 /// mech_runtime::mechanism! {
@@ -29,12 +29,12 @@ pub struct Cost {
     pub sine_cosine_pairs: u32,
     /// Arctangents, and exponentials, which cost as much.
     pub arctangents: u32,
-    /// Comparisons and what costs no more: absolute values, maxima, signs copied, choices, roundings.
+    /// Comparisons, and operations that cost no more: absolute values, maxima, copied signs, choices, roundings.
     pub selections: u32,
 }
 
 impl Cost {
-    /// No operation at all.
+    /// No operation.
     pub const NOTHING: Self = Self {
         additions: 0,
         multiplications: 0,
@@ -47,7 +47,7 @@ impl Cost {
 }
 
 impl fmt::Display for Cost {
-    /// The operations that there are, with their signs: `12 + · 9 × · 1 √`.
+    /// Writes the numbers with the signs of the operations: `12 + · 9 × · 1 √`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = [
             (self.additions, "+"),

@@ -1,7 +1,7 @@
 //! Forces in a mechanism.
 
-/// What it takes to move a mechanism of `MOTORS` motors and `JOINTS` joints in a given way. `LOADS` numbers say what its loads
-/// are, `DYADS` of its loops are dyads.
+/// The forces that a given motion takes, in units of the declared masses, lengths and times. The mechanism has `MOTORS` motors and `JOINTS`
+/// joints. `LOADS` numbers describe its loads, and `DYADS` of its loops are dyads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces<
     T,
@@ -14,20 +14,20 @@ pub struct Forces<
     pub torques: [T; MOTORS],
     /// The reaction in each joint, in the order of `JOINTS`.
     pub reactions: [Reaction<T>; JOINTS],
-    /// For each motor how fast each number of the loads is followed if it alone moves, at a rate of one: the velocity of the point
-    /// of a force along x and y, the angular velocity of the link of a torque.
+    /// For each motor, the rate of each load when that motor alone moves at unit rate. A force has two rates: the velocity of its point
+    /// along x and y. A torque has one: the angular velocity of its link.
     pub velocity_ratios: [[T; LOADS]; MOTORS],
-    /// The transmission angles, from 0 to π/2, of the loops that are dyads, in the order in which they are solved.
+    /// The transmission angles of the dyads, from 0 to π/2, in the order in which the loops are solved.
     pub transmission: [T; DYADS],
 }
 
-/// What the first link of a joint does to the second, there where the joint is.
+/// The force and torque that the first link of a joint exerts on the second, at the joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reaction<T> {
     /// The force along the scene's x.
     pub x: T,
     /// The force along the scene's y.
     pub y: T,
-    /// The torque. In a revolute joint it is that of its motor, if it has one; in a gear, belt or rack there is none.
+    /// The torque. In a revolute joint it is that of its motor, if any. In a gear, belt or rack it is zero.
     pub torque: T,
 }

@@ -1,7 +1,6 @@
 //! Methods that integrate motion under forces.
 
-/// Gauss–Legendre collocation, by its order: how exactly a step of time is integrated. Each method is symmetric in time, so that energy
-/// does not drift.
+/// Gauss–Legendre collocation of a given order, for a step of time. Each method is symmetric in time, so energy does not drift.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum GaussLegendre {
     /// The implicit midpoint rule: one stage, order 2.

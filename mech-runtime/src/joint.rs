@@ -1,4 +1,4 @@
-//! What a mechanism tells of its joints.
+//! Descriptions of joints.
 
 use crate::Pose;
 use crate::Scalar;
@@ -39,21 +39,21 @@ use crate::pose::pose_of;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct JointInfo<T> {
-    /// Its name.
+    /// The name.
     pub name: &'static str,
-    /// What it does.
+    /// The kind.
     pub kind: JointKind,
-    /// The names of the links it joins, `ground` among them. Its coordinate is that of the second relative to the first.
+    /// The names of the two links, or `ground`. The coordinate is that of the second relative to the first.
     pub links: [&'static str; 2],
-    /// Where each of the two links has it, at the start. None of what rolls and of cams, which have no place of their own.
+    /// The place of the joint on each of the two links, at the start. `None` for gears, belts, racks and cams.
     pub anchors: Option<[Anchor<T>; 2]>,
-    /// The number of the motor that drives it: its place in [`MOTORS`](crate::Mechanism::MOTORS), and in the values given to moves.
+    /// The number of its motor in [`MOTORS`](crate::Mechanism::MOTORS) and in the arguments of moves. `None` if it has no motor.
     pub motor: Option<usize>,
-    /// What its coordinate is. None of welds, of what rolls, of cams, and of joints that `show` leaves out.
+    /// The kind of its coordinate. `None` for welds, gears, belts, racks, cams, and joints that `show` leaves out.
     pub coordinate: Option<Coordinate>,
 }
 
-/// What a joint does.
+/// The kind of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum JointKind {
@@ -75,21 +75,21 @@ pub enum JointKind {
     Cam,
 }
 
-/// What the coordinate of a joint is measured in, and whether it counts whole turns.
+/// The kind of a coordinate: its unit, and whether it counts whole turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Coordinate {
     /// A length in scene units.
     Length,
-    /// An angle in radians between −π and π, found by an arc tangent. `continuous` in the declaration makes it [`Turns`](Self::Turns).
+    /// An angle in radians between −π and π, by an arc tangent. `continuous` in the declaration makes it [`Turns`](Self::Turns).
     Angle,
-    /// An angle in radians that goes on over whole turns: of a motor, of what motors turn by gears and belts, or declared
+    /// An angle in radians that counts whole turns: of a motor, of a link that motors turn by gears and belts, or declared
     /// `continuous`.
     Turns,
 }
 
 impl Coordinate {
-    /// Its unit: `rad` or `scene units`.
+    /// The name of its unit: `rad` or `scene units`.
     #[must_use]
     pub const fn unit(self) -> &'static str {
         match self {
@@ -99,16 +99,16 @@ impl Coordinate {
     }
 }
 
-/// Where a link has a joint, in the link's own frame. What depends on params is as at the start.
+/// The place of a joint in the frame of one of its links, with the params as declared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Anchor<T> {
-    /// The link: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`. None if `show` leaves its pose out.
+    /// The link: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`. `None` if `show` leaves its pose out.
     pub link: Option<usize>,
-    /// The place of the joint, in scene units; where it slides, the point from which or to which its coordinate is measured.
+    /// The place of the joint, in scene units. Of a joint that slides: the point from or to which its coordinate is measured.
     pub at: [T; 2],
-    /// A vector of length one: the direction from which or to which its angle is measured, or the line along which it slides. Of the
-    /// pin of a slot it means nothing.
+    /// A vector of length one: the direction from or to which its angle is measured, or the line along which it slides. It has no
+    /// meaning for the pin of a slot.
     pub along: [T; 2],
 }
 
@@ -143,15 +143,15 @@ impl<T> Anchor<T> {
 }
 
 impl<T: Scalar> Anchor<T> {
-    /// Where it is in the scene, in scene units, when the links have these [`poses`](crate::Mechanism::poses). None if its link has
-    /// no pose among them.
+    /// Its place in the scene, in scene units, when the links have these [`poses`](crate::Mechanism::poses). `None` if its link has no
+    /// pose among them.
     #[must_use]
     pub fn place(&self, poses: &[Pose<T>]) -> Option<[T; 2]> {
         Some(pose_of(self.link?, poses)?.apply(self.at))
     }
 
-    /// Its direction in the scene, of length one, when the links have these [`poses`](crate::Mechanism::poses). None if its link has
-    /// no pose among them.
+    /// Its direction in the scene, of length one, when the links have these [`poses`](crate::Mechanism::poses). `None` if its link has no
+    /// pose among them.
     #[must_use]
     pub fn direction(&self, poses: &[Pose<T>]) -> Option<[T; 2]> {
         Some(pose_of(self.link?, poses)?.turn(self.along))

@@ -1,14 +1,14 @@
-//! What every mechanism can do, for code that takes any.
+//! The trait of all mechanisms.
 
 use crate::{Blocked, Canvas, Cost, JointInfo, Pose, Reached, Scalar, Shape, Values, View};
 use core::fmt::Debug;
 
 /// A mechanism made by [`mechanism!`](crate::mechanism).
 ///
-/// Its struct has most of these as inherent items too: all but [`NAME`](Self::NAME), [`MOTORS`](Self::MOTORS), [`LINKS`](Self::LINKS),
-/// [`SHAPES`](Self::SHAPES) and [`view`](Self::view), for which the trait has to be in scope.
+/// The struct has these as inherent items too, except [`NAME`](Self::NAME), [`MOTORS`](Self::MOTORS), [`LINKS`](Self::LINKS),
+/// [`SHAPES`](Self::SHAPES) and [`view`](Self::view). Code that uses those must import the trait.
 pub trait Mechanism: Clone {
-    /// `f32` or `f64`.
+    /// The type of all numbers: `f32` or `f64`.
     type Scalar: Scalar;
     /// One value for each motor, in the order of their declaration: `[Self::Scalar; n]`.
     type Motors: Copy
@@ -22,49 +22,50 @@ pub trait Mechanism: Clone {
 
     /// The name of the struct.
     const NAME: &'static str;
-    /// Mobility, trunk and arms, and the loops in the order in which they are solved.
+    /// A report: mobility, trunk and arms, and the loops in the order in which they are solved.
     const REPORT: &'static str;
-    /// How many operations it takes to find a position.
+    /// The number of operations that a position takes.
     const COST: Cost;
-    /// How many of them each loop takes, in the order in which they are solved.
+    /// The number of operations of each loop, in the order in which the loops are solved.
     const LOOP_COSTS: &'static [Cost];
     /// The names of the joints that have a motor, in the order of their declaration.
     const MOTORS: &'static [&'static str];
-    /// The names of the moving links whose poses are kept, in the order of their declaration: without a `show` of all.
+    /// The names of the moving links that have poses, in the order of their declaration. Without `show`, all of them.
     const LINKS: &'static [&'static str];
-    /// The joints, in the order of their declaration: what they are and where.
+    /// The joints, in the order of their declaration.
     const JOINTS: &'static [JointInfo<Self::Scalar>];
-    /// Everything that is seen, from the plane farthest from the eye to the nearest.
+    /// The shapes, from the farthest plane to the nearest.
     const SHAPES: &'static [Shape<Self::Scalar>];
 
-    /// The smallest upright box around all that is seen, wherever its motors move it: lower left and upper right corner, in scene
-    /// units. Found at compile time by moving each motor alone through its range or whole turns, and all of them in several
-    /// proportions. What is seen are its shapes; of a mechanism without any, its joints and points.
+    /// The upright box around the shapes throughout the motion: lower left and upper right corner, in scene units. Without shapes, the
+    /// box around joints and points.
+    ///
+    /// The compiler finds it by moving the mechanism: each motor alone through its range or whole turns, then all of them to some
+    /// hundred combinations, and from the outermost positions farther out. A motor that slides without a range moves by four sizes of
+    /// the mechanism.
     const EXTENT: [[Self::Scalar; 2]; 2];
 
-    /// The mechanism as it was assembled at compile time.
+    /// The mechanism as assembled at compile time.
     #[must_use]
     fn new() -> Self;
 
     /// The present values of the motors, in radians or scene units.
     fn motors(&self) -> Self::Motors;
 
-    /// The coordinates of all joints, in the order of [`JOINTS`](Self::JOINTS), in radians or scene units. None of joints that have
-    /// none or are not shown: those without a [`coordinate`](JointInfo::coordinate), which tells what the others are.
+    /// The coordinates of all joints, in the order of [`JOINTS`](Self::JOINTS), in radians or scene units. `None` for a joint without a
+    /// [`coordinate`](JointInfo::coordinate).
     fn joints(&self) -> Self::Joints;
 
-    /// Gives the motors these values, in radians or scene units, and moves everything accordingly.
+    /// Moves the motors to these values, in radians or scene units, and all links with them.
     ///
     /// # Errors
-    /// [`Blocked`] if a value is not finite or a loop cannot be closed on the way there; the mechanism then stays where it
-    /// was.
+    /// [`Blocked`] if a value is not finite or a loop does not close during the move. The mechanism then stays where it was.
     fn move_to(&mut self, motors: Self::Motors) -> Result<(), Blocked<Self::Motors>>;
 
-    /// Moves towards these values of the motors, in radians or scene units, on the straight way from the present ones, as far as
-    /// it can.
+    /// Moves the motors straight towards these values, in radians or scene units, as far as possible.
     ///
     /// # Errors
-    /// [`Blocked`] if a value is not finite; the mechanism then stays where it was.
+    /// [`Blocked`] if a value is not finite. The mechanism then stays where it was.
     fn move_toward(
         &mut self,
         motors: Self::Motors,
@@ -73,7 +74,7 @@ pub trait Mechanism: Clone {
     /// The poses of the moving links in the scene, in the order of [`LINKS`](Self::LINKS).
     fn poses(&self) -> &[Pose<Self::Scalar>];
 
-    /// The view in which all of its motion fits into a picture of this size, with a margin of a 24th of the shorter side.
+    /// The view that fits the whole motion into a picture of this width and height in pixels. Its margin is a 24th of the shorter side.
     #[must_use]
     fn view(width: usize, height: usize) -> View {
         let [low, high] = Self::EXTENT.map(|corner| corner.map(crate::Real::to_f64));
@@ -82,7 +83,7 @@ pub trait Mechanism: Clone {
         View::fit(low, high, width, height, margin)
     }
 
-    /// Paints every shape, from the plane farthest from the eye to the nearest.
+    /// Paints all shapes, from the farthest plane to the nearest.
     fn draw(&self, canvas: &mut impl Canvas<Self::Scalar>) {
         crate::generated::paint(Self::SHAPES, self.poses(), canvas);
     }

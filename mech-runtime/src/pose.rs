@@ -1,11 +1,11 @@
-//! Where a link is.
+//! Poses of links.
 
 use crate::Scalar;
 use nalgebra::Isometry2;
 
-/// The pose of a link's frame in the scene: a unit complex number and a translation, so that no angle is formed.
+/// The pose of a link's frame in the scene: a direction of length one, and a translation in scene units.
 ///
-/// It goes to nalgebra and back by `From`; so do places and directions, which are arrays here:
+/// `From` converts it to nalgebra's isometry and back. Places and directions, which are arrays here, convert to points and vectors:
 ///
 /// ```
 /// use mech_runtime::{Isometry2, Point2, Pose};
@@ -19,13 +19,13 @@ use nalgebra::Isometry2;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<T> {
-    /// Cosine of the angle from the scene's x axis to the link's.
+    /// The cosine of the angle from the scene's x axis to the link's.
     pub cos: T,
-    /// Sine of the same angle.
+    /// The sine of the same angle.
     pub sin: T,
-    /// Abscissa of the link's origin, in scene units.
+    /// The x coordinate of the link's origin, in scene units.
     pub x: T,
-    /// Ordinate of the link's origin, in scene units.
+    /// The y coordinate of the link's origin, in scene units.
     pub y: T,
 }
 
@@ -41,7 +41,7 @@ impl<T: Scalar> Pose<T> {
         }
     }
 
-    /// Carries a point of the link into the scene: from relative to absolute coordinates.
+    /// The place in the scene of a point of the link, in scene units.
     #[must_use]
     pub fn apply(self, [x, y]: [T; 2]) -> [T; 2] {
         [
@@ -50,14 +50,14 @@ impl<T: Scalar> Pose<T> {
         ]
     }
 
-    /// Turns a direction of the link into the scene.
+    /// The direction in the scene of a direction of the link.
     #[must_use]
     #[inline]
     pub(crate) fn turn(self, [x, y]: [T; 2]) -> [T; 2] {
         [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
     }
 
-    /// Carries a place in the scene into the link: from absolute to relative coordinates.
+    /// The point of the link that is at a place in the scene, in scene units: the inverse of [`apply`](Self::apply).
     #[must_use]
     pub fn relative(self, [x, y]: [T; 2]) -> [T; 2] {
         let [x, y] = [x - self.x, y - self.y];
@@ -77,7 +77,7 @@ impl<T: Scalar> From<Pose<T>> for Isometry2<T> {
     }
 }
 
-/// As it is, bit for bit.
+/// The same bits.
 impl<T: Scalar> From<Isometry2<T>> for Pose<T> {
     fn from(isometry: Isometry2<T>) -> Self {
         let Isometry2 {

@@ -1,10 +1,10 @@
-//! Motor values that are known to be within the declared ranges.
+//! Motor values within the declared ranges.
 
 use core::fmt;
 use core::marker::PhantomData;
 
-/// Motor values of the mechanism `M` that were tested to be within its declared ranges. As it was proved at compile time that
-/// the mechanism moves through these, moving there cannot fail.
+/// Motor values of the mechanism `M` that are within its declared ranges. The compiler has proved that the mechanism moves through these
+/// ranges, so a move there cannot fail.
 pub struct InRange<M, V> {
     motors: V,
     of: PhantomData<fn() -> M>,

@@ -1,27 +1,27 @@
-//! How fast links move.
+//! Velocities and accelerations of links.
 
 use crate::{Pose, Scalar};
 
-/// The velocity of a link, in the scene: how fast it turns, and how fast the origin of its frame moves.
+/// The velocity of a link in the scene: the angular velocity, and the velocity of the origin of its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Velocity<T> {
-    /// Its angular velocity, in radians a unit of time.
+    /// The angular velocity, in radians per unit of time.
     pub angular: T,
-    /// The rate of the abscissa of its origin, in scene units a unit of time.
+    /// The x component of the velocity of its origin, in scene units per unit of time.
     pub x: T,
-    /// The rate of the ordinate of its origin.
+    /// The y component of the velocity of its origin.
     pub y: T,
 }
 
 impl<T: Scalar> Velocity<T> {
-    /// At rest.
+    /// Zero.
     pub const ZERO: Self = Self {
         angular: T::ZERO,
         x: T::ZERO,
         y: T::ZERO,
     };
 
-    /// The velocity of a point of the link, given in its frame, when the link is at `pose`.
+    /// The velocity of a point of the link when the link is at `pose`. The point is given in the link's frame.
     #[must_use]
     #[inline]
     pub fn of_point(self, pose: Pose<T>, point: [T; 2]) -> [T; 2] {
@@ -30,27 +30,27 @@ impl<T: Scalar> Velocity<T> {
     }
 }
 
-/// The acceleration of a link, in the scene.
+/// The acceleration of a link in the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Acceleration<T> {
-    /// Its angular acceleration, in radians a squared unit of time.
+    /// The angular acceleration, in radians per squared unit of time.
     pub angular: T,
-    /// The second rate of the abscissa of the origin of its frame, in scene units a squared unit of time.
+    /// The x component of the acceleration of its origin, in scene units per squared unit of time.
     pub x: T,
-    /// The second rate of the ordinate of its origin.
+    /// The y component of the acceleration of its origin.
     pub y: T,
 }
 
 impl<T: Scalar> Acceleration<T> {
-    /// At rest.
+    /// Zero.
     pub const ZERO: Self = Self {
         angular: T::ZERO,
         x: T::ZERO,
         y: T::ZERO,
     };
 
-    /// The acceleration of a point of the link, given in its frame, when the link is at `pose` and turns at this angular
-    /// velocity: tangential and centripetal.
+    /// The acceleration of a point of the link, tangential and centripetal, when the link is at `pose` and turns at this angular velocity.
+    /// The point is given in the link's frame.
     #[must_use]
     #[inline]
     pub fn of_point(self, pose: Pose<T>, angular_velocity: T, point: [T; 2]) -> [T; 2] {

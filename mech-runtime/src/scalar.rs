@@ -1,4 +1,4 @@
-//! The two scalar types mechanisms are computed in.
+//! The two scalar types.
 
 use crate::Pose;
 use core::fmt::Display;
@@ -12,9 +12,9 @@ mod sealed {
     impl Sealed for f64 {}
 }
 
-/// `f32` or `f64`: what a mechanism computes in.
+/// The type of a mechanism's numbers: `f32` or `f64`.
 ///
-/// Its functions are those of [`Real`]. Whoever needs more of nalgebra's adds `nalgebra::RealField` as a bound of their own.
+/// [`Real`] has its functions. Code that needs more adds `nalgebra::RealField` as a bound of its own.
 pub trait Scalar:
     Real
     + Display
@@ -27,11 +27,11 @@ pub trait Scalar:
     + sealed::Sealed
     + 'static
 {
-    /// The lesser of two numbers; if one is not a number, the other.
+    /// The lesser of two numbers. If one is NaN, the other.
     #[must_use]
     fn min(self, other: Self) -> Self;
 
-    /// The greatest whole number that is not greater.
+    /// The greatest whole number that is not above this number.
     #[doc(hidden)]
     #[must_use]
     fn floor(self) -> Self;
@@ -40,11 +40,11 @@ pub trait Scalar:
     #[doc(hidden)]
     fn from_f32(value: f32) -> Self;
 
-    /// A pose as nalgebra has it, which makes no isometries of numbers that it does not know.
+    /// nalgebra's isometry of a pose. nalgebra makes isometries of types that it knows only.
     #[doc(hidden)]
     fn isometry(pose: Pose<Self>) -> Isometry2<Self>;
 
-    /// 2⁴⁰ times the number, without what is behind the point; of what is too large, the largest; of what is not a number, zero.
+    /// 2⁴⁰ times the number, rounded towards zero. Too large a number saturates; NaN gives zero.
     #[doc(hidden)]
     fn to_fixed(self) -> i64;
 

@@ -1,15 +1,15 @@
-//! What is seen of a link.
+//! Shapes of links.
 
 use crate::{Pose, Real, Scalar};
 
-/// A coloured spot fixed to a link, in the link's own frame.
+/// A coloured outline in the frame of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape<T: 'static> {
-    /// The link it is fixed to: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`.
+    /// The link: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`.
     pub link: usize,
-    /// Its outline.
+    /// The outline, in the frame of the link.
     pub outline: Outline<'static, T>,
-    /// Its entry in the palette.
+    /// The entry of the palette.
     pub color: u8,
 }
 
@@ -18,9 +18,9 @@ pub struct Shape<T: 'static> {
 pub enum Outline<'p, T> {
     /// A filled circle.
     Circle {
-        /// Its centre.
+        /// The centre.
         center: [T; 2],
-        /// Its radius.
+        /// The radius.
         radius: T,
     },
     /// A circle with a hole.
@@ -32,32 +32,32 @@ pub enum Outline<'p, T> {
         /// The radius of the hole.
         hole: T,
     },
-    /// A filled polygon, by the even-odd rule: what is surrounded twice is a hole.
+    /// A filled polygon, by the even-odd rule: a region surrounded twice is a hole.
     Polygon(&'p [[T; 2]]),
-    /// A filled polygon, by the non-zero rule: what is surrounded twice the same way round is filled.
+    /// A filled polygon, by the non-zero rule: a region surrounded twice in the same sense is filled.
     Winding(&'p [[T; 2]]),
     /// A thick line from point to point, with round ends and joins.
     Line {
-        /// Where it leads through: a single one is a dot.
+        /// The points. A single one is a dot.
         points: &'p [[T; 2]],
-        /// How wide it is.
+        /// The width.
         width: T,
     },
     /// A thick arc with round ends.
     Arc {
-        /// Its centre.
+        /// The centre.
         center: [T; 2],
-        /// The middle of where it begins.
+        /// The start of its middle line.
         start: [T; 2],
-        /// How far it leads around the centre, in radians, to the left: once round is a ring.
+        /// The angle around the centre, in radians, counter-clockwise. A whole turn is a ring.
         angle: T,
-        /// How wide it is.
+        /// The width.
         width: T,
     },
 }
 
 impl<T: Scalar> Shape<T> {
-    /// The smallest upright box around the shape when its link is at `pose`: lower left and upper right corner.
+    /// The upright box around the shape when its link is at `pose`: lower left and upper right corner, in scene units.
     #[must_use]
     pub fn bounds(&self, pose: Pose<T>) -> ([T; 2], [T; 2]) {
         self.outline.bounds(pose)
@@ -65,8 +65,9 @@ impl<T: Scalar> Shape<T> {
 }
 
 impl<T: Scalar> Outline<'_, T> {
-    /// An upright box around it when its link is at `pose`: lower left and upper right corner. The smallest, but for an arc, whose
-    /// box is that of the whole circle. Of a polygon without corners it is the link's origin.
+    /// The upright box around the outline when its link is at `pose`: lower left and upper right corner, in scene units.
+    ///
+    /// It is the smallest box, except for an arc: there it is that of the whole circle. Without corners it is the link's origin.
     #[must_use]
     pub fn bounds(&self, pose: Pose<T>) -> ([T; 2], [T; 2]) {
         let round = |center: [T; 2], reach: T| {

@@ -1,15 +1,15 @@
-//! Where a point has been.
+//! Traces of points.
 
 use crate::{Canvas, Outline, Point2, Pose, Real, Scalar};
 use core::fmt;
 
-/// How wide a trace is drawn, in pixels.
+/// The width of a drawn trace, in pixels.
 const WIDTH: f64 = 1.5;
 
-/// The last `N` places of a point, in scene units: of more, the oldest are forgotten. Nothing is allocated.
+/// The last `N` places of a point, in scene units, without allocation.
 ///
-/// A mechanism with `effects { trace rod.small_end 256; }` has one for each point so traced, which every move that succeeds adds
-/// to; it can be kept for anything else as well:
+/// A mechanism with `effects { trace rod.small_end 256; }` has a trace of this point. Every move that succeeds adds a place. A trace
+/// can record any other point as well:
 ///
 /// ```
 /// use mech_runtime::Trace;
@@ -24,13 +24,13 @@ const WIDTH: f64 = 1.5;
 #[derive(Clone, Copy)]
 pub struct Trace<T, const N: usize> {
     places: [[T; 2]; N],
-    /// Where the next place goes: that of the oldest, once there are `N`.
+    /// The slot of the next place: that of the oldest, once there are `N`.
     next: usize,
     len: usize,
 }
 
 impl<T: Scalar, const N: usize> Trace<T, N> {
-    /// No place yet.
+    /// An empty trace.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -40,7 +40,7 @@ impl<T: Scalar, const N: usize> Trace<T, N> {
         }
     }
 
-    /// Adds a place in the scene; where there are `N` already, the oldest is forgotten.
+    /// Adds a place in the scene. If there are `N` places already, the oldest is removed.
     #[inline]
     pub fn push(&mut self, place: [T; 2]) {
         if let Some(slot) = self.places.get_mut(self.next) {
@@ -50,18 +50,18 @@ impl<T: Scalar, const N: usize> Trace<T, N> {
         }
     }
 
-    /// Forgets all places.
+    /// Removes all places.
     pub const fn clear(&mut self) {
         (self.next, self.len) = (0, 0);
     }
 
-    /// How many places there are: `N` at most.
+    /// The number of places, at most `N`.
     #[must_use]
     pub const fn len(&self) -> usize {
         self.len
     }
 
-    /// Whether there are none.
+    /// Whether there are no places.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.len == 0
@@ -81,7 +81,7 @@ impl<T: Scalar, const N: usize> Trace<T, N> {
         older.iter().chain(newer).copied()
     }
 
-    /// Draws it as a thin line from place to place, with entry `color` of the palette. What is not finite is left out.
+    /// Draws a thin line from place to place in entry `color` of the palette. Places that are not finite are left out.
     pub fn draw(&self, canvas: &mut impl Canvas<T>, color: u8) {
         // Steps too small to be seen are drawn with the next.
         let least = <T as Real>::HALF / canvas.scale();
@@ -122,14 +122,14 @@ impl<T: Scalar> Strokes<T> {
         }
     }
 
-    /// Where it ends.
+    /// The last place.
     fn end(&self) -> [T; 2] {
         let [first, ..] = self.places;
         let end = self.places.get(..self.len).and_then(<[_]>::last);
         end.copied().unwrap_or(first)
     }
 
-    /// Goes on to a place. One that is not finite is left out, and so is the way there and from there.
+    /// Adds a place. One that is not finite is left out, with the lines to it and from it.
     fn push(&mut self, place: [T; 2], canvas: &mut impl Canvas<T>, color: u8) {
         let is_finite = place.iter().all(|&part| Real::is_finite(part));
         if self.len == self.places.len() || !is_finite {

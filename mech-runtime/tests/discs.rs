@@ -7,7 +7,7 @@ const W: usize = 200;
 const H: usize = 160;
 
 /// A picture in which a scene unit is a pixel: how much of each pixel is covered, in 255ths, row by row from below.
-fn covered<T: Scalar>(center: [T; 2], radius: T) -> Vec<[u8; W]> {
+fn coverage<T: Scalar>(center: [T; 2], radius: T) -> Vec<[u8; W]> {
     let mut picture = Box::new(Smooth::<W, H>::new());
     picture.set_palette(Palette::default().with(0, [0; 3]).with(1, [255; 3]));
     picture.clear();
@@ -59,16 +59,16 @@ fn assert_exact(found: &[[u8; W]], [x, y]: [f64; 2], radius: f64) -> Result<(), 
 proptest! {
     #[test]
     fn a_large_circle_covers_its_part_of_each_pixel(center in [-20.0..220.0, -40.0..200.0], radius in 3.0..120.0) {
-        assert_exact(&covered(center, radius), center, radius)?;
+        assert_exact(&coverage(center, radius), center, radius)?;
     }
 
     #[test]
     fn so_does_one_within_the_margins(radius in 3.0..98.0, place in 0.0..1.0, y in -60.0..220.0) {
         let center = [radius + 1.0 + place * (198.0 - 2.0 * radius), y];
-        assert_exact(&covered(center, radius), center, radius)?;
+        assert_exact(&coverage(center, radius), center, radius)?;
         let narrow = center.map(<f32 as mech_runtime::Real>::from_f64);
         let center = narrow.map(f64::from);
         let radius = <f32 as mech_runtime::Real>::from_f64(radius);
-        assert_exact(&covered(narrow, radius), center, f64::from(radius))?;
+        assert_exact(&coverage(narrow, radius), center, f64::from(radius))?;
     }
 }

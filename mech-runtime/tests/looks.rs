@@ -33,14 +33,14 @@ fn assert_looks<const W: usize, const H: usize>(
     assert_eq!(picture(paint), expected.join("\n"));
 }
 
-fn filled<const W: usize, const H: usize>(outline: Outline<f64>) -> impl FnOnce(&mut Frame<W, H>) {
+fn fill<const W: usize, const H: usize>(outline: Outline<f64>) -> impl FnOnce(&mut Frame<W, H>) {
     move |frame| frame.fill(outline, Pose::identity(), 1)
 }
 
 #[test]
 fn ring() {
     assert_looks::<15, 13>(
-        filled(Outline::Ring {
+        fill(Outline::Ring {
             center: [7.5, 6.5],
             radius: 6.0,
             hole: 3.0,
@@ -72,7 +72,7 @@ fn star_by_both_rules() {
         [4.0, 0.5],
     ];
     assert_looks::<19, 16>(
-        filled(Outline::Polygon(&star)),
+        fill(Outline::Polygon(&star)),
         "
          ...................
          .........#.........
@@ -92,7 +92,7 @@ fn star_by_both_rules() {
          ...................",
     );
     assert_looks::<19, 16>(
-        filled(Outline::Winding(&star)),
+        fill(Outline::Winding(&star)),
         "
          ...................
          .........#.........
@@ -117,7 +117,7 @@ fn star_by_both_rules() {
 fn line_with_round_ends_and_joins() {
     let points = [[4.0, 4.0], [22.0, 4.0], [13.0, 15.0]];
     assert_looks::<27, 20>(
-        filled(Outline::Line {
+        fill(Outline::Line {
             points: &points,
             width: 5.0,
         }),
@@ -144,7 +144,7 @@ fn line_with_round_ends_and_joins() {
          ...........................",
     );
     assert_looks::<7, 7>(
-        filled(Outline::Line {
+        fill(Outline::Line {
             points: &[[3.5, 3.5]],
             width: 5.0,
         }),
@@ -168,7 +168,7 @@ fn arc_with_round_ends() {
         width: 3.0,
     };
     assert_looks::<20, 18>(
-        filled(arc(4.0)),
+        fill(arc(4.0)),
         "
          ....................
          ....................
@@ -189,13 +189,13 @@ fn arc_with_round_ends() {
          .....#..............
          ....................",
     );
-    let once_round = picture::<20, 18>(filled(arc(7.0)));
+    let once_round = picture::<20, 18>(fill(arc(7.0)));
     let ring = Outline::Ring {
         center: [10.0, 8.0],
         radius: 8.5,
         hole: 5.5,
     };
-    assert_eq!(once_round, picture::<20, 18>(filled(ring)));
+    assert_eq!(once_round, picture::<20, 18>(fill(ring)));
 }
 
 #[test]
@@ -223,7 +223,7 @@ fn bar() {
 }
 
 /// Lines of text, one below the other.
-fn written(lines: &'static [&'static str]) -> impl FnOnce(&mut Frame<98, 41>) {
+fn write(lines: &'static [&'static str]) -> impl FnOnce(&mut Frame<98, 41>) {
     move |frame| {
         for (number, line) in (1..).zip(lines) {
             frame.text([1.0, 41.0 - 8.0 * f64::from(number)], line, 1);
@@ -234,7 +234,7 @@ fn written(lines: &'static [&'static str]) -> impl FnOnce(&mut Frame<98, 41>) {
 #[test]
 fn letters() {
     assert_looks::<98, 41>(
-        written(&[
+        write(&[
             "ABCDEFGHIJKLMNOP",
             "QRSTUVWXYZabcdef",
             "ghijklmnopqrstuv",
@@ -289,7 +289,7 @@ fn letters() {
 #[test]
 fn signs() {
     assert_looks::<98, 41>(
-        written(&[
+        write(&[
             ";<=>?@[\\]^_`{|}~",
             "°±²·×−Δαβγδθλμπφ",
             "ψω é",

@@ -1,4 +1,4 @@
-//! The names of colours that the compiler tells are those of the palettes.
+//! The compiler's names of colours are those of the palettes.
 
 use mech_core::colors::NAMED;
 use mech_runtime::Palette;

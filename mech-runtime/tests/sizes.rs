@@ -74,7 +74,7 @@ fn everything(
     four_bar.draw_overlay(canvas, &Overlay::new().links(true));
 }
 
-/// Paints into pictures of a size by every way: a stage shows what a frame does, as long as no square overflows.
+/// Paints pictures of a size by all methods: a stage shows what a frame does, as long as no square overflows.
 fn pictures<const W: usize, const H: usize>(numbers: [f64; 12], view: View, four_bar: &FourBar) {
     let mut trace = Trace::new();
     for place in numbers.as_chunks::<2>().0 {

@@ -22,26 +22,26 @@ fn picture(paint: impl FnOnce(&mut Smooth<W, H>)) -> Vec<[u8; W]> {
     rows.map(|row| row.map(|pixel| pixel[0])).collect()
 }
 
-fn covered(outline: Outline<f64>) -> Vec<[u8; W]> {
+fn coverage(outline: Outline<f64>) -> Vec<[u8; W]> {
     picture(|picture| picture.fill(outline, Pose::identity(), 1))
 }
 
 /// The part of a polygon on one side of a line parallel to an axis.
-fn cut(corners: &[[f64; 2]], axis: usize, limit: f64, sign: f64) -> Vec<[f64; 2]> {
-    let mut kept = Vec::new();
+fn clip(corners: &[[f64; 2]], axis: usize, limit: f64, sign: f64) -> Vec<[f64; 2]> {
+    let mut clipped = Vec::new();
     let depth = |corner: [f64; 2]| sign * (corner[axis] - limit);
     for (index, &head) in corners.iter().enumerate() {
         let tail = corners[(index + corners.len() - 1) % corners.len()];
         let [from, to] = [depth(tail), depth(head)];
         if (from < 0.0) != (to < 0.0) {
             let share = from / (from - to);
-            kept.push([0, 1].map(|part| tail[part] + share * (head[part] - tail[part])));
+            clipped.push([0, 1].map(|part| tail[part] + share * (head[part] - tail[part])));
         }
         if to >= 0.0 {
-            kept.push(head);
+            clipped.push(head);
         }
     }
-    kept
+    clipped
 }
 
 fn area(corners: &[[f64; 2]]) -> f64 {
@@ -53,8 +53,8 @@ fn area(corners: &[[f64; 2]]) -> f64 {
 /// The area of a simple polygon in each pixel, found by cutting it.
 fn shares(corners: &[[f64; 2]]) -> Vec<[f64; W]> {
     let rows = (0..40).rev().map(|row| {
-        let strip = cut(
-            &cut(corners, 1, f64::from(row), 1.0),
+        let strip = clip(
+            &clip(corners, 1, f64::from(row), 1.0),
             1,
             f64::from(row + 1),
             -1.0,
@@ -62,7 +62,7 @@ fn shares(corners: &[[f64; 2]]) -> Vec<[f64; W]> {
         std::array::from_fn(|column| {
             #[expect(clippy::cast_precision_loss, reason = "small")]
             let left = column as f64;
-            let pixel = cut(&cut(&strip, 0, left, 1.0), 0, left + 1.0, -1.0);
+            let pixel = clip(&clip(&strip, 0, left, 1.0), 0, left + 1.0, -1.0);
             area(&pixel).abs()
         })
     });
@@ -139,8 +139,8 @@ proptest! {
     #[test]
     fn a_polygon_covers_its_part_of_each_pixel(corners in star()) {
         let expected = shares(&corners);
-        assert_exact(&covered(Outline::Polygon(&corners)), &expected);
-        assert_exact(&covered(Outline::Winding(&corners)), &expected);
+        assert_exact(&coverage(Outline::Polygon(&corners)), &expected);
+        assert_exact(&coverage(Outline::Winding(&corners)), &expected);
         let narrow: Vec<_> = corners.iter().map(|corner| corner.map(<f32 as mech_runtime::Real>::from_f64)).collect();
         let found = picture(|picture| picture.fill(Outline::Polygon(&narrow), Pose::identity(), 1));
         assert_exact(&found, &expected);
@@ -148,7 +148,7 @@ proptest! {
 
     #[test]
     fn a_circle_covers_its_part_of_each_pixel(center in [0.0..48.0, 0.0..40.0], radius in 0.2..70.0) {
-        assert_exact(&covered(Outline::Circle { center, radius }), &disc_shares(center, radius));
+        assert_exact(&coverage(Outline::Circle { center, radius }), &disc_shares(center, radius));
     }
 
     #[test]
@@ -163,7 +163,7 @@ proptest! {
             difference
         }).collect();
         // Each circle may be half a step off.
-        let found = covered(Outline::Ring { center, radius, hole });
+        let found = coverage(Outline::Ring { center, radius, hole });
         for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
             prop_assert!((f64::from(*found) - 255.0 * expected).abs() <= 1.25);
         }
@@ -171,7 +171,7 @@ proptest! {
 
     #[test]
     fn a_straight_line_covers_what_is_within_half_its_width(ends in [[5.0..43.0, 5.0..35.0], [5.0..43.0, 5.0..35.0]], width in 0.5..9.0) {
-        let found = covered(Outline::Line { points: &ends, width });
+        let found = coverage(Outline::Line { points: &ends, width });
         let [from, to] = ends;
         let offset = [to[0] - from[0], to[1] - from[1]];
         let square = offset[0] * offset[0] + offset[1] * offset[1];
@@ -206,13 +206,13 @@ proptest! {
             let mut frame = Frame::<W, H>::new();
             frame.look_at(View::new([24.0, 20.0], 1.0));
             frame.fill(outline, Pose::identity(), 1);
-            let smooth = covered(outline);
+            let smooth = coverage(outline);
             let (mut hard, mut soft) = (0.0, 0.0);
             for (hard_row, soft_row) in frame.pixels().iter().zip(&smooth) {
                 for (&pixel, &share) in hard_row.iter().zip(soft_row) {
                     hard += f64::from(pixel);
                     soft += f64::from(share) / 255.0;
-                    // A centre that is inside has some of its pixel around it inside, and the other way round.
+                    // A centre that is inside has some of its pixel around it inside, and the reverse.
                     prop_assert!(pixel == 0 || share > 0, "{outline:?}");
                     // Not so where a line crosses itself: what it covers twice counts twice.
                     let may_cross = matches!(outline, Outline::Line { points: [_, _, _, ..], .. });
@@ -263,7 +263,7 @@ proptest! {
 
     #[test]
     fn far_corners_are_clipped(corners in prop::collection::vec([-1e9..1e9, -1e9..1e9], 3..9)) {
-        let found = covered(Outline::Polygon(&corners));
+        let found = coverage(Outline::Polygon(&corners));
         for (column, row) in [(0, 0), (47, 39), (20, 20)] {
             let (x, y) = (f64::from(column) + 0.5, 40.0 - f64::from(row) - 0.5);
             let sides = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -288,7 +288,7 @@ proptest! {
 #[test]
 fn half_a_pixel_is_half_a_color() {
     let corners = [[3.5, 4.0], [8.0, 4.0], [8.0, 6.25], [3.5, 6.25]];
-    let found = covered(Outline::Polygon(&corners));
+    let found = coverage(Outline::Polygon(&corners));
     assert_eq!(found[35][3], 128);
     assert_eq!(found[35][4], 255);
     assert_eq!(found[33][5], 64);
@@ -329,8 +329,8 @@ fn what_is_surrounded_twice() {
         [8.0, 8.0],
     ];
     let (hollow, full) = (
-        covered(Outline::Polygon(&twice)),
-        covered(Outline::Winding(&twice)),
+        coverage(Outline::Polygon(&twice)),
+        coverage(Outline::Winding(&twice)),
     );
     assert_eq!((hollow[29][10], full[29][10]), (0, 255));
     assert_eq!((hollow[35][4], full[35][4]), (255, 255));

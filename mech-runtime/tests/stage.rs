@@ -96,7 +96,7 @@ proptest! {
             prop_assert!(stage.frame() == &frame, "at moment {number}");
             prop_assert!(small.frame() == &frame, "at moment {number}");
             prop_assert!(none.frame() == &frame, "at moment {number}");
-            // Nothing has changed but where it was told.
+            // Nothing has changed outside of the reported areas.
             for (y, (before, now)) in before.pixels().iter().zip(frame.pixels()).enumerate() {
                 for (x, (before, now)) in before.iter().zip(now).enumerate() {
                     let is_reported = stage.changed().any(|area| (area.x..area.x + area.width).contains(&x) && (area.y..area.y + area.height).contains(&y));

@@ -1,28 +1,28 @@
-//! Which part of the scene is seen, and how large.
+//! The camera: the part of the scene that is seen.
 
 use mech_runtime::View;
 
 /// Paper left free around a whole motion, as a part of the shorter side.
 const MARGIN: f64 = 0.07;
-/// How much larger or smaller than the whole motion something may be seen.
+/// The greatest magnification and reduction, relative to the whole motion.
 const MOST: f64 = 1e4;
 
 /// Looks at a scene from in front. Its picture has a size in pixels, which count from the upper left corner.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
-    /// What is seen if nobody wants it otherwise: lower left and upper right corner, in scene units.
+    /// The box of the whole motion: lower left and upper right corner, in scene units.
     bounds: [[f64; 2]; 2],
     size: [usize; 2],
     view: View,
-    /// Whether it sees the whole motion, as large as it goes.
+    /// Whether it shows the whole motion, as large as possible.
     fits: bool,
 }
 
 impl Camera {
-    /// Sees the box between these corners in a picture of this size.
+    /// A camera that shows the box between these corners in a picture of this size.
     #[must_use]
     pub fn new(bounds: [[f64; 2]; 2], size: [usize; 2]) -> Self {
-        let view = fitted(bounds, size);
+        let view = fit_motion(bounds, size);
         Self {
             bounds,
             size,
@@ -31,12 +31,12 @@ impl Camera {
         }
     }
 
-    /// Sees the whole motion again.
+    /// Shows the whole motion again.
     pub fn fit(&mut self) {
         *self = Self::new(self.bounds, self.size);
     }
 
-    /// Sees this too, if it sees the whole motion: what would not be in the picture belongs to it from now on.
+    /// Enlarges the box of the whole motion to include this one, if it shows the whole motion.
     pub fn include(&mut self, [low, high]: [[f64; 2]; 2]) {
         let [left, top] = self.pixel([low[0], high[1]]);
         let [right, bottom] = self.pixel([high[0], low[1]]);
@@ -53,7 +53,7 @@ impl Camera {
         }
     }
 
-    /// Makes a picture of another size, of the same middle if it was chosen.
+    /// Changes the size of the picture. A chosen centre stays.
     pub fn resize(&mut self, size: [usize; 2]) {
         self.size = size;
         if self.fits {
@@ -61,9 +61,9 @@ impl Camera {
         }
     }
 
-    /// Makes everything so many times as large, such that what is seen at `pixel` stays there.
+    /// Magnifies by a factor. The place at `pixel` stays there.
     pub fn zoom(&mut self, pixel: [f64; 2], factor: f64) {
-        let whole = fitted(self.bounds, self.size).scale();
+        let whole = fit_motion(self.bounds, self.size).scale();
         let scale = (self.view.scale() * factor).clamp(whole / MOST, whole * MOST);
         let [x, y] = self.place(pixel);
         if scale.is_finite() && x.is_finite() && y.is_finite() {
@@ -75,7 +75,7 @@ impl Camera {
         }
     }
 
-    /// Shifts the picture by so many pixels.
+    /// Moves the picture by so many pixels.
     pub fn pan(&mut self, [right, down]: [f64; 2]) {
         let scale = self.view.scale();
         let [x, y] = self.view.center();
@@ -86,7 +86,7 @@ impl Camera {
         }
     }
 
-    /// The place in the scene that is seen at a pixel.
+    /// The place in the scene at a pixel.
     #[must_use]
     pub fn place(&self, pixel: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.view.center();
@@ -98,7 +98,7 @@ impl Camera {
         ]
     }
 
-    /// Where a place in the scene is seen.
+    /// The pixel of a place in the scene.
     #[must_use]
     pub fn pixel(&self, place: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.view.center();
@@ -110,7 +110,7 @@ impl Camera {
         ]
     }
 
-    /// What is seen.
+    /// The present view.
     #[must_use]
     pub const fn view(&self) -> View {
         self.view
@@ -122,7 +122,7 @@ impl Camera {
         self.size
     }
 
-    /// The same as numbers.
+    /// The width and height of the picture as floats.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "no picture is 2⁵² pixels wide")]
     pub fn extent(&self) -> [f64; 2] {
@@ -131,7 +131,7 @@ impl Camera {
 }
 
 /// The view of a whole motion.
-fn fitted([low, high]: [[f64; 2]; 2], size: [usize; 2]) -> View {
+fn fit_motion([low, high]: [[f64; 2]; 2], size: [usize; 2]) -> View {
     let [width, height] = size;
     #[expect(clippy::cast_precision_loss, reason = "no picture is 2⁵² pixels wide")]
     let shorter = width.min(height) as f64;

@@ -3,7 +3,7 @@
 /// Phrases side by side with a dot between them, in lines that are not longer than so many characters; a phrase that is too long for a
 /// line is broken between its words.
 #[must_use]
-pub(crate) fn wrapped(phrases: &[String], columns: usize) -> Vec<String> {
+pub(crate) fn wrap(phrases: &[String], columns: usize) -> Vec<String> {
     let mut lines = Lines {
         lines: Vec::new(),
         columns,
@@ -27,7 +27,7 @@ struct Lines {
 }
 
 impl Lines {
-    /// Whether there is room for something on the last line, after what parts it from the rest.
+    /// Whether the last line has room for a phrase and its separator.
     fn fits(&self, between: &str, text: &str) -> bool {
         let last = self.lines.last();
         last.is_some_and(|line| length(line) + length(between) + length(text) <= self.columns)
@@ -50,7 +50,7 @@ fn length(text: &str) -> usize {
     text.chars().count()
 }
 
-/// The same in letters that the rasteriser has.
+/// The text in letters that the rasteriser has.
 #[must_use]
 pub(crate) fn plain(text: &str) -> String {
     let pairs = [

@@ -1,15 +1,15 @@
-//! What a player is told.
+//! Commands of a player.
 
 use mech_gallery::Layer;
 
-/// What a player is told. Pixels count from the upper left corner of the picture.
+/// A command of a player. Pixels count from the upper left corner of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Command {
     /// Play, or pause.
     PlayOrPause,
-    /// Pause, and go one step on (1) or back (−1).
+    /// Pause, and move one step forward (1) or back (−1).
     Step(f64),
-    /// Go the other way.
+    /// Reverse the direction.
     Reverse,
     /// Twice as fast.
     Faster,
@@ -17,7 +17,7 @@ pub enum Command {
     Slower,
     /// Drive the next motor, or after the last one all in the exhibit's own motion.
     NextMotor,
-    /// Drive the one before.
+    /// Drive the previous motor.
     PreviousMotor,
     /// Show a layer, or hide it.
     Toggle(Layer),
@@ -25,23 +25,23 @@ pub enum Command {
     DayOrNight,
     /// The next exhibit.
     NextExhibit,
-    /// The one before.
+    /// The previous exhibit.
     PreviousExhibit,
     /// Everything as at the start.
     Reset,
     /// See the whole motion.
     Fit,
-    /// Take hold of what is at this pixel: a link, or the paper.
+    /// Take hold of the link or the paper at this pixel.
     Press([f64; 2]),
-    /// Move what is held to this pixel.
+    /// Move the held link or paper to this pixel.
     Point([f64; 2]),
     /// Let go.
     Release,
-    /// Make everything so many times as large, about this pixel.
+    /// Magnify by a factor, about this pixel.
     Zoom([f64; 2], f64),
     /// Make a picture of another size.
     Resize([usize; 2]),
-    /// Tell what the keys do, or no more.
+    /// Show or hide what the keys do.
     Help,
     /// Save the picture.
     Save,

@@ -1,6 +1,6 @@
 //! What is driven.
 
-/// What is driven when it plays and may be moved when it is dragged.
+/// The motors that are driven in playing, and that may be dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drive {
     /// All motors, in the exhibit's own motion.
@@ -10,7 +10,7 @@ pub enum Drive {
 }
 
 impl Drive {
-    /// The next of all there are with so many motors. With one motor there is still a difference: alone it goes on and on.
+    /// The next drive of a mechanism with so many motors. A single motor also has two: alone it turns on and on.
     #[must_use]
     pub const fn next(self, motors: usize) -> Self {
         match self {
@@ -19,7 +19,7 @@ impl Drive {
         }
     }
 
-    /// The one before.
+    /// The previous drive.
     #[must_use]
     pub const fn previous(self, motors: usize) -> Self {
         match self {

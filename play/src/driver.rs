@@ -1,23 +1,23 @@
-//! Where the motors are to go.
+//! Targets of the motors.
 
 use crate::{Drive, Free};
 use mech_gallery::{Playable, Rates};
 use std::f64::consts::TAU;
 
-/// Tells where the motors go next: in the exhibit's own motion, or one of them alone, so fast that it goes as far as in that.
+/// Computes where the motors move next: in the exhibit's own motion, or one motor alone, as far as in that motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Driver {
     drive: Drive,
-    /// Where in the exhibit's own motion it is, from 0 to 1.
+    /// The phase of the exhibit's own motion, from 0 to 1.
     phase: f64,
-    /// How long a whole motion takes, in seconds.
+    /// The duration of a whole motion, in seconds.
     seconds: f64,
-    /// How far each motor goes in it.
+    /// The reach of each motor in it.
     reaches: Vec<f64>,
 }
 
 impl Driver {
-    /// Drives this mechanism, whose whole motion takes so many seconds, from where it starts.
+    /// A driver of this mechanism from its start. Its whole motion takes this time in seconds.
     #[must_use]
     pub fn new(mechanism: &dyn Playable, seconds: f64) -> Self {
         Self {
@@ -28,7 +28,7 @@ impl Driver {
         }
     }
 
-    /// From where it starts again.
+    /// Starts again.
     pub const fn reset(&mut self) {
         self.phase = 0.0;
     }
@@ -49,7 +49,7 @@ impl Driver {
         self.drive
     }
 
-    /// How long a whole motion takes.
+    /// The duration of a whole motion, in seconds.
     #[must_use]
     pub const fn seconds(&self) -> f64 {
         self.seconds
@@ -67,8 +67,8 @@ impl Driver {
         .collect()
     }
 
-    /// Where the motors are after a share of a whole motion from where they are. The own motion is followed by its differences, so that
-    /// it goes on from wherever somebody has dragged it.
+    /// The motor values after a share of a whole motion. The differences of the own motion are added to the present values, so it continues
+    /// from where somebody has dragged it.
     #[must_use]
     pub fn target(&self, mechanism: &dyn Playable, share: f64) -> Vec<f64> {
         let mut motors = mechanism.motors();
@@ -91,7 +91,7 @@ impl Driver {
         motors
     }
 
-    /// How fast the motors go at the usual speed, forwards (1) or backwards (−1).
+    /// The rates of the motors at the usual speed, forwards (1) or backwards (−1).
     #[must_use]
     pub fn rates(&self, mechanism: &dyn Playable, direction: f64) -> Rates {
         const APART: f64 = 1e-4;
@@ -121,15 +121,15 @@ impl Driver {
         }
     }
 
-    /// Is told that it got there.
-    pub fn went(&mut self, share: f64) {
+    /// Notes that the mechanism has moved by a share of a whole motion.
+    pub fn note_progress(&mut self, share: f64) {
         if self.drive == Drive::Motion {
             self.phase = (self.phase + share).rem_euclid(1.0);
         }
     }
 }
 
-/// How far each motor goes in a whole motion; a turn, or one scene unit, if it stands still.
+/// The reach of each motor in a whole motion. A motor that stands still has one turn, or one scene unit.
 fn reaches(mechanism: &dyn Playable) -> Vec<f64> {
     const LOOKS: u32 = 96;
     let phases = (0..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS));

@@ -1,17 +1,16 @@
-//! A link that is held and dragged.
+//! Dragging of links.
 //!
-//! A place on a link is to come as near to the pointer as the motors let it. Each round asks in which direction it moves when
-//! each motor is moved a little to either side, and solves the damped least squares (Levenberg and Marquardt's) of these influence
-//! coefficients for what is left of the way. Of that step so much is gone as brings the place nearer: all, or half, or a quarter…
-//! As each step goes the way that a motor would go, no link leaps into another assembly, and what cannot be reached is followed as
-//! far as the nearest place.
+//! The motors bring a place on a link as near to the pointer as they can. Each round moves every motor a little to either side, which gives
+//! the influence coefficients of the place. The damped least squares of Levenberg and Marquardt give a step towards the pointer. The round
+//! takes all of the step, or half, or a quarter, until the place is nearer. Each step is a move of the motors, so no link leaps into
+//! another assembly. A place that cannot reach the pointer moves to the nearest place that it reaches.
 
 use mech_gallery::{Playable, Rates, Spot};
 use mech_runtime::{Blocked, Reached};
 
 /// The most steps for one movement of the pointer.
 const ROUNDS: usize = 40;
-/// How often a step is halved before it is given up.
+/// The most halvings of a step.
 const HALVINGS: usize = 12;
 /// The longest step, as a part of a motor's reach.
 const LONGEST: f64 = 1.0 / 24.0;
@@ -19,28 +18,27 @@ const LONGEST: f64 = 1.0 / 24.0;
 const PROBE: f64 = 1e-6;
 /// Damping, as a part of the greatest influence.
 const DAMPING: f64 = 1e-4;
-/// What is near enough, as a part of the way at first.
+/// The distance that is near enough, as a part of the distance at first.
 const ENOUGH: f64 = 1e-4;
 
-/// A motor that may be moved, and how far it goes in a whole motion: what all steps are measured by.
+/// A motor that may be moved, and its reach: the displacement in a whole motion, by which steps are measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Free {
-    /// Which one.
+    /// The number of the motor.
     pub motor: usize,
     /// In radians or scene units.
     pub reach: f64,
 }
 
-/// A place on a link that is held.
+/// A held place on a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grip {
-    /// Where it is held.
+    /// The held place.
     pub spot: Spot,
 }
 
 impl Grip {
-    /// Moves these motors such that what is held comes as near to `aim` as it can. What it came to on the way is told: the limit that
-    /// it is at, or `Target`.
+    /// Moves these motors so that the held place comes as near to `aim` as it can. Returns the limit that it met, or `Target`.
     ///
     /// # Errors
     /// [`Blocked`] if a number is not finite.
@@ -69,12 +67,12 @@ impl Grip {
         Ok(reached)
     }
 
-    /// The way that is left to `aim`.
+    /// The vector from the held place to `aim`.
     fn offset(self, mechanism: &dyn Playable, aim: [f64; 2]) -> Option<[f64; 2]> {
         Some(difference(aim, mechanism.place(self.spot)?))
     }
 
-    /// Values of the motors with which it is nearer.
+    /// Motor values with which the place is nearer.
     fn nearer(
         self,
         mechanism: &dyn Playable,
@@ -85,27 +83,27 @@ impl Grip {
         let motors = mechanism.motors();
         let step = self.step(mechanism, free, offset)?;
         let shares = (0..HALVINGS).map(|halving| 0.5_f64.powi(i32::try_from(halving).unwrap_or(0)));
-        let mut tries = shares.map(|share| moved(&motors, free, &step, share));
+        let mut tries = shares.map(|share| displace(&motors, free, &step, share));
         tries.find(|motors| {
             let place = mechanism.place_toward(self.spot, motors);
             place.is_some_and(|place| length(difference(aim, place)) < length(offset))
         })
     }
 
-    /// A step of each motor, in parts of its reach, that goes this way as far as it can be told from here.
+    /// The step of each motor, in parts of its reach, for this displacement of the place.
     fn step(self, mechanism: &dyn Playable, free: &[Free], offset: [f64; 2]) -> Option<Vec<f64>> {
         let motors = mechanism.motors();
         let influence = |index: usize| {
             let mut unit = vec![0.0; free.len()];
             *unit.get_mut(index)? = 1.0;
             let probe =
-                |share| mechanism.place_toward(self.spot, &moved(&motors, free, &unit, share));
+                |share| mechanism.place_toward(self.spot, &displace(&motors, free, &unit, share));
             let [x, y] = difference(probe(PROBE)?, probe(-PROBE)?);
             Some([x, y].map(|c| c / (2.0 * PROBE)))
         };
         let influences: Option<Vec<[f64; 2]>> = (0..free.len()).map(influence).collect();
         let influences = influences?;
-        // (J Jᵀ + damping) f = way; then the step is Jᵀ f.
+        // (J Jᵀ + damping) f = displacement; then the step is Jᵀ f.
         let sum = |entry: fn([f64; 2]) -> f64| influences.iter().map(|&j| entry(j)).sum::<f64>();
         let [xx, xy, yy] = [
             sum(|j| j[0] * j[0]),
@@ -133,7 +131,7 @@ impl Grip {
 }
 
 /// The values of motors after a share of a step.
-fn moved(motors: &[f64], free: &[Free], step: &[f64], share: f64) -> Vec<f64> {
+fn displace(motors: &[f64], free: &[Free], step: &[f64], share: f64) -> Vec<f64> {
     let mut motors = motors.to_vec();
     for (free, part) in free.iter().zip(step) {
         if let Some(motor) = motors.get_mut(free.motor) {
@@ -143,7 +141,7 @@ fn moved(motors: &[f64], free: &[Free], step: &[f64], share: f64) -> Vec<f64> {
     motors
 }
 
-/// From one place to another.
+/// The vector from one place to another.
 fn difference(to: [f64; 2], from: [f64; 2]) -> [f64; 2] {
     [to[0] - from[0], to[1] - from[1]]
 }

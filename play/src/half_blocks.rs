@@ -3,7 +3,7 @@
 use mech_gallery::Picture;
 use std::fmt::Write;
 
-/// How a terminal tells colours apart.
+/// The colours of a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Depth {
     /// By red, green and blue.

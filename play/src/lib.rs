@@ -1,8 +1,8 @@
-//! A window, or a terminal, in which the mechanisms of the gallery move: they are played, dragged by their links, and stop at their
-//! limits and show where.
+//! A window, or a terminal, in which the mechanisms of the gallery move. They play, follow the pointer when a link is dragged, and stop and
+//! mark their limits.
 //!
-//! A [`Player`] is the whole state, told what to do by [`Command`]s and how much time has passed; it knows no window and no clock. A
-//! [`Stage`] adds the [`Painter`]. The [`window`] and the [`terminal`] are two thin front ends to it.
+//! A [`Player`] is the whole state. It takes [`Command`]s and the time that has passed, and knows no window and no clock. A [`Stage`] adds
+//! the [`Painter`]. The [`window`] and the [`terminal`] are two thin front ends to it.
 
 mod camera;
 mod caption;

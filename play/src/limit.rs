@@ -1,20 +1,19 @@
-//! Where a mechanism could not go on.
+//! Limits of mechanisms.
 
 use mech_gallery::Playable;
 use mech_runtime::{Blocked, Cause};
 
-/// A limit that a mechanism is at.
+/// A limit at which a mechanism is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// What it had to say.
+    /// The error of the move.
     pub blocked: Blocked<Vec<f64>>,
-    /// The motors that were to go on.
+    /// The motors that could not move on.
     pub motors: Vec<usize>,
 }
 
 impl Limit {
-    /// The joints that stand in the way and those whose motor does not go on: where each is in the scene, and whether it has such a
-    /// motor.
+    /// The joints that stop it and those whose motor cannot move on: the place of each in the scene, and whether it has such a motor.
     #[must_use]
     pub fn places(&self, mechanism: &dyn Playable) -> Vec<([f64; 2], bool)> {
         let names = mechanism.motor_names();
@@ -29,7 +28,7 @@ impl Limit {
             .collect()
     }
 
-    /// Where it is and why, for people.
+    /// The place and the cause, as a sentence.
     #[must_use]
     pub fn sentence(&self, mechanism: &dyn Playable) -> String {
         let values = self.motors.iter().filter_map(|&motor| {
@@ -41,7 +40,7 @@ impl Limit {
         format!("{}: {}", values.join(", "), self.cause())
     }
 
-    /// What stopped it.
+    /// The cause, as a phrase.
     fn cause(&self) -> String {
         let joints = self.names().join(", ");
         match self.blocked.cause {
@@ -55,7 +54,7 @@ impl Limit {
         }
     }
 
-    /// The joints of the place that is told.
+    /// The joints at the place of the error.
     fn names(&self) -> Vec<&'static str> {
         let parts = self
             .blocked
@@ -65,7 +64,7 @@ impl Limit {
     }
 }
 
-/// The coordinate of a motor, for people: an angle in degrees, or a length.
+/// The coordinate of a motor as text: an angle in degrees, or a length.
 #[must_use]
 pub(crate) fn coordinate(mechanism: &dyn Playable, motor: &str, value: f64) -> String {
     if mechanism.slides(motor) {

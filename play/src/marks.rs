@@ -1,14 +1,14 @@
-//! What a player draws into the scene.
+//! Marks that a player draws into the scene.
 
 use mech_gallery::Scene;
 use mech_runtime::{Canvas, Outline, Palette, Pose, raster};
 
 /// The radius of a ring and its width, in pixels.
 const RING: [f64; 2] = [13.0, 3.5];
-/// The least of both: where pixels are large.
+/// The least of both, for large pixels.
 const LEAST: [f64; 2] = [2.2, 0.9];
 
-/// A red ring about a place where something is in the way, so many times as large as usual.
+/// A red ring about a place that stops a move, so many times as large as usual.
 pub(crate) fn ring(scene: &mut Scene, center: [f64; 2], size: f32) {
     let scale = Canvas::<f64>::scale(scene);
     let length = |usual: f64, least: f64| (usual * f64::from(size)).max(least) / scale;
@@ -21,7 +21,7 @@ pub(crate) fn ring(scene: &mut Scene, center: [f64; 2], size: f32) {
     scene.fill(ring, Pose::identity(), Palette::RED);
 }
 
-/// A line from what is held to the pointer, where that is elsewhere.
+/// A line from the held place to the pointer.
 pub(crate) fn band(scene: &mut Scene, ends: [[f64; 2]; 2], size: f32) {
     raster::line(scene, ends, f64::from(size), Palette::INK);
 }

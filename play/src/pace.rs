@@ -1,8 +1,8 @@
-//! How fast it goes, and which way.
+//! Speed and direction of playing.
 
-/// How many times as fast as the exhibit's own motion.
+/// Speeds, relative to the exhibit's own motion.
 const SPEEDS: [f64; 8] = [0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
-/// The usual one.
+/// The usual speed.
 const USUAL: usize = 4;
 
 /// Speed and direction.
@@ -22,28 +22,28 @@ impl Default for Pace {
 }
 
 impl Pace {
-    /// Twice as fast, up to the fastest.
+    /// Doubles the speed, up to the fastest.
     pub fn faster(&mut self) {
         self.speed = (self.speed + 1).min(SPEEDS.len() - 1);
     }
 
-    /// Half as fast, down to the slowest.
+    /// Halves the speed, down to the slowest.
     pub const fn slower(&mut self) {
         self.speed = self.speed.saturating_sub(1);
     }
 
-    /// The other way round.
+    /// Reverses the direction.
     pub const fn reverse(&mut self) {
         self.is_backward = !self.is_backward;
     }
 
-    /// How many times as fast as the exhibit's own motion.
+    /// The speed, relative to the exhibit's own motion.
     #[must_use]
     pub fn speed(self) -> f64 {
         SPEEDS.get(self.speed).copied().unwrap_or(1.0)
     }
 
-    /// 1 or, backwards, −1.
+    /// The direction: 1, or −1 for backwards.
     #[must_use]
     pub const fn direction(self) -> f64 {
         if self.is_backward { -1.0 } else { 1.0 }

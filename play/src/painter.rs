@@ -43,7 +43,7 @@ impl Painter {
         size: usize,
         color: u8,
     ) {
-        let strip = self.strips.cleared();
+        let strip = self.strips.clear();
         #[expect(clippy::cast_precision_loss, reason = "a few thousand")]
         let place = [WIDE as f64 / -2.0, STRIP as f64 / 2.0 - LETTER as f64];
         strip.text(place, text, color);

@@ -1,4 +1,4 @@
-//! The state of a player: no window, no terminal, no clock.
+//! The state of a player, without a window, a terminal or a clock.
 
 use crate::limit::coordinate;
 use crate::{Camera, Command, Drive, Driver, Grip, Limit, Pace, marks};
@@ -6,15 +6,15 @@ use mech_gallery::{Error, Exhibit, Film, Layers, Look, Playable, Scene, Spot};
 use mech_runtime::{Blocked, Reached};
 use std::f64::consts::TAU;
 
-/// Single steps to a whole motion; playing never goes farther at once.
+/// The number of single steps in a whole motion. Playing never moves farther at once.
 const STEPS: f64 = 120.0;
-/// The longest time that is caught up with, in seconds.
+/// The longest time by which playing advances at once, in seconds.
 const LONGEST: f64 = 0.1;
-/// How near to a link one has to press, in pixels of a picture of usual size.
+/// The greatest distance from a link at which a press holds it, in pixels of a picture of usual size.
 const NEAR: f64 = 14.0;
 /// The shorter side of a picture of usual size.
 const USUAL: f64 = 560.0;
-/// The length of arrows: a point that goes round its crank once in a whole motion has one so many times as long as the crank.
+/// The length of arrows, relative to the crank: for a point that turns round its crank once in a whole motion.
 const ARROW: f64 = 0.5;
 
 /// Plays with the exhibits of a gallery, one at a time.
@@ -33,21 +33,20 @@ pub struct Player {
     notice: Option<String>,
 }
 
-/// What is held.
+/// The thing that the pointer holds.
 #[derive(Clone, Copy)]
 enum Held {
     /// A link.
     Link { grip: Grip, aim: [f64; 2] },
-    /// The paper, where the pointer was last.
+    /// The paper, at the last pixel of the pointer.
     Paper([f64; 2]),
 }
 
 impl Player {
-    /// Shows one of the exhibits, in a picture of this size.
+    /// A player that shows one of the exhibits in a picture of this size.
     ///
     /// # Errors
-    /// [`Error::Stuck`] if it does not go through its own motion, [`Error::Invisible`] if nothing is ever seen of it or there is no
-    /// such exhibit.
+    /// [`Error::Stuck`] if it cannot make its own motion. [`Error::Invisible`] if it is never visible, or if there is no such exhibit.
     pub fn new(
         exhibits: Vec<Box<dyn Exhibit>>,
         index: usize,
@@ -72,7 +71,7 @@ impl Player {
         })
     }
 
-    /// Does what it is told; what concerns only the front end (help, saving, stopping) it leaves alone.
+    /// Obeys a command. The front end obeys those for help, saving and stopping.
     pub fn obey(&mut self, command: Command) {
         if !matches!(command, Command::Point(_) | Command::Resize(_)) {
             self.notice = None;
@@ -109,7 +108,7 @@ impl Player {
         self.keep_in_view();
     }
 
-    /// Lets so many seconds pass.
+    /// Plays for a time in seconds.
     pub fn advance(&mut self, seconds: f64) {
         let is_held = matches!(self.held, Some(Held::Link { .. }));
         if !self.plays || is_held || !seconds.is_finite() {
@@ -123,7 +122,7 @@ impl Player {
         self.keep_in_view();
     }
 
-    /// What is seen.
+    /// The present scene.
     #[must_use]
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::new(self.camera.view().scale());
@@ -145,7 +144,7 @@ impl Player {
         scene
     }
 
-    /// The name of the exhibit, as on the command line.
+    /// The name of the exhibit on the command line.
     #[must_use]
     pub fn slug(&self) -> &'static str {
         self.exhibits
@@ -153,7 +152,7 @@ impl Player {
             .map_or("", |exhibit| exhibit.slug())
     }
 
-    /// Its title.
+    /// The title of the exhibit.
     #[must_use]
     pub fn title(&self) -> &'static str {
         self.exhibits
@@ -161,7 +160,7 @@ impl Player {
             .map_or("", |exhibit| exhibit.title())
     }
 
-    /// Where the motors are, what is driven and how fast; or at which limit it is.
+    /// The motors' values, what is driven, and the speed; or the limit.
     #[must_use]
     pub fn status(&self) -> String {
         if let Some(notice) = &self.notice {
@@ -191,8 +190,8 @@ impl Player {
         format!("{} · {state} {drive} ×{speed}", values.join(", "))
     }
 
-    /// Tells something until the next command.
-    pub fn tell(&mut self, notice: String) {
+    /// Shows a notice in place of the status until the next command.
+    pub fn notify(&mut self, notice: String) {
         self.notice = Some(notice);
     }
 
@@ -202,15 +201,15 @@ impl Player {
         self.mechanism.motors()
     }
 
-    /// Where a place on a link is seen.
+    /// The pixel at which a place on a link is seen.
     #[must_use]
     pub fn pixel(&self, spot: Spot) -> Option<[f64; 2]> {
         Some(self.camera.pixel(self.mechanism.place(spot)?))
     }
 
-    /// The place on a link that is held.
+    /// The held place on a link.
     #[must_use]
-    pub const fn held(&self) -> Option<Spot> {
+    pub const fn held_spot(&self) -> Option<Spot> {
         match self.held {
             Some(Held::Link { grip, .. }) => Some(grip.spot),
             _ => None,
@@ -223,37 +222,37 @@ impl Player {
         self.plays
     }
 
-    /// The limit it is at.
+    /// The limit at which it is.
     #[must_use]
     pub const fn limit(&self) -> Option<&Limit> {
         self.limit.as_ref()
     }
 
-    /// What is driven.
+    /// The motors that are driven.
     #[must_use]
     pub const fn drive(&self) -> Drive {
         self.driver.drive()
     }
 
-    /// The layers that are switched on.
+    /// The visible layers.
     #[must_use]
     pub const fn layers(&self) -> Layers {
         self.layers
     }
 
-    /// Whether it is painted by night.
+    /// Whether it is painted in the colours of the night.
     #[must_use]
     pub const fn is_night(&self) -> bool {
         self.is_night
     }
 
-    /// From where it is seen.
+    /// The camera.
     #[must_use]
     pub const fn camera(&self) -> &Camera {
         &self.camera
     }
 
-    /// Shows another exhibit, counted round and round. If that cannot be shown, this one stays.
+    /// Shows another exhibit; the first follows the last. If it cannot be shown, the present one stays.
     fn show(&mut self, index: usize) {
         let index = index % self.exhibits.len().max(1);
         let exhibits = std::mem::take(&mut self.exhibits);
@@ -282,7 +281,7 @@ impl Player {
         }
     }
 
-    /// Everything as at the start.
+    /// Returns everything to the start.
     fn reset(&mut self) {
         self.mechanism.reset();
         self.driver.reset();
@@ -291,12 +290,12 @@ impl Player {
         self.held = None;
     }
 
-    /// Goes on by a share of a whole motion, no farther at once than a single step. Tells whether it came there.
+    /// Moves by a share of a whole motion in single steps. Returns whether it arrived.
     fn travel(&mut self, share: f64) -> bool {
-        let pieces = (share.abs() * STEPS).ceil().max(1.0);
-        let mut left = pieces;
+        let steps = (share.abs() * STEPS).ceil().max(1.0);
+        let mut left = steps;
         while left > 0.0 {
-            if !self.go(share / pieces) {
+            if !self.step(share / steps) {
                 return false;
             }
             left -= 1.0;
@@ -304,19 +303,19 @@ impl Player {
         true
     }
 
-    /// Goes on by a share of a whole motion at once. Tells whether it came there.
-    fn go(&mut self, share: f64) -> bool {
+    /// Moves by a share of a whole motion at once. Returns whether it arrived.
+    fn step(&mut self, share: f64) -> bool {
         let motors = self.mechanism.motors();
         let target = self.driver.target(self.mechanism.as_ref(), share);
         let rates = self.driver.rates(self.mechanism.as_ref(), share.signum());
         let result = self.mechanism.move_toward(&target, &rates);
         if matches!(result, Ok(Reached::Target)) {
-            self.driver.went(share);
+            self.driver.note_progress(share);
         }
         !self.settle(result, &motors, &target)
     }
 
-    /// Notes the limit that a move came to; whether there is one.
+    /// Notes the limit at which a move ended. Returns whether there is one.
     fn settle(
         &mut self,
         result: Result<Reached<Vec<f64>>, Blocked<Vec<f64>>>,
@@ -325,7 +324,7 @@ impl Player {
     ) -> bool {
         let blocked = match result {
             Ok(Reached::Target) => {
-                // Who does not move stays at the limit.
+                // A mechanism that does not move stays at the limit.
                 if self.mechanism.motors() != from {
                     self.limit = None;
                 }
@@ -340,7 +339,7 @@ impl Player {
         true
     }
 
-    /// Takes hold of what is at a pixel.
+    /// Takes hold of the link or the paper at a pixel.
     fn press(&mut self, pixel: [f64; 2]) {
         if !pixel.iter().all(|c| c.is_finite()) {
             return;
@@ -356,7 +355,7 @@ impl Player {
         });
     }
 
-    /// Moves what is held.
+    /// Moves the held link or paper.
     fn point(&mut self, pixel: [f64; 2]) {
         if !pixel.iter().all(|c| c.is_finite()) {
             return;
@@ -380,7 +379,7 @@ impl Player {
         let free = self.driver.free();
         let from = self.mechanism.motors();
         let result = grip.follow(self.mechanism.as_mut(), &free, aim);
-        // Who is told of a limit is told of all motors that could move.
+        // The limit names all motors that could have moved.
         let target = vec![f64::NAN; from.len()];
         let _ = self.settle(result, &from, &target);
         if let Some(limit) = &mut self.limit {
@@ -390,12 +389,12 @@ impl Player {
         }
     }
 
-    /// Looks from farther away where the motion leads out of the picture; not while a link is held, which must stay at the pointer.
+    /// Zooms out where the mechanism would leave the picture, but not while a link is held, which must stay at the pointer.
     fn keep_in_view(&mut self) {
         if self.held.is_some() {
             return;
         }
-        // Of a scene that is infinitely large, what has its size in pixels takes no room.
+        // In a scene of infinite scale, symbols have no size.
         let mut film = Film::new(f64::INFINITY);
         film.add(|scene| self.mechanism.draw(scene, &self.look()));
         if let Some(bounds) = film.bounds() {
@@ -403,9 +402,9 @@ impl Player {
         }
     }
 
-    /// How the mechanism is seen.
+    /// The layers, and the sizes of symbols and arrows.
     fn look(&self) -> Look {
-        // A motion a second is a rate of a turn a second, and so are its squares.
+        // One motion per second counts as a rate of one turn per second.
         let rate = TAU / self.driver.seconds();
         Look {
             layers: self.layers,
@@ -415,7 +414,7 @@ impl Player {
         }
     }
 
-    /// How many times as large as usual symbols are.
+    /// The size of symbols relative to the usual one.
     fn symbol_size(&self) -> f32 {
         let [width, height] = self.camera.extent();
         #[expect(clippy::cast_possible_truncation, reason = "between 0.2 and 2")]

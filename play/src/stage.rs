@@ -1,6 +1,6 @@
 //! A player and its painter: what both front ends stand before.
 
-use crate::caption::{plain, wrapped};
+use crate::caption::{plain, wrap};
 use crate::painter::ADVANCE;
 use crate::{Command, Painter, Player, keys};
 use mech_gallery::{Error, Picture};
@@ -35,7 +35,7 @@ impl Stage {
         }
     }
 
-    /// Does what it is told; `Break` if that is to stop.
+    /// Obeys a command. `Break` if it is the command to stop.
     pub fn obey(&mut self, command: Command) -> ControlFlow<()> {
         self.player.obey(command);
         match command {
@@ -57,16 +57,16 @@ impl Stage {
         }
     }
 
-    /// What is seen now.
+    /// The present picture.
     #[must_use]
     pub fn picture(&mut self) -> Picture {
         self.painter.paint(&self.player)
     }
 
-    /// The same with words in it: the title, the status, and if it is wanted what the keys do. Where that would be too small to be
-    /// read it is left out.
+    /// The present picture with the title, the status and, if wanted, what the keys do. In a picture too small for letters they are left
+    /// out.
     #[must_use]
-    pub fn captioned(&mut self) -> Picture {
+    pub fn caption(&mut self) -> Picture {
         let mut picture = self.picture();
         let size = usize::from(picture.width.min(picture.height)) / LEAST;
         let size = size.min(2);
@@ -89,7 +89,7 @@ impl Stage {
         let mut top = margin;
         for (phrases, color) in paragraphs {
             let phrases: Vec<String> = phrases.iter().map(|phrase| plain(phrase)).collect();
-            for line in wrapped(&phrases, columns) {
+            for line in wrap(&phrases, columns) {
                 self.painter
                     .write(&mut picture, [margin, top], &line, size, color);
                 top += LINE * size;
@@ -116,7 +116,7 @@ impl Stage {
         })
     }
 
-    /// Saves the picture that is seen now under a name that is not taken, and tells where.
+    /// Saves the present picture under a new name, and shows the name.
     fn save(&mut self) {
         let names = (1..).map(|number| format!("{}-{number}.png", self.player.slug()));
         let mut paths = names.map(|name| self.folder.join(name));
@@ -127,6 +127,6 @@ impl Stage {
             Ok(()) => format!("saved as {}", path.display()),
             Err(error) => error.to_string(),
         };
-        self.player.tell(notice);
+        self.player.notify(notice);
     }
 }

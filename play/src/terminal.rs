@@ -1,7 +1,7 @@
 //! The terminal view: half-block characters in colour, the same keys and the mouse; it works wherever there is a terminal, over ssh
 //! too.
 
-use crate::caption::wrapped;
+use crate::caption::wrap;
 use crate::half_blocks::{self, Depth};
 use crate::{Command, Key, Stage};
 use crossterm::event::{
@@ -43,7 +43,7 @@ impl Screen {
     }
 
     fn close() {
-        // Nobody is left to be told of an error.
+        // Nobody is there to read an error.
         let _ = execute!(
             io::stdout(),
             DisableMouseCapture,
@@ -104,8 +104,8 @@ fn paint(stage: &mut Stage, depth: Depth) -> io::Result<()> {
     let help = stage
         .help()
         .unwrap_or_else(|| vec!["h help".to_owned(), "q quit".to_owned()]);
-    let mut below = wrapped(&[status], columns);
-    below.extend(wrapped(&help, columns));
+    let mut below = wrap(&[status], columns);
+    below.extend(wrap(&help, columns));
     let above = usize::from(rows).saturating_sub(below.len());
     let size = [columns, 2 * above];
     if stage.player.camera().size() != size {
@@ -127,7 +127,7 @@ fn paint(stage: &mut Stage, depth: Depth) -> io::Result<()> {
     out.flush()
 }
 
-/// What an event tells the player.
+/// The command of an event.
 fn command(event: &Event) -> Option<Command> {
     match event {
         Event::Key(key) => key_command(key),

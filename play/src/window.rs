@@ -145,7 +145,7 @@ impl Window {
             stage.player.obey(Command::Resize(size));
         }
         self.surface.resize(width, height).map_err(Error::Surface)?;
-        let picture = stage.captioned();
+        let picture = stage.caption();
         let mut buffer = self.surface.buffer_mut().map_err(Error::Surface)?;
         for (pixel, &[red, green, blue, _]) in buffer.iter_mut().zip(&picture.pixels) {
             *pixel = u32::from_be_bytes([0, red, green, blue]);
@@ -166,7 +166,7 @@ struct Application {
 }
 
 impl Application {
-    /// Does what it is told, if anything, and shows it.
+    /// Obeys a command, if there is one, and shows the result.
     fn obey(&mut self, event_loop: &ActiveEventLoop, command: Option<Command>) {
         if let Some(command) = command
             && let ControlFlow::Break(()) = self.stage.obey(command)

@@ -71,7 +71,7 @@ impl Dice {
 }
 
 #[test]
-fn a_player_that_is_told_anything_plays_on() {
+fn a_player_takes_any_command_and_plays_on() {
     let mut painter = Painter::default();
     let count = exhibits().len();
     for seed in 0..40_u64 {

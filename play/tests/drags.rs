@@ -18,7 +18,7 @@ fn a_dragged_crank_points_at_the_pointer() {
     };
     let camera = player.camera().clone();
     player.obey(Command::Press(player.pixel(pin).expect("it is there")));
-    let held = player.held().expect("a link is there");
+    let held = player.held_spot().expect("a link is there");
     // What is seen there may be the coupler: its end goes the same circle.
     assert!(held.link == 1 || held.link == 2, "{held:?}");
     for step in 1..200 {
@@ -103,7 +103,7 @@ fn a_hand_is_led_where_three_motors_reach() {
     };
     let start = player.pixel(hand).expect("it is there");
     player.obey(Command::Press(start));
-    let held = player.held().expect("a link is there");
+    let held = player.held_spot().expect("a link is there");
     for step in 0..30 {
         let aim = [
             start[0] - 2.0 * f64::from(step),
@@ -159,5 +159,5 @@ fn a_diagram_without_shapes_is_dragged_by_its_bars() {
         at: [2.0, 0.0],
     };
     player.obey(Command::Press(player.pixel(rod).expect("it is there")));
-    assert_eq!(player.held().map(|spot| spot.link), Some(3));
+    assert_eq!(player.held_spot().map(|spot| spot.link), Some(3));
 }

@@ -41,7 +41,7 @@ fn picture(player: &Player) -> Picture {
 }
 
 #[test]
-fn every_exhibit_goes_its_own_way() {
+fn every_exhibit_makes_its_own_motion() {
     for (index, exhibit) in exhibits().into_iter().enumerate() {
         let mut player = Player::new(exhibits(), index, SIZE).expect("it moves");
         let start = player.motors();
@@ -97,7 +97,7 @@ fn steps_speed_and_direction() {
     }
     assert!(near(&player.motors(), &[start], 1e-9));
 
-    let gone = |player: &mut Player, commands: &[Command]| {
+    let distance = |player: &mut Player, commands: &[Command]| {
         player.obey(Command::Reset);
         for &command in commands {
             player.obey(command);
@@ -107,11 +107,11 @@ fn steps_speed_and_direction() {
         player.motors()[0] - before
     };
     player.obey(Command::PlayOrPause);
-    let usual = gone(&mut player, &[]);
+    let usual = distance(&mut player, &[]);
     assert!((usual - TAU * 0.05 / 2.7).abs() < 1e-9); // 90 frames of 30 ms
-    let faster = gone(&mut player, &[Command::Faster, Command::Faster]);
-    let slower = gone(&mut player, &[Command::Slower]);
-    let back = gone(&mut player, &[Command::Reverse]);
+    let faster = distance(&mut player, &[Command::Faster, Command::Faster]);
+    let slower = distance(&mut player, &[Command::Slower]);
+    let back = distance(&mut player, &[Command::Reverse]);
     assert!(near(
         &[faster, slower, back],
         &[4.0 * usual, usual / 2.0, -usual],
@@ -226,7 +226,7 @@ fn paper_is_panned_and_the_wheel_zooms() {
     let corner = [2.0, 2.0];
     let place = player.camera().place(corner);
     player.obey(Command::Press(corner));
-    assert_eq!(player.held(), None);
+    assert_eq!(player.held_spot(), None);
     player.obey(Command::Point([52.0, 22.0]));
     player.obey(Command::Release);
     let [x, y] = player.camera().pixel(place);

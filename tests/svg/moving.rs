@@ -8,7 +8,7 @@ use mech_gallery::geared_piston::GearedPiston;
 use mech_gallery::jansen::JansenLeg;
 use mech_gallery::rocker_arm::RockerArm;
 use mech_gallery::watt::Watt;
-use mech_runtime::files::{AnimatedSvg, Sheet, animated};
+use mech_runtime::files::{AnimatedSvg, Sheet, animate};
 use mech_runtime::{Blocked, Canvas, Mechanism, Outline, Palette, Pose, Scalar, View, mechanism};
 use proptest::prelude::*;
 use resvg::usvg::roxmltree::Document;
@@ -20,7 +20,7 @@ const SIZE: [usize; 2] = [640, 480];
 /// The farthest that anything is from where it should be, in pixels; that it is the right thing, in the right order.
 fn deviation<M: Mechanism>(view: View, motion: impl Fn(f64) -> M::Motors) -> f64 {
     let sheet = Sheet::new(SIZE[0], SIZE[1]).look_at(view);
-    let text = animated::<M>(&sheet, Duration::from_millis(2700), &motion).expect("it moves");
+    let text = animate::<M>(&sheet, Duration::from_millis(2700), &motion).expect("it moves");
     let document = Document::parse(&text).expect("well-formed");
     let player = Player::new(&document);
     assert_eq!(player.period, 2.7);
@@ -117,7 +117,7 @@ mechanism! {
 fn traces() {
     let sheet = Sheet::new(320, 240).look_at(View::new([2.0, 2.0], 60.0));
     let motion = |phase: f64| [phase * TAU];
-    let text = animated::<Traced>(&sheet, Duration::from_secs(2), motion).expect("it turns");
+    let text = animate::<Traced>(&sheet, Duration::from_secs(2), motion).expect("it turns");
     let document = Document::parse(&text).expect("well-formed");
     let seen = Player::new(&document).seen(0.3);
     let colors = seen
@@ -164,7 +164,7 @@ fn distance(point: [f64; 2], line: &[[f64; 2]]) -> f64 {
 fn what_blocks_is_told() {
     let sheet = Sheet::new(64, 48);
     let beyond = |phase: f64| [phase * f64::INFINITY];
-    let error = animated::<CrankRocker>(&sheet, Duration::from_secs(1), beyond);
+    let error = animate::<CrankRocker>(&sheet, Duration::from_secs(1), beyond);
     assert!(
         matches!(error, Err(Blocked { place: "a", .. })),
         "{error:?}"

@@ -35,7 +35,7 @@ impl<'a> Player<'a> {
                     .parse()
                     .expect("a number");
             } else if let Some((name, rest)) = line
-                .strip_prefix("@keyframes way")
+                .strip_prefix("@keyframes track")
                 .and_then(|rest| rest.split_once('{'))
             {
                 ways.insert(name, keys(rest.strip_suffix('}').expect("an end")));
@@ -62,7 +62,7 @@ impl<'a> Player<'a> {
                 .unwrap_or_default()
                 .split(' ')
                 .collect();
-            let way = classes.iter().find_map(|class| class.strip_prefix("way"));
+            let way = classes.iter().find_map(|class| class.strip_prefix("track"));
             let transform = match way {
                 Some(way) => at(&self.ways[way], phase),
                 None => group

@@ -3,7 +3,8 @@
 use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{
-    Arithmetic, BinaryFunction, Effects, Function, Law, Method, Model, Now, ParamId, Precision,
+    Arithmetic, BinaryFunction, Effects, FormulaArithmetic, Function, Law, Method, Model, Now,
+    ParamId, Precision,
 };
 use mech_compiler::program::{Timing, build_timing};
 use mech_runtime::Cause;
@@ -165,14 +166,6 @@ impl Arithmetic for At {
         Jet([value, 0.0, 0.0])
     }
 
-    fn variable(&mut self) -> Jet {
-        Jet([self.0, 1.0, 0.0])
-    }
-
-    fn param(&mut self, _: ParamId) -> Jet {
-        unreachable!("no law here has a param")
-    }
-
     fn neg(&mut self, Jet(a): Jet) -> Jet {
         Jet(a.map(|part| -part))
     }
@@ -193,6 +186,16 @@ impl Arithmetic for At {
         let below = b.0[0];
         let inverse = [1.0 / below, -below.powi(-2), 2.0 * below.powi(-3)];
         a.product(b.through(inverse))
+    }
+}
+
+impl FormulaArithmetic for At {
+    fn variable(&mut self) -> Jet {
+        Jet([self.0, 1.0, 0.0])
+    }
+
+    fn param(&mut self, _: ParamId) -> Jet {
+        unreachable!("no law here has a param")
     }
 
     fn of(&mut self, function: Function, a: Jet) -> Jet {

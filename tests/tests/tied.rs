@@ -231,9 +231,8 @@ proptest! {
         prop_assert!(refused.is_empty(), "{refused:?}");
     }
 
-    /// In single precision, too, except where the branches lie so near each other that rounding hides which is which.
+    /// In single precision, too.
     #[test]
-    #[ignore = "where branches are near each other rounding hides which is which"]
     fn tied_loops_go_straight_on_in_single_precision(
         corners in [corner(), corner(), corner()],
         teeth in (10..40_i32, 10..40_i32),

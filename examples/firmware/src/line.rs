@@ -42,11 +42,11 @@ impl Line {
         while unit > 1 && number < unit {
             unit /= 10;
         }
-        let mut rest = number;
+        let mut remainder = number;
         for _ in 0..10 {
             let mut digit = b'0';
-            while rest >= unit {
-                rest -= unit;
+            while remainder >= unit {
+                remainder -= unit;
                 digit += 1;
             }
             self.push(digit);

@@ -142,7 +142,7 @@ impl St7789 {
     }
 
     /// How many bytes were sent since this was asked last.
-    pub fn sent(&self) -> u32 {
+    pub fn sent_bytes(&self) -> u32 {
         self.sent.take()
     }
 
@@ -273,7 +273,7 @@ impl Ssd1306 {
     }
 
     /// How many bytes were sent since this was asked last, each message with its address.
-    pub fn sent(&self) -> u32 {
+    pub fn sent_bytes(&self) -> u32 {
         self.sent.take()
     }
 

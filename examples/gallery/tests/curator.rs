@@ -39,7 +39,7 @@ fn pictures(showcase: &Showcase<FourBar>) -> Vec<Picture> {
 }
 
 /// All frames of a GIF as they are seen, and its number of repetitions.
-fn seen(bytes: &[u8]) -> (Vec<Picture>, gif::Repeat) {
+fn decode(bytes: &[u8]) -> (Vec<Picture>, gif::Repeat) {
     let mut decoder = gif::DecodeOptions::new().read_info(bytes).expect("a GIF");
     let table = decoder
         .global_palette()
@@ -112,7 +112,7 @@ fn files_and_page() {
 
     let gif = fs::read(folder.join("four-bar.gif")).expect("a GIF");
     assert!(gif.len() < 1_500_000, "{} bytes", gif.len());
-    let (seen, repeat) = seen(&gif);
+    let (seen, repeat) = decode(&gif);
     assert_eq!((seen.len(), repeat), (FRAMES, gif::Repeat::Infinite));
     for (seen, painted) in seen.iter().zip(&painted) {
         assert_eq!((seen.width, seen.height), (painted.width, painted.height));
@@ -190,7 +190,7 @@ fn strips_do_not_show() {
 }
 
 #[test]
-fn a_few_colors_are_kept_exactly() {
+fn a_few_colors_stay_exact() {
     let pixels: Vec<_> = (0..=254)
         .map(|level| [level, 0, 255 - level, 255])
         .collect();
@@ -214,7 +214,7 @@ fn a_picture_that_does_not_change_keeps_its_time() {
         height: 2,
         pixels: vec![[9, 9, 9, 255]; 6],
     };
-    let (seen, _) = seen(&animation(&vec![picture.clone(); 5]).expect("a GIF"));
+    let (seen, _) = decode(&animation(&vec![picture.clone(); 5]).expect("a GIF"));
     assert_eq!(seen, vec![picture; 5]);
 }
 
@@ -232,7 +232,7 @@ fn nothing_to_show() {
 }
 
 #[test]
-fn a_blocked_mechanism_is_told() {
+fn a_blocked_mechanism_is_reported() {
     let beyond = Showcase {
         motion: |phase| [phase * 14.0],
         ..showcase()
@@ -265,7 +265,7 @@ fn a_blocked_mechanism_is_told() {
 }
 
 #[test]
-fn an_unknown_name_is_told() {
+fn an_unknown_name_is_reported() {
     let curator = Curator::new(vec![Box::new(showcase())], folder("unknown"));
     let error = curator
         .serve(["five-bar".to_owned()])

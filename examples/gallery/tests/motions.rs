@@ -65,7 +65,7 @@ impl Visitor for Spectator {
     }
 }
 
-fn seen() -> [Vec<Seen>; 2] {
+fn watch_all() -> [Vec<Seen>; 2] {
     let [mut double, mut single] = [Spectator::default(), Spectator::default()];
     visit_f64(&mut double);
     visit_f32(&mut single);
@@ -74,7 +74,7 @@ fn seen() -> [Vec<Seen>; 2] {
 
 #[test]
 fn both_precisions_are_of_the_same_mechanisms() {
-    let [double, single] = seen();
+    let [double, single] = watch_all();
     assert_eq!(double.len(), single.len());
     let mut slugs = HashSet::new();
     for (double, single) in double.iter().zip(&single) {
@@ -94,8 +94,8 @@ fn both_precisions_are_of_the_same_mechanisms() {
 
 /// Motors are where they should be, and poses follow: as exactly as that precision can.
 #[test]
-fn single_precision_goes_the_same_way() {
-    let [double, single] = seen();
+fn single_precision_makes_the_same_motion() {
+    let [double, single] = watch_all();
     let mut worst = 0.0_f64;
     for (double, single) in double.iter().zip(&single) {
         for (moment, ((exact, _), (rounded, _))) in
@@ -118,7 +118,7 @@ fn single_precision_goes_the_same_way() {
 /// A film that is shown again and again does not jump.
 #[test]
 fn motions_end_where_they_begin() {
-    let [double, _] = seen();
+    let [double, _] = watch_all();
     for seen in &double {
         let last = seen.moments.len() - 1;
         let off = seen.off(last, seen, 0);

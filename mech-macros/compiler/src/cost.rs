@@ -29,63 +29,20 @@ pub struct Cost {
     pub selections: u32,
 }
 
-/// Cycles of each operation.
-struct Cycles {
-    addition: f64,
-    multiplication: f64,
-    division: f64,
-    square_root: f64,
-    sine_cosine: f64,
-    arctangent: f64,
-    selection: f64,
-}
-
-impl Cycles {
-    /// Estimates. A position is one long chain of operations of which about two at a time do not wait for each other: on a desktop
-    /// machine (Skylake to Zen 4: Fog's instruction tables) sums and products count half their latency of four, quotients and
-    /// roots, which everything after them waits for, the whole of theirs; sines are those of `libm` on reduced arguments, as
-    /// measured beside the dyad (`DESIGN.md`, §5). A Cortex-M4 does one thing after the other: by its reference manual a sum or a
-    /// product takes one cycle, and one more to load or keep what it works on; a quotient or a root 14. What it has no unit for
-    /// is a call: double precision as in the run-time libraries of compilers, sines and arctangents by polynomials.
-    const fn of(target: Target, precision: Precision) -> Self {
-        match (target, precision) {
-            (Target::X86_64, Precision::F64) => Self {
-                addition: 2.0,
-                multiplication: 2.0,
-                division: 14.0,
-                square_root: 18.0,
-                sine_cosine: 40.0,
-                arctangent: 60.0,
-                selection: 1.0,
-            },
-            (Target::X86_64, Precision::F32) => Self {
-                addition: 2.0,
-                multiplication: 2.0,
-                division: 11.0,
-                square_root: 12.0,
-                sine_cosine: 30.0,
-                arctangent: 45.0,
-                selection: 1.0,
-            },
-            (Target::CortexM4f, Precision::F32) => Self {
-                addition: 2.0,
-                multiplication: 2.0,
-                division: 14.0,
-                square_root: 14.0,
-                sine_cosine: 60.0,
-                arctangent: 80.0,
-                selection: 3.0,
-            },
-            (Target::CortexM4f, Precision::F64) => Self {
-                addition: 70.0,
-                multiplication: 60.0,
-                division: 250.0,
-                square_root: 500.0,
-                sine_cosine: 2500.0,
-                arctangent: 2500.0,
-                selection: 20.0,
-            },
-        }
+/// Cycles of each kind of operation, in the order in which [`Cost`] counts them: estimates.
+///
+/// A position is one long chain of operations of which about two at a time do not wait for each other. On a desktop machine (Skylake to
+/// Zen 4: Fog's instruction tables) sums and products count half their latency of four; quotients and roots, which everything after them
+/// waits for, count the whole of theirs; sines are those of `libm` on reduced arguments, as measured beside the dyad (`DESIGN.md`, §5). A
+/// Cortex-M4 does one thing after the other. By its reference manual a sum or a product takes one cycle, and one more to load or store its
+/// operands; a quotient or a root takes 14. What it has no unit for is a call: double precision as in the run-time libraries of compilers,
+/// sines and arctangents by polynomials.
+const fn cycles(target: Target, precision: Precision) -> [f64; 7] {
+    match (target, precision) {
+        (Target::X86_64, Precision::F64) => [2.0, 2.0, 14.0, 18.0, 40.0, 60.0, 1.0],
+        (Target::X86_64, Precision::F32) => [2.0, 2.0, 11.0, 12.0, 30.0, 45.0, 1.0],
+        (Target::CortexM4f, Precision::F32) => [2.0, 2.0, 14.0, 14.0, 60.0, 80.0, 3.0],
+        (Target::CortexM4f, Precision::F64) => [70.0, 60.0, 250.0, 500.0, 2500.0, 2500.0, 20.0],
     }
 }
 
@@ -93,17 +50,56 @@ impl Cost {
     /// About how many cycles it takes on a machine.
     #[must_use]
     pub fn weight(&self, target: Target, precision: Precision) -> f64 {
-        let cycles = Cycles::of(target, precision);
-        f64::from(self.additions) * cycles.addition
-            + f64::from(self.multiplications) * cycles.multiplication
-            + f64::from(self.divisions) * cycles.division
-            + f64::from(self.square_roots) * cycles.square_root
-            + f64::from(self.sine_cosine_pairs) * cycles.sine_cosine
-            + f64::from(self.arctangents) * cycles.arctangent
-            + f64::from(self.selections) * cycles.selection
+        let cycles = cycles(target, precision);
+        let counts = self.counts().map(f64::from);
+        counts
+            .iter()
+            .zip(cycles)
+            .map(|(count, one)| count * one)
+            .sum()
     }
 
-    /// What an operation adds. A cosine is counted with its sine, if that is needed too: `sine` tells.
+    /// The number of each kind of operation.
+    fn counts(&self) -> [u32; 7] {
+        [
+            self.additions,
+            self.multiplications,
+            self.divisions,
+            self.square_roots,
+            self.sine_cosine_pairs,
+            self.arctangents,
+            self.selections,
+        ]
+    }
+
+    /// The cost with these numbers of operations.
+    fn of_counts(counts: [u32; 7]) -> Self {
+        let [additions, multiplications, divisions, ..] = counts;
+        let [.., square_roots, sine_cosine_pairs, arctangents, selections] = counts;
+        Self {
+            additions,
+            multiplications,
+            divisions,
+            square_roots,
+            sine_cosine_pairs,
+            arctangents,
+            selections,
+        }
+    }
+
+    /// Combines the numbers of two costs, kind by kind.
+    fn combine(self, other: Self, each: impl Fn(u32, u32) -> u32) -> Self {
+        let (own, others) = (self.counts(), other.counts());
+        Self::of_counts(std::array::from_fn(|kind| each(own[kind], others[kind])))
+    }
+
+    /// What is left after the operations of another are taken off.
+    #[must_use]
+    pub fn without(self, other: Self) -> Self {
+        self.combine(other, u32::saturating_sub)
+    }
+
+    /// The cost of an operation. A cosine is counted with its sine, if that is needed too, which `sine` decides.
     fn of(op: Op, sine: impl Fn(Value) -> bool) -> Self {
         let mut cost = Self::default();
         match op {
@@ -153,28 +149,15 @@ impl Cost {
             ..Self::default()
         }
     }
-
-    /// Each kind of operation that there is, and its sign.
-    fn parts(&self) -> impl Iterator<Item = (u32, &'static str)> {
-        [
-            (self.additions, "+"),
-            (self.multiplications, "×"),
-            (self.divisions, "÷"),
-            (self.square_roots, "√"),
-            (self.sine_cosine_pairs, "sin cos"),
-            (self.arctangents, "atan"),
-            (self.selections, "≷"),
-        ]
-        .into_iter()
-        .filter(|(count, _)| *count > 0)
-    }
 }
 
 /// As in a report: `12 + · 14 × · 1 ÷ · 1 √`.
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let parts: Vec<String> = self
-            .parts()
+        let signs = ["+", "×", "÷", "√", "sin cos", "atan", "≷"];
+        let counts = self.counts().into_iter().zip(signs);
+        let parts: Vec<String> = counts
+            .filter(|(count, _)| *count > 0)
             .map(|(count, sign)| format!("{count} {sign}"))
             .collect();
         match parts[..] {
@@ -188,33 +171,7 @@ impl Add for Cost {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self {
-            additions: self.additions + other.additions,
-            multiplications: self.multiplications + other.multiplications,
-            divisions: self.divisions + other.divisions,
-            square_roots: self.square_roots + other.square_roots,
-            sine_cosine_pairs: self.sine_cosine_pairs + other.sine_cosine_pairs,
-            arctangents: self.arctangents + other.arctangents,
-            selections: self.selections + other.selections,
-        }
-    }
-}
-
-impl Cost {
-    /// What is left after the operations of another are taken off.
-    #[must_use]
-    pub fn without(self, other: Self) -> Self {
-        Self {
-            additions: self.additions.saturating_sub(other.additions),
-            multiplications: self.multiplications.saturating_sub(other.multiplications),
-            divisions: self.divisions.saturating_sub(other.divisions),
-            square_roots: self.square_roots.saturating_sub(other.square_roots),
-            sine_cosine_pairs: self
-                .sine_cosine_pairs
-                .saturating_sub(other.sine_cosine_pairs),
-            arctangents: self.arctangents.saturating_sub(other.arctangents),
-            selections: self.selections.saturating_sub(other.selections),
-        }
+        self.combine(other, Add::add)
     }
 }
 
@@ -222,15 +179,7 @@ impl Mul<u32> for Cost {
     type Output = Self;
 
     fn mul(self, times: u32) -> Self {
-        Self {
-            additions: self.additions * times,
-            multiplications: self.multiplications * times,
-            divisions: self.divisions * times,
-            square_roots: self.square_roots * times,
-            sine_cosine_pairs: self.sine_cosine_pairs * times,
-            arctangents: self.arctangents * times,
-            selections: self.selections * times,
-        }
+        Self::of_counts(self.counts().map(|count| count * times))
     }
 }
 
@@ -246,7 +195,7 @@ pub fn of_program(program: &Program) -> Cost {
     of_blocks(program).into_iter().sum()
 }
 
-/// What it costs beyond a position to go on to rates.
+/// What rates cost beyond a position.
 #[must_use]
 pub fn of_rates(program: &Program, moving: &Program) -> Cost {
     let systems = moving
@@ -309,7 +258,7 @@ fn sines(program: &Program) -> Vec<bool> {
     sines
 }
 
-/// What it takes to tell whether a loop is closed, and to solve what is solved as a whole.
+/// The cost of the test whether a loop is closed, and of the systems that are solved as a whole.
 fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cost {
     let (newton, iteration) = match (&block.kind, iteration) {
         (BlockKind::Newton(newton), Some(iteration)) => (newton, iteration),
@@ -340,19 +289,13 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
     } else {
         Cost::default()
     };
-    let det = Cost {
-        selections: 1,
+    let rounds = newton.contracting().map_or(0, |_| iteration.rounds);
+    let contraction_and_det = Cost {
+        multiplications: rounds,
+        selections: 2 * rounds + 1,
         ..Cost::default()
     };
-    let contraction = Cost {
-        multiplications: 1,
-        selections: 2,
-        ..Cost::default()
-    };
-    let contractions = newton
-        .contracting()
-        .map_or(Cost::default(), |_| contraction * iteration.rounds);
-    in_rounds + dense + test + det + contractions
+    in_rounds + dense + test + contraction_and_det
 }
 
 /// How often what is in an iteration is done.

@@ -13,7 +13,7 @@ use run::{Given, Runner};
 
 pub use sensitivity::{Followed, sensitivities};
 
-/// Why a mechanism did not go where it was told.
+/// Why a mechanism did not go to a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
     /// There are not as many values as motors (and params, if these are given).
@@ -26,13 +26,13 @@ pub enum Stop {
     DeadPoint(BlockId),
     /// The loop of this block is at a change point and was declared to stop there.
     ChangePoint(BlockId),
-    /// The way is too long to be followed in one move.
+    /// The displacement is too long for one move.
     TooFar,
     /// A coordinate is beyond the range of the numbers.
     Overflow,
     /// The rates of the loop with this number are not determined: it is at a dead point or a change point.
     Singular(usize),
-    /// The program does not go on to rates.
+    /// The program does not compute rates.
     Unasked,
 }
 
@@ -41,11 +41,11 @@ pub enum Stop {
 pub struct Moved<T> {
     /// For each moving link its angular velocity, and the rates of x and y.
     pub velocities: Vec<[T; 3]>,
-    /// For each moving link its angular acceleration, and the second rates of x and y, if the program goes on to them.
+    /// For each moving link its angular acceleration, and the second rates of x and y, if the program computes them.
     pub accelerations: Option<Vec<[T; 3]>>,
 }
 
-/// A mechanism that is moved by interpretation, in any precision, whatever the program was written for.
+/// A mechanism that is moved by interpretation, in any precision, whatever the program was compiled for.
 #[derive(Clone, Debug)]
 pub struct Machine<'p, T> {
     runner: Runner<'p>,
@@ -132,7 +132,7 @@ impl<'p, T: Real> Machine<'p, T> {
             .map_err(|halt| halt.stop)
     }
 
-    /// Moves towards these values of the motors as far as it can. Gives the reason if that is not all the way.
+    /// Moves towards these values of the motors as far as it can. Gives the reason if it does not arrive.
     ///
     /// # Errors
     /// If there are too few or too many values, or one is not finite; it then stays where it was.
@@ -154,7 +154,7 @@ impl<'p, T: Real> Machine<'p, T> {
     ///
     /// # Errors
     /// If a loop is at a dead point or a change point, where rates are not determined; if a rate is not finite; or if the
-    /// program does not go on to rates.
+    /// program does not compute rates.
     pub fn motion(&self, rates: &[T], accelerations: &[T]) -> Result<Moved<T>, Stop> {
         let given = self.given(rates, accelerations, &[])?;
         self.runner.motion(&self.position, given)
@@ -164,7 +164,7 @@ impl<'p, T: Real> Machine<'p, T> {
     ///
     /// # Errors
     /// If a loop is at a dead point or a change point, where that is not determined; if a number is not finite or missing; or if
-    /// the program does not go on to forces.
+    /// the program does not compute forces.
     pub fn forces(&self, rates: &[T], accelerations: &[T], loads: &[T]) -> Result<Forces<T>, Stop> {
         let given = self.given(rates, accelerations, loads)?;
         self.runner.forces(&self.position, given)

@@ -1,6 +1,6 @@
-//! The numbers of the colours that every ready-made palette has, by name.
+//! The named colours of all ready-made palettes.
 
-/// Names and numbers, in the order of the numbers.
+/// The names and entries of the colours, in the order of the entries.
 pub const NAMED: [(&str, u8); 18] = [
     ("paper", 0),
     ("ground", 1),

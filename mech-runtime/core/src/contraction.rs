@@ -1,24 +1,24 @@
-//! Whether Newton's iteration stays with the solution that it started from.
+//! A test that Newton's iteration stays with the solution at which it started.
 //!
-//! After Kantorovich: where the first step times the rate at which the equations bend is less than a half, there is one solution
-//! near, and the iteration ends in it. What the second step is of the first tells that product from below: a quarter would be
-//! the half; an eighth is asked for, and that the first step is short. Else the iteration may end in another assembly.
+//! By Kantorovich's theorem, the iteration converges to the only solution near if a product is less than a half: that of the first step and
+//! the curvature of the equations. The ratio of the second step to the first bounds that product from below. A ratio of a quarter would
+//! stand for the half. This test demands an eighth, and a short first step. Otherwise the iteration may end in another assembly.
 
 use crate::Real;
 
-/// The square of a step is at most this part of that of the step before.
+/// The greatest ratio of the square of a step to that of the step before.
 const PART: f64 = 1.0 / 64.0;
-/// Steps whose square is less are small enough: between solutions so near each other the determinant's sign tells.
+/// The square below which a step is always small enough. The determinant's sign distinguishes solutions that are so near each other.
 const SMALL: f64 = 1e-6;
 
-/// The square of a step before the first: which is a quarter of a radian at most, or a quarter of the size of its loop.
+/// The square of the step before the first, which limits the first to a quarter of a radian or of the loop's size.
 #[inline]
 #[must_use]
 pub fn before_first<T: Real>() -> T {
     T::from_f64(4.0)
 }
 
-/// Whether a step is much smaller than the one before, which it takes the place of. Both are squares.
+/// Returns whether a step is much smaller than the one before, and stores it in its place. Both are squares of lengths.
 #[inline]
 pub fn contracts<T: Real>(before: &mut T, step: T) -> bool {
     let most = *before * T::from_f64(PART);

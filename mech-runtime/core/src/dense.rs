@@ -1,10 +1,9 @@
-//! A dense linear system, by elimination with partial pivoting.
+//! Dense linear systems, by elimination with partial pivoting.
 
 use crate::Real;
 
-/// Puts the solution of `rows · x = right` into the place of `right` and gives the determinant. As many rows are looked at as
-/// there are numbers on the right, each of at least as many. What is singular gives a determinant of zero or numbers that are not
-/// finite.
+/// Solves `rows · x = right`, stores the solution in `right` and returns the determinant. The size of the system is the length of `right`;
+/// each row has at least as many numbers. A singular system gives a determinant of zero or numbers that are not finite.
 #[inline]
 pub fn solve<T: Real, R: AsRef<[T]> + AsMut<[T]>>(rows: &mut [R], right: &mut [T]) -> T {
     let count = right.len();

@@ -1,29 +1,29 @@
-//! Sine and cosine between the diagonals, |angle| <= pi/4, and their way back to the quadrant they came from.
+//! Sine and cosine between the diagonals, |angle| <= pi/4, and their rotation back to the quadrant of the angle.
 //!
-//! The angle comes in two parts, a float and what its rounding lost. The coefficients are minimax fits (Remez, one
-//! coefficient rounded at a time): the error of the sine is relative to the sine, that of the cosine to one.
+//! The angle has two parts: a float and its rounding error. The coefficients are minimax fits (Remez, one coefficient rounded at a
+//! time). The error of the sine is relative to the sine, that of the cosine to one.
 
-/// An angle as a number of right angles and what is left of it: `high + low` in radians.
-pub(crate) struct Rest<T, Bits> {
-    /// |high| <= pi/4, or a little more by what is rounded.
+/// An angle as a number of right angles and a remainder `high + low` in radians.
+pub(crate) struct ReducedAngle<T, Bits> {
+    /// |high| <= pi/4, or a little more by rounding.
     pub(crate) high: T,
     /// Half an ulp of one at most.
     pub(crate) low: T,
-    /// The last two bits of it count right angles.
+    /// The number of right angles, modulo four, in the last two bits.
     pub(crate) quadrant: Bits,
 }
 
-impl Rest<f64, u64> {
+impl ReducedAngle<f64, u64> {
     #[inline]
     pub(crate) fn sin_cos(self) -> (f64, f64) {
-        turned_f64(between_diagonals_f64(self.high, self.low), self.quadrant)
+        rotate_f64(between_diagonals_f64(self.high, self.low), self.quadrant)
     }
 }
 
-impl Rest<f32, u32> {
+impl ReducedAngle<f32, u32> {
     #[inline]
     pub(crate) fn sin_cos(self) -> (f32, f32) {
-        turned_f32(between_diagonals_f32(self.high, self.low), self.quadrant)
+        rotate_f32(between_diagonals_f32(self.high, self.low), self.quadrant)
     }
 }
 
@@ -59,7 +59,7 @@ fn between_diagonals_f64(high: f64, low: f64) -> (f64, f64) {
 
     let tail = square * (COS[0] + square * (COS[1] + square * COS[2]))
         + fourth * fourth * (COS[3] + square * (COS[4] + square * COS[5]));
-    // 1 - square/2 is rounded; what that lost is known exactly.
+    // 1 - square/2 is rounded, and the error is known exactly.
     let half = 0.5 * square;
     let first = 1.0 - half;
     let cosine = first + (((1.0 - first) - half) + (square * tail - high * low));
@@ -86,9 +86,9 @@ fn between_diagonals_f32(high: f32, low: f32) -> (f32, f32) {
     (sine, cosine)
 }
 
-/// Turns a direction by as many right angles as the last two bits of `quadrant` say, without a branch.
+/// Rotates a direction by `quadrant` right angles, modulo four, without a branch.
 #[inline]
-fn turned_f64((sine, cosine): (f64, f64), quadrant: u64) -> (f64, f64) {
+fn rotate_f64((sine, cosine): (f64, f64), quadrant: u64) -> (f64, f64) {
     let (sine, cosine) = (sine.to_bits(), cosine.to_bits());
     let swap = (sine ^ cosine) & (quadrant & 1).wrapping_neg();
     let sine_sign = (quadrant & 2) << 62;
@@ -99,9 +99,9 @@ fn turned_f64((sine, cosine): (f64, f64), quadrant: u64) -> (f64, f64) {
     )
 }
 
-/// Turns a direction by as many right angles as the last two bits of `quadrant` say, without a branch.
+/// Rotates a direction by `quadrant` right angles, modulo four, without a branch.
 #[inline]
-fn turned_f32((sine, cosine): (f32, f32), quadrant: u32) -> (f32, f32) {
+fn rotate_f32((sine, cosine): (f32, f32), quadrant: u32) -> (f32, f32) {
     let (sine, cosine) = (sine.to_bits(), cosine.to_bits());
     let swap = (sine ^ cosine) & (quadrant & 1).wrapping_neg();
     let sine_sign = (quadrant & 2) << 30;

@@ -1,11 +1,10 @@
-//! The numerics that the code generated for a mechanism and the compiler's interpreter of it share, so that both give the
-//! same bits.
+//! Numerics that generated code and the compiler's interpreter share, so that both compute the same bits.
 //!
-//! [`trig`] has the sine and cosine of an angle in radians, in portable code that a compiler can vectorise; [`Phase`] is an
-//! angle that a motor may turn through for years without losing a bit.
+//! [`trig`] has the sine and cosine of an angle in radians, in portable code that compilers can vectorise. [`Phase`] is an angle that a
+//! motor may turn through for years without losing a bit.
 //!
-//! The crate is `no_std`, needs no allocator, has no `unsafe` code and never panics. Its results are the same bits on every
-//! machine whose floats are those of IEEE 754: nothing is fused, nothing depends on the processor's features.
+//! The crate is `no_std`, needs no allocator, has no `unsafe` code and never panics. Its results are the same bits on every machine with
+//! floats of IEEE 754: no operation is fused, and none depends on the processor's features.
 #![no_std]
 
 #[cfg(feature = "std")]

@@ -1,4 +1,4 @@
-//! The two kinds of float a mechanism is computed in.
+//! The floats of mechanisms.
 
 #[cfg(not(feature = "std"))]
 use crate::root;
@@ -33,13 +33,13 @@ pub trait Real:
     fn from_i32(value: i32) -> Self;
     /// The nearest number of this type.
     fn from_i64(value: i64) -> Self;
-    /// A phase as the nearest whole number of turns, and the rest in radians.
+    /// The nearest whole number of turns of a phase, and the remainder in radians.
     fn of_phase(phase: Phase) -> (i64, Self);
-    /// An angle in radians as the nearest whole number of turns, and the rest in radians; none beyond 2³¹ turns.
+    /// The nearest whole number of turns of an angle in radians, and the remainder in radians. `None` beyond 2³¹ turns.
     fn whole_turns(self) -> Option<(i32, Self)>;
     /// The number itself.
     fn to_f64(self) -> f64;
-    /// What is before the point: the nearest `i32` if that is none, zero if it is not a number.
+    /// The number rounded towards zero. Outside of the range of `i32` it saturates; NaN gives zero.
     fn to_i32(self) -> i32;
     /// The absolute value.
     #[must_use]
@@ -47,24 +47,24 @@ pub trait Real:
     /// The square root.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// The greater of two numbers: the second, if they are not ordered. One instruction on most machines.
+    /// The greater of two numbers, or the second if one is NaN. One instruction on most machines.
     #[must_use]
     fn max(self, other: Self) -> Self;
-    /// Its size with the sign of another.
+    /// The absolute value with the sign of another number.
     #[must_use]
     fn copysign(self, sign: Self) -> Self;
-    /// Sine and cosine of an angle in radians.
+    /// The sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
     /// The angle of the vector (`x`, `self`), in radians.
     #[must_use]
     fn atan2(self, x: Self) -> Self;
-    /// e to this power.
+    /// The exponential: e to this power.
     #[must_use]
     fn exp(self) -> Self;
     /// The nearest whole number, halves away from zero.
     #[must_use]
     fn round(self) -> Self;
-    /// Whether it is neither infinite nor not a number.
+    /// Whether it is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 }
 
@@ -78,10 +78,7 @@ macro_rules! real {
             const TURN: Self = core::$float::consts::TAU;
 
             #[inline]
-            #[allow(
-                clippy::cast_possible_truncation,
-                reason = "rounding is what is asked for"
-            )]
+            #[allow(clippy::cast_possible_truncation, reason = "rounding is intended")]
             fn from_f64(value: f64) -> Self {
                 value as Self
             }
@@ -90,14 +87,14 @@ macro_rules! real {
             #[allow(
                 clippy::cast_precision_loss,
                 clippy::cast_lossless,
-                reason = "rounding is what is asked for, and exact where it can be"
+                reason = "rounding is intended, and exact where it can be"
             )]
             fn from_i32(value: i32) -> Self {
                 value as Self
             }
 
             #[inline]
-            #[allow(clippy::cast_precision_loss, reason = "rounding is what is asked for")]
+            #[allow(clippy::cast_precision_loss, reason = "rounding is intended")]
             fn from_i64(value: i64) -> Self {
                 value as Self
             }
@@ -120,7 +117,7 @@ macro_rules! real {
             #[inline]
             #[allow(
                 clippy::cast_possible_truncation,
-                reason = "out of range it stops at the limits, and no number is none"
+                reason = "it saturates, and NaN gives zero"
             )]
             fn to_i32(self) -> i32 {
                 self as i32
@@ -131,7 +128,7 @@ macro_rules! real {
                 $float::abs(self)
             }
 
-            // Both are rounded correctly, so both give the same bits; that of `std` can be vectorised.
+            // Both are rounded correctly, so both give the same bits. That of `std` can be vectorised.
             #[cfg(feature = "std")]
             #[inline]
             fn sqrt(self) -> Self {

@@ -1,10 +1,9 @@
-//! What is left of an angle of any size when right angles are taken from it, after Payne and Hanek.
+//! The remainder of an angle of any size modulo right angles, after Payne and Hanek.
 //!
-//! A float is a whole number m times a power of two, and so is a bit of 2/pi. The products of m with the bits that are
-//! worth four right angles or more are whole turns, those with bits far behind are too small to matter: what is between
-//! is a window of a few words, and the product in whole numbers is exact.
+//! A float is a whole number m times a power of two, and so is a bit of 2/pi. Products of m with high bits of 2/pi are whole turns. Products
+//! with low bits are too small to matter. Between them is a window of a few words, whose product in whole numbers is exact.
 
-use crate::kernel::Rest;
+use crate::kernel::ReducedAngle;
 use crate::phase::{HEAD_F32, TAIL_F32};
 use crate::power::{power_f32, power_f64};
 
@@ -57,14 +56,13 @@ const RIGHT_ANGLES_F32: [u32; 7] = {
     [a, b, c, d, e, f, g]
 };
 
-/// An angle in radians that is not below 2^-7 in size, within 2^-40 turn. What is infinite or not a number gives what is not a
-/// number.
+/// Reduces an angle in radians of at least 2^-7, with an error of 2^-40 turn. Infinity and NaN give NaN.
 #[cold]
 #[expect(clippy::cast_precision_loss, reason = "both parts are small")]
-pub(crate) fn rest_of_f32(x: f32) -> Rest<f32, u32> {
+pub(crate) fn reduce_large_f32(x: f32) -> ReducedAngle<f32, u32> {
     const HIDDEN: u32 = 1 << 23;
     if !x.is_finite() {
-        return Rest {
+        return ReducedAngle {
             high: f32::NAN,
             low: 0.0,
             quadrant: 0,
@@ -74,8 +72,8 @@ pub(crate) fn rest_of_f32(x: f32) -> Rest<f32, u32> {
     let whole = bits & (HIDDEN - 1) | HIDDEN;
     // |x| is whole * 2^(biased - 150), and bit `i` is worth 2^(31 - i): bit `at` times 2^(biased - 150) is two right angles.
     let at = (bits >> 23 & 0xFF).saturating_sub(120);
-    let window = shifted(words_from(&RIGHT_ANGLES_F32, at), at);
-    // The first half, in units of 2^-30 right angles: more than the kernel can tell apart.
+    let window = shift(words_from(&RIGHT_ANGLES_F32, at), at);
+    // The first half, in units of 2^-30 right angles: finer than the kernel can distinguish.
     let size = window.wrapping_mul(u64::from(whole)) >> 32;
     let turn = size as u32;
     let turn = if x < 0.0 { turn.wrapping_neg() } else { turn };
@@ -83,33 +81,32 @@ pub(crate) fn rest_of_f32(x: f32) -> Rest<f32, u32> {
     let remainder = turn.wrapping_sub(quadrant << 30).cast_signed();
     let upper = (remainder + (1 << 12)) >> 13;
     let lower = remainder - (upper << 13);
-    // The first product is exact, so is what the sum loses.
+    // The first product is exact, and so is the error of the sum.
     let (upper, lower) = (upper as f32, lower as f32);
     let main = upper * (HEAD_F32 * power_f32(-19));
     let minor =
         upper * (TAIL_F32 * power_f32(-19)) + lower * (core::f32::consts::TAU * power_f32(-32));
     let high = main + minor;
-    Rest {
+    ReducedAngle {
         high,
         low: (main - high) + minor,
         quadrant,
     }
 }
 
-/// An angle in radians that is not below 2^-10 in size, within 2^-61 of what is left of it. What is infinite or not a number
-/// gives what is not a number.
+/// Reduces an angle in radians of at least 2^-10, with a relative error of 2^-61. Infinity and NaN give NaN.
 #[cold]
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_precision_loss,
     reason = "halves of what has twice the bits; the head has 53"
 )]
-pub(crate) fn rest_of_f64(x: f64) -> Rest<f64, u64> {
+pub(crate) fn reduce_large_f64(x: f64) -> ReducedAngle<f64, u64> {
     const HIDDEN: u64 = 1 << 52;
     // pi/2 in units of 2^-63.
     const RIGHT_ANGLE: u64 = 0xC90F_DAA2_2168_C235;
     if !x.is_finite() {
-        return Rest {
+        return ReducedAngle {
             high: f64::NAN,
             low: 0.0,
             quadrant: 0,
@@ -121,8 +118,8 @@ pub(crate) fn rest_of_f64(x: f64) -> Rest<f64, u64> {
     let at = (bits >> 52 & 0x7FF).saturating_sub(1013) as u32;
     let [a, b, c, d, e, f, g] = words_from(&RIGHT_ANGLES, at);
     let [first, second, third] = [[a, b, c], [c, d, e], [e, f, g]]
-        .map(|words| u128::from(shifted(words, at)) * u128::from(whole));
-    // In units of 2^-126 right angles. No float is nearer than 2^-62 to their multiples, so 64 bits of the rest are known.
+        .map(|words| u128::from(shift(words, at)) * u128::from(whole));
+    // In units of 2^-126 right angles. No float is nearer than 2^-62 to their multiples, so 64 bits of the remainder are known.
     let product = (first << 64).wrapping_add(second).wrapping_add(third >> 64);
     let quadrant = product.wrapping_add(1 << 125) >> 126;
     let remainder = product.wrapping_sub(quadrant << 126).cast_signed();
@@ -141,7 +138,7 @@ pub(crate) fn rest_of_f64(x: f64) -> Rest<f64, u64> {
         -unit
     };
     let quadrant = quadrant as u64;
-    Rest {
+    ReducedAngle {
         high: head as f64 * unit,
         low: f64::from(tail) * unit,
         quadrant: if x < 0.0 {
@@ -152,15 +149,15 @@ pub(crate) fn rest_of_f64(x: f64) -> Rest<f64, u64> {
     }
 }
 
-/// The words from the one on that has this bit: zeros, if there are not so many.
+/// The words from the one with this bit on, or zeros if there are too few.
 fn words_from<const N: usize>(words: &[u32], bit: u32) -> [u32; N] {
     let words = words.get((bit >> 5) as usize..);
     let words = words.and_then(<[u32]>::first_chunk);
     words.copied().unwrap_or([0; N])
 }
 
-/// The first 64 of the 96 bits of three words after as many as the last five bits of `by` say.
-fn shifted(words: [u32; 3], by: u32) -> u64 {
+/// The first 64 of the 96 bits of three words after `by` bits, modulo 32.
+fn shift(words: [u32; 3], by: u32) -> u64 {
     let [first, second, third] = words.map(u64::from);
     let by = by & 31;
     (first << 32 | second) << by | third << by >> 32

@@ -1,7 +1,6 @@
-//! The square root of an `f32` where there is no standard library: in whole numbers, without a table or a division.
+//! The square root of an `f32` without a standard library: in whole numbers, without a table or a division.
 
-/// The square root, rounded to nearest: the same bits as any other that is right. That of a number below zero is not a number,
-/// nor is that of what is not a number.
+/// The square root, rounded to nearest: the same bits as any other correctly rounded root. A number below zero and NaN give NaN.
 ///
 /// ```
 /// use mech_core::root::sqrt_f32;
@@ -26,7 +25,7 @@ pub fn sqrt_f32(x: f32) -> f32 {
     let mantissa = (bits << missing) & (HIDDEN - 1) | HIDDEN;
     let biased = (bits >> 23).max(1).cast_signed() - missing.cast_signed();
 
-    // An even power of two is put aside, so what is left is the mantissa or twice that, and its root between one and two.
+    // Without an even power of two, the number is the mantissa or twice that, and its root is between one and two.
     let is_double = biased & 1 == 0;
     let number = mantissa << (7 + u32::from(is_double));
     let inverse = inverse_root(mantissa, is_double, number);
@@ -46,12 +45,12 @@ pub fn sqrt_f32(x: f32) -> f32 {
 fn inverse_root(mantissa: u32, is_double: bool, number: u32) -> u32 {
     // The root of a half.
     const HALF: u32 = 0xB504_F334;
-    // Three in units of 2^-30, less than what is rounded: so it is never too great.
+    // Three in units of 2^-30, less a bound of the rounding, so that it is never too great.
     const THREE: u32 = (3 << 30) - 4;
     // A chord: 1.264 - 0.287 * mantissa.
     let chord = 0x439B_F2DC_u32.wrapping_sub(147 * mantissa);
     let mut inverse = if is_double { upper(chord, HALF) } else { chord };
-    // Newton's steps take its error from 2.4% to 8.4e-4, 1.1e-6 and what is rounded.
+    // Newton's steps reduce the error from 2.4% to 8.4e-4, to 1.1e-6, and to rounding.
     for _ in 0..3 {
         let square = upper(upper(number, inverse), inverse);
         inverse = upper(inverse, THREE - square) << 1;

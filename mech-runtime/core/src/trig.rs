@@ -1,9 +1,8 @@
-//! Sine and cosine of an angle in radians.
+//! The sine and cosine of an angle in radians.
 //!
-//! Up to a limit of many thousand turns ([`LIMIT_F64`], [`LIMIT_F32`]) they are computed without a branch, a table or a
-//! fused operation, so that a loop over them vectorises on any processor; beyond it the angle is first reduced in whole numbers,
-//! exactly, whatever its size. The `within` functions leave the test of the limit to the caller, who can do it once for a whole
-//! array:
+//! Up to a limit of many thousand turns ([`LIMIT_F64`], [`LIMIT_F32`]) there is no branch, table or fused operation, so a loop over angles
+//! vectorises on any processor. A larger angle is first reduced exactly, in whole numbers. The `within` functions do not test the limit.
+//! The caller can test it once for a whole array:
 //!
 //! ```
 //! use mech_core::trig::{LIMIT_F64, sin_cos_within_f64};
@@ -17,8 +16,8 @@
 //! assert_eq!(sines[1], 0.479425538604203);
 //! ```
 
-use crate::kernel::Rest;
-use crate::reduction::{rest_of_f32, rest_of_f64};
+use crate::kernel::ReducedAngle;
+use crate::reduction::{reduce_large_f32, reduce_large_f64};
 
 /// The greatest angle that [`sin_cos_within_f64`] takes: 2^18 right angles, 65536 turns.
 pub const LIMIT_F64: f64 = 262_144.0 * core::f64::consts::FRAC_PI_2;
@@ -26,8 +25,7 @@ pub const LIMIT_F64: f64 = 262_144.0 * core::f64::consts::FRAC_PI_2;
 /// The greatest angle that [`sin_cos_within_f32`] takes: 2^13 right angles, 2048 turns.
 pub const LIMIT_F32: f32 = 8192.0 * core::f32::consts::FRAC_PI_2;
 
-/// The sine and the cosine of an angle in radians, each within one ulp. What is infinite or not a number gives two that are
-/// not numbers.
+/// The sine and cosine of an angle in radians, each within one ulp. Infinity and NaN give NaN.
 ///
 /// ```
 /// use mech_core::trig::sin_cos_f64;
@@ -39,15 +37,14 @@ pub const LIMIT_F32: f32 = 8192.0 * core::f32::consts::FRAC_PI_2;
 #[must_use]
 pub fn sin_cos_f64(x: f64) -> (f64, f64) {
     let remainder = if x.abs() <= LIMIT_F64 {
-        rest_within_f64(x)
+        reduce_within_f64(x)
     } else {
-        rest_of_f64(x)
+        reduce_large_f64(x)
     };
     remainder.sin_cos()
 }
 
-/// The sine and the cosine of an angle in radians, each within 1e-7, in the arithmetic of `f32` and of whole numbers
-/// alone. What is infinite or not a number gives two that are not numbers.
+/// The sine and cosine of an angle in radians, each within 1e-7, in arithmetic of `f32` and whole numbers only. Infinity and NaN give NaN.
 ///
 /// ```
 /// use mech_core::trig::sin_cos_f32;
@@ -59,23 +56,23 @@ pub fn sin_cos_f64(x: f64) -> (f64, f64) {
 #[must_use]
 pub fn sin_cos_f32(x: f32) -> (f32, f32) {
     let remainder = if x.abs() <= LIMIT_F32 {
-        rest_within_f32(x)
+        reduce_within_f32(x)
     } else {
-        rest_of_f32(x)
+        reduce_large_f32(x)
     };
     remainder.sin_cos()
 }
 
-/// As [`sin_cos_f64`], bit for bit, for |x| <= [`LIMIT_F64`]; beyond that it gives any numbers, but does not panic.
+/// The same bits as [`sin_cos_f64`] for |x| <= [`LIMIT_F64`]. Beyond the limit the numbers are arbitrary, without a panic.
 #[inline]
 #[must_use]
 pub fn sin_cos_within_f64(x: f64) -> (f64, f64) {
-    rest_within_f64(x).sin_cos()
+    reduce_within_f64(x).sin_cos()
 }
 
-/// An angle that is within the limit less the nearest right angle.
+/// Reduces an angle that is within the limit.
 #[inline]
-fn rest_within_f64(x: f64) -> Rest<f64, u64> {
+fn reduce_within_f64(x: f64) -> ReducedAngle<f64, u64> {
     // A float between 2^52 and 2^53 has no bits after the point, so adding this rounds to nearest and leaves the whole
     // number in the last bits of the sum, negative ones in two's complement.
     const MAGIC: f64 = 6_755_399_441_055_744.0;
@@ -93,25 +90,25 @@ fn rest_within_f64(x: f64) -> Rest<f64, u64> {
     let second = first - middle;
     // Exact too, even if `first` is the smaller one: it is a multiple of the last place of `middle`.
     let lost = (first - second) - middle;
-    // What is left over is at most 2^-54, so that nobody has to wait until it is put where it belongs.
+    // This is at most 2^-54, so it need not be added to the high part.
     let low = lost - count * TAIL;
-    Rest {
+    ReducedAngle {
         high: second,
         low,
         quadrant: sum.to_bits(),
     }
 }
 
-/// As [`sin_cos_f32`], bit for bit, for |x| <= [`LIMIT_F32`]; beyond that it gives any numbers, but does not panic.
+/// The same bits as [`sin_cos_f32`] for |x| <= [`LIMIT_F32`]. Beyond the limit the numbers are arbitrary, without a panic.
 #[inline]
 #[must_use]
 pub fn sin_cos_within_f32(x: f32) -> (f32, f32) {
-    rest_within_f32(x).sin_cos()
+    reduce_within_f32(x).sin_cos()
 }
 
-/// An angle that is within the limit less the nearest right angle.
+/// Reduces an angle that is within the limit.
 #[inline]
-fn rest_within_f32(x: f32) -> Rest<f32, u32> {
+fn reduce_within_f32(x: f32) -> ReducedAngle<f32, u32> {
     // As above, between 2^23 and 2^24.
     const MAGIC: f32 = 12_582_912.0;
     // A right angle in three parts. The first two have 8 and 11 bits, so that their products with 13 bits are exact.
@@ -127,7 +124,7 @@ fn rest_within_f32(x: f32) -> Rest<f32, u32> {
     let remainder = count * TAIL;
     let high = second - remainder;
     let low = (second - high) - remainder;
-    Rest {
+    ReducedAngle {
         high,
         low,
         quadrant: sum.to_bits(),

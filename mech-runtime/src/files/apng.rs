@@ -11,11 +11,11 @@ use std::io::Write;
 use std::time::Duration;
 use std::{vec, vec::Vec};
 
-/// An endless animated PNG, written frame by frame: none is kept but the last. How many there will be has to be said first: the
-/// format has the number before the frames.
+/// An endless animated PNG, written frame by frame. Only the last frame stays in memory. The number of frames must be known first,
+/// because the format has it before the frames.
 ///
-/// Frames have a palette, and then all share the colours of the first one's, or are in true colour. Each holds the rectangle that
-/// has changed, and, where that can be said, only those pixels of it that have.
+/// All frames have the colours of the first one's palette, or all are in true colour. Each frame holds the rectangle that has changed,
+/// and of it, where the format allows, only the changed pixels.
 ///
 /// ```
 /// use mech_runtime::files::Apng;
@@ -43,7 +43,7 @@ pub struct Apng<W: Write> {
     last: Last,
 }
 
-/// The last frame, and what the next is told by.
+/// The last frame, with which the next is compared.
 enum Last {
     /// Entries of the table.
     Indexed(Table, Vec<u8>),
@@ -51,12 +51,10 @@ enum Last {
 }
 
 impl<W: Write> Apng<W> {
-    /// Begins with the first of so many frames. Each is seen for `delay`, which the file says to a thousandth of a second: other
-    /// delays come out right on average.
+    /// Writes the first of `frames` frames. Each is shown for `delay`, in thousandths of a second. Other delays are right on average.
     ///
     /// # Errors
-    /// [`FileError`] if the frame is empty, if no frame is announced, if frames are to be seen for longer than 65 seconds, or if the
-    /// writer fails.
+    /// [`FileError`] if the frame is empty, `frames` is zero, `delay` exceeds 65 seconds, or the writer fails.
     pub fn new<'a>(
         writer: W,
         first: impl Into<Picture<'a>>,
@@ -107,8 +105,8 @@ impl<W: Write> Apng<W> {
     /// Adds a frame.
     ///
     /// # Errors
-    /// [`FileError`] if it is one too many, has another size, is of another kind, or has a colour that the first one's palette lacks:
-    /// then it is as if it had not been tried; or if the writer fails: then the file is torn.
+    /// [`FileError`] if the frame is one too many, has another size or kind, or a colour that the first palette lacks. These errors change
+    /// nothing. If the writer fails, the file is incomplete.
     pub fn add<'a>(&mut self, frame: impl Into<Picture<'a>>) -> Result<(), FileError> {
         let frame = frame.into().of_size(self.size)?;
         if self.written == self.announced {
@@ -156,7 +154,7 @@ impl<W: Write> Apng<W> {
     /// Ends the file.
     ///
     /// # Errors
-    /// [`FileError::OtherCount`] if there are less frames than were announced, [`FileError::Write`] if the writer fails.
+    /// [`FileError::OtherCount`] if there are fewer frames than announced, [`FileError::Write`] if the writer fails.
     pub fn finish(self) -> Result<(), FileError> {
         if self.written != self.announced {
             return Err(FileError::OtherCount {
@@ -185,10 +183,10 @@ impl<W: Write> Apng<W> {
     }
 }
 
-/// Of a second: what delays are counted in.
+/// The parts of a second in which delays are counted.
 const MILLISECONDS: u16 = 1000;
 
-/// Its size and number of frames: nobody wants to read the pixels.
+/// The size and the number of frames, without pixels.
 impl<W: Write> fmt::Debug for Apng<W> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Apng")

@@ -1,10 +1,9 @@
-//! How long frames are seen.
+//! The times for which frames are shown.
 
 use super::FileError;
 use std::time::Duration;
 
-/// Tells for each frame how many of the file's units of time it is seen, such that the moments are right that come out, however
-/// coarse the units are.
+/// Counts the units of time for which each frame is shown. Frames begin at the right moments, to half a unit.
 #[derive(Debug)]
 pub(super) struct Clock {
     delay: Duration,
@@ -13,7 +12,7 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    /// For frames that are all seen as long.
+    /// A clock for frames that are all shown for the same time.
     pub(super) fn new(delay: Duration, unit: Duration) -> Result<Self, FileError> {
         if delay.as_nanos() / unit.as_nanos().max(1) >= u128::from(u16::MAX) {
             return Err(FileError::TooLong);
@@ -25,7 +24,7 @@ impl Clock {
         })
     }
 
-    /// For how many units the next frame is seen.
+    /// The number of units for which the next frame is shown.
     pub(super) fn next(&mut self) -> u16 {
         let units = self.units_until(self.frames + 1) - self.units_until(self.frames);
         // Long before it overflows, both are round and the film starts again.

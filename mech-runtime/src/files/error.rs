@@ -1,22 +1,22 @@
-//! Why a file could not be made.
+//! The error of files.
 
 use core::fmt;
 use std::io;
 
-/// A picture could not be made into a file.
+/// The error of a file that could not be written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum FileError {
     /// The picture is 0 pixels wide or high.
     Empty,
-    /// There are not as many pixels as the size says.
+    /// The number of pixels does not match the size.
     Torn {
-        /// How many there should be: the width times the height.
+        /// The width times the height.
         expected: usize,
-        /// How many there are.
+        /// The number of pixels.
         found: usize,
     },
-    /// The picture is wider or higher than this kind of file can say.
+    /// The picture is wider or higher than this kind of file allows.
     TooLarge {
         /// The most pixels in one direction.
         most: usize,
@@ -25,22 +25,22 @@ pub enum FileError {
     OtherSize {
         /// The width and height of the first.
         expected: [usize; 2],
-        /// Its own.
+        /// The width and height of this frame.
         found: [usize; 2],
     },
-    /// A GIF was given a picture in true colour: it holds pictures with a palette only.
+    /// A GIF was given a picture in true colour, not one with a palette.
     TrueColor,
-    /// An animated PNG was given a picture with a palette after one in true colour, or the other way round.
+    /// An animated PNG was given a picture with a palette after one in true colour, or the reverse.
     OtherKind,
     /// A frame of an animated PNG has a colour that the palette of the first one lacks.
     OtherColor([u8; 3]),
-    /// A frame of an animation is to be seen for longer than this kind of file can say: 655 seconds in a GIF, 65 in an animated PNG.
+    /// The delay is longer than this kind of file allows: 655 seconds in a GIF, 65 in an animated PNG.
     TooLong,
-    /// The number of frames is not the one that was announced.
+    /// The number of frames is not the announced one.
     OtherCount {
-        /// The number announced.
+        /// The announced number.
         announced: u32,
-        /// How many there were; one more than announced, if another was to be added.
+        /// The number of frames; one more than announced if another was to be added.
         found: u32,
     },
     /// The writer failed.
@@ -100,7 +100,7 @@ impl From<io::Error> for FileError {
     }
 }
 
-/// Everything else that encoders complain of was looked at before.
+/// All other errors of the encoder are excluded before.
 impl From<png::EncodingError> for FileError {
     fn from(error: png::EncodingError) -> Self {
         Self::Write(error.into())

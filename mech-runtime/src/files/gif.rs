@@ -11,10 +11,10 @@ use std::io::Write;
 use std::time::Duration;
 use std::vec::Vec;
 
-/// An endless GIF, written frame by frame: none is kept but the last.
+/// An endless GIF, written frame by frame. Only the last frame stays in memory.
 ///
-/// All frames share the colours of the first one's palette; a frame with a colour that is not among them brings a table of its own.
-/// Each holds the rectangle that has changed, and if there are less than 256 different colours, only those pixels of it that have.
+/// All frames share the colours of the first one's palette. A frame with another colour has a table of its own. Each frame holds the
+/// rectangle that has changed. With less than 256 different colours, it holds only the changed pixels.
 ///
 /// ```
 /// use mech_runtime::files::Gif;
@@ -43,12 +43,12 @@ pub struct Gif<W: Write> {
 }
 
 impl<W: Write> Gif<W> {
-    /// Begins with a first frame. Each is seen for `delay`, which a GIF can say to a hundredth of a second: other delays come out
-    /// right on average. Browsers show frames of less than 20 ms for 100 ms.
+    /// Writes the first frame. Each is shown for `delay`, in hundredths of a second. Other delays are right on average. Browsers show
+    /// frames of less than 20 ms for 100 ms.
     ///
     /// # Errors
-    /// [`FileError`] if the frame is empty or in true colour, larger than 65,535 pixels or to be seen for longer than 655 seconds,
-    /// or if the writer fails.
+    /// [`FileError`] if the frame is empty, in true colour or larger than 65,535 pixels, if `delay` exceeds 655 seconds, or if the writer
+    /// fails.
     pub fn new<'a>(
         writer: W,
         first: impl Into<Picture<'a>>,
@@ -56,7 +56,7 @@ impl<W: Write> Gif<W> {
     ) -> Result<Self, FileError> {
         let first = first.into();
         let size = first.size_within::<u16>(u16::MAX.into())?;
-        let (entries, palette) = indexed(first)?;
+        let (entries, palette) = entries_of(first)?;
         let clock = Clock::new(delay, Duration::from_millis(10))?;
         let table = Table::of(palette);
         let mut encoder = gif::Encoder::new(writer, size[0], size[1], table.bytes())?;
@@ -79,7 +79,7 @@ impl<W: Write> Gif<W> {
     /// then the file is torn.
     pub fn add<'a>(&mut self, frame: impl Into<Picture<'a>>) -> Result<(), FileError> {
         let frame = frame.into().of_size(self.size)?;
-        let (entries, palette) = indexed(frame)?;
+        let (entries, palette) = entries_of(frame)?;
         self.write(entries, palette)
     }
 
@@ -136,7 +136,7 @@ impl<W: Write> Gif<W> {
     }
 }
 
-/// Its size: nobody wants to read the pixels.
+/// The size, without pixels.
 impl<W: Write> fmt::Debug for Gif<W> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Gif")
@@ -145,7 +145,7 @@ impl<W: Write> fmt::Debug for Gif<W> {
     }
 }
 
-fn indexed(picture: Picture<'_>) -> Result<(&[u8], &Palette), FileError> {
+fn entries_of(picture: Picture<'_>) -> Result<(&[u8], &Palette), FileError> {
     match picture.pixels {
         Pixels::Indexed(entries, palette) => Ok((entries, palette)),
         Pixels::Rgba(_) => Err(FileError::TrueColor),

@@ -1,4 +1,4 @@
-//! The part of a picture that has changed.
+//! The changed rectangle of a picture.
 
 /// An upright rectangle of pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,8 +20,8 @@ impl Patch {
         }
     }
 
-    /// The smallest that holds all pixels in which two pictures of this width differ. Where there are none it is the first pixel:
-    /// a frame has to have one, so that it takes its time.
+    /// The smallest rectangle of all pixels in which two pictures of this width differ. Without any it is the first pixel, because a frame
+    /// must have one.
     pub(super) fn of_change<P: PartialEq>(before: &[P], now: &[P], width: usize) -> Self {
         let width = width.max(1);
         let rows = before.chunks(width).zip(now.chunks(width)).enumerate();

@@ -1,11 +1,11 @@
-//! What is written to a file.
+//! Pictures that are written to files.
 
 use super::FileError;
 use crate::Palette;
 use crate::raster::{Grid, Indexed, Memory, Soft};
 
-/// A picture of any size, borrowed: entries of a palette, or true colours. A [`Frame`](crate::Frame) is
-/// one, and so is a [`Smooth`](crate::Smooth); so are a [`HeapFrame`](crate::HeapFrame) and a [`HeapSmooth`](crate::HeapSmooth).
+/// A borrowed picture of any size: entries of a palette, or true colours. `From` makes one of a [`Frame`](crate::Frame), a
+/// [`Smooth`](crate::Smooth), a [`HeapFrame`](crate::HeapFrame) or a [`HeapSmooth`](crate::HeapSmooth).
 ///
 /// ```
 /// use mech_runtime::Palette;
@@ -31,27 +31,27 @@ pub(super) enum Pixels<'a> {
 }
 
 impl<'a> Picture<'a> {
-    /// A picture of so many pixels' width and height whose pixels are entries of a palette, row by row from the top.
+    /// A picture of this width and height whose pixels are entries of a palette, row by row from the top.
     ///
     /// # Errors
-    /// [`FileError::Torn`] if there are not as many pixels as its size says.
+    /// [`FileError::Torn`] if the number of pixels does not match the size.
     pub fn indexed(
         size: [usize; 2],
         entries: &'a [u8],
         palette: &'a Palette,
     ) -> Result<Self, FileError> {
-        Self::checked(size, entries.len(), Pixels::Indexed(entries, palette))
+        Self::of(size, entries.len(), Pixels::Indexed(entries, palette))
     }
 
-    /// A picture of so many pixels' width and height whose pixels are red, green, blue and opacity, row by row from the top.
+    /// A picture of this width and height whose pixels are red, green, blue and opacity, row by row from the top.
     ///
     /// # Errors
-    /// [`FileError::Torn`] if there are not as many pixels as its size says.
+    /// [`FileError::Torn`] if the number of pixels does not match the size.
     pub fn rgba(size: [usize; 2], pixels: &'a [[u8; 4]]) -> Result<Self, FileError> {
-        Self::checked(size, pixels.len(), Pixels::Rgba(pixels))
+        Self::of(size, pixels.len(), Pixels::Rgba(pixels))
     }
 
-    fn checked(size: [usize; 2], found: usize, pixels: Pixels<'a>) -> Result<Self, FileError> {
+    fn of(size: [usize; 2], found: usize, pixels: Pixels<'a>) -> Result<Self, FileError> {
         let expected = size[0].saturating_mul(size[1]);
         if found == expected {
             Ok(Self { size, pixels })
@@ -60,13 +60,13 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// Its width and height in pixels.
+    /// The width and height in pixels.
     #[must_use]
     pub const fn size(&self) -> [usize; 2] {
         self.size
     }
 
-    /// Itself, if it has this size.
+    /// The picture itself, if it has this size.
     pub(super) fn of_size(self, expected: [usize; 2]) -> Result<Self, FileError> {
         if self.size == expected {
             Ok(self)
@@ -78,7 +78,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// Its width and height where a file has room for `most` in each direction.
+    /// The width and height, in a file that allows `most` pixels in each direction.
     pub(super) fn size_within<N: TryFrom<usize>>(&self, most: usize) -> Result<[N; 2], FileError> {
         let [width, height] = self.size;
         if width == 0 || height == 0 {

@@ -3,7 +3,7 @@
 use crate::Palette;
 use std::vec::Vec;
 
-/// Different colours, and, if there is room for it in a byte, an entry that means "as before": always entry 0.
+/// Different colours, and entry 0 that means "as before", if a byte has room for it.
 #[derive(Debug)]
 pub(super) struct Table {
     colors: Vec<[u8; 3]>,
@@ -14,12 +14,12 @@ impl Table {
     /// The entry that means "as before", in a table that has it.
     pub(super) const AS_BEFORE: u8 = 0;
 
-    /// Of all the colours of a palette: those that stand in it twice leave room.
+    /// The different colours of a palette.
     pub(super) fn of(palette: &Palette) -> Self {
         Self::of_colors(palette.entries().iter().copied())
     }
 
-    /// Of those colours of a palette that some pixels have.
+    /// The colours of a palette that these pixels have.
     pub(super) fn of_pixels(entries: &[u8], palette: &Palette) -> Self {
         let mut is_used = [false; 256];
         for &entry in entries {
@@ -66,7 +66,7 @@ impl Table {
     /// The entries for pixels of a picture.
     ///
     /// # Errors
-    /// The first colour that it lacks.
+    /// The first colour that the table lacks.
     pub(super) fn entries(&self, pixels: &[u8], palette: &Palette) -> Result<Vec<u8>, [u8; 3]> {
         let entries: [Option<u8>; 256] = palette.entries().map(|color| self.entry(color));
         let entries = pixels

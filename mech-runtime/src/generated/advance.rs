@@ -8,7 +8,7 @@ use mech_core::journey::{self, Journey};
 /// Moves to the target. `step` computes a position for any motor values, `step_reduced` only for those within the limits' reduced range.
 ///
 /// # Errors
-/// If a motor's value is not finite, or something is in the way: then with the motors' values where it would have stopped.
+/// If a motor's value is not finite, or something stops the move: then with the motors' values where it would have stopped.
 #[expect(
     clippy::inline_always,
     reason = "the half of it that is hot is a few comparisons around the step"
@@ -55,7 +55,7 @@ where
     follow(position, target, limits, &step)
 }
 
-/// The same where something may be in the going.
+/// The same where something may stop the move.
 #[cold]
 #[inline(never)]
 pub(super) fn follow<T, const M: usize, const L: usize, const K: usize, const W: usize>(
@@ -80,11 +80,11 @@ where
             *position = there;
             Ok(())
         }
-        Err(halt) => Err(going.blocked(halt.part, halt.stop)),
+        Err(halt) => Err(going.error_at(halt.part, halt.stop)),
     }
 }
 
-/// Why a target is refused before anything moves: a value is not finite, or outside its range.
+/// The error of a target that is refused before anything moves: a value is not finite, or outside its range.
 fn refusal<T, const M: usize, const L: usize, const K: usize, const W: usize>(
     position: &Position<T, M, L, K>,
     target: &Motors<T, M>,
@@ -139,10 +139,10 @@ where
         *position = there;
         return Ok(());
     }
-    Err(stopped(position, target, limits, take))
+    Err(obstacle(position, target, limits, take))
 }
 
-/// A step that may end beyond the range of the numbers. Where memory is scarce it is in one place, for all who take it.
+/// A step that may overflow. Where memory is scarce, all moves share it.
 #[cfg_attr(feature = "std", inline)]
 #[cfg_attr(not(feature = "std"), inline(never))]
 fn take<T, const M: usize, const L: usize, const K: usize, const OVERFLOWS: bool>(
@@ -163,10 +163,10 @@ where
     found
 }
 
-/// Why and where a move stops, where a position depends on the motors alone.
+/// The error of a move whose position depends on the motors alone.
 #[cold]
 #[inline(never)]
-fn stopped<T, const M: usize, const L: usize, const K: usize, const W: usize>(
+fn obstacle<T, const M: usize, const L: usize, const K: usize, const W: usize>(
     position: &Position<T, M, L, K>,
     target: Motors<T, M>,
     limits: &MoveLimits<T, M, W>,
@@ -181,7 +181,7 @@ where
     let going = Move::new(limits, position, target, take);
     let stop = |part| take(position, going.motors(part)).err();
     let (part, beyond) = journey::halved(|part| stop(part).is_some());
-    going.blocked(part, stop(beyond).unwrap_or(going.too_far()))
+    going.error_at(part, stop(beyond).unwrap_or(going.too_far()))
 }
 
 /// Moves towards the target, as far as it can.
@@ -216,7 +216,7 @@ where
         }
         Err(halt) => {
             *position = halt.position;
-            Ok(Reached::Limit(going.blocked(halt.part, halt.stop)))
+            Ok(Reached::Limit(going.error_at(halt.part, halt.stop)))
         }
     }
 }

@@ -26,7 +26,7 @@ pub fn sqrt<T: Scalar>(value: T) -> T {
     Real::sqrt(value)
 }
 
-/// The greater of two numbers: the second, if they are not ordered.
+/// The greater of two numbers, or the second if one is NaN.
 #[inline]
 pub fn max<T: Scalar>(a: T, b: T) -> T {
     Real::max(a, b)
@@ -51,7 +51,7 @@ pub fn angle<T: Scalar>(from: Axis<T>, to: Axis<T>) -> T {
     atan2(a * d - b * c, a * c + b * d)
 }
 
-/// The coordinate of a prismatic joint: the way from one axis's origin to the other's, along the first.
+/// The coordinate of a prismatic joint: the distance from one axis's origin to the other's, along the first.
 pub fn slide<T: Scalar>(from: Axis<T>, to: Axis<T>) -> T {
     let ([a, b], [c, d]) = (from.0.apply(from.1), to.0.apply(to.1));
     let [x, y] = heading(from);
@@ -95,7 +95,7 @@ pub fn slide_acceleration<T: Scalar>(
         - turning * turning * (p * x + q * y)
 }
 
-/// The way from the origin of an axis to that of another, in the scene.
+/// The vector from the origin of an axis to that of another, in the scene.
 fn span<T: Scalar>(from: Axis<T>, to: Axis<T>) -> [T; 2] {
     let ([a, b], [c, d]) = (from.0.apply(from.1), to.0.apply(to.1));
     [c - a, d - b]

@@ -13,7 +13,7 @@ const STAGES: usize = 3;
 /// The most rounds until the second rates at the stages are settled.
 const ROUNDS: usize = 64;
 
-/// Where a step of time leads. The inputs are the motors and, after them, the params, which rest.
+/// The end of a step of time. The inputs are the motors and, after them, the params, which stay constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Simulated<
     T,
@@ -30,30 +30,30 @@ pub struct Simulated<
     pub accelerations: [T; MOTORS],
 }
 
-/// What is not in the position but moves it.
+/// The rates, torques and constants that move a position.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<T: 'static, const INPUTS: usize, const MOTORS: usize> {
     /// The rates of the motors.
     pub rates: [T; MOTORS],
     /// Their torques, which stay as they are during the step.
     pub torques: [T; MOTORS],
-    /// How long the step is.
+    /// The duration of the step.
     pub time: T,
     /// The motors, and the params after them.
     pub inputs: &'static [Input; INPUTS],
-    /// Which of them turn, and may turn any number of times.
+    /// Whether each motor turns, and may turn any number of times.
     pub turning: &'static [bool; MOTORS],
     /// A radian for each that turns, the size of the mechanism for each that slides: what their values are rounded against.
     pub scales: &'static [T; MOTORS],
 }
 
-/// A method: for each stage its time, its weight, and how much of each stage's second rate goes into its rate and its place.
+/// A method: for each stage its time, its weight, and the shares of all stages' second rates in its rate and its place.
 struct Tableau<T> {
     times: [T; STAGES],
     weights: [T; STAGES],
     rates: [[T; STAGES]; STAGES],
     places: [[T; STAGES]; STAGES],
-    /// How much of each stage's second rate goes into the place at the end.
+    /// The shares of the stages' second rates in the place at the end.
     end: [T; STAGES],
     count: usize,
 }
@@ -95,7 +95,7 @@ impl<T: Scalar> Tableau<T> {
         };
         let row = |row: [f64; STAGES]| row.map(|number| <T as Real>::from_f64(number));
         let (weights, rates) = (row(weights), rates.map(row));
-        // What goes into a rate goes on into the place: their product. Stages that are not there count nothing.
+        // The shares in the places are products of those in the rates. Missing stages have zeros.
         let into_place = |shares: [T; STAGES]| -> [T; STAGES] {
             let mut sums = [T::ZERO; STAGES];
             for (share, row) in shares.iter().zip(&rates) {
@@ -115,7 +115,7 @@ impl<T: Scalar> Tableau<T> {
         }
     }
 
-    /// Of each stage its time, and the shares of all second rates in its place and in its rate.
+    /// The time of each stage, and the shares of all second rates in its place and in its rate.
     fn stages(&self) -> impl Iterator<Item = (T, [T; STAGES], [T; STAGES])> + '_ {
         let shares = self.places.iter().zip(&self.rates);
         let stages = self.times.iter().zip(shares);
@@ -128,7 +128,7 @@ impl<T: Scalar> Tableau<T> {
 /// Follows the motion for a step of time. `to` moves a position to motor values and gives the inertia there at these rates.
 ///
 /// # Errors
-/// If something given is not a finite number, something is in the way, no mass resists a motor, or the step of time is too long.
+/// If an argument is not finite, something stops the move, no mass resists a motor, or the step of time is too long.
 pub fn simulate<T, const I: usize, const M: usize, const L: usize, const K: usize>(
     start: &Position<T, I, L, K>,
     moment: &Moment<T, I, M>,
@@ -174,14 +174,14 @@ where
             let shares = shares.map(|share| time * share);
             let speed = sum(rates, &stages, shares, tableau.count);
             let inertia =
-                to(position, moved(start.motors, displacement), speed).map_err(too_long)?;
+                to(position, displace(start.motors, displacement), speed).map_err(too_long)?;
             let accelerations = inertia.accelerations(torques, inputs);
             *next = accelerations.map_err(refuse).map_err(too_long)?;
         }
         let pairs = stages.iter().zip(&next).take(tableau.count);
         let change = Change::between(pairs, moment);
         stages = next;
-        // To rounding, or as near to it as it comes: where forces cancel each other, to what displaces nothing.
+        // To rounding, or as near as possible: where forces cancel each other, until nothing is displaced.
         let is_near = change.of_rates <= near || change.of_places <= hidden;
         let is_exact = change.of_rates <= <T as Real>::from_f64(T::EPSILON);
         if is_exact || (change.of_rates >= before && is_near) {
@@ -197,7 +197,7 @@ where
     let displacement = displacement(rates, time, &stages, end, tableau.count);
     let weights = tableau.weights.map(|share| time * share);
     let speed = sum(rates, &stages, weights, tableau.count);
-    let inertia = to(&mut position, moved(start.motors, displacement), speed)?;
+    let inertia = to(&mut position, displace(start.motors, displacement), speed)?;
     let accelerations = inertia.accelerations(torques, inputs).map_err(refuse)?;
     super::finite(speed, inputs).map_err(|_| refuse(Stop::new("", Cause::Overflow)))?;
     position.motors = position.motors.reduced(turning);
@@ -208,7 +208,7 @@ where
     })
 }
 
-/// What runs away while it is iterated is a step that is too long.
+/// An iteration that diverges means that the step is too long.
 fn too_long<M>(blocked: Blocked<M>) -> Blocked<M> {
     match blocked.cause {
         Cause::Overflow | Cause::TooFar => Blocked {
@@ -220,7 +220,7 @@ fn too_long<M>(blocked: Blocked<M>) -> Blocked<M> {
     }
 }
 
-/// The way that rates and second rates make.
+/// The displacement by rates and second rates.
 fn displacement<T: Scalar, const M: usize>(
     rates: [T; M],
     time: T,
@@ -247,7 +247,7 @@ fn sum<T: Scalar, const M: usize>(
     sum
 }
 
-fn moved<T: Scalar, const I: usize, const M: usize>(
+fn displace<T: Scalar, const I: usize, const M: usize>(
     motors: Motors<T, I>,
     displacement: [T; M],
 ) -> Motors<T, I> {
@@ -258,11 +258,11 @@ fn moved<T: Scalar, const I: usize, const M: usize>(
     motors
 }
 
-/// How much the second rates at the stages changed.
+/// The change of the second rates at the stages.
 struct Change<T> {
-    /// As a part of the rates that they bring about.
+    /// The change relative to the rates.
     of_rates: T,
-    /// As a part of what the values of the motors are rounded against.
+    /// The change relative to the scales of the motors.
     of_places: T,
 }
 

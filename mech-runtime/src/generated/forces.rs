@@ -1,11 +1,11 @@
-//! What forces come to.
+//! Forces of motors and joints.
 
 use super::Stop;
 use super::rates::Rates;
 use crate::blocked::Input;
 use crate::{Cause, Forces, Real, Scalar};
 
-/// The torques of the motors that hold everything at rest.
+/// The torques of the motors that hold the mechanism still.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Holding<T, const MOTORS: usize> {
     /// In the order of the motors.
@@ -34,12 +34,12 @@ impl<T: Scalar, const M: usize, const J: usize, const L: usize, const D: usize> 
     }
 }
 
-/// Inertia and forces as the motors feel them.
+/// Inertia and forces, reduced to the motors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia<T, const MOTORS: usize> {
     /// The reduced inertia, symmetric.
     pub matrix: [[T; MOTORS]; MOTORS],
-    /// What accelerates each motor besides its own torque.
+    /// The torque that accelerates each motor besides its own.
     pub drive: [T; MOTORS],
     /// The kinetic energy.
     pub kinetic: T,
@@ -57,7 +57,7 @@ impl<T: Scalar, const MOTORS: usize> Rates for Inertia<T, MOTORS> {
 }
 
 impl<T: Scalar, const MOTORS: usize> Inertia<T, MOTORS> {
-    /// How the motors are accelerated by their own torques and everything else: by Cholesky's method.
+    /// The accelerations of the motors under these torques and everything else, by Cholesky's method.
     ///
     /// # Errors
     /// The first motor that no mass resists there, or that a second rate is beyond the range of the numbers.
@@ -108,17 +108,17 @@ pub const fn not_finite(place: &'static str) -> Stop {
 
 /// The force with which a spring between two points pulls them together.
 #[must_use]
-pub fn pull<T: Scalar>(from: [T; 2], to: [T; 2], stiffness: T, rest: T) -> T {
+pub fn pull<T: Scalar>(from: [T; 2], to: [T; 2], stiffness: T, natural_length: T) -> T {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     let longer = Real::max(Real::abs(x), Real::abs(y));
     let length = if longer > T::ZERO {
-        // Squares of parts of it, because its own may be beyond the range of the numbers.
+        // Squares of parts of it, because its own square may overflow.
         let [x, y] = [x / longer, y / longer];
         longer * Real::sqrt(x * x + y * y)
     } else {
         T::ZERO
     };
-    stiffness * (length - rest)
+    stiffness * (length - natural_length)
 }
 
 /// The sum of products of numbers in turn.

@@ -1,11 +1,11 @@
-//! A move as a journey: what `mech_core::journey` asks of it.
+//! Moves as journeys of `mech_core::journey`.
 
 use super::{Motors, MoveLimits, Position, Stepping, Stop, Watched};
 use crate::{Blocked, Cause, Pose, Scalar};
 use mech_core::journey::{AtZero, Growth, Journey, Watch};
 use mech_core::motors;
 
-/// A move under way.
+/// A move from a position to a target.
 pub(super) struct Move<
     'a,
     T: 'static,
@@ -70,11 +70,11 @@ where
 
     /// The error of a move that stops after this part of it.
     #[cold]
-    pub(super) fn blocked(&self, part: T, stop: Stop) -> Blocked<[T; M]> {
+    pub(super) fn error_at(&self, part: T, stop: Stop) -> Blocked<[T; M]> {
         Blocked::new(stop.place, stop.cause, self.motors(part).total()).of(self.limits.inputs)
     }
 
-    /// A number of the state by which a loop is watched; none for a loop that is not there.
+    /// A number of the state by which a loop is watched. `None` for a loop that does not exist.
     fn state(
         &self,
         position: &Position<T, M, L, K>,
@@ -106,7 +106,7 @@ where
 
     #[inline]
     fn watch(&self, index: usize) -> Watch<T> {
-        // Of a loop that is not there nothing is passed: the compiler cannot see that nobody asks.
+        // A loop that does not exist stops every move. The compiler cannot see that nobody asks for it.
         let Some(watched) = self.limits.watched.get(index) else {
             return Watch {
                 change: T::ONE / T::ZERO,

@@ -1,4 +1,4 @@
-//! What is known at compile time about every move.
+//! Bounds of moves, from compile time.
 
 use super::{Motors, Stop};
 use crate::blocked::Input;
@@ -12,13 +12,13 @@ pub struct Watched<T: 'static, const MOTORS: usize> {
     pub sine: usize,
     /// The index in the state of the square of a sine below which rounding hides its sign.
     pub rounding_square: usize,
-    /// By how much the square of the sine changes with each motor, at most.
+    /// The greatest rate of the square of the sine for each motor.
     pub rates: [T; MOTORS],
-    /// What increases that.
+    /// The inputs that increase this rate.
     pub growth: &'static [Growth<T>],
-    /// Whether these are no bounds but guesses.
+    /// Whether these are guesses, not bounds.
     pub guessed: bool,
-    /// What happens at a change point.
+    /// The behaviour at a change point.
     pub at_zero: AtZero,
     /// Whether it is solved by iteration.
     pub iterated: bool,
@@ -29,24 +29,24 @@ pub struct Watched<T: 'static, const MOTORS: usize> {
 /// An angle that is followed over whole turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Followed<T: 'static, const MOTORS: usize> {
-    /// By how much it changes with each motor, at most.
+    /// The greatest rate of the angle for each motor.
     pub rates: [T; MOTORS],
-    /// What increases that.
+    /// The inputs that increase this rate.
     pub growth: &'static [Growth<T>],
 }
 
-/// How a position is found from the last one.
+/// The dependence of a position on the last one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stepping {
-    /// It depends on the motors alone: every loop is closed in closed form, and nothing is carried.
+    /// It depends on the motors alone: every loop has a closed form, and there is no state.
     Afresh,
-    /// It depends on the last one too.
+    /// It depends on the last position too.
     Onwards,
     /// The same, and steps that fail are subdivided.
     Subdivided,
 }
 
-/// What is known at compile time about every move.
+/// Bounds of moves, from compile time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoveLimits<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     /// The motors, and after them the params.
@@ -57,13 +57,13 @@ pub struct MoveLimits<T: 'static, const MOTORS: usize, const WATCHED: usize> {
     pub follows: &'static [Followed<T, MOTORS>],
     /// The index in the state of the signs of the motors' last motion, if a loop passes change points.
     pub motion_signs: Option<usize>,
-    /// How a position is found from the last one.
+    /// The dependence of a position on the last one.
     pub stepping: Stepping,
-    /// Whether something may move beyond the range of the numbers.
+    /// Whether a coordinate may overflow.
     pub overflows: bool,
-    /// Up to this value of every motor no angle has to be reduced before its sine and cosine are computed.
+    /// The greatest value of the motors for which no angle must be reduced before its sine and cosine are computed.
     pub reduced_range: T,
-    /// The longest displacement of each motor in one piece, where no bound is known for coupled loops.
+    /// The longest displacement of each motor in one step, where no bound is known for coupled loops.
     pub max_steps: Option<[T; MOTORS]>,
     /// The least and the greatest value of each motor, if any has a declared range.
     pub range: Option<[[T; 2]; MOTORS]>,
@@ -92,7 +92,7 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> MoveLimits<T, MOTORS,
         }
     }
 
-    /// Where the straight displacement to these values leaves the declared ranges, if it does.
+    /// The place where the straight move to these values leaves the declared ranges, if it does.
     pub(super) fn leaves(
         &self,
         from: &Motors<T, MOTORS>,
@@ -100,9 +100,10 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> MoveLimits<T, MOTORS,
     ) -> Option<(Stop, Motors<T, MOTORS>)> {
         let range = self.range.as_ref()?;
         let (start, end, displacements) = (from.total(), to.total(), from.displacement_to(to));
-        let mut first: Option<(usize, T, T)> = None;
-        let motors = range.iter().zip(start).zip(end).zip(displacements);
-        for (motor, ((([low, high], start), end), displacement)) in motors.enumerate() {
+        let mut first: Option<(usize, &Input, T, T)> = None;
+        let motors = self.inputs.iter().zip(range).zip(start).zip(end);
+        for (index, (motor, displacement)) in motors.zip(displacements).enumerate() {
+            let (((input, [low, high]), start), end) = motor;
             let bound = if end < *low {
                 *low
             } else if end > *high {
@@ -111,20 +112,21 @@ impl<T: Scalar, const MOTORS: usize, const WATCHED: usize> MoveLimits<T, MOTORS,
                 continue;
             };
             let part = (bound - start) / displacement;
-            if first.is_none_or(|(_, least, _)| part < least) {
-                first = Some((motor, part, bound));
+            if first.is_none_or(|(_, _, least, _)| part < least) {
+                first = Some((index, input, part, bound));
             }
         }
-        let (motor, part, bound) = first?;
+        let (motor, input, part, bound) = first?;
         let mut reached = start;
-        for (value, displacement) in reached.iter_mut().zip(displacements) {
-            *value += displacement * part;
+        for (index, (value, displacement)) in reached.iter_mut().zip(displacements).enumerate() {
+            // Rounding must not carry the motor beyond the end of its range.
+            *value = if index == motor {
+                bound
+            } else {
+                *value + displacement * part
+            };
         }
-        // Not a rounding beyond the end of its range.
-        if let Some(value) = reached.get_mut(motor) {
-            *value = bound;
-        }
-        let name = self.inputs.get(motor).map_or("", Input::name);
-        Some((Stop::new(name, Cause::OutOfRange), Motors::new(reached)))
+        let stop = Stop::new(input.name(), Cause::OutOfRange);
+        Some((stop, Motors::new(reached)))
     }
 }

@@ -1,4 +1,4 @@
-//! Whether loops close, and the systems of coupled ones.
+//! Tests that loops close, and the linear systems of coupled loops.
 
 use super::Stop;
 use crate::{Cause, Real, Scalar};
@@ -33,14 +33,12 @@ fn none_negative<T: Scalar, const LOOPS: usize>(
     places: [&'static str; LOOPS],
     cause: Cause,
 ) -> Result<(), Stop> {
-    // What is not a number does not pass.
+    // NaN does not pass.
     let passes = |margin: T| margin >= T::ZERO;
-    match margins.into_iter().position(|margin| !passes(margin)) {
+    let mut loops = margins.into_iter().zip(places);
+    match loops.find(|(margin, _)| !passes(*margin)) {
         None => Ok(()),
-        Some(first) => Err(Stop::new(
-            places.get(first).copied().unwrap_or_default(),
-            cause,
-        )),
+        Some((_, place)) => Err(Stop::new(place, cause)),
     }
 }
 
@@ -56,7 +54,7 @@ pub fn closed<T: Scalar, const N: usize>(
     floor: T,
     place: &'static str,
 ) -> Result<(), Stop> {
-    // So written that what is not a number does not pass.
+    // Written so that NaN does not pass.
     let is_closed = gap.into_iter().all(|gap| Real::abs(gap) <= accept);
     if is_closed && det >= floor {
         Ok(())
@@ -72,8 +70,8 @@ pub fn closed<T: Scalar, const N: usize>(
     }
 }
 
-/// The solution of `rows · x = right` by elimination with partial pivoting, and the determinant. What is singular gives a
-/// determinant of zero or numbers that are not finite.
+/// The solution of `rows · x = right` by elimination with partial pivoting, and the determinant. A singular system gives a determinant of
+/// zero or numbers that are not finite.
 #[must_use]
 pub fn solve<T: Scalar, const N: usize>(mut rows: [[T; N]; N], mut right: [T; N]) -> ([T; N], T) {
     let det = mech_core::dense::solve(&mut rows, &mut right);

@@ -1,19 +1,19 @@
-//! Many positions at once, in lanes: so written that the compiler turns every operation into one on several numbers.
+//! Many positions at once, in lanes that the compiler vectorises.
 
 use super::{Motors, Position};
 use crate::{Blocked, BlockedAt, Cause, Columns, Pose, Real, Scalar};
 use mech_core::trig;
 
-/// How many positions are written in one go: so many are tested for room at once.
+/// The number of positions that are tested for room at once.
 const BLOCK: usize = 64;
 
-/// Where sines and cosines are taken from.
+/// A source of sines and cosines.
 pub trait Sines<T> {
     /// The sine and the cosine of an angle in radians.
     fn sin_cos(angle: T) -> (T, T);
 }
 
-/// Of any angle.
+/// Sines and cosines of any angle.
 #[derive(Clone, Copy, Debug)]
 pub struct FullRange;
 
@@ -24,7 +24,7 @@ impl<T: Scalar> Sines<T> for FullRange {
     }
 }
 
-/// Of angles within the range of the polynomials, without a test: the same bits there.
+/// Sines and cosines of angles within the range of the polynomials, without a test. The bits are the same.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced;
 
@@ -117,7 +117,7 @@ pub fn solve_many<T: Scalar, const M: usize, const L: usize, const LANES: usize>
     Ok(())
 }
 
-/// Solves a block; tells whether all of it closes.
+/// Solves a block. Returns whether all of it closes.
 #[inline]
 fn solve_block<T: Scalar, const M: usize, const L: usize, const LANES: usize>(
     motors: &[[T; M]; BLOCK],
@@ -165,7 +165,7 @@ pub fn move_many<
     move_many_then::<_, _, _, _, _, LANES>(instances, motors, reach, position, kernel, |_| (), one)
 }
 
-/// The same, and then this with each that `kernel` has moved: `one` does it by itself.
+/// Moves many instances, each to its own motor values, and calls `then` for each that `kernel` has moved.
 ///
 /// # Errors
 /// As [`move_many`].
@@ -221,7 +221,7 @@ pub fn move_many_then<
 pub fn min_margin<T: Scalar, const N: usize>(margins: [T; N]) -> T {
     let mut least = T::ONE;
     for margin in margins {
-        // So written that what is not a number stays.
+        // Written so that NaN stays.
         least = if margin >= least { least } else { margin };
     }
     least

@@ -1,4 +1,4 @@
-//! What generated code calls. Not for use by hand: it changes without notice.
+//! The functions and types of generated code. They change without notice.
 
 mod advance;
 mod arrows;
@@ -44,7 +44,7 @@ pub use params::{
 pub use position::{Motors, Position, finite};
 pub use rates::{Rates, advance_with, rates_at};
 
-// Whatever generated code uses of the language is here too: at the call there may be something else of its name.
+// Generated code takes the language's own items from here, because their names may mean something else where it stands.
 pub use core::clone::Clone;
 pub use core::cmp::PartialEq;
 pub use core::default::Default;
@@ -58,12 +58,12 @@ pub use core::result::Result::{self, Err, Ok};
 use crate::pose::pose_of;
 use crate::{Cause, Scalar};
 
-/// Why it cannot be somewhere.
+/// The cause and the place of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stop {
-    /// The motor or the loop at which it stopped.
+    /// The motor or the loop that stopped it.
     pub place: &'static str,
-    /// What stopped it.
+    /// The cause.
     pub cause: Cause,
 }
 
@@ -77,7 +77,7 @@ impl Stop {
 
 /// A mechanism that traces points.
 pub trait Traced {
-    /// Notes where they are.
+    /// Records the places of the points.
     fn record(&mut self);
 }
 

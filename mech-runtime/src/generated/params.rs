@@ -6,13 +6,15 @@ use crate::{Blocked, Cause, Reached, Real, Scalar, Velocity};
 /// The values of the motors among those of all inputs.
 #[must_use]
 pub fn motors_of<T: Scalar, const ALL: usize, const MOTORS: usize>(all: [T; ALL]) -> [T; MOTORS] {
+    const { assert!(MOTORS <= ALL, "every motor is an input") }
     core::array::from_fn(|motor| all.get(motor).copied().unwrap_or(T::ZERO))
 }
 
 /// The values of the params among those of all inputs: the last.
 #[must_use]
 pub fn params_of<T: Scalar, const ALL: usize, const PARAMS: usize>(all: [T; ALL]) -> [T; PARAMS] {
-    let motors = ALL.saturating_sub(PARAMS);
+    const { assert!(PARAMS <= ALL, "every param is an input") }
+    let motors = ALL - PARAMS;
     core::array::from_fn(|param| all.get(motors + param).copied().unwrap_or(T::ZERO))
 }
 
@@ -30,7 +32,7 @@ pub fn inputs<T: Scalar, const ALL: usize, const MOTORS: usize>(
     Motors::new(values)
 }
 
-/// What stopped it, with the values of the motors alone.
+/// The error with the values of the motors alone.
 #[must_use]
 pub fn blocked_motors<T: Scalar, const ALL: usize, const MOTORS: usize>(
     blocked: Blocked<[T; ALL]>,
@@ -38,17 +40,15 @@ pub fn blocked_motors<T: Scalar, const ALL: usize, const MOTORS: usize>(
     blocked.map(motors_of)
 }
 
-/// What stopped it, with the values of the params alone.
+/// The error with the values of the params alone.
 #[must_use]
 pub fn blocked_params<T: Scalar, const ALL: usize, const PARAMS: usize>(
     blocked: Blocked<[T; ALL]>,
 ) -> Blocked<[T; PARAMS]> {
-    blocked
-        .starting_at(ALL.saturating_sub(PARAMS))
-        .map(params_of)
+    blocked.starting_at(ALL - PARAMS).map(params_of)
 }
 
-/// How far it came, with the values of the motors alone.
+/// The end of a move with the values of the motors alone.
 pub fn reached_by_motors<T: Scalar, const ALL: usize, const MOTORS: usize>(
     reached: Reached<[T; ALL]>,
 ) -> Reached<[T; MOTORS]> {
@@ -58,7 +58,7 @@ pub fn reached_by_motors<T: Scalar, const ALL: usize, const MOTORS: usize>(
     }
 }
 
-/// What follows a param: links, points and joints.
+/// The sensitivities to a param: of links, points and joints.
 type Followed<T, const LINKS: usize, const POINTS: usize, const JOINTS: usize> =
     ([Velocity<T>; LINKS], [[T; 2]; POINTS], [T; JOINTS]);
 
@@ -73,10 +73,10 @@ impl<T: Scalar, const LINKS: usize, const POINTS: usize, const JOINTS: usize, co
     }
 }
 
-/// How everything follows the params where it is.
+/// The sensitivities at the present position.
 ///
 /// # Errors
-/// If that is not determined there, or not finite.
+/// If they are not determined, or not finite.
 #[inline]
 pub fn followed<T, R, const M: usize, const L: usize, const K: usize>(
     position: &Position<T, M, L, K>,
@@ -89,7 +89,7 @@ where
     match rates(position, position.motors) {
         Ok(rates) if rates.is_finite() => Ok(rates),
         Ok(_) => Err(Stop::new("", Cause::Overflow)),
-        // What closed where it is and does not once more is at its limit.
+        // A loop that closed here and now does not is at its limit.
         Err(stop) => Err(Stop::new(stop.place, Cause::Singular)),
     }
 }

@@ -1,10 +1,10 @@
-//! What is carried from one move to the next.
+//! The position of a mechanism.
 
 use super::Stop;
 use crate::blocked::Input;
 use crate::{Blocked, Cause, Phase, Pose, Real, Scalar};
 
-/// The values of the motors: each so many whole turns and a rest, in radians or scene units.
+/// The values of the motors: each a number of whole turns and a remainder, in radians or scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motors<T, const MOTORS: usize> {
     /// The values, less the whole turns.
@@ -36,26 +36,26 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
         total
     }
 
-    /// Gives a motor a phase.
+    /// Sets the phase of a motor.
     ///
     /// # Errors
     /// If it is beyond 2³¹ turns.
     pub fn turn(&mut self, motor: usize, phase: Phase, name: &'static str) -> Result<(), Stop> {
-        let (turns, rest) = <T as Real>::of_phase(phase);
+        let (turns, remainder) = <T as Real>::of_phase(phase);
         match (
             i32::try_from(turns),
             self.values.get_mut(motor),
             self.turns.get_mut(motor),
         ) {
             (Ok(turns), Some(value), Some(whole)) => {
-                (*value, *whole) = (rest, turns);
+                (*value, *whole) = (remainder, turns);
                 Ok(())
             }
             _ => Err(Stop::new(name, Cause::Overflow)),
         }
     }
 
-    /// The same, with whole turns of what turns kept apart.
+    /// The same values, with the whole turns of turning motors counted separately.
     #[must_use]
     #[inline]
     pub fn reduced(self, turning: &[bool]) -> Self {
@@ -67,7 +67,7 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
         motors
     }
 
-    /// Gives a motor the value of its law.
+    /// Sets a motor to the value of its law.
     ///
     /// # Errors
     /// If it is not a finite number of this type.
@@ -85,7 +85,7 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
         Ok(())
     }
 
-    /// The same for a motor that turns, with whole turns apart from the rest: as exact after many of them.
+    /// Sets a turning motor to the value of its law. Whole turns are counted separately, so many turns cost no accuracy.
     ///
     /// # Errors
     /// If it is not a finite number, or beyond 2³¹ turns.
@@ -133,46 +133,45 @@ impl<T: Scalar, const MOTORS: usize> Motors<T, MOTORS> {
     }
 }
 
-/// Tests that the values or rates of all motors are finite numbers.
+/// Tests that the values or rates of all motors are finite numbers. The motors are the first inputs.
 ///
 /// # Errors
 /// The first motor of which one is not.
 #[inline]
-pub fn finite<T: Scalar, const MOTORS: usize>(
+pub fn finite<T: Scalar, const MOTORS: usize, const INPUTS: usize>(
     values: [T; MOTORS],
-    inputs: &[Input],
+    inputs: &[Input; INPUTS],
 ) -> Result<(), Stop> {
-    match values.iter().position(|value| !Real::is_finite(*value)) {
+    const { assert!(MOTORS <= INPUTS, "every motor is an input") }
+    let mut pairs = values.iter().zip(inputs);
+    match pairs.find(|(value, _)| !Real::is_finite(**value)) {
         None => Ok(()),
-        Some(motor) => {
-            let name = inputs.get(motor).map_or("", Input::name);
-            Err(Stop::new(name, Cause::NotFinite))
-        }
+        Some((_, input)) => Err(Stop::new(input.name(), Cause::NotFinite)),
     }
 }
 
-/// Everything that is carried from one move to the next.
+/// Everything that a move changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Position<T, const MOTORS: usize, const LINKS: usize, const STATE: usize> {
     /// The values of the motors.
     pub motors: Motors<T, MOTORS>,
     /// The poses of the moving links.
     pub poses: [Pose<T>; LINKS],
-    /// What is carried besides: angles that gears need, unwrapped; the sides of dyads that pass change points.
+    /// The state: whole turns of angles that gears need, and the branches of dyads that pass change points.
     pub state: [T; STATE],
 }
 
 impl<T: Scalar, const MOTORS: usize, const LINKS: usize, const STATE: usize>
     Position<T, MOTORS, LINKS, STATE>
 {
-    /// The loops check themselves; what hangs on motors and gears alone may still overflow.
+    /// Whether all numbers are finite. The loops are checked already, but other links may overflow.
     #[inline]
     pub(super) fn is_finite(&self) -> bool {
         let finite = |pose: &Pose<T>| Real::is_finite(pose.cos + pose.sin + pose.x + pose.y);
         self.poses.iter().all(finite) && self.state.iter().all(|state| Real::is_finite(*state))
     }
 
-    /// The message that it is stopped while it stays here.
+    /// The error of a mechanism that stays here.
     #[cold]
     pub fn refuse(&self, stop: Stop, inputs: &'static [Input]) -> Blocked<[T; MOTORS]> {
         Blocked::new(stop.place, stop.cause, self.motors.total()).of(inputs)

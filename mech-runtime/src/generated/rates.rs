@@ -1,4 +1,4 @@
-//! Moves that go on to the rates of everything.
+//! Moves with the rates of everything.
 
 use super::advance::follow;
 use super::journey::Move;
@@ -8,11 +8,11 @@ use mech_core::journey;
 
 /// The rates of all links.
 pub trait Rates: Copy {
-    /// Whether all of them are finite, and so small that the rates of points and joints are finite too.
+    /// Whether all rates are finite, and so small that the rates of points and joints are finite too.
     fn is_finite(&self) -> bool;
 }
 
-/// Whether numbers are so small that products with other rates and with lengths are finite: none is if their sum is not.
+/// Whether numbers are so small that their products with other rates and lengths are finite.
 #[inline]
 fn leave_room<T: Scalar>(rates: impl Iterator<Item = [T; 3]>) -> bool {
     let sum = rates.fold(T::ZERO, |sum, [a, b, c]| {
@@ -40,7 +40,7 @@ impl<T: Scalar, const LINKS: usize> Rates for ([Velocity<T>; LINKS], [Accelerati
 /// within the limits' reduced range; `step` computes positions alone.
 ///
 /// # Errors
-/// If a motor's value is not finite, something is in the way, or rates are not determined there; it then stays where it was.
+/// If a motor's value is not finite, something stops the move, or rates are not determined at its end. The position then stays the same.
 #[expect(
     clippy::inline_always,
     reason = "the half of it that is hot is a few comparisons around the step"
@@ -83,7 +83,7 @@ where
     follow_with(position, target, limits, &step_full, &step)
 }
 
-/// The same where something may be in the way.
+/// The same where something may stop the move.
 #[cold]
 #[inline(never)]
 fn follow_with<T, R, const M: usize, const L: usize, const K: usize, const W: usize>(
@@ -106,10 +106,10 @@ where
     })
 }
 
-/// The rates where it is.
+/// The rates at the present position.
 ///
 /// # Errors
-/// If they are not determined there, or not finite.
+/// If they are not determined, or not finite.
 pub fn rates_at<T, R, const M: usize, const L: usize, const K: usize>(
     position: &Position<T, M, L, K>,
     step_full: impl Fn(&Position<T, M, L, K>, Motors<T, M>) -> Result<(Position<T, M, L, K>, R), Stop>,
@@ -121,7 +121,7 @@ where
     match step_full(position, position.motors) {
         Ok((_, rates)) if rates.is_finite() => Ok(rates),
         Ok(_) => Err(Stop::new("", Cause::Overflow)),
-        // What closed where it is and does not once more is at its limit.
+        // A loop that closed here and now does not is at its limit.
         Err(stop) => Err(Stop::new(stop.place, Cause::Singular)),
     }
 }

@@ -1,13 +1,13 @@
-//! Arrows for whatever has a direction.
+//! Arrows for vectors.
 
 use super::pen::{BOLD, MEDIUM, Pen, Spot};
 use super::usable;
 use crate::{Canvas, Palette, Real, Scalar};
 
-/// How long an arrow's head is, and half as wide, in pixels.
+/// The length of an arrow's head and half its width, in pixels.
 const HEAD: [f32; 2] = [10.0, 3.6];
 
-/// How vectors of one kind are drawn: velocities, accelerations, forces.
+/// Arrows of one colour and scale, for velocities, accelerations or forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrows<T> {
     length: T,
@@ -16,7 +16,7 @@ pub struct Arrows<T> {
 }
 
 impl<T: Scalar> Arrows<T> {
-    /// Arrows of this entry of the palette, `length` scene units long for a vector of length one.
+    /// Arrows in this entry of the palette. A vector of length one is `length` scene units long.
     #[must_use]
     pub const fn new(length: T, color: u8) -> Self {
         let size = 1.0;
@@ -27,22 +27,22 @@ impl<T: Scalar> Arrows<T> {
         }
     }
 
-    /// How many times as thick as usual they are drawn: 1 unless it is said. What is not finite and positive is taken as 1.
+    /// Sets the thickness relative to the usual one, 1. A size that is not finite and positive becomes 1.
     #[must_use]
     pub const fn size(self, size: f32) -> Self {
         let size = usable(size);
         Self { size, ..self }
     }
 
-    /// Draws a vector at a place in the scene. One shorter than a pixel, or not finite, is left out.
+    /// Draws a vector at a place in the scene. A vector that is shorter than a pixel or not finite is left out.
     pub fn draw(&self, canvas: &mut impl Canvas<T>, [x, y]: [T; 2], [u, v]: [T; 2]) {
         let tip = [x + self.length * u, y + self.length * v];
         arrow(canvas, [[x, y], tip], self.size, self.color);
     }
 }
 
-/// Draws an arrow from one place in the scene to another, with entry `color` of the palette, `size` times as thick as usual. One
-/// shorter than a pixel, or not finite, is left out.
+/// Draws an arrow from one place in the scene to another in entry `color` of the palette, `size` times as thick as usual. An arrow that
+/// is shorter than a pixel or not finite is left out.
 pub fn arrow<T: Scalar>(
     canvas: &mut impl Canvas<T>,
     [tail, tip]: [[T; 2]; 2],
@@ -59,13 +59,13 @@ pub fn arrow<T: Scalar>(
     let spot = Spot { at: tip, along };
     // A head longer than the arrow would point from behind.
     let share = (pen.in_pixels(length) / HEAD[0]).min(1.0);
-    let neck = spot.go(-pen.pixels(0.8 * share * HEAD[0]), T::ZERO);
+    let neck = spot.offset(-pen.pixels(0.8 * share * HEAD[0]), T::ZERO);
     pen.line(canvas, [tail, neck], BOLD);
     head(&pen, canvas, spot, share);
 }
 
-/// Draws a curved arrow around a place in the scene, `radius` pixels from it, with entry `color` of the palette, `size` times as
-/// thick as usual: to the left (counter-clockwise), or to the right. It is open below.
+/// Draws a curved arrow around a place in the scene, counter-clockwise (to the left) or clockwise. It is open below. Its radius is
+/// `radius` pixels, its colour is entry `color` of the palette, and it is `size` times as thick as usual.
 pub fn moment<T: Scalar>(
     canvas: &mut impl Canvas<T>,
     center: [T; 2],

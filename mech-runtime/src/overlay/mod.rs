@@ -1,9 +1,8 @@
-//! What textbooks draw over a mechanism: joint symbols, links as bars, pitch circles, motors, axes; arrows for velocities,
-//! accelerations, forces.
+//! Diagrams over a mechanism: joint symbols, links as bars, pitch circles, motors, axes, and arrows for velocities, accelerations and
+//! forces.
 //!
-//! A mechanism with `effects { overlay; }` has the method `draw_overlay`, one with `effects { overlay; velocity; }` also
-//! `draw_velocities`, and so on. Everything goes to any [`Canvas`]; lines and symbols have their sizes in pixels,
-//! however large the scene is seen.
+//! A mechanism with `effects { overlay; }` has the method `draw_overlay`. With `effects { overlay; velocity; }` it also has
+//! `draw_velocities`, and so on. These draw on any [`Canvas`]. Lines and symbols have the same size in pixels at any scale.
 //!
 //! ```
 //! use mech_runtime::{Frame, Overlay, Palette, View, mechanism, overlay::Arrows};
@@ -28,7 +27,7 @@
 //! # Ok::<(), mech_runtime::Blocked>(())
 //! ```
 //!
-//! | symbol | stands for |
+//! | symbol | meaning |
 //! |---|---|
 //! | small circle | a revolute joint |
 //! | the same on a triangle with a hatched base | a fixed pivot |
@@ -38,7 +37,7 @@
 //! | full square | a weld |
 //! | curved arrow, double arrow | a motor that turns, one that slides |
 //! | line, triangle, polygon | a link |
-//! | full dot | a named point of a link, where no joint is |
+//! | full dot | a named point of a link without a joint |
 //! | small cross, chain line | the axes: points and lines as declared |
 //! | arrow | a velocity, an acceleration, a force |
 
@@ -53,10 +52,10 @@ use crate::{Canvas, Palette, Pose, Scalar};
 use pen::Pen;
 use symbol::Kind;
 
-/// What is drawn over a mechanism, and how large.
+/// The kinds of symbols that are drawn over a mechanism, their size and their colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlay {
-    /// For each kind of symbol whether it is drawn.
+    /// Whether each kind of symbol is drawn.
     wanted: [bool; 4],
     size: f32,
     ink: u8,
@@ -64,7 +63,7 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// The symbols of joints and motors, in ink, for a mechanism whose links are seen as shapes.
+    /// The symbols of joints and motors in ink, for a mechanism whose links have shapes.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -77,25 +76,25 @@ impl Overlay {
         .motors(true)
     }
 
-    /// Whether links are drawn as bars between their joints, gears as pitch circles: for a diagram without shapes.
+    /// Chooses whether links are drawn as bars between their joints and gears as pitch circles, for a diagram without shapes.
     #[must_use]
     pub const fn links(self, links: bool) -> Self {
         self.with(Kind::Link, links)
     }
 
-    /// Whether the symbols of joints are drawn.
+    /// Chooses whether the symbols of joints are drawn.
     #[must_use]
     pub const fn joints(self, joints: bool) -> Self {
         self.with(Kind::Joint, joints)
     }
 
-    /// Whether motors are drawn as arrows.
+    /// Chooses whether motors are drawn as arrows.
     #[must_use]
     pub const fn motors(self, motors: bool) -> Self {
         self.with(Kind::Motor, motors)
     }
 
-    /// Whether the declared points and lines are drawn as crosses and chain lines.
+    /// Chooses whether the declared points and lines are drawn as crosses and chain lines.
     #[must_use]
     pub const fn axes(self, axes: bool) -> Self {
         self.with(Kind::Axis, axes)
@@ -106,20 +105,20 @@ impl Overlay {
         self
     }
 
-    /// How many times as large as usual everything is drawn: 1 unless it is said. What is not finite and positive is taken as 1.
+    /// Sets the size of all symbols relative to the usual size, 1. A size that is not finite and positive becomes 1.
     #[must_use]
     pub const fn size(self, size: f32) -> Self {
         let size = usable(size);
         Self { size, ..self }
     }
 
-    /// The entries of the palette for lines, and for what is within symbols: [`Palette::INK`] and [`Palette::EYE`] unless it is said.
+    /// Sets the entries of the palette for lines and for the inside of symbols. The defaults are [`Palette::INK`] and [`Palette::EYE`].
     #[must_use]
     pub const fn colors(self, ink: u8, paper: u8) -> Self {
         Self { ink, paper, ..self }
     }
 
-    /// Draws the symbols that are wanted, of links at these poses.
+    /// Draws the chosen symbols of links at these poses.
     pub fn draw<T: Scalar>(
         &self,
         symbols: &[Symbol<T>],
@@ -129,7 +128,7 @@ impl Overlay {
         let pen = Pen::new(canvas, self.size, self.ink, self.paper);
         for symbol in symbols {
             if self.wanted.get(symbol.kind() as usize) == Some(&true) {
-                // What lies on a link whose pose is not known is left out.
+                // A symbol on a link without a pose is left out.
                 let _ = symbol.draw(poses, &pen, canvas);
             }
         }
@@ -142,7 +141,7 @@ impl Default for Overlay {
     }
 }
 
-/// A factor that can be used.
+/// The size, or 1 if it is not finite and positive.
 const fn usable(size: f32) -> f32 {
     if size.is_finite() && size > 0.0 {
         size

@@ -3,15 +3,15 @@
 use crate::raster::line;
 use crate::{Canvas, Outline, Pose, Scalar};
 
-/// How wide lines are, in pixels.
+/// The widths of lines, in pixels.
 pub(super) const BOLD: f32 = 2.0;
 pub(super) const MEDIUM: f32 = 1.5;
 pub(super) const THIN: f32 = 1.0;
 
-/// What symbols are drawn with.
+/// A pen that draws symbols.
 #[derive(Clone, Copy)]
 pub(super) struct Pen<T> {
-    /// The size of a pixel, in scene units, times how large everything is drawn.
+    /// The size of a pixel in scene units, times the size of all symbols.
     pixel: T,
     size: T,
     ink: u8,
@@ -22,7 +22,7 @@ pub(super) struct Pen<T> {
 #[derive(Clone, Copy)]
 pub(super) struct Spot<T> {
     pub(super) at: [T; 2],
-    /// Of length one.
+    /// A direction of length one.
     pub(super) along: [T; 2],
 }
 
@@ -33,8 +33,8 @@ impl<T: Scalar> Spot<T> {
         Self { at, along }
     }
 
-    /// The place so far ahead and to the left.
-    pub(super) fn go(&self, ahead: T, left: T) -> [T; 2] {
+    /// The place at a distance ahead and to the left.
+    pub(super) fn offset(&self, ahead: T, left: T) -> [T; 2] {
         let [u, v] = self.along;
         [
             self.at[0] + ahead * u - left * v,
@@ -54,12 +54,12 @@ impl<T: Scalar> Pen<T> {
         }
     }
 
-    /// From pixels to scene units.
+    /// Converts pixels to scene units.
     pub(super) fn pixels(&self, pixels: f32) -> T {
         self.pixel * T::from_f32(pixels)
     }
 
-    /// From scene units to pixels.
+    /// Converts scene units to pixels.
     pub(super) fn in_pixels(&self, length: T) -> f32 {
         (length / self.pixel).to_f32()
     }
@@ -77,7 +77,7 @@ impl<T: Scalar> Pen<T> {
         ends: [[f32; 2]; 2],
         width: f32,
     ) {
-        let ends = ends.map(|[x, y]| spot.go(self.pixels(x), self.pixels(y)));
+        let ends = ends.map(|[x, y]| spot.offset(self.pixels(x), self.pixels(y)));
         self.line(canvas, ends, width);
     }
 
@@ -89,7 +89,7 @@ impl<T: Scalar> Pen<T> {
         corners: [[f32; 2]; N],
         color: u8,
     ) {
-        let corners = corners.map(|[x, y]| spot.go(self.pixels(x), self.pixels(y)));
+        let corners = corners.map(|[x, y]| spot.offset(self.pixels(x), self.pixels(y)));
         canvas.fill(Outline::Polygon(&corners), Pose::identity(), color);
     }
 
@@ -160,7 +160,7 @@ impl<T: Scalar> Pen<T> {
         canvas.fill(arc, Pose::identity(), self.ink);
     }
 
-    /// The entry of the palette that it draws with.
+    /// The entry of the palette for lines.
     pub(super) fn ink(&self) -> u8 {
         self.ink
     }

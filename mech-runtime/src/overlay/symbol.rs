@@ -1,4 +1,4 @@
-//! The symbols of a mechanism, and how each is drawn.
+//! The symbols of a mechanism.
 
 use super::arrow::{head, turn};
 use super::pen::{self, BOLD, MEDIUM, Pen, THIN};
@@ -10,11 +10,11 @@ use crate::{Canvas, Pose, Real, Scalar};
 pub struct Spot<T> {
     /// The link: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`.
     pub link: usize,
-    /// Where, in its frame, in scene units.
+    /// The place in its frame, in scene units.
     pub at: [T; 2],
 }
 
-/// What is drawn of a mechanism besides its shapes. Lengths are in scene units, directions of length one.
+/// A symbol of a mechanism. Lengths are in scene units. Directions have length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Symbol<T> {
     /// A side of a link, from one of its joints to the next.
@@ -24,13 +24,13 @@ pub enum Symbol<T> {
         /// Both ends, in its frame.
         ends: [[T; 2]; 2],
     },
-    /// A named point of a link, where no joint is.
+    /// A named point of a link without a joint.
     Mark(Spot<T>),
     /// The pitch circle of a wheel.
     Wheel {
-        /// Its centre.
+        /// The centre.
         center: Spot<T>,
-        /// Its radius.
+        /// The radius.
         radius: T,
     },
     /// The strands of a belt between two wheels.
@@ -53,9 +53,9 @@ pub enum Symbol<T> {
     },
     /// A line along which something slides.
     Line {
-        /// Its origin.
+        /// The origin.
         at: Spot<T>,
-        /// Its direction, in the link's frame.
+        /// The direction, in the link's frame.
         along: [T; 2],
     },
     /// A point about which something turns.
@@ -77,7 +77,7 @@ pub enum Symbol<T> {
     Turned(Spot<T>),
     /// A motor that slides.
     Pushed {
-        /// What it slides.
+        /// The link that it moves.
         block: Spot<T>,
         /// The link with the guide, numbered as in [`Spot`].
         guide: usize,
@@ -103,16 +103,16 @@ const STAND: [f32; 3] = [14.0, 8.0, 13.0];
 const BLOCK: [f32; 2] = [13.0, 7.0];
 /// Half the length of a rail.
 const RAIL: f32 = 36.0;
-/// From one stroke of hatching to the next.
+/// The distance between strokes of hatching.
 const HATCH: f32 = 5.0;
 
 impl<T: Scalar> Spot<T> {
-    /// Where it is in the scene.
+    /// The place in the scene.
     fn place(self, poses: &[Pose<T>]) -> Option<[T; 2]> {
         Some(pose_of(self.link, poses)?.apply(self.at))
     }
 
-    /// The same with a direction of its link.
+    /// The place and a direction of its link, in the scene.
     fn with(self, along: [T; 2], poses: &[Pose<T>]) -> Option<pen::Spot<T>> {
         let pose = pose_of(self.link, poses)?;
         let at = pose.apply(self.at);
@@ -122,7 +122,7 @@ impl<T: Scalar> Spot<T> {
 }
 
 impl<T: Scalar> Symbol<T> {
-    /// What kind of thing it is.
+    /// The kind.
     pub(super) const fn kind(&self) -> Kind {
         match self {
             Self::Bar { .. }
@@ -208,7 +208,7 @@ impl<T: Scalar> Symbol<T> {
             } => {
                 let along = pose_of(guide, poses)?.turn(along);
                 let at = block.place(poses)?;
-                pushed(pen, canvas, pen::Spot { at, along });
+                slide_arrow(pen, canvas, pen::Spot { at, along });
             }
         }
         Some(())
@@ -225,7 +225,7 @@ fn stand<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, at: [T; 2]) {
         [[0.0, 0.0], [half, -height], [-half, -height]],
     );
     pen.stroke(canvas, spot, [[-base, -height], [base, -height]], MEDIUM);
-    let floor = pen::Spot::upright(spot.go(T::ZERO, -pen.pixels(height)));
+    let floor = pen::Spot::upright(spot.offset(T::ZERO, -pen.pixels(height)));
     pen.hatch(canvas, floor, (HATCH - base, base, HATCH), -1.0);
 }
 
@@ -248,10 +248,10 @@ fn slide<T: Scalar>(
         let depth = height + 1.0;
         let ends = [-RAIL, RAIL].map(|end| [end, side * depth]);
         pen.stroke(canvas, block, ends, MEDIUM);
-        // The hatching stays where it is while the block slides by.
+        // The hatching stands still while the block slides.
         let remainder = HATCH * fraction(offset / pen.pixels(HATCH));
         let floor = pen::Spot {
-            at: block.go(T::ZERO, pen.pixels(side * depth)),
+            at: block.offset(T::ZERO, pen.pixels(side * depth)),
             along,
         };
         pen.hatch(canvas, floor, (HATCH - RAIL - remainder, RAIL, HATCH), side);
@@ -267,7 +267,7 @@ fn slide<T: Scalar>(
         } else {
             T::ZERO
         };
-        let ends = [guide.go(least, T::ZERO), guide.go(most, T::ZERO)];
+        let ends = [guide.offset(least, T::ZERO), guide.offset(most, T::ZERO)];
         pen.line(canvas, ends, BOLD);
     }
     let corners = [
@@ -279,7 +279,7 @@ fn slide<T: Scalar>(
     pen.figure(canvas, block, corners);
 }
 
-/// What is left of a number when the whole below it is taken away; of one that is not finite, nothing.
+/// The fractional part of a number, above the whole number below it; of a number that is not finite, zero.
 fn fraction<T: Scalar>(number: T) -> f32 {
     let remainder = number - Scalar::floor(number);
     if Real::is_finite(remainder) {
@@ -291,9 +291,9 @@ fn fraction<T: Scalar>(number: T) -> f32 {
 
 /// A pitch circle, with a tick by which it is seen to turn.
 fn wheel<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, hub: pen::Spot<T>, radius: T) {
-    let rim = hub.go(radius, T::ZERO);
+    let rim = hub.offset(radius, T::ZERO);
     pen.arc(canvas, hub.at, rim, <T as Real>::TURN, THIN);
-    let inner = hub.go(radius - pen.pixels(7.0), T::ZERO);
+    let inner = hub.offset(radius - pen.pixels(7.0), T::ZERO);
     pen.line(canvas, [inner, rim], MEDIUM);
 }
 
@@ -309,7 +309,7 @@ fn belt<T: Scalar>(
     let sine = (radii[0] - radii[1]) / length;
     let remainder = T::ONE - sine * sine;
     let [u, v] = [x / length, y / length];
-    // Where one wheel is within the other, there is no tangent: what is not a number is not drawn.
+    // Where one wheel is within the other, there is no tangent: NaN is not drawn.
     let cosine = Real::sqrt(remainder);
     for side in [cosine, -cosine] {
         let normal = [sine * u - side * v, sine * v + side * u];
@@ -331,7 +331,10 @@ fn rack<T: Scalar>(
     let at = [pinion[0] + radius * v, pinion[1] - radius * u];
     let contact = pen::Spot { at, ..bar };
     let reach = Real::abs(radius) + Real::abs(radius);
-    let ends = [contact.go(-reach, T::ZERO), contact.go(reach, T::ZERO)];
+    let ends = [
+        contact.offset(-reach, T::ZERO),
+        contact.offset(reach, T::ZERO),
+    ];
     pen.line(canvas, ends, THIN);
     // Ticks half a radius apart, on the side away from the pinion.
     let apart = <T as Real>::HALF * Real::abs(radius);
@@ -340,13 +343,13 @@ fn rack<T: Scalar>(
     let away = pen.pixels(if radius > T::ZERO { -5.0 } else { 5.0 });
     for number in -3..=4 {
         let ahead = apart * <T as Real>::from_i32(number) - remainder;
-        let tick = [contact.go(ahead, T::ZERO), contact.go(ahead, away)];
+        let tick = [contact.offset(ahead, T::ZERO), contact.offset(ahead, away)];
         pen.line(canvas, tick, THIN);
     }
 }
 
 /// A double arrow beside what a motor slides.
-fn pushed<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, block: pen::Spot<T>) {
+fn slide_arrow<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, block: pen::Spot<T>) {
     // On the side where the rail is not.
     let [u, v] = block.along;
     let is_above = u > T::ZERO || (u >= T::ZERO && v > T::ZERO);
@@ -354,7 +357,7 @@ fn pushed<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T>, block: pen::Spot
     pen.stroke(canvas, block, [[-12.0, beside], [12.0, beside]], MEDIUM);
     let beside = pen.pixels(beside);
     for ahead in [18.0, -18.0] {
-        let at = block.go(pen.pixels(ahead), beside);
+        let at = block.offset(pen.pixels(ahead), beside);
         let along = if ahead > 0.0 { [u, v] } else { [-u, -v] };
         head(pen, canvas, pen::Spot { at, along }, 1.0);
     }

@@ -1,19 +1,18 @@
-//! What shapes are painted on.
+//! The trait of everything that can be painted on.
 
 use crate::{Outline, Pose, Scalar};
 
-/// Something that shapes can be painted on.
+/// A surface on which shapes are painted.
 pub trait Canvas<T: Scalar> {
-    /// Fills an outline given in the frame of a link that is at `pose`, with entry `color` of the palette. What is not finite is not
-    /// painted.
+    /// Fills an outline in the frame of a link at `pose` with entry `color` of the palette. An outline that is not finite is not painted.
     fn fill(&mut self, outline: Outline<'_, T>, pose: Pose<T>, color: u8);
 
-    /// Writes a text upright, with its lower left corner at a place in the scene, with entry `color` of the palette. Letters are
-    /// five pixels wide and seven high, one every six pixels, however large the scene is seen. There is printable ASCII, and
-    /// `° ± ² · × − Δ α β γ δ θ λ μ π φ ψ ω`; anything else is a box.
+    /// Writes an upright text with entry `color` of the palette. Its lower left corner is at a place in the scene.
+    ///
+    /// At any scale, letters are five pixels wide and seven high, one every six pixels. The font has printable ASCII and
+    /// `° ± ² · × − Δ α β γ δ θ λ μ π φ ψ ω`. Any other character is a box.
     fn text(&mut self, place: [T; 2], text: &str, color: u8);
 
-    /// How many pixels a scene unit is: whatever has a size in pixels asks for it. Infinite for a canvas that only wants to
-    /// know where things are: then they have no size.
+    /// The number of pixels per scene unit, for whatever has a size in pixels. On a canvas with infinite scale these have no size.
     fn scale(&self) -> T;
 }

@@ -4,7 +4,7 @@ use super::edge::Edge;
 use super::tour::Tour;
 use crate::Scalar;
 
-/// One of the two ways down.
+/// One of the two chains of sides from the top to the bottom.
 pub(super) struct Chain<'c, T, F> {
     tour: Tour<'c, T, F>,
     height: usize,
@@ -31,7 +31,7 @@ impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Chain<'c, T, F> {
     }
 }
 
-/// How often the corners of a polygon change between going down and going up: twice, if there are two chains.
+/// Counts how often the corners of a polygon change between falling and rising: twice, if there are two chains.
 pub(super) struct Directions<N> {
     first: Option<N>,
     last: Option<N>,
@@ -53,7 +53,7 @@ impl<N: Copy + PartialOrd> Directions<N> {
 
     /// Goes to the next corner, which is so far down.
     #[inline]
-    pub(super) fn go(&mut self, depth: N) {
+    pub(super) fn add(&mut self, depth: N) {
         let Some(last) = self.last.replace(depth) else {
             self.first = Some(depth);
             return;
@@ -66,10 +66,10 @@ impl<N: Copy + PartialOrd> Directions<N> {
         }
     }
 
-    /// All the way round.
+    /// Adds the first depth again, to close the polygon.
     pub(super) fn turns(mut self) -> usize {
         if let Some(first) = self.first {
-            self.go(first);
+            self.add(first);
         }
         self.turns + usize::from(self.direction != self.first_direction)
     }

@@ -1,4 +1,4 @@
-//! Where the sides of a polygon cross some rows.
+//! Crossings of the sides of a polygon with some rows.
 
 use super::edge::Edge;
 use super::fixed;
@@ -7,7 +7,7 @@ use super::spans::{Clip, Spans};
 
 /// Rows that are looked at together.
 const ROWS: usize = 16;
-/// Crossings that are kept of each of them. Rows with more are rare, and are looked at as often as it takes.
+/// The number of stored crossings of each row. Rows with more are rare, and are searched several times.
 const MOST: usize = 14;
 
 /// The crossings of some rows, each in order from left to right.
@@ -19,7 +19,7 @@ pub(super) struct Crossings {
 #[derive(Clone, Copy)]
 struct Row {
     crossings: [Crossing; MOST],
-    /// How many there are: more than are kept, if there is no room for them.
+    /// The number of crossings, also of those without a slot.
     count: usize,
 }
 
@@ -37,9 +37,9 @@ impl Row {
     /// Adds a crossing, in order.
     fn insert(&mut self, crossing: Crossing) {
         let places = self.crossings.get_mut(..=self.count);
-        if let Some((last, kept)) = places.and_then(<[_]>::split_last_mut) {
+        if let Some((last, earlier)) = places.and_then(<[_]>::split_last_mut) {
             let mut hand = crossing;
-            for place in kept {
+            for place in earlier {
                 if *place > hand {
                     core::mem::swap(place, &mut hand);
                 }
@@ -86,7 +86,7 @@ impl Crossings {
         }
     }
 
-    /// Fills a row by its crossings; if they were more than could be kept, they are found again among all sides.
+    /// Fills a row by its crossings. If some have no slot, they are found again among all sides.
     pub(super) fn fill<S: Iterator<Item = Edge>>(
         &self,
         surface: &mut impl Spans,
@@ -134,7 +134,7 @@ impl Crossings {
     }
 }
 
-/// Where a side crosses a row; what is beyond the margins is as good as on them.
+/// The crossing of a side with a row. A crossing beyond the margins counts as on them.
 #[inline]
 fn crossing(at: i64, side: Edge, band: Clip) -> Crossing {
     let pixel = fixed::within(fixed::pixel(at), band.left, band.right);
@@ -142,12 +142,12 @@ fn crossing(at: i64, side: Edge, band: Clip) -> Crossing {
     2 * pixel + Crossing::from(side.falls)
 }
 
-/// A row on its way from left to right.
+/// A row that is filled from left to right.
 struct Filling {
     rule: Rule,
     row: usize,
     color: u8,
-    /// How often what comes next is surrounded.
+    /// The winding number of the next pixels.
     winding: i32,
     start: usize,
 }

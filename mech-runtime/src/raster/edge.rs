@@ -13,9 +13,9 @@ pub(super) struct Edge {
     /// The rows of the picture that it crosses.
     pub(super) first: usize,
     pub(super) end: usize,
-    /// Where it crosses the first row, so that the pixel in which that lies is the first whose centre is not on its left.
+    /// The crossing with the first row. The pixel that holds it is the first whose centre is not on its left.
     at: i64,
-    /// How much farther it crosses the next.
+    /// The step of the crossing from row to row.
     step: i64,
     /// Whether it was declared downwards.
     pub(super) falls: bool,
@@ -51,7 +51,7 @@ impl Edge {
         })
     }
 
-    /// Where it crosses a row, half a pixel to the right: the pixel in which that lies is the first on its right.
+    /// The crossing with a row, moved right by half a pixel. The pixel that holds it is the first on its right.
     #[inline]
     pub(super) fn at(&self, row: usize) -> i64 {
         #[expect(clippy::cast_possible_wrap, reason = "rows of a picture")]
@@ -60,7 +60,7 @@ impl Edge {
         self.at.wrapping_add(self.step.wrapping_mul(down))
     }
 
-    /// How much farther it crosses the next row.
+    /// The step of the crossing from row to row.
     #[inline]
     pub(super) fn step(&self) -> i64 {
         self.step
@@ -81,7 +81,7 @@ pub(super) fn sides<T: Scalar>(
     height: usize,
 ) -> impl Iterator<Item = Edge> {
     let limit = <T as Real>::from_i32(FAR);
-    let mut pieces = [None; 3];
+    let mut parts = [None; 3];
     if is_far(tail[0]) || is_far(head[0]) {
         // One order of the ends, so that the polygon on the other side does the very same.
         let falls = (tail[1], tail[0]) <= (head[1], head[0]);
@@ -102,15 +102,15 @@ pub(super) fn sides<T: Scalar>(
         if !falls {
             corners.reverse();
         }
-        for (piece, ends) in pieces.iter_mut().zip(corners.windows(2)) {
+        for (part, ends) in parts.iter_mut().zip(corners.windows(2)) {
             if let [tail, head] = *ends {
-                *piece = Edge::new(tail, head, height);
+                *part = Edge::new(tail, head, height);
             }
         }
     } else {
-        pieces[0] = Edge::new(tail, head, height);
+        parts[0] = Edge::new(tail, head, height);
     }
-    pieces.into_iter().flatten()
+    parts.into_iter().flatten()
 }
 
 /// The rows of a picture whose centres lie between two ordinates.

@@ -6,7 +6,7 @@ use crate::{Real, Scalar};
 pub(super) const FRACTION: u32 = 40;
 /// Half a pixel.
 pub(super) const HALF: i64 = 1 << (FRACTION - 1);
-/// Positions beyond this many pixels are not kept as they are: no picture is larger.
+/// Positions beyond this many pixels are replaced, because no picture is larger.
 pub(super) const FAR: i32 = 1 << 21;
 /// The most pixels a picture has in one direction.
 pub(super) const MOST: usize = 1 << 21;
@@ -37,7 +37,7 @@ pub(super) fn within(pixel: i64, low: usize, high: usize) -> usize {
     within
 }
 
-/// The centre of a pixel. By way of a small integer, so that a machine that has no `f64` needs none.
+/// The centre of a pixel. A small integer in between spares machines without `f64`.
 #[inline]
 pub(super) fn center<T: Scalar>(index: usize) -> T {
     let index = i32::try_from(index).unwrap_or(i32::MAX);
@@ -57,13 +57,16 @@ pub(super) fn border_above<T: Scalar>(ordinate: T, height: usize) -> usize {
 }
 
 /// The rows of a picture that lie at least in part between two ordinates.
-pub(super) fn touched<T: Scalar>([high, low]: [T; 2], height: usize) -> core::ops::Range<usize> {
+pub(super) fn rows_touching<T: Scalar>(
+    [high, low]: [T; 2],
+    height: usize,
+) -> core::ops::Range<usize> {
     let first = border_above(high, height);
     let end = pixel(Scalar::to_fixed(low).saturating_add(2 * HALF - 1));
     first..within(end, first, height)
 }
 
-/// The pixel border nearest to a position; of what is far away, one that is far away.
+/// The pixel border nearest to a position, or a far one for a far position.
 pub(super) fn nearest<T: Scalar>(position: T) -> i32 {
     let pixel = pixel(Scalar::to_fixed(position).saturating_add(HALF));
     i32::try_from(pixel).unwrap_or(FAR)

@@ -2,12 +2,12 @@
 
 use super::spans::{Clip, Spans};
 
-/// From one letter to the next, in pixels.
+/// The distance from one letter to the next, in pixels.
 pub(super) const ADVANCE: i32 = 6;
 /// The height of a letter, in pixels.
 const HEIGHT: u8 = 7;
 
-/// What stands for a character that is not in the font.
+/// The box that replaces a character that the font lacks.
 const BOX: [u8; 5] = [0x7F, 0x41, 0x41, 0x41, 0x7F];
 
 /// Writes a text whose lower left corner is a corner between pixels.
@@ -157,7 +157,7 @@ static ASCII: [[u8; 5]; 95] = [
     [0x08, 0x04, 0x08, 0x10, 0x08], // ~
 ];
 
-/// What formulas are written with.
+/// The characters of formulas.
 static OTHERS: [(char, [u8; 5]); 18] = [
     ('°', [0x00, 0x06, 0x09, 0x09, 0x06]),
     ('±', [0x44, 0x44, 0x5F, 0x44, 0x44]),

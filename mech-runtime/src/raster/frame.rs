@@ -3,6 +3,9 @@
 use super::memory::{Array, Grid, Memory};
 #[cfg(feature = "std")]
 use super::memory::{Block, Heap, TooLarge};
+use super::picture::picture;
+#[cfg(feature = "std")]
+use super::picture::picture_of_mechanism;
 use super::spans::{Clip, Spans};
 use super::{Canvas, Palette, View, paint};
 #[cfg(feature = "std")]
@@ -11,7 +14,7 @@ use crate::{Outline, Pose, Real, Scalar};
 use core::fmt;
 use core::ops::Range;
 
-/// A picture `W` pixels wide and `H` high: a byte a pixel, a palette, and a view of the scene.
+/// A picture of `W` × `H` pixels with a palette and a view of the scene. A pixel takes a byte.
 ///
 /// Nothing is allocated, and [`new`](Self::new) can initialise a static:
 ///
@@ -22,18 +25,16 @@ use core::ops::Range;
 /// static SCREEN: Mutex<Frame<320, 240>> = Mutex::new(Frame::new());
 /// ```
 ///
-/// It takes `W` × `H` bytes, 768 for its palette, and its view. In a variable it lies on the stack. `Box::new(Frame::new())` makes it
-/// there too, unless that is optimised away. A large picture overflows the stack: make it in a static, or as a `HeapFrame` (feature
-/// `std`).
+/// A frame takes `W` × `H` bytes, 768 bytes for its palette, and its view. A local variable lies on the stack;
+/// `Box::new(Frame::new())` may build it there too. A large picture overflows the stack: use a static, or a `HeapFrame` (feature `std`).
 ///
-/// Besides the methods here it has those of every [`Indexed`] picture. A picture too large for memory can be painted in strips, each in the same small frame with a
-/// [`View`] that looks at another part of the scene.
+/// The other methods are those of [`Indexed`]. Paint a picture that is too large for memory in strips: each in the same small frame,
+/// with a [`View`] of another part of the scene.
 pub type Frame<const W: usize, const H: usize> = Indexed<Array<W, H>>;
 
-/// A [`Frame`] of a size that is told at run time, on the heap: for pictures of any size. With feature `std`.
+/// A [`Frame`] on the heap, with a size chosen at run time. With feature `std`.
 ///
-/// It takes a byte a pixel on the heap: 2.1 MB for 1920 × 1080 pixels. It is painted on as a `Frame` is, and looks the same, pixel for
-/// pixel. Besides the methods here it has those of every [`Indexed`] picture.
+/// A pixel takes a byte: 1920 × 1080 pixels take 2.1 MB. All pixels equal those of a `Frame`. The other methods are those of [`Indexed`].
 ///
 /// ```
 /// use mech_runtime::{Canvas, HeapFrame, Outline, Palette, Pose};
@@ -47,8 +48,8 @@ pub type Frame<const W: usize, const H: usize> = Indexed<Array<W, H>>;
 #[cfg(feature = "std")]
 pub type HeapFrame = Indexed<Heap>;
 
-/// A picture of a byte a pixel, with a palette and a view of the scene. With its pixels in an [`Array`] it is a [`Frame`], with its
-/// pixels on the `Heap` a `HeapFrame` (feature `std`).
+/// A picture with a palette and a view of the scene. With its pixels in an [`Array`] it is a [`Frame`], with its pixels on the `Heap` a
+/// `HeapFrame` (feature `std`).
 #[derive(Clone, PartialEq)]
 pub struct Indexed<M: Memory> {
     pixels: M::Pixels<u8>,
@@ -57,8 +58,7 @@ pub struct Indexed<M: Memory> {
 }
 
 impl<const W: usize, const H: usize> Frame<W, H> {
-    /// An empty picture, with the [textbook](Palette::TEXTBOOK) palette, that looks at the scene's origin with one pixel
-    /// a unit.
+    /// An empty picture with the [textbook](Palette::TEXTBOOK) palette. It looks at the scene's origin, with one pixel per scene unit.
     #[must_use]
     pub const fn new() -> Self {
         let () = Array::<W, H>::IS_PAINTABLE;
@@ -69,7 +69,7 @@ impl<const W: usize, const H: usize> Frame<W, H> {
         }
     }
 
-    /// The pixels, each an entry of the palette, row by row from the top.
+    /// The entries of the palette of all pixels, row by row from the top.
     #[must_use]
     pub const fn pixels(&self) -> &[[u8; W]; H] {
         &self.pixels
@@ -78,11 +78,11 @@ impl<const W: usize, const H: usize> Frame<W, H> {
 
 #[cfg(feature = "std")]
 impl HeapFrame {
-    /// An empty picture so many pixels wide and high, with the [textbook](Palette::TEXTBOOK) palette, that looks at the scene's
-    /// origin with one pixel a unit. Either size may be zero.
+    /// An empty picture of this width and height in pixels, with the [textbook](Palette::TEXTBOOK) palette. It looks at the scene's origin,
+    /// with one pixel per scene unit. Either size may be zero.
     ///
     /// # Errors
-    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
+    /// [`TooLarge`] if a side exceeds 2²¹ pixels, or if there is no memory for the pixels.
     pub fn new(width: usize, height: usize) -> Result<Self, TooLarge> {
         Ok(Self {
             pixels: Block::new(Palette::PAPER, [width, height])?,
@@ -91,22 +91,16 @@ impl HeapFrame {
         })
     }
 
-    /// The same for a mechanism: it looks at all of it, wherever its motors move it.
-    ///
-    /// # Errors
-    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
-    pub fn of<A: Mechanism>(width: usize, height: usize) -> Result<Self, TooLarge> {
-        let mut frame = Self::new(width, height)?;
-        frame.look_at(A::view(width, height));
-        Ok(frame)
-    }
-
-    /// The pixels, each an entry of the palette, row by row from the top.
+    /// The entries of the palette of all pixels, row by row from the top.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
         self.pixels.all()
     }
 }
+
+picture!(Indexed, "Frame", u8);
+#[cfg(feature = "std")]
+picture_of_mechanism!(HeapFrame);
 
 impl<M: Memory> Indexed<M> {
     /// Paints everything in colour 0.
@@ -114,61 +108,27 @@ impl<M: Memory> Indexed<M> {
         self.pixels.all_mut().fill(Palette::PAPER);
     }
 
-    /// How many pixels it is wide.
-    #[must_use]
-    pub fn width(&self) -> usize {
-        self.pixels.size()[0]
-    }
-
-    /// How many pixels it is high.
-    #[must_use]
-    pub fn height(&self) -> usize {
-        self.pixels.size()[1]
-    }
-
-    /// What keeps the pixels.
-    pub(crate) const fn grid(&self) -> &M::Pixels<u8> {
-        &self.pixels
-    }
-
-    /// What keeps the pixels, to be painted.
+    /// The rows of pixels, to be painted.
     #[cfg(feature = "embedded-graphics")]
     pub(super) const fn grid_mut(&mut self) -> &mut M::Pixels<u8> {
         &mut self.pixels
     }
 
-    /// A pixel's entry in the palette; `x` counts from the left, `y` from the top.
+    /// The entry of a pixel. `x` counts from the left, `y` from the top. `None` outside of the picture.
     #[must_use]
     pub fn pixel(&self, x: usize, y: usize) -> Option<u8> {
         self.pixels.row(y)?.as_ref().get(x).copied()
     }
 
-    /// A pixel's red, green and blue; `x` counts from the left, `y` from the top.
+    /// Red, green and blue of a pixel. `x` counts from the left, `y` from the top. `None` outside of the picture.
     #[must_use]
     pub fn rgb(&self, x: usize, y: usize) -> Option<[u8; 3]> {
         Some(self.palette.rgb(self.pixel(x, y)?))
     }
 
-    /// The colours.
-    #[must_use]
-    pub const fn palette(&self) -> &Palette {
-        &self.palette
-    }
-
-    /// Changes the colours, also of what is already painted.
+    /// Changes the colours, also those of painted pixels.
     pub const fn set_palette(&mut self, palette: Palette) {
         self.palette = palette;
-    }
-
-    /// The part of the scene that is seen.
-    #[must_use]
-    pub const fn view(&self) -> View {
-        self.view
-    }
-
-    /// Changes the part of the scene that is seen, for what is painted from now on.
-    pub const fn look_at(&mut self, view: View) {
-        self.view = view;
     }
 
     /// Some of its pixels, to be filled.
@@ -179,7 +139,7 @@ impl<M: Memory> Indexed<M> {
         }
     }
 
-    /// Takes over some pixels of another.
+    /// Copies some pixels of another.
     pub(super) fn copy(&mut self, other: &Self, clip: Clip) {
         let rows = clip.top..clip.bottom;
         let others = other.pixels.rows(rows.clone());
@@ -242,16 +202,5 @@ impl<M: Memory> Spans for Part<'_, M> {
 impl<const W: usize, const H: usize> Default for Frame<W, H> {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// Its size and view: nobody wants to read the pixels.
-impl<M: Memory> fmt::Debug for Indexed<M> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [width, height] = self.pixels.size();
-        write!(f, "{}Frame<{width}, {height}>", M::PREFIX)?;
-        f.debug_struct("")
-            .field("view", &self.view)
-            .finish_non_exhaustive()
     }
 }

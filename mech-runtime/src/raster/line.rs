@@ -3,8 +3,8 @@
 use super::{Canvas, Palette};
 use crate::{Outline, Pose, Real, Scalar};
 
-/// Draws a straight line between two places in the scene, `width` pixels wide however large the scene is seen, with entry
-/// `color` of the palette. Its ends are round. What is not finite is not drawn.
+/// Draws a straight line between two places in the scene, `width` pixels wide at any scale, in entry `color` of the palette. Its ends are
+/// round. A line that is not finite is not drawn.
 ///
 /// ```
 /// use mech_runtime::{Frame, raster};
@@ -22,8 +22,8 @@ pub fn line<T: Scalar>(canvas: &mut impl Canvas<T>, ends: [[T; 2]; 2], width: T,
     canvas.fill(line, Pose::identity(), color);
 }
 
-/// Draws a link as textbooks do: a bar along its pins, given in the frame of a link that is at `pose`, with an eye at each. `width` is
-/// in scene units. Its edge is [darker](Palette::darker) than entry `color` of the palette.
+/// Draws a link as textbooks do: a bar along its pins, with an eye at each. The pins are points of a link at `pose`. `width` is in scene
+/// units. The edge of the bar is [darker](Palette::darker) than entry `color` of the palette.
 ///
 /// ```
 /// use mech_runtime::{Frame, Palette, Pose, raster};

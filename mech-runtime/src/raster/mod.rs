@@ -1,4 +1,4 @@
-//! The picture: one byte a pixel and a table of false colours, filled by scanline spans.
+//! Pictures: pixels of a palette or in true colour, filled row by row.
 //!
 //! ```
 //! use mech_runtime::{Canvas, Frame, Outline, Palette, Pose, View};
@@ -11,21 +11,20 @@
 //! assert_eq!(frame.pixel(26, 26), Some(Palette::BLUE));
 //! ```
 //!
-//! A pixel belongs to a shape if its centre does. A centre exactly on an outline belongs to the shape on its right, or
-//! below it: so shapes that share an edge leave no gap between them and paint no pixel twice. Whatever is not finite is
-//! not painted.
+//! A pixel belongs to a shape if its centre does. A centre exactly on an outline belongs to the shape on its right, or below it. So shapes
+//! that share an edge leave no gap and paint no pixel twice. An outline with a number that is not finite is not painted.
 //!
-//! # What pictures take
+//! # Memory
 //!
-//! | of a size known when compiled | of a size told at run time, on the heap | bytes a pixel | besides |
+//! | size fixed at compile time | size chosen at run time, on the heap | bytes per pixel | other memory |
 //! |---|---|---|---|
 //! | [`Frame`] | `HeapFrame` | 1 | 0.8 KiB |
 //! | [`Smooth`] | `HeapSmooth` | 4 | 16 rows, and 2 KiB |
-//! | [`Stage`] | `HeapStage` | 2 | 2 KiB, and 40 bytes for each thing that it keeps account of |
+//! | [`Stage`] | `HeapStage` | 2 | 2 KiB, and 40 bytes for each outline |
 //!
-//! Those of a fixed size lie where they are put: in a variable, on the stack. Large ones overflow it, which cannot be caught: 1024 × 768
-//! pixels of a `Smooth` take 3.2 MB, and a thread has 2 MiB if nothing else is said. They can lie in a static. Those on the heap need
-//! feature `std`, and 3 KiB of stack. What is too large for memory is an error, `TooLarge`.
+//! A picture of fixed size in a local variable lies on the stack. A large one overflows it, and no program can catch that: 1024 × 768
+//! pixels of a `Smooth` take 3.2 MB, and a thread has 2 MiB by default. It can lie in a static. Pictures on the heap need feature `std`
+//! and 3 KiB of stack. `TooLarge` is the error of a picture that exceeds the memory.
 //!
 //! With feature `embedded-graphics`, `raster::embedded` brings pictures to displays.
 
@@ -44,6 +43,7 @@ mod line;
 mod memory;
 mod paint;
 mod palette;
+mod picture;
 mod polygon;
 mod smooth;
 mod spans;

@@ -1,4 +1,4 @@
-//! From outlines in the scene to what is filled in pixels.
+//! Painting of outlines in the scene on surfaces of pixels.
 
 use super::arc::Arc;
 use super::font;
@@ -13,15 +13,15 @@ use crate::{Outline, Pose, Real, Scalar};
 /// The most steps around an end of a line, or along an arc: thousands of pixels are still round.
 const MOST: u32 = 1000;
 
-/// What can be filled in pixels.
+/// A surface of pixels that can be filled.
 pub(super) trait Fill {
-    /// How many straight sides stand for a circle whose radius is one pixel.
+    /// The number of straight sides of a circle whose radius is one pixel.
     const FINENESS: f32;
 
     /// Fills a circle, but for a hole with the same centre, if there is one.
     fn ring<T: Scalar>(&mut self, center: [T; 2], radius: T, hole: T, color: u8);
 
-    /// Fills a polygon whose corners are told by their number.
+    /// Fills a polygon. `corner` gives the corners by their number.
     fn polygon<T: Scalar>(
         &mut self,
         corner: &(impl Fn(usize) -> [T; 2] + Clone),
@@ -143,7 +143,7 @@ fn line<T: Scalar, S: Fill>(
     }
 }
 
-/// An arc around the first of two places, from the second; what goes once round or farther is a ring.
+/// An arc around the first of two places, from the second. An arc of a whole turn or more is a ring.
 fn arc<T: Scalar, S: Fill>(
     surface: &mut S,
     [center, start]: [[T; 2]; 2],

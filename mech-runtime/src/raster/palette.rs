@@ -1,8 +1,8 @@
-//! The table of false colours.
+//! Palettes.
 
-/// 256 colours: red, green and blue of each entry.
+/// A palette of 256 colours: red, green and blue of each entry.
 ///
-/// The ready-made palettes share one order, so that a scene can change from one to the other:
+/// All ready-made palettes have the same order, so a scene can change its palette:
 ///
 /// | entry | colour |
 /// |---|---|
@@ -28,7 +28,7 @@ pub struct Palette {
 impl Palette {
     /// The background.
     pub const PAPER: u8 = 0;
-    /// What stands still.
+    /// The ground, and other fixed parts.
     pub const GROUND: u8 = 1;
     /// The first main colour.
     pub const BLUE: u8 = 2;
@@ -54,7 +54,7 @@ impl Palette {
     pub const OLIVE: u8 = 12;
     /// The last main colour.
     pub const SLATE: u8 = 13;
-    /// Pins and lines: stands out against everything else.
+    /// Pins and lines: stands out against all other colours.
     pub const INK: u8 = 14;
     /// The hole in a pin: stands out against the ink.
     pub const EYE: u8 = 15;
@@ -75,8 +75,8 @@ impl Palette {
     /// Faint lines on the background.
     pub const GRID: u8 = 47;
 
-    /// An illustration in a good textbook: calm colours on warm white paper, told apart also by the colour-blind.
-    pub const TEXTBOOK: Self = Self::built(&[
+    /// The palette of a textbook: calm colours on warm white paper, distinct also for the colour-blind.
+    pub const TEXTBOOK: Self = Self::build(&[
         [0xFA, 0xF6, 0xED], // paper
         [0x9A, 0x90, 0x84], // ground
         [0x3F, 0x74, 0xB0], // blue
@@ -97,9 +97,9 @@ impl Palette {
         [0xA3, 0xAB, 0xB4], // steel
     ]);
 
-    /// The same by night: brighter colours on deep blue. Its ink is light and its paper dark, so what is darker by day is
-    /// lighter by night, and stands out as much.
-    pub const NIGHT: Self = Self::built(&[
+    /// A palette for the night: brighter colours on deep blue. Its ink is light and its paper dark. So darker colours of the day are lighter
+    /// at night, and stand out as much.
+    pub const NIGHT: Self = Self::build(&[
         [0x15, 0x18, 0x22], // paper
         [0x6C, 0x72, 0x80], // ground
         [0x5B, 0x93, 0xD6], // blue
@@ -120,13 +120,13 @@ impl Palette {
         [0x8D, 0x97, 0xA6], // steel
     ]);
 
-    /// A palette of one's own.
+    /// A palette of these colours.
     #[must_use]
     pub const fn new(entries: [[u8; 3]; 256]) -> Self {
         Self { entries }
     }
 
-    /// The same palette with another colour for one entry.
+    /// Replaces the colour of one entry.
     #[must_use]
     pub const fn with(mut self, entry: u8, rgb: [u8; 3]) -> Self {
         self.entries[entry as usize] = rgb;
@@ -139,7 +139,7 @@ impl Palette {
         self.entries[entry as usize]
     }
 
-    /// Red, green, blue and opacity of an entry: all of it.
+    /// Red, green, blue and full opacity of an entry.
     #[must_use]
     pub const fn rgba(&self, entry: u8) -> [u8; 4] {
         let [red, green, blue] = self.rgb(entry);
@@ -152,7 +152,7 @@ impl Palette {
         &self.entries
     }
 
-    /// The entry for a darker kind of a main colour, of the ground or of steel; any other colour is left as it is.
+    /// The entry of a darker main colour, ground or steel. Any other entry stays the same.
     #[must_use]
     pub const fn darker(color: u8) -> u8 {
         match color {
@@ -163,7 +163,7 @@ impl Palette {
         }
     }
 
-    /// The entry for a lighter kind of a main colour, of the ground or of steel; any other colour is left as it is.
+    /// The entry of a lighter main colour, ground or steel. Any other entry stays the same.
     #[must_use]
     pub const fn lighter(color: u8) -> u8 {
         match color {
@@ -174,8 +174,8 @@ impl Palette {
         }
     }
 
-    /// The entry for a main colour on its way from the ink (step 0) over the colour itself (between 7 and 8) to the
-    /// paper (step 15 and above); for any other colour, the entry on the way from plain ink to plain paper.
+    /// The entry of a step from the ink (step 0) through a main colour (between 7 and 8) to the paper (step 15 and above). For any other
+    /// colour, the entry of a step from plain ink to plain paper.
     #[must_use]
     pub const fn shade(color: u8, step: u8) -> u8 {
         let step = if step < 16 { step } else { 15 };
@@ -186,7 +186,7 @@ impl Palette {
     }
 
     /// The whole table from its first 18 entries.
-    const fn built(base: &[[u8; 3]; 18]) -> Self {
+    const fn build(base: &[[u8; 3]; 18]) -> Self {
         let mut entries = [[0; 3]; 256];
         let mut color = 0;
         while color < base.len() {
@@ -197,26 +197,26 @@ impl Palette {
         let ground = base[Self::GROUND as usize];
         let ink = base[Self::INK as usize];
         let steel = base[Self::STEEL as usize];
-        entries[Self::GROUND_DARK as usize] = mixed(ground, ink, 100);
-        entries[Self::GROUND_LIGHT as usize] = mixed(ground, paper, 110);
-        entries[Self::STEEL_DARK as usize] = mixed(steel, ink, 100);
-        entries[Self::STEEL_LIGHT as usize] = mixed(steel, paper, 130);
-        entries[Self::SHADE as usize] = mixed(paper, ink, 24);
-        entries[Self::GRID as usize] = mixed(paper, ink, 40);
+        entries[Self::GROUND_DARK as usize] = mix(ground, ink, 100);
+        entries[Self::GROUND_LIGHT as usize] = mix(ground, paper, 110);
+        entries[Self::STEEL_DARK as usize] = mix(steel, ink, 100);
+        entries[Self::STEEL_LIGHT as usize] = mix(steel, paper, 130);
+        entries[Self::SHADE as usize] = mix(paper, ink, 24);
+        entries[Self::GRID as usize] = mix(paper, ink, 40);
         let mut step = 0;
         while step < 16 {
-            entries[48 + step] = mixed(ink, paper, 17 * step);
+            entries[48 + step] = mix(ink, paper, 17 * step);
             step += 1;
         }
         let mut main = Self::BLUE as usize;
         while main <= Self::SLATE as usize {
             let color = base[main];
-            entries[main + 16] = mixed(color, ink, 90);
-            entries[main + 32] = mixed(color, paper, 130);
+            entries[main + 16] = mix(color, ink, 90);
+            entries[main + 32] = mix(color, paper, 130);
             let mut step = 0;
             while step < 8 {
-                entries[32 + 16 * main + step] = mixed(ink, color, 30 + 30 * step);
-                entries[32 + 16 * main + 8 + step] = mixed(color, paper, 15 + 30 * step);
+                entries[32 + 16 * main + step] = mix(ink, color, 30 + 30 * step);
+                entries[32 + 16 * main + 8 + step] = mix(color, paper, 15 + 30 * step);
                 step += 1;
             }
             main += 1;
@@ -233,7 +233,7 @@ impl Default for Palette {
 }
 
 /// A colour with `part`/255 of another in it.
-const fn mixed(one: [u8; 3], other: [u8; 3], part: usize) -> [u8; 3] {
+const fn mix(one: [u8; 3], other: [u8; 3], part: usize) -> [u8; 3] {
     let mut mixture = [0; 3];
     let mut channel = 0;
     while channel < 3 {

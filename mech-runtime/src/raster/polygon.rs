@@ -1,6 +1,6 @@
 //! Filled polygons, of any number of corners.
 //!
-//! Where its corners go down once and up once, as those of every convex polygon do, each row is one span between two chains of sides.
+//! If the corners fall once and rise once, as in every convex polygon, each row is one span between two chains of sides.
 //! Any other polygon marks where its sides cross some rows, and each row is then filled from mark to mark.
 
 use super::chain::{Chain, Directions};
@@ -11,16 +11,16 @@ use super::spans::{Clip, Spans};
 use super::tour::Tour;
 use crate::{Real, Scalar};
 
-/// What is inside of a polygon that crosses itself.
+/// The inside of a polygon that crosses itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rule {
-    /// What is surrounded an odd number of times.
+    /// The region that is surrounded an odd number of times.
     EvenOdd,
-    /// What is surrounded more often one way round than the other.
+    /// The region whose winding number is not zero.
     NonZero,
 }
 
-/// Fills a polygon whose corners in pixels are told by their number.
+/// Fills a polygon. `corner` gives the corners in pixels by their number.
 pub(super) fn fill<T: Scalar>(
     surface: &mut impl Spans,
     corner: &(impl Fn(usize) -> [T; 2] + Clone),
@@ -72,7 +72,7 @@ pub(super) fn fill_path<T: Scalar>(
     outline(surface, corners, rows, rule, color);
 }
 
-/// What has to be known of a polygon before it is filled.
+/// The extent and the kind of a polygon, found before it is filled.
 struct Seen {
     /// The rows to be filled.
     top: usize,
@@ -103,7 +103,7 @@ fn shape<T: Scalar>(corner: &impl Fn(usize) -> [T; 2], count: usize, clip: Clip)
             (seen.top, seen.highest) = (row, index);
         }
         seen.bottom = seen.bottom.max(row);
-        directions.go(row);
+        directions.add(row);
     }
     seen.is_simple &= directions.turns() <= 2;
     (seen.top < seen.bottom).then_some(seen)

@@ -1,4 +1,4 @@
-//! What pictures are filled with: spans of pixels in one row.
+//! Spans of pixels in one row, which fill pictures.
 
 use core::ops::Range;
 
@@ -36,7 +36,7 @@ impl Clip {
         Self::all(0, 0)
     }
 
-    /// What is in both.
+    /// The intersection of two rectangles.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             left: self.left.max(other.left),
@@ -67,7 +67,7 @@ impl Clip {
         self.left >= self.right || self.top >= self.bottom
     }
 
-    /// How many pixels are in it.
+    /// The number of its pixels.
     pub(super) const fn area(self) -> usize {
         if self.is_empty() {
             0

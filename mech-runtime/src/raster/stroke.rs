@@ -8,7 +8,7 @@ use crate::{Real, Scalar};
 #[derive(Clone)]
 pub(super) struct Stroke<T, P> {
     point: P,
-    /// How many parts there are: each is gone along onward, and back.
+    /// The number of parts. The outline follows each onward, and back.
     parts: usize,
     half: T,
     turn: Turn<T>,
@@ -16,7 +16,7 @@ pub(super) struct Stroke<T, P> {
     next: Step<T>,
 }
 
-/// A part of a line, on the way onward or back.
+/// A part of a line, followed onward or back.
 #[derive(Clone, Copy)]
 struct Part<T> {
     /// Numbered onward and then back.
@@ -26,7 +26,7 @@ struct Part<T> {
     along: [T; 2],
 }
 
-/// What comes next.
+/// The next part of an outline.
 #[derive(Clone, Copy)]
 enum Step<T> {
     /// Beside the beginning of a part.
@@ -41,7 +41,7 @@ enum Step<T> {
 }
 
 impl<T: Scalar, P: Fn(usize) -> [T; 2]> Stroke<T, P> {
-    /// The outline of a line through so many points, told by their number, with this half width; `turn` goes around its ends.
+    /// The outline of a line through so many points, given by their number, with this half width. `turn` follows its ends.
     pub(super) fn new(point: P, count: usize, half: T, turn: Turn<T>) -> Option<Self> {
         let parts = count.checked_sub(1)?;
         let at = point(0);
@@ -93,10 +93,10 @@ impl<T: Scalar, P: Fn(usize) -> [T; 2]> Stroke<T, P> {
         })
     }
 
-    /// What comes after the end of a part.
+    /// The step after the end of a part.
     fn after(&self, part: Part<T>) -> Step<T> {
         let Some(next) = self.part_after(part.number) else {
-            // A dot is gone around in two halves.
+            // The outline of a dot has two halves.
             let along = part.along.map(|part| -part);
             let other = Part {
                 number: 1 - part.number.min(1),
@@ -161,7 +161,7 @@ impl<T: Scalar, P: Fn(usize) -> [T; 2]> Iterator for Stroke<T, P> {
     }
 }
 
-/// The direction to the side on which the outline goes along.
+/// The direction to the side on which the outline runs.
 fn aside<T: Scalar>([u, v]: [T; 2]) -> [T; 2] {
     [-v, u]
 }

@@ -6,16 +6,16 @@ use crate::Scalar;
 pub(super) struct Tour<'c, T, F> {
     corner: &'c F,
     count: usize,
-    /// The number of the corner up to which it has gone, and that corner.
+    /// The number of the corner that it has reached, and that corner.
     index: usize,
     place: [T; 2],
     is_onward: bool,
-    /// How many sides are left.
+    /// The number of sides to come.
     left: usize,
 }
 
 impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Tour<'c, T, F> {
-    /// Begins at a corner, and goes from number to number onward or back.
+    /// A tour from a corner, in rising or falling order of the numbers.
     pub(super) fn new(corner: &'c F, count: usize, first: usize, is_onward: bool) -> Self {
         Self {
             corner,

@@ -1,8 +1,8 @@
-//! Going round in small steps.
+//! Rotation in small steps.
 
 use crate::{Real, Scalar};
 
-/// A turn through an angle in equal steps, small enough for what is gone around to look round.
+/// A turn through an angle in equal steps, so small that the outline looks round.
 #[derive(Clone, Copy)]
 pub(super) struct Turn<T> {
     cos: T,
@@ -28,7 +28,7 @@ impl<T: Scalar> Turn<T> {
         Self { cos, sin, steps }
     }
 
-    /// How many steps it takes.
+    /// The number of steps.
     pub(super) const fn corners(&self) -> u32 {
         self.steps
     }
@@ -38,12 +38,12 @@ impl<T: Scalar> Turn<T> {
         self.cos
     }
 
-    /// A direction, turned one step on.
+    /// The direction one step on.
     pub(super) fn on(&self, [x, y]: [T; 2]) -> [T; 2] {
         [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
     }
 
-    /// A direction, turned one step back.
+    /// The direction one step back.
     pub(super) fn back(&self, [x, y]: [T; 2]) -> [T; 2] {
         [self.cos * x + self.sin * y, self.cos * y - self.sin * x]
     }

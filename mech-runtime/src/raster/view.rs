@@ -2,9 +2,9 @@
 
 use crate::{Pose, Scalar};
 
-/// Which point of the scene is at the centre of the picture, and how large a scene unit is there.
+/// The part of the scene that a picture shows: the point at its centre, and the number of pixels per scene unit.
 ///
-/// The scene's y axis points up. Whatever numbers a view is made from, it is a usable one.
+/// The scene's y axis points up. A view is usable whatever numbers it is made from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     center: [f64; 2],
@@ -12,9 +12,9 @@ pub struct View {
 }
 
 impl View {
-    /// Looks at a point of the scene, with `scale` pixels to a scene unit.
+    /// A view of a point of the scene, with `scale` pixels per scene unit.
     ///
-    /// A centre that is not finite is taken as the scene's origin, a scale that is not finite and positive as 1.
+    /// A centre that is not finite becomes the scene's origin. A scale that is not finite and positive becomes 1.
     #[must_use]
     pub const fn new(center: [f64; 2], scale: f64) -> Self {
         let [x, y] = center;
@@ -31,10 +31,10 @@ impl View {
         Self { center, scale }
     }
 
-    /// Shows the upright box between two opposite corners as large as it goes into a picture of this size, with `margin`
-    /// pixels left free on every side.
+    /// The view that fits an upright box into a picture of this width and height in pixels. The corners `low` and `high` of the box are in
+    /// scene units. `margin` pixels stay free on every side.
     ///
-    /// A box that is a point is shown as though it were one unit wide.
+    /// A box that is a point counts as one unit wide.
     #[must_use]
     pub fn fit(low: [f64; 2], high: [f64; 2], width: usize, height: usize, margin: f64) -> Self {
         let [x_middle, x_half] = middle_and_half(low[0], high[0]);
@@ -55,19 +55,19 @@ impl View {
         Self::new([x_middle, y_middle], scale)
     }
 
-    /// The point of the scene at the centre of the picture.
+    /// The point of the scene at the centre of the picture, in scene units.
     #[must_use]
     pub const fn center(self) -> [f64; 2] {
         self.center
     }
 
-    /// Pixels to a scene unit.
+    /// The number of pixels per scene unit.
     #[must_use]
     pub const fn scale(self) -> f64 {
         self.scale
     }
 
-    /// For a picture of this width and height.
+    /// The projection for a picture of this width and height.
     pub(super) fn projection<T: Scalar>(self, size: [usize; 2]) -> Projection<T> {
         #[expect(clippy::cast_precision_loss, reason = "no picture is 2²⁴ pixels wide")]
         let middle = size.map(|pixels| T::from_f32(pixels as f32 / 2.0));
@@ -79,7 +79,7 @@ impl View {
     }
 }
 
-/// The origin in the middle, a pixel a unit.
+/// The origin at the centre, one pixel per scene unit.
 impl Default for View {
     fn default() -> Self {
         Self::new([0.0, 0.0], 1.0)
@@ -91,7 +91,7 @@ fn middle_and_half(low: f64, high: f64) -> [f64; 2] {
     [high / 2.0 + low / 2.0, (high / 2.0 - low / 2.0).abs()]
 }
 
-/// A view of a picture of known size, in the numbers of a mechanism: converted once a shape.
+/// A view of a picture of known size, in the numbers of a mechanism. It is converted once for each shape.
 #[derive(Clone, Copy)]
 pub(super) struct Projection<T> {
     center: [T; 2],
@@ -100,7 +100,7 @@ pub(super) struct Projection<T> {
 }
 
 impl<T: Scalar> Projection<T> {
-    /// From the scene to pixels, which count from the picture's upper left corner.
+    /// Converts a place in the scene to pixels from the picture's upper left corner.
     pub(super) fn point(self, [x, y]: [T; 2]) -> [T; 2] {
         [
             self.middle[0] + (x - self.center[0]) * self.scale,
@@ -108,12 +108,12 @@ impl<T: Scalar> Projection<T> {
         ]
     }
 
-    /// From scene units to pixels.
+    /// Converts scene units to pixels.
     pub(super) fn length(self, length: T) -> T {
         length * self.scale
     }
 
-    /// From the frame of a link to pixels.
+    /// The place of a link at this pose.
     pub(super) fn of(self, pose: Pose<T>) -> Place<T> {
         Place {
             origin: self.point([pose.x, pose.y]),
@@ -123,7 +123,7 @@ impl<T: Scalar> Projection<T> {
     }
 }
 
-/// Where a link is in the picture.
+/// The place of a link in the picture.
 #[derive(Clone, Copy)]
 pub(super) struct Place<T> {
     origin: [T; 2],
@@ -133,7 +133,7 @@ pub(super) struct Place<T> {
 }
 
 impl<T: Scalar> Place<T> {
-    /// From the frame of the link to pixels.
+    /// Converts a point of the link to pixels.
     #[inline]
     pub(super) fn point(self, [x, y]: [T; 2]) -> [T; 2] {
         [

@@ -32,7 +32,7 @@ const PIXELWISE: View = View::new([32.0, -32.0], 1.0);
 
 const LIT: fn([u8; 3]) -> BinaryColor = |_| BinaryColor::On;
 
-/// Everything there is to be painted; how the crank turns is told in radians.
+/// Paints everything, with the crank at an angle in radians.
 fn paint(slider_crank: &SliderCrank, canvas: &mut impl Canvas<f32>) {
     slider_crank.draw(canvas);
     slider_crank.draw_overlay(canvas, &Overlay::new().links(true));
@@ -74,7 +74,7 @@ fn a_mechanism_looks_as_it_does_on_a_frame() {
     for (slider_crank, frame) in poses() {
         let mut panel = Panel::new();
         paint_on(&mut panel, &slider_crank);
-        assert!(panel.pixels == Panel::mapped(&frame));
+        assert!(panel.pixels == Panel::map(&frame));
         let kinds = [Palette::GROUND, Palette::BLUE, Palette::TEAL, Palette::INK];
         for kind in kinds {
             assert!(frame.pixels().as_flattened().contains(&kind));
@@ -95,7 +95,7 @@ fn displays_may_begin_anywhere() {
         for (slider_crank, frame) in poses().step_by(5) {
             let mut panel = Panel::at(Point::new(corner[0], corner[1]));
             paint_on(&mut panel, &slider_crank);
-            assert!(panel.pixels == Panel::mapped(&frame));
+            assert!(panel.pixels == Panel::map(&frame));
         }
     }
 }
@@ -148,7 +148,7 @@ fn palettes_and_views_can_be_changed() {
     screen.clear();
     paint(&slider_crank, &mut screen);
     assert_eq!(screen.finish(), Ok(()));
-    assert!(panel.pixels == Panel::mapped(&frame));
+    assert!(panel.pixels == Panel::map(&frame));
 }
 
 #[test]

@@ -53,7 +53,7 @@ impl Panel {
     }
 
     /// A frame of the same size, in the panel's colours.
-    pub(crate) fn mapped(frame: &Frame<SIDE, SIDE>) -> Vec<[Rgb565; SIDE]> {
+    pub(crate) fn map(frame: &Frame<SIDE, SIDE>) -> Vec<[Rgb565; SIDE]> {
         let color = |entry| rgb(frame.palette().rgb(entry));
         frame.pixels().iter().map(|row| row.map(color)).collect()
     }

@@ -28,7 +28,7 @@ proptest! {
                 let part = Rectangle::from(area);
                 prop_assert_eq!(stage.frame().show_part(&mut panel, &part, rgb), Ok(()));
             }
-            prop_assert!(panel.pixels == Panel::mapped(stage.frame()));
+            prop_assert!(panel.pixels == Panel::map(stage.frame()));
         }
     }
 }

@@ -30,7 +30,7 @@ fn a_whole_frame_in_one_call() {
     let frame = motley::<SIDE, SIDE>();
     let mut panel = Panel::new();
     assert_eq!(frame.show(&mut panel, rgb), Ok(()));
-    assert!(panel.pixels == Panel::mapped(&frame));
+    assert!(panel.pixels == Panel::map(&frame));
     assert_eq!(panel.contiguous, [area(0, 0, 240, 240)]);
     assert!(panel.rectangles.is_empty());
 }

@@ -33,7 +33,7 @@ fn paint(patience: usize) -> (Panel, Result<(), Failed>) {
 }
 
 #[test]
-fn the_first_error_is_told_and_nothing_follows() {
+fn the_first_error_is_returned_and_nothing_follows() {
     let (whole, outcome) = paint(usize::MAX);
     assert_eq!(outcome, Ok(()));
     let calls = whole.rectangles.len();

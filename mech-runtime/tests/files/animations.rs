@@ -33,11 +33,11 @@ pub(crate) fn gif<'a>(
 }
 
 pub(crate) fn apng(pictures: &[Picture<'_>], delay: Duration) -> Result<Vec<u8>, FileError> {
-    let (first, rest) = pictures.split_first().expect("a first one");
+    let (first, others) = pictures.split_first().expect("a first one");
     let count = u32::try_from(pictures.len()).expect("a few");
     let mut bytes = Vec::new();
     let mut apng = Apng::new(&mut bytes, *first, count, delay)?;
-    for picture in rest {
+    for picture in others {
         apng.add(*picture)?;
     }
     apng.finish()?;

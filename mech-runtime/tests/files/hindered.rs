@@ -54,7 +54,7 @@ impl Write for Unsteady {
     }
 }
 
-/// Does everything, whatever fails; tells whether nothing did.
+/// Writes everything, whatever fails. Returns whether nothing failed.
 fn write_gif(writer: &mut Unsteady, pictures: &[Picture<'_>]) -> bool {
     let Ok(mut gif) = Gif::new(writer, pictures[0], DELAY) else {
         return false;

@@ -6,7 +6,7 @@ use mech_runtime::{Canvas, Frame, HeapSmooth, Outline, Palette, Pose, Smooth};
 use proptest::prelude::*;
 use std::io::Cursor;
 
-fn decoded(bytes: &[u8]) -> (png::OutputInfo, Option<Vec<u8>>, Vec<u8>) {
+fn decode(bytes: &[u8]) -> (png::OutputInfo, Option<Vec<u8>>, Vec<u8>) {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::IDENTITY);
     let mut reader = decoder.read_info().expect("a PNG");
@@ -25,7 +25,7 @@ fn a_frame() {
         radius: 8.5,
     };
     frame.fill(circle, Pose::identity(), Palette::TEAL);
-    let (info, palette, pixels) = decoded(&frame.png().expect("a file"));
+    let (info, palette, pixels) = decode(&frame.png().expect("a file"));
     assert_eq!((info.width, info.height), (33, 21));
     assert_eq!(info.color_type, png::ColorType::Indexed);
     assert_eq!(pixels, frame.pixels().as_flattened());
@@ -44,7 +44,7 @@ fn a_smooth_picture() {
         radius: 8.4,
     };
     picture.fill(circle, Pose::identity(), Palette::TEAL);
-    let (info, _, pixels) = decoded(&picture.png().expect("a file"));
+    let (info, _, pixels) = decode(&picture.png().expect("a file"));
     assert_eq!((info.width, info.height), (33, 21));
     assert_eq!(info.color_type, png::ColorType::Rgb);
     let opaque = pixels
@@ -65,7 +65,7 @@ fn a_large_picture_on_the_heap_is_saved() {
     picture.save(&path).expect("a file");
     let bytes = std::fs::read(&path).expect("the file");
     std::fs::remove_file(&path).expect("the file");
-    let (info, _, pixels) = decoded(&bytes);
+    let (info, _, pixels) = decode(&bytes);
     assert_eq!((info.width, info.height), (1920, 1080));
     let opaque = pixels
         .chunks(3)
@@ -89,7 +89,7 @@ proptest! {
     #[test]
     fn with_a_palette((size, pictures) in films(any::<u8>()), palette in palette(256)) {
         let picture = Picture::indexed(size, &pictures[0], &palette).expect("whole");
-        let (info, table, pixels) = decoded(&picture.png().expect("a file"));
+        let (info, table, pixels) = decode(&picture.png().expect("a file"));
         prop_assert_eq!([info.width as usize, info.height as usize], size);
         prop_assert_eq!(&pixels, &pictures[0]);
         let last = usize::from(*pixels.iter().max().expect("a pixel"));
@@ -99,7 +99,7 @@ proptest! {
     #[test]
     fn in_true_colour((size, pictures) in films(any::<[u8; 4]>())) {
         let picture = Picture::rgba(size, &pictures[0]).expect("whole");
-        let (info, _, pixels) = decoded(&picture.png().expect("a file"));
+        let (info, _, pixels) = decode(&picture.png().expect("a file"));
         let has_opacity = pictures[0].iter().any(|pixel| pixel[3] < 255);
         prop_assert_eq!(info.color_type == png::ColorType::Rgba, has_opacity);
         if has_opacity {

@@ -26,7 +26,7 @@ fn number() -> impl Strategy<Value = f64> + Clone {
     prop_oneof![3 => -99.0..99.0, 2 => prop::sample::select(&EXTREMES[..]), 1 => any::<f64>()]
 }
 
-fn drawn() -> impl Strategy<Value = Vec<Drawn>> {
+fn drawings() -> impl Strategy<Value = Vec<Drawn>> {
     let one = (
         any::<u8>(),
         prop::collection::vec(number(), 11..18),
@@ -107,7 +107,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 1500, ..ProptestConfig::default() })]
 
     #[test]
-    fn no_number_is_too_bad_for_a_drawing(drawn in drawn(), center in prop::array::uniform2(number()), scale in number()) {
+    fn no_number_is_too_bad_for_a_drawing(drawn in drawings(), center in prop::array::uniform2(number()), scale in number()) {
         for sheet in [sheet([0.0; 2], 1.0), sheet(center, scale)] {
             let mut svg = Svg::new(sheet);
             draw(&mut svg, &drawn);
@@ -117,7 +117,7 @@ proptest! {
 
     #[test]
     fn nor_for_a_film(
-        moments in prop::collection::vec(drawn(), 0..5), repeats in 1..4_usize,
+        moments in prop::collection::vec(drawings(), 0..5), repeats in 1..4_usize,
         period in prop::sample::select(vec![Duration::ZERO, Duration::from_nanos(1), Duration::from_secs(2), Duration::MAX]),
         center in prop::array::uniform2(number()), scale in number(),
     ) {

@@ -1,13 +1,13 @@
 //! What links, axes, arrows and traces look like: `#` is ink, `o` what is within a symbol, `.` the background.
 
-use super::{TURNED, assert_looks, drawn, on};
+use super::{TURNED, assert_looks, draw, on};
 use mech_runtime::overlay::{Arrows, Symbol};
 use mech_runtime::{Overlay, Palette, Trace};
 
 #[test]
 fn a_gear_is_its_pitch_circle() {
     assert_looks::<35, 35>(
-        drawn(Symbol::Wheel {
+        draw(Symbol::Wheel {
             center: on(1, [0.0, 0.0]),
             radius: 16.0,
         }),
@@ -53,7 +53,7 @@ fn a_gear_is_its_pitch_circle() {
 #[test]
 fn a_belt_touches_its_wheels() {
     assert_looks::<41, 21>(
-        drawn(Symbol::Belt {
+        draw(Symbol::Belt {
             centers: [on(0, [-14.0, 0.0]), on(0, [12.0, 0.0])],
             radii: [4.0, 8.0],
         }),
@@ -85,7 +85,7 @@ fn a_belt_touches_its_wheels() {
 #[test]
 fn a_rack_is_its_pitch_line() {
     assert_looks::<47, 21>(
-        drawn(Symbol::Rack {
+        draw(Symbol::Rack {
             pinion: on(0, [0.0, 8.0]),
             radius: 10.0,
             bar: on(0, [1.0, 0.0]),
@@ -119,7 +119,7 @@ fn a_rack_is_its_pitch_line() {
 #[test]
 fn axes_are_a_cross_and_a_chain_line() {
     assert_looks::<17, 17>(
-        drawn(Symbol::Point(on(1, [0.0, 0.0]))),
+        draw(Symbol::Point(on(1, [0.0, 0.0]))),
         "
          .................
          ........#........
@@ -140,7 +140,7 @@ fn axes_are_a_cross_and_a_chain_line() {
          .................",
     );
     assert_looks::<75, 5>(
-        drawn(Symbol::Line {
+        draw(Symbol::Line {
             at: on(0, [0.0, 0.0]),
             along: [1.0, 0.0],
         }),

@@ -45,7 +45,7 @@ fn assert_looks<const W: usize, const H: usize>(
 }
 
 /// A symbol of the ground, and of a link that is turned.
-fn drawn<const W: usize, const H: usize>(symbol: Symbol<f64>) -> impl FnOnce(&mut Frame<W, H>) {
+fn draw<const W: usize, const H: usize>(symbol: Symbol<f64>) -> impl FnOnce(&mut Frame<W, H>) {
     move |frame| {
         let overlay = Overlay::new().links(true).axes(true);
         overlay.draw(&[symbol], &[TURNED], frame);

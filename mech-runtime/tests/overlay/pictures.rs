@@ -1,12 +1,12 @@
 //! What the symbols of joints and motors look like: `#` is ink, `o` what is within a symbol, `.` the background.
 
-use super::{assert_looks, drawn, on};
+use super::{assert_looks, draw, on};
 use mech_runtime::overlay::Symbol;
 
 #[test]
 fn a_revolute_joint_is_a_small_circle() {
     assert_looks::<13, 11>(
-        drawn(Symbol::Pivot(on(1, [0.0, 0.0]))),
+        draw(Symbol::Pivot(on(1, [0.0, 0.0]))),
         "
          .............
          ....#####....
@@ -25,7 +25,7 @@ fn a_revolute_joint_is_a_small_circle() {
 #[test]
 fn a_fixed_pivot_stands_on_hatched_ground() {
     assert_looks::<37, 41>(
-        drawn(Symbol::Pivot(on(0, [0.0, 5.0]))),
+        draw(Symbol::Pivot(on(0, [0.0, 5.0]))),
         "
          .....................................
          .....................................
@@ -74,7 +74,7 @@ fn a_fixed_pivot_stands_on_hatched_ground() {
 #[test]
 fn a_prismatic_joint_on_the_ground_is_a_block_on_a_hatched_rail() {
     assert_looks::<81, 31>(
-        drawn(Symbol::Slide {
+        draw(Symbol::Slide {
             guide: on(0, [-100.0, 0.0]),
             along: [1.0, 0.0],
             block: on(1, [0.0, 0.0]),
@@ -117,7 +117,7 @@ fn a_prismatic_joint_on_the_ground_is_a_block_on_a_hatched_rail() {
 #[test]
 fn a_prismatic_joint_of_moving_links_is_a_block_on_a_line() {
     assert_looks::<61, 47>(
-        drawn(Symbol::Slide {
+        draw(Symbol::Slide {
             guide: on(1, [-10.0, 0.0]),
             along: [1.0, 0.0],
             block: on(1, [0.0, 0.0]),
@@ -176,7 +176,7 @@ fn a_prismatic_joint_of_moving_links_is_a_block_on_a_line() {
 #[test]
 fn a_weld_is_a_full_square() {
     assert_looks::<17, 17>(
-        drawn(Symbol::Weld(on(1, [0.0, 0.0]))),
+        draw(Symbol::Weld(on(1, [0.0, 0.0]))),
         "
          .................
          .................
@@ -201,7 +201,7 @@ fn a_weld_is_a_full_square() {
 #[test]
 fn a_motor_that_turns_is_a_curved_arrow() {
     assert_looks::<43, 33>(
-        drawn(Symbol::Turned(on(1, [0.0, -5.0]))),
+        draw(Symbol::Turned(on(1, [0.0, -5.0]))),
         "
          ...........................................
          ...........................................
@@ -242,7 +242,7 @@ fn a_motor_that_turns_is_a_curved_arrow() {
 #[test]
 fn a_motor_that_slides_is_a_double_arrow() {
     assert_looks::<45, 39>(
-        drawn(Symbol::Pushed {
+        draw(Symbol::Pushed {
             block: on(1, [0.0, 0.0]),
             guide: 0,
             along: [1.0, 0.0],

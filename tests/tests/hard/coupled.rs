@@ -67,7 +67,6 @@ variants! {
         allow redundant;
     } {
         its_rail_swings_in_parallel: swings;
-        #[ignore = "blocked at its flat position; in single precision past it on the wrong side"]
         its_rail_keeps_its_direction_for_a_hundred_turns: rail;
     }
 }

@@ -51,8 +51,8 @@ impl Encoder {
     /// Where the crank is, in whole numbers: nothing is lost however far it has turned.
     fn phase(&self) -> Phase {
         let turns = self.counts.div_euclid(Self::TURN);
-        let rest = self.counts.rem_euclid(Self::TURN);
-        Phase::new(turns, 0) + Self::COUNT * rest
+        let remainder = self.counts.rem_euclid(Self::TURN);
+        Phase::new(turns, 0) + Self::COUNT * remainder
     }
 }
 
@@ -77,7 +77,7 @@ fn main() -> ! {
 }
 
 /// Two hundred thousand readings of a crank that turns backwards, fast: more than a million turns. Whether it is then where a mechanism is
-/// that was turned by the rest of a turn only.
+/// that was turned by the remainder of a turn only.
 fn run() -> Option<()> {
     const READINGS: u32 = 200_000;
     const SPEED: i16 = -27_001;
@@ -88,10 +88,10 @@ fn run() -> Option<()> {
         follow(&mut four_bar, &mut encoder, counter.read()).ok()?;
     }
 
-    let rest = (i64::from(READINGS) * i64::from(SPEED)).rem_euclid(4000);
+    let remainder = (i64::from(READINGS) * i64::from(SPEED)).rem_euclid(4000);
     let mut there = FourBar::new();
     there
-        .turn_to([Phase::of_turn(rest, Encoder::TURN.unsigned_abs())?])
+        .turn_to([Phase::of_turn(remainder, Encoder::TURN.unsigned_abs())?])
         .ok()?;
     let turns = encoder.phase().turns().unsigned_abs();
     let micro = |length: f32| (length * 1e6) as i32 as u32;

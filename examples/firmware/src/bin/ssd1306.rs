@@ -81,14 +81,14 @@ fn run(wired: &Wired) -> Option<()> {
     let mut right = true;
     for degrees in (0..360_u16).step_by(5) {
         four_bar.move_to([f32::from(degrees).to_radians()]).ok()?;
-        wired.sent();
+        wired.sent_bytes();
         show(&four_bar, &mut display).ok()?;
 
         frame.clear();
         four_bar.draw(&mut frame);
         right &= (0..64).all(|y| (0..128).all(|x| wired.is_lit(x, y) == is_ink(&frame, x, y)));
     }
-    Line::new().text("sent").number(wired.sent()).print().ok()?;
+    Line::new().text("sent").number(wired.sent_bytes()).print().ok()?;
     wired.print();
     right.then_some(())
 }

@@ -33,7 +33,7 @@ mechanism! {
     joint turn = revolute(ground.shaft, crank.shaft);
     joint big = revolute(crank.pin, rod.big);
     joint small = revolute(rod.small, slide.pin);
-    joint way = prismatic(ground.guide, slide.axis);
+    joint stroke = prismatic(ground.guide, slide.axis);
     motor turn;
     start { turn = 0 deg; rod near 0 deg; }
 }
@@ -101,15 +101,15 @@ fn run(wired: &St7789) -> Option<()> {
         frame.clear();
         slider_crank.draw(&mut frame);
 
-        wired.sent();
+        wired.sent_bytes();
         if degrees % 90 == 0 {
             paint(&slider_crank, &mut display).ok()?;
             right &= shows(wired, &frame);
-            painted += wired.sent();
+            painted += wired.sent_bytes();
         }
         send(&slider_crank, &mut stage, &mut display).ok()?;
         right &= shows(wired, &frame);
-        sent += wired.sent();
+        sent += wired.sent_bytes();
     }
     let mut line = Line::new();
     line.text("painted")

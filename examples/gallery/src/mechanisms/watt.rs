@@ -1,4 +1,4 @@
-//! A six-bar linkage, declared the second way: as it is drawn.
+//! A six-bar linkage, declared as in a drawing.
 
 use crate::mechanisms::precisions::{exhibited, mechanism};
 use mech_runtime::Real;

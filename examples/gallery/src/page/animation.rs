@@ -14,12 +14,12 @@ pub(crate) const DELAY: Duration = Duration::from_millis(30);
 pub fn animation(pictures: &[Picture]) -> Result<Vec<u8>, FileError> {
     let swatches = Swatches::for_pictures(pictures);
     let palette = swatches.palette();
-    let (first, rest) = pictures.split_first().ok_or(FileError::Empty)?;
+    let (first, others) = pictures.split_first().ok_or(FileError::Empty)?;
     let mut bytes = Vec::new();
     let entries = swatches.entries(first);
     let first = files::Picture::indexed(first.size(), &entries, &palette)?;
     let mut gif = Gif::new(&mut bytes, first, DELAY)?;
-    for picture in rest {
+    for picture in others {
         let entries = swatches.entries(picture);
         gif.add(files::Picture::indexed(picture.size(), &entries, &palette)?)?;
     }

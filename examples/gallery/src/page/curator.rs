@@ -114,7 +114,7 @@ impl Curator {
         let slug = exhibit.slug();
         let film = exhibit.film()?;
         let easel = Easel::for_film(&film).ok_or(Error::Invisible)?;
-        let pictures = painted(&easel, &film);
+        let pictures = paint_all(&easel, &film);
         let scenes = film.scenes();
         #[expect(
             clippy::cast_possible_truncation,
@@ -129,18 +129,18 @@ impl Curator {
         };
         let sheet = easel.sheet().title(exhibit.title());
         let size = format!("{} × {}", picture.width, picture.height);
-        self.tell(&format!("{slug}.png"), &picture.png()?, &size)?;
+        self.write_and_announce(&format!("{slug}.png"), &picture.png()?, &size)?;
         let mut svg = Svg::new(sheet.clone());
         scene.draw(&mut svg);
-        self.tell(&format!("{slug}.svg"), svg.finish().as_bytes(), &size)?;
+        self.write_and_announce(&format!("{slug}.svg"), svg.finish().as_bytes(), &size)?;
         let frames = format!("{} frames", scenes.len());
-        self.tell(&format!("{slug}.gif"), &animation(&pictures)?, &frames)?;
+        self.write_and_announce(&format!("{slug}.gif"), &animation(&pictures)?, &frames)?;
         let moving = moving(AnimatedSvg::new(sheet, period(scenes)), scenes);
-        self.tell(&html::moving_file(slug), moving.as_bytes(), "in motion")
+        self.write_and_announce(&html::moving_file(slug), moving.as_bytes(), "in motion")
     }
 
     /// Writes a file and says so.
-    fn tell(&self, name: &str, bytes: &[u8], what: &str) -> Result<(), Error> {
+    fn write_and_announce(&self, name: &str, bytes: &[u8], what: &str) -> Result<(), Error> {
         let (path, size) = self.write(name, bytes)?;
         let size = HumanBytes(size);
         say(format_args!("  {}  {what}, {size}", path.display()));
@@ -185,7 +185,7 @@ fn moving(mut svg: AnimatedSvg, scenes: &[Scene]) -> String {
 }
 
 /// Paints all the scenes of a film, on all the processors there are.
-fn painted(easel: &Easel, film: &Film) -> Vec<Picture> {
+fn paint_all(easel: &Easel, film: &Film) -> Vec<Picture> {
     let scenes = film.scenes();
     let bar = ProgressBar::new(scenes.len() as u64);
     // Written to the terminal's error stream, and nowhere at all if that is not a terminal.

@@ -3,7 +3,7 @@
 use crate::{Exhibit, Film, Graphs, Layers, Playable, Scene, Showcase, Stuck};
 use mech_runtime::{Blocked, Mechanism};
 
-/// A showcase that is moved and painted in a way of its own: with rates, with an overlay.
+/// A showcase with functions of its own that move and paint it: with rates, with an overlay.
 pub struct Diagram<M: Mechanism<Scalar = f64>> {
     /// The mechanism and what it is to do.
     pub showcase: Showcase<M>,
@@ -45,7 +45,7 @@ impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Diagram<M> {
     }
 
     fn film(&self) -> Result<Film, Stuck> {
-        self.showcase.filmed(self.move_to, self.paint)
+        self.showcase.film_by(self.move_to, self.paint)
     }
 
     fn seconds(&self) -> f64 {

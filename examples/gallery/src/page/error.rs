@@ -28,7 +28,7 @@ pub enum Error {
         /// Why.
         source: io::Error,
     },
-    /// Some exhibits failed, for reasons that were told already.
+    /// Some exhibits failed, for reasons that were printed already.
     Missing {
         /// Their names.
         names: Vec<&'static str>,

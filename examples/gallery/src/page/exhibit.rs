@@ -109,7 +109,7 @@ impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Showcase<M> {
 
     fn film(&self) -> Result<Film, Stuck> {
         let draw = |mechanism: &M, scene: &mut Scene| mechanism.draw(scene);
-        self.filmed(M::move_to, draw)
+        self.film_by(M::move_to, draw)
     }
 
     fn seconds(&self) -> f64 {
@@ -128,8 +128,8 @@ impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Showcase<M> {
 }
 
 impl<M: Exhibited<Scalar = f64>> Showcase<M> {
-    /// A mechanism that says itself how it moves, without a title, a caption and effects, in a film of [`FRAMES`], of which the
-    /// first is its still picture.
+    /// The showcase of a mechanism that has a motion of its own, without a title, a caption or effects. Its film has [`FRAMES`] frames, and
+    /// the first is its still picture.
     #[must_use]
     pub fn untitled() -> Self {
         Self {
@@ -146,8 +146,8 @@ impl<M: Exhibited<Scalar = f64>> Showcase<M> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Showcase<M> {
-    /// The film of its motion, moved and painted in this way.
-    pub(crate) fn filmed(
+    /// The film of its motion, moved and painted by these functions.
+    pub(crate) fn film_by(
         &self,
         move_to: impl Fn(&mut M, M::Motors) -> Result<(), Blocked<M::Motors>>,
         paint: impl Fn(&M, &mut Scene),

@@ -20,7 +20,7 @@ enum Spot {
     Text([f64; 2], String, u8),
 }
 
-/// An outline that is kept.
+/// An outline that is stored.
 #[derive(Clone, Debug)]
 enum Form {
     /// One without a list of points.

@@ -1,11 +1,11 @@
 //! A graph as SVG, to stand in a page that gives it its colours.
 
-use super::graph_layout::{Layout, Point, Sketch, UNDER};
-use super::html::escaped;
+use super::graph_layout::{Layout, Point, Sketch};
+use super::html::escape;
 use mech_compiler::graphs::{Edge, EdgeKind, Graph, Vertex, VertexKind};
 use std::fmt::{Result, Write};
 
-/// What a page needs to know about the classes below.
+/// The style of the classes below.
 pub(crate) const STYLE: &str = "\
 .graph { display: block; max-width: 100%; height: auto; }
 .graph text {
@@ -51,7 +51,7 @@ pub(crate) fn sketch(graph: &Graph) -> Sketch {
             .collect(),
         // The ground is below, but what comes first is above.
         upwards: !graph.directed,
-        space: if graph.directed { 2.0 } else { -UNDER },
+        has_arrows: graph.directed,
     }
 }
 
@@ -67,7 +67,7 @@ fn label_size(edge: &Edge) -> Point {
     [width + 4.0, LINE]
 }
 
-/// What is said of a joint beside its name. Most are revolutes: that goes without saying.
+/// The note beside the name of a joint: its kind, unless it is a revolute, as most are.
 fn note(edge: &Edge) -> &str {
     if edge.detail == "revolute" {
         ""
@@ -93,7 +93,7 @@ fn write(text: &mut String, graph: &Graph, layout: &Layout) -> Result {
     writeln!(
         text,
         r#"<svg class="graph" role="img" aria-label="{}" width="{width:.0}" height="{height:.0}" viewBox="{x:.1} {y:.1} {width:.1} {height:.1}">"#,
-        escaped(&graph.name)
+        escape(&graph.name)
     )?;
     for (edge, &curve) in graph.edges.iter().zip(&layout.curves) {
         write_edge(text, graph, edge, curve)?;
@@ -127,7 +127,7 @@ fn write_edge(text: &mut String, graph: &Graph, edge: &Edge, curve: [Point; 3]) 
         text,
         r#"<g class="{}"><title>{}</title><path d="M{ax:.1} {ay:.1}Q{:.1} {:.1} {:.1} {:.1}"/>"#,
         edge_class(edge),
-        escaped(&label(graph, edge)),
+        escape(&label(graph, edge)),
         control[0],
         control[1],
         end[0],
@@ -139,7 +139,7 @@ fn write_edge(text: &mut String, graph: &Graph, edge: &Edge, curve: [Point; 3]) 
     writeln!(text, "</g>")
 }
 
-/// What is told of an edge when one points at it.
+/// The tooltip of an edge.
 fn label(graph: &Graph, edge: &Edge) -> String {
     let [from, to] = [edge.from, edge.to].map(|end| &graph.vertices[end].name);
     if graph.directed {
@@ -174,7 +174,7 @@ fn write_label(text: &mut String, edge: &Edge, [x, y]: Point) -> Result {
     if edge.name.is_empty() {
         return Ok(());
     }
-    let (class, name, note) = (edge_class(edge), escaped(&edge.name), escaped(note(edge)));
+    let (class, name, note) = (edge_class(edge), escape(&edge.name), escape(note(edge)));
     let note = if note.is_empty() {
         note
     } else {
@@ -203,8 +203,8 @@ fn write_vertex(text: &mut String, vertex: &Vertex, [x, y]: Point) -> Result {
     if vertex.kind == VertexKind::Ground {
         write_hatching(text, [left, top + height], width)?;
     }
-    let name = escaped(&vertex.name);
-    let detail = escaped(&vertex.detail);
+    let name = escape(&vertex.name);
+    let detail = escape(&vertex.detail);
     let up = if detail.is_empty() { 0.0 } else { LINE / 2.0 };
     write!(
         text,

@@ -74,7 +74,7 @@ pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> Strin
             exhibit.caption().trim(),
             exhibit.report().trim_end(),
         ]
-        .map(escaped);
+        .map(escape);
         let moving = moving_file(exhibit.slug());
         let report: Vec<_> = report
             .lines()
@@ -151,16 +151,16 @@ fn links_caption(links: &Graph) -> String {
     caption
 }
 
-pub(crate) fn escaped(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
+pub(crate) fn escape(text: &str) -> String {
+    let mut escape = String::with_capacity(text.len());
     for character in text.chars() {
         match character {
-            '&' => escaped += "&amp;",
-            '<' => escaped += "&lt;",
-            '>' => escaped += "&gt;",
-            '"' => escaped += "&quot;",
-            other => escaped.push(other),
+            '&' => escape += "&amp;",
+            '<' => escape += "&lt;",
+            '>' => escape += "&gt;",
+            '"' => escape += "&quot;",
+            other => escape.push(other),
         }
     }
-    escaped
+    escape
 }

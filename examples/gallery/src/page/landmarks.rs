@@ -60,14 +60,14 @@ impl Landmarks {
     /// Where a joint is: what slides, on its second link.
     #[must_use]
     pub fn joint(&self, name: &str) -> Option<Spot> {
-        let [_, second] = self.named(name)?.spots;
+        let [_, second] = self.find(name)?.spots;
         Some(second)
     }
 
     /// Whether a joint slides: then its coordinate is a length.
     #[must_use]
     pub fn slides(&self, name: &str) -> bool {
-        self.named(name).is_some_and(|landmark| landmark.slides)
+        self.find(name).is_some_and(|landmark| landmark.slides)
     }
 
     /// All places of joints on a link.
@@ -78,7 +78,7 @@ impl Landmarks {
             .map(|spot| spot.at)
     }
 
-    fn named(&self, name: &str) -> Option<&Landmark> {
+    fn find(&self, name: &str) -> Option<&Landmark> {
         self.landmarks.iter().find(|one| one.joint == name)
     }
 }

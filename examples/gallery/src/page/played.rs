@@ -25,7 +25,7 @@ impl<M: Mechanism<Scalar = f64>> Played<M> {
 
     /// The present values of the motors, with these in place of the first ones.
     fn motors_with(&self, values: &[f64]) -> M::Motors {
-        replaced::<M>(self.mechanism.motors(), values)
+        with_values::<M>(self.mechanism.motors(), values)
     }
 
     /// The pose of a link; the ground too.
@@ -44,7 +44,7 @@ impl<M: Mechanism<Scalar = f64>> Played<M> {
 }
 
 /// Motor values with these in place of the first ones.
-fn replaced<M: Mechanism<Scalar = f64>>(mut motors: M::Motors, values: &[f64]) -> M::Motors {
+fn with_values<M: Mechanism<Scalar = f64>>(mut motors: M::Motors, values: &[f64]) -> M::Motors {
     for (motor, &value) in motors.as_mut().iter_mut().zip(values) {
         *motor = value;
     }
@@ -87,9 +87,9 @@ impl<M: Mechanism<Scalar = f64>> Playable for Played<M> {
     ) -> Result<Reached<Vec<f64>>, Blocked<Vec<f64>>> {
         let target = self.motors_with(motors);
         if let Some(effects) = &self.effects {
-            let rest = replaced::<M>(target, &vec![0.0; M::MOTORS.len()]);
-            let first = replaced::<M>(rest, &rates.first);
-            let second = replaced::<M>(rest, &rates.second);
+            let still = with_values::<M>(target, &vec![0.0; M::MOTORS.len()]);
+            let first = with_values::<M>(still, &rates.first);
+            let second = with_values::<M>(still, &rates.second);
             if (effects.move_with)(&mut self.mechanism, target, first, second).is_ok() {
                 return Ok(Reached::Target);
             }

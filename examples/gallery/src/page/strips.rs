@@ -23,7 +23,7 @@ impl<const W: usize, const H: usize> Strips<W, H> {
     }
 
     /// The strip itself, cleared, with one pixel to a scene unit: for something small.
-    pub fn cleared(&mut self) -> &mut Smooth<W, H> {
+    pub fn clear(&mut self) -> &mut Smooth<W, H> {
         self.strip.look_at(View::default());
         self.strip.clear();
         &mut self.strip

@@ -34,7 +34,7 @@ impl Swatches {
         let seen: Vec<_> = seen.collect();
 
         let colors = (0..)
-            .find_map(|radius| chosen(&seen, radius * radius))
+            .find_map(|radius| choose(&seen, radius * radius))
             .unwrap_or_default();
         let entries = seen.into_iter().filter_map(|color| {
             let nearest = (0..)
@@ -80,7 +80,7 @@ impl Swatches {
 }
 
 /// Colours such that none of those seen is farther from all of them; `None` if that takes too many.
-fn chosen(seen: &[[u8; 3]], square: u32) -> Option<Vec<[u8; 3]>> {
+fn choose(seen: &[[u8; 3]], square: u32) -> Option<Vec<[u8; 3]>> {
     let mut colors = Vec::with_capacity(MOST);
     for &color in seen {
         if colors.iter().all(|&near| distance(color, near) > square) {

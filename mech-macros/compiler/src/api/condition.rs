@@ -1,21 +1,21 @@
-//! When an item of the API exists.
+//! The conditions under which an item of the API exists.
 
 use crate::model::{JointKind, LoadKind, Model};
 use std::fmt::{self, Display, Formatter};
 
-/// What a mechanism must have for an item.
+/// The condition under which a mechanism has an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Condition {
     Always,
-    /// Proved ranges. A mechanism with errors has the item in any case.
+    /// The ranges of the motors are proved. A mechanism with errors has the item in any case.
     Ranges,
-    /// A motor that turns, and none that slides. A mechanism with errors need not have a motor yet.
+    /// A motor turns, and none slides. A mechanism with errors need not have a motor yet.
     Turning,
     TurningAndSliding,
     Velocity,
     VelocityOnly,
     Acceleration,
-    /// Loads and springs are told.
+    /// Loads and springs have methods.
     Actions,
     Force,
     Dynamics,
@@ -31,7 +31,7 @@ pub(crate) enum Condition {
 }
 
 impl Condition {
-    /// Whether a mechanism has what it takes, as far as it was understood.
+    /// Whether a mechanism meets it, as far as its text is understood.
     pub(crate) fn is_met(self, model: &Model, has_laws: bool) -> bool {
         let effects = model.effects;
         let slides = || {
@@ -64,7 +64,7 @@ impl Condition {
         }
     }
 
-    /// What takes the name of an item; none if it is taken in every mechanism.
+    /// The owner of the name of an item; none if the name is taken in every mechanism.
     pub(super) fn owner(self) -> Option<Owner> {
         match self {
             Self::Force => Some(Owner::Force),
@@ -77,7 +77,7 @@ impl Condition {
     }
 }
 
-/// What takes names only in some mechanisms: messages call it as it is displayed.
+/// A feature that takes names only in the mechanisms that have it, displayed as messages call it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Owner {
     Force,

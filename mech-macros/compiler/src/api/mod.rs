@@ -7,12 +7,15 @@ use crate::bug::bug;
 pub(crate) use condition::{Condition, Owner};
 pub(crate) use table::TABLE;
 
-/// What of a mechanism an item is for.
+/// The parts of a mechanism that have an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Subject {
+    /// The mechanism itself, by its inherent implementation.
     Mechanism,
-    /// The mechanism as an implementation of the trait.
+    /// The mechanism itself, by its implementation of the trait.
     Trait,
+    /// The mechanism itself, by both.
+    Both,
     Link,
     Point,
     Joint,
@@ -29,20 +32,33 @@ pub(crate) enum Subject {
 pub(crate) struct Item {
     pub(crate) subject: Subject,
     pub(crate) condition: Condition,
-    /// Its signature, and what it is in a mechanism with errors: there it is never run.
+    /// Its signature, and its body in a mechanism with errors, which is never run.
     ///
     /// These words stand for what depends on the mechanism: `pub` for its visibility, `scalar` for its precision, `struct_name`,
-    /// `frame`, `none`, and counts such as `motor_count`. `name` is what the subject is called, also in `set_name` and `name_rate`.
-    pub(crate) text: &'static str,
+    /// `frame`, `none`, and counts such as `motor_count`. `name` is the name of the part, also in `set_name` and `name_rate`.
+    text: &'static str,
 }
 
 impl Item {
-    /// What it is called.
+    /// Its text in the inherent implementation; none if it does not stand there.
+    pub(crate) fn method(&self) -> Option<String> {
+        (self.subject != Subject::Trait).then(|| self.text.to_owned())
+    }
+
+    /// Its text in the implementation of the trait; none if it does not stand there.
+    pub(crate) fn trait_item(&self) -> Option<String> {
+        let is_of_trait = matches!(self.subject, Subject::Trait | Subject::Both);
+        is_of_trait.then(|| {
+            let text = self.text.replacen("pub const fn", "fn", 1);
+            text.replacen("pub ", "", 1)
+        })
+    }
+
+    /// Its name.
     pub(crate) fn name(&self) -> &'static str {
-        let mut after = ["fn ", "const ", "type "]
-            .into_iter()
-            .filter_map(|keyword| Some(self.text.split_once(keyword)?.1));
-        let Some(after) = after.next() else {
+        let mut keywords = ["fn ", "const ", "type "].into_iter();
+        let after = keywords.find_map(|keyword| Some(self.text.split_once(keyword)?.1));
+        let Some(after) = after else {
             bug!("`{}` has no name", self.text);
         };
         let is_part = |letter: char| letter == '_' || letter.is_alphanumeric();
@@ -50,14 +66,17 @@ impl Item {
         &after[..end.unwrap_or(after.len())]
     }
 
-    /// Whether it is a constant or method whose name is the same for each mechanism.
-    fn is_fixed(&self) -> bool {
-        matches!(self.subject, Subject::Mechanism | Subject::Trait)
-            && !self.text.starts_with("type ")
+    /// Whether it is a constant or method with the same name in each mechanism.
+    pub(crate) fn is_fixed(&self) -> bool {
+        let is_of_mechanism = matches!(
+            self.subject,
+            Subject::Mechanism | Subject::Trait | Subject::Both
+        );
+        is_of_mechanism && !self.text.starts_with("type ")
     }
 }
 
-/// What the trait provides, and what is derived.
+/// The names of methods that the trait provides or that are derived.
 const INHERITED: [&str; 4] = ["view", "clone", "default", "fmt"];
 
 /// Whether no link, joint or other part of any mechanism may have this name.
@@ -67,7 +86,7 @@ pub(crate) fn is_reserved(name: &str) -> bool {
         || items.any(|item| item.condition.owner().is_none() && item.name() == name)
 }
 
-/// The names that are taken only where something was asked for.
+/// The names that an owner takes.
 pub(crate) fn names_of(owner: Owner) -> impl Iterator<Item = &'static str> {
     let items = TABLE.iter().filter(|item| item.is_fixed());
     items

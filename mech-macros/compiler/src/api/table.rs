@@ -10,15 +10,15 @@ const fn item(subject: Of, condition: When, text: &'static str) -> Item {
     }
 }
 
-/// Each item once, in the order in which a mechanism with errors has them. Where the number of motors may be wrong, it is a
-/// parameter; how many loops are dyads is not known there, but no more than joints.
+/// The items, in the order in which a mechanism with errors has them. Where its number of motors may be wrong, that is a parameter.
+/// Its number of dyads is not known; it is at most that of its joints.
 #[rustfmt::skip]
 pub(crate) const TABLE: &[Item] = &[
-    item(Of::Mechanism, When::Always, r#"pub const REPORT: &'static str = "";"#),
-    item(Of::Mechanism, When::Always, "pub const COST: Cost = Cost::NOTHING;"),
+    item(Of::Both, When::Always, r#"pub const REPORT: &'static str = "";"#),
+    item(Of::Both, When::Always, "pub const COST: Cost = Cost::NOTHING;"),
     item(Of::Mechanism, When::Always, "pub const LOOP_COSTS: [Cost; 0] = [];"),
-    item(Of::Mechanism, When::Always, "#[must_use] pub const fn new() -> Self { Self {} }"),
-    item(Of::Mechanism, When::Always, "pub fn motors(&self) -> [scalar; motor_count] { loop {} }"),
+    item(Of::Both, When::Always, "pub const fn new() -> Self { Self {} }"),
+    item(Of::Both, When::Always, "pub fn motors(&self) -> [scalar; motor_count] { loop {} }"),
     item(Of::Mechanism, When::Always, "pub fn move_to<const MOTORS: usize>(&mut self, motors: [scalar; MOTORS]) -> Result<(), Blocked<[scalar; MOTORS]>> { loop {} }"),
     item(Of::Mechanism, When::Turning, "pub fn turn_to<const TURNING: usize>(&mut self, phases: [Phase; TURNING]) -> Result<(), Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Mechanism, When::TurningAndSliding, "pub fn turn_to<const TURNING: usize, const SLIDING: usize>(&mut self, phases: [Phase; TURNING], slides: [scalar; SLIDING]) -> Result<(), Blocked<[scalar; motor_count]>> { loop {} }"),
@@ -28,7 +28,7 @@ pub(crate) const TABLE: &[Item] = &[
     item(Of::Mechanism, When::Always, "pub fn move_many<const MOTORS: usize>(instances: &mut [Self], motors: &[[scalar; MOTORS]],) -> Result<(), BlockedAt<[scalar; MOTORS]>> { loop {} }"),
     item(Of::Mechanism, When::Always, "pub fn move_toward<const MOTORS: usize>(&mut self, motors: [scalar; MOTORS]) -> Result<Reached<[scalar; MOTORS]>, Blocked<[scalar; MOTORS]>> { loop {} }"),
     item(Of::Mechanism, When::Always, "pub fn poses(&self) -> &[Pose<scalar>; link_count] { loop {} }"),
-    item(Of::Mechanism, When::Always, "pub const EXTENT: [[scalar; 2]; 2] = [[0.0; 2]; 2];"),
+    item(Of::Both, When::Always, "pub const EXTENT: [[scalar; 2]; 2] = [[0.0; 2]; 2];"),
     item(Of::Mechanism, When::Always, "pub fn picture<const W: usize, const H: usize>() -> frame<{ W }, { H }> { loop {} }"),
     item(Of::Mechanism, When::Always, "pub fn draw(&self, canvas: &mut impl Canvas<scalar>) {}"),
     item(Of::Link, When::Always, "pub fn name(&self) -> Isometry2<scalar> { loop {} }"),
@@ -84,24 +84,18 @@ pub(crate) const TABLE: &[Item] = &[
     item(Of::Mechanism, When::Sensitivity, "pub fn sensitivities(&self) -> Result<[[Velocity<scalar>; link_count]; param_count], Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Mechanism, When::Sensitivity, "pub const SENSITIVITY_COST: Cost = Cost::NOTHING;"),
     item(Of::Mechanism, When::Always, r#"pub const JOINTS: [JointInfo<scalar>; joint_count] = [JointInfo::new("", JointKind::Weld, [""; 2], none, none, none); joint_count];"#),
-    item(Of::Mechanism, When::Always, "pub fn joints(&self) -> [Option<scalar>; joint_count] { loop {} }"),
+    item(Of::Both, When::Always, "pub fn joints(&self) -> [Option<scalar>; joint_count] { loop {} }"),
     item(Of::Trait, When::Always, "type Scalar = scalar;"),
     item(Of::Trait, When::Always, "type Motors = [scalar; motor_count];"),
     item(Of::Trait, When::Always, "const NAME: &'static str = struct_name;"),
-    item(Of::Trait, When::Always, r#"const REPORT: &'static str = "";"#),
-    item(Of::Trait, When::Always, "const COST: Cost = Cost::NOTHING;"),
     item(Of::Trait, When::Always, "const LOOP_COSTS: &'static [Cost] = &[];"),
     item(Of::Trait, When::Always, "const MOTORS: &'static [&'static str] = &[];"),
     item(Of::Trait, When::Always, "const LINKS: &'static [&'static str] = &[];"),
     item(Of::Trait, When::Always, "const SHAPES: &'static [Shape<scalar>] = &[];"),
-    item(Of::Trait, When::Always, "const EXTENT: [[scalar; 2]; 2] = [[0.0; 2]; 2];"),
-    item(Of::Trait, When::Always, "fn new() -> Self { Self {} }"),
-    item(Of::Trait, When::Always, "fn motors(&self) -> [scalar; motor_count] { loop {} }"),
     item(Of::Trait, When::Always, "fn move_to(&mut self, motors: [scalar; motor_count]) -> Result<(), Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Trait, When::Always, "fn move_toward(&mut self, motors: [scalar; motor_count]) -> Result<Reached<[scalar; motor_count]>, Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Trait, When::Always, "fn poses(&self) -> &[Pose<scalar>] { &[] }"),
     item(Of::Trait, When::Traces, "fn draw(&self, canvas: &mut impl Canvas<scalar>) {}"),
     item(Of::Trait, When::Always, "type Joints = [Option<scalar>; joint_count];"),
     item(Of::Trait, When::Always, "const JOINTS: &'static [JointInfo<scalar>] = &[];"),
-    item(Of::Trait, When::Always, "fn joints(&self) -> [Option<scalar>; joint_count] { loop {} }"),
 ];

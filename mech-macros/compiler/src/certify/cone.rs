@@ -67,7 +67,7 @@ impl Cuts<'_> {
 impl<'p> Cutter<'p> {
     pub(crate) fn new(program: &'p Program) -> Self {
         let start = |closed: &ClosedForm| {
-            let vectors = closed.form.vectors();
+            let vectors = closed.dyad.vectors();
             let made = vectors.iter().flatten().copied();
             made.chain([closed.discriminant, closed.tolerance]).max()
         };

@@ -1,26 +1,39 @@
 //! The coordinates of joints.
 
-use super::items::pose;
-use super::params;
-use super::scope::number;
+use super::emitter::Emitter;
+use super::tokens::integer;
 use crate::model::{AxisId, JointId, JointKind, Model};
 use crate::plan::{Mesh, Plan, Rational, Source, Step, float_of};
-use crate::program::Program;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Whether a joint turns, and the axes between which its coordinate is measured; a gear has none.
-pub(super) fn coordinate_axes(model: &Model, joint: JointId) -> Option<(bool, AxisId, AxisId)> {
-    let declared = model.joint(joint);
-    let (turns, a, b) = match declared.kind {
-        JointKind::Revolute(a, b) => (true, a, b),
-        JointKind::Prismatic(a, b) => (false, a, b),
-        _ => return None,
-    };
-    (!declared.hidden).then(|| (turns, model.seen_axis(a), model.seen_axis(b)))
+/// The axes between which a coordinate is measured.
+#[derive(Clone, Copy)]
+pub(super) struct CoordinateAxes {
+    /// Whether the coordinate is an angle.
+    pub(super) turns: bool,
+    pub(super) from: AxisId,
+    pub(super) to: AxisId,
 }
 
-/// What a coordinate is measured in, and whether it counts whole turns.
+impl CoordinateAxes {
+    /// The axes of a declared joint; none if it has no coordinate, as a gear.
+    pub(super) fn new(model: &Model, joint: JointId) -> Option<Self> {
+        let declared = model.joint(joint);
+        let (turns, a, b) = match declared.kind {
+            JointKind::Revolute(a, b) => (true, a, b),
+            JointKind::Prismatic(a, b) => (false, a, b),
+            _ => return None,
+        };
+        (!declared.hidden).then(|| Self {
+            turns,
+            from: model.seen_axis(a),
+            to: model.seen_axis(b),
+        })
+    }
+}
+
+/// The unit of a coordinate, and whether it counts whole turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Measure {
     /// Scene units.
@@ -32,7 +45,7 @@ pub(super) enum Measure {
 }
 
 impl Measure {
-    /// What documentation says of it.
+    /// The unit, as the documentation of an accessor names it.
     pub(super) fn unit(self) -> &'static str {
         match self {
             Self::Length => "scene units",
@@ -42,54 +55,45 @@ impl Measure {
     }
 }
 
-/// The measure and the expression of a joint's coordinate.
-pub(super) fn coordinate(
-    model: &Model,
-    plan: &Plan,
-    program: &Program,
-    joint: JointId,
-) -> Option<(Measure, TokenStream)> {
-    let (turns, a, b) = coordinate_axes(model, joint)?;
-    let (measure, function) = if turns {
-        (Measure::Angle, quote!(generated::angle))
-    } else {
-        (Measure::Length, quote!(generated::slide))
-    };
-    if let Some(motor) = model.motor_of(joint) {
-        let index = Literal::usize_unsuffixed(motor.index());
-        let value = quote!(Self::motors(self)[#index]);
-        let measure = if turns { Measure::Turns } else { measure };
-        return Some((measure, value));
-    }
-    if let Some(state) = program.angle_state(joint) {
-        let state = Literal::usize_unsuffixed(state);
-        let value = quote!(self.position.state[#state]);
-        return Some((Measure::Turns, value));
-    }
-    if let Some(value) = whole_angle(model, plan, program, joint) {
-        return Some((Measure::Turns, value));
-    }
-    let axis = |id: AxisId| {
-        let axis = model.axis(id);
-        let at = params::place(model, program, id);
-        let [along, across] = axis.direction.map(|value| number(program.precision, value));
-        let pose = pose(program, axis.link);
-        quote!((#pose, #at, [#along, #across]))
-    };
-    let (a, b) = (axis(a), axis(b));
-    Some((measure, quote!(#function(#a, #b))))
+/// The coordinate of a joint, as an expression in a method.
+pub(super) struct Coordinate {
+    pub(super) measure: Measure,
+    pub(super) value: TokenStream,
 }
 
-/// The angle of a joint that motors turn by way of gears: it goes on over any number of turns, as they do.
-fn whole_angle(
-    model: &Model,
-    plan: &Plan,
-    program: &Program,
-    joint: JointId,
-) -> Option<TokenStream> {
-    let JointKind::Revolute(a, b) = model.joint(joint).kind else {
+/// The coordinate of a joint; none if it has none.
+pub(super) fn coordinate(emitter: &Emitter<'_>, joint: JointId) -> Option<Coordinate> {
+    let CoordinateAxes { turns, from, to } = CoordinateAxes::new(emitter.model, joint)?;
+    let (measure, value) = if let Some(motor) = emitter.model.motor_of(joint) {
+        let index = integer(motor.index());
+        let measure = if turns {
+            Measure::Turns
+        } else {
+            Measure::Length
+        };
+        (measure, quote!(Self::motors(self)[#index]))
+    } else if let Some(state) = emitter.program.angle_state(joint) {
+        let state = integer(state);
+        (Measure::Turns, quote!(self.position.state[#state]))
+    } else if let Some(value) = whole_angle(emitter, joint) {
+        (Measure::Turns, value)
+    } else {
+        let [from, to] = [from, to].map(|axis| emitter.axis(axis));
+        if turns {
+            (Measure::Angle, quote!(generated::angle(#from, #to)))
+        } else {
+            (Measure::Length, quote!(generated::slide(#from, #to)))
+        }
+    };
+    Some(Coordinate { measure, value })
+}
+
+/// The angle of a joint that motors turn by gears: like theirs, it counts any number of turns.
+fn whole_angle(emitter: &Emitter<'_>, joint: JointId) -> Option<TokenStream> {
+    let JointKind::Revolute(a, b) = emitter.model.joint(joint).kind else {
         return None;
     };
+    let plan = &emitter.compiled.plan;
     let meshes = plan.steps.iter().filter_map(|step| match step {
         Step::Mesh(mesh) => Some(mesh),
         _ => None,
@@ -100,26 +104,34 @@ fn whole_angle(
     })?;
     let sign = if forwards { 1.0 } else { -1.0 };
     let parts = motor_parts(plan, mesh)?;
-    let moved = parts
-        .iter()
-        .map(|(_, source, part)| part * plan.start.sources[*source]);
-    let start = start - moved.sum::<f64>();
-    let n = |value: f64| number(program.precision, value);
-    let start = n(sign * start);
-    let shares = parts.iter().map(|(motor, _, part)| {
-        let (part, index) = (n(sign * part), Literal::usize_unsuffixed(*motor));
-        quote!(+ #part * motors[#index])
+    let moved = parts.iter().map(|part| part.factor * part.start);
+    let start = emitter.number(sign * (start - moved.sum::<f64>()));
+    let terms = parts.iter().map(|part| {
+        let (factor, index) = (emitter.number(sign * part.factor), integer(part.motor));
+        quote!(+ #factor * motors[#index])
     });
     Some(quote!({
         let motors = Self::motors(self);
-        #start #(#shares)*
+        #start #(#terms)*
     }))
 }
 
-/// For each motor that turns a gear the number of its source and its part; none if something else has a part, too.
-fn motor_parts(plan: &Plan, mesh: &Mesh) -> Option<Vec<(usize, usize, f64)>> {
+/// The part of a motor in the angle of a gear.
+struct MotorPart {
+    motor: usize,
+    factor: f64,
+    /// The motor's value at the start.
+    start: f64,
+}
+
+/// The part of each motor that turns a gear; none if anything but motors turns it.
+fn motor_parts(plan: &Plan, mesh: &Mesh) -> Option<Vec<MotorPart>> {
     let part = |(source, part): &(usize, Rational)| match plan.sources[*source] {
-        Source::Motor(motor) => Some((motor.index(), *source, float_of(part))),
+        Source::Motor(motor) => Some(MotorPart {
+            motor: motor.index(),
+            factor: float_of(part),
+            start: plan.start.sources[*source],
+        }),
         _ => None,
     };
     mesh.parts.iter().map(part).collect()

@@ -1,39 +1,45 @@
-//! What a position costs, as constants.
+//! The numbers of operations, as constants.
 
+use super::emitter::Emitter;
+use super::parts::Parts;
+use super::tokens::integer;
 use crate::cost::{self, Cost};
 use crate::program::Program;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The cost of everything, and of each loop; after them these as associated constants.
-pub(super) fn costs(program: &Program, visibility: &syn::Visibility) -> (TokenStream, TokenStream) {
-    let all = literal(cost::of_program(program));
-    let of_loops = cost::of_loops(program);
-    let count = Literal::usize_unsuffixed(of_loops.len());
+/// `COST` and `LOOP_COSTS`: the cost of a position, and of each loop.
+pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
+    let visibility = emitter.visibility;
+    let total = literal(cost::of_program(emitter.program));
+    let of_loops = cost::of_loops(emitter.program);
+    let count = integer(of_loops.len());
     let of_loops = of_loops.into_iter().map(literal);
-    let constants = quote! {
-        pub(super) const COST: Cost = #all;
-        pub(super) const LOOP_COSTS: [Cost; #count] = [#(#of_loops),*];
-    };
-    let associated = quote! {
-        /// How many operations it takes to find a position.
-        #visibility const COST: Cost = known::COST;
+    Parts {
+        known: quote! {
+            pub(super) const COST: Cost = #total;
+            pub(super) const LOOP_COSTS: [Cost; #count] = [#(#of_loops),*];
+        },
+        methods: quote! {
+            /// How many operations it takes to find a position.
+            #visibility const COST: Cost = known::COST;
 
-        /// How many of them each loop takes, in the order in which they are solved.
-        #visibility const LOOP_COSTS: [Cost; #count] = known::LOOP_COSTS;
-    };
-    (constants, associated)
+            /// How many of them each loop takes, in the order in which they are solved.
+            #visibility const LOOP_COSTS: [Cost; #count] = known::LOOP_COSTS;
+        },
+        ..Parts::default()
+    }
 }
 
-/// How many operations more a program takes that goes on from positions, as an associated constant.
-pub(super) fn more(
-    (program, derived): (&Program, &Program),
+/// The constant `name`: the cost of what a derived program computes beyond a position.
+pub(super) fn extra_cost(
+    emitter: &Emitter<'_>,
+    derived: &Program,
     name: &str,
     what: &str,
-    visibility: &syn::Visibility,
 ) -> TokenStream {
-    let name = format_ident!("{}", name);
-    let cost = literal(cost::of_rates(program, derived));
+    let (visibility, name) = (emitter.visibility, format_ident!("{name}"));
+    let cost = literal(cost::of_rates(emitter.program, derived));
     let doc = format!(" How many operations more it takes to find {what} with a position.");
     quote! {
         #[doc = #doc]
@@ -41,8 +47,9 @@ pub(super) fn more(
     }
 }
 
+/// A cost as an expression.
 pub(super) fn literal(cost: Cost) -> TokenStream {
-    let [
+    let Cost {
         additions,
         multiplications,
         divisions,
@@ -50,25 +57,19 @@ pub(super) fn literal(cost: Cost) -> TokenStream {
         sine_cosine_pairs,
         arctangents,
         selections,
-    ] = [
-        cost.additions,
-        cost.multiplications,
-        cost.divisions,
-        cost.square_roots,
-        cost.sine_cosine_pairs,
-        cost.arctangents,
-        cost.selections,
-    ]
-    .map(Literal::u32_unsuffixed);
-    quote! {
-        Cost {
-            additions: #additions,
-            multiplications: #multiplications,
-            divisions: #divisions,
-            square_roots: #square_roots,
-            sine_cosine_pairs: #sine_cosine_pairs,
-            arctangents: #arctangents,
-            selections: #selections,
-        }
-    }
+    } = cost;
+    let fields = [
+        ("additions", additions),
+        ("multiplications", multiplications),
+        ("divisions", divisions),
+        ("square_roots", square_roots),
+        ("sine_cosine_pairs", sine_cosine_pairs),
+        ("arctangents", arctangents),
+        ("selections", selections),
+    ];
+    let fields = fields.map(|(name, count)| {
+        let (name, count) = (format_ident!("{name}"), Literal::u32_unsuffixed(count));
+        quote!(#name: #count,)
+    });
+    quote!(Cost { #(#fields)* })
 }

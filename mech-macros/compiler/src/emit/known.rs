@@ -1,31 +1,18 @@
 //! The module of what is known at compile time. It is apart from everything that takes parameters: where a constant is in scope, a
 //! parameter of its name would be taken for a pattern.
 
-use super::moves::limits;
-use super::scope::number;
+use super::emitter::Emitter;
+use super::limits::limits;
 use super::shapes::shapes;
-use super::step::position;
-use crate::compiled::Compiled;
-use crate::model::Model;
-use crate::program::Program;
+use super::tokens::position;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The module with the tables that every mechanism has, and with these.
-pub(super) fn known(
-    krate: &TokenStream,
-    model: &Model,
-    compiled: &Compiled,
-    others: &TokenStream,
-) -> TokenStream {
-    let Compiled {
-        plan,
-        program,
-        report,
-        ..
-    } = compiled;
-    let (position, start) = (position(program), start(program));
-    let (shapes, limits) = (shapes(model, plan, program), limits(model, program, plan));
+/// The module `known`, with the tables that every mechanism has and with `tables`.
+pub(super) fn known(emitter: &Emitter<'_>, tables: &TokenStream) -> TokenStream {
+    let (krate, report) = (emitter.krate, &emitter.compiled.report);
+    let (position, start) = (position(emitter.program), start(emitter));
+    let (shapes, limits) = (shapes(emitter), limits(emitter));
     quote! {
         mod known {
             #[allow(
@@ -43,17 +30,17 @@ pub(super) fn known(
 
             pub(super) const REPORT: &str = #report;
 
-            #others
+            #tables
         }
     }
 }
 
-/// The assembled position.
-fn start(program: &Program) -> TokenStream {
-    let n = |value: &f64| number(program.precision, *value);
-    let motors = program.start.motors.iter().map(n);
-    let state = program.start.state.iter().map(n);
-    let poses = program.start.poses.iter().map(|pose| {
+/// The position at the start.
+fn start(emitter: &Emitter<'_>) -> TokenStream {
+    let start = &emitter.program.start;
+    let n = |value: &f64| emitter.number(*value);
+    let (motors, state) = (start.motors.iter().map(n), start.state.iter().map(n));
+    let poses = start.poses.iter().map(|pose| {
         let [cos, sin, x, y] = pose.each_ref().map(n);
         quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
     });

@@ -1,30 +1,37 @@
-//! The program and its surroundings as Rust tokens.
+//! Generated code: the struct of a mechanism, its methods, and the functions of its programs.
+//!
+//! `items` and `stub` stand above all other files. `emitter` reads the mechanism for them, and `parts` is what each adds. `step` writes
+//! the functions of programs.
 
-mod added;
-mod block;
+mod accessors;
+mod advance;
 mod coordinate;
 mod costs;
-mod effects;
-mod flow;
+mod drawing;
+mod emitter;
 mod forces;
 mod items;
-mod iteration;
 mod joints;
 mod known;
+mod limits;
 mod many;
 mod module;
-mod motion;
 mod moves;
 mod overlay;
 mod params;
+mod parts;
+mod phases;
+mod ranges;
+mod rate_accessors;
 mod rates;
-mod scope;
 mod sensitivity;
 mod shapes;
-mod stages;
+mod shown;
 mod step;
 mod stub;
+mod symbols;
 mod timing;
+mod tokens;
 mod traces;
 
 pub(crate) use items::items;

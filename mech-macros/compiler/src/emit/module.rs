@@ -68,7 +68,7 @@ const FIXED: [&str; 15] = [
 ];
 
 /// What neither a function nor a variable may be called that is named after something of the user's.
-pub(super) fn taken() -> impl Iterator<Item = String> {
+pub(super) fn taken_names() -> impl Iterator<Item = String> {
     CALLED.into_iter().chain(FIXED).map(str::to_owned)
 }
 

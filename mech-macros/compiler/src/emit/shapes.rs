@@ -1,43 +1,39 @@
-//! What is seen, in painting order.
+//! The shapes, in the order in which they are painted.
 
-use super::block::scalar;
-use super::scope::number;
-use crate::model::{LinkId, Model, Shape, ShapeKind};
-use crate::plan::Plan;
-use crate::program::Program;
+use super::emitter::Emitter;
+use super::tokens::integer;
+use crate::model::{LinkId, Shape, ShapeKind};
+use crate::motion::extent::extent;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// One thing that is painted.
+/// One outline of a shape.
 pub(super) struct Painted {
-    /// Its link: 0 is the ground.
+    /// The number of its link: 0 is the ground.
     pub(super) link: usize,
     pub(super) plane: i32,
     outline: TokenStream,
     color: TokenStream,
 }
 
-/// What is painted of the ground and of all links whose poses are kept, from the plane farthest from the eye to the nearest; within a
+/// The outlines of the ground and of all links whose poses are known, from the plane farthest from the eye to the nearest; within a
 /// plane as declared, the ground's first.
-pub(super) fn in_order(model: &Model, program: &Program) -> Vec<Painted> {
-    let stored = program.stored.iter().copied();
-    let seen = std::iter::once(LinkId::GROUND).chain(stored);
-    let all = seen.enumerate().flat_map(|(link, id)| {
-        let shapes = model.link(id).shapes.iter();
-        shapes.flat_map(move |shape| painted(link, shape, program))
+pub(super) fn in_order(emitter: &Emitter<'_>) -> Vec<Painted> {
+    let stored = emitter.program.stored.iter().copied();
+    let links = std::iter::once(LinkId::GROUND).chain(stored);
+    let all = links.enumerate().flat_map(|(link, id)| {
+        let shapes = emitter.model.link(id).shapes.iter();
+        shapes.flat_map(move |shape| outlines(emitter, link, shape))
     });
-    let mut all: Vec<_> = all.collect();
+    let mut all: Vec<Painted> = all.collect();
     all.sort_by_key(|painted| painted.plane);
     all
 }
 
-/// What a shape is painted with, from back to front.
-fn painted(link: usize, shape: &Shape, program: &Program) -> Vec<Painted> {
-    let n = |value| number(program.precision, value);
-    let point = |[x, y]: [f64; 2]| {
-        let (x, y) = (n(x), n(y));
-        quote!([#x, #y])
-    };
+/// The outlines of a shape, from back to front.
+fn outlines(emitter: &Emitter<'_>, link: usize, shape: &Shape) -> Vec<Painted> {
+    let n = |value| emitter.number(value);
+    let point = |point| emitter.pair(point);
     let points = |points: &[[f64; 2]]| {
         let points = points.iter().map(|&place| point(place));
         quote!(&[#(#points),*])
@@ -87,23 +83,21 @@ fn painted(link: usize, shape: &Shape, program: &Program) -> Vec<Painted> {
     vec![one(outline, quote!(#color))]
 }
 
-/// All of them as tokens, and the box around them wherever they are moved to.
-pub(super) fn shapes(model: &Model, plan: &Plan, program: &Program) -> TokenStream {
-    let entries = in_order(model, program).into_iter().map(|painted| {
+/// The constants `SHAPES` and `EXTENT`, the box around all of them wherever they move.
+pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
+    let entries = in_order(emitter).into_iter().map(|painted| {
         let Painted {
             link,
             outline,
             color,
             ..
         } = painted;
-        let link = Literal::usize_unsuffixed(link);
+        let link = integer(link);
         quote!(Shape { link: #link, outline: #outline, color: #color })
     });
-    let scalar = scalar(program);
-    let corners = crate::motion::extent::extent(model, plan, program).map(|corner| {
-        let [x, y] = corner.map(|value| number(program.precision, value));
-        quote!([#x, #y])
-    });
+    let (scalar, program) = (&emitter.scalar, emitter.program);
+    let corners = extent(emitter.model, &emitter.compiled.plan, program);
+    let corners = corners.map(|corner| emitter.pair(corner));
     quote! {
         pub(super) const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];
 

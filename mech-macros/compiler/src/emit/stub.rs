@@ -1,17 +1,17 @@
-//! What a mechanism that does not compile leaves behind: its struct and its methods, so that nothing else in the user's
-//! crate turns red.
+//! The stub of a mechanism with errors: its struct and its methods, so that nothing else in the user's crate turns red.
 
-use super::block::scalar_of;
-use super::items::{named_points, picture, user_ident};
+use super::drawing::picture;
+use super::shown::{NamedPoint, shown_links, shown_points};
+use super::tokens::{integer, scalar, user_ident};
 use crate::api::{Item, Subject, TABLE};
 use crate::bug::bug;
-use crate::model::{Between, JointId, LoadKind, Model, Origin};
-use crate::syntax::{Header, Places};
-use proc_macro2::{Group, Ident, Literal, TokenStream, TokenTree};
+use crate::model::{Between, JointId, LoadKind, Origin};
+use crate::syntax::{Header, Parsed};
+use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::{ImplItem, ItemImpl};
 
-/// What `krate::generated` has of the names in the table; all others are the runtime's own.
+/// The names in the table that stand for items of `generated` in the runtime crate, and for items at its root.
 const GENERATED: [&str; 5] = ["Option", "Result", "f64", "str", "usize"];
 const RUNTIME: [&str; 21] = [
     "Acceleration",
@@ -37,31 +37,22 @@ const RUNTIME: [&str; 21] = [
     "Velocity",
 ];
 
-/// The struct and the signatures of its methods. None of it is ever run. How many motors it will have is not known as long
-/// as it has errors, so `move_to` takes any number.
-pub(crate) fn stub(
-    krate: &TokenStream,
-    header: &Header,
-    places: &Places,
-    model: &Model,
-    (motors, has_laws): (usize, bool),
-) -> TokenStream {
+/// The struct and the signatures of its methods. None of it is ever run. The number of motors is not certain as long as there are
+/// errors, so `move_to` takes any number.
+pub(crate) fn stub(krate: &TokenStream, header: &Header, parsed: &Parsed) -> TokenStream {
     let Header {
         attributes,
         visibility,
         name,
     } = header;
-    let writer = Writer {
+    let stub = Stub {
         krate,
         header,
-        places,
-        model,
-        motors,
-        has_laws,
+        parsed,
     };
-    let methods = writer.items(|subject| subject != Subject::Trait);
+    let methods = stub.items(Item::method);
     let methods = distinct(quote!(impl #name { #methods }));
-    let of_trait = writer.items(|subject| subject == Subject::Trait);
+    let trait_items = stub.items(Item::trait_item);
     quote! {
         #(#attributes)*
         #[derive(#krate::generated::Clone, #krate::generated::Copy, #krate::generated::Debug, #krate::generated::PartialEq)]
@@ -80,7 +71,7 @@ pub(crate) fn stub(
             }
 
             impl #krate::Mechanism for #name {
-                #of_trait
+                #trait_items
             }
         };
     }
@@ -105,15 +96,15 @@ fn distinct(methods: TokenStream) -> TokenStream {
     methods.into_token_stream()
 }
 
-/// Something that has items of its own.
-struct Named {
+/// A part of a mechanism that has items of its own.
+struct Part {
     name: String,
     origin: Origin,
-    /// How many places a trace has.
+    /// The number of places of a trace.
     length: usize,
 }
 
-impl Named {
+impl Part {
     fn new(name: &str, origin: Origin) -> Self {
         Self {
             name: name.to_owned(),
@@ -123,104 +114,94 @@ impl Named {
     }
 }
 
-/// Writes items of the table for a mechanism.
-struct Writer<'m> {
+/// A mechanism with errors, for which the items of the table are written.
+struct Stub<'m> {
     krate: &'m TokenStream,
     header: &'m Header,
-    places: &'m Places,
-    model: &'m Model,
-    motors: usize,
-    has_laws: bool,
+    parsed: &'m Parsed,
 }
 
-impl Writer<'_> {
-    /// The items of these subjects.
-    fn items(&self, wanted: impl Fn(Subject) -> bool) -> TokenStream {
-        let items = TABLE.iter().filter(|item| {
-            wanted(item.subject) && item.condition.is_met(self.model, self.has_laws)
-        });
-        items.map(|item| self.item(item)).collect()
-    }
-
-    /// An item, once for each of its subject.
-    fn item(&self, item: &Item) -> TokenStream {
-        let Ok(text) = item.text.parse::<TokenStream>() else {
-            bug!("`{}` is no item", item.text);
-        };
-        if let Subject::Mechanism | Subject::Trait = item.subject {
-            return self.filled(text, None);
-        }
-        let named = self.named(item.subject);
-        let items = named
+impl Stub<'_> {
+    /// The items of the table that have this text, once for each part that they are for.
+    fn items(&self, text: fn(&Item) -> Option<String>) -> TokenStream {
+        let Parsed {
+            model, has_laws, ..
+        } = self.parsed;
+        let items = TABLE
             .iter()
-            .map(|named| self.filled(text.clone(), Some(named)));
+            .filter(|item| item.condition.is_met(model, *has_laws));
+        let items = items.filter_map(|item| {
+            let text = text(item)?;
+            let Ok(tokens) = text.parse::<TokenStream>() else {
+                bug!("`{text}` is no item");
+            };
+            Some(match self.parts(item.subject) {
+                None => self.fill(tokens, None),
+                Some(parts) => {
+                    let parts = parts.iter();
+                    let items = parts.map(|part| self.fill(tokens.clone(), Some(part)));
+                    items.collect()
+                }
+            })
+        });
         items.collect()
     }
 
-    /// Everything of a kind that is shown.
-    fn named(&self, subject: Subject) -> Vec<Named> {
-        let model = self.model;
-        let load = |is_force: bool| {
+    /// All parts of a kind that are shown; none for the mechanism itself.
+    fn parts(&self, subject: Subject) -> Option<Vec<Part>> {
+        let model = &self.parsed.model;
+        let joint = |id: JointId| Part::new(&model.joint(id).name, model.joint(id).origin);
+        let loads = |is_force: bool| {
             let loads = model.actions.loads.iter();
+            let loads = loads.filter(|load| matches!(load.kind, LoadKind::Force(_)) == is_force);
             loads
-                .filter(move |load| matches!(load.kind, LoadKind::Force(_)) == is_force)
-                .map(|load| Named::new(&load.name, load.origin))
-        };
-        let joints = |ids: &mut dyn Iterator<Item = JointId>| {
-            ids.map(|id| model.joint(id))
-                .map(|joint| Named::new(&joint.name, joint.origin))
+                .map(|load| Part::new(&load.name, load.origin))
                 .collect()
         };
-        match subject {
-            Subject::Mechanism | Subject::Trait => Vec::new(),
-            Subject::Link => model
-                .declared_links()
-                .filter(|&id| model.shows_link(id))
-                .map(|id| Named::new(&model.link(id).name, model.link(id).origin))
+        Some(match subject {
+            Subject::Mechanism | Subject::Both | Subject::Trait => return None,
+            Subject::Link => shown_links(model)
+                .map(|id| Part::new(&model.link(id).name, model.link(id).origin))
                 .collect(),
-            Subject::Point => named_points(model)
-                .map(|(link, name, origin, _)| {
-                    Named::new(&format!("{}_{name}", model.link(link).name), origin)
-                })
+            Subject::Point => shown_points(model)
+                .map(|point| Part::new(&point.ident(), point.origin))
                 .collect(),
-            Subject::Joint => joints(&mut model.shown_joints()),
-            Subject::DependentJoint => joints(&mut model.dependent_joints()),
-            Subject::Force => load(true).collect(),
-            Subject::Torque => load(false).collect(),
-            Subject::Spring => model
-                .actions
-                .springs
-                .iter()
-                .filter(|spring| matches!(spring.between, Between::Points(..)))
-                .map(|spring| Named::new(&spring.name, spring.origin))
-                .collect(),
+            Subject::Joint => model.shown_joints().map(joint).collect(),
+            Subject::DependentJoint => model.dependent_joints().map(joint).collect(),
+            Subject::Force => loads(true),
+            Subject::Torque => loads(false),
+            Subject::Spring => {
+                let springs = model.actions.springs.iter();
+                springs
+                    .filter(|spring| matches!(spring.between, Between::Points(..)))
+                    .map(|spring| Part::new(&spring.name, spring.origin))
+                    .collect()
+            }
             Subject::Param => {
                 let params = model.params.all().iter();
                 params
-                    .map(|param| Named::new(&param.name, param.origin))
+                    .map(|param| Part::new(&param.name, param.origin))
                     .collect()
             }
-            Subject::Trace => model
-                .traces
-                .iter()
-                .map(|trace| {
-                    let axis = model.axis(trace.point);
-                    let name = format!("{}_{}", model.link(axis.link).name, axis.own_name());
-                    Named {
+            Subject::Trace => {
+                let traces = model.traces.iter().map(|trace| {
+                    let point = NamedPoint::new(model, trace.point);
+                    Part {
                         length: trace.length,
-                        ..Named::new(&name, axis.origin)
+                        ..Part::new(&point.ident(), point.origin)
                     }
-                })
-                .collect(),
-        }
+                });
+                traces.collect()
+            }
+        })
     }
 
-    /// A text of the table with what stands for its words.
-    fn filled(&self, text: TokenStream, named: Option<&Named>) -> TokenStream {
+    /// A text of the table with its words replaced by what they stand for.
+    fn fill(&self, text: TokenStream, part: Option<&Part>) -> TokenStream {
         let trees = text.into_iter().map(|tree| match tree {
-            TokenTree::Ident(word) => self.meaning(&word, named),
+            TokenTree::Ident(word) => self.meaning(&word, part),
             TokenTree::Group(group) => {
-                let inside = self.filled(group.stream(), named);
+                let inside = self.fill(group.stream(), part);
                 Group::new(group.delimiter(), inside).into_token_stream()
             }
             other => other.into_token_stream(),
@@ -229,35 +210,35 @@ impl Writer<'_> {
     }
 
     /// What a word of the table stands for.
-    fn meaning(&self, word: &Ident, named: Option<&Named>) -> TokenStream {
-        let (krate, model) = (self.krate, self.model);
-        let count = |count: usize| Literal::usize_unsuffixed(count).into_token_stream();
+    fn meaning(&self, word: &Ident, part: Option<&Part>) -> TokenStream {
+        let (krate, model) = (self.krate, &self.parsed.model);
+        let count = |count: usize| integer(count).into_token_stream();
         let text = word.to_string();
         match text.as_str() {
             "pub" => self.header.visibility.to_token_stream(),
             "scalar" => {
-                let scalar = scalar_of(model.precision);
+                let scalar = scalar(model.precision);
                 quote!(#krate::generated::#scalar)
             }
             "struct_name" => self.header.name.to_string().into_token_stream(),
             "frame" => {
-                let [picture, _] = picture(model);
+                let picture = picture(model);
                 quote!(#krate::#picture)
             }
-            "motor_count" => count(self.motors),
+            "motor_count" => count(self.parsed.motors),
             "link_count" => count(model.asked_links().len()),
             "param_count" => count(model.params.len()),
             "joint_count" => count(model.declared_joints().count()),
             "load_count" => count(model.actions.load_names().len()),
-            "trace_length" => count(named.map_or(0, |named| named.length)),
+            "trace_length" => count(part.map_or(0, |part| part.length)),
             "none" => quote!(#krate::generated::None),
             "Arrows" => quote!(#krate::overlay::Arrows),
             known if GENERATED.contains(&known) => quote!(#krate::generated::#word),
             known if RUNTIME.contains(&known) => quote!(#krate::#word),
-            _ => match named {
-                Some(Named { name, origin, .. }) if is_pattern(&text) => {
+            _ => match part {
+                Some(Part { name, origin, .. }) if is_pattern(&text) => {
                     let method = text.replacen("name", name, 1);
-                    user_ident(&method, self.places, *origin).into_token_stream()
+                    user_ident(&method, &self.parsed.places, *origin).into_token_stream()
                 }
                 _ => word.into_token_stream(),
             },

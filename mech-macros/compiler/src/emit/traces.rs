@@ -1,133 +1,82 @@
-//! What the struct of a mechanism has more if points are traced.
+//! The fields and methods of traced points.
 
-use super::added::Added;
-use super::block::scalar;
-use super::items::user_ident;
-use super::scope::number;
-use crate::model::{Model, Trace};
-use crate::program::Program;
-use crate::syntax::Places;
-use proc_macro2::{Ident, Literal, TokenStream};
+use super::emitter::Emitter;
+use super::parts::Parts;
+use super::shown::NamedPoint;
+use super::tokens::integer;
+use crate::model::Trace;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-/// What traces add to a mechanism.
-pub(super) fn added(
-    krate: &TokenStream,
-    places: &Places,
-    model: &Model,
-    program: &Program,
-    visibility: &syn::Visibility,
-) -> Added {
+/// A field and a method for each trace, and `clear_traces`; nothing without traces.
+pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
+    let Emitter {
+        krate,
+        visibility,
+        scalar,
+        model,
+        ..
+    } = emitter;
     if model.traces.is_empty() {
-        return Added::default();
+        return Parts::default();
     }
-    let scalar = scalar(program);
-    let mut items = Added {
-        record: quote!(Traced::record(self);),
-        instance_record: quote!(Traced::record(instance)),
-        trait_methods: quote! {
+    let scalar_path = emitter.scalar_path();
+    let mut parts = Parts {
+        trait_items: quote! {
             fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
                 Self::draw(self, canvas);
             }
         },
-        ..Added::default()
+        ..Parts::default()
     };
-    let (mut pushes, mut clears) = (TokenStream::new(), TokenStream::new());
+    let mut clears = TokenStream::new();
     for trace in &model.traces {
-        let (name, field) = names(places, model, trace);
-        let length = Literal::usize_unsuffixed(trace.length);
-        let place = place(model, program, trace);
+        let NamedPoint {
+            link_name, name, ..
+        } = NamedPoint::new(model, trace.point);
+        let (field, length) = (trace_ident(emitter, trace), integer(trace.length));
         let doc = format!(
-            " The last places of point `{name}` in the scene, {} at most: one for each move.",
-            trace.length
+            " The last places of point `{link_name}.{name}` in the scene, {length} at most: one for each move."
         );
-        items.fields.extend(quote! {
-            #field: #krate::Trace<#krate::generated::#scalar, #length>,
-        });
-        items.at_rest.extend(quote!(#field: Trace::new(),));
-        pushes.extend(quote!(Trace::push(&mut self.#field, #place);));
+        let kind = quote!(&Trace<#scalar, #length>);
+        parts
+            .fields
+            .extend(quote!(#field: #krate::Trace<#scalar_path, #length>,));
+        parts.start.extend(quote!(#field: Trace::new(),));
         clears.extend(quote!(Trace::clear(&mut self.#field);));
-        items.methods.extend(quote! {
-            #[doc = #doc]
-            #[must_use]
-            #visibility const fn #field(&self) -> &Trace<#scalar, #length> {
-                &self.#field
-            }
-        });
+        let accessor = emitter.constant_accessor(&field, &doc, &kind, &quote!(&self.#field));
+        parts.methods.extend(accessor);
     }
-    items.methods.extend(quote! {
+    parts.methods.extend(quote! {
         /// Forgets where the traced points have been.
         #visibility const fn clear_traces(&mut self) {
             #clears
         }
     });
-    items.records = pushes;
-    items
+    parts
 }
 
-/// What a trace is of, and what it is called.
-fn names(places: &Places, model: &Model, trace: &Trace) -> (String, Ident) {
-    let axis = model.axis(trace.point);
-    let (link, point) = (&model.link(axis.link).name, axis.own_name());
-    let field = user_ident(&format!("{link}_{point}_trace"), places, axis.origin);
-    (format!("{link}.{point}"), field)
-}
-
-/// Where a traced point is.
-fn place(model: &Model, program: &Program, trace: &Trace) -> TokenStream {
-    let axis = model.axis(trace.point);
-    let [x, y] = [0, 1].map(|part| match program.kept_place(trace.point, part) {
-        None => number(program.precision, axis.at[part]),
-        Some(state) => {
-            let state = Literal::usize_unsuffixed(state);
-            quote!(self.position.state[#state])
-        }
+/// The implementation of `Traced`, which stores the places of the traced points; none without traces.
+pub(super) fn implementation(emitter: &Emitter<'_>, this: &Ident) -> Option<TokenStream> {
+    if emitter.model.traces.is_empty() {
+        return None;
+    }
+    let pushes = emitter.model.traces.iter().map(|trace| {
+        let (field, place) = (trace_ident(emitter, trace), emitter.point(trace.point));
+        quote!(Trace::push(&mut self.#field, #place);)
     });
-    let index = Literal::usize_unsuffixed(program.kept_pose(axis.link));
-    quote!(self.position.poses[#index].apply([#x, #y]))
+    Some(quote! {
+        impl Traced for #this {
+            #[inline]
+            fn record(&mut self) {
+                #(#pushes)*
+            }
+        }
+    })
 }
 
-/// The painting of all shapes and traces, from the plane farthest from the eye to the nearest.
-pub(super) fn painting(places: &Places, model: &Model, program: &Program) -> TokenStream {
-    let shapes = super::shapes::in_order(model, program);
-    let behind = |trace: &Trace| -> usize {
-        let before = |(place, plane): (usize, i32)| match trace.plane {
-            Some(own) => plane < own || (plane == own && place == 0),
-            // Behind all links: the first of their shapes is the limit.
-            None => place == 0,
-        };
-        let all = shapes.iter().map(|painted| (painted.link, painted.plane));
-        all.take_while(|shape| before(*shape)).count()
-    };
-    let mut traces: Vec<(usize, &Trace)> = model
-        .traces
-        .iter()
-        .map(|trace| (behind(trace), trace))
-        .collect();
-    traces.sort_by_key(|(behind, _)| *behind);
-    let mut tokens = TokenStream::new();
-    let mut painted = 0;
-    let paint =
-        |shapes: TokenStream| quote!(generated::paint(#shapes, &self.position.poses, canvas););
-    for (behind, trace) in traces {
-        if behind > painted {
-            let [from, to] = [painted, behind].map(Literal::usize_unsuffixed);
-            tokens.extend(paint(
-                quote!(known::SHAPES.get(#from..#to).unwrap_or_default()),
-            ));
-            painted = behind;
-        }
-        let (_, field) = names(places, model, trace);
-        let color = Literal::u8_unsuffixed(trace.color);
-        tokens.extend(quote!(Trace::draw(&self.#field, canvas, #color);));
-    }
-    if painted == 0 {
-        tokens.extend(paint(quote!(known::SHAPES)));
-    } else if painted < shapes.len() {
-        let from = Literal::usize_unsuffixed(painted);
-        tokens.extend(paint(
-            quote!(known::SHAPES.get(#from..).unwrap_or_default()),
-        ));
-    }
-    tokens
+/// The name of the field and the method of a trace.
+pub(super) fn trace_ident(emitter: &Emitter<'_>, trace: &Trace) -> Ident {
+    let point = NamedPoint::new(emitter.model, trace.point);
+    emitter.ident(&format!("{}_trace", point.ident()), point.origin)
 }

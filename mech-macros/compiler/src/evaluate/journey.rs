@@ -133,14 +133,14 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
         motors::mirror_state(
             &mut beyond.state,
             &before.state,
-            program.motion_signs,
+            program.layout.motion_signs,
             &watched,
         );
         beyond
     }
 
     fn goes_on(&self, position: &Position<T>, index: usize) -> bool {
-        let Some(first) = self.runner.program.motion_signs else {
+        let Some(first) = self.runner.program.layout.motion_signs else {
             return false;
         };
         let rates = self.runner.program.watches[index].rates.iter();
@@ -149,7 +149,7 @@ impl<T: Real> Journey<T> for Move<'_, '_, T> {
     }
 
     fn note_motion_signs(&self, position: &mut Position<T>) {
-        if let Some(first) = self.runner.program.motion_signs {
+        if let Some(first) = self.runner.program.layout.motion_signs {
             motors::note_motion_signs(&mut position.state[first..], &self.displacements);
         }
     }

@@ -11,7 +11,7 @@ use mech_core::contraction::{before_first, contracts};
 use mech_core::dense::solve;
 use mech_core::motors::turned;
 
-/// What a program that goes on from positions is given besides the motors' values.
+/// What a program besides that of positions is given, apart from the motors' values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Given<'g, T> {
     pub(super) rates: &'g [T],
@@ -19,7 +19,7 @@ pub(super) struct Given<'g, T> {
     pub(super) loads: &'g [T],
 }
 
-/// A program that is ready to be run, in any precision, whatever it was written for.
+/// A program that is ready to be run, in any precision, whatever it was compiled for.
 #[derive(Clone, Debug)]
 pub(super) struct Runner<'p> {
     pub(super) program: &'p Program,
@@ -50,7 +50,7 @@ impl<'p> Runner<'p> {
         self.position(&values, (motors, turns))
     }
 
-    /// What it finds of the rates of everything, at a position, from the rates of the motors.
+    /// The rates of everything at a position.
     pub(super) fn motion<T: Real>(
         &self,
         at: &Position<T>,
@@ -80,7 +80,7 @@ impl<'p> Runner<'p> {
         }
     }
 
-    /// What it finds of forces, at a position.
+    /// The forces at a position.
     pub(super) fn forces<T: Real>(
         &self,
         at: &Position<T>,
@@ -96,7 +96,7 @@ impl<'p> Runner<'p> {
         }
     }
 
-    /// All values of a program that goes on from positions, where it is.
+    /// The motion that the program computes from a position, and all its values there.
     fn beyond<T: Real>(
         &self,
         at: &Position<T>,
@@ -106,11 +106,11 @@ impl<'p> Runner<'p> {
         if given.loads.len() != motion.loads.len() {
             return Err(Stop::MotorCount);
         }
-        Ok((motion, self.determined(at, given)?))
+        Ok((motion, self.determined_values(at, given)?))
     }
 
     /// All values of the program where it is, if rates are determined there.
-    pub(super) fn determined<T: Real>(
+    pub(super) fn determined_values<T: Real>(
         &self,
         at: &Position<T>,
         given: Given<'_, T>,
@@ -239,8 +239,7 @@ impl<'p> Runner<'p> {
             bug!("a linear system is read in a program without motion");
         };
         let System { columns, right, .. } = &motion.systems[system];
-        let (unknowns, det) = solved(columns, right, values);
-        unknown_or_det(&unknowns, det, index)
+        solve_system(columns, right, values)[index]
     }
 
     /// The present value of an unknown: it stands in the place of the node that reads it inside the iteration.
@@ -285,8 +284,8 @@ impl<'p> Runner<'p> {
             for &value in &body {
                 let op = self.program.node(value).op;
                 if let Op::Dense(_, index) = op {
-                    let (steps, det) = dense.get_or_insert_with(|| system(newton, values));
-                    values[value.index()] = unknown_or_det(steps, *det, index);
+                    let solve = || solve_system(&newton.columns, &newton.gap, values);
+                    values[value.index()] = dense.get_or_insert_with(solve)[index];
                 } else if let Some(result) = op.apply(|value| values[value.index()]) {
                     values[value.index()] = result;
                 }
@@ -328,26 +327,13 @@ impl<'p> Runner<'p> {
     }
 }
 
-/// Solves the system of coupled loops: columns times steps is what is missing.
-fn system<T: Real>(newton: &Newton, values: &[T]) -> (Vec<T>, T) {
-    solved(&newton.columns, &newton.gap, values)
-}
-
-/// Solves a linear system: the columns times the unknowns and the right side add to zero.
-fn solved<T: Real>(columns: &[Vec<Value>], right: &[Value], values: &[T]) -> (Vec<T>, T) {
+/// The unknowns of a linear system, and after these its determinant: the columns times the unknowns and the right side add to zero.
+fn solve_system<T: Real>(columns: &[Vec<Value>], right: &[Value], values: &[T]) -> Vec<T> {
     let get = |value: &Value| values[value.index()];
     let row = |row: usize| -> Vec<T> { columns.iter().map(|column| get(&column[row])).collect() };
     let mut rows: Vec<Vec<T>> = (0..right.len()).map(row).collect();
-    let mut steps: Vec<T> = right.iter().map(|right| -get(right)).collect();
-    let det = solve(&mut rows, &mut steps);
-    (steps, det)
-}
-
-/// An unknown of a system, or after these its determinant.
-fn unknown_or_det<T: Real>(unknowns: &[T], det: T, index: usize) -> T {
-    if index == unknowns.len() {
-        det
-    } else {
-        unknowns[index]
-    }
+    let mut unknowns: Vec<T> = right.iter().map(|right| -get(right)).collect();
+    let det = solve(&mut rows, &mut unknowns);
+    unknowns.push(det);
+    unknowns
 }

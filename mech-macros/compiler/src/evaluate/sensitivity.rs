@@ -1,4 +1,4 @@
-//! How a mechanism follows its params, by interpretation.
+//! Sensitivities by interpretation.
 
 use super::Stop;
 use super::run::{Given, Runner};
@@ -10,16 +10,16 @@ use mech_core::Real;
 pub struct Followed<T> {
     /// For each moving link its angular velocity, and the rates of x and y.
     pub links: Vec<[T; 3]>,
-    /// For each point that is told the rates of its place.
+    /// For each exposed point the rates of its place.
     pub points: Vec<[T; 2]>,
-    /// For each joint that is told the rate of its coordinate.
+    /// For each exposed joint the rate of its coordinate.
     pub joints: Vec<T>,
 }
 
-/// How everything follows each param where the mechanism is, by the program that tells it.
+/// The rates of everything with each param at a position, by the program that computes them.
 ///
 /// # Errors
-/// If a loop is at a dead point or a change point, where that is not determined, or if the program does not tell it.
+/// If a loop is at a dead point or a change point, where that is not determined, or if the program does not compute it.
 pub fn sensitivities<T: Real>(
     program: &Program,
     at: &Position<T>,
@@ -30,7 +30,7 @@ pub fn sensitivities<T: Real>(
         accelerations: &[],
         loads: &[],
     };
-    let values = Runner::new(program).determined(at, given)?;
+    let values = Runner::new(program).determined_values(at, given)?;
     let get = |value: &crate::program::Value| values[value.index()];
     let of_params = sensitivity.of_params.iter().map(|rates| Followed {
         links: rates

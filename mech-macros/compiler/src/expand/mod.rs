@@ -1,11 +1,11 @@
-//! The door of the macro: tokens in, tokens out.
+//! The entry of the macro: tokens to tokens.
 
 mod guard;
 #[cfg(test)]
 mod tests;
 
 use crate::compile::compile;
-use crate::syntax::{self, Message, Parsed, Place};
+use crate::syntax::{self, Message, Place};
 use crate::{emit, repair, reporter};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::quote;
@@ -23,32 +23,23 @@ pub fn expand(input: TokenStream) -> TokenStream {
 
 /// The items of a mechanism, or its errors beside a stub of its type.
 fn analyse_and_emit(krate: &TokenStream, body: TokenStream) -> TokenStream {
-    let Parsed {
-        header,
-        model,
-        places,
-        errors,
-        motors,
-        has_laws,
-    } = syntax::parse(body);
-    let Some(header) = header else {
-        return compile_errors(&errors);
+    let parsed = syntax::parse(body);
+    let Some(header) = &parsed.header else {
+        return compile_errors(&parsed.errors);
     };
     let fail = |messages: &[Message]| {
-        let (errors, stub) = (
-            compile_errors(messages),
-            emit::stub(krate, &header, &places, &model, (motors, has_laws)),
-        );
+        let (errors, stub) = (compile_errors(messages), emit::stub(krate, header, &parsed));
         quote!(#errors #stub)
     };
-    if !errors.is_empty() {
-        return fail(&errors);
+    if !parsed.errors.is_empty() {
+        return fail(&parsed.errors);
     }
-    match compile(&model) {
-        Ok(compiled) => emit::items(krate, &header, &places, &model, &compiled),
+    let (model, places) = (&parsed.model, &parsed.places);
+    match compile(model) {
+        Ok(compiled) => emit::items(krate, header, &parsed, &compiled),
         Err(diagnoses) => {
-            let offers = repair::offers(&model, &diagnoses);
-            fail(&reporter::messages(&diagnoses, &offers, &model, &places))
+            let offers = repair::offers(model, &diagnoses);
+            fail(&reporter::messages(&diagnoses, &offers, model, places))
         }
     }
 }
@@ -56,12 +47,13 @@ fn analyse_and_emit(krate: &TokenStream, body: TokenStream) -> TokenStream {
 /// The type of a mechanism with methods that do nothing; no tokens for a text without a header.
 fn stub(krate: &TokenStream, body: TokenStream) -> TokenStream {
     let parsed = syntax::parse(body);
-    let given = (parsed.motors, parsed.has_laws);
-    parsed.header.map_or_else(TokenStream::new, |header| {
-        emit::stub(krate, &header, &parsed.places, &parsed.model, given)
+    let header = parsed.header.as_ref();
+    header.map_or_else(TokenStream::new, |header| {
+        emit::stub(krate, header, &parsed)
     })
 }
 
+/// The errors as calls of `compile_error!`.
 fn compile_errors(errors: &[Message]) -> TokenStream {
     if errors.is_empty() {
         let place = Place::at(Span::call_site());

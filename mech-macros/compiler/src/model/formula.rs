@@ -50,7 +50,7 @@ impl Formula {
     }
 
     /// Its value, made from those of what it is made from.
-    fn apply<A: Arithmetic>(
+    fn apply<A: FormulaArithmetic>(
         self,
         arithmetic: &mut A,
         get: impl Fn(FormulaId) -> A::Scalar,
@@ -78,17 +78,13 @@ pub struct Formulas {
     known: HashMap<Formula, FormulaId>,
 }
 
-/// What formulas are evaluated in: numbers, numbers with slopes, the values of a program, other formulas.
+/// Arithmetic over numbers, numbers with slopes, the values of a program, or formulas.
 pub trait Arithmetic {
     /// A number.
     type Scalar: Clone;
 
     /// A constant.
     fn constant(&mut self, value: f64) -> Self::Scalar;
-    /// The variable of a law.
-    fn variable(&mut self) -> Self::Scalar;
-    /// The value of a param.
-    fn param(&mut self, param: ParamId) -> Self::Scalar;
     /// −a.
     fn neg(&mut self, a: Self::Scalar) -> Self::Scalar;
     /// a + b.
@@ -99,6 +95,14 @@ pub trait Arithmetic {
     fn mul(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
     /// a / b.
     fn div(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
+}
+
+/// An arithmetic that formulas are evaluated in.
+pub trait FormulaArithmetic: Arithmetic {
+    /// The variable of a law.
+    fn variable(&mut self) -> Self::Scalar;
+    /// The value of a param.
+    fn param(&mut self, param: ParamId) -> Self::Scalar;
     /// A function of a.
     fn of(&mut self, function: Function, a: Self::Scalar) -> Self::Scalar;
     /// A function of a and b.
@@ -126,7 +130,7 @@ impl Formulas {
     }
 
     /// All of them, each evaluated once, by their numbers.
-    pub fn evaluate<A: Arithmetic>(&self, arithmetic: &mut A) -> Vec<A::Scalar> {
+    pub fn evaluate<A: FormulaArithmetic>(&self, arithmetic: &mut A) -> Vec<A::Scalar> {
         let mut values: Vec<A::Scalar> = Vec::with_capacity(self.all.len());
         for formula in &self.all {
             let value = formula.apply(arithmetic, |id| values[id.index()].clone());
@@ -136,7 +140,11 @@ impl Formulas {
     }
 
     /// One of them: nothing is evaluated that it is not made from.
-    pub fn evaluate_one<A: Arithmetic>(&self, id: FormulaId, arithmetic: &mut A) -> A::Scalar {
+    pub fn evaluate_one<A: FormulaArithmetic>(
+        &self,
+        id: FormulaId,
+        arithmetic: &mut A,
+    ) -> A::Scalar {
         let mut needed = vec![false; id.index() + 1];
         let mut waiting = vec![id];
         while let Some(next) = waiting.pop() {
@@ -161,14 +169,6 @@ impl Arithmetic for Formulas {
         Self::add(self, Formula::constant(value))
     }
 
-    fn variable(&mut self) -> FormulaId {
-        Self::add(self, Formula::Variable)
-    }
-
-    fn param(&mut self, param: ParamId) -> FormulaId {
-        Self::add(self, Formula::Param(param))
-    }
-
     fn neg(&mut self, a: FormulaId) -> FormulaId {
         Self::add(self, Formula::Neg(a))
     }
@@ -187,6 +187,16 @@ impl Arithmetic for Formulas {
 
     fn div(&mut self, a: FormulaId, b: FormulaId) -> FormulaId {
         Self::add(self, Formula::Div(a, b))
+    }
+}
+
+impl FormulaArithmetic for Formulas {
+    fn variable(&mut self) -> FormulaId {
+        Self::add(self, Formula::Variable)
+    }
+
+    fn param(&mut self, param: ParamId) -> FormulaId {
+        Self::add(self, Formula::Param(param))
     }
 
     fn of(&mut self, function: Function, a: FormulaId) -> FormulaId {
@@ -214,14 +224,6 @@ impl Arithmetic for Now<'_> {
         value
     }
 
-    fn variable(&mut self) -> f64 {
-        self.variable
-    }
-
-    fn param(&mut self, param: ParamId) -> f64 {
-        self.params[param.index()]
-    }
-
     fn neg(&mut self, a: f64) -> f64 {
         -a
     }
@@ -240,6 +242,16 @@ impl Arithmetic for Now<'_> {
 
     fn div(&mut self, a: f64, b: f64) -> f64 {
         a / b
+    }
+}
+
+impl FormulaArithmetic for Now<'_> {
+    fn variable(&mut self) -> f64 {
+        self.variable
+    }
+
+    fn param(&mut self, param: ParamId) -> f64 {
+        self.params[param.index()]
     }
 
     fn of(&mut self, function: Function, a: f64) -> f64 {
@@ -275,15 +287,6 @@ impl Arithmetic for Slopes<'_> {
         (value, 0.0)
     }
 
-    fn variable(&mut self) -> (f64, f64) {
-        (self.variable, 0.0)
-    }
-
-    fn param(&mut self, param: ParamId) -> (f64, f64) {
-        let value = self.params[param.index()];
-        (value, if param == self.by { 1.0 } else { 0.0 })
-    }
-
     fn neg(&mut self, (a, da): (f64, f64)) -> (f64, f64) {
         (-a, -da)
     }
@@ -302,6 +305,17 @@ impl Arithmetic for Slopes<'_> {
 
     fn div(&mut self, (a, da): (f64, f64), (b, db): (f64, f64)) -> (f64, f64) {
         (a / b, (da - a / b * db) / b)
+    }
+}
+
+impl FormulaArithmetic for Slopes<'_> {
+    fn variable(&mut self) -> (f64, f64) {
+        (self.variable, 0.0)
+    }
+
+    fn param(&mut self, param: ParamId) -> (f64, f64) {
+        let value = self.params[param.index()];
+        (value, if param == self.by { 1.0 } else { 0.0 })
     }
 
     fn of(&mut self, function: Function, (a, da): (f64, f64)) -> (f64, f64) {

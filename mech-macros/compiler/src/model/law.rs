@@ -1,7 +1,10 @@
 //! Laws: functions of one variable, which a motor follows in time, or the follower of a cam.
 
 use super::formula::Now;
-use super::{Arithmetic, BinaryFunction, Formula, FormulaId, Formulas, Function, Origin, ParamId};
+use super::{
+    Arithmetic, BinaryFunction, Formula, FormulaArithmetic, FormulaId, Formulas, Function, Origin,
+    ParamId,
+};
 use std::f64::consts::TAU;
 
 /// A function of one variable.
@@ -42,7 +45,7 @@ impl Law {
     }
 
     /// Its value in an arithmetic.
-    pub fn evaluate<A: Arithmetic>(&self, arithmetic: &mut A) -> A::Scalar {
+    pub fn evaluate<A: FormulaArithmetic>(&self, arithmetic: &mut A) -> A::Scalar {
         self.formulas.evaluate_one(self.value, arithmetic)
     }
 
@@ -113,15 +116,6 @@ impl Arithmetic for Windings {
         Winding::Fixed(value)
     }
 
-    fn variable(&mut self) -> Winding {
-        Winding::By(1.0)
-    }
-
-    // It stays what it is while the variable goes on, but nobody knows what that is.
-    fn param(&mut self, _: ParamId) -> Winding {
-        Winding::By(0.0)
-    }
-
     fn neg(&mut self, a: Winding) -> Winding {
         a.joined(Winding::By(0.0), |a, _| Some(-a))
     }
@@ -147,6 +141,17 @@ impl Arithmetic for Windings {
             (Winding::By(turns), Winding::Fixed(divisor)) => Winding::By(turns / divisor),
             (a, b) => Self::still(a, b),
         }
+    }
+}
+
+impl FormulaArithmetic for Windings {
+    fn variable(&mut self) -> Winding {
+        Winding::By(1.0)
+    }
+
+    // It stays what it is while the variable goes on, but nobody knows what that is.
+    fn param(&mut self, _: ParamId) -> Winding {
+        Winding::By(0.0)
     }
 
     fn of(&mut self, function: Function, a: Winding) -> Winding {

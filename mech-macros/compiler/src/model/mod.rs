@@ -28,7 +28,7 @@ pub use declaration::{Ends, NewJoint, NewKind};
 pub(crate) use drawing::{Drawn, FORWARD};
 pub use edit::Edit;
 pub use effects::Effects;
-pub use formula::{Arithmetic, Formula, Formulas, Now};
+pub use formula::{Arithmetic, Formula, FormulaArithmetic, Formulas, Now};
 pub(crate) use function::function_names;
 pub use function::{BinaryFunction, Function};
 pub(crate) use id::in_32_bits;

@@ -2,7 +2,7 @@
 
 use super::formula::Slopes;
 use super::{
-    Arithmetic, Axis, Formula, FormulaId, Formulas, JointKind, Law, Model, Origin, ParamId,
+    Axis, Formula, FormulaArithmetic, FormulaId, Formulas, JointKind, Law, Model, Origin, ParamId,
 };
 use std::f64::consts::TAU;
 
@@ -70,12 +70,16 @@ impl Params {
     }
 
     /// All formulas, each evaluated once, by their numbers.
-    pub fn evaluate<A: Arithmetic>(&self, arithmetic: &mut A) -> Vec<A::Scalar> {
+    pub fn evaluate<A: FormulaArithmetic>(&self, arithmetic: &mut A) -> Vec<A::Scalar> {
         self.formulas.evaluate(arithmetic)
     }
 
     /// One formula, without any that it is not made from.
-    pub fn evaluate_one<A: Arithmetic>(&self, id: FormulaId, arithmetic: &mut A) -> A::Scalar {
+    pub fn evaluate_one<A: FormulaArithmetic>(
+        &self,
+        id: FormulaId,
+        arithmetic: &mut A,
+    ) -> A::Scalar {
         self.formulas.evaluate_one(id, arithmetic)
     }
 }

@@ -1,14 +1,15 @@
 //! Sweeps: the straight displacements of the motors by which a mechanism is tried at compile time. Each motor goes alone through its
 //! range, or through whole turns; then all go together in several proportions. Each sweep begins at the start.
 
-use crate::bug::bug;
 use crate::model::{JointKind, Model, MotorId};
 use crate::plan::{Plan, Rational, Source, Step};
 use num_traits::{Signed, ToPrimitive};
 use std::f64::consts::TAU;
 
 /// Most turns of the fastest link that are examined one by one.
-const MOST_TURNS_OF_FASTEST: usize = 64;
+const MOST_TURNS_OF_FASTEST: f64 = 64.0;
+/// A slide is sampled as densely as so many turns.
+const TURNS_OF_SLIDE: usize = 2;
 
 /// A straight displacement of all motors from the start.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,34 +53,37 @@ fn sweep_alone(
 ) {
     let index = motor.index();
     let start = plan.start.motors[index];
-    let sweep = |displacement: f64, turns: usize| {
+    let joint = &model.joint(model.motor(motor).joint).kind;
+    let is_revolute = matches!(joint, JointKind::Revolute(..));
+    let parts = parts_of(plan, motor);
+    let mut run_to = |displacement: f64| {
         let mut displacements = vec![0.0; model.inputs()];
         displacements[index] = displacement;
-        Sweep {
+        let turns = if is_revolute {
+            turns_of_fastest(&parts, displacement / TAU)
+        } else {
+            TURNS_OF_SLIDE
+        };
+        run(&Sweep {
             displacements,
             turns,
-        }
+        })
     };
     if let Some(range) = model.motor(motor).range {
-        run(&sweep(range.high - start, 1));
-        run(&sweep(range.low - start, 1));
+        run_to(range.high - start);
+        run_to(range.low - start);
         return;
     }
-    let is_revolute = matches!(
-        model.joint(model.motor(motor).joint).kind,
-        JointKind::Revolute(..)
-    );
-    let (displacement, turns_of_fastest) = if is_revolute {
-        let (turns, turns_of_fastest) = turns_of(plan, motor, most_turns);
-        #[expect(clippy::cast_precision_loss, reason = "some hundred turns")]
-        let displacement = TAU * turns as f64;
-        (displacement, turns_of_fastest)
+    let displacement = if is_revolute {
+        #[expect(clippy::cast_precision_loss, reason = "some thousand turns")]
+        let turns = turns_until_whole(&parts, most_turns) as f64;
+        TAU * turns
     } else {
-        (4.0 * model.size(), 2)
+        4.0 * model.size()
     };
-    let reached_end = run(&sweep(displacement, turns_of_fastest));
+    let reached_end = run_to(displacement);
     if !(reached_end && is_revolute) {
-        run(&sweep(-displacement, turns_of_fastest));
+        run_to(-displacement);
     }
 }
 
@@ -102,30 +106,40 @@ fn sweep_together(model: &Model, run: &mut impl FnMut(&Sweep) -> bool) {
     }
 }
 
-/// How many turns of a motor it takes until everything behind gears and cams has turned as a whole, and how many turns the fastest
-/// of it makes meanwhile.
-fn turns_of(plan: &Plan, motor: MotorId, most_turns: i64) -> (i64, usize) {
+/// How many turns everything that a motor drives by gears and cams makes in one turn of it.
+fn parts_of(plan: &Plan, motor: MotorId) -> Vec<&Rational> {
     let parts = plan.steps.iter().flat_map(|step| match step {
         Step::Mesh(mesh) => &mesh.parts[..],
         Step::Cam(cam) => &cam.parts[..],
         _ => &[],
     });
     let own = parts.filter(|(source, _)| plan.sources[*source] == Source::Motor(motor));
-    let own: Vec<&Rational> = own.map(|(_, part)| part).collect();
-    let turns = own.iter().fold(1, |turns, part| {
-        // One that is larger is beyond the most that is walked anyway.
+    own.map(|(_, part)| part).collect()
+}
+
+/// How many turns of a motor it takes until everything that it drives has turned as a whole.
+fn turns_until_whole(parts: &[&Rational], most_turns: i64) -> i64 {
+    parts.iter().fold(1, |turns, part| {
+        // One that is larger is beyond the most that is examined anyway.
         let denominator = part.denom().to_i64().unwrap_or(most_turns);
         num_integer::lcm(turns, denominator.clamp(1, most_turns)).min(most_turns)
-    });
-    // A ratio beyond 2^64 counts as the greatest number there is.
-    let fastest = own.iter().map(|part| part.abs().ceil().to_integer());
-    let fastest = fastest
-        .map(|part| part.to_usize().unwrap_or(usize::MAX))
-        .max()
-        .unwrap_or(1);
-    let Ok(whole) = usize::try_from(turns) else {
-        bug!("a motor makes {turns} turns");
-    };
-    let turns_of_all = whole.saturating_mul(fastest.max(1));
-    (turns, turns_of_all.clamp(1, MOST_TURNS_OF_FASTEST))
+    })
+}
+
+/// How many turns the fastest of all makes while the motor makes this many, as far as they are examined one by one.
+fn turns_of_fastest(parts: &[&Rational], turns: f64) -> usize {
+    // A ratio beyond the floats is beyond the most that is examined anyway.
+    let ratios = parts
+        .iter()
+        .map(|part| part.abs().to_f64().unwrap_or(f64::INFINITY));
+    let fastest = ratios.fold(1.0, f64::max);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 1 and 64"
+    )]
+    let turns = (turns.abs() * fastest)
+        .ceil()
+        .clamp(1.0, MOST_TURNS_OF_FASTEST) as usize;
+    turns
 }

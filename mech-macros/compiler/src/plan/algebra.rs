@@ -1,63 +1,61 @@
-//! The arithmetic that geometry is written in: with numbers to assemble a mechanism now, with symbols to write the
-//! program that moves it later. The formulas stand only once.
+//! The arithmetic of geometry: with numbers it assembles a mechanism now, with symbols it makes the program that moves it later. So each
+//! formula stands once.
 
-use crate::model::Axis;
+use crate::model::{Arithmetic, Axis};
 
-/// Scalars and what can be done with them.
-pub(crate) trait Algebra {
-    /// A scalar.
-    type Scalar: Copy;
+/// An arithmetic with roots, vectors and the places of axes.
+pub(crate) trait Algebra<S: Copy>: Arithmetic<Scalar = S> {
+    fn sqrt(&mut self, a: S) -> S;
 
-    fn constant(&mut self, value: f64) -> Self::Scalar;
-    fn add(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
-    fn sub(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
-    fn mul(&mut self, a: Self::Scalar, b: Self::Scalar) -> Self::Scalar;
-    fn neg(&mut self, a: Self::Scalar) -> Self::Scalar;
+    /// Gives a value a name for readers. A number has none.
+    fn label(&mut self, value: S, _name: &str) -> S {
+        value
+    }
 
-    fn vector(&mut self, [x, y]: [f64; 2]) -> [Self::Scalar; 2] {
+    fn vector(&mut self, [x, y]: [f64; 2]) -> [S; 2] {
         [self.constant(x), self.constant(y)]
     }
 
     /// Where an axis is in its link: with numbers, at the start.
-    fn place(&mut self, axis: &Axis) -> [Self::Scalar; 2] {
+    fn place(&mut self, axis: &Axis) -> [S; 2] {
         self.vector(axis.at)
     }
 
-    /// The way from one axis of a link to another, in the link.
-    fn between(&mut self, from: &Axis, to: &Axis) -> [Self::Scalar; 2] {
+    /// The vector from one axis of a link to another, in the link.
+    fn between(&mut self, from: &Axis, to: &Axis) -> [S; 2] {
         self.vector([to.at[0] - from.at[0], to.at[1] - from.at[1]])
     }
 
-    fn plus(&mut self, a: [Self::Scalar; 2], b: [Self::Scalar; 2]) -> [Self::Scalar; 2] {
+    fn plus(&mut self, a: [S; 2], b: [S; 2]) -> [S; 2] {
         [self.add(a[0], b[0]), self.add(a[1], b[1])]
     }
 
-    fn minus(&mut self, a: [Self::Scalar; 2], b: [Self::Scalar; 2]) -> [Self::Scalar; 2] {
+    fn minus(&mut self, a: [S; 2], b: [S; 2]) -> [S; 2] {
         [self.sub(a[0], b[0]), self.sub(a[1], b[1])]
     }
 
-    fn scaled(&mut self, factor: Self::Scalar, v: [Self::Scalar; 2]) -> [Self::Scalar; 2] {
+    fn scale(&mut self, factor: S, v: [S; 2]) -> [S; 2] {
         [self.mul(factor, v[0]), self.mul(factor, v[1])]
     }
 
     /// The product of two complex numbers: turns `v` by the angle of the unit vector `by`.
-    fn turned(&mut self, by: [Self::Scalar; 2], v: [Self::Scalar; 2]) -> [Self::Scalar; 2] {
+    fn rotate(&mut self, by: [S; 2], v: [S; 2]) -> [S; 2] {
         let (cc, ss) = (self.mul(by[0], v[0]), self.mul(by[1], v[1]));
         let (sc, cs) = (self.mul(by[1], v[0]), self.mul(by[0], v[1]));
         [self.sub(cc, ss), self.add(sc, cs)]
     }
 
     /// The complex conjugate: the opposite angle.
-    fn conjugate(&mut self, v: [Self::Scalar; 2]) -> [Self::Scalar; 2] {
+    fn conjugate(&mut self, v: [S; 2]) -> [S; 2] {
         [v[0], self.neg(v[1])]
     }
 
-    fn dot(&mut self, a: [Self::Scalar; 2], b: [Self::Scalar; 2]) -> Self::Scalar {
+    fn dot(&mut self, a: [S; 2], b: [S; 2]) -> S {
         let (x, y) = (self.mul(a[0], b[0]), self.mul(a[1], b[1]));
         self.add(x, y)
     }
 
-    fn cross(&mut self, a: [Self::Scalar; 2], b: [Self::Scalar; 2]) -> Self::Scalar {
+    fn cross(&mut self, a: [S; 2], b: [S; 2]) -> S {
         let (p, q) = (self.mul(a[0], b[1]), self.mul(a[1], b[0]));
         self.sub(p, q)
     }
@@ -67,7 +65,7 @@ pub(crate) trait Algebra {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Numbers;
 
-impl Algebra for Numbers {
+impl Arithmetic for Numbers {
     type Scalar = f64;
 
     fn constant(&mut self, value: f64) -> f64 {
@@ -86,8 +84,18 @@ impl Algebra for Numbers {
         a * b
     }
 
+    fn div(&mut self, a: f64, b: f64) -> f64 {
+        a / b
+    }
+
     fn neg(&mut self, a: f64) -> f64 {
         -a
+    }
+}
+
+impl Algebra<f64> for Numbers {
+    fn sqrt(&mut self, a: f64) -> f64 {
+        a.sqrt()
     }
 }
 
@@ -99,53 +107,47 @@ pub(crate) struct Pose<S> {
 }
 
 impl<S: Copy> Pose<S> {
-    pub(crate) fn identity<A: Algebra<Scalar = S>>(algebra: &mut A) -> Self {
+    pub(crate) fn identity(algebra: &mut impl Algebra<S>) -> Self {
         Self {
             direction: algebra.vector([1.0, 0.0]),
             origin: algebra.vector([0.0, 0.0]),
         }
     }
 
+    /// Cosine, sine, x and y.
+    pub(crate) fn numbers(self) -> [S; 4] {
+        let ([cos, sin], [x, y]) = (self.direction, self.origin);
+        [cos, sin, x, y]
+    }
+
     /// Where an axis of the link is.
-    pub(crate) fn carry<A: Algebra<Scalar = S>>(self, algebra: &mut A, axis: &Axis) -> [S; 2] {
+    pub(crate) fn carry(self, algebra: &mut impl Algebra<S>, axis: &Axis) -> [S; 2] {
         let point = algebra.place(axis);
         self.carry_spot(algebra, point)
     }
 
     /// Where a spot of the link is.
-    pub(crate) fn carry_spot<A: Algebra<Scalar = S>>(
-        self,
-        algebra: &mut A,
-        spot: [S; 2],
-    ) -> [S; 2] {
-        let turned = algebra.turned(self.direction, spot);
+    pub(crate) fn carry_spot(self, algebra: &mut impl Algebra<S>, spot: [S; 2]) -> [S; 2] {
+        let turned = algebra.rotate(self.direction, spot);
         algebra.plus(self.origin, turned)
     }
 
     /// Where a point of the link is that no param moves.
-    pub(crate) fn carry_point<A: Algebra<Scalar = S>>(
-        self,
-        algebra: &mut A,
-        point: [f64; 2],
-    ) -> [S; 2] {
+    pub(crate) fn carry_point(self, algebra: &mut impl Algebra<S>, point: [f64; 2]) -> [S; 2] {
         let turned = self.turn(algebra, point);
         algebra.plus(self.origin, turned)
     }
 
     /// Where a direction of the link points.
-    pub(crate) fn turn<A: Algebra<Scalar = S>>(
-        self,
-        algebra: &mut A,
-        direction: [f64; 2],
-    ) -> [S; 2] {
+    pub(crate) fn turn(self, algebra: &mut impl Algebra<S>, direction: [f64; 2]) -> [S; 2] {
         let direction = algebra.vector(direction);
-        algebra.turned(self.direction, direction)
+        algebra.rotate(self.direction, direction)
     }
 
     /// The pose, in this pose's outer frame, of what is at `inner` in this frame.
-    pub(crate) fn then<A: Algebra<Scalar = S>>(self, algebra: &mut A, inner: Self) -> Self {
-        let direction = algebra.turned(self.direction, inner.direction);
-        let offset = algebra.turned(self.direction, inner.origin);
+    pub(crate) fn then(self, algebra: &mut impl Algebra<S>, inner: Self) -> Self {
+        let direction = algebra.rotate(self.direction, inner.direction);
+        let offset = algebra.rotate(self.direction, inner.origin);
         Self {
             direction,
             origin: algebra.plus(self.origin, offset),
@@ -153,9 +155,9 @@ impl<S: Copy> Pose<S> {
     }
 
     /// The pose of the outer frame, seen from this one.
-    pub(crate) fn inverse<A: Algebra<Scalar = S>>(self, algebra: &mut A) -> Self {
+    pub(crate) fn inverse(self, algebra: &mut impl Algebra<S>) -> Self {
         let direction = algebra.conjugate(self.direction);
-        let [x, y] = algebra.turned(direction, self.origin);
+        let [x, y] = algebra.rotate(direction, self.origin);
         Self {
             direction,
             origin: [algebra.neg(x), algebra.neg(y)],

@@ -1,9 +1,9 @@
-//! The start: every way in which the parts can be put together, and the one that is meant.
+//! The start: every assembly of the parts, and the one that is meant.
 
-use super::algebra::{Numbers, Pose};
-use super::closed_form::{Closure, close};
-use super::equation::Equation;
-use super::placement::{Coordinate, Placement};
+use super::algebra::Numbers;
+use super::closed_form::{LoopSolutions, solve};
+use super::equation::{Equation, Solution};
+use super::placement::Placement;
 use super::search::search;
 use super::step::{Cam, Connection, ConnectionKind, Loop, Source, Step};
 use crate::bug::bug;
@@ -11,10 +11,10 @@ use crate::model::{JointId, JointKind, LinkId, Model, Near};
 use crate::structure::{Diagnosis, LoopAssembly, OpenLoop};
 use std::f64::consts::TAU;
 
-/// No more assemblies than this are told apart from each other.
+/// No more assemblies than this are compared with each other.
 const MOST: usize = 64;
 
-/// Two assemblies are told apart by angles that differ by more than this.
+/// The angles of two assemblies differ by more than this.
 const APART: f64 = 1e-5;
 
 /// Where everything is at the start.
@@ -49,7 +49,7 @@ struct Draft<'m> {
     placement: Placement<'m, f64>,
     meshes: Vec<f64>,
     cams: Vec<CamStart>,
-    /// Which of its ways each loop is closed in, in the order of the loops.
+    /// The number of each loop's assembly, in the order of the loops.
     solutions: Vec<usize>,
 }
 
@@ -70,35 +70,20 @@ pub(super) fn assemble(
     let mut wishes: Vec<Near> = model.start.near.clone();
     for step in steps {
         drafts = match step {
-            Step::Weld(connection) => drafts
+            Step::Close(closing) => close_loop(model, &drafts, closing)?,
+            step => drafts
                 .into_iter()
-                .map(|draft| draft.put(*connection, 0.0))
-                .collect(),
-            Step::Drive(drive) => {
-                let value = model.start.value(drive.connection.joint);
-                drafts
-                    .into_iter()
-                    .map(|draft| draft.put(drive.connection, value))
-                    .collect()
-            }
-            Step::Mesh(mesh) => {
-                let value = start_along(model, mesh.connection);
-                drafts
-                    .into_iter()
-                    .map(|draft| draft.mesh(mesh.connection, value))
-                    .collect()
-            }
-            Step::Cam(cam) => drafts
-                .into_iter()
-                .map(|draft| draft.cam(model, steps, cam))
+                .map(|draft| draft.follow(model, steps, step))
                 .collect::<Result<_, _>>()?,
-            Step::Close(closing) => closed(model, &drafts, closing)?,
         };
-        drafts = as_drawn(model, drafts)?;
+        drafts = keep_as_drawn(model, drafts)?;
         wishes.retain(|wish| {
-            let ready = drafts
-                .iter()
-                .all(|draft| draft.placement.clusters.joined(wish.link, LinkId::GROUND));
+            let ready = drafts.iter().all(|draft| {
+                draft
+                    .placement
+                    .clusters
+                    .are_joined(wish.link, LinkId::GROUND)
+            });
             if ready {
                 keep_nearest(&mut drafts, *wish);
             }
@@ -118,26 +103,17 @@ pub(super) fn assemble(
 /// Of very many drafts, keeps the first and those in which one loop is closed otherwise.
 fn keep_alike(drafts: &mut Vec<Draft<'_>>) {
     if let Some(first) = drafts.first().map(|draft| draft.solutions.clone()) {
-        drafts.retain(|draft| differing(&draft.solutions, &first).count() <= 1);
+        drafts.retain(|draft| differing_loops(&draft.solutions, &first).count() <= 1);
     }
 }
 
 /// The loops that are closed otherwise.
-fn differing(a: &[usize], b: &[usize]) -> impl Iterator<Item = usize> {
+fn differing_loops(a: &[usize], b: &[usize]) -> impl Iterator<Item = usize> {
     let pairs: Vec<bool> = a.iter().zip(b).map(|(a, b)| a != b).collect();
     (0..pairs.len()).filter(move |&number| pairs[number])
 }
 
-fn flat(pose: Pose<f64>) -> [f64; 4] {
-    [
-        pose.direction[0],
-        pose.direction[1],
-        pose.origin[0],
-        pose.origin[1],
-    ]
-}
-
-/// The start value of a connection's joint, for one who walks the connection.
+/// The start value of a connection's joint, from the connection's first axis to its second.
 fn start_along(model: &Model, connection: Connection) -> f64 {
     let forwards = model.ends(connection.joint).1 == model.axis(connection.to).link;
     let value = model.start.value(connection.joint);
@@ -159,18 +135,31 @@ fn start_is_free(model: &Model, steps: &[Step]) -> Result<(), Diagnosis> {
 }
 
 impl Draft<'_> {
+    /// The draft after a step that closes no loop.
+    fn follow(mut self, model: &Model, steps: &[Step], step: &Step) -> Result<Self, Diagnosis> {
+        Ok(match step {
+            Step::Weld(connection) => self.put(*connection, 0.0),
+            Step::Drive(drive) => {
+                let value = model.start.value(drive.connection.joint);
+                self.put(drive.connection, value)
+            }
+            Step::Mesh(mesh) => {
+                let value = start_along(model, mesh.connection);
+                self.meshes.push(value);
+                self.put(mesh.connection, value)
+            }
+            Step::Cam(cam) => self.cam(model, steps, cam)?,
+            Step::Close(_) => self,
+        })
+    }
+
     fn put(mut self, connection: Connection, value: f64) -> Self {
         let coordinate = match connection.kind {
-            ConnectionKind::Revolute => Coordinate::Turn([value.cos(), value.sin()]),
-            ConnectionKind::Prismatic => Coordinate::Slide(value),
+            ConnectionKind::Revolute => Solution::Direction([value.cos(), value.sin()]),
+            ConnectionKind::Prismatic => Solution::Slide(value),
         };
         self.placement.connect(&mut Numbers, connection, coordinate);
         self
-    }
-
-    fn mesh(mut self, connection: Connection, value: f64) -> Self {
-        self.meshes.push(value);
-        self.put(connection, value)
     }
 
     /// Puts a follower where the law of its cam has it.
@@ -205,9 +194,8 @@ impl Draft<'_> {
         }
         match model.joint(joint).kind {
             JointKind::Revolute(from, to) => {
-                let [a, b] = self.placement.heading(&mut Numbers, from);
-                let [c, d] = self.placement.heading(&mut Numbers, to);
-                (a * d - b * c).atan2(a * c + b * d)
+                let axes = [from, to];
+                angle_between(axes.map(|axis| self.placement.heading(&mut Numbers, axis)))
             }
             _ => self.placement.sliding_coordinate(&mut Numbers, joint),
         }
@@ -217,7 +205,7 @@ impl Draft<'_> {
         Assembly {
             poses: model
                 .link_ids()
-                .map(|link| flat(self.placement.pose(link)))
+                .map(|link| self.placement.pose(link).numbers())
                 .collect(),
             motors: model
                 .motors
@@ -237,17 +225,20 @@ impl Draft<'_> {
         match source {
             Source::Motor(motor) => model.start.value(model.motor(motor).joint),
             Source::Angle { from, to } => {
-                let [a, b] = self.placement.pose(from).direction;
-                let [c, d] = self.placement.pose(to).direction;
-                (a * d - b * c).atan2(a * c + b * d)
+                angle_between([from, to].map(|link| self.placement.pose(link).direction))
             }
             Source::Displacement(joint) => self.placement.sliding_coordinate(&mut Numbers, joint),
         }
     }
 }
 
-/// Every way of closing a loop, for every draft.
-fn closed<'m>(
+/// The angle from one direction to another, between −π and π.
+fn angle_between([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
+    (a * d - b * c).atan2(a * c + b * d)
+}
+
+/// Every assembly of a loop, for every draft.
+fn close_loop<'m>(
     model: &Model,
     drafts: &[Draft<'m>],
     closing: &Loop,
@@ -257,12 +248,16 @@ fn closed<'m>(
     let mut found = Vec::new();
     for draft in drafts {
         let equation = Equation::new(&mut Numbers, &draft.placement, closing);
-        let closure = close(&equation).unwrap_or_else(|| {
+        let solutions = solve(&equation).unwrap_or_else(|| {
             let first = draft.placement.base(closing.first().from);
-            search(&equation, &|base| wanted(model, first, base), size(model))
+            search(
+                &equation,
+                &|base| wanted_direction(model, first, base),
+                size(model),
+            )
         });
-        match closure {
-            Closure::Solutions(solutions) => {
+        match solutions {
+            LoopSolutions::Found(solutions) => {
                 for (number, solution) in solutions.into_iter().enumerate() {
                     let mut draft = draft.clone();
                     draft.solutions.push(number);
@@ -270,8 +265,8 @@ fn closed<'m>(
                     found.push(draft);
                 }
             }
-            Closure::Gap(missing) => gap = gap.min(missing),
-            Closure::Dead => dead = true,
+            LoopSolutions::Gap(missing) => gap = gap.min(missing),
+            LoopSolutions::DeadPoint => dead = true,
         }
     }
     if !found.is_empty() {
@@ -293,7 +288,7 @@ fn closed<'m>(
 }
 
 /// The direction in which the start wants a link, seen from the first cluster's base; of a drawn link the drawn one.
-fn wanted(model: &Model, first: LinkId, link: LinkId) -> Option<[f64; 2]> {
+fn wanted_direction(model: &Model, first: LinkId, link: LinkId) -> Option<[f64; 2]> {
     let angle = |link: LinkId| {
         let near = model.start.near.iter().find(|near| near.link == link);
         let drawn = link == LinkId::GROUND || model.link(link).drawn;
@@ -313,20 +308,19 @@ fn size(model: &Model) -> f64 {
 /// Keeps the drafts in which this link points nearest to where it is wanted.
 fn keep_nearest(drafts: &mut Vec<Draft<'_>>, wish: Near) {
     let away = |draft: &Draft<'_>| {
-        let [cos, sin] = draft.placement.pose(wish.link).direction;
-        let (s, c) = wish.angle.sin_cos();
-        (sin * c - cos * s).atan2(cos * c + sin * s).abs()
+        let (sin, cos) = wish.angle.sin_cos();
+        angle_between([[cos, sin], draft.placement.pose(wish.link).direction]).abs()
     };
     let least = drafts.iter().map(away).fold(f64::INFINITY, f64::min);
     drafts.retain(|draft| away(draft) <= least + 1e-6);
 }
 
 /// Keeps the drafts that leave the links of the drawing where they were drawn.
-fn as_drawn<'m>(model: &Model, drafts: Vec<Draft<'m>>) -> Result<Vec<Draft<'m>>, Diagnosis> {
+fn keep_as_drawn<'m>(model: &Model, drafts: Vec<Draft<'m>>) -> Result<Vec<Draft<'m>>, Diagnosis> {
     let mut astray = None;
     let mut kept = Vec::new();
     for draft in drafts {
-        match strayed(model, &draft.placement) {
+        match misplaced_link(model, &draft.placement) {
             None => kept.push(draft),
             Some(link) => astray = astray.or(Some(link)),
         }
@@ -338,7 +332,7 @@ fn as_drawn<'m>(model: &Model, drafts: Vec<Draft<'m>>) -> Result<Vec<Draft<'m>>,
 }
 
 /// A drawn link that is not where it was drawn, relative to the drawn link before it in its cluster.
-fn strayed(model: &Model, placement: &Placement<'_, f64>) -> Option<LinkId> {
+fn misplaced_link(model: &Model, placement: &Placement<'_, f64>) -> Option<LinkId> {
     let drawn = |link: LinkId| link == LinkId::GROUND || model.link(link).drawn;
     let size = size(model);
     // The first drawn link of each cluster stands for it.
@@ -346,7 +340,10 @@ fn strayed(model: &Model, placement: &Placement<'_, f64>) -> Option<LinkId> {
     model.link_ids().filter(|&link| drawn(link)).find(|&link| {
         let cluster = placement.clusters.base(link);
         let known = *first[cluster.index()].get_or_insert(link);
-        let (here, there) = (flat(placement.pose(link)), flat(placement.pose(known)));
+        let (here, there) = (
+            placement.pose(link).numbers(),
+            placement.pose(known).numbers(),
+        );
         let scale = [1.0, 1.0, size, size];
         (0..4).any(|i| (here[i] - there[i]).abs() > 1e-7 * scale[i])
     })
@@ -364,12 +361,12 @@ fn turn(a: f64, b: f64) -> f64 {
     off.min(TAU - off)
 }
 
-/// Which links tell the assemblies apart, and by which angles.
+/// The links by whose angles the assemblies differ, and these angles.
 fn several(model: &Model, steps: &[Step], drafts: &[Draft<'_>], many: bool) -> Diagnosis {
     let placed = |link: &LinkId| {
         drafts
             .iter()
-            .all(|draft| draft.placement.clusters.joined(*link, LinkId::GROUND))
+            .all(|draft| draft.placement.clusters.are_joined(*link, LinkId::GROUND))
     };
     let same = |a: &Draft<'_>, b: &Draft<'_>, link| turn(angle(a, link), angle(b, link)) < APART;
     let mut links: Vec<LinkId> = Vec::new();
@@ -395,7 +392,7 @@ fn several(model: &Model, steps: &[Step], drafts: &[Draft<'_>], many: bool) -> D
     }
 }
 
-/// The loops that can be closed in several ways, all others as in the first draft.
+/// The loops that have several assemblies while all others are as in the first draft.
 fn open_loops(model: &Model, steps: &[Step], drafts: &[Draft<'_>]) -> Vec<OpenLoop> {
     let closings = steps.iter().filter_map(|step| match step {
         Step::Close(closing) => Some(closing),
@@ -407,14 +404,14 @@ fn open_loops(model: &Model, steps: &[Step], drafts: &[Draft<'_>]) -> Vec<OpenLo
     let open = |(number, closing): (usize, &Loop)| {
         let others = others.iter();
         let others =
-            others.filter(|draft| differing(&draft.solutions, &first.solutions).eq([number]));
+            others.filter(|draft| differing_loops(&draft.solutions, &first.solutions).eq([number]));
         let all: Vec<&Draft<'_>> = std::iter::once(first).chain(others).collect();
         open_loop(model, steps, closing, &all)
     };
     closings.enumerate().filter_map(open).collect()
 }
 
-/// A loop by the link whose angle tells its ways apart best, and by the joint whose coordinate does.
+/// A loop, with the link by whose angle its assemblies differ most, and the joint by whose coordinate they do.
 fn open_loop(
     model: &Model,
     steps: &[Step],

@@ -17,12 +17,12 @@ pub(super) struct Between {
 }
 
 impl Between {
-    /// The connection, walked away from this cluster.
+    /// The connection, from this cluster to the other.
     pub(super) fn from(self, base: LinkId) -> Connection {
         if base == self.a {
             self.connection
         } else {
-            self.connection.reversed()
+            self.connection.reverse()
         }
     }
 
@@ -32,7 +32,7 @@ impl Between {
     }
 
     fn slides(self) -> bool {
-        self.connection.kind == ConnectionKind::Prismatic
+        self.connection.slides()
     }
 }
 
@@ -69,7 +69,7 @@ pub(super) fn rings(model: &Model, all: &[Between]) -> Vec<Block> {
                 .get(start)
                 .filter(|known| (known.a, known.b) == (near.a, across.b));
             if let Some(ring) = far.and_then(|far| triangle(*near, *across, *far)) {
-                let tree = vec![ring[0], ring[2].reversed()];
+                let tree = vec![ring[0], ring[2].reverse()];
                 found.push(([near.a, near.b, across.b], (vec![ring], tree)));
             }
         }
@@ -84,13 +84,7 @@ fn triangle(near: Between, across: Between, far: Between) -> Option<Vec<Connecti
     // Three clusters on one pin are no loop, and three slides say only two things.
     let one_pin = near.pin.is_some() && near.pin == far.pin && far.pin == across.pin;
     let turns = !(near.slides() && across.slides() && far.slides());
-    (turns && !one_pin).then(|| {
-        vec![
-            near.connection,
-            across.connection,
-            far.connection.reversed(),
-        ]
-    })
+    (turns && !one_pin).then(|| vec![near.connection, across.connection, far.connection.reverse()])
 }
 
 /// The ring that two connections between the same two clusters form, if it determines their places: two slides that are not
@@ -107,5 +101,5 @@ fn wedge(model: &Model, first: Between, second: Between) -> Option<Vec<Connectio
     let parallel = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]).abs() < 1e-12;
     let aligned = (p.0.link == q.0.link && parallel(p.0.direction, q.0.direction))
         || (p.1.link == q.1.link && parallel(p.1.direction, q.1.direction));
-    (same && !aligned).then(|| vec![first.connection, second.connection.reversed()])
+    (same && !aligned).then(|| vec![first.connection, second.connection.reverse()])
 }

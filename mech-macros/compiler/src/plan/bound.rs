@@ -32,7 +32,7 @@ pub enum Growth {
     FarOut(usize, f64),
 }
 
-/// More causes of growth are not told one by one.
+/// More causes of growth than this are not listed one by one.
 const MOST_GROWTH: usize = 8;
 
 impl Growth {
@@ -92,7 +92,7 @@ impl Bound {
                 None => self.growth.push(other),
             }
         }
-        // Of a long chain the last loops tell most, and a list of all before each would be longer than the rest of the program.
+        // Of a long chain the last loops matter most, and a list of all before each would be longer than the whole program.
         let beyond = self.growth.len().saturating_sub(MOST_GROWTH);
         self.guessed |= beyond > 0;
         self.growth.drain(..beyond);

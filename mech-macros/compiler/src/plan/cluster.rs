@@ -23,7 +23,7 @@ impl Clusters {
     }
 
     /// Whether the relative position of two links is known.
-    pub(crate) fn joined(&self, a: LinkId, b: LinkId) -> bool {
+    pub(crate) fn are_joined(&self, a: LinkId, b: LinkId) -> bool {
         self.base(a) == self.base(b)
     }
 

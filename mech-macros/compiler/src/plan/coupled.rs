@@ -17,7 +17,7 @@ pub(super) fn block(connections: &[Between], set: &[LinkId]) -> Option<Block> {
     leave_ends(&mut left);
     let left = independent(&left);
     let first = left.iter().map(|between| between.a).min()?;
-    let (tree, chords) = spanning(&left, first);
+    let (tree, chords) = spanning_tree(&left, first);
     let rings: Vec<Vec<Connection>> = chords.iter().map(|chord| ring(&tree, *chord)).collect();
     let tree = match &rings[..] {
         [ring] => ring[..ring.len() - 1].to_vec(),
@@ -27,13 +27,13 @@ pub(super) fn block(connections: &[Between], set: &[LinkId]) -> Option<Block> {
 }
 
 /// Two clusters that two connections hold: one turning joint and any other. That is once more than it takes.
-pub(super) fn held_twice(connections: &[Between]) -> Option<Block> {
+pub(super) fn redundant_block(connections: &[Between]) -> Option<Block> {
     let turns = |between: &Between| between.connection.kind == ConnectionKind::Revolute;
     let twice = |pair: &&[Between]| {
         (pair[0].a, pair[0].b) == (pair[1].a, pair[1].b) && pair.iter().any(turns)
     };
     let pair = connections.windows(2).find(twice)?;
-    let ring = vec![pair[0].connection, pair[1].connection.reversed()];
+    let ring = vec![pair[0].connection, pair[1].connection.reverse()];
     let tree = if pair[0].connection.kind == ConnectionKind::Revolute {
         ring[0]
     } else {
@@ -96,7 +96,7 @@ struct Branch {
 }
 
 /// A tree over all clusters, from the first, in breadth; and the connections that are not in it.
-fn spanning(left: &[Between], first: LinkId) -> (Vec<Branch>, Vec<Between>) {
+fn spanning_tree(left: &[Between], first: LinkId) -> (Vec<Branch>, Vec<Between>) {
     let mut tree: Vec<Branch> = Vec::new();
     let mut chords = left.to_vec();
     let mut queue = std::collections::VecDeque::from([first]);
@@ -131,11 +131,11 @@ fn ring(tree: &[Branch], chord: Between) -> Vec<Connection> {
         up.remove(0);
     }
     down.push(chord.connection);
-    down.extend(up.into_iter().rev().map(Connection::reversed));
+    down.extend(up.into_iter().rev().map(Connection::reverse));
     down
 }
 
-/// The way from the root of the tree to a cluster.
+/// The path from the root of the tree to a cluster.
 fn path(tree: &[Branch], to: LinkId) -> Vec<Connection> {
     let mut path = Vec::new();
     let mut at = to;

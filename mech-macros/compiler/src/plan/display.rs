@@ -9,7 +9,7 @@ use super::triad::Triad;
 use crate::model::{AxisId, JointId, LinkId, Model};
 use std::fmt::{self, Display, Formatter};
 
-/// A plan with the model that has its names: printing it writes one line for each step.
+/// A plan with the model that has its names: it is printed as one line for each step.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanText<'a> {
     plan: &'a Plan,
@@ -34,7 +34,7 @@ impl Display for PlanText<'_> {
                 loops += 1;
             }
             let what = self.step(step, loops, &clusters);
-            let placed = self.placed(step, &mut clusters);
+            let placed = self.placement_text(step, &mut clusters);
             writeln!(f, "{}. {what}; {placed}", number + 1)?;
         }
         Ok(())
@@ -63,11 +63,11 @@ impl PlanText<'_> {
                 self.joint(cam.connection.joint),
                 self.parts(&cam.parts).join(" + ")
             ),
-            Step::Close(closing) => self.closing(closing, loops, clusters),
+            Step::Close(closing) => self.loop_text(closing, loops, clusters),
         }
     }
 
-    fn closing(&self, closing: &Loop, number: usize, clusters: &Clusters) -> String {
+    fn loop_text(&self, closing: &Loop, number: usize, clusters: &Clusters) -> String {
         let unknowns: Vec<String> = closing
             .connections()
             .map(|unknown| {
@@ -120,7 +120,7 @@ impl PlanText<'_> {
     }
 
     /// Which links a step places, and relative to what: it merges their clusters.
-    fn placed(&self, step: &Step, clusters: &mut Clusters) -> String {
+    fn placement_text(&self, step: &Step, clusters: &mut Clusters) -> String {
         let mut bases: Vec<LinkId> = step
             .connections()
             .iter()

@@ -1,11 +1,11 @@
-//! The closure of loops: the way round each ring is zero.
+//! The equations of loops: the vectors round each ring add to zero.
 //!
-//! Of the unknown coordinates, those of sliding joints are kept, and those of turning ones are replaced by the directions of
+//! Of the unknown coordinates, those of sliding joints remain, and those of turning ones are replaced by the directions of
 //! the clusters between them. For a loop of three unknowns the angle row of the 3×3 system (its entries are 0 and 1) is thereby
 //! already eliminated: two unknowns and two equations remain.
 
 use super::algebra::Algebra;
-use super::placement::{Coordinate, Placement};
+use super::placement::Placement;
 use super::step::{Connection, ConnectionKind, Loop};
 use crate::model::{JointId, LinkId};
 
@@ -18,7 +18,7 @@ pub enum Unknown {
     Slide(JointId),
 }
 
-/// The ways round the rings of a loop: each must come to zero.
+/// The equations of a loop: the vectors round each of its rings must add to zero.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Equation<S> {
     /// One for each ring.
@@ -29,18 +29,18 @@ pub(crate) struct Equation<S> {
     classes: Vec<(LinkId, Class<S>)>,
 }
 
-/// The way round a ring: the sum of what is known, of arms turned by unknown directions, and of unknown ways.
+/// The vectors round a ring: what is known, arms turned by unknown directions, and unknown displacements.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Ring<S> {
     /// What is known, in the frame of the first cluster.
     pub(crate) offset: [S; 2],
-    /// For each unknown that is a direction, the way across everything that turns with it, in its own frame.
+    /// For each unknown that is a direction, the sum of everything that turns with it, in its own frame.
     pub(crate) arms: Vec<Option<[S; 2]>>,
-    /// The slides that are walked.
+    /// The slides in the ring.
     pub(crate) slides: Vec<Slide<S>>,
 }
 
-/// A slide on the way round a ring.
+/// A slide in a ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Slide<S> {
     /// Which unknown its coordinate is.
@@ -70,42 +70,64 @@ pub(crate) enum Solution<S> {
     Slide(S),
 }
 
-impl<S> Solution<S> {
+impl<S: Copy> Solution<S> {
     /// Whether it is a direction.
     pub(crate) fn is_direction(&self) -> bool {
         matches!(self, Self::Direction(_))
     }
+
+    /// Its numbers: a cosine and a sine, or a length.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = S> + use<S> {
+        let (first, second) = match *self {
+            Self::Direction([cos, sin]) => (cos, Some(sin)),
+            Self::Slide(displacement) => (displacement, None),
+        };
+        std::iter::once(first).chain(second)
+    }
 }
 
-/// What was found on the way round every ring.
+/// The residuals of all rings.
 #[derive(Clone, Debug)]
 pub(crate) struct Residuals<S> {
     /// One for each ring.
     pub(crate) rings: Vec<RingResidual<S>>,
 }
 
-/// What was found on the way round a ring.
+impl<S: Copy> Residuals<S> {
+    /// What is missing for all rings to close.
+    pub(crate) fn gap(&self) -> Vec<S> {
+        self.rings.iter().flat_map(|ring| ring.gap).collect()
+    }
+
+    /// The vectors that all gaps are made of.
+    pub(crate) fn sides(&self) -> Vec<[S; 2]> {
+        let sides = self.rings.iter().flat_map(|ring| &ring.sides);
+        sides.map(|(_, side)| *side).collect()
+    }
+}
+
+/// The residual of a ring.
 #[derive(Clone, Debug)]
 pub(crate) struct RingResidual<S> {
     /// What is missing for the ring to close.
     pub(crate) gap: [S; 2],
-    /// The rate of the gap with each unknown: with the angle of a direction, with a way.
+    /// The rate of the gap with each unknown: with the angle of a direction, or with a displacement.
     pub(crate) columns: Vec<[S; 2]>,
-    /// The vectors that the way is made of, each with the unknown direction that turns it, if one does.
+    /// The vectors that add to the gap, each with the unknown direction that turns it, if one does.
     pub(crate) sides: Vec<(Option<usize>, [S; 2])>,
 }
 
 impl<S: Copy + PartialEq> Equation<S> {
     /// Sets up the equations of a loop.
-    pub(crate) fn new<A: Algebra<Scalar = S>>(
-        algebra: &mut A,
+    pub(crate) fn new(
+        algebra: &mut impl Algebra<S>,
         placement: &Placement<'_, S>,
         closing: &Loop,
     ) -> Self {
         let (classes, mut unknowns) = classes(algebra, placement, closing);
         for connection in closing.rings.iter().flatten() {
             let unknown = Unknown::Slide(connection.joint);
-            if connection.kind == ConnectionKind::Prismatic && !unknowns.contains(&unknown) {
+            if connection.slides() && !unknowns.contains(&unknown) {
                 unknowns.push(unknown);
             }
         }
@@ -121,16 +143,9 @@ impl<S: Copy + PartialEq> Equation<S> {
         equation
     }
 
-    fn class(&self, base: LinkId) -> Option<Class<S>> {
-        self.classes
-            .iter()
-            .find(|(known, _)| *known == base)
-            .map(|(_, class)| *class)
-    }
-
-    fn ring<A: Algebra<Scalar = S>>(
+    fn ring(
         &self,
-        algebra: &mut A,
+        algebra: &mut impl Algebra<S>,
         placement: &Placement<'_, S>,
         ring: &[Connection],
     ) -> Ring<S> {
@@ -139,19 +154,14 @@ impl<S: Copy + PartialEq> Equation<S> {
         let mut slides = Vec::new();
         for (index, connection) in ring.iter().enumerate() {
             let before = ring[(index + ring.len() - 1) % ring.len()];
-            let Some(class) = self.class(placement.base(connection.from)) else {
+            let Some(class) = class_of(&self.classes, placement.base(connection.from)) else {
                 continue;
             };
             let span = placement.span(algebra, before.to, connection.from);
-            let part = algebra.turned(class.turn, span);
+            let part = algebra.rotate(class.turn, span);
             match class.unknown {
                 None => offset = algebra.plus(offset, part),
-                Some(unknown) => {
-                    arms[unknown] = Some(match arms[unknown] {
-                        None => part,
-                        Some(arm) => algebra.plus(arm, part),
-                    });
-                }
+                Some(unknown) => extend(algebra, &mut arms[unknown], part),
             }
             let slide = Unknown::Slide(connection.joint);
             if let (ConnectionKind::Prismatic, Some(unknown)) = (
@@ -159,7 +169,7 @@ impl<S: Copy + PartialEq> Equation<S> {
                 self.unknowns.iter().position(|unknown| *unknown == slide),
             ) {
                 let heading = placement.heading(algebra, connection.from);
-                let [x, y] = algebra.turned(class.turn, heading);
+                let [x, y] = algebra.rotate(class.turn, heading);
                 let along = if placement.as_declared(*connection) {
                     [x, y]
                 } else {
@@ -201,10 +211,10 @@ impl<S: Copy + PartialEq> Equation<S> {
         }
     }
 
-    /// Walks every ring with these values of the unknowns.
-    pub(crate) fn residuals<A: Algebra<Scalar = S>>(
+    /// The residuals at these values of the unknowns.
+    pub(crate) fn residuals(
         &self,
-        algebra: &mut A,
+        algebra: &mut impl Algebra<S>,
         now: &[Solution<S>],
     ) -> Residuals<S> {
         let rings = self
@@ -215,9 +225,9 @@ impl<S: Copy + PartialEq> Equation<S> {
         Residuals { rings }
     }
 
-    fn ring_residual<A: Algebra<Scalar = S>>(
+    fn ring_residual(
         &self,
-        algebra: &mut A,
+        algebra: &mut impl Algebra<S>,
         ring: &Ring<S>,
         now: &[Solution<S>],
     ) -> RingResidual<S> {
@@ -230,14 +240,11 @@ impl<S: Copy + PartialEq> Equation<S> {
             let Solution::Slide(displacement) = now[slide.unknown] else {
                 continue;
             };
-            let part = algebra.scaled(displacement, slide.along);
+            let part = algebra.scale(displacement, slide.along);
             let turning = slide.turned_by.map(|turning| (turning, &now[turning]));
             if let Some((turning, Solution::Direction(direction))) = turning {
-                arms[turning] = Some(match arms[turning] {
-                    Some(arm) => algebra.plus(arm, part),
-                    None => part,
-                });
-                let rate = algebra.turned(*direction, slide.along);
+                extend(algebra, &mut arms[turning], part);
+                let rate = algebra.rotate(*direction, slide.along);
                 columns[slide.unknown] = algebra.plus(columns[slide.unknown], rate);
             } else {
                 gap = algebra.plus(gap, part);
@@ -247,7 +254,7 @@ impl<S: Copy + PartialEq> Equation<S> {
         }
         for (unknown, arm) in arms.into_iter().enumerate() {
             if let (Some(arm), Solution::Direction(direction)) = (arm, now[unknown]) {
-                let side = algebra.turned(direction, arm);
+                let side = algebra.rotate(direction, arm);
                 gap = algebra.plus(gap, side);
                 sides.push((Some(unknown), side));
                 columns[unknown] = [algebra.neg(side[1]), side[0]];
@@ -260,10 +267,10 @@ impl<S: Copy + PartialEq> Equation<S> {
         }
     }
 
-    /// Puts the solution into effect: the clusters become one.
-    pub(crate) fn place<A: Algebra<Scalar = S>>(
+    /// Places the clusters by the solution: they become one.
+    pub(crate) fn place(
         &self,
-        algebra: &mut A,
+        algebra: &mut impl Algebra<S>,
         placement: &mut Placement<'_, S>,
         closing: &Loop,
         solution: &[Solution<S>],
@@ -271,12 +278,12 @@ impl<S: Copy + PartialEq> Equation<S> {
         for connection in &closing.tree {
             match connection.kind {
                 ConnectionKind::Revolute => {
-                    let Some(class) = self.class(placement.base(connection.to)) else {
+                    let Some(class) = class_of(&self.classes, placement.base(connection.to)) else {
                         continue;
                     };
                     let direction = match class.unknown.map(|unknown| solution[unknown]) {
                         Some(Solution::Direction(direction)) => {
-                            algebra.turned(direction, class.turn)
+                            algebra.rotate(direction, class.turn)
                         }
                         _ => class.turn,
                     };
@@ -293,7 +300,7 @@ impl<S: Copy + PartialEq> Equation<S> {
                         } else {
                             algebra.neg(displacement)
                         };
-                        placement.connect(algebra, *connection, Coordinate::Slide(displacement));
+                        placement.connect(algebra, *connection, Solution::Slide(displacement));
                     }
                 }
             }
@@ -301,9 +308,14 @@ impl<S: Copy + PartialEq> Equation<S> {
     }
 }
 
+/// Adds a part to an arm.
+fn extend<S: Copy>(algebra: &mut impl Algebra<S>, arm: &mut Option<[S; 2]>, part: [S; 2]) {
+    *arm = Some(arm.map_or(part, |arm| algebra.plus(arm, part)));
+}
+
 /// How the clusters of a loop are turned relative to the first, and which of them turn by themselves.
-fn classes<A: Algebra<Scalar = S>, S: Copy>(
-    algebra: &mut A,
+fn classes<S: Copy>(
+    algebra: &mut impl Algebra<S>,
     placement: &Placement<'_, S>,
     closing: &Loop,
 ) -> (Vec<(LinkId, Class<S>)>, Vec<Unknown>) {
@@ -327,13 +339,13 @@ fn classes<A: Algebra<Scalar = S>, S: Copy>(
         .rings
         .iter()
         .flatten()
-        .filter(|connection| connection.kind == ConnectionKind::Prismatic)
-        .flat_map(|&connection| [connection, connection.reversed()])
+        .filter(|connection| connection.slides())
+        .flat_map(|&connection| [connection, connection.reverse()])
         .collect();
     spread(algebra, placement, &slides, &mut classes);
     for connection in &closing.tree {
         let base = placement.base(connection.to);
-        if classes.iter().all(|(known, _)| *known != base) {
+        if class_of(&classes, base).is_none() {
             classes.push((
                 base,
                 Class {
@@ -348,19 +360,19 @@ fn classes<A: Algebra<Scalar = S>, S: Copy>(
     (classes, unknowns)
 }
 
+/// How the cluster with this base is turned, if that is known.
+fn class_of<S: Copy>(classes: &[(LinkId, Class<S>)], base: LinkId) -> Option<Class<S>> {
+    let mut known = classes.iter().filter(|(known, _)| *known == base);
+    known.next().map(|(_, class)| *class)
+}
+
 /// What slides on a cluster of known class is of that class too.
-fn spread<A: Algebra<Scalar = S>, S: Copy>(
-    algebra: &mut A,
+fn spread<S: Copy>(
+    algebra: &mut impl Algebra<S>,
     placement: &Placement<'_, S>,
     slides: &[Connection],
     classes: &mut Vec<(LinkId, Class<S>)>,
 ) {
-    let known = |classes: &[(LinkId, Class<S>)], base| {
-        classes
-            .iter()
-            .find(|(known, _)| *known == base)
-            .map(|entry| entry.1)
-    };
     let mut grown = true;
     while std::mem::take(&mut grown) {
         for &connection in slides {
@@ -368,9 +380,9 @@ fn spread<A: Algebra<Scalar = S>, S: Copy>(
                 placement.base(connection.from),
                 placement.base(connection.to),
             );
-            if let (Some(class), None) = (known(classes, from), known(classes, to)) {
+            if let (Some(class), None) = (class_of(classes, from), class_of(classes, to)) {
                 let turn = across_slide(algebra, placement, connection);
-                let turn = algebra.turned(class.turn, turn);
+                let turn = algebra.rotate(class.turn, turn);
                 classes.push((to, Class { turn, ..class }));
                 grown = true;
             }
@@ -379,13 +391,13 @@ fn spread<A: Algebra<Scalar = S>, S: Copy>(
 }
 
 /// The direction of the base of the second cluster relative to that of the first: sliding keeps it.
-fn across_slide<A: Algebra<Scalar = S>, S: Copy>(
-    algebra: &mut A,
+fn across_slide<S: Copy>(
+    algebra: &mut impl Algebra<S>,
     placement: &Placement<'_, S>,
     connection: Connection,
 ) -> [S; 2] {
     let from = placement.heading(algebra, connection.from);
     let to = placement.heading(algebra, connection.to);
     let back = algebra.conjugate(to);
-    algebra.turned(from, back)
+    algebra.rotate(from, back)
 }

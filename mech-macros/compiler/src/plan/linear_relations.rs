@@ -63,7 +63,7 @@ impl LinearForm {
         of(to).plus(&-Rational::one(), &of(from))
     }
 
-    /// The way of a sliding joint.
+    /// The displacement of a sliding joint.
     pub(crate) fn slide(joint: JointId) -> Self {
         Self::term(Variable::Slide(joint))
     }
@@ -86,7 +86,7 @@ impl LinearForm {
         self
     }
 
-    fn scaled(self, factor: &Rational) -> Self {
+    fn scale(self, factor: &Rational) -> Self {
         Self::default().plus(factor, &self)
     }
 }
@@ -98,7 +98,7 @@ pub(crate) struct LinearRelations(BTreeMap<Variable, LinearForm>);
 impl LinearRelations {
     /// Notes that a combination is constant.
     pub(crate) fn add(&mut self, combination: &LinearForm) {
-        let mut remainder = self.reduced(combination);
+        let mut remainder = self.reduce(combination);
         let pivot = remainder
             .0
             .keys()
@@ -110,7 +110,7 @@ impl LinearRelations {
         let Some(coefficient) = remainder.0.remove(&pivot) else {
             return;
         };
-        let value = remainder.scaled(&-coefficient.recip());
+        let value = remainder.scale(&-coefficient.recip());
         for known in self.0.values_mut() {
             if let Some(coefficient) = known.0.remove(&pivot) {
                 *known = std::mem::take(known).plus(&coefficient, &value);
@@ -121,7 +121,7 @@ impl LinearRelations {
 
     /// A combination as one of sources alone, if it is known.
     pub(crate) fn value(&self, combination: &LinearForm) -> Option<Vec<(usize, Rational)>> {
-        let reduced = self.reduced(combination).0.into_iter();
+        let reduced = self.reduce(combination).0.into_iter();
         reduced
             .map(|(variable, coefficient)| match variable {
                 Variable::Source(number) => Some((number, coefficient)),
@@ -150,7 +150,7 @@ impl LinearRelations {
             .collect()
     }
 
-    fn reduced(&self, combination: &LinearForm) -> LinearForm {
+    fn reduce(&self, combination: &LinearForm) -> LinearForm {
         combination.0.iter().fold(
             LinearForm::default(),
             |sum, (variable, coefficient)| match self.0.get(variable) {
@@ -190,7 +190,7 @@ mod tests {
         let [ground, sun, arm, planet] = [0, 1, 2, 3].map(LinkId::new);
         let mut relations = LinearRelations::default();
         let sun_planet = LinearForm::turn(arm, sun)
-            .scaled(&whole(5))
+            .scale(&whole(5))
             .plus(&whole(1), &LinearForm::turn(arm, planet));
         let planet_ring =
             LinearForm::turn(arm, planet).plus(&whole(-7), &LinearForm::turn(arm, ground));

@@ -8,7 +8,9 @@ mod closed_form;
 mod cluster;
 mod coupled;
 mod display;
+mod dyad;
 mod equation;
+mod halton;
 mod knowledge;
 mod linear_relations;
 mod needed;
@@ -19,16 +21,19 @@ mod step;
 mod tight;
 mod triad;
 
+pub(crate) use crate::model::Arithmetic;
 pub(crate) use algebra::{Algebra, Pose};
 pub use assembly::{Assembly, CamStart};
 pub use bound::{Bound, Growth, Turning};
 pub use display::PlanText;
+pub(crate) use dyad::{CircleAndLine, Dyad, Line, TurningLine, TwoCircles, TwoLines};
 pub use equation::Unknown;
-pub(crate) use equation::{Equation, Residuals, Slide, Solution};
+pub(crate) use equation::{Equation, Residuals, Solution};
+pub(crate) use halton::Halton;
 pub use linear_relations::Rational;
 pub(crate) use linear_relations::{float_of, fraction};
 pub use needed::Needed;
-pub(crate) use placement::{Coordinate, Placement};
+pub(crate) use placement::Placement;
 pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
 pub(crate) use triad::{Leg, Triad};
 
@@ -64,7 +69,7 @@ impl Plan {
 /// Plans a mechanism whose structure was found coherent.
 ///
 /// # Errors
-/// It is not sequential, it cannot be assembled, or it can be in several ways.
+/// It is not sequential, it has no assembly, or it has several.
 pub fn plan(model: &Model, structure: &Structure) -> Result<Plan, Diagnosis> {
     let sequence = sequence::sequence(model, structure)?;
     let start = assembly::assemble(model, &sequence.steps, &sequence.sources)?;

@@ -24,7 +24,7 @@ impl Plan {
         }
     }
 
-    /// The steps that the poses of these links depend on: the plan is gone through backwards, and a step is needed if it places
+    /// The steps that the poses of these links depend on: the plan is read backwards, and a step is needed if it places
     /// a link that is. What is not placed by a step keeps its pose in its cluster bit by bit, whether or not the step is made.
     #[must_use]
     pub fn needed(&self, model: &Model, links: &[LinkId]) -> Needed {
@@ -129,7 +129,7 @@ fn clusters_before(model: &Model, ends: &[Vec<LinkId>]) -> Vec<Clusters> {
     before.collect()
 }
 
-/// The links that tell the value of a source.
+/// The links whose poses the value of a source depends on.
 fn read_by(model: &Model, source: &Source) -> Vec<LinkId> {
     match *source {
         Source::Motor(_) => Vec::new(),

@@ -2,18 +2,10 @@
 
 use super::algebra::{Algebra, Pose};
 use super::cluster::Clusters;
+use super::equation::Solution;
 use super::step::{Connection, ConnectionKind};
 use crate::bug::bug;
 use crate::model::{Axis, AxisId, JointId, JointKind, LinkId, Model};
-
-/// The coordinate of a connection.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Coordinate<S> {
-    /// The cosine and sine of an angle.
-    Turn([S; 2]),
-    /// A length.
-    Slide(S),
-}
 
 /// The poses of all links, each relative to the base of its cluster.
 #[derive(Clone, Debug)]
@@ -25,7 +17,7 @@ pub(crate) struct Placement<'m, S> {
 
 impl<'m, S: Copy> Placement<'m, S> {
     /// Nothing is known but each link to itself.
-    pub(crate) fn new<A: Algebra<Scalar = S>>(algebra: &mut A, model: &'m Model) -> Self {
+    pub(crate) fn new(algebra: &mut impl Algebra<S>, model: &'m Model) -> Self {
         let identity = Pose::identity(algebra);
         Self {
             model,
@@ -43,17 +35,13 @@ impl<'m, S: Copy> Placement<'m, S> {
         self.model.axis(id)
     }
 
-    /// Whether a sliding connection is walked in the direction in which its joint was declared.
+    /// Whether a sliding connection leads from the first axis of its joint to the second.
     pub(crate) fn as_declared(&self, connection: Connection) -> bool {
         matches!(self.model.joint(connection.joint).kind, JointKind::Prismatic(from, _) if from == connection.from)
     }
 
     /// The coordinate of a sliding joint whose links are in one cluster.
-    pub(crate) fn sliding_coordinate<A: Algebra<Scalar = S>>(
-        &self,
-        algebra: &mut A,
-        joint: JointId,
-    ) -> S {
+    pub(crate) fn sliding_coordinate(&self, algebra: &mut impl Algebra<S>, joint: JointId) -> S {
         let joint = self.model.joint(joint);
         let JointKind::Prismatic(from, to) = joint.kind else {
             bug!(
@@ -72,107 +60,88 @@ impl<'m, S: Copy> Placement<'m, S> {
     }
 
     /// The origin of an axis, relative to the base of its cluster.
-    pub(crate) fn spot<A: Algebra<Scalar = S>>(&self, algebra: &mut A, id: AxisId) -> [S; 2] {
+    pub(crate) fn spot(&self, algebra: &mut impl Algebra<S>, id: AxisId) -> [S; 2] {
         let axis = self.axis(id);
         self.pose(axis.link).carry(algebra, axis)
     }
 
     /// The direction of an axis, relative to the base of its cluster.
-    pub(crate) fn heading<A: Algebra<Scalar = S>>(&self, algebra: &mut A, id: AxisId) -> [S; 2] {
+    pub(crate) fn heading(&self, algebra: &mut impl Algebra<S>, id: AxisId) -> [S; 2] {
         let axis = self.axis(id);
         self.pose(axis.link).turn(algebra, axis.direction)
     }
 
-    /// The way from one axis to another in the same cluster, relative to its base.
-    pub(crate) fn span<A: Algebra<Scalar = S>>(
-        &self,
-        algebra: &mut A,
-        from: AxisId,
-        to: AxisId,
-    ) -> [S; 2] {
+    /// The vector from one axis to another in the same cluster, relative to its base.
+    pub(crate) fn span(&self, algebra: &mut impl Algebra<S>, from: AxisId, to: AxisId) -> [S; 2] {
         let (start, end) = (self.axis(from), self.axis(to));
         if start.link == end.link {
             // Only to be turned: it is what it is in the link.
             let span = algebra.between(start, end);
-            return algebra.turned(self.pose(start.link).direction, span);
+            return algebra.rotate(self.pose(start.link).direction, span);
         }
         let (start, end) = (self.spot(algebra, from), self.spot(algebra, to));
         algebra.minus(end, start)
     }
 
-    /// Brings two clusters together over a connection of known coordinate.
-    pub(crate) fn connect<A: Algebra<Scalar = S>>(
+    /// Brings two clusters together over a connection of known coordinate: the cosine and sine of an angle, or a length.
+    pub(crate) fn connect(
         &mut self,
-        algebra: &mut A,
+        algebra: &mut impl Algebra<S>,
         connection: Connection,
-        coordinate: Coordinate<S>,
+        coordinate: Solution<S>,
     ) {
         let heading = self.heading(algebra, connection.from);
         let spot = self.spot(algebra, connection.from);
         let (facing, meeting) = match coordinate {
-            Coordinate::Turn(turn) => (algebra.turned(heading, turn), spot),
-            Coordinate::Slide(displacement) => {
-                let offset = algebra.scaled(displacement, heading);
+            Solution::Direction(turn) => (algebra.rotate(heading, turn), spot),
+            Solution::Slide(displacement) => {
+                let offset = algebra.scale(displacement, heading);
                 (heading, algebra.plus(spot, offset))
             }
         };
-        let [x, y] = self.axis(connection.to).direction;
-        let own = algebra.vector([x, -y]);
-        let direction = algebra.turned(facing, own);
-        self.hang(algebra, connection, meeting, direction);
-    }
-
-    /// Puts the second link of a connection so that it points in this direction and its axis lies at `meeting`.
-    fn hang<A: Algebra<Scalar = S>>(
-        &mut self,
-        algebra: &mut A,
-        connection: Connection,
-        meeting: [S; 2],
-        direction: [S; 2],
-    ) {
         let to = self.axis(connection.to);
-        let at = algebra.place(to);
-        let arm = algebra.turned(direction, at);
-        let origin = algebra.minus(meeting, arm);
-        self.put(
+        let [x, y] = to.direction;
+        let own = algebra.vector([x, -y]);
+        let direction = algebra.rotate(facing, own);
+        let spot = algebra.place(to);
+        self.hang(
             algebra,
-            self.axis(connection.from).link,
+            connection.from,
             to.link,
-            Pose { direction, origin },
+            [meeting, spot],
+            direction,
         );
     }
 
     /// Brings two clusters together over a revolute connection, with the direction of the second cluster's base, relative
     /// to the first's, known.
-    pub(crate) fn pivot<A: Algebra<Scalar = S>>(
+    pub(crate) fn pivot(
         &mut self,
-        algebra: &mut A,
+        algebra: &mut impl Algebra<S>,
         connection: Connection,
         direction: [S; 2],
     ) {
         debug_assert_eq!(connection.kind, ConnectionKind::Revolute);
         let meeting = self.spot(algebra, connection.from);
         let spot = self.spot(algebra, connection.to);
-        let arm = algebra.turned(direction, spot);
-        let origin = algebra.minus(meeting, arm);
         let base = self.base(connection.to);
-        self.put(
-            algebra,
-            self.axis(connection.from).link,
-            base,
-            Pose { direction, origin },
-        );
+        self.hang(algebra, connection.from, base, [meeting, spot], direction);
     }
 
-    /// Merges the cluster of `link` into that of `beside`, `link` being at `pose` relative to the base of the latter.
-    fn put<A: Algebra<Scalar = S>>(
+    /// Merges the cluster of `link` into that of an axis: there the link points in this direction, and the spot, which is given in the link,
+    /// lies at `meeting`.
+    fn hang(
         &mut self,
-        algebra: &mut A,
-        beside: LinkId,
+        algebra: &mut impl Algebra<S>,
+        from: AxisId,
         link: LinkId,
-        pose: Pose<S>,
+        [meeting, spot]: [[S; 2]; 2],
+        direction: [S; 2],
     ) {
-        let (stay, come) = (self.clusters.base(beside), self.clusters.base(link));
+        let arm = algebra.rotate(direction, spot);
+        let origin = algebra.minus(meeting, arm);
+        let pose = Pose { direction, origin };
+        let (stay, come) = (self.base(from), self.clusters.base(link));
         let seen_from_link = self.pose(link).inverse(algebra);
         let base = if come == link {
             pose
@@ -188,12 +157,7 @@ impl<'m, S: Copy> Placement<'m, S> {
         self.clusters.merge(&[stay, come]);
     }
 
-    fn move_cluster<A: Algebra<Scalar = S>>(
-        &mut self,
-        algebra: &mut A,
-        base: LinkId,
-        pose: Pose<S>,
-    ) {
+    fn move_cluster(&mut self, algebra: &mut impl Algebra<S>, base: LinkId, pose: Pose<S>) {
         let links: Vec<LinkId> = self.clusters.links(base).collect();
         for link in links {
             let old = self.poses[link.index()];

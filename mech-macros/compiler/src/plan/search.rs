@@ -1,8 +1,9 @@
 //! The solutions of coupled loops, by numbers: Newton's iteration from many starts, at compile time.
 
 use super::algebra::Numbers;
-use super::closed_form::Closure;
+use super::closed_form::LoopSolutions;
 use super::equation::{Equation, Solution, Unknown};
+use super::halton::Halton;
 use crate::model::LinkId;
 use nalgebra::{DMatrix, DVector};
 
@@ -17,7 +18,7 @@ const APART: f64 = 1e-5;
 pub(super) type Guess<'g> = &'g dyn Fn(LinkId) -> Option<[f64; 2]>;
 
 /// Solves any equation: from the guess, and where the guess leaves something open from many starts.
-pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> Closure {
+pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> LoopSolutions {
     let given = |unknown: &Unknown| match unknown {
         Unknown::Direction(base) => guess(*base),
         Unknown::Slide(_) => None,
@@ -34,7 +35,7 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
     } else {
         STARTS * equation.unknowns.len()
     };
-    let mut sequence = Halton(0);
+    let mut sequence = Halton::default();
     let mut solutions: Vec<Vec<Solution<f64>>> = Vec::new();
     let (mut least, mut dead) = (f64::INFINITY, false);
     for start in 0..starts {
@@ -52,10 +53,10 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
                 }
             });
         }
-        sequence.0 += 1;
+        sequence.advance();
         match newton(equation, now, size) {
             Found::Solution(solution)
-                if solutions.iter().all(|known| far(known, &solution, size)) =>
+                if solutions.iter().all(|known| differ(known, &solution, size)) =>
             {
                 solutions.push(solution);
             }
@@ -65,26 +66,9 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> C
         }
     }
     match (solutions.is_empty(), dead) {
-        (false, _) => Closure::Solutions(solutions),
-        (true, true) => Closure::Dead,
-        (true, false) => Closure::Gap(least),
-    }
-}
-
-/// Points that fill a box evenly (Halton's sequence), the same in every build.
-struct Halton(u32);
-
-impl Halton {
-    fn at(&self, axis: usize) -> f64 {
-        const PRIMES: [u32; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
-        let base = PRIMES[axis % PRIMES.len()];
-        let (mut index, mut part, mut sum) = (self.0 + 1, 1.0, 0.0);
-        while index > 0 {
-            part /= f64::from(base);
-            sum += part * f64::from(index % base);
-            index /= base;
-        }
-        sum
+        (false, _) => LoopSolutions::Found(solutions),
+        (true, true) => LoopSolutions::DeadPoint,
+        (true, false) => LoopSolutions::Gap(least),
     }
 }
 
@@ -144,7 +128,7 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> F
 }
 
 /// Whether two solutions differ.
-fn far(a: &[Solution<f64>], b: &[Solution<f64>], size: f64) -> bool {
+fn differ(a: &[Solution<f64>], b: &[Solution<f64>], size: f64) -> bool {
     a.iter().zip(b).any(|pair| match pair {
         (Solution::Direction(a), Solution::Direction(b)) => {
             (a[0] - b[0]).hypot(a[1] - b[1]) > APART

@@ -3,7 +3,7 @@
 use super::equation::Unknown;
 use super::linear_relations::Rational;
 use crate::bug::bug;
-use crate::model::{AxisId, JointId, LinkId, Model, MotorId};
+use crate::model::{AxisId, JointId, LinkId, MotorId};
 
 /// One step: it merges clusters of links, so that the links inside keep known relative positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,14 +72,14 @@ pub enum Source {
 /// Joints whose coordinates are found together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// The rings that must close, each walked round: every connection begins in the cluster in which the one before it ends,
+    /// The rings that must close: every connection begins in the cluster in which the one before it ends,
     /// the first in that in which the last ends.
     pub rings: Vec<Vec<Connection>>,
     /// For each cluster but the first, which is known, the connection by which it hangs on one before it.
     pub tree: Vec<Connection>,
-    /// The directions and ways that rolling ties to others of this loop, or to what is known.
+    /// The directions and displacements that rolling ties to others of this loop, or to what is known.
     pub ties: Vec<Tie>,
-    /// All joints of the rings: the unknown ones and, between them, ways through what is already known.
+    /// All joints of the rings: the unknown ones and, between them, paths through what is already known.
     pub members: Vec<JointId>,
     /// One more than the level of the last loop it depends on; a loop that only motors and gears lead to has level 1.
     pub level: usize,
@@ -113,6 +113,22 @@ pub struct Connection {
 }
 
 impl Connection {
+    /// The same connection, from its second axis to its first.
+    #[must_use]
+    pub fn reverse(self) -> Self {
+        Self {
+            from: self.to,
+            to: self.from,
+            ..self
+        }
+    }
+
+    /// Whether its links slide along it.
+    #[must_use]
+    pub fn slides(&self) -> bool {
+        self.kind == ConnectionKind::Prismatic
+    }
+
     /// Whether it goes forwards from the first to the second of these axes, or backwards; none if it joins others.
     #[must_use]
     pub fn turns_between(&self, [a, b]: [AxisId; 2]) -> Option<bool> {
@@ -180,27 +196,5 @@ impl Loop {
     #[must_use]
     pub fn is_coupled(&self) -> bool {
         self.rings.len() > 1
-    }
-}
-
-impl Connection {
-    /// The angle from the frame of the first link to that of the second when the coordinate is zero.
-    #[must_use]
-    pub fn frame_angle(&self, model: &Model) -> f64 {
-        let heading = |axis| {
-            let [x, y] = model.axis(axis).direction;
-            f64::atan2(y, x)
-        };
-        heading(self.from) - heading(self.to)
-    }
-
-    /// The same connection, walked the other way.
-    #[must_use]
-    pub fn reversed(self) -> Self {
-        Self {
-            from: self.to,
-            to: self.from,
-            ..self
-        }
     }
 }

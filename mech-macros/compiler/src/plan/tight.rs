@@ -14,12 +14,12 @@ const PIN: usize = 2;
 
 /// The smallest sets of clusters that hold each other, the smallest first. `rolls` are the clusters of each gear, belt or rack.
 pub(super) fn sets(connections: &[Between], rolls: &[Vec<LinkId>]) -> Vec<Vec<LinkId>> {
-    let (clusters, mut count) = counted(connections, rolls);
+    let (clusters, mut count) = count_freedoms(connections, rolls);
     let place = |base| clusters.binary_search(&base).ok();
     let mut found: Vec<Vec<LinkId>> = Vec::new();
     for between in connections {
         if let (Some(a), Some(b)) = (place(between.a), place(between.b))
-            && let Some(parts) = count.held([a, b])
+            && let Some(parts) = count.smallest_set([a, b])
         {
             // Among the parts are pins, too, after all clusters.
             let bases = parts.into_iter().filter_map(|part| clusters.get(part));
@@ -38,7 +38,7 @@ pub(super) fn sets(connections: &[Between], rolls: &[Vec<LinkId>]) -> Vec<Vec<Li
 }
 
 /// The clusters in order, and the count of their freedoms. Pins come after all clusters.
-fn counted(connections: &[Between], rolls: &[Vec<LinkId>]) -> (Vec<LinkId>, Count) {
+fn count_freedoms(connections: &[Between], rolls: &[Vec<LinkId>]) -> (Vec<LinkId>, Count) {
     let mut clusters: Vec<LinkId> = connections
         .iter()
         .flat_map(|between| [between.a, between.b])
@@ -109,7 +109,7 @@ impl Count {
     }
 
     /// The smallest set of parts that holds these two, if one does.
-    fn held(&mut self, pair: [usize; 2]) -> Option<Vec<usize>> {
+    fn smallest_set(&mut self, pair: [usize; 2]) -> Option<Vec<usize>> {
         if self.gather(&pair, BODY + 1) {
             return None;
         }
@@ -136,7 +136,7 @@ impl Count {
             for &end in ends {
                 seen[end] = true;
             }
-            if !ends.iter().any(|&end| self.bring(end, &mut seen)) {
+            if !ends.iter().any(|&end| self.free_one(end, &mut seen)) {
                 return false;
             }
         }
@@ -144,7 +144,7 @@ impl Count {
     }
 
     /// Frees one freedom of a part: an equation takes one from another part instead.
-    fn bring(&mut self, to: usize, seen: &mut [bool]) -> bool {
+    fn free_one(&mut self, to: usize, seen: &mut [bool]) -> bool {
         for index in 0..self.taken[to].len() {
             let equation = self.taken[to][index];
             for end in 0..self.equations[equation].len() {
@@ -152,7 +152,7 @@ impl Count {
                 if std::mem::replace(&mut seen[other], true) {
                     continue;
                 }
-                if self.free[other] > 0 || self.bring(other, seen) {
+                if self.free[other] > 0 || self.free_one(other, seen) {
                     self.free[other] -= 1;
                     self.free[to] += 1;
                     self.taken[to].swap_remove(index);

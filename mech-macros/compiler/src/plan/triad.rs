@@ -27,7 +27,7 @@ impl Triad {
         for connection in closing.rings.iter().flatten() {
             let ends = |other: &Connection| [base(other.from), base(other.to)];
             let same = |other: &Connection| {
-                ends(other) == ends(connection) || ends(&other.reversed()) == ends(connection)
+                ends(other) == ends(connection) || ends(&other.reverse()) == ends(connection)
             };
             if !connections.iter().any(same) {
                 connections.push(*connection);
@@ -42,7 +42,7 @@ impl Triad {
         let from = |start: LinkId, end: LinkId| {
             let both = connections
                 .iter()
-                .flat_map(|connection| [*connection, connection.reversed()]);
+                .flat_map(|connection| [*connection, connection.reverse()]);
             both.into_iter()
                 .find(|connection| base(connection.from) == start && base(connection.to) == end)
         };

@@ -1,14 +1,14 @@
-//! Writes a program: folds constants and finds common subexpressions while it goes.
+//! The construction of a program in SSA form: constants are folded, and common subexpressions made once.
 
 use super::node::{BlockId, Node, Op, Slot, Value};
 use super::{Block, BlockKind, Position};
-use crate::model::{Axis, Number};
-use crate::plan::Algebra;
+use crate::model::{Axis, Number, Precision};
+use crate::plan::{Algebra, Arithmetic};
 use std::collections::HashMap;
 
-/// A program in the making.
+/// The operations of a program that is being built, and the state that its positions carry.
 #[derive(Debug, Default)]
-pub(super) struct Builder {
+pub(super) struct SsaBuilder {
     pub(super) nodes: Vec<Node>,
     pub(super) blocks: Vec<Block>,
     /// Looked up only, never iterated: the program does not depend on its order.
@@ -19,19 +19,35 @@ pub(super) struct Builder {
     at_start: Vec<f64>,
     /// Where the mechanism is at the start.
     start: Position<f64>,
+    /// The new values of the state's numbers.
+    state: Vec<Value>,
+    /// The rounding unit of what the program computes in.
+    pub(super) epsilon: f64,
     /// How many motors there are: what is given after them are params.
     pub(super) motors: usize,
     /// Whether a value is made from a param.
     varies: Vec<bool>,
     /// What is computed from params, by the numbers of the model's formulas.
     pub(super) formulas: Vec<Value>,
+    /// The variable of the law that is being lowered.
+    pub(super) variable: Option<Value>,
 }
 
-impl Builder {
-    /// Begins a program for a mechanism that is at `start`.
-    pub(super) fn new(start: Position<f64>) -> Self {
+/// A number of the state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Carried {
+    /// Its position in the state.
+    pub(super) index: usize,
+    /// Its value at the last position.
+    pub(super) last: Value,
+}
+
+impl SsaBuilder {
+    /// Begins a program for a mechanism that is at `start` and is computed in this precision.
+    pub(super) fn new(start: Position<f64>, precision: Precision) -> Self {
         Self {
             start,
+            epsilon: precision.epsilon(),
             ..Self::default()
         }
     }
@@ -51,15 +67,35 @@ impl Builder {
         self.at_start[unknown.index()] = self.at_start[first.index()];
     }
 
-    /// A new number that is carried from position to position, and what it is at the start.
-    pub(super) fn keep(&mut self, start: f64) -> Value {
+    /// Adds a number to the state, with its value at the start. Unless it is [updated](Self::update), it stays what it is.
+    pub(super) fn carry(&mut self, start: f64) -> Carried {
+        let index = self.state.len();
         self.start.state.push(start);
-        self.make(Op::Last(Slot::State(self.start.state.len() - 1)))
+        let last = self.make(Op::Last(Slot::State(index)));
+        self.state.push(last);
+        Carried { index, last }
     }
 
-    /// The position at the start, with what is carried.
-    pub(super) fn start(&self) -> &Position<f64> {
-        &self.start
+    /// Adds a number to the state, which takes this value at every position.
+    pub(super) fn record(&mut self, value: Value) -> Carried {
+        let carried = self.carry(self.at_start(value));
+        self.update(carried.index, value);
+        carried
+    }
+
+    /// Gives a number of the state its new value.
+    pub(super) fn update(&mut self, index: usize, value: Value) {
+        self.state[index] = value;
+    }
+
+    /// The new value of a number of the state.
+    pub(super) fn state(&self, index: usize) -> Value {
+        self.state[index]
+    }
+
+    /// The position at the start, the new values of its state, and all nodes and blocks.
+    pub(super) fn finish(self) -> (Position<f64>, Vec<Value>, Vec<Node>, Vec<Block>) {
+        (self.start, self.state, self.nodes, self.blocks)
     }
 
     /// Begins a new block.
@@ -102,7 +138,7 @@ impl Builder {
         let iterated = self.inside.is_some()
             && (matches!(op, Op::Unknown(..) | Op::Dense(..)) || op.operands().any(depends));
         let value = Value::at(self.nodes.len());
-        // Where unknowns begin is told afterwards.
+        // Where unknowns begin is set afterwards.
         let at_start = op.at_start(&self.start, |value| self.at_start[value.index()]);
         self.at_start.push(at_start);
         let varies = match op {
@@ -148,28 +184,8 @@ impl Builder {
         ]
     }
 
-    pub(super) fn div(&mut self, a: Value, b: Value) -> Value {
-        match (self.number(a), self.number(b)) {
-            (Some(a), Some(b)) if b != 0.0 => self.constant(a / b),
-            (_, Some(1.0)) => a,
-            // A product is several times cheaper, and as good up to a rounding.
-            (_, Some(b)) if b != 0.0 && (1.0 / b).is_normal() => {
-                let inverse = self.constant(1.0 / b);
-                self.mul(a, inverse)
-            }
-            _ => self.make(Op::Div(a, b)),
-        }
-    }
-
-    pub(super) fn sqrt(&mut self, a: Value) -> Value {
-        match self.number(a) {
-            Some(a) if a >= 0.0 => self.constant(a.sqrt()),
-            _ => self.make(Op::Sqrt(a)),
-        }
-    }
-
     pub(super) fn abs(&mut self, a: Value) -> Value {
-        match (self.number(a), self.negated(a)) {
+        match (self.number(a), self.negation(a)) {
             (Some(a), _) => self.constant(a.abs()),
             (_, Some(inner)) => self.abs(inner),
             _ => self.make(Op::Abs(a)),
@@ -212,7 +228,7 @@ impl Builder {
         }
     }
 
-    fn negated(&self, value: Value) -> Option<Value> {
+    fn negation(&self, value: Value) -> Option<Value> {
         match self.nodes[value.index()].op {
             Op::Neg(inner) => Some(inner),
             _ => None,
@@ -220,7 +236,7 @@ impl Builder {
     }
 }
 
-impl Algebra for Builder {
+impl Arithmetic for SsaBuilder {
     type Scalar = Value;
 
     fn constant(&mut self, value: f64) -> Value {
@@ -234,26 +250,11 @@ impl Algebra for Builder {
             (_, Some(0.0)) => return a,
             _ => {}
         }
-        match (self.negated(a), self.negated(b)) {
+        match (self.negation(a), self.negation(b)) {
             (_, Some(b)) => self.sub(a, b),
             (Some(a), _) => self.sub(b, a),
             _ => self.make(Op::Add(a.min(b), a.max(b))),
         }
-    }
-
-    fn place(&mut self, axis: &Axis) -> [Value; 2] {
-        [0, 1].map(|part| match axis.formulas[part] {
-            Some(id) => self.formulas[id.index()],
-            None => self.constant(axis.at[part]),
-        })
-    }
-
-    fn between(&mut self, from: &Axis, to: &Axis) -> [Value; 2] {
-        if !from.varies() && !to.varies() {
-            return self.vector([to.at[0] - from.at[0], to.at[1] - from.at[1]]);
-        }
-        let (from, to) = (self.place(from), self.place(to));
-        self.minus(to, from)
     }
 
     fn sub(&mut self, a: Value, b: Value) -> Value {
@@ -263,7 +264,7 @@ impl Algebra for Builder {
             (_, Some(0.0)) => return a,
             _ => {}
         }
-        match self.negated(b) {
+        match self.negation(b) {
             Some(b) => self.add(a, b),
             None => self.make(Op::Sub(a, b)),
         }
@@ -279,7 +280,7 @@ impl Algebra for Builder {
             (_, Some(-1.0)) => return self.neg(a),
             _ => {}
         }
-        match (self.negated(a), self.negated(b)) {
+        match (self.negation(a), self.negation(b)) {
             (Some(a), Some(b)) => self.mul(a, b),
             (Some(a), None) => {
                 let product = self.mul(a, b);
@@ -293,11 +294,52 @@ impl Algebra for Builder {
         }
     }
 
+    fn div(&mut self, a: Value, b: Value) -> Value {
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) if b != 0.0 => self.constant(a / b),
+            (_, Some(1.0)) => a,
+            // A product is several times cheaper, and as good up to a rounding.
+            (_, Some(b)) if b != 0.0 && (1.0 / b).is_normal() => {
+                let inverse = self.constant(1.0 / b);
+                self.mul(a, inverse)
+            }
+            _ => self.make(Op::Div(a, b)),
+        }
+    }
+
     fn neg(&mut self, a: Value) -> Value {
-        match (self.number(a), self.negated(a)) {
+        match (self.number(a), self.negation(a)) {
             (Some(a), _) => self.constant(-a),
             (_, Some(inner)) => inner,
             _ => self.make(Op::Neg(a)),
         }
+    }
+}
+
+impl Algebra<Value> for SsaBuilder {
+    fn place(&mut self, axis: &Axis) -> [Value; 2] {
+        [0, 1].map(|part| match axis.formulas[part] {
+            Some(id) => self.formulas[id.index()],
+            None => self.constant(axis.at[part]),
+        })
+    }
+
+    fn between(&mut self, from: &Axis, to: &Axis) -> [Value; 2] {
+        if !from.varies() && !to.varies() {
+            return self.vector([to.at[0] - from.at[0], to.at[1] - from.at[1]]);
+        }
+        let (from, to) = (self.place(from), self.place(to));
+        self.minus(to, from)
+    }
+
+    fn sqrt(&mut self, a: Value) -> Value {
+        match self.number(a) {
+            Some(a) if a >= 0.0 => self.constant(a.sqrt()),
+            _ => self.make(Op::Sqrt(a)),
+        }
+    }
+
+    fn label(&mut self, value: Value, name: &str) -> Value {
+        self.name(value, name)
     }
 }

@@ -6,7 +6,7 @@ use mech_core::dense::solve;
 
 /// Sets the limits of all loops.
 pub(super) fn calibrate(program: &mut Program) {
-    let values = at_start(program);
+    let values = program.values_at_start();
     let length = |[x, y]: [Value; 2]| values[x.index()].hypot(values[y.index()]);
     let number = |value: Value| values[value.index()];
     let det = |newton: &Newton| {
@@ -45,23 +45,25 @@ pub(super) fn reach(columns: &[Vec<Value>], number: impl Fn(Value) -> f64) -> f6
     columns.iter().map(square).map(f64::sqrt).product()
 }
 
-/// All values at the start, where every loop is already closed.
-pub(crate) fn at_start(program: &Program) -> Vec<f64> {
-    let mut values: Vec<f64> = Vec::with_capacity(program.nodes.len());
-    // What a loop finds that is left out, because nothing shown needs it, is read by nobody.
-    let first = |block: BlockId, index: usize| {
-        let newton = program.newton(block)?;
-        Some(newton.scalars[index].first)
-    };
-    for node in &program.nodes {
-        let get = |value: Value| values[value.index()];
-        let value = match node.op {
-            Op::Unknown(block, index) | Op::Solved(block, index) => {
-                first(block, index).map_or(0.0, get)
-            }
-            op => op.at_start(&program.start, get),
+impl Program {
+    /// All values at the start, where every loop is already closed.
+    pub(crate) fn values_at_start(&self) -> Vec<f64> {
+        let mut values: Vec<f64> = Vec::with_capacity(self.nodes.len());
+        // What a loop finds that is left out, because nothing shown needs it, is read by nobody.
+        let first = |block: BlockId, index: usize| {
+            let newton = self.newton(block)?;
+            Some(newton.scalars[index].first)
         };
-        values.push(value);
+        for node in &self.nodes {
+            let get = |value: Value| values[value.index()];
+            let value = match node.op {
+                Op::Unknown(block, index) | Op::Solved(block, index) => {
+                    first(block, index).map_or(0.0, get)
+                }
+                op => op.at_start(&self.start, get),
+            };
+            values.push(value);
+        }
+        values
     }
-    values
 }

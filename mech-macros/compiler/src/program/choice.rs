@@ -28,7 +28,7 @@ pub struct Watching {
     pub at_zero: AtZero,
 }
 
-/// What is decided about a loop before its program is written.
+/// What is decided about a loop before its program is built.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// How it is solved.
@@ -43,7 +43,7 @@ pub struct Choice {
     /// Whether the pins that its dyad joins come so near each other that rounding stretches its links, unless their directions are
     /// brought back to length one.
     pub pins_near: bool,
-    /// On which side its dyad lies at the start, where the start itself does not tell.
+    /// On which side its dyad lies at the start, where the start itself does not determine it.
     pub side: Option<bool>,
 }
 

@@ -3,7 +3,7 @@
 use super::forces::Forces;
 use super::newton::{Newton, Rounds};
 use super::node::{BlockId, Op, Part, Slot, Value};
-use super::{BlockKind, ClosedForm, Form, Motion, Program, Sensitivity, Watch};
+use super::{BlockKind, ClosedForm, Dyad, Motion, Program, Sensitivity, Watch};
 use crate::model::{LinkId, Precision};
 use mech_core::journey::AtZero;
 use std::fmt::{self, Display, Formatter};
@@ -19,7 +19,7 @@ impl Display for Program {
         for block in self.block_ids() {
             self.block(f, block)?;
         }
-        self.watched(f)?;
+        self.watches(f)?;
         for (name, pose) in self.links.iter().zip(&self.poses) {
             writeln!(f, "pose {name} = {}", self.list(pose))?;
         }
@@ -65,13 +65,23 @@ impl Program {
             }
         }
         let signs = |first: usize| (first..first + self.inputs()).contains(&number);
-        if self.motion_signs.is_some_and(signs) {
+        if self.layout.motion_signs.is_some_and(signs) {
             return ": sign of an input's last motion".to_owned();
         }
-        if let Some(angle) = self.joint_angles.iter().find(|angle| angle.state == number) {
+        if let Some(angle) = self
+            .layout
+            .joint_angles
+            .iter()
+            .find(|angle| angle.state == number)
+        {
             return format!(": coordinate of joint {}", angle.joint.index());
         }
-        match self.places.iter().find(|place| place.state == number) {
+        match self
+            .layout
+            .places
+            .iter()
+            .find(|place| place.state == number)
+        {
             Some(place) => {
                 let part = if place.part == 0 { "x" } else { "y" };
                 format!(": {part} of axis {} in its link", place.axis.index())
@@ -97,7 +107,7 @@ impl Program {
             BlockKind::Straight => self.operations(f, "  ", &values),
             BlockKind::ClosedForm(closed) => {
                 self.operations(f, "  ", &values)?;
-                self.closing(f, closed)
+                self.closed_form_lines(f, closed)
             }
             BlockKind::Newton(newton) => self.iteration(f, newton, block, &values),
         }
@@ -116,12 +126,12 @@ impl Program {
         Ok(())
     }
 
-    fn closing(&self, f: &mut Formatter<'_>, closed: &ClosedForm) -> fmt::Result {
-        let form = match closed.form {
-            Form::TwoCircles { .. } => "two circles",
-            Form::CircleAndLine { .. } => "a circle and a line",
-            Form::TurningLine { .. } => "a line that turns with an arm, through a point",
-            Form::TwoLines { .. } => "two lines",
+    fn closed_form_lines(&self, f: &mut Formatter<'_>, closed: &ClosedForm) -> fmt::Result {
+        let form = match closed.dyad {
+            Dyad::TwoCircles { .. } => "two circles",
+            Dyad::CircleAndLine { .. } => "a circle and a line",
+            Dyad::TurningLine { .. } => "a line that turns with an arm, through a point",
+            Dyad::TwoLines { .. } => "two lines",
         };
         let margin = self.operand(closed.margin);
         let found = closed.found.iter().copied();
@@ -167,7 +177,7 @@ impl Program {
         }
         writeln!(f, "    residuals {}", self.list(&newton.gap))?;
         for (number, column) in newton.columns.iter().enumerate() {
-            // A system of two equations is written out: its columns may be read by nothing.
+            // A system of two equations is solved by explicit formulas: its columns may be read by nothing.
             if column.iter().all(|value| self.live[value.index()]) {
                 writeln!(f, "    column {number}: {}", self.list(column))?;
             }
@@ -202,7 +212,7 @@ impl Program {
         }
     }
 
-    fn watched(&self, f: &mut Formatter<'_>) -> fmt::Result {
+    fn watches(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f)?;
         for watch in &self.watches {
             let Watch {
@@ -361,22 +371,10 @@ impl Program {
             Op::Linear(system, number) => {
                 return format!("solution {number} of linear system {system}");
             }
-            Op::Neg(_) => "neg",
-            Op::Abs(_) => "abs",
-            Op::Sqrt(_) => "sqrt",
-            Op::Add(..) => "add",
-            Op::Sub(..) => "sub",
-            Op::Mul(..) => "mul",
-            Op::Div(..) => "div",
-            Op::Sin(_) => "sin",
-            Op::Cos(_) => "cos",
-            Op::Max(..) => "max",
-            Op::CopySign(..) => "copysign",
-            Op::Choose(..) => "choose",
-            Op::Atan2(..) => "atan2",
-            Op::Round(_) => "round",
-            Op::Exp(_) => "exp",
+            op => format!("{op:?}"),
         };
+        // What stands before the operands.
+        let name = name.split('(').next().unwrap_or(&name).to_lowercase();
         let operands: Vec<Value> = op.operands().collect();
         format!("{name} {}", self.list(&operands))
     }

@@ -22,7 +22,7 @@ enum Together {
 impl Program {
     /// The same program with each straight block of more than so many `let`s in parts that follow each other. The operations are the
     /// same; those that have no name stand where their result is used.
-    pub(crate) fn divided(&self, most: usize) -> Cow<'_, Self> {
+    pub(crate) fn divide(&self, most: usize) -> Cow<'_, Self> {
         let lets = self.lets();
         let mut counts = vec![0_usize; self.blocks.len()];
         for value in self.live_values().filter(|value| lets[value.index()]) {

@@ -1,17 +1,17 @@
-//! What forces do: what extends a program if they were asked for.
+//! The results of programs that compute forces.
 
-/// What forces do.
+/// The result of a program that computes forces.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Forces<V> {
     /// The torques of the motors, or their forces, that hold everything at rest.
     Holding(Vec<V>),
-    /// What it takes to move in a given way.
+    /// The torques, forces and reactions that a given motion takes.
     InverseDynamics(InverseDynamics<V>),
     /// How everything moves under the torques of the motors.
     Inertia(Inertia<V>),
 }
 
-/// What it takes to move in a given way.
+/// The torques, forces and reactions that a given motion takes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InverseDynamics<V> {
     /// The torques of the motors, or their forces.

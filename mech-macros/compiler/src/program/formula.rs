@@ -1,19 +1,16 @@
 //! Formulas as values of a program: what is computed from params, and laws.
 
-use super::builder::Builder;
+use super::builder::SsaBuilder;
 use super::node::{Op, Value};
 use crate::bug::bug;
-use crate::model::{Arithmetic, BinaryFunction, Function, Law, Model, ParamId};
-use crate::plan::Algebra;
+use crate::model::{BinaryFunction, FormulaArithmetic, Function, Law, Model, ParamId};
+use crate::plan::{Algebra, Arithmetic};
 
-impl Builder {
+impl SsaBuilder {
     /// Computes everything that depends on params; what nothing needs of it is left out later.
-    pub(super) fn write_formulas(&mut self, model: &Model) {
+    pub(super) fn evaluate_formulas(&mut self, model: &Model) {
         self.params(model);
-        self.formulas = model.params.evaluate(&mut Written {
-            builder: self,
-            variable: None,
-        });
+        self.formulas = model.params.evaluate(self);
     }
 
     /// The values of all params.
@@ -30,18 +27,27 @@ impl Builder {
 
     /// A law of a value.
     pub(super) fn law(&mut self, law: &Law, variable: Value) -> Value {
-        law.evaluate(&mut Written {
-            builder: self,
-            variable: Some(variable),
-        })
+        self.variable = Some(variable);
+        let value = law.evaluate(self);
+        self.variable = None;
+        value
+    }
+}
+
+impl FormulaArithmetic for SsaBuilder {
+    fn variable(&mut self) -> Value {
+        let Some(variable) = self.variable else {
+            bug!("there is a variable outside of laws");
+        };
+        variable
     }
 
-    /// The value of a param: params are given after the motors.
+    /// Params are given after the motors.
     fn param(&mut self, param: ParamId) -> Value {
         self.make(Op::Motor(self.motors + param.index()))
     }
 
-    fn function(&mut self, function: Function, a: Value) -> Value {
+    fn of(&mut self, function: Function, a: Value) -> Value {
         match function {
             Function::Sqrt => self.sqrt(a),
             Function::Sin => self.make(Op::Sin(a)),
@@ -75,7 +81,7 @@ impl Builder {
         }
     }
 
-    fn binary_function(&mut self, function: BinaryFunction, a: Value, b: Value) -> Value {
+    fn of_both(&mut self, function: BinaryFunction, a: Value, b: Value) -> Value {
         match function {
             BinaryFunction::Atan2 => {
                 // Made at least as long as one: a vector without length has no direction, and is no number then.
@@ -98,7 +104,9 @@ impl Builder {
             }
         }
     }
+}
 
+impl SsaBuilder {
     /// The other leg of a right-angled triangle whose longest side is one.
     fn other_leg(&mut self, leg: Value) -> Value {
         let one = self.constant(1.0);
@@ -133,59 +141,5 @@ impl Builder {
             let farther = self.max(zero, farther);
             self.sub(base, farther)
         }
-    }
-}
-
-/// What writes formulas into a program.
-struct Written<'b> {
-    builder: &'b mut Builder,
-    /// The variable of the law that is written.
-    variable: Option<Value>,
-}
-
-impl Arithmetic for Written<'_> {
-    type Scalar = Value;
-
-    fn constant(&mut self, value: f64) -> Value {
-        self.builder.constant(value)
-    }
-
-    fn variable(&mut self) -> Value {
-        let Some(variable) = self.variable else {
-            bug!("there is a variable outside of laws");
-        };
-        variable
-    }
-
-    fn param(&mut self, param: ParamId) -> Value {
-        self.builder.param(param)
-    }
-
-    fn neg(&mut self, a: Value) -> Value {
-        self.builder.neg(a)
-    }
-
-    fn add(&mut self, a: Value, b: Value) -> Value {
-        self.builder.add(a, b)
-    }
-
-    fn sub(&mut self, a: Value, b: Value) -> Value {
-        self.builder.sub(a, b)
-    }
-
-    fn mul(&mut self, a: Value, b: Value) -> Value {
-        self.builder.mul(a, b)
-    }
-
-    fn div(&mut self, a: Value, b: Value) -> Value {
-        self.builder.div(a, b)
-    }
-
-    fn of(&mut self, function: Function, a: Value) -> Value {
-        self.builder.function(function, a)
-    }
-
-    fn of_both(&mut self, function: BinaryFunction, a: Value, b: Value) -> Value {
-        self.builder.binary_function(function, a, b)
     }
 }

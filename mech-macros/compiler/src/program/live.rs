@@ -1,4 +1,4 @@
-//! Liveness: a value is live if a result depends on it. No code is written for the others.
+//! Liveness: a value is live if a result depends on it. No code is emitted for the others.
 
 use super::node::{BlockId, Op, Value};
 use super::{Block, BlockKind, Program};

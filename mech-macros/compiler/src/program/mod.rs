@@ -1,7 +1,6 @@
 //! The program: straight-line operations on scalars, block by block, from motor values and the last position to the next
 //! position. Emitting it as Rust and running it now are readings of the same thing.
 
-mod angle;
 mod build;
 mod builder;
 mod calibrate;
@@ -16,27 +15,27 @@ mod motion;
 mod nesting;
 mod newton;
 mod node;
-mod place;
 mod real;
 mod sensitivity;
+mod state;
 mod stored;
 mod timing;
 mod watch;
 
+pub(crate) use crate::plan::Dyad;
 pub use crate::plan::{Bound, Growth};
-pub use angle::JointAngle;
 pub(crate) use build::needed;
 pub use build::{Output, build, build_as, derive};
 pub use choice::{Choice, Solver, Watching};
-pub use closed_form::{ClosedForm, Form};
+pub use closed_form::ClosedForm;
 pub use forces::{Forces, Inertia, InverseDynamics};
 pub use mech_core::Real;
 pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Op, Part, Slot, Value};
-pub use place::Place;
 pub use sensitivity::{Rates, Sensitivity};
+pub use state::{JointAngle, Place, StateLayout};
 pub use timing::{Timed, Timing, build_timing};
 pub use watch::{Follow, Watch};
 
@@ -47,7 +46,7 @@ use crate::plan::{Solution, Turning};
 pub(crate) const MODERATE: f64 = 1e15;
 
 /// A straight-line program.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
     /// The name of the mechanism.
     pub name: String,
@@ -61,7 +60,7 @@ pub struct Program {
     pub motors: Vec<String>,
     /// The names of the params: they are given after the motors, by the same operation.
     pub params: Vec<String>,
-    /// The moving links whose poses are kept, in the order of their declaration: without a `show` all.
+    /// The moving links whose poses are stored, in the order of their declaration: without a `show` all.
     pub stored: Vec<LinkId>,
     /// Their names.
     pub links: Vec<String>,
@@ -69,16 +68,12 @@ pub struct Program {
     pub poses: Vec<[Value; 4]>,
     /// The new values of what is carried from position to position.
     pub state: Vec<Value>,
-    /// The coordinates of axes in their links that depend on params, and where in the state each stands.
-    pub places: Vec<Place>,
+    /// What the numbers of the state are, besides those of watched loops.
+    pub layout: StateLayout,
     /// What each loop that it solves finds, by the loop's number in the plan.
     pub(crate) solutions: Vec<(usize, Vec<Solution<Value>>)>,
-    /// The coordinates of joints that are carried over any number of turns: where that is asked for, and where torsional springs need it.
-    pub joint_angles: Vec<JointAngle>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
-    /// The index in the state of the signs of the motors' last motion, if a loop passes change points: one number for each motor and param.
-    pub motion_signs: Option<usize>,
     /// The angles that are followed over whole turns: how fast they turn at most.
     pub follows: Vec<Follow>,
     /// The same angles, less whole turns, and what they are.
@@ -94,9 +89,9 @@ pub struct Program {
     pub overflows: bool,
     /// Whether a law may make an angle so large that the polynomials of sine and cosine do not reach it, whatever the motors' values.
     pub curved: bool,
-    /// The rates of everything, if this program goes on to them.
+    /// Rates or forces, if this program computes them.
     pub motion: Option<Motion>,
-    /// How everything follows the params, if this program tells that.
+    /// The rates of everything with each param, if this program computes them.
     pub sensitivity: Option<Sensitivity>,
     /// Which values anything depends on.
     pub live: Vec<bool>,
@@ -113,6 +108,17 @@ pub struct Block {
     pub title: String,
     /// How.
     pub kind: BlockKind,
+}
+
+impl Block {
+    /// The number of the loop that it solves, if it solves one.
+    pub(crate) fn loop_number(&self) -> Option<usize> {
+        match &self.kind {
+            BlockKind::Straight => None,
+            BlockKind::ClosedForm(closed) => Some(closed.number),
+            BlockKind::Newton(newton) => Some(newton.number),
+        }
+    }
 }
 
 /// How a block works.
@@ -133,7 +139,7 @@ pub struct Position<T> {
     pub motors: Vec<T>,
     /// Whole turns of the motors besides.
     pub turns: Vec<i32>,
-    /// For each moving link whose pose is kept its cosine, sine, x and y.
+    /// For each moving link whose pose is stored its cosine, sine, x and y.
     pub poses: Vec<[T; 4]>,
     /// What is carried from position to position besides: unwrapped angles, sides of dyads.
     pub state: Vec<T>,
@@ -204,11 +210,6 @@ impl Program {
         position.chain(motion).chain(sensitivity)
     }
 
-    /// What every value is at the start.
-    pub(crate) fn values_at_start(&self) -> Vec<f64> {
-        calibrate::at_start(self)
-    }
-
     /// The loop of a block, if it solves one.
     #[must_use]
     pub fn newton(&self, block: BlockId) -> Option<&Newton> {
@@ -230,18 +231,13 @@ impl Program {
     /// The number of the loop that a block solves, if it solves one.
     #[must_use]
     pub fn loop_of(&self, block: BlockId) -> Option<usize> {
-        match &self.blocks[block.index()].kind {
-            BlockKind::Straight => None,
-            BlockKind::ClosedForm(closed) => Some(closed.number),
-            BlockKind::Newton(newton) => Some(newton.number),
-        }
+        self.blocks[block.index()].loop_number()
     }
 
-    /// Whether there are powers of e in it.
+    /// The loops that it solves, by their numbers in the plan.
     #[must_use]
-    pub fn has_exponentials(&self) -> bool {
-        let exponential = |value| matches!(self.node(value).op, Op::Exp(_));
-        self.live_values().any(exponential)
+    pub fn solved_loops(&self) -> Vec<usize> {
+        self.blocks.iter().filter_map(Block::loop_number).collect()
     }
 
     /// The linear systems of the motion that something depends on.
@@ -297,8 +293,7 @@ impl Program {
     /// Whether it closes any loop.
     #[must_use]
     pub fn has_loops(&self) -> bool {
-        let straight = |block: &Block| matches!(block.kind, BlockKind::Straight);
-        !self.blocks.iter().all(straight)
+        !self.solved_loops().is_empty()
     }
 
     /// The closed forms that may fail to close: those whose margin is no constant, with their margins.

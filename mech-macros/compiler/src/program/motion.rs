@@ -1,9 +1,9 @@
-//! How a mechanism moves: what extends a program if velocities were asked for.
+//! Rates and forces: what a program computes besides positions.
 
 use super::forces::Forces;
 use super::node::{BlockId, Value};
 
-/// What goes on from positions: the rates of all poses, from those of the motors, or forces.
+/// What is derived from positions: the rates of all poses, from those of the motors, or forces.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
     /// For each moving link its angular velocity, and the rates of x and y.
@@ -14,9 +14,9 @@ pub struct Motion {
     pub margins: Vec<RateMargin>,
     /// The linear systems that are solved as a whole.
     pub systems: Vec<System>,
-    /// What forces do, if that is what it is written for; then it gives nothing else.
+    /// Forces, if the program computes these; then it computes nothing else.
     pub forces: Option<Forces<Value>>,
-    /// What the numbers of all loads are called.
+    /// The names of all loads' numbers.
     pub loads: Vec<String>,
 }
 

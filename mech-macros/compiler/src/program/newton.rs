@@ -23,10 +23,10 @@ pub struct Newton {
     pub columns: Vec<Vec<Value>>,
     /// Whether the steps are written out, or found by solving the columns' system as a whole.
     pub dense: bool,
-    /// The vectors that the way round is made of, and where they begin: their lengths tell the loop's size.
+    /// The vectors that add to the gap, and where they begin: the sum of their lengths is the loop's size.
     pub sides: Vec<[Value; 2]>,
     /// The square of a round's step, angles in radians and lengths as parts of the loop's size, where the determinant's sign does
-    /// not tell all assemblies apart: a step that is not followed by a much smaller one may end in another of them.
+    /// not distinguish all assemblies: a step that is not followed by a much smaller one may end in another of them.
     pub step: Option<Value>,
     /// How far it has grown beyond that size, where something slides: the lengths that are not fixed.
     pub extent: Option<Value>,
@@ -36,15 +36,6 @@ pub struct Newton {
     pub linear: bool,
     /// What a result must satisfy.
     pub limits: Limits,
-}
-
-impl Newton {
-    /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
-    #[must_use]
-    pub fn contracting(&self) -> Option<Value> {
-        self.step
-            .filter(|_| !matches!(self.rounds, Rounds::Exactly(0 | 1)))
-    }
 }
 
 /// A scalar that is iterated.
@@ -89,7 +80,7 @@ impl Rounds {
 /// The sizes at the start that all tolerances are relative to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
-    /// The sum of the lengths that the way round the loop is made of, in scene units.
+    /// The sum of the lengths of the vectors round the loop, in scene units.
     pub size: f64,
     /// The product of the lengths of the two columns: the determinant is at most this, times a sine.
     pub reach: f64,
@@ -100,6 +91,13 @@ pub struct Limits {
 }
 
 impl Newton {
+    /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
+    #[must_use]
+    pub fn contracting(&self) -> Option<Value> {
+        self.step
+            .filter(|_| !matches!(self.rounds, Rounds::Exactly(0 | 1)))
+    }
+
     /// A gap, as a part of the loop's size, at which no further round is worth while.
     #[must_use]
     pub fn tight(&self, epsilon: f64) -> f64 {

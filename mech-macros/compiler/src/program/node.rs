@@ -39,7 +39,7 @@ impl BlockId {
 /// What the last position left behind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slot {
-    /// A number of the pose of a link, by its position among those whose poses are kept.
+    /// A number of the pose of a link, by its position among the links that a position stores.
     Pose(usize, Part),
     /// A number that is carried from position to position: an angle that a gear needs unwrapped, or on which side a dyad
     /// lies that passes change points.
@@ -60,7 +60,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// All four, in the order in which poses are written.
+    /// All four, in the order in which poses are stored.
     pub const ALL: [Self; 4] = [Self::Cos, Self::Sin, Self::X, Self::Y];
 
     /// Its position in that order.
@@ -134,41 +134,17 @@ pub enum Op {
 impl Op {
     /// The values it is made from.
     pub fn operands(self) -> impl Iterator<Item = Value> {
-        let triple = match self {
-            Self::Constant(_)
-            | Self::Motor(_)
-            | Self::Turns(_)
-            | Self::Turned(..)
-            | Self::Last(_)
-            | Self::Unknown(..)
-            | Self::Solved(..)
-            | Self::Dense(..)
-            | Self::Time
-            | Self::Rate(_)
-            | Self::Acceleration(_)
-            | Self::Load(_)
-            | Self::Linear(..) => [None, None, None],
-            Self::Neg(a)
-            | Self::Abs(a)
-            | Self::Sqrt(a)
-            | Self::Sin(a)
-            | Self::Cos(a)
-            | Self::Round(a)
-            | Self::Exp(a) => [Some(a), None, None],
-            Self::Choose(test, a, b) => [Some(test), Some(a), Some(b)],
-            Self::Add(a, b)
-            | Self::Sub(a, b)
-            | Self::Mul(a, b)
-            | Self::Div(a, b)
-            | Self::Max(a, b)
-            | Self::CopySign(a, b)
-            | Self::Atan2(a, b) => [Some(a), Some(b), None],
-        };
-        triple.into_iter().flatten()
+        let mut operands = [None; 3];
+        let mut places = operands.iter_mut();
+        let _ = self.map(|operand| {
+            if let Some(place) = places.next() {
+                *place = Some(operand);
+            }
+            operand
+        });
+        operands.into_iter().flatten()
     }
-}
 
-impl Op {
     /// The same operation on other values.
     #[must_use]
     pub(crate) fn map(self, mut other: impl FnMut(Value) -> Value) -> Self {

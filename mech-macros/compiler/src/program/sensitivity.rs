@@ -1,4 +1,4 @@
-//! How a mechanism follows its params: what a program tells if that was asked for.
+//! Sensitivities: the rates of everything with each param.
 
 use super::node::{Op, Value};
 use super::{BlockKind, Program};

@@ -1,7 +1,7 @@
-//! What motors do in time: their laws as a program of their own, in double precision whatever the mechanism is computed in.
+//! The laws of motors in time as a program of their own, in double precision whatever the mechanism is computed in.
 
 use super::build::{Seed, Tangents};
-use super::builder::Builder;
+use super::builder::SsaBuilder;
 use super::live::live;
 use super::node::{Op, Value};
 use super::{Position, Program};
@@ -31,15 +31,6 @@ pub struct Timed {
     pub second: Option<Value>,
 }
 
-impl Timed {
-    /// All that it is given.
-    fn values(&self) -> impl Iterator<Item = Value> {
-        [Some(self.value), self.rate, self.second]
-            .into_iter()
-            .flatten()
-    }
-}
-
 impl Timing {
     /// The value of the time, if any law depends on it.
     #[must_use]
@@ -56,33 +47,34 @@ impl Timing {
     }
 }
 
-/// Writes the laws of the motors, and their rates as far as effects ask for them; nothing, if no motor has a law.
+/// Lowers the laws of the motors, and their rates as far as effects ask for them; none if no motor has a law.
 #[must_use]
 pub fn build_timing(model: &Model) -> Option<Timing> {
     model.lawful_motors().next()?;
     let resting = vec![0.0; model.motors.len()];
-    let mut builder = Builder::new(Position {
+    let start = Position {
         motors: resting.into_iter().chain(model.params.values()).collect(),
         turns: vec![0; model.inputs()],
         ..Position::default()
-    });
-    builder.block(
+    };
+    let mut ssa = SsaBuilder::new(start, Precision::F64);
+    ssa.block(
         "laws".to_owned(),
         "What the laws of the motors say.".to_owned(),
     );
-    let time = builder.make(Op::Time);
-    let params = builder.params(model);
+    let time = ssa.make(Op::Time);
+    let params = ssa.params(model);
     let mut tangents = Tangents::new(Seed::Given, model.motors.len());
     let mut motors = Vec::new();
     for (motor, law) in model.lawful_motors() {
         let name = &model.joint(model.motor(motor).joint).name;
-        let value = builder.law(law, time);
+        let value = ssa.law(law, time);
         if value != time {
-            builder.name(value, name);
+            ssa.name(value, name);
         }
         let mut differentiate = |value: Value, name: String| {
-            let rate = tangents.of_all_up_to(&mut builder, value);
-            builder.name(rate, name)
+            let rate = tangents.of_all_up_to(&mut ssa, value);
+            ssa.name(rate, name)
         };
         let effects = model.effects;
         let rate = effects
@@ -98,33 +90,15 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
             second,
         });
     }
+    let (_, _, nodes, blocks) = ssa.finish();
+    let values = |timed: &Timed| [Some(timed.value), timed.rate, timed.second];
     let mut program = Program {
         name: model.name.clone(),
-        precision: Precision::F64,
-        nodes: builder.nodes,
-        blocks: builder.blocks,
-        motors: Vec::new(),
-        params: Vec::new(),
-        places: Vec::new(),
-        joint_angles: Vec::new(),
-        stored: Vec::new(),
-        links: Vec::new(),
-        poses: Vec::new(),
-        state: motors.iter().flat_map(Timed::values).collect(),
-        solutions: Vec::new(),
-        watches: Vec::new(),
-        motion_signs: None,
-        follows: Vec::new(),
-        followed: Vec::new(),
-        max_steps: None,
-        reduced: Vec::new(),
-        range: None,
-        overflows: false,
+        nodes,
+        blocks,
+        state: motors.iter().flat_map(values).flatten().collect(),
         curved: true,
-        motion: None,
-        sensitivity: None,
-        live: Vec::new(),
-        start: Position::default(),
+        ..Program::default()
     };
     program.live = live(&program);
     program.cut_chains();

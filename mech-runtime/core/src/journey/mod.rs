@@ -12,7 +12,7 @@ mod piece;
 
 use crate::Real;
 pub use pace::is_clear;
-use pace::{TURN, is_passable, is_short, likely};
+use pace::{TURN, first, is_passable, is_short, likely, next};
 use piece::piece;
 
 /// A loop that is watched. All numbers are for the way from the start to the target.
@@ -184,8 +184,7 @@ fn go_on<T: Real, J: Journey<T>>(
     mut done: T,
 ) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
     let most = T::ONE / journey.pieces();
-    let two = T::from_f64(2.0);
-    let mut length = most;
+    let mut length = first(journey, most);
     for _ in 0..MOST_PIECES {
         length = likely(journey, &position, length);
         let target = done + length;
@@ -223,7 +222,7 @@ fn go_on<T: Real, J: Journey<T>>(
         if done >= T::ONE {
             return Ok(position);
         }
-        length = if part * two < most { part * two } else { most };
+        length = next(journey, part, most);
     }
     Err(too_far(journey, position, done))
 }

@@ -14,6 +14,13 @@ pub(super) const TURN: f64 = 2.5;
 /// Near their zeros earlier loops make later ones faster without end: pieces are no smaller than for so many times as fast.
 const MOST_GROWTH: f64 = 16.0;
 
+/// A guess is trusted on the first piece of a way for this much change of a square at most: a degree of a motor that moves coupled loops.
+const FIRST: f64 = 0.07;
+/// Each next piece is so many times as long, at most, where all are bounds, and where some are guesses. A square that falls straight or
+/// as a parabola to its zero is seen to fall on a piece that is two thirds of the next one.
+const LONGER: f64 = 2.0;
+const LONGER_GUESSED: f64 = 1.5;
+
 /// Whether nothing can be in the way between two positions that are this part of the way apart: no watched loop comes to zero, and
 /// no angle loses a turn.
 #[inline]
@@ -23,7 +30,31 @@ pub fn is_clear<T: Real, J: Journey<T>>(
     to: &J::Position,
     part: T,
 ) -> bool {
-    journey.is_one_piece() && is_passable(journey, from, to, part)
+    journey.is_one_piece()
+        && guesses(journey).all(|change| change * part <= T::from_f64(FIRST))
+        && is_passable(journey, from, to, part)
+}
+
+/// By how much the squares of those sines change on the whole way of which that is guessed.
+fn guesses<T: Real, J: Journey<T>>(journey: &J) -> impl Iterator<Item = T> {
+    let watches = (0..journey.watches()).map(|index| journey.watch(index));
+    watches
+        .filter(|watch| watch.guessed)
+        .map(|watch| watch.change)
+}
+
+/// The longest first piece of a way: nothing was seen yet that could set a guess right.
+pub(super) fn first<T: Real, J: Journey<T>>(journey: &J, longest: T) -> T {
+    guesses(journey).fold(longest, |length, change| {
+        lesser(length, T::from_f64(FIRST) / change)
+    })
+}
+
+/// The longest piece after one of this length.
+pub(super) fn next<T: Real, J: Journey<T>>(journey: &J, part: T, longest: T) -> T {
+    let is_guessed = guesses(journey).next().is_some();
+    let longer = if is_guessed { LONGER_GUESSED } else { LONGER };
+    lesser(part * T::from_f64(longer), longest)
 }
 
 #[inline]
@@ -57,7 +88,7 @@ pub(super) fn is_far<T: Real, J: Journey<T>>(
         && (!watch.guessed || is_calm(journey, from, to, (index, squares)))
 }
 
-/// Whether a sine changes little.
+/// Whether a sine changes little, and not its sign.
 fn is_calm<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -65,7 +96,7 @@ fn is_calm<T: Real, J: Journey<T>>(
     (index, squares): (usize, T),
 ) -> bool {
     let (a, b) = (journey.sine(from, index), journey.sine(to, index));
-    (a * a - b * b).abs() <= T::from_f64(0.25) * squares
+    a * b > T::ZERO && (a * a - b * b).abs() <= T::from_f64(0.25) * squares
 }
 
 #[inline]

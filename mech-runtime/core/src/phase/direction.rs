@@ -1,23 +1,23 @@
-//! Phases as floats: their radians, and the sines and cosines of them.
+//! Conversion of phases to floats: radians, sines and cosines.
 //!
-//! A turn in radians is split into a head of so few bits that its products with half of the phase's bits are exact, and a
-//! tail. What is a power of two is in the constants.
+//! A turn in radians is split into a head and a tail. The head has so few bits that its products with half of the phase's bits are exact.
+//! The constants include the powers of two.
 
 use super::Phase;
-use crate::kernel::Rest;
+use crate::kernel::ReducedAngle;
 use crate::power::{power_f32, power_f64};
 
 /// The first 21 bits of 2 pi.
 const HEAD_F64: f64 = f64::from_bits(0x4019_21FB_0000_0000);
-/// The others, rounded.
+/// The other bits, rounded.
 const TAIL_F64: f64 = f64::from_bits(0x3EB5_110B_4611_A626);
-/// The first 8 bits of 2 pi, which are good for 12.
+/// The first 8 bits of 2 pi. They are exact to 12 bits.
 pub(crate) const HEAD_F32: f32 = f32::from_bits(0x40C9_0000);
-/// The others, rounded.
+/// The other bits, rounded.
 pub(crate) const TAIL_F32: f32 = f32::from_bits(0x3AFD_AA22);
 
 impl Phase {
-    /// The whole angle in radians, within one ulp.
+    /// The angle in radians, whole turns included, within one ulp.
     ///
     /// ```
     /// use core::f64::consts::{FRAC_PI_2, TAU};
@@ -31,14 +31,14 @@ impl Phase {
         let units = self.units();
         let size = units.unsigned_abs();
         let shift = size.leading_zeros();
-        // Zero has 128 of them. What is cut off is less than 2^-63 of the whole.
+        // Zero has 128 of them. The relative error of cutting is less than 2^-63.
         let top = (size.checked_shl(shift).unwrap_or(0) >> 64) as u64;
         let radians = radians_f64(top, -shift.cast_signed());
         if units < 0 { -radians } else { radians }
     }
 
-    /// The nearest whole number of turns, and what is left in radians, within one ulp and in [-pi, pi], of which the ends
-    /// are rounded like everything else. Half a turn is rounded up.
+    /// The nearest whole number of turns, and the remainder in radians, within one ulp and in [-pi, pi]. Half a turn is rounded up. The ends
+    /// of the interval are rounded too.
     ///
     /// ```
     /// use core::f64::consts::{FRAC_PI_2, PI};
@@ -57,7 +57,7 @@ impl Phase {
         (turns, if remainder < 0 { -radians } else { radians })
     }
 
-    /// As [`split_f64`](Self::split_f64), the rest in `f32` and in arithmetic of that alone.
+    /// The same as [`split_f64`](Self::split_f64), with the remainder in `f32`, in `f32` arithmetic only.
     #[must_use]
     pub fn split_f32(self) -> (i64, f32) {
         let (turns, remainder) = self.split();
@@ -68,7 +68,7 @@ impl Phase {
         (turns, if remainder < 0 { -radians } else { radians })
     }
 
-    /// The sine and the cosine, each within one ulp, however many the turns. At whole quarters of a turn they are exact.
+    /// The sine and cosine, each within one ulp for any number of turns. At whole quarters of a turn they are exact.
     ///
     /// ```
     /// use mech_core::Phase;
@@ -79,19 +79,19 @@ impl Phase {
     #[inline]
     #[must_use]
     pub fn sin_cos_f64(self) -> (f64, f64) {
-        let (sine, cosine) = self.rest_f64().sin_cos();
+        let (sine, cosine) = self.reduce_f64().sin_cos();
         // No negative zeros.
         (sine + 0.0, cosine + 0.0)
     }
 
-    /// The right angle nearest to it, and what is left.
+    /// The nearest right angle and the remainder.
     #[inline]
-    fn rest_f64(self) -> Rest<f64, u64> {
+    fn reduce_f64(self) -> ReducedAngle<f64, u64> {
         let (quadrant, remainder) = self.quadrant();
         let [high, low] = halves(remainder);
         let (high, low) = (f64::from(high), f64::from(low));
 
-        // The first two are exact, so is what their sum loses.
+        // The first two are exact, and so is the error of their sum.
         let main = high * (HEAD_F64 * power_f64(-32));
         let minor = low * (HEAD_F64 * power_f64(-64));
         let sum = main + minor;
@@ -99,15 +99,14 @@ impl Phase {
         let tail = high * (TAIL_F64 * power_f64(-32)) + low * (TAIL_F64 * power_f64(-64));
         let correction = lost + tail;
         let angle = sum + correction;
-        Rest {
+        ReducedAngle {
             high: angle,
             low: (sum - angle) + correction,
             quadrant,
         }
     }
 
-    /// The sine and the cosine, each within 1e-7, however many the turns, in `f32` arithmetic alone. At whole quarters of a
-    /// turn they are exact.
+    /// The sine and cosine, each within 1e-7 for any number of turns, in `f32` arithmetic only. At whole quarters of a turn they are exact.
     ///
     /// ```
     /// use mech_core::Phase;
@@ -118,26 +117,26 @@ impl Phase {
     #[inline]
     #[must_use]
     pub fn sin_cos_f32(self) -> (f32, f32) {
-        let (sine, cosine) = self.rest_f32().sin_cos();
+        let (sine, cosine) = self.reduce_f32().sin_cos();
         // No negative zeros.
         (sine + 0.0, cosine + 0.0)
     }
 
-    /// The right angle nearest to it, and what is left.
+    /// The nearest right angle and the remainder.
     #[inline]
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_precision_loss,
-        reason = "the halves fit; the last bits are far below what is rounded in the sum"
+        reason = "the halves fit, and the last bits are far below the rounding of the sum"
     )]
-    pub(crate) fn rest_f32(self) -> Rest<f32, u32> {
+    pub(crate) fn reduce_f32(self) -> ReducedAngle<f32, u32> {
         let (quadrant, remainder) = self.quadrant();
         let [upper, last] = halves(remainder);
         let high = f32::from((upper.wrapping_add(1 << 15) >> 16) as i16);
         let low = f32::from(upper as i16);
         let last = last as f32 * (core::f32::consts::TAU * power_f32(-64));
 
-        // The first two are exact, so is what their sum loses.
+        // The first two are exact, and so is the error of their sum.
         let main = high * (HEAD_F32 * power_f32(-16));
         let minor = low * (HEAD_F32 * power_f32(-32));
         let sum = main + minor;
@@ -145,7 +144,7 @@ impl Phase {
         let tail = high * (TAIL_F32 * power_f32(-16)) + (low * (TAIL_F32 * power_f32(-32)) + last);
         let correction = lost + tail;
         let angle = sum + correction;
-        Rest {
+        ReducedAngle {
             high: angle,
             low: (sum - angle) + correction,
             quadrant: quadrant as u32,
@@ -167,7 +166,7 @@ impl Phase {
     }
 }
 
-/// A number of at most 2^61, of which the lower half too has a sign: so nothing cancels when they are put together.
+/// The halves of a number of at most 2^61. The lower half has a sign too, so nothing cancels in their sum.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "these are the halves")]
 const fn halves(remainder: u64) -> [i32; 2] {
@@ -181,7 +180,7 @@ const fn halves(remainder: u64) -> [i32; 2] {
 #[expect(clippy::cast_possible_truncation, reason = "these are the halves")]
 fn radians_f64(top: u64, exponent: i32) -> f64 {
     let (high, low) = (f64::from((top >> 32) as u32), f64::from(top as u32));
-    // Exact, and more than a million times the rest.
+    // Exact, and more than a million times the remainder.
     let main = high * HEAD_F64;
     let remainder = high * TAIL_F64 + low * (core::f64::consts::TAU * power_f64(-32));
     (main + remainder) * power_f64(exponent + 32)
@@ -191,7 +190,7 @@ fn radians_f64(top: u64, exponent: i32) -> f64 {
 #[expect(clippy::cast_possible_truncation, reason = "these are the halves")]
 fn radians_f32(top: u32, exponent: i32) -> f32 {
     let (high, low) = (f32::from((top >> 16) as u16), f32::from(top as u16));
-    // Exact, and more than a thousand times the rest.
+    // Exact, and more than a thousand times the remainder.
     let main = high * HEAD_F32;
     let remainder = high * TAIL_F32 + low * (core::f32::consts::TAU * power_f32(-16));
     (main + remainder) * power_f32(exponent + 16)

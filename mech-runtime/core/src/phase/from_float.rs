@@ -1,10 +1,10 @@
-//! Phases from floats, in whole numbers: a float is a whole number times a power of two.
+//! Conversion of floats to phases, in whole numbers: a float is a whole number times a power of two.
 
 use super::{Phase, ratio};
 
 impl Phase {
-    /// An angle in turns, rounded to the nearest 2^-64 turn, halves away from zero; `None` if it is not finite or beyond
-    /// what an `i64` can count.
+    /// The phase of an angle in turns, rounded to the nearest 2^-64 turn, halves away from zero. `None` if it is not finite or exceeds the
+    /// turns of an `i64`.
     ///
     /// ```
     /// use mech_core::Phase;
@@ -18,8 +18,8 @@ impl Phase {
         Self::of_parts(Parts::of(turns)?, 1)
     }
 
-    /// An angle in degrees, rounded to the nearest 2^-64 turn, halves away from zero; `None` if it is not finite or beyond
-    /// what an `i64` can count in turns.
+    /// The phase of an angle in degrees, rounded to the nearest 2^-64 turn, halves away from zero. `None` if it is not finite or exceeds the
+    /// turns of an `i64`.
     ///
     /// ```
     /// use mech_core::Phase;
@@ -32,10 +32,9 @@ impl Phase {
         Self::of_parts(Parts::of(degrees)?, 360)
     }
 
-    /// An angle in radians, rounded to the nearest 2^-64 turn; `None` if it is not finite or beyond what an `i64` can count
-    /// in turns.
+    /// The phase of an angle in radians, rounded to the nearest 2^-64 turn. `None` if it is not finite or exceeds the turns of an `i64`.
     ///
-    /// The float is taken at its word: `PI` is not half a turn but the float next to it.
+    /// The float counts exactly: `PI` is not half a turn, but the float next to it.
     ///
     /// ```
     /// use core::f64::consts::PI;
@@ -75,7 +74,7 @@ impl Phase {
         Self::of_size(size, negative)
     }
 
-    /// The float divided by a number below 2^9.
+    /// The phase of a float divided by a number below 2^9.
     fn of_parts(parts: Parts, per_turn: u128) -> Option<Self> {
         let whole = u128::from(parts.whole);
         let size = match parts.exponent {

@@ -1,4 +1,4 @@
-//! A motor's angle that loses nothing.
+//! Exact angles of motors.
 
 mod direction;
 mod from_float;
@@ -7,12 +7,13 @@ pub(crate) use direction::{HEAD_F32, TAIL_F32};
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-/// A motor's angle: whole turns, and a fraction of a turn in units of 2^-64 turn.
+/// The exact angle of a motor: whole turns, and a fraction of a turn in units of 2^-64 turn (3.4e-19 radians).
 ///
-/// The angle is `turns + fraction / 2^64` turns, so the fraction also of a negative angle counts upwards: minus a quarter
-/// turn is -1 turn and three quarters. The unit is 3.4e-19 radians. Sums, differences and multiples are exact, so that what
-/// is stepped through for years is where it should be: all that is ever rounded is the step, once, when it is made, by at
-/// most half a unit. The turns wrap around beyond those of an `i64`. Nothing panics, in debug builds neither.
+/// The angle is `turns + fraction / 2^64` turns. The fraction of a negative angle counts upwards too: minus a quarter turn is -1 turn and
+/// three quarters.
+///
+/// Sums, differences and multiples are exact. Only the step is rounded, once, by at most half a unit, so a motor that steps for years is
+/// where it should be. The turns wrap around beyond those of an `i64`. Nothing panics, even in debug builds.
 ///
 /// ```
 /// use mech_core::Phase;
@@ -35,10 +36,10 @@ pub struct Phase {
 }
 
 impl Phase {
-    /// No angle at all.
+    /// The angle zero.
     pub const ZERO: Self = Self::new(0, 0);
 
-    /// So many turns and so many 2^-64ths of a turn.
+    /// An angle of whole turns, and a fraction in units of 2^-64 turn.
     ///
     /// ```
     /// use mech_core::Phase;
@@ -52,7 +53,7 @@ impl Phase {
         Self { turns, fraction }
     }
 
-    /// A rational part of a turn, rounded to the nearest 2^-64 turn; `None` if the denominator is zero.
+    /// A rational number of turns, rounded to the nearest 2^-64 turn. `None` if the denominator is zero.
     ///
     /// ```
     /// use mech_core::Phase;
@@ -81,7 +82,7 @@ impl Phase {
         self.turns
     }
 
-    /// What is left of the whole turns, in units of 2^-64 turn.
+    /// The fraction of a turn above the whole turns, in units of 2^-64 turn.
     #[inline]
     #[must_use]
     pub const fn fraction(self) -> u64 {
@@ -104,7 +105,7 @@ impl Phase {
         Self::new((units >> 64) as i64, units as u64)
     }
 
-    /// `size` units or as many backwards, `None` if the turns are beyond `i64`.
+    /// An angle of `size` units, or minus as many. `None` if the turns are beyond `i64`.
     const fn of_size(size: u128, negative: bool) -> Option<Self> {
         if size > i128::MIN.unsigned_abs() || size == i128::MIN.unsigned_abs() && !negative {
             return None;
@@ -118,10 +119,9 @@ impl Phase {
     }
 }
 
-/// The ratio in units of 2^-64, rounded to nearest, halves up; `None` if it is more than 2^63.
+/// The ratio in units of 2^-64, rounded to nearest, halves up. `None` if it exceeds 2^63.
 ///
-/// The denominator is not zero, and it or the numerator is less than 2^63 or so, so that the rest fits in what it is
-/// shifted in.
+/// The denominator is not zero. It or the numerator is less than about 2^63, so that the shifted remainder fits.
 const fn ratio(numerator: u128, denominator: u128) -> Option<u128> {
     let (whole, remainder) = (numerator / denominator, numerator % denominator);
     if whole > 1 << 63 {

@@ -145,7 +145,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 20_000, ..ProptestConfig::default() })]
 
     #[test]
-    fn whole_turns_leave_an_exact_rest(size in -3.0..10.1, negative in any::<bool>()) {
+    fn whole_turns_leave_an_exact_remainder(size in -3.0..10.1, negative in any::<bool>()) {
         let x = 10_f64.powf(size) * if negative { -1.0 } else { 1.0 };
         assert_reduced(x);
         #[allow(clippy::cast_possible_truncation, reason = "any number will do")]

@@ -136,11 +136,11 @@ impl Taylor {
     pub(crate) fn sin_cos(&self, angle: Pair, quadrant: i64) -> (Pair, Pair) {
         // So small that the products below would be subnormal, and that the sine is the angle.
         if angle.0.abs() < 1e-60 {
-            return turned((angle, Pair(1.0, 0.0)), quadrant);
+            return rotate((angle, Pair(1.0, 0.0)), quadrant);
         }
         let square = angle * angle;
         let sine = angle * self.series(square, 1);
-        turned((sine, self.series(square, 0)), quadrant)
+        rotate((sine, self.series(square, 0)), quadrant)
     }
 
     /// Of an angle in radians, of at most 2^31 right angles.
@@ -155,7 +155,7 @@ impl Taylor {
     }
 }
 
-fn turned((sine, cosine): (Pair, Pair), quadrant: i64) -> (Pair, Pair) {
+fn rotate((sine, cosine): (Pair, Pair), quadrant: i64) -> (Pair, Pair) {
     match quadrant.rem_euclid(4) {
         0 => (sine, cosine),
         1 => (cosine, -sine),

@@ -5,7 +5,7 @@ use crate::reference::Pair;
 
 /// Words of 64 bits after the point: pi is good for them all, and 2^1023 times its error is still nothing.
 const WORDS: usize = 20;
-/// Words that are kept when no more doublings are to come.
+/// The number of words after the last doubling.
 const KEPT: usize = 4;
 
 /// A number that is not negative: a whole part, then words after the point.
@@ -61,7 +61,7 @@ impl<const N: usize> Long<N> {
     }
 
     /// Less as many right angles as are in it, of which it has a few, and how many these are.
-    fn reduced(mut self, right_angle: &Self) -> (Self, i64) {
+    fn reduce(mut self, right_angle: &Self) -> (Self, i64) {
         let mut count = 0;
         while self >= *right_angle {
             self = self.minus(right_angle);
@@ -70,7 +70,7 @@ impl<const N: usize> Long<N> {
         (self, count)
     }
 
-    fn cut(&self) -> Long<KEPT> {
+    fn truncate(&self) -> Long<KEPT> {
         Long(self.0, std::array::from_fn(|word| self.1[word]))
     }
 
@@ -126,12 +126,12 @@ impl Remainders {
         let (mut power, mut count) = (Long::power(LEAST), 0);
         let mut powers = Vec::new();
         for _ in LEAST..1024 {
-            powers.push((power.cut(), count));
-            let (double, more) = twice(power).reduced(&right_angle);
+            powers.push((power.truncate(), count));
+            let (double, more) = twice(power).reduce(&right_angle);
             (power, count) = (double, (2 * count + more) % 4);
         }
         Self {
-            right_angle: right_angle.cut(),
+            right_angle: right_angle.truncate(),
             powers,
         }
     }
@@ -147,7 +147,7 @@ impl Remainders {
         let (mut remainder, mut quadrant) = (Long(0, [0; KEPT]), 0);
         for (bit, (power, count)) in self.powers[first..].iter().take(53).enumerate() {
             if whole >> bit & 1 == 1 {
-                let (sum, more) = remainder.plus(power).reduced(&self.right_angle);
+                let (sum, more) = remainder.plus(power).reduce(&self.right_angle);
                 (remainder, quadrant) = (sum, quadrant + count + more);
             }
         }

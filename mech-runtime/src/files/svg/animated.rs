@@ -1,4 +1,4 @@
-//! One period of a mechanism.
+//! One period of a mechanism as animated SVG.
 
 use super::place::Place;
 use super::track::Track;
@@ -9,24 +9,25 @@ use std::string::String;
 use std::time::Duration;
 use std::vec::Vec;
 
-/// Moments of a period, at least and at most.
+/// The least and the greatest number of moments.
 const LEAST: u32 = 128;
 const MOST: u32 = 4096;
 
-/// How far anything may be from a straight way between two moments, in pixels.
+/// The greatest distance of a figure from straight lines between moments, in pixels.
 const TOLERANCE: f64 = 0.02;
 
-/// How far anything may be from that way at a moment between the two, in pixels; and when that is. It is no simple part of the time:
-/// whatever turns once, or swings, from one moment to the next is elsewhere by then.
-const ASTRAY: f64 = 0.05;
+/// The greatest error at a time between two moments, in pixels, and that time as a share. It is no simple fraction, so that a link that
+/// turns once or swings between two moments is elsewhere at this time.
+const DEVIATION: f64 = 0.05;
 const BETWEEN: f64 = 0.381_966;
 
-/// One period of a mechanism's motion as SVG that moves by itself: see [`AnimatedSvg`].
+/// Draws one period of a mechanism's motion as SVG that moves: see [`AnimatedSvg`].
 ///
-/// `motion` gives the motors' values at a phase in `0.0..1.0`. Everything that [`draw`](Mechanism::draw) draws is seen. The mechanism
-/// goes once through its period before anything is drawn, so that traces are those of a motion that goes on for ever. Moments are so
-/// near together that nothing is farther than a tenth of a pixel from where it should be (with 4096 of them at most: what turns more
-/// than two thousand times in a period is seen to turn otherwise).
+/// `motion` gives the motors' values at a phase in `0.0..1.0`, in radians or scene units. [`draw`](Mechanism::draw) paints each moment.
+/// The mechanism moves through one period before the first moment, so that its traces are complete.
+///
+/// The error of every figure is below a tenth of a pixel. There are at most 4096 moments: a link that turns more than two thousand times in
+/// a period is shown wrongly.
 ///
 /// ```
 /// use mech_runtime::files::{Sheet, animated};
@@ -42,14 +43,14 @@ const BETWEEN: f64 = 0.381_966;
 ///     motor a;
 /// }
 /// let sheet = Sheet::new(320, 240).look_at(View::new([0.0, 0.0], 40.0)).title("A crank");
-/// let text = animated::<Crank>(&sheet, Duration::from_secs(3), |phase| [phase * TAU])?;
+/// let text = animate::<Crank>(&sheet, Duration::from_secs(3), |phase| [phase * TAU])?;
 /// assert!(text.contains("prefers-reduced-motion")); // for `std::fs::write("crank.svg", text)`
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///
 /// # Errors
-/// [`Blocked`] if the mechanism cannot go through the motion.
-pub fn animated<M: Mechanism>(
+/// [`Blocked`] if the mechanism cannot make this motion.
+pub fn animate<M: Mechanism>(
     sheet: &Sheet,
     period: Duration,
     motion: impl Fn(f64) -> M::Motors,
@@ -67,15 +68,15 @@ pub fn animated<M: Mechanism>(
         }
         let layers = svg.layers();
         let is_fine = layers.coarseness() <= TOLERANCE;
-        if moments >= MOST || (is_fine && !goes_astray::<M>(sheet, moments, &motion)?) {
-            return Ok(svg.written(&layers));
+        if moments >= MOST || (is_fine && !deviates::<M>(sheet, moments, &motion)?) {
+            return Ok(svg.document(&layers));
         }
         moments *= 2;
     }
 }
 
-/// Whether links are elsewhere between two moments than the moments tell, as those are that turn too fast for them.
-fn goes_astray<M: Mechanism>(
+/// Whether some link is elsewhere between two moments than the moments say, because it turns too fast.
+fn deviates<M: Mechanism>(
     sheet: &Sheet,
     moments: u32,
     motion: impl Fn(f64) -> M::Motors,
@@ -83,10 +84,10 @@ fn goes_astray<M: Mechanism>(
     let planned = tracks::<M>(sheet, moments, 0.0, &motion)?;
     let found = tracks::<M>(sheet, moments, BETWEEN, &motion)?;
     let mut pairs = iter::zip(&planned, &found);
-    Ok(pairs.any(|(planned, found)| planned.deviation(found, BETWEEN) > ASTRAY))
+    Ok(pairs.any(|(planned, found)| planned.deviation(found, BETWEEN) > DEVIATION))
 }
 
-/// The tracks of all links, at moments that are so much of their distance late.
+/// The tracks of all links, at moments that are later by a share of the time between two moments.
 fn tracks<M: Mechanism>(
     sheet: &Sheet,
     moments: u32,
@@ -108,13 +109,13 @@ fn tracks<M: Mechanism>(
     for moment in 0..moments {
         mechanism.move_to(motion((f64::from(moment) + late) / f64::from(moments)))?;
         for (track, pose) in tracks.iter_mut().zip(mechanism.poses()) {
-            track.go_on(Place::of(*pose, sheet).unwrap_or(Place::PICTURE));
+            track.push(Place::of(*pose, sheet).unwrap_or(Place::PICTURE));
         }
     }
     Ok(tracks)
 }
 
-/// How far from the origin of its link a shape reaches, in scene units.
+/// The distance from the origin of its link to the farthest point of a shape, in scene units.
 fn reach<T: Scalar>(shape: &Shape<T>) -> f64 {
     let (low, high) = shape.bounds(Pose::identity());
     let [x, y] = [0, 1].map(|axis| {

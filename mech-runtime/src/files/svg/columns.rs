@@ -1,15 +1,15 @@
-//! What is the same thing at different moments.
+//! Matching of figures at different moments.
 
 use super::layers::Seen;
 use std::{vec, vec::Vec};
 
-/// Nothing goes so far from one moment to the next, in pixels, if something else of its kind is nearer.
+/// A figure within this distance of the moment before, in pixels, is preferred to farther ones of its kind.
 const NEAR: f64 = 20.0;
 
-/// One thing: at each moment what is seen of it, if it is there.
+/// One thing: at each moment its figure, if it is visible.
 pub(super) type Column<'a> = Vec<Option<&'a Seen>>;
 
-/// All things, from back to front: what is akin and comes in the same order is taken to be the same.
+/// All things, from back to front. Figures of the same kind in the same order are taken to be the same thing.
 pub(super) fn columns(moments: &[Vec<Seen>]) -> Vec<Column<'_>> {
     let mut things: Vec<Thing<'_>> = Vec::new();
     for (time, moment) in moments.iter().enumerate() {
@@ -41,7 +41,7 @@ pub(super) fn columns(moments: &[Vec<Seen>]) -> Vec<Column<'_>> {
 }
 
 struct Thing<'a> {
-    /// What was last seen of it.
+    /// The figure that was last seen.
     last: &'a Seen,
     seen: Column<'a>,
 }
@@ -56,7 +56,7 @@ impl<'a> Thing<'a> {
         self.last.figure.is_akin(&seen.figure)
     }
 
-    /// How much speaks for it that this is seen of it.
+    /// The weight of the match with a figure. Zero if it cannot match.
     fn likeness(&self, seen: &Seen) -> usize {
         if !self.is_akin(seen) {
             return 0;
@@ -64,13 +64,13 @@ impl<'a> Thing<'a> {
         let [(x, y), (to_x, to_y)] = [self.last, seen].map(Seen::first_point);
         match (to_x - x).hypot(to_y - y) {
             0.0 => 3,
-            way if way < NEAR => 2,
+            distance if distance < NEAR => 2,
             _ => 1,
         }
     }
 }
 
-/// For each figure that is seen the index of the thing that it is, in rising order: as many as possible.
+/// For each figure the index of its thing, in rising order, with the greatest weight in all.
 fn matches(things: &[Thing<'_>], moment: &[Seen]) -> Vec<Option<usize>> {
     let are_all = things.len() == moment.len()
         && things
@@ -80,7 +80,7 @@ fn matches(things: &[Thing<'_>], moment: &[Seen]) -> Vec<Option<usize>> {
     if are_all {
         return (0..moment.len()).map(Some).collect();
     }
-    // The most that can be had of what is left from each pair on.
+    // The greatest weight of the remainder from each pair on.
     let width = moment.len() + 1;
     let mut most = vec![0_usize; (things.len() + 1) * width];
     let left = |most: &[usize], thing: usize, seen: usize| {

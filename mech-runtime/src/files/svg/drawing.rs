@@ -1,4 +1,4 @@
-//! A still picture as SVG.
+//! Still pictures as SVG.
 
 use super::Sheet;
 use super::figure::Figure;
@@ -7,11 +7,10 @@ use crate::{Canvas, Outline, Palette, Pose, Real, Scalar};
 use core::fmt::Write;
 use std::{string::String, vec, vec::Vec};
 
-/// A picture as SVG: the shapes themselves, which look well at any size. It is painted on like a [`Frame`](crate::Frame).
+/// A picture as SVG, which can be shown at any size. It is painted like a [`Frame`](crate::Frame).
 ///
-/// Each link's shapes are given in the link's own frame, in pixels, and placed by a matrix; numbers have as many digits as it takes
-/// to be exact to a thousandth of a pixel. What is not finite, or farther
-/// than 10³⁰ pixels, is not drawn.
+/// The shapes of each link are in the link's frame, in pixels, and a matrix places them. Numbers are exact to a thousandth of a pixel.
+/// Shapes that are not finite, or farther away than 10³⁰ pixels, are not drawn.
 ///
 /// ```
 /// use mech_runtime::files::{Sheet, Svg};
@@ -26,7 +25,7 @@ use std::{string::String, vec, vec::Vec};
 pub struct Svg {
     sheet: Sheet,
     body: String,
-    /// What is at the same place as the last figure, and that place.
+    /// The figures at the place of the last one, and that place.
     run: Option<(Place, Vec<Figure>)>,
 }
 
@@ -91,7 +90,7 @@ impl<T: Scalar> Canvas<T> for Svg {
     }
 }
 
-/// Writes figures that are all at one place.
+/// Writes figures that have the same place.
 pub(super) fn write_group(
     text: &mut String,
     attributes: &str,

@@ -1,7 +1,7 @@
 //! Outlines as elements of SVG, in pixels.
 
 use super::number::pixels;
-use super::sheet::escaped;
+use super::sheet::escape;
 use core::f64::consts::{PI, TAU};
 use core::fmt::Write;
 use std::{string::String, vec::Vec};
@@ -9,7 +9,7 @@ use std::{string::String, vec::Vec};
 /// The size of letters: the runtime's own are six pixels apart and seven high, as those of most fonts are that have all one width.
 pub(super) const FONT: f64 = 10.0;
 
-/// How far a line of straight parts is from its arc at most.
+/// The greatest distance of a line of straight parts from its arc.
 const SAGITTA: f64 = 0.001;
 
 /// A colour that elements are written in. (Writing to a `String` cannot fail.)
@@ -77,7 +77,7 @@ impl Paint {
             return;
         }
         let at = |angle: f64| {
-            // Downwards is positive, so left is the other way round.
+            // y points down, so a turn to the left is negative.
             let (sin, cos) = (-angle).sin_cos();
             [
                 center[0] + cos * right - sin * down,
@@ -109,7 +109,7 @@ impl Paint {
     pub(super) fn text(&self, text: &mut String, [x, y]: [f64; 2], words: &str) {
         let [x, y] = [x, y].map(pixels);
         let Self(color) = self;
-        let words = escaped(words);
+        let words = escape(words);
         let _ = writeln!(
             text,
             "<text x=\"{x}\" y=\"{y}\" font-family=\"monospace\" font-size=\"{FONT}\" xml:space=\"preserve\" fill=\"{color}\">{words}</text>"

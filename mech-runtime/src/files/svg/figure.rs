@@ -1,4 +1,4 @@
-//! An outline in the picture.
+//! Outlines in the picture.
 
 use super::element::{FONT, Paint};
 use super::number::is_drawable;
@@ -9,7 +9,7 @@ use crate::{Outline, Palette, Scalar};
 use core::{iter, mem};
 use std::{string::String, vec, vec::Vec};
 
-/// How far points may be apart that count as the same, in pixels.
+/// The distance below which two points count as the same, in pixels.
 const SAME: f64 = 5e-4;
 
 /// An outline in pixels in the frame of its link, y down.
@@ -22,24 +22,24 @@ pub(super) struct Figure {
 
 #[derive(Clone, Debug, PartialEq)]
 enum Form {
-    /// Of a radius about the only point.
+    /// A radius about the only point.
     Circle(f64),
-    /// Of a radius and with a hole of another, about the only point.
+    /// A radius and that of the hole, about the only point.
     Ring(f64, f64),
     /// Through the points, by the even-odd rule.
     Polygon,
     /// Through the points, by the non-zero rule.
     Winding,
-    /// Through the points, of a width.
+    /// A width, through the points.
     Line(f64),
-    /// About the first point and from the second, through an angle to the left, of a width.
+    /// A counter-clockwise angle and a width, about the first point and from the second.
     Arc(f64, f64),
     /// Upright, its lower left corner in the only point.
     Text(String),
 }
 
 impl Figure {
-    /// An outline with so many pixels to a scene unit; `None` if nothing of it can be drawn.
+    /// The figure of an outline at `scale` pixels per scene unit. `None` if it cannot be drawn.
     pub(super) fn of<T: Scalar>(outline: Outline<'_, T>, scale: f64, color: u8) -> Option<Self> {
         let length = |length: T| length.to_f64() * scale;
         let is_length = |length: f64| is_drawable(length) && length > 0.0;
@@ -100,21 +100,21 @@ impl Figure {
         })
     }
 
-    /// Goes on with another figure, if both are lines and the other begins where this one ends.
+    /// Appends another figure, if both are lines and the other begins at the end of this one.
     pub(super) fn join(&mut self, next: &Self) -> bool {
         let (Form::Line(width), Form::Line(next_width)) = (&self.form, &next.form) else {
             return false;
         };
-        let goes_on = width == next_width
+        let is_continued = width == next_width
             && self.color == next.color
             && self.points.last() == next.points.first();
-        if goes_on {
+        if is_continued {
             self.points.extend(next.points.iter().skip(1));
         }
-        goes_on
+        is_continued
     }
 
-    /// Whether it stays upright, whatever it is fixed to.
+    /// Whether it stays upright when its link turns.
     pub(super) const fn is_upright(&self) -> bool {
         matches!(self.form, Form::Text(_))
     }
@@ -124,7 +124,7 @@ impl Figure {
         matches!(self.form, Form::Line(_)).then_some(&self.points)
     }
 
-    /// The same line through other points.
+    /// The same figure through other points.
     pub(super) fn through(&self, points: Vec<[f64; 2]>) -> Self {
         Self {
             form: self.form.clone(),
@@ -133,7 +133,7 @@ impl Figure {
         }
     }
 
-    /// What is beyond its points.
+    /// The distance by which it exceeds its points.
     fn margin(&self) -> f64 {
         match self.form {
             Form::Circle(radius) | Form::Ring(radius, _) => radius,
@@ -144,7 +144,7 @@ impl Figure {
         }
     }
 
-    /// From the first point to the second.
+    /// The distance from the first point to the second.
     fn radius(&self) -> f64 {
         match self.points.as_slice() {
             [[x, y], [to_x, to_y], ..] => (to_x - x).hypot(to_y - y),
@@ -152,13 +152,13 @@ impl Figure {
         }
     }
 
-    /// How far from the origin it reaches.
+    /// The distance from the origin to its farthest point.
     pub(super) fn extent(&self) -> f64 {
         let distances = self.points.iter().map(|[x, y]| x.hypot(*y));
         distances.fold(0.0, f64::max) + self.margin()
     }
 
-    /// Whether the other may be the same at another time: of the same form and colour, of whatever size.
+    /// Whether the other may be the same figure at another time: with the same form and colour, of any size.
     pub(super) fn is_akin(&self, other: &Self) -> bool {
         let is_line = self.line().is_some();
         mem::discriminant(&self.form) == mem::discriminant(&other.form)
@@ -166,7 +166,7 @@ impl Figure {
             && (is_line || self.points.len() == other.points.len())
     }
 
-    /// Whether nobody could tell the two apart.
+    /// Whether the two look the same.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         let are_same = |(one, other): (&[f64; 2], &[f64; 2])| {
             iter::zip(one, other).all(|(one, other)| (one - other).abs() < SAME)
@@ -194,7 +194,7 @@ impl Figure {
         self.points.first().copied().unwrap_or_default()
     }
 
-    /// Which of its points is farthest from the first.
+    /// The index of the point farthest from the first.
     pub(super) fn farthest(&self) -> usize {
         let first = self.first_point();
         let distances = self
@@ -207,15 +207,15 @@ impl Figure {
         farthest.map_or(0, |(index, _)| index)
     }
 
-    /// A frame that is fixed to it: the origin in its first point, the axis towards another one.
+    /// A frame that is fixed to it: the origin at its first point, the axis towards another one.
     pub(super) fn own_place(&self, towards: usize) -> Place {
         let first = self.first_point();
         let to = self.points.get(towards).copied().unwrap_or(first);
         Place::through(first, to)
     }
 
-    /// The same with all its points carried elsewhere.
-    pub(super) fn carried(&self, to: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
+    /// The same figure with all its points mapped.
+    pub(super) fn map(&self, to: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
         self.through(self.points.iter().copied().map(to).collect())
     }
 

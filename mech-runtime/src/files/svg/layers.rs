@@ -1,14 +1,14 @@
-//! What moves together.
+//! Layers: figures that move together.
 
 use super::columns::columns;
 use super::figure::Figure;
 use super::place::Place;
-use super::trace::whole_way;
+use super::trace::whole_path;
 use super::track::Track;
 use std::sync::Arc;
 use std::{vec, vec::Vec};
 
-/// Something that is seen at one moment: a figure, and where it is.
+/// A figure at one moment, and its place.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
     pub(super) figure: Arc<Figure>,
@@ -23,29 +23,29 @@ impl Seen {
 
     /// The figure in the picture.
     fn in_picture(&self) -> Figure {
-        self.figure.carried(|point| self.place.apply(point))
+        self.figure.map(|point| self.place.apply(point))
     }
 }
 
-/// All that is seen in one period, from back to front.
+/// All figures of one period, from back to front.
 pub(super) struct Layers {
     pub(super) tracks: Vec<Track>,
     pub(super) layers: Vec<Layer>,
 }
 
-/// The track of what stands still in the picture.
+/// The track of figures that stand still in the picture.
 const PICTURE: usize = 0;
 
-/// Neighbours that are treated alike.
+/// Neighbouring figures of one kind.
 pub(super) enum Layer {
     /// Figures that move on one track, in its frame.
     Rigid { track: usize, figures: Vec<Figure> },
-    /// What changes its form: at each moment what is seen of it, in the picture.
+    /// Figures that change their form: at each moment those that are visible, in the picture.
     Changing(Vec<Vec<Figure>>),
 }
 
 impl Layers {
-    /// Of all moments of a period.
+    /// The layers of all moments of a period.
     pub(super) fn of(moments: &[Vec<Seen>]) -> Self {
         let mut layers = Self {
             tracks: Vec::new(),
@@ -67,7 +67,7 @@ impl Layers {
         layers
     }
 
-    /// Adds something that is seen at each moment.
+    /// Adds a figure that is visible at each moment.
     fn add(&mut self, column: &[&Seen]) {
         let Some(first) = column.first() else {
             return;
@@ -84,7 +84,7 @@ impl Layers {
         let on_known = || {
             let tracks = self.tracks.iter().enumerate();
             let mut fixed = tracks
-                .filter_map(|(index, track)| Some((index, fixed(&in_picture, track.places())?)));
+                .filter_map(|(index, track)| Some((index, rigid_in(&in_picture, track.places())?)));
             fixed.next()
         };
         if !first.figure.is_upright()
@@ -97,7 +97,7 @@ impl Layers {
             .iter()
             .map(|figure| figure.own_place(farthest))
             .collect();
-        if let Some(figure) = fixed(&in_picture, &places) {
+        if let Some(figure) = rigid_in(&in_picture, &places) {
             let track = self.track(places);
             return self.add_rigid(track, figure);
         }
@@ -136,8 +136,8 @@ impl Layers {
         if moments.iter().all(Vec::is_empty) {
             return;
         }
-        if let Some(way) = whole_way(&moments) {
-            return self.add_rigid(PICTURE, way);
+        if let Some(path) = whole_path(&moments) {
+            return self.add_rigid(PICTURE, path);
         }
         if let Some(Layer::Changing(last)) = self.layers.last_mut() {
             for (last, more) in last.iter_mut().zip(moments) {
@@ -148,7 +148,7 @@ impl Layers {
         }
     }
 
-    /// How far, in pixels, anything may be from a straight way between two moments.
+    /// The greatest distance, in pixels, of a figure from straight lines between moments.
     pub(super) fn coarseness(&self) -> f64 {
         self.tracks
             .iter()
@@ -157,12 +157,12 @@ impl Layers {
     }
 }
 
-/// The figure in a frame that is at these places, if it is the same in it at every moment.
-fn fixed(in_picture: &[Figure], places: &[Place]) -> Option<Figure> {
+/// The figure in a frame at these places, if it is the same there at every moment.
+fn rigid_in(in_picture: &[Figure], places: &[Place]) -> Option<Figure> {
     let mut relative = in_picture
         .iter()
         .zip(places)
-        .map(|(figure, place)| figure.carried(|point| place.relative(point)));
+        .map(|(figure, place)| figure.map(|point| place.relative(point)));
     let first = relative.next()?;
     relative
         .all(|figure| figure.is_same(&first))

@@ -1,4 +1,4 @@
-//! SVG: pictures that look well at any size, and such that move.
+//! SVG: pictures of any size, and pictures that move.
 
 mod animated;
 mod columns;
@@ -13,7 +13,7 @@ mod sheet;
 mod trace;
 mod track;
 
-pub use animated::animated;
+pub use animated::animate;
 pub use drawing::Svg;
 pub use moving::{AnimatedSvg, Moment};
 pub use sheet::Sheet;

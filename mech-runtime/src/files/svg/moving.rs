@@ -1,4 +1,4 @@
-//! A periodic motion as SVG.
+//! Periodic motions as SVG.
 
 use super::Sheet;
 use super::drawing::write_group;
@@ -13,15 +13,14 @@ use std::sync::Arc;
 use std::time::Duration;
 use std::{format, string::String, vec::Vec};
 
-/// A periodic motion as SVG that moves by itself, for ever, without any script: every figure stands in the file once, and key frames
-/// of CSS tell where its link is.
+/// A periodic motion as SVG that moves for ever, without a script. Every figure is in the file once, and key frames of CSS move its link.
 ///
-/// It is painted moment by moment; the moments are equally far apart, and after the last one comes the first again. What keeps its form
-/// moves, whether it is given in the frame of a link or in the scene; key frames are as few as will do to keep it within a
-/// tenth of a pixel of its way, where the moments are near enough together. What changes its form (arrows, springs) or is not always
-/// there is shown thirty times a second at most, and of a trace that does the whole way of one period. Who prefers reduced motion, or has a viewer that knows none, sees the first moment.
+/// It is painted moment by moment. The moments are equidistant, and the first follows the last. A rigid figure moves as a whole, also if
+/// it is painted in the scene. Where the moments are near enough together, its error is below a tenth of a pixel. A figure that changes
+/// its form, such as an arrow or a spring, or that is not always visible, is shown at most thirty times a second. A trace shows its whole
+/// path. Readers who prefer reduced motion see the first moment, and so do those whose viewer cannot move it.
 ///
-/// Names in the file are its own as long as it is shown by `<img>`.
+/// The names in the file are its own as long as an `<img>` shows it.
 ///
 /// ```
 /// use mech_runtime::files::{AnimatedSvg, Sheet};
@@ -46,11 +45,11 @@ pub struct AnimatedSvg {
     moments: Vec<Vec<Seen>>,
 }
 
-/// What changes its form is shown so often a second.
+/// The number of times per second at which changing figures are shown.
 const CHANGES: f64 = 30.0;
 
 impl AnimatedSvg {
-    /// A motion of this period, without any moment yet.
+    /// A motion of this period, without moments.
     #[must_use]
     pub const fn new(sheet: Sheet, period: Duration) -> Self {
         Self {
@@ -60,7 +59,7 @@ impl AnimatedSvg {
         }
     }
 
-    /// Adds a moment that is painted now.
+    /// Adds a moment, which `paint` paints.
     pub fn add(&mut self, paint: impl FnOnce(&mut Moment<'_>)) {
         let mut moment = Moment {
             sheet: &self.sheet,
@@ -76,24 +75,24 @@ impl AnimatedSvg {
     #[must_use]
     pub fn finish(self) -> String {
         let layers = self.layers();
-        self.written(&layers)
+        self.document(&layers)
     }
 
     pub(super) fn layers(&self) -> Layers {
         Layers::of(&self.moments)
     }
 
-    pub(super) fn written(&self, Layers { tracks, layers }: &Layers) -> String {
+    pub(super) fn document(&self, Layers { tracks, layers }: &Layers) -> String {
         let is_moving: Vec<_> = tracks.iter().map(|track| !track.is_still()).collect();
         let mut style = String::new();
         for (index, track) in tracks.iter().enumerate() {
             if is_moving.get(index) == Some(&true) {
-                track.write_keyframes(&mut style, &format!("way{index}"));
+                track.write_keyframes(&mut style, &format!("track{index}"));
                 // Writing to a `String` cannot fail.
-                let _ = writeln!(style, ".way{index}{{animation-name:way{index}}}");
+                let _ = writeln!(style, ".track{index}{{animation-name:track{index}}}");
             }
         }
-        let shown = self.shown();
+        let shown = self.change_moments();
         if layers
             .iter()
             .any(|layer| matches!(layer, Layer::Changing(_)))
@@ -111,7 +110,7 @@ impl AnimatedSvg {
                 Layer::Rigid { track, figures } => {
                     let first = tracks.get(*track).map_or(Place::PICTURE, Track::first);
                     let class = if is_moving.get(*track) == Some(&true) {
-                        format!(" class=\"move way{track}\"")
+                        format!(" class=\"move track{track}\"")
                     } else {
                         String::new()
                     };
@@ -132,8 +131,8 @@ impl AnimatedSvg {
         self.sheet.document(&head, &body)
     }
 
-    /// The moments at which what changes its form is shown.
-    fn shown(&self) -> Vec<usize> {
+    /// The moments at which changing figures are shown.
+    fn change_moments(&self) -> Vec<usize> {
         let count = self.moments.len();
         #[expect(
             clippy::cast_possible_truncation,
@@ -175,7 +174,7 @@ impl AnimatedSvg {
     }
 }
 
-/// What is seen at one moment of an [`AnimatedSvg`]: a canvas.
+/// The canvas of one moment of an [`AnimatedSvg`].
 #[derive(Debug)]
 pub struct Moment<'a> {
     sheet: &'a Sheet,
@@ -188,7 +187,7 @@ impl Moment<'_> {
         let (Some(figure), Some(place)) = (figure, Place::of(pose, self.sheet)) else {
             return;
         };
-        // Parts of a trace. Two bars that meet are no longer one line as soon as they move.
+        // Parts of a trace. Two bars that meet are not one line, because they may move apart.
         if let Some(last) = self.seen.last_mut()
             && last.place == place
             && last.figure.line().is_some_and(|points| points.len() > 2)
@@ -196,7 +195,7 @@ impl Moment<'_> {
         {
             return;
         }
-        // Most figures are those of the moment before, elsewhere.
+        // Most figures are those of the moment before, at another place.
         let known = self.before.get(self.seen.len());
         let known = known.filter(|known| *known.figure == figure);
         let figure = known.map_or_else(|| Arc::new(figure), |known| Arc::clone(&known.figure));

@@ -1,19 +1,19 @@
-//! Numbers as short as they may be.
+//! Short decimal numbers.
 
 use core::fmt;
 use std::format;
 
-/// A number rounded to so many decimals; zeros at the end are left out.
+/// A number with at most so many decimals, without zeros at the end.
 #[derive(Clone, Copy)]
 pub(super) struct Number(pub(super) f64, pub(super) usize);
 
-/// Decimals of what is given in pixels: what is put together from several such numbers is exact to a thousandth of a pixel.
+/// Decimals of lengths in pixels. Sums of several such numbers are exact to a thousandth of a pixel.
 pub(super) const DECIMALS: usize = 4;
 
-/// From here on numbers are written with an exponent.
+/// The least number that is written with an exponent.
 const LARGE: f64 = 1e9;
 
-/// Beyond so many pixels nothing is drawn: those who show documents compute in single precision.
+/// Beyond so many pixels nothing is drawn, because viewers compute in single precision.
 const FARTHEST: f64 = 1e30;
 
 /// Whether a number of pixels can be drawn.
@@ -42,7 +42,7 @@ impl fmt::Display for Number {
     }
 }
 
-/// Decimals of a factor of lengths up to `extent`, so that the product is as exact as what is given in pixels.
+/// Decimals of a factor of lengths up to `extent` pixels, so that the product is as exact as a length.
 pub(super) fn decimals_of_factor(extent: f64) -> usize {
     #[expect(
         clippy::cast_possible_truncation,

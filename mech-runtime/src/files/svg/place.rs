@@ -1,4 +1,4 @@
-//! Where a link is in the picture.
+//! Places of links in the picture.
 
 use super::Sheet;
 use super::number::{Number, decimals_of_factor, is_drawable, pixels};
@@ -15,7 +15,7 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// That of the whole picture.
+    /// The place of the whole picture.
     pub(super) const PICTURE: Self = Self {
         cos: 1.0,
         sin: 0.0,
@@ -23,7 +23,7 @@ impl Place {
         y: 0.0,
     };
 
-    /// That of a link on a sheet; `None` if it cannot be drawn there.
+    /// The place of a link on a sheet. `None` if it cannot be drawn there.
     pub(super) fn of<T: Scalar>(pose: Pose<T>, sheet: &Sheet) -> Option<Self> {
         let [cos, sin, x, y] = [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64);
         let [center, scale] = [sheet.view.center(), [sheet.view.scale(); 2]];
@@ -37,7 +37,7 @@ impl Place {
         place.is_drawable().then_some(place)
     }
 
-    /// The origin at one point and the axis through another.
+    /// The place with the origin at one point and the axis through another.
     pub(super) fn through([x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> Self {
         let [along, across] = [to_x - x, to_y - y];
         let length = along.hypot(across);
@@ -54,12 +54,12 @@ impl Place {
         parts.all(is_drawable)
     }
 
-    /// From the link to the picture.
+    /// Converts a point of the link to the picture.
     pub(super) fn apply(self, point: [f64; 2]) -> [f64; 2] {
         self.pose().apply(point)
     }
 
-    /// From the picture to the link.
+    /// Converts a point of the picture to the link.
     pub(super) fn relative(self, point: [f64; 2]) -> [f64; 2] {
         self.pose().relative(point)
     }
@@ -69,7 +69,7 @@ impl Place {
         Pose { cos, sin, x, y }
     }
 
-    /// The value of `transform` that puts there what reaches `extent` pixels from the origin.
+    /// The value of `transform` for figures that reach `extent` pixels from the origin.
     pub(super) fn transform(self, extent: f64) -> String {
         let [x, y] = [pixels(self.x), pixels(self.y)];
         if (self.cos, self.sin) == (1.0, 0.0) {

@@ -1,11 +1,11 @@
-//! What an SVG is drawn on.
+//! Sheets: the size, view and colours of an SVG.
 
 use crate::raster::{Indexed, Memory, Soft};
 use crate::{Palette, View};
 use core::fmt::Write;
 use std::{format, string::String};
 
-/// A sheet of paper: its size in pixels, what part of the scene is seen on it, and the colours.
+/// A sheet of paper: its size in pixels, its view of the scene, and its colours.
 ///
 /// ```
 /// use mech_runtime::files::Sheet;
@@ -23,8 +23,8 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// A sheet so many pixels wide and high that looks at the scene's origin with one pixel a unit, with the
-    /// [textbook](Palette::TEXTBOOK) palette.
+    /// A sheet of this width and height in pixels with the [textbook](Palette::TEXTBOOK) palette. It looks at the scene's origin, with one
+    /// pixel per scene unit.
     #[must_use]
     pub fn new(width: usize, height: usize) -> Self {
         Self {
@@ -35,21 +35,21 @@ impl Sheet {
         }
     }
 
-    /// The same with another view of the scene.
+    /// Sets the view of the scene.
     #[must_use]
     pub const fn look_at(mut self, view: View) -> Self {
         self.view = view;
         self
     }
 
-    /// The same with other colours.
+    /// Sets the colours.
     #[must_use]
     pub fn palette(mut self, palette: Palette) -> Self {
         self.palette = palette;
         self
     }
 
-    /// The same with a title, for whoever cannot see it.
+    /// Sets the title, for readers who cannot see the picture.
     #[must_use]
     pub fn title(mut self, title: impl Into<String>) -> Self {
         self.title = title.into();
@@ -62,7 +62,7 @@ impl Sheet {
         self.size.map(|pixels| pixels as f64 / 2.0)
     }
 
-    /// A document with this body, and in front of it what is to be known before.
+    /// A document with this head and body.
     pub(super) fn document(&self, head: &str, body: &str) -> String {
         let [width, height] = self.size;
         let paper = hex(&self.palette, Palette::PAPER);
@@ -73,7 +73,7 @@ impl Sheet {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" role=\"img\">"
         );
         if !self.title.is_empty() {
-            let _ = writeln!(text, "<title>{}</title>", escaped(&self.title));
+            let _ = writeln!(text, "<title>{}</title>", escape(&self.title));
         }
         text.push_str(head);
         let _ = writeln!(
@@ -86,32 +86,31 @@ impl Sheet {
     }
 }
 
-/// Of the same size, with the same view and colours.
-impl<M: Memory> From<&Indexed<M>> for Sheet {
-    fn from(frame: &Indexed<M>) -> Self {
-        Self::new(frame.width(), frame.height())
-            .look_at(frame.view())
-            .palette(frame.palette().clone())
-    }
+macro_rules! sheet_of_picture {
+    ($($Picture:ident)*) => {
+        $(
+            /// A sheet with the size, the view and the colours of a picture.
+            impl<M: Memory> From<&$Picture<M>> for Sheet {
+                fn from(picture: &$Picture<M>) -> Self {
+                    Self::new(picture.width(), picture.height())
+                        .look_at(picture.view())
+                        .palette(picture.palette().clone())
+                }
+            }
+        )*
+    };
 }
 
-/// Of the same size, with the same view and colours.
-impl<M: Memory> From<&Soft<M>> for Sheet {
-    fn from(picture: &Soft<M>) -> Self {
-        Self::new(picture.width(), picture.height())
-            .look_at(picture.view())
-            .palette(picture.palette().clone())
-    }
-}
+sheet_of_picture!(Indexed Soft);
 
-/// A colour as documents write it.
+/// The colour of an entry as SVG writes it.
 pub(super) fn hex(palette: &Palette, entry: u8) -> String {
     let [red, green, blue] = palette.rgb(entry);
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
-/// As it may stand in a document; characters that no document may hold are replaced.
-pub(super) fn escaped(text: &str) -> String {
+/// The text with the escapes of XML. Characters that XML forbids are replaced.
+pub(super) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
         match character {

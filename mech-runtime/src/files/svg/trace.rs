@@ -1,19 +1,19 @@
-//! Lines that tell where a point has been.
+//! Traces: lines that show where a point has been.
 
 use super::figure::Figure;
 use std::vec::Vec;
 
-/// How far from a trace its own end of the moment before may be: traces leave out steps of half a pixel.
+/// The distance of a trace from its own end at the moment before: traces leave out steps of half a pixel.
 const NEAR: f64 = 0.75;
-/// Places of a trace that are nearer to each other than this, in pixels, are not told apart.
+/// Places of a trace that are nearer to each other than this, in pixels, count as one.
 const STEP: f64 = 0.5;
 
-/// Whether all of a line is on the way is asked at so many moments: that tells traces from springs.
+/// The number of moments at which the whole line must lie on the path. That distinguishes traces from springs.
 const ASKED: usize = 16;
 
-/// If what is seen moment by moment is one line that always goes on from where it ended, does not go away, and is all on the way of
-/// its end: that whole way in one period.
-pub(super) fn whole_way(moments: &[Vec<Figure>]) -> Option<Figure> {
+/// The whole path of a trace in one period. `None` if the moments do not show one line that always continues from its last end, stays
+/// visible, and lies on the path of its end.
+pub(super) fn whole_path(moments: &[Vec<Figure>]) -> Option<Figure> {
     let seen = moments.iter().skip_while(|moment| moment.is_empty());
     let lines = seen.map(|moment| match moment.as_slice() {
         [line] => Some((line, line.line()?)),
@@ -23,37 +23,37 @@ pub(super) fn whole_way(moments: &[Vec<Figure>]) -> Option<Figure> {
     let &(first, begin) = lines.first()?;
     let has_length = lines.iter().any(|(_, points)| points.len() > 2);
     let mut pairs = lines.iter().zip(lines.iter().skip(1));
-    let goes_on = pairs.all(|((one, before), (other, now))| {
+    let continues = pairs.all(|((one, before), (other, now))| {
         one.is_akin(other) && before.last().is_some_and(|end| is_on(*end, now))
     });
-    if !(has_length && goes_on) {
+    if !(has_length && continues) {
         return None;
     }
-    // One that was there before the first moment has been round already.
+    // A trace that is visible at the first moment has made a whole period already.
     let is_new = lines.len() < moments.len();
-    let mut way = Vec::new();
-    let begun = extend(&mut way, if is_new { begin } else { &[] });
+    let mut path = Vec::new();
+    let initial = extend(&mut path, if is_new { begin } else { &[] });
     let ends = lines.iter().filter_map(|(_, points)| points.last());
-    let gone = extend(&mut way, ends);
-    // It begins with a step, and goes many more.
-    if gone == 0.0 || gone < begun {
+    let added = extend(&mut path, ends);
+    // It begins with a step, and many more follow.
+    if added == 0.0 || added < initial {
         return None;
     }
-    way.extend(way.first().copied());
+    path.extend(path.first().copied());
     let asked = lines.iter().rev().step_by(lines.len().div_ceil(ASKED));
     let mut points = asked.flat_map(|(_, points)| *points);
-    let is_way = points.all(|&point| is_on(point, &way));
-    is_way.then(|| first.through(way))
+    let is_path = points.all(|&point| is_on(point, &path));
+    is_path.then(|| first.through(path))
 }
 
-/// Goes on through those places that can be told apart; tells how far that is.
-fn extend<'a>(way: &mut Vec<[f64; 2]>, places: impl IntoIterator<Item = &'a [f64; 2]>) -> f64 {
+/// Adds the places that differ visibly. Returns the length that they add.
+fn extend<'a>(path: &mut Vec<[f64; 2]>, places: impl IntoIterator<Item = &'a [f64; 2]>) -> f64 {
     let mut length = 0.0;
     for &place in places {
-        let step = way.last().map(|&last| distance(last, place));
+        let step = path.last().map(|&last| distance(last, place));
         if step.is_none_or(|step| step >= STEP) {
             length += step.unwrap_or_default();
-            way.push(place);
+            path.push(place);
         }
     }
     length

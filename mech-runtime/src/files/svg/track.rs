@@ -1,4 +1,4 @@
-//! The way of a link through one period.
+//! The motion of a link through one period.
 
 use super::number::{Number, decimals_of_factor};
 use super::place::Place;
@@ -7,21 +7,21 @@ use core::fmt::Write;
 use core::iter;
 use std::{string::String, vec, vec::Vec};
 
-/// How far a moving figure may be from where it should be for want of key frames, in pixels.
+/// The error of a moving figure between key frames, in pixels.
 const TOLERANCE: f64 = 0.07;
 
-/// Decimals of what is given in pixels of a key frame; and of its time in percent, at least.
+/// Decimals of the lengths in a key frame, in pixels; and the least decimals of its time, in percent.
 const DECIMALS: usize = 2;
 const DECIMALS_OF_TIME: usize = 4;
 
-/// Where a link's frame is at each moment of a period, the moments equally far apart; and at its end, where it is at its beginning.
+/// The places of a link's frame at equidistant moments of a period. At the end of the period it is where it began.
 #[derive(Clone, Debug)]
 pub(super) struct Track {
     places: Vec<Place>,
     extent: f64,
 }
 
-/// A place with a number for the angle, which goes on beyond whole turns.
+/// A place with an angle that counts whole turns.
 #[derive(Clone, Copy)]
 struct Key {
     x: f64,
@@ -35,8 +35,8 @@ impl Track {
         Self { places, extent }
     }
 
-    /// Goes on to a place.
-    pub(super) fn go_on(&mut self, place: Place) {
+    /// Adds the place of the next moment.
+    pub(super) fn push(&mut self, place: Place) {
         self.places.push(place);
     }
 
@@ -44,17 +44,17 @@ impl Track {
         &self.places
     }
 
-    /// Where it is in the beginning.
+    /// The place at the first moment.
     pub(super) fn first(&self) -> Place {
         self.places.first().copied().unwrap_or(Place::PICTURE)
     }
 
-    /// Knows that something that reaches so many pixels from the origin moves on it.
+    /// Notes that a figure on it reaches so many pixels from the origin.
     pub(super) fn carry(&mut self, extent: f64) {
         self.extent = self.extent.max(extent);
     }
 
-    /// Whether nothing on it is seen to move.
+    /// Whether no figure on it visibly moves.
     pub(super) fn is_still(&self) -> bool {
         let keys = self.keys();
         let first = keys.first().copied();
@@ -64,10 +64,10 @@ impl Track {
         })
     }
 
-    /// How far, in pixels, something on it may be from a straight way between two moments.
+    /// The distance, in pixels, of a figure on it from straight lines between moments.
     pub(super) fn coarseness(&self) -> f64 {
         let keys = self.keys();
-        // The last one is the first again, where a motion that does not close would leap.
+        // The last key is the first again, where a motion that does not close would leap.
         let inner = keys.len().saturating_sub(1);
         let bends = keys
             .iter()
@@ -80,16 +80,17 @@ impl Track {
             .fold(0.0, f64::max)
     }
 
-    /// How far, in pixels, something on it may be from where another track has it, each of whose moments is so much of the time to the
-    /// next later than its own.
+    /// The distance, in pixels, of a figure on it from where another track has it. Each moment of that track is later by a share `late` of
+    /// the time between two moments.
     pub(super) fn deviation(&self, later: &Self, late: f64) -> f64 {
         let keys = self.keys();
-        // Where the last one is the first again, a motion that does not close would leap.
-        let ways = keys
+        // The last key is the first again, where a motion that does not close would leap.
+        let steps = keys
             .iter()
             .zip(keys.iter().skip(1))
             .take(keys.len().saturating_sub(2));
-        ways.zip(later.keys())
+        steps
+            .zip(later.keys())
             .map(|((before, after), key)| {
                 let expected = middle(*before, *after, late);
                 let turn = (key.angle - expected.angle + PI).rem_euclid(TAU) - PI;
@@ -99,10 +100,10 @@ impl Track {
             .fold(0.0, f64::max)
     }
 
-    /// The way from one key to the other of what is farthest out.
+    /// The distance from one key to another of the farthest figure.
     fn between(&self, one: Key, other: Key) -> f64 {
-        let way = (other.x - one.x).hypot(other.y - one.y);
-        way + self.extent * (other.angle - one.angle).abs()
+        let shift = (other.x - one.x).hypot(other.y - one.y);
+        shift + self.extent * (other.angle - one.angle).abs()
     }
 
     /// A key for each moment, and one for the end of the period.
@@ -120,21 +121,21 @@ impl Track {
         keys.collect()
     }
 
-    /// Writes it as key frames of CSS, as few as will do.
+    /// Writes it as key frames of CSS, as few as possible.
     pub(super) fn write_keyframes(&self, text: &mut String, name: &str) {
         let keys = self.keys();
         let last = keys.len().saturating_sub(1);
         let decimals = decimals_of_factor(self.extent).saturating_sub(3);
-        // What goes far in a period goes far in a small part of it.
+        // A figure that moves far in a period moves far in a small part of it.
         let steps = keys.iter().zip(keys.iter().skip(1));
-        let way = steps.map(|(one, next)| self.between(*one, *next)).sum();
-        let decimals_of_time = decimals_of_factor(way)
+        let length = steps.map(|(one, next)| self.between(*one, *next)).sum();
+        let decimals_of_time = decimals_of_factor(length)
             .saturating_sub(4)
             .max(DECIMALS_OF_TIME);
         let turns = keys.iter().any(|key| key.angle != 0.0);
         // Writing to a `String` cannot fail.
         let _ = write!(text, "@keyframes {name}{{");
-        for index in self.thinned(&keys) {
+        for index in self.key_frames(&keys) {
             let Some(Key { x, y, angle }) = keys.get(index).copied() else {
                 continue;
             };
@@ -158,10 +159,10 @@ impl Track {
         text.push_str("}\n");
     }
 
-    /// The keys between which straight ways are near enough to all others: by halving at the worst.
-    fn thinned(&self, keys: &[Key]) -> Vec<usize> {
+    /// The keys between which straight lines are near enough to all others. Intervals are split at their worst key.
+    fn key_frames(&self, keys: &[Key]) -> Vec<usize> {
         let last = keys.len().saturating_sub(1);
-        let mut kept = vec![0];
+        let mut frames = vec![0];
         let mut open = vec![(0, last)];
         while let Some((from, to)) = open.pop() {
             let (Some(&one), Some(&other)) = (keys.get(from), keys.get(to)) else {
@@ -169,21 +170,21 @@ impl Track {
             };
             let inner = iter::zip(from.., keys.iter().take(to).skip(from)).skip(1);
             let deviations = inner.map(|(index, key)| {
-                let way = middle(one, other, share(index - from, to - from));
-                (index, self.between(way, *key))
+                let expected = middle(one, other, share(index - from, to - from));
+                (index, self.between(expected, *key))
             });
             let worst = deviations.max_by(|(_, a), (_, b)| a.total_cmp(b));
             match worst.filter(|(_, deviation)| *deviation > TOLERANCE) {
                 Some((index, _)) => open.extend([(index, to), (from, index)]),
-                None if to > from => kept.push(to),
+                None if to > from => frames.push(to),
                 None => {}
             }
         }
-        kept
+        frames
     }
 }
 
-/// A key on the straight way between two others.
+/// A key on the straight line between two others.
 fn middle(one: Key, other: Key, share: f64) -> Key {
     let between = |one: f64, other: f64| one + (other - one) * share;
     Key {
@@ -193,7 +194,7 @@ fn middle(one: Key, other: Key, share: f64) -> Key {
     }
 }
 
-/// When a moment is, in percent of the period.
+/// The time of a moment, in percent of the period.
 pub(super) fn percent(index: usize, count: usize) -> Number {
     Number(100.0 * share(index, count), DECIMALS_OF_TIME)
 }

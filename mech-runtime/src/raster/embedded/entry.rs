@@ -1,9 +1,9 @@
-//! Colours of a frame.
+//! Colours of a frame for embedded-graphics.
 
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::pixelcolor::raw::{RawData, RawU8};
 
-/// An entry of a [palette](crate::Palette), as embedded-graphics' colour of a [`Frame`](crate::Frame).
+/// An entry of a [palette](crate::Palette): the colour of a [`Frame`](crate::Frame) for embedded-graphics.
 ///
 /// ```
 /// use embedded_graphics::prelude::*;

@@ -1,8 +1,8 @@
 //! Pictures on displays, by [embedded-graphics](https://docs.rs/embedded-graphics) (feature `embedded-graphics`; still `no_std`).
 //!
-//! There are two ways from a mechanism to a display. A [`Screen`] paints on the display itself, in rectangles, and needs no memory
-//! for pixels; what is painted over is seen for a moment. Or everything is painted on a [`Frame`](super::Frame), which
-//! [shows](super::Frame::show) itself on the display, whole or [in part](super::Frame::show_part), in one call:
+//! A [`Screen`] paints rectangles on the display itself. It needs no memory for pixels, but shapes that others cover are seen for a moment.
+//! A [`Frame`](super::Frame) is painted in memory. One call [shows](super::Frame::show) it on the display, whole or
+//! [in part](super::Frame::show_part):
 //!
 //! ```
 //! use embedded_graphics::mock_display::MockDisplay; // or the driver of an ST7789, an SSD1306…
@@ -32,7 +32,7 @@
 //! slider_crank.draw(&mut screen);
 //! screen.finish()?;
 //!
-//! // On a frame, and then on the display: the very same pixels.
+//! // On a frame, and then on the display: the same pixels.
 //! # let mut other = new_display();
 //! let mut frame = Frame::<64, 64>::new();
 //! frame.look_at(view);
@@ -40,7 +40,7 @@
 //! frame.show(&mut other, rgb)?;
 //! # other.assert_eq(&display);
 //!
-//! // What is dark is lit on a display that knows only on and off.
+//! // Dark pixels are lit on a display of two tones.
 //! # let mut two_tone = MockDisplay::<BinaryColor>::new();
 //! frame.show(&mut two_tone, |[red, green, blue]| {
 //!     BinaryColor::from(u16::from(red) + u16::from(green) + u16::from(blue) < 384)
@@ -48,11 +48,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Of a [`Stage`](super::Stage) a display needs to be sent only what has changed: `stage.frame().show_part(&mut display, &area.into(), rgb)` for
-//! each [area](super::Stage::changed). Drivers and panels: `docs/embedded.md` in the repository.
+//! With a [`Stage`](super::Stage) a display needs the changed rectangles only: `stage.frame().show_part(&mut display, &area.into(), rgb)` for
+//! each [area](super::Stage::changed). `docs/embedded.md` in the repository describes drivers and panels.
 //!
-//! A `Frame`, also one on the heap, is a [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget) whose colours are [entries](Entry) of its palette:
-//! texts, primitives and images of embedded-graphics can be drawn on it beside the mechanism.
+//! A frame is a [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget) whose colours are [entries](Entry) of its palette. So
+//! embedded-graphics can draw texts, primitives and images beside the mechanism.
 
 mod entry;
 mod part;
@@ -67,8 +67,7 @@ pub use screen::Screen;
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 
-/// The display's own colour that is nearest to red, green and blue: for every kind of colour of embedded-graphics. Of `BinaryColor`, what
-/// is light is on.
+/// The display's colour nearest to red, green and blue, for every kind of colour of embedded-graphics. A light `BinaryColor` is on.
 #[must_use]
 pub fn rgb<C: From<Rgb888>>([red, green, blue]: [u8; 3]) -> C {
     C::from(Rgb888::new(red, green, blue))

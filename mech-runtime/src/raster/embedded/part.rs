@@ -1,4 +1,4 @@
-//! Parts of pictures. Rectangles may be anywhere and as large as they like: their own arithmetic could overflow.
+//! Parts of pictures. Rectangles may have any place and size, so their own arithmetic could overflow.
 
 use super::super::spans::Clip;
 use super::super::stage::Area;
@@ -11,7 +11,7 @@ pub(super) fn of(area: &Rectangle, size: [usize; 2]) -> Clip {
     common([(*area, Point::zero())], size)
 }
 
-/// The pixels of a picture that lie in all these rectangles, each moved by so much.
+/// The pixels of a picture that lie in all these rectangles, each with its offset.
 pub(super) fn common<const N: usize>(
     areas: [(Rectangle, Point); N],
     [width, height]: [usize; 2],
@@ -27,12 +27,12 @@ pub(super) fn common<const N: usize>(
     }
 }
 
-/// Which of `0..count` lie in all of these, each given by its beginning, how far it is moved, and its length.
+/// The numbers of `0..count` that lie in all these ranges, each given by its beginning, its offset and its length.
 fn within<const N: usize>(ranges: [(i32, i32, u32); N], count: usize) -> Range<usize> {
     let mut common = 0..count;
     for (start, offset, length) in ranges {
         let start = i64::from(start) + i64::from(offset);
-        // What is negative is 0; no picture goes beyond what a `usize` counts.
+        // A negative bound becomes 0. No picture is larger than a `usize`.
         let [start, end] = [start, start + i64::from(length)]
             .map(|bound| usize::try_from(bound.max(0)).unwrap_or(usize::MAX));
         common = common.start.max(start)..common.end.min(end);
@@ -40,7 +40,7 @@ fn within<const N: usize>(ranges: [(i32, i32, u32); N], count: usize) -> Range<u
     common.start.min(common.end)..common.end
 }
 
-/// How far a row or column of a picture is from there, if it is not too far for a display.
+/// The distance of a row or column of a picture from this one, if a display can have it.
 pub(super) fn place(index: usize, from: i32) -> Option<i32> {
     let index = i64::try_from(index).ok()?;
     i32::try_from(index - i64::from(from)).ok()
@@ -56,7 +56,7 @@ pub(super) fn rectangle(corner: Point, rows: Range<usize>, columns: Range<usize>
     )
 }
 
-/// The same on a display; what no display is large enough for is cut.
+/// The same rectangle on a display, cut to the largest display.
 impl From<Area> for Rectangle {
     fn from(area: Area) -> Self {
         let at = |index| i32::try_from(index).unwrap_or(i32::MAX);

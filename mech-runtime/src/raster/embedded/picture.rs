@@ -10,22 +10,22 @@ use embedded_graphics_core::image::ImageDrawable;
 use embedded_graphics_core::pixelcolor::PixelColor;
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A frame in a display's colours, from [`Frame::image`](crate::Frame::image): embedded-graphics' `Image::new(&picture, point)` places it on a display.
+/// A frame in a display's colours, from [`Frame::image`](crate::Frame::image). `Image::new(&picture, point)` of embedded-graphics places it.
 #[derive(Clone, Debug)]
 pub struct Picture<'f, C, M: Memory> {
     frame: &'f Indexed<M>,
-    /// Of each entry of the palette.
+    /// The colour of each entry of the palette.
     colors: [C; 256],
 }
 
 impl<M: Memory> Indexed<M> {
-    /// Shows the picture on a display, its upper left corner at the display's (0, 0), in one call of `fill_contiguous`. What does not
-    /// go on the display is left out. `color` tells the display's colour from red, green and blue, once for each entry of the palette;
-    /// [`rgb`](super::rgb) is one.
+    /// Shows the picture on a display, with its upper left corner at the display's (0, 0), in one call of `fill_contiguous`. Pixels beyond
+    /// the display are left out. `color` converts red, green and blue to the display's colour, once for each entry of the palette.
+    /// [`rgb`](super::rgb) does so.
     ///
     /// # Errors
     ///
-    /// That of the display.
+    /// The error of the display.
     pub fn show<D: DrawTarget>(
         &self,
         display: &mut D,
@@ -35,7 +35,7 @@ impl<M: Memory> Indexed<M> {
         self.show_part(display, &whole, color)
     }
 
-    /// The same for a part of the picture, given in pixels: it is shown where [`show`](Self::show) would show it.
+    /// Shows a part of the picture, given in pixels, where [`show`](Self::show) would show it.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -52,7 +52,7 @@ impl<M: Memory> Indexed<M> {
     ///
     /// # Errors
     ///
-    /// That of the display.
+    /// The error of the display.
     pub fn show_part<D: DrawTarget>(
         &self,
         display: &mut D,
@@ -62,7 +62,7 @@ impl<M: Memory> Indexed<M> {
         self.image(color).put(display, part, Point::zero())
     }
 
-    /// The picture as an image of embedded-graphics, with a table of 256 colours that `color` tells from red, green and blue.
+    /// The picture as an image of embedded-graphics. `color` converts red, green and blue of all 256 entries to the display's colours.
     ///
     /// ```
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -84,7 +84,7 @@ impl<M: Memory> Indexed<M> {
 }
 
 impl<C: PixelColor, M: Memory> Picture<'_, C, M> {
-    /// Puts a part of the picture on a display: what is at `origin` in the picture comes to the display's (0, 0).
+    /// Puts a part of the picture on a display. The picture's `origin` is at the display's (0, 0).
     fn put<D: DrawTarget<Color = C>>(
         &self,
         display: &mut D,
@@ -133,7 +133,7 @@ impl<C: PixelColor, M: Memory> ImageDrawable for Picture<'_, C, M> {
         target: &mut D,
         area: &Rectangle,
     ) -> Result<(), D::Error> {
-        // embedded-graphics wants the part at (0, 0), wherever in the picture it is.
+        // embedded-graphics wants the part at (0, 0).
         self.put(target, area, area.top_left)
     }
 }

@@ -1,4 +1,4 @@
-//! A display that is painted on.
+//! Displays as canvases.
 
 use super::part;
 use super::strip::Strip;
@@ -10,18 +10,17 @@ use core::ops::Range;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::Point;
 
-/// A display of embedded-graphics as a [`Canvas`]: it is painted on without a picture in memory, rectangle by rectangle with
-/// `fill_solid`, each pixel once a shape.
+/// A display of embedded-graphics as a [`Canvas`], without a picture in memory. It is painted by rectangles with `fill_solid`, each pixel
+/// once for each shape.
 ///
-/// All of the display's bounding box is the picture, wherever that begins: a part of a display is
-/// `Screen::new(&mut display.cropped(&area), …)`. Of displays wider or higher than 2²¹ pixels only so many are painted.
+/// The picture is the display's bounding box. For a part of a display, use `Screen::new(&mut display.cropped(&area), …)`. At most 2²¹
+/// pixels in each direction are painted.
 ///
-/// What shapes are painted on cannot fail, but a display can. Its first error is kept until [`finish`](Self::finish); nothing more is
-/// painted after it.
-#[must_use = "what the display could not do is an error of `finish`"]
+/// A [`Canvas`] cannot fail, but a display can. After its first error nothing is painted, and [`finish`](Self::finish) returns the error.
+#[must_use = "`finish` returns the error of the display"]
 pub struct Screen<'d, D: DrawTarget, F> {
     display: &'d mut D,
-    /// Where the picture begins on the display.
+    /// The upper left corner of the picture on the display.
     corner: Point,
     width: usize,
     height: usize,
@@ -32,8 +31,8 @@ pub struct Screen<'d, D: DrawTarget, F> {
 }
 
 impl<'d, D: DrawTarget, F: Fn([u8; 3]) -> D::Color> Screen<'d, D, F> {
-    /// All of a display, with the [textbook](Palette::TEXTBOOK) palette. `color` tells the display's colour from red, green and blue;
-    /// [`rgb`](super::rgb) is one.
+    /// A whole display, with the [textbook](Palette::TEXTBOOK) palette. `color` converts red, green and blue to the display's colour.
+    /// [`rgb`](super::rgb) does so.
     pub fn new(display: &'d mut D, view: View, color: F) -> Self {
         let area = display.bounding_box();
         let corner = area.top_left;
@@ -56,11 +55,11 @@ impl<'d, D: DrawTarget, F: Fn([u8; 3]) -> D::Color> Screen<'d, D, F> {
         }
     }
 
-    /// Tells the display's first error, if there was one.
+    /// Ends the painting.
     ///
     /// # Errors
     ///
-    /// That of the display.
+    /// The first error of the display.
     pub fn finish(self) -> Result<(), D::Error> {
         self.outcome
     }
@@ -138,7 +137,7 @@ impl<D: DrawTarget, F> fmt::Debug for Screen<'_, D, F> {
     }
 }
 
-/// How many pixels are painted of a side of a display that begins here: what lies beyond an `i32` has no place.
+/// The number of painted pixels of a side of a display that begins here. Places beyond an `i32` do not exist.
 fn side(start: i32, length: u32) -> usize {
     let places = i64::from(i32::MAX) - i64::from(start);
     let side = i64::from(length).min(places).min(i64::from(fixed::FAR));

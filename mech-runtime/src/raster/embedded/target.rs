@@ -86,7 +86,7 @@ impl<M: Memory> DrawTarget for Indexed<M> {
     }
 }
 
-/// How many rows or columns of a rectangle that begins here come before the picture's.
+/// The number of rows or columns of a rectangle before those of the picture.
 const fn before(start: i32) -> u64 {
     if start < 0 {
         start.unsigned_abs() as u64

@@ -1,13 +1,13 @@
-//! Pictures of a size that is known when they are compiled.
+//! Pixels of a picture whose size is fixed at compile time.
 
 use super::{Grid, Store};
 use crate::raster::fixed;
 use crate::raster::stage::Item;
 use core::ops::Range;
 
-/// Pixels in the picture itself, `W` wide and `H` high: on the stack, in a static, or wherever the picture is put.
+/// `W` × `H` pixels in the picture itself: on the stack, in a static, or wherever the picture lies.
 ///
-/// No picture with any pixels has more than 2²¹ in one direction. This is refused when it is compiled:
+/// A picture has at most 2²¹ pixels in one direction. This does not compile:
 ///
 /// ```compile_fail
 /// let frame = mech_runtime::Frame::<2_097_153, 1>::new();
@@ -16,7 +16,7 @@ use core::ops::Range;
 pub enum Array<const W: usize, const H: usize> {}
 
 impl<const W: usize, const H: usize> Array<W, H> {
-    /// Refuses, when it is compiled, what is too large to be painted.
+    /// Fails to compile for a picture that is too large.
     pub(in crate::raster) const IS_PAINTABLE: () = assert!(
         W == 0 || H == 0 || (W <= fixed::MOST && H <= fixed::MOST),
         "a picture is at most 2,097,152 pixels wide and high"

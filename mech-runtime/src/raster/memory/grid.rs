@@ -16,12 +16,12 @@ pub trait Grid<P> {
     /// A row to be painted, counted from the top.
     fn row_mut(&mut self, y: usize) -> Option<&mut Self::Row>;
 
-    /// Those of some rows that there are, from the top.
+    /// Some rows, from the top, if they exist.
     fn rows<'g>(&'g self, rows: Range<usize>) -> impl Iterator<Item = &'g Self::Row>
     where
         P: 'g;
 
-    /// Those of some rows that there are, to be painted, from the top.
+    /// Some rows to be painted, from the top, if they exist.
     fn rows_mut<'g>(&'g mut self, rows: Range<usize>) -> impl Iterator<Item = &'g mut Self::Row>
     where
         P: 'g;

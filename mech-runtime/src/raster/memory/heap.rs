@@ -1,4 +1,4 @@
-//! Pictures of a size that is told at run time.
+//! Pixels of a picture whose size is chosen at run time.
 
 use super::{Grid, Store, TooLarge};
 use crate::raster::fixed;
@@ -6,7 +6,7 @@ use crate::raster::stage::Item;
 use core::ops::Range;
 use std::vec::Vec;
 
-/// Pixels on the heap, in a picture of a size that is told at run time. With feature `std`.
+/// Pixels on the heap, in a picture whose size is chosen at run time. With feature `std`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Heap {}
 
@@ -26,15 +26,15 @@ pub struct Block<P> {
 }
 
 impl<P: Copy> Block<P> {
-    /// Pixels that are all the same.
+    /// Pixels of one colour.
     pub(in crate::raster) fn new(pixel: P, size: [usize; 2]) -> Result<Self, TooLarge> {
         let [width, height] = size;
         if width.max(height) > fixed::MOST {
             return Err(TooLarge::Sides(size));
         }
-        // Where a `usize` has 32 bits, also this may be more than it counts.
+        // Where a `usize` has 32 bits, this too may overflow.
         let count = width.checked_mul(height);
-        let pixels = count.and_then(|count| filled(pixel, count));
+        let pixels = count.and_then(|count| repeat(pixel, count));
         Ok(Self {
             pixels: pixels.ok_or(TooLarge::Memory(size))?,
             width,
@@ -44,13 +44,13 @@ impl<P: Copy> Block<P> {
 }
 
 impl<P> Block<P> {
-    /// Where the pixels of some rows are; of a row that there is not, nothing.
+    /// The places of the pixels of some rows. `None` if a row does not exist.
     #[inline]
     fn places(&self, rows: Range<usize>) -> Option<Range<usize>> {
         (rows.end <= self.height).then(|| rows.start * self.width..rows.end * self.width)
     }
 
-    /// How many pixels are taken at a time: of rows without any, there is none to take.
+    /// The number of pixels in a row, at least 1.
     #[inline]
     const fn step(&self) -> usize {
         if self.width == 0 { 1 } else { self.width }
@@ -106,8 +106,8 @@ impl<P> Grid<P> for Block<P> {
     }
 }
 
-/// So many times the same, if there is memory for it.
-pub(in crate::raster) fn filled<P: Copy>(part: P, count: usize) -> Option<Vec<P>> {
+/// So many equal parts, if there is memory for them.
+pub(in crate::raster) fn repeat<P: Copy>(part: P, count: usize) -> Option<Vec<P>> {
     let mut parts = Vec::new();
     parts.try_reserve_exact(count).ok()?;
     parts.resize(count, part);

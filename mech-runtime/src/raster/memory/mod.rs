@@ -1,4 +1,4 @@
-//! What a picture keeps its pixels in.
+//! The memory of pictures.
 
 mod array;
 mod grid;
@@ -12,26 +12,26 @@ pub(crate) use grid::Grid;
 #[cfg(feature = "std")]
 pub use heap::Heap;
 #[cfg(feature = "std")]
-pub(super) use heap::{Block, filled};
+pub(super) use heap::{Block, repeat};
 #[cfg(feature = "std")]
 pub use too_large::TooLarge;
 
 use super::stage::Places;
 use core::fmt;
 
-/// What a picture keeps its pixels in: an [`Array`], or with feature `std` the `Heap`. Nothing else can be one.
+/// The memory of a picture: an [`Array`], or with feature `std` the `Heap`. No other type implements it.
 pub trait Memory: Store {}
 
 impl<S: Store> Memory for S {}
 
-/// What the parts of a picture are kept in.
+/// The types of the parts of a picture.
 pub trait Store: Clone + fmt::Debug + PartialEq {
-    /// What the names of its pictures begin with.
+    /// The prefix of the names of its pictures.
     const PREFIX: &'static str;
     /// All pixels.
     type Pixels<P: Copy + PartialEq>: Grid<P> + Clone + PartialEq;
     /// A number for each pixel of a row.
     type Gains: AsRef<[f32]> + AsMut<[f32]> + Clone;
-    /// The things that a stage keeps account of: of arrays, `N`.
+    /// The items of a stage: of arrays, `N`.
     type Places<const N: usize>: Places + Clone;
 }

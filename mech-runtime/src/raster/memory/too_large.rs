@@ -1,15 +1,15 @@
-//! Why a picture could not be made.
+//! The error of pictures that are too large.
 
 use crate::raster::fixed;
 use core::fmt;
 
-/// A picture on the heap could not be made. Each cause tells the width and height it was to have, in pixels.
+/// The error of a picture on the heap that could not be made, with its width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TooLarge {
-    /// It is wider or higher than 2²¹ pixels.
+    /// A side exceeds 2²¹ pixels.
     Sides([usize; 2]),
-    /// There is no memory for it.
+    /// There is no memory for the pixels.
     Memory([usize; 2]),
 }
 

@@ -29,7 +29,7 @@ impl<T: Scalar> Clipped<T> {
             last = [x, y];
         }
         let (high, low) = extent?;
-        let rows = fixed::touched([high, low], height);
+        let rows = fixed::rows_touching([high, low], height);
         Some(Self { last, rows })
     }
 
@@ -65,7 +65,7 @@ fn side<T: Scalar, G: AsRef<[f32]> + AsMut<[f32]>>(
     covers: &mut [Cover<G>],
     top: usize,
 ) {
-    let rows = fixed::touched([upper[1], lower[1]], top + covers.len());
+    let rows = fixed::rows_touching([upper[1], lower[1]], top + covers.len());
     let first = rows.start.max(top);
     let side = Side::new(upper, lower);
     let mut y = Real::max(fixed::border(first), upper[1]);

@@ -1,20 +1,20 @@
-//! How much of each pixel in a row is covered.
+//! The coverage of each pixel in a row.
 
-use super::mixing::{in_255ths, mix, mixed};
+use super::mixing::{in_255ths, mix, mix_pixel};
 use super::runs::Runs;
 use crate::raster::polygon::Rule;
 
-/// What the sides of a shape add in a row: the share of a pixel that is covered is the sum of all that is added up to it.
+/// The gains that the sides of a shape add in a row. The covered share of a pixel is the sum of all gains up to it.
 #[derive(Clone)]
 pub(super) struct Cover<G> {
     /// A number for each pixel.
     gains: G,
-    /// Where something is added.
+    /// The pixels with gains.
     runs: Runs,
 }
 
 impl<G> Cover<G> {
-    /// Of a row of which nothing is covered: zero for each pixel.
+    /// The cover of an empty row, with a zero for each pixel.
     pub(super) const fn new(gains: G) -> Self {
         Self {
             gains,
@@ -120,7 +120,7 @@ impl<G: AsRef<[f32]> + AsMut<[f32]>> Cover<G> {
                 match share(rule, sum) {
                     0 => {}
                     255 => *pixel = paint,
-                    share => *pixel = mixed(*pixel, paint, share),
+                    share => *pixel = mix_pixel(*pixel, paint, share),
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! One of the two ways down around a polygon.
+//! One of the two sides of a polygon, from the top to the bottom.
 
 use super::cover::Cover;
 use super::side::Side;
@@ -39,7 +39,7 @@ impl<'c, T: Scalar, F: Fn(usize) -> [T; 2]> Descent<'c, T, F> {
         self.side
     }
 
-    /// Adds what it covers between the borders of a row, to the right of it, with the sign of its way round.
+    /// Adds what it covers to its right, between the borders of a row, with the sign of its sense.
     pub(super) fn cover<G: AsRef<[f32]> + AsMut<[f32]>>(
         &mut self,
         [top, bottom]: [T; 2],

@@ -3,7 +3,7 @@
 
 use super::Soft;
 use super::flank::{self, Flank};
-use super::mixing::{fill, in_255ths, mixed};
+use super::mixing::{fill, in_255ths, mix_pixel};
 use crate::Scalar;
 use crate::raster::fixed;
 use crate::raster::memory::{Grid, Memory};
@@ -43,7 +43,7 @@ impl<T: Scalar> Disc<T> {
         })
     }
 
-    /// Those of the rows in which its sides are steep from border to border.
+    /// The rows in which its sides are steep from border to border.
     pub(super) fn steep_rows(&self, rows: Range<usize>) -> Range<usize> {
         // Half as wide as this they bulge so much.
         let half = ComplexField::cbrt(self.bend / BULGE);
@@ -143,12 +143,12 @@ impl<T: Scalar> Disc<T> {
             let mean = 0.5 * (from + to);
             let bulge = self.bend / (mean * mean * mean);
             let share = flank::mean_around(mean + bulge - near, (to - from).abs());
-            *pixel = mixed(*pixel, paint, in_255ths(share));
+            *pixel = mix_pixel(*pixel, paint, in_255ths(share));
             from = to;
         }
     }
 
-    /// How far a border between rows is below the centre.
+    /// The distance of a border between rows below the centre.
     #[inline]
     fn rise(&self, border: usize) -> f32 {
         (fixed::border::<T>(border) - self.center[1]).to_f32()

@@ -1,9 +1,9 @@
-//! What one side of a shape leaves of the pixels in a row.
+//! The pixels of a row that one side of a shape covers in part.
 
-use super::mixing::{fill, in_255ths, mixed};
+use super::mixing::{fill, in_255ths, mix_pixel};
 use crate::Real;
 
-/// What is steeper covers as much as what is as steep as this, in pixels a row.
+/// The least run, in pixels per row. A steeper side covers as much as one with this run.
 const LEAST_RUN: f32 = 1.0 / 512.0;
 
 /// The part of a side that crosses a row from its upper border to its lower one, within the picture.
@@ -44,7 +44,7 @@ impl Flank {
         let mut far = 1.0 + self.first as f32 - self.left + 0.5 * (run - drawn);
         let mut covered = |pixel: &mut [u8; 4]| {
             let beyond = (sum_to(far) - sum_to(far - run)) * density;
-            *pixel = mixed(*pixel, paint, in_255ths(share(beyond)));
+            *pixel = mix_pixel(*pixel, paint, in_255ths(share(beyond)));
             far += 1.0;
         };
         if let [one, other, more @ ..] = pixels {

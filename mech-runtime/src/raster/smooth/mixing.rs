@@ -31,7 +31,7 @@ pub(super) fn mix(pixels: &mut [[u8; 4]], share: u32, paint: [u8; 4]) {
         255 => fill(pixels, paint),
         _ => {
             for pixel in pixels {
-                *pixel = mixed(*pixel, paint, share);
+                *pixel = mix_pixel(*pixel, paint, share);
             }
         }
     }
@@ -39,7 +39,7 @@ pub(super) fn mix(pixels: &mut [[u8; 4]], share: u32, paint: [u8; 4]) {
 
 /// A pixel of which a share, in 255ths, has another colour.
 #[inline]
-pub(super) fn mixed(pixel: [u8; 4], paint: [u8; 4], share: u32) -> [u8; 4] {
+pub(super) fn mix_pixel(pixel: [u8; 4], paint: [u8; 4], share: u32) -> [u8; 4] {
     // All channels at a time, each with a byte of room above it.
     const LOW: u64 = 0x00FF_00FF_00FF_00FF;
     const HALVES: u64 = 0x0080_0080_0080_0080;

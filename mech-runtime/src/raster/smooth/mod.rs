@@ -1,4 +1,4 @@
-//! Anti-aliasing: how much of each pixel a shape covers.
+//! Anti-aliasing: the share of each pixel that a shape covers.
 
 mod clipped;
 mod cover;
@@ -13,8 +13,11 @@ mod simple;
 
 use super::memory::{Array, Grid, Memory};
 #[cfg(feature = "std")]
-use super::memory::{Block, Heap, TooLarge, filled};
+use super::memory::{Block, Heap, TooLarge, repeat};
 use super::paint::{self, Fill};
+use super::picture::picture;
+#[cfg(feature = "std")]
+use super::picture::picture_of_mechanism;
 use super::polygon::Rule;
 use super::spans::{Clip, Spans};
 use super::{Canvas, Palette, View};
@@ -34,12 +37,11 @@ use std::vec::Vec;
 /// Rows of a polygon that are looked at together.
 const ROWS: usize = 16;
 
-/// A picture `W` pixels wide and `H` high with soft edges: red, green, blue and opacity of each pixel.
+/// A picture of `W` × `H` pixels with anti-aliased edges: red, green, blue and opacity of each pixel.
 ///
-/// It is painted on as a [`Frame`](super::Frame) is, with the colours that its palette has at that time. Of a pixel that a shape
-/// covers in part, that part takes the shape's colour: exact to 1/255 for circles and for polygons whose sides do not cross each
-/// other. Where they do, the pixel in which they cross takes the mean of how often it is surrounded. Shapes that share an edge let
-/// some of what is behind them shine through along it: for them, a `Frame` is exact.
+/// It is painted like a [`Frame`](super::Frame), with the present colours of its palette. A pixel that a shape covers in part takes this
+/// part of the shape's colour. The part is exact to 1/255 for circles, and for polygons whose sides do not cross. A pixel in which two
+/// sides cross takes the mean winding number. Where two shapes share an edge, the background shines through. There a `Frame` is exact.
 ///
 /// ```
 /// use mech_runtime::{Canvas, Outline, Palette, Pose, Smooth, View};
@@ -52,18 +54,17 @@ const ROWS: usize = 16;
 /// assert!(0x2A < red && red < 0xFA); // between ink and paper
 /// ```
 ///
-/// It takes four bytes a pixel, also for 16 rows that it does not show: 4 × `W` × (`H` + 16). To these come 768 bytes for its palette,
-/// 1.1 KiB for those rows, and its view. In a variable it lies on the stack. `Box::new(Smooth::new())` makes it there too, unless that
-/// is optimised away. A large picture overflows the stack: make it in a static, or as a `HeapSmooth` (feature `std`).
+/// A pixel takes four bytes, and so does each pixel of 16 hidden rows: 4 × `W` × (`H` + 16). The palette takes 768 bytes, the rows 1.1 KiB
+/// more. A local variable lies on the stack; `Box::new(Smooth::new())` may build it there too. A large picture overflows the stack:
+/// use a static, or a `HeapSmooth` (feature `std`).
 ///
-/// Besides the methods here it has those of every [`Soft`] picture.
+/// The other methods are those of [`Soft`].
 pub type Smooth<const W: usize, const H: usize> = Soft<Array<W, H>>;
 
-/// A [`Smooth`] of a size that is told at run time, on the heap: for pictures of any size. With feature `std`.
+/// A [`Smooth`] on the heap, with a size chosen at run time. With feature `std`.
 ///
-/// It takes four bytes a pixel on the heap, also for 16 rows that it does not show: 8.4 MB for 1920 × 1080 pixels. It is painted on as
-/// a `Smooth` is, and looks the same, pixel for pixel. What is farther right than 32,768 pixels may be less exact than 1/255. Besides
-/// the methods here it has those of every [`Soft`] picture.
+/// A pixel takes four bytes, and so does each pixel of 16 hidden rows: 1920 × 1080 pixels take 8.4 MB. All pixels equal those of a `Smooth`.
+/// Beyond 32,768 pixels from the left, the error may exceed 1/255. The other methods are those of [`Soft`].
 ///
 /// ```
 /// use mech_runtime::{HeapSmooth, Mechanism, mechanism};
@@ -88,7 +89,7 @@ pub type Smooth<const W: usize, const H: usize> = Soft<Array<W, H>>;
 #[cfg(feature = "std")]
 pub type HeapSmooth = Soft<Heap>;
 
-/// A picture with soft edges, in true colour, with a view of the scene. With its pixels in an [`Array`] it is a [`Smooth`], with its
+/// A picture in true colour with anti-aliased edges and a view of the scene. With its pixels in an [`Array`] it is a [`Smooth`], with its
 /// pixels on the `Heap` a `HeapSmooth` (feature `std`).
 #[derive(Clone)]
 pub struct Soft<M: Memory> {
@@ -99,12 +100,11 @@ pub struct Soft<M: Memory> {
     covers: [Cover<M::Gains>; ROWS],
 }
 
-/// What is seen where nothing is painted, until the palette is changed.
+/// The colour of empty pixels until the palette is changed.
 const PAPER: [u8; 4] = Palette::TEXTBOOK.rgba(Palette::PAPER);
 
 impl<const W: usize, const H: usize> Smooth<W, H> {
-    /// An empty picture, with the [textbook](Palette::TEXTBOOK) palette, that looks at the scene's origin with one pixel
-    /// a unit.
+    /// An empty picture with the [textbook](Palette::TEXTBOOK) palette. It looks at the scene's origin, with one pixel per scene unit.
     #[must_use]
     pub const fn new() -> Self {
         let () = Array::<W, H>::IS_PAINTABLE;
@@ -116,7 +116,7 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
         }
     }
 
-    /// The pixels: red, green, blue and opacity, row by row from the top.
+    /// Red, green, blue and opacity of all pixels, row by row from the top.
     #[must_use]
     pub const fn pixels(&self) -> &[[[u8; 4]; W]; H] {
         &self.pixels
@@ -125,17 +125,17 @@ impl<const W: usize, const H: usize> Smooth<W, H> {
 
 #[cfg(feature = "std")]
 impl HeapSmooth {
-    /// An empty picture so many pixels wide and high, with the [textbook](Palette::TEXTBOOK) palette, that looks at the scene's
-    /// origin with one pixel a unit. Either size may be zero.
+    /// An empty picture of this width and height in pixels, with the [textbook](Palette::TEXTBOOK) palette. It looks at the scene's origin,
+    /// with one pixel per scene unit. Either size may be zero.
     ///
     /// # Errors
-    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
+    /// [`TooLarge`] if a side exceeds 2²¹ pixels, or if there is no memory for the pixels.
     pub fn new(width: usize, height: usize) -> Result<Self, TooLarge> {
         let size = [width, height];
         let pixels = Block::new(PAPER, size)?;
         let mut covers = [const { Cover::new(Vec::new()) }; ROWS];
         for cover in &mut covers {
-            *cover = Cover::new(filled(0.0, width).ok_or(TooLarge::Memory(size))?);
+            *cover = Cover::new(repeat(0.0, width).ok_or(TooLarge::Memory(size))?);
         }
         Ok(Self {
             pixels,
@@ -145,22 +145,16 @@ impl HeapSmooth {
         })
     }
 
-    /// The same for a mechanism: it looks at all of it, wherever its motors move it.
-    ///
-    /// # Errors
-    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
-    pub fn of<A: Mechanism>(width: usize, height: usize) -> Result<Self, TooLarge> {
-        let mut picture = Self::new(width, height)?;
-        picture.look_at(A::view(width, height));
-        Ok(picture)
-    }
-
-    /// The pixels: red, green, blue and opacity, row by row from the top.
+    /// Red, green, blue and opacity of all pixels, row by row from the top.
     #[must_use]
     pub fn pixels(&self) -> &[[u8; 4]] {
         self.pixels.all()
     }
 }
+
+picture!(Soft, "Smooth", [u8; 4]);
+#[cfg(feature = "std")]
+picture_of_mechanism!(HeapSmooth);
 
 impl<M: Memory> Soft<M> {
     /// Paints everything in colour 0.
@@ -169,50 +163,15 @@ impl<M: Memory> Soft<M> {
         self.pixels.all_mut().fill(paper);
     }
 
-    /// How many pixels it is wide.
-    #[must_use]
-    pub fn width(&self) -> usize {
-        self.pixels.size()[0]
-    }
-
-    /// How many pixels it is high.
-    #[must_use]
-    pub fn height(&self) -> usize {
-        self.pixels.size()[1]
-    }
-
-    /// What keeps the pixels.
-    #[cfg(feature = "std")]
-    pub(crate) const fn grid(&self) -> &M::Pixels<[u8; 4]> {
-        &self.pixels
-    }
-
-    /// A pixel's red, green, blue and opacity; `x` counts from the left, `y` from the top.
+    /// Red, green, blue and opacity of a pixel. `x` counts from the left, `y` from the top. `None` outside of the picture.
     #[must_use]
     pub fn pixel(&self, x: usize, y: usize) -> Option<[u8; 4]> {
         self.pixels.row(y)?.as_ref().get(x).copied()
     }
 
-    /// The colours.
-    #[must_use]
-    pub const fn palette(&self) -> &Palette {
-        &self.palette
-    }
-
-    /// Changes the colours, for what is painted from now on.
+    /// Changes the colours of all that is painted from now on.
     pub const fn set_palette(&mut self, palette: Palette) {
         self.palette = palette;
-    }
-
-    /// The part of the scene that is seen.
-    #[must_use]
-    pub const fn view(&self) -> View {
-        self.view
-    }
-
-    /// Changes the part of the scene that is seen, for what is painted from now on.
-    pub const fn look_at(&mut self, view: View) {
-        self.view = view;
     }
 }
 
@@ -226,17 +185,6 @@ impl<const W: usize, const H: usize> Default for Smooth<W, H> {
 impl<M: Memory> PartialEq for Soft<M> {
     fn eq(&self, other: &Self) -> bool {
         self.pixels == other.pixels && self.palette == other.palette && self.view == other.view
-    }
-}
-
-/// Its size and view: nobody wants to read the pixels.
-impl<M: Memory> fmt::Debug for Soft<M> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [width, height] = self.pixels.size();
-        write!(f, "{}Smooth<{width}, {height}>", M::PREFIX)?;
-        f.debug_struct("")
-            .field("view", &self.view)
-            .finish_non_exhaustive()
     }
 }
 
@@ -261,7 +209,7 @@ impl<T: Scalar, M: Memory> Canvas<T> for Soft<M> {
 }
 
 impl<M: Memory> Soft<M> {
-    /// Paints a row by what covers it, and forgets that.
+    /// Paints a row by its coverage, and clears that.
     #[inline]
     fn paint(&mut self, row: usize, place: usize, rule: Rule, paint: [u8; 4]) {
         if let (Some(pixels), Some(cover)) = (self.pixels.row_mut(row), self.covers.get_mut(place))
@@ -270,7 +218,7 @@ impl<M: Memory> Soft<M> {
         }
     }
 
-    /// Paints some of the rows in which a circle is seen, but for a hole with the same centre, if there is one.
+    /// Paints some rows of a circle, except for a hole with the same centre, if there is one.
     fn around<T: Scalar>(
         &mut self,
         center: [T; 2],

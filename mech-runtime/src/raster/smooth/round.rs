@@ -9,13 +9,13 @@ use core::ops::Range;
 /// Only those are taken that are seen.
 const MOST: u32 = 1 << 22;
 
-/// A circle that is gone down on both sides at once, in straight steps so short that it makes no difference.
+/// A circle that is followed down on both sides at once, in straight steps that are invisibly short.
 pub(super) struct Round<T> {
     center: [T; 2],
     /// A little more than its own, since steps are nearer to the centre than their ends are.
     radius: T,
     turn: Turn<T>,
-    /// From the centre to the end of the step, of length one; the y axis points down.
+    /// The direction from the centre to the end of the step, of length one. The y axis points down.
     direction: [T; 2],
     /// What is left of the step: from where to where, from the centre to the right and from the top of the picture down.
     from: [T; 2],
@@ -30,7 +30,7 @@ pub(super) fn rows<T: Scalar>(center: [T; 2], radius: T, height: usize) -> Range
     if !(is_finite && radius > T::ZERO) {
         return 0..0;
     }
-    fixed::touched([center[1] - radius, center[1] + radius], height)
+    fixed::rows_touching([center[1] - radius, center[1] + radius], height)
 }
 
 impl<T: Scalar> Round<T> {
@@ -52,12 +52,12 @@ impl<T: Scalar> Round<T> {
             from: [T::ZERO; 2],
             to: [radius * cosine, center[1] + radius * sine],
         };
-        round.go_on();
+        round.advance();
         round
     }
 
     /// The next step, which ends at the lower pole at the latest.
-    fn go_on(&mut self) {
+    fn advance(&mut self) {
         self.from = self.to;
         let [x, y] = self.turn.on(self.direction);
         self.direction = if x > T::ZERO {
@@ -92,7 +92,7 @@ impl<T: Scalar> Round<T> {
             cover.add((center - x).to_f32(), (center - next[0]).to_f32(), gain);
             cover.add((center + x).to_f32(), (center + next[0]).to_f32(), -gain);
             if is_whole && self.direction[0] > T::ZERO {
-                self.go_on();
+                self.advance();
                 continue;
             }
             self.from = next;

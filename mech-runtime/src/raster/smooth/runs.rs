@@ -1,6 +1,6 @@
-//! Which pixels of a row a shape's sides touch.
+//! Runs of pixels of a row that the sides of a shape touch.
 
-/// How many runs are kept apart: of more, neighbours are taken together.
+/// The number of separate runs. Of more, neighbours are united.
 const MOST: usize = 8;
 
 /// Some runs of pixels in a row, apart from each other and from left to right, each from its first pixel to its last.

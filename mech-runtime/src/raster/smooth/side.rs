@@ -2,13 +2,13 @@
 
 use crate::{Real, Scalar};
 
-/// What is farther away than this, in pixels, is as good as there.
+/// The greatest distance, in pixels. Places farther away are moved there.
 const FAR: i32 = 1_000_000_000;
 
-/// A side of an outline that is not level, gone down.
+/// A side of an outline that is not level, from its upper end down.
 #[derive(Clone, Copy)]
 pub(super) struct Side<T> {
-    /// Where it begins.
+    /// The upper end.
     x: T,
     pub(super) start: T,
     /// The ordinate at which it ends.

@@ -39,9 +39,9 @@ impl<'c, F> Simple<'c, F> {
                 highest = index;
             }
             extent = Some([high.min(y), Real::max(low, y)]);
-            directions.go(y);
+            directions.add(y);
         }
-        let rows = fixed::touched(extent?, height);
+        let rows = fixed::rows_touching(extent?, height);
         (directions.turns() <= 2).then_some(Self {
             corner,
             count,

@@ -1,24 +1,24 @@
-//! Rectangles of pixels that have to be painted again.
+//! Rectangles of pixels that must be painted again.
 
 use crate::raster::spans::Clip;
 
-/// The most rectangles: of more, those are taken together that lie next to each other.
+/// The most rectangles. Of more, those that lie next to each other are united.
 const MOST: usize = 12;
-/// What it costs a display to begin with a rectangle, in pixels.
+/// The cost for a display to begin with a rectangle, in pixels.
 const BEGIN: usize = 600;
-/// What it costs to paint within another rectangle, in pixels: shapes that lie in both are begun twice.
+/// The cost of painting one more rectangle, in pixels: shapes that lie in both are begun twice.
 const PAINT: usize = 40_000;
 
 /// A rectangle of pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Area {
-    /// Its first column, from the left.
+    /// The first column, from the left.
     pub x: usize,
-    /// Its first row, from the top.
+    /// The first row, from the top.
     pub y: usize,
-    /// How many columns it has.
+    /// The number of columns.
     pub width: usize,
-    /// How many rows it has.
+    /// The number of rows.
     pub height: usize,
 }
 
@@ -61,7 +61,7 @@ impl Areas {
         areas.get(index).copied().unwrap_or(Clip::none())
     }
 
-    /// The same, or fewer that take in more, for which there is less to be painted.
+    /// The same rectangles, or fewer larger ones that cost less to paint.
     pub(super) fn to_be_painted(&self) -> Self {
         let mut larger = Self::new();
         for area in self.areas.iter().take(self.len) {
@@ -70,7 +70,7 @@ impl Areas {
         larger
     }
 
-    /// Adds a rectangle: to one of those there are, where that costs less than to begin with another.
+    /// Adds a rectangle, or enlarges another where that costs less.
     pub(super) fn add(&mut self, area: Clip) {
         self.add_for(area, BEGIN);
     }

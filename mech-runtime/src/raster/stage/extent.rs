@@ -1,19 +1,19 @@
-//! What something is made of, and how far it reaches.
+//! The hash and the rectangle of an item.
 
-use super::item::{Item, mixed};
+use super::item::{Item, mix};
 use crate::raster::spans::Clip;
 use crate::raster::view::Projection;
 use crate::raster::{fixed, font};
 use crate::{Outline, Pose, Real, Scalar};
 
-/// The corners of a thing, in pixels.
+/// The corners of an item, in pixels.
 pub(super) struct Extent<T> {
     low: [T; 2],
     high: [T; 2],
     mark: u64,
     is_finite: bool,
     is_empty: bool,
-    /// How far it reaches around its corners.
+    /// The distance by which it exceeds the box of its corners.
     reach: T,
 }
 
@@ -22,14 +22,14 @@ impl<T: Scalar> Extent<T> {
         Self {
             low: [T::ZERO; 2],
             high: [T::ZERO; 2],
-            mark: mixed(0x5851_F42D_4C95_7F2D, color.into()),
+            mark: mix(0x5851_F42D_4C95_7F2D, color.into()),
             is_finite: true,
             is_empty: true,
             reach: T::ZERO,
         }
     }
 
-    /// Of an outline given in the frame of a link that is at `pose`.
+    /// The extent of an outline in the frame of a link at `pose`.
     pub(super) fn of_outline(
         projection: Projection<T>,
         outline: Outline<'_, T>,
@@ -81,12 +81,12 @@ impl<T: Scalar> Extent<T> {
         extent
     }
 
-    /// Of a text whose lower left corner is at a place in pixels.
+    /// The extent of a text whose lower left corner is at a place in pixels.
     pub(super) fn of_text(place: [T; 2], text: &str, color: u8) -> Self {
         let mut extent = Self::new(color);
         extent.add(place);
         for character in text.chars() {
-            extent.mark = mixed(extent.mark, character.into());
+            extent.mark = mix(extent.mark, character.into());
         }
         let letters = i32::try_from(text.chars().count()).unwrap_or(i32::MAX);
         let wide = letters.saturating_add(2).saturating_mul(font::ADVANCE);
@@ -102,25 +102,25 @@ impl<T: Scalar> Extent<T> {
         }
         self.low = [self.low[0].min(x), self.low[1].min(y)];
         self.high = [Real::max(self.high[0], x), Real::max(self.high[1], y)];
-        self.mark = mixed(self.mark, bits(x) ^ bits(y).rotate_left(29));
+        self.mark = mix(self.mark, bits(x) ^ bits(y).rotate_left(29));
     }
 
-    /// Mixes in what else it is made of, and gives the last of these: how far it reaches around its corners.
+    /// Mixes in its kind and its other numbers. Returns the last number: the reach.
     fn mix<const K: usize>(&mut self, kind: u64, numbers: [T; K]) -> T {
-        self.mark = mixed(self.mark, kind);
+        self.mark = mix(self.mark, kind);
         for number in numbers {
-            self.mark = mixed(self.mark, bits(number));
+            self.mark = mix(self.mark, bits(number));
         }
         numbers.last().copied().unwrap_or(T::ZERO)
     }
 
-    /// As an item of a picture of this size.
+    /// The item in a picture of this size.
     pub(super) fn item(&self, [width, height]: [usize; 2]) -> Item {
         let reach = self.reach;
         let clip = if self.is_finite && !self.is_empty && Real::is_finite(reach) {
             let ([left, top], [right, bottom]) = (self.low, self.high);
-            let columns = fixed::touched([left - reach, right + reach], width);
-            let rows = fixed::touched([top - reach, bottom + reach], height);
+            let columns = fixed::rows_touching([left - reach, right + reach], width);
+            let rows = fixed::rows_touching([top - reach, bottom + reach], height);
             Clip {
                 left: columns.start,
                 top: rows.start,
@@ -135,7 +135,7 @@ impl<T: Scalar> Extent<T> {
     }
 }
 
-/// The bits of a number, whatever its type; both zeros are one.
+/// The bits of a number as `f64`. Both zeros are the same.
 #[inline]
 fn bits<T: Scalar>(number: T) -> u64 {
     Real::to_f64(number + T::ZERO).to_bits()

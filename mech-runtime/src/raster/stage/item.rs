@@ -1,16 +1,16 @@
-//! What is painted, one thing after the other: where it is seen, and whether it is as before.
+//! Items: the outlines and texts of a stage, one after the other.
 
 use super::area::Areas;
 use crate::raster::spans::Clip;
 #[cfg(feature = "std")]
 use std::vec::Vec;
 
-/// One thing that is painted.
+/// An outline or a text that is painted.
 #[derive(Clone, Copy)]
 pub struct Item {
-    /// All that it is made of, in pixels, as one number: two things that differ have the same one time in 10¹⁹.
+    /// A hash of its geometry in pixels. Two different items have the same hash once in 10¹⁹ times.
     pub(super) mark: u64,
-    /// Where it is seen at most.
+    /// A rectangle around it.
     pub(super) clip: Clip,
 }
 
@@ -21,13 +21,13 @@ impl Item {
     };
 }
 
-/// Places for things.
+/// Slots of items.
 pub trait Places: AsRef<[Item]> {
-    /// The place of this number, if there is one.
+    /// The slot of this number, if there is one.
     fn place(&mut self, number: usize) -> Option<&mut Item>;
 }
 
-/// As many as there are.
+/// A fixed number of slots.
 impl<const N: usize> Places for [Item; N] {
     #[inline]
     fn place(&mut self, number: usize) -> Option<&mut Item> {
@@ -35,7 +35,7 @@ impl<const N: usize> Places for [Item; N] {
     }
 }
 
-/// As many as are asked for one after the other, while there is memory.
+/// As many slots as there is memory for.
 #[cfg(feature = "std")]
 impl Places for Vec<Item> {
     fn place(&mut self, number: usize) -> Option<&mut Item> {
@@ -46,46 +46,46 @@ impl Places for Vec<Item> {
     }
 }
 
-/// The things that were painted last, those beyond the last place together.
+/// The items that were painted last. Those beyond the last slot count as one.
 #[derive(Clone)]
 pub(super) struct Items<P> {
-    kept: P,
-    /// How many there were, and how many there are now.
+    slots: P,
+    /// The number of items before, and now.
     before: usize,
     now: usize,
-    /// How many of the first are as before.
+    /// The number of leading items that are unchanged.
     alike: usize,
-    /// All that have no place of their own: as they were, and as they are.
-    rest_before: Item,
+    /// The items without a slot together: before, and now.
+    remainder_before: Item,
     remainder: Item,
 }
 
 impl<P> Items<P> {
-    /// None yet, with places for some.
-    pub(super) const fn new(places: P) -> Self {
+    /// No items, with these slots.
+    pub(super) const fn new(slots: P) -> Self {
         Self {
-            kept: places,
+            slots,
             before: 0,
             now: 0,
             alike: 0,
-            rest_before: Item::NONE,
+            remainder_before: Item::NONE,
             remainder: Item::NONE,
         }
     }
 }
 
 impl<P: Places> Items<P> {
-    /// Now they are told again.
+    /// Begins to compare all items again.
     pub(super) const fn begin(&mut self) {
         self.before = self.now;
         (self.now, self.alike) = (0, 0);
-        self.rest_before = self.remainder;
+        self.remainder_before = self.remainder;
         self.remainder = Item::NONE;
     }
 
-    /// The next one: where it has changed, what it leaves and what it covers has to be painted again.
-    pub(super) fn tell(&mut self, item: Item, changed: &mut Areas) {
-        if let Some(place) = self.kept.place(self.now) {
+    /// Adds the next item. If it has changed, its old and its new rectangle must be painted again.
+    pub(super) fn add(&mut self, item: Item, changed: &mut Areas) {
+        if let Some(place) = self.slots.place(self.now) {
             let is_new = self.now >= self.before;
             let old = core::mem::replace(place, item);
             if is_new {
@@ -97,30 +97,30 @@ impl<P: Places> Items<P> {
                 self.alike += 1;
             }
         } else {
-            let mark = mixed(self.remainder.mark, item.mark);
+            let mark = mix(self.remainder.mark, item.mark);
             let clip = self.remainder.clip.around(item.clip);
             self.remainder = Item { mark, clip };
         }
         self.now += 1;
     }
 
-    /// That was all: gives how many of the first are as before, and have a place of their own.
+    /// Ends the comparison. Returns the number of leading items that are unchanged and have a slot.
     pub(super) fn end(&self, changed: &mut Areas) -> usize {
-        let kept = self.kept.as_ref();
-        let gone = kept.get(self.now..self.before.min(kept.len()));
-        for item in gone.unwrap_or_default() {
+        let slots = self.slots.as_ref();
+        let removed = slots.get(self.now..self.before.min(slots.len()));
+        for item in removed.unwrap_or_default() {
             changed.add(item.clip);
         }
-        if self.remainder.mark != self.rest_before.mark {
-            changed.add(self.rest_before.clip);
+        if self.remainder.mark != self.remainder_before.mark {
+            changed.add(self.remainder_before.clip);
             changed.add(self.remainder.clip);
         }
         self.alike
     }
 
-    /// Where the thing of this number is seen at most.
+    /// A rectangle around the item of this number.
     pub(super) fn clip(&self, number: usize) -> Clip {
-        self.kept
+        self.slots
             .as_ref()
             .get(number)
             .unwrap_or(&self.remainder)
@@ -128,9 +128,9 @@ impl<P: Places> Items<P> {
     }
 }
 
-/// A number in which another is mixed.
+/// Mixes a number into a hash.
 #[inline]
-pub(super) const fn mixed(mark: u64, bits: u64) -> u64 {
+pub(super) const fn mix(mark: u64, bits: u64) -> u64 {
     let product = (mark ^ bits).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     product ^ (product >> 29)
 }

@@ -1,4 +1,4 @@
-//! A picture in which something moves: only what has changed is painted again.
+//! Pictures in which something moves. Only changed rectangles are painted again.
 
 mod area;
 mod extent;
@@ -14,6 +14,8 @@ use super::HeapFrame;
 use super::memory::{Array, Memory};
 #[cfg(feature = "std")]
 use super::memory::{Heap, TooLarge};
+#[cfg(feature = "std")]
+use super::picture::picture_of_mechanism;
 use super::{Frame, Indexed, Palette, View};
 #[cfg(feature = "std")]
 use crate::Mechanism;
@@ -24,11 +26,11 @@ use pass::Task;
 #[cfg(feature = "std")]
 use std::vec::Vec;
 
-/// A [`Frame`] in which something moves: of each moment only those rectangles are painted again in which something has changed. It looks
-/// as though everything were painted, pixel for pixel.
+/// A [`Frame`] in which something moves. At each moment, only the rectangles that have changed are painted again. All pixels are as if
+/// everything were painted.
 ///
-/// It notices by itself what stands still: what is painted first, and is the same each time, is the ground, painted once and restored
-/// where something moves over it. It keeps account of the `N` first things that are painted, all others together count as one.
+/// Whatever is painted first and is the same each time is the background. It is painted once, and restored where something moves over it.
+/// A stage compares the first `N` outlines one by one, and all others together.
 ///
 /// ```
 /// use mech_runtime::{Stage, View, mechanism};
@@ -54,18 +56,17 @@ use std::vec::Vec;
 /// # Ok::<(), mech_runtime::Blocked>(())
 /// ```
 ///
-/// It takes two frames, 0.5 KiB, and 40 bytes for each of the `N` things (24 where addresses have 32 bits). These are 12.5 KiB in the
-/// example, 117 KiB for 240 × 240 pixels. In a variable it lies on the stack. `Box::new(Stage::new())` makes it there too, unless that
-/// is optimised away. A large one overflows the stack: make it in a static, or as a `HeapStage` (feature `std`).
+/// A stage takes two frames, 0.5 KiB, and 40 bytes for each of the `N` outlines (24 where addresses have 32 bits). The example takes
+/// 12.5 KiB, 240 × 240 pixels take 117 KiB. A local variable lies on the stack; `Box::new(Stage::new())` may build it there too. A
+/// large stage overflows the stack: use a static, or a `HeapStage` (feature `std`).
 ///
-/// Besides the method here it has those of every [`Staged`] picture.
+/// The other methods are those of [`Staged`].
 pub type Stage<const W: usize, const H: usize, const N: usize = 64> = Staged<Array<W, H>, N>;
 
-/// A [`Stage`] of a size that is told at run time, on the heap: for pictures of any size. With feature `std`.
+/// A [`Stage`] on the heap, with a size chosen at run time. With feature `std`.
 ///
-/// It takes two frames on the heap, two bytes a pixel: 4.1 MB for 1920 × 1080 pixels. To these come 40 bytes for each thing that is
-/// painted: it keeps account of all. It is used as a `Stage` is, and looks the same, pixel for pixel. Besides the methods here it has
-/// those of every [`Staged`] picture.
+/// It takes two bytes per pixel: 1920 × 1080 pixels take 4.1 MB. Each outline takes 40 bytes, and all outlines are compared one by one.
+/// All pixels equal those of a `Stage`. The other methods are those of [`Staged`].
 ///
 /// ```
 /// use mech_runtime::{HeapStage, Mechanism, mechanism};
@@ -92,17 +93,17 @@ pub type HeapStage = Staged<Heap, 0>;
 #[derive(Clone)]
 pub struct Staged<M: Memory, const N: usize> {
     frame: Indexed<M>,
-    /// What the first things paint that stand still, and how many these are.
+    /// The background, and the number of outlines in it.
     ground: Indexed<M>,
     still: usize,
     items: Items<M::Places<N>>,
-    /// Whether the frame shows these things already.
+    /// Whether the frame shows these items already.
     is_shown: bool,
     changed: Areas,
 }
 
 impl<const W: usize, const H: usize, const N: usize> Stage<W, H, N> {
-    /// An empty picture, as [`Frame::new`](super::Frame::new) gives it.
+    /// An empty picture, as by [`Frame::new`](super::Frame::new).
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -118,10 +119,10 @@ impl<const W: usize, const H: usize, const N: usize> Stage<W, H, N> {
 
 #[cfg(feature = "std")]
 impl HeapStage {
-    /// An empty picture, as [`HeapFrame::new`](super::HeapFrame::new) gives it.
+    /// An empty picture, as by [`HeapFrame::new`](super::HeapFrame::new).
     ///
     /// # Errors
-    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
+    /// [`TooLarge`] if a side exceeds 2²¹ pixels, or if there is no memory for the pixels.
     pub fn new(width: usize, height: usize) -> Result<Self, TooLarge> {
         Ok(Self {
             frame: HeapFrame::new(width, height)?,
@@ -132,37 +133,30 @@ impl HeapStage {
             changed: Areas::new(),
         })
     }
-
-    /// The same for a mechanism: it looks at all of it, wherever its motors move it.
-    ///
-    /// # Errors
-    /// [`TooLarge`] if it is wider or higher than 2²¹ pixels, or if there is no memory for it.
-    pub fn of<A: Mechanism>(width: usize, height: usize) -> Result<Self, TooLarge> {
-        let mut stage = Self::new(width, height)?;
-        stage.look_at(A::view(width, height));
-        Ok(stage)
-    }
 }
 
+#[cfg(feature = "std")]
+picture_of_mechanism!(HeapStage);
+
 impl<M: Memory, const N: usize> Staged<M, N> {
-    /// What is seen.
+    /// The present picture.
     #[must_use]
     pub const fn frame(&self) -> &Indexed<M> {
         &self.frame
     }
 
-    /// Changes the colours, also of what is already painted.
+    /// Changes the colours, also those of painted pixels.
     pub const fn set_palette(&mut self, palette: Palette) {
         self.frame.set_palette(palette);
     }
 
-    /// Changes the part of the scene that is seen: everything is painted again next time.
+    /// Changes the part of the scene that is seen. Everything is painted again next time.
     pub fn look_at(&mut self, view: View) {
         self.frame.look_at(view);
         self.is_shown = false;
     }
 
-    /// Shows what `paint` paints, on colour 0. It is called several times, and has to paint the same each time.
+    /// Shows what `paint` paints, on colour 0. `paint` is called several times, and must paint the same each time.
     pub fn show(&mut self, paint: impl Fn(&mut Pass<'_, M, N>)) {
         let all = self.frame.whole();
         self.changed = Areas::new();
@@ -194,7 +188,7 @@ impl<M: Memory, const N: usize> Staged<M, N> {
         }
     }
 
-    /// The rectangles in which pixels may have changed by the last [`show`](Self::show), at most twelve; they may overlap.
+    /// The rectangles, at most twelve, in which the last [`show`](Self::show) may have changed pixels. They may overlap.
     pub fn changed(&self) -> impl Iterator<Item = Area> + '_ {
         (0..self.changed.len()).map(|index| Area::from(self.changed.get(index)))
     }
@@ -221,7 +215,7 @@ impl<const W: usize, const H: usize, const N: usize> Default for Stage<W, H, N> 
     }
 }
 
-/// What is seen.
+/// The frame.
 impl<M: Memory, const N: usize> fmt::Debug for Staged<M, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}Stage", M::PREFIX)?;

@@ -1,4 +1,4 @@
-//! One of the times that everything is told.
+//! A pass: one call of the function that paints a stage.
 
 use super::area::Areas;
 use super::extent::Extent;
@@ -9,25 +9,25 @@ use crate::raster::{Canvas, Indexed, View, paint};
 use crate::{Outline, Pose, Real, Scalar};
 use core::ops::Range;
 
-/// What is done with everything that is painted.
+/// The task of a pass.
 #[derive(Clone)]
 pub(super) enum Task {
-    /// It is looked at: what has changed?
+    /// Compares all items with those before.
     Compare,
-    /// Those of these numbers are painted.
+    /// Paints the items of these numbers.
     Ground(Range<usize>),
-    /// Those from this number on are painted, within a rectangle.
+    /// Paints the items from this number on, within a rectangle.
     Paint(usize, Clip),
 }
 
-/// The [`Canvas`] on which a [`Stage`](super::Stage) lets things be painted.
+/// The [`Canvas`] of a [`Stage`](super::Stage).
 pub struct Pass<'s, M: Memory, const N: usize> {
     frame: &'s mut Indexed<M>,
     view: View,
     items: &'s mut Items<M::Places<N>>,
     changed: &'s mut Areas,
     task: Task,
-    /// The number of the next thing.
+    /// The number of the next item.
     next: usize,
 }
 
@@ -49,7 +49,7 @@ impl<'s, M: Memory, const N: usize> Pass<'s, M, N> {
         }
     }
 
-    /// Where the next thing is to be painted.
+    /// The rectangle in which the next item is to be painted, if it is.
     fn clip(&mut self) -> Option<Clip> {
         let number = self.next;
         self.next += 1;
@@ -69,7 +69,7 @@ impl<T: Scalar, M: Memory, const N: usize> Canvas<T> for Pass<'_, M, N> {
         let projection = self.view.projection::<T>(size);
         if matches!(self.task, Task::Compare) {
             let item = Extent::of_outline(projection, outline, pose, color).item(size);
-            self.items.tell(item, self.changed);
+            self.items.add(item, self.changed);
         } else if let Some(clip) = self.clip() {
             let mut part = self.frame.part(clip);
             paint::outline(&mut part, projection, outline, pose, color);
@@ -81,7 +81,7 @@ impl<T: Scalar, M: Memory, const N: usize> Canvas<T> for Pass<'_, M, N> {
         let place = self.view.projection::<T>(size).point(place);
         if matches!(self.task, Task::Compare) {
             let item = Extent::of_text(place, text, color).item(size);
-            self.items.tell(item, self.changed);
+            self.items.add(item, self.changed);
         } else if let Some(clip) = self.clip() {
             paint::text(&mut self.frame.part(clip), place, text, color);
         }

@@ -4,7 +4,7 @@ use crate::frontier::{frontier, never_worth};
 use crate::machine;
 use crate::measurement::{Effort, Figures, Measurement, STEPS};
 use crate::method::Method;
-use crate::table::blocked;
+use crate::table::describe_block;
 
 /// The page, in Markdown.
 pub(crate) fn article(measurements: &[Measurement], effort: Effort) -> String {
@@ -61,7 +61,7 @@ fn steps() -> String {
         .map(|step| step.degrees().to_string())
         .collect();
     match steps.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        Some((last, others)) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
         _ => steps.concat(),
     }
 }
@@ -83,7 +83,7 @@ fn worth_list(measurements: &[Measurement]) -> String {
                 let mut rows = frontier.iter();
                 let row = rows.find(|row| row.method == method && row.precision == precision);
                 let figures = row.and_then(|row| row.outcome.as_ref().ok());
-                figures.map(|figures| priced(figures, measurement.size))
+                figures.map(|figures| describe_price(figures, measurement.size))
             });
             if cells.iter().any(Option::is_some) {
                 let cells = cells.map(|cell| format!(" {} |", cell.unwrap_or_default()));
@@ -96,7 +96,7 @@ fn worth_list(measurements: &[Measurement]) -> String {
     text
 }
 
-fn priced(figures: &Figures, size: f64) -> String {
+fn describe_price(figures: &Figures, size: f64) -> String {
     format!(
         "{:.0} ns, {:.1e} ({:.0e})",
         figures.nanoseconds,
@@ -153,7 +153,7 @@ fn blocked_list(measurements: &[Measurement]) -> String {
                     row.method,
                     row.precision,
                     row.step.degrees(),
-                    blocked(stuck)
+                    describe_block(stuck)
                 );
             }
         }

@@ -31,7 +31,7 @@ struct Placed {
     direction: Vector,
 }
 
-/// Corrects the poses until the joints close and the motor's coordinate is as told.
+/// Corrects the poses until the joints close and the motor's coordinate has the given value.
 ///
 /// # Errors
 /// If they do not come to close, or there is a joint that rolls.
@@ -72,11 +72,11 @@ fn conditions(
         let joint = model.joint(id);
         match joint.kind {
             JointKind::Revolute(a, b) => {
-                let (a, b) = (placed(model, poses, a), placed(model, poses, b));
+                let (a, b) = (place(model, poses, a), place(model, poses, b));
                 conditions.extend(meeting(&a, &b));
                 if model.motor_of(id).is_some() {
                     let (sin, cos) = DoubleDouble::from(motor).sin_cos();
-                    let turned = turned(a.direction, cos, sin);
+                    let turned = rotate(a.direction, cos, sin);
                     conditions.push(parallel(
                         &Placed {
                             direction: turned,
@@ -87,7 +87,7 @@ fn conditions(
                 }
             }
             JointKind::Prismatic(a, b) if model.motor_of(id).is_none() => {
-                let (a, b) = (placed(model, poses, a), placed(model, poses, b));
+                let (a, b) = (place(model, poses, a), place(model, poses, b));
                 conditions.extend([on_line(&a, &b), parallel(&a, &b)]);
             }
             _ => return Err(format!("no reference for joint `{}`", joint.name)),
@@ -96,7 +96,7 @@ fn conditions(
     Ok(conditions)
 }
 
-fn placed(model: &Model, poses: &[[DoubleDouble; 4]], id: AxisId) -> Placed {
+fn place(model: &Model, poses: &[[DoubleDouble; 4]], id: AxisId) -> Placed {
     let axis = model.axis(id);
     let (at, direction) = (
         axis.at.map(DoubleDouble::from),
@@ -112,16 +112,16 @@ fn placed(model: &Model, poses: &[[DoubleDouble; 4]], id: AxisId) -> Placed {
     }
     let link = axis.link.index() - 1;
     let [cos, sin, x, y] = poses[link];
-    let arm = turned(at, cos, sin);
+    let arm = rotate(at, cos, sin);
     Placed {
         first: Some(3 * link),
         at: [x + arm[0], y + arm[1]],
         arm,
-        direction: turned(direction, cos, sin),
+        direction: rotate(direction, cos, sin),
     }
 }
 
-fn turned([x, y]: Vector, cos: DoubleDouble, sin: DoubleDouble) -> Vector {
+fn rotate([x, y]: Vector, cos: DoubleDouble, sin: DoubleDouble) -> Vector {
     [cos * x - sin * y, sin * x + cos * y]
 }
 

@@ -7,7 +7,7 @@ pub(crate) enum Command {
     Full,
     /// To measure briefly, and to write into `target` only.
     Quick,
-    /// To be told what there is.
+    /// Prints a list of all subjects.
     Help,
 }
 

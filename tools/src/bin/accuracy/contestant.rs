@@ -89,8 +89,8 @@ fn time<M: Mechanism>(values: &[f64], sweeps: u32) -> f64 {
     for _ in 0..sweeps {
         let mut mechanism = start.clone();
         for &motors in &values {
-            let gone = mechanism.move_to(black_box(motors));
-            black_box((gone.is_ok(), mechanism.poses()));
+            let result = mechanism.move_to(black_box(motors));
+            black_box((result.is_ok(), mechanism.poses()));
         }
     }
     let elapsed = watch.elapsed().as_secs_f64() * 1e9;

@@ -107,10 +107,10 @@ impl Div for DoubleDouble {
 
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
-        let rest = self - other * first.into();
-        let second = rest.high / other.high;
-        let rest = rest - other * second.into();
-        let third = rest.high / other.high;
+        let remainder = self - other * first.into();
+        let second = remainder.high / other.high;
+        let remainder = remainder - other * second.into();
+        let third = remainder.high / other.high;
         Self::quick_sum(first, second) + third.into()
     }
 }
@@ -151,12 +151,12 @@ impl Real for DoubleDouble {
         let (high, low) = (part(fraction >> 32), part(fraction & 0xFFFF_FFFF));
         let half = 2.0_f64.powi(-32);
         let fraction = Self::sum(high * half, low * half * half);
-        let (turns, rest) = if fraction >= Self::HALF {
+        let (turns, remainder) = if fraction >= Self::HALF {
             (phase.turns().saturating_add(1), fraction - Self::ONE)
         } else {
             (phase.turns(), fraction)
         };
-        (turns, rest * Self::TURN)
+        (turns, remainder * Self::TURN)
     }
 
     fn whole_turns(self) -> Option<(i32, Self)> {
@@ -187,8 +187,8 @@ impl Real for DoubleDouble {
             return self;
         }
         let root = self.high.sqrt();
-        let rest = self - Self::product(root, root);
-        Self::quick_sum(root, rest.high / (2.0 * root))
+        let remainder = self - Self::product(root, root);
+        Self::quick_sum(root, remainder.high / (2.0 * root))
     }
 
     fn max(self, other: Self) -> Self {
@@ -337,7 +337,7 @@ mod tests {
     #[test]
     fn phases() {
         let phase = Phase::new(-3, 3 << 62);
-        let (turns, rest) = DoubleDouble::of_phase(phase);
-        assert_eq!((turns, rest), (-2, -QUARTER));
+        let (turns, remainder) = DoubleDouble::of_phase(phase);
+        assert_eq!((turns, remainder), (-2, -QUARTER));
     }
 }

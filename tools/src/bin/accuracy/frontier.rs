@@ -13,8 +13,8 @@ pub(crate) fn frontier(measurement: &Measurement, step: Step) -> Vec<&Row> {
         .filter_map(|row| Some((row, *row.outcome.as_ref().ok()?)))
         .collect();
     let points: Vec<Figures> = priced.iter().map(|(_, figures)| *figures).collect();
-    let kept = best(&points).into_iter();
-    kept.map(|index| priced[index].0).collect()
+    let best = best(&points).into_iter();
+    best.map(|index| priced[index].0).collect()
 }
 
 /// Whether a row is worth its price at its step.
@@ -61,23 +61,23 @@ fn best(points: &[Figures]) -> Vec<usize> {
 mod tests {
     use super::*;
 
-    fn found(points: &[(f64, f64)]) -> Vec<usize> {
+    fn best_of(points: &[(f64, f64)]) -> Vec<usize> {
         let figures = |&(nanoseconds, error): &(f64, f64)| Figures { error, nanoseconds };
         best(&points.iter().map(figures).collect::<Vec<_>>())
     }
 
     #[test]
     fn what_is_beaten_is_left_out() {
-        assert_eq!(found(&[]), []);
+        assert_eq!(best_of(&[]), []);
         assert_eq!(
-            found(&[(9.0, 1.0), (5.0, 3.0), (7.0, 4.0), (12.0, 0.5)]),
+            best_of(&[(9.0, 1.0), (5.0, 3.0), (7.0, 4.0), (12.0, 0.5)]),
             [1, 0, 3]
         );
     }
 
     #[test]
-    fn the_first_of_equals_is_kept() {
-        assert_eq!(found(&[(5.1, 1.0), (5.0, 1.01)]), [0]);
-        assert_eq!(found(&[(5.0, 1.01), (5.1, 1.0)]), [0]);
+    fn the_first_of_equals_stays() {
+        assert_eq!(best_of(&[(5.1, 1.0), (5.0, 1.01)]), [0]);
+        assert_eq!(best_of(&[(5.0, 1.01), (5.1, 1.0)]), [0]);
     }
 }

@@ -15,7 +15,7 @@ pub(crate) fn description() -> String {
     format!("{name}{processors}, {arch}, {system}")
 }
 
-/// The processor's name, where the system tells it in a file.
+/// The processor's name, where the system has it in a file.
 fn name() -> Option<String> {
     let text = fs::read_to_string("/proc/cpuinfo").ok()?;
     let line = text.lines().find(|line| line.starts_with("model name"))?;

@@ -45,7 +45,7 @@ pub(crate) struct Row {
     pub(crate) method: Method,
     /// What it is computed in.
     pub(crate) precision: Precision,
-    /// How far the motor goes at once.
+    /// The step of the motor.
     pub(crate) step: Step,
     /// What it costs and what it is worth, or where it was blocked.
     pub(crate) outcome: Result<Figures, Stuck>,
@@ -65,7 +65,7 @@ pub(crate) struct Figures {
 pub(crate) struct Stuck {
     /// The loop.
     pub(crate) place: &'static str,
-    /// Beside the start, in degrees: what the motor was told.
+    /// The target of the motor, relative to the start, in degrees.
     pub(crate) degrees: f64,
     /// What the mechanism said.
     pub(crate) words: String,
@@ -151,7 +151,7 @@ pub(crate) fn measure(subject: Subject, effort: Effort) -> Result<Measurement, S
     })
 }
 
-/// The motor's way from the start, there and back, in degrees.
+/// The motor's targets from the start to its limit and back, in degrees.
 fn there_and_back(travel: u16, Step(tenths): Step) -> Vec<f64> {
     let steps = travel * 10 / tenths;
     let values = (1..=steps).chain((0..steps).rev());

@@ -28,7 +28,7 @@ impl Reference {
     /// # Errors
     /// What is wrong with it.
     pub(crate) fn new(text: &str) -> Result<Self, String> {
-        let (model, program) = compiled(text)?;
+        let (model, program) = compile_text(text)?;
         let [start] = program.start.motors[..] else {
             return Err("it does not have one motor".to_owned());
         };
@@ -39,7 +39,7 @@ impl Reference {
             .map(
                 |(link, at)| match link.and_then(|link| program.start.poses.get(link)) {
                     None => at,
-                    Some(pose) => placed(*pose, at),
+                    Some(pose) => place(*pose, at),
                 },
             )
             .collect();
@@ -65,8 +65,8 @@ impl Reference {
     pub(crate) fn trace(&self, values: &[f64]) -> Result<Trace<DoubleDouble>, String> {
         let mut machine = Machine::<DoubleDouble>::new(&self.program);
         let step = |&value: &f64| {
-            let gone = machine.move_to(&[value.into()]);
-            gone.map_err(|stop| format!("the reference stops at {value}: {stop:?}"))?;
+            let result = machine.move_to(&[value.into()]);
+            result.map_err(|stop| format!("the reference stops at {value}: {stop:?}"))?;
             let mut poses = machine.position().poses.clone();
             close(&self.model, self.size, value, &mut poses)?;
             Ok(poses)
@@ -89,18 +89,18 @@ impl Reference {
                 let difference = DoubleDouble::from(poses[link][part]) - reference[link][part];
                 difference.to_f64()
             };
-            let [x, y] = placed([0, 1, 2, 3].map(difference), at);
+            let [x, y] = place([0, 1, 2, 3].map(difference), at);
             x.hypot(y)
         };
         self.points.iter().map(distance).fold(0.0, f64::max)
     }
 }
 
-fn placed([cos, sin, x, y]: [f64; 4], [u, v]: [f64; 2]) -> [f64; 2] {
+fn place([cos, sin, x, y]: [f64; 4], [u, v]: [f64; 2]) -> [f64; 2] {
     [x + cos * u - sin * v, y + sin * u + cos * v]
 }
 
-fn compiled(text: &str) -> Result<(Model, Program), String> {
+fn compile_text(text: &str) -> Result<(Model, Program), String> {
     let text = format!("struct Reference: f64; {text} method exact;");
     let tokens: TokenStream = text.parse().map_err(|_| "it is not Rust".to_owned())?;
     let parsed = syntax::parse(tokens);
@@ -112,8 +112,8 @@ fn compiled(text: &str) -> Result<(Model, Program), String> {
         return Err("there is no reference for slots".to_owned());
     }
     let compiled = compile(&model).map_err(|wrong| {
-        let told = wrong.iter().map(|wrong| reporter::text(wrong, &model));
-        told.collect::<Vec<_>>().join("; ")
+        let messages = wrong.iter().map(|wrong| reporter::text(wrong, &model));
+        messages.collect::<Vec<_>>().join("; ")
     })?;
     Ok((model, compiled.program))
 }

@@ -9,7 +9,7 @@ pub(crate) struct Subject {
     pub(crate) slug: &'static str,
     /// The name in the picture.
     pub(crate) title: &'static str,
-    /// How far its motor goes, there and back, in degrees.
+    /// The limit of its motor, to which it moves and back, in degrees.
     pub(crate) travel: u16,
     /// Its text, without scalar and method.
     pub(crate) text: &'static str,

@@ -44,12 +44,12 @@ fn cell(measurement: &Measurement, row: &Row) -> String {
             figures.error / measurement.size,
             figures.nanoseconds
         ),
-        Err(stuck) => format!("{:>WIDTH$}", format!("{}  ", blocked(stuck))),
+        Err(stuck) => format!("{:>WIDTH$}", format!("{}  ", describe_block(stuck))),
     }
 }
 
 /// Where it was blocked, in a few words.
-pub(crate) fn blocked(stuck: &Stuck) -> String {
+pub(crate) fn describe_block(stuck: &Stuck) -> String {
     let joints = stuck.place.replace(['`', ' '], "");
     format!("blocked {:.1}° {joints}", stuck.degrees)
 }

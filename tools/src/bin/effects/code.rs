@@ -4,7 +4,7 @@ use object::{Object, ObjectSymbol};
 use std::env;
 use std::fs;
 
-/// The size in bytes of all functions of a module but those that measure, if this system's programs tell.
+/// The size in bytes of all functions of a module except those that measure, if this system's object files contain it.
 pub(crate) fn size(module: &str) -> Option<u64> {
     let data = fs::read(env::current_exe().ok()?).ok()?;
     let file = object::File::parse(&*data).ok()?;

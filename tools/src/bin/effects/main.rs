@@ -8,7 +8,7 @@ mod measure;
 mod motion;
 mod subjects;
 
-use measure::{Row, measured};
+use measure::{Row, measure_all};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
@@ -47,7 +47,7 @@ fn run(arguments: &[String]) -> Result<(), String> {
     let rounds = if quick { 5 } else { 201 };
     let mut table = String::new();
     for (title, subjects) in subjects::subjects() {
-        let rows = measured(&subjects, rounds)?;
+        let rows = measure_all(&subjects, rounds)?;
         table += &section(title, &rows);
     }
     table += &motion::section(if quick { 20 } else { 1000 })?;

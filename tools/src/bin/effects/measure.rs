@@ -33,7 +33,7 @@ pub(crate) struct Row {
 ///
 /// # Errors
 /// If one does not move.
-pub(crate) fn measured(subjects: &[Subject], rounds: usize) -> Result<Vec<Row>, String> {
+pub(crate) fn measure_all(subjects: &[Subject], rounds: usize) -> Result<Vec<Row>, String> {
     let mut times = vec![Vec::new(); subjects.len()];
     for _ in 0..rounds {
         for (subject, times) in subjects.iter().zip(&mut times) {

@@ -20,7 +20,7 @@ macro_rules! subject {
             mechanism! { struct Subject0; $($text)* }
 
             #[inline(never)]
-            fn moved($mechanism: &mut Subject0, $motor: f64) -> bool {
+            fn move_to($mechanism: &mut Subject0, $motor: f64) -> bool {
                 $moved.is_ok()
             }
 
@@ -29,7 +29,7 @@ macro_rules! subject {
                 for number in 0..moves {
                     let mechanism = black_box(&mut mechanism);
                     let sine = mechanism.poses().last().map_or(0.0, |pose| pose.sin + pose.x);
-                    if !moved(mechanism, angle(number, sine)) {
+                    if !move_to(mechanism, angle(number, sine)) {
                         return f64::NAN;
                     }
                 }

@@ -1,6 +1,6 @@
 //! Everything has its place, whatever the graph.
 
-use super::{Area, Layout, Point, Sketch, UNDER};
+use super::{Area, Layout, Point, Sketch};
 use crate::exhibits;
 use crate::page::graph_svg;
 
@@ -49,7 +49,7 @@ fn sketch(rows: &[usize], edges: &[(usize, usize)]) -> Sketch {
         rows: rows.to_vec(),
         edges: edges.iter().map(|&(a, b)| (a, b, [20.0, 17.0])).collect(),
         upwards: true,
-        space: -UNDER,
+        has_arrows: false,
     }
 }
 

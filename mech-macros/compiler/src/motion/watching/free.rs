@@ -8,7 +8,7 @@ use crate::certify::always::{Question, always_closes};
 use crate::certify::carried;
 use crate::certify::cone::{Cone, Cuts, Variable};
 use crate::plan::Solution;
-use crate::program::{BlockId, ClosedForm, Form, Value};
+use crate::program::{BlockId, ClosedForm, Dyad, Value};
 use std::f64::consts::{PI, TAU};
 
 /// How many numbers may be found for a loop by itself, for one together with those before it, and for all loops.
@@ -148,7 +148,7 @@ impl<'c> Asked<'c> {
             .map(|solution| (solution, domain.angle_at_start(&solution)))
             .collect();
         let mut outputs = vec![closed.discriminant, closed.tolerance, closed.sine];
-        outputs.extend(closed.form.vectors().into_iter().flatten());
+        outputs.extend(closed.dyad.vectors().into_iter().flatten());
         for (solution, _) in &unknowns {
             match *solution {
                 Solution::Direction(direction) => outputs.extend(direction),
@@ -176,7 +176,7 @@ impl<'c> Asked<'c> {
             }
         }
         let directions = vectors.len();
-        vectors.extend(self.closed.form.vectors().into_iter().map(vector));
+        vectors.extend(self.closed.dyad.vectors().into_iter().map(vector));
         let carrier = |(variable, what): (usize, &Variable)| {
             let start = domain.angle_of(*what)?;
             let turned = carried::turned_along(cone, variable, &numbers, &vectors)?;
@@ -231,7 +231,7 @@ impl<'c> Asked<'c> {
         let closes = always_closes(cone, &question, ranges, &mut budget, |value| {
             let at = |of: Value| value(cone.outputs[self.place(of)]);
             free.least_sine = free.least_sine.min(at(self.closed.sine).abs().low());
-            if let Form::TwoCircles { goal, arms } = self.closed.form {
+            if let Dyad::TwoCircles { goal, arms } = self.closed.dyad {
                 let square = |[x, y]: [Value; 2]| at(x).square() + at(y).square();
                 let [a, b] = arms.map(|arm| square(arm).sqrt().high());
                 let least = square(goal).low() / (a * b);

@@ -13,7 +13,7 @@ use crate::certify::Interval;
 use crate::certify::cone::{Cone, Cuts, Variable};
 use crate::certify::slope::Slopes;
 use crate::plan::Solution;
-use crate::program::{Bound, ClosedForm, Form, Growth, Value};
+use crate::program::{Bound, ClosedForm, Dyad, Growth, Value};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -91,21 +91,24 @@ impl<'d> Paces<'d> {
     pub(super) fn of_sine(&mut self, closed: &ClosedForm) -> Bound {
         let goal = self.goal(closed.number).clone();
         let mut bound = Bound::still(self.inputs());
-        match &closed.form {
-            Form::TwoCircles { .. } => {
+        match &closed.dyad {
+            Dyad::TwoCircles { .. } => {
                 let [[a, long], [b, other]] = pair(&goal.arms);
                 bound.add(2.0 * (long + other) / (a * b), &goal.moves);
             }
-            Form::CircleAndLine { .. } => {
+            Dyad::CircleAndLine { .. } => {
                 let [[radius, _], _] = pair(&goal.arms);
                 bound.add(2.0 / radius, &goal.moves);
             }
             // The greatest slope of x² / (1 + x²) is 0.65; where the line passes beside the pin, the height adds to that.
-            Form::TurningLine { size, .. } => {
+            Dyad::TurningLine { .. } => {
                 let [[_, height], _] = pair(&goal.arms);
-                bound.add((0.65 + 4.0 * height / size) / size, &goal.moves);
+                bound.add(
+                    (0.65 + 4.0 * height / closed.size) / closed.size,
+                    &goal.moves,
+                );
             }
-            Form::TwoLines { .. } => bound.add(1.0, &goal.turns),
+            Dyad::TwoLines { .. } => bound.add(1.0, &goal.turns),
         }
         self.with_params(&mut bound, closed.number);
         let most = if goal.direct {
@@ -158,13 +161,13 @@ impl<'d> Paces<'d> {
                 driven: self.fastest.clone(),
             };
         };
-        let vectors = closed.form.vectors();
+        let vectors = closed.dyad.vectors();
         let mut outputs = vec![closed.discriminant, closed.tolerance];
         outputs.extend(vectors.iter().flatten());
         let cone = self.domain.cutter.cone(&outputs, &Cuts::ALONE);
         let (ranges, far) = self.ranges(&cone);
-        let swept = self.swept(&cone, &ranges, &closed.form);
-        let two_lines = matches!(closed.form, Form::TwoLines { .. });
+        let swept = self.swept(&cone, &ranges, &closed.dyad);
+        let two_lines = matches!(closed.dyad, Dyad::TwoLines { .. });
         let mut goal = Goal {
             moves: Bound::still(inputs),
             turns: Bound::still(inputs),
@@ -280,7 +283,7 @@ impl<'d> Paces<'d> {
                         _ => 0.0,
                     };
                     let near = self.closed(number).filter(|closed| {
-                        matches!(closed.form, Form::TwoLines { .. })
+                        matches!(closed.dyad, Dyad::TwoLines { .. })
                             && self.domain.known[number].free.is_none()
                     });
                     let arms: f64 = goal.arms.iter().map(|[_, most]| most).sum();
@@ -322,14 +325,14 @@ impl<'d> Paces<'d> {
             return bound;
         };
         let goal = self.goal(number).clone();
-        let lever = match (&closed.form, direction) {
-            (Form::TwoCircles { .. }, _) => 1.0 / goal.arms[index][0],
-            (Form::CircleAndLine { .. }, true) => 1.0 / pair(&goal.arms)[0][0],
-            (Form::TurningLine { size, .. }, true) => 1.0 / size,
-            (Form::TurningLine { size, .. }, false) => 1.0 + pair(&goal.arms)[0][1] / size,
-            (Form::CircleAndLine { .. } | Form::TwoLines { .. }, _) => 1.0,
+        let lever = match (&closed.dyad, direction) {
+            (Dyad::TwoCircles { .. }, _) => 1.0 / goal.arms[index][0],
+            (Dyad::CircleAndLine { .. }, true) => 1.0 / pair(&goal.arms)[0][0],
+            (Dyad::TurningLine { .. }, true) => 1.0 / closed.size,
+            (Dyad::TurningLine { .. }, false) => 1.0 + pair(&goal.arms)[0][1] / closed.size,
+            (Dyad::CircleAndLine { .. } | Dyad::TwoLines { .. }, _) => 1.0,
         };
-        let two_lines = matches!(closed.form, Form::TwoLines { .. });
+        let two_lines = matches!(closed.dyad, Dyad::TwoLines { .. });
         bound.add(lever, &goal.moves);
         if bound.rates.iter().any(|rate| *rate > 0.0) {
             // Of two lines, what turns them moves their ways the more, the farther these are.
@@ -385,7 +388,7 @@ impl<'d> Paces<'d> {
     }
 
     /// Looks at vectors on boxes of their variables, wherever the loop may close.
-    fn swept(&mut self, cone: &Cone, ranges: &[Interval], form: &Form) -> Swept {
+    fn swept(&mut self, cone: &Cone, ranges: &[Interval], dyad: &Dyad<Value>) -> Swept {
         let [discriminant, tolerance] = [cone.outputs[0], cone.outputs[1]];
         let vectors: Vec<&[Value]> = cone.outputs[2..].chunks(2).collect();
         let count = cone.variables.len();
@@ -395,10 +398,10 @@ impl<'d> Paces<'d> {
             lines: vec![0.0; count],
             ..Swept::default()
         };
-        let lines = match form {
-            Form::TwoCircles { .. } => vec![],
-            Form::CircleAndLine { .. } | Form::TurningLine { .. } => vec![2],
-            Form::TwoLines { .. } => vec![1, 2],
+        let lines = match dyad {
+            Dyad::TwoCircles { .. } => vec![],
+            Dyad::CircleAndLine { .. } | Dyad::TurningLine { .. } => vec![2],
+            Dyad::TwoLines { .. } => vec![1, 2],
         };
         let is_arm = |vector: usize| vector > 0 && !lines.contains(&vector);
         swept.lengths =

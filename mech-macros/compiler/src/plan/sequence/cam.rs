@@ -30,14 +30,17 @@ impl Search<'_> {
 
     /// How a cam moves its follower, if its shaft is known and the follower is not.
     fn driven(&self, by: JointId, shaft: JointId, follower: JointId) -> Option<Cam> {
-        let (shaft, follower) = (self.declared(shaft)?, self.declared(follower)?);
+        let (shaft, follower) = (
+            self.declared_connection(shaft)?,
+            self.declared_connection(follower)?,
+        );
         let parts = self
             .relations
             .value(&coordinate(shaft, self.link_of(shaft)))?;
         let (from, to) = self.link_of(follower);
         let turns = follower.kind == ConnectionKind::Revolute;
         let held = turns && self.aligned.equiv(from.index(), to.index());
-        if held || self.clusters.joined(from, to) {
+        if held || self.clusters.are_joined(from, to) {
             return None;
         }
         Some(Cam {
@@ -48,7 +51,7 @@ impl Search<'_> {
     }
 
     /// A joint with a coordinate, as it is declared.
-    pub(super) fn declared(&self, joint: JointId) -> Option<Connection> {
+    pub(super) fn declared_connection(&self, joint: JointId) -> Option<Connection> {
         let (kind, from, to) = match self.model.joint(joint).kind {
             JointKind::Revolute(from, to) => (ConnectionKind::Revolute, from, to),
             JointKind::Prismatic(from, to) => (ConnectionKind::Prismatic, from, to),
@@ -75,7 +78,7 @@ impl Search<'_> {
             .find(|&cam| !used(cam))?;
         let blocks = self.blocks(&self.connections()).into_iter();
         let waits = blocks
-            .map(|block| self.described(block))
+            .map(|block| self.describe(block))
             .any(|found| self.is_square(&found));
         (!waits).then_some(idle)
     }

@@ -41,7 +41,7 @@ pub(super) fn sequence(model: &Model, structure: &Structure) -> Result<Sequence,
             sources: search.sources,
         });
     }
-    let (rings, waiting) = (search.rings(), search.waiting());
+    let (rings, waiting) = (search.rings(), search.open_joints());
     Err(Diagnosis::NotSequential { waiting, rings })
 }
 
@@ -55,7 +55,7 @@ struct Search<'m> {
     loops: usize,
     /// For each joint whose coordinate is known, how.
     known: Vec<Option<Knowledge>>,
-    /// What rolls ties; empty, and not kept, if nothing rolls.
+    /// The relations that rolling makes; empty, and not updated, if nothing rolls.
     relations: LinearRelations,
     sources: Vec<Source>,
     /// Links whose directions relative to each other are given by what was known before anything rolled: they slide on each
@@ -101,7 +101,7 @@ impl<'m> Search<'m> {
                     joint,
                 };
                 let (a, b) = self.link_of(connection);
-                if !self.clusters.joined(a, b) {
+                if !self.clusters.are_joined(a, b) {
                     self.merge(&[a, b], &Knowledge::default());
                     self.steps.push(Step::Weld(connection));
                 }
@@ -124,7 +124,7 @@ impl<'m> Search<'m> {
             joint,
         };
         let (a, b) = self.link_of(connection);
-        if !self.clusters.joined(a, b) {
+        if !self.clusters.are_joined(a, b) {
             self.source(
                 Source::Motor(motor),
                 &coordinate(connection, (a, b)),
@@ -144,7 +144,7 @@ impl<'m> Search<'m> {
         }
         for joint in self.model.joint_ids() {
             let (a, b) = self.model.ends(joint);
-            if self.clusters.joined(a, b) {
+            if self.clusters.are_joined(a, b) {
                 self.known[joint.index()].get_or_insert_with(|| how.clone());
             }
         }
@@ -162,28 +162,19 @@ impl<'m> Search<'m> {
     /// Finds loops of three unknowns, or of two where everything slides: of the lowest level, in the order of declaration.
     fn close(&mut self) -> bool {
         let rings = rings(self.model, &self.connections());
-        let mut found: Vec<Loop> = rings.into_iter().map(|ring| self.described(ring)).collect();
+        let mut found: Vec<Loop> = rings.into_iter().map(|ring| self.describe(ring)).collect();
         let Some(lowest) = found.iter().map(|closing| closing.level).min() else {
             return false;
         };
         found.retain(|closing| closing.level == lowest);
         for closing in found {
             // One that was just accepted may have taken its clusters.
-            let starts = closing
-                .tree
-                .iter()
-                .map(|&connection| self.link_of(connection).0);
-            let ends: Vec<LinkId> = closing
-                .tree
-                .iter()
-                .map(|&connection| self.link_of(connection).1)
-                .collect();
-            let apart = starts
-                .zip(&ends)
-                .all(|(from, to)| !self.clusters.joined(from, *to));
-            let distinct = ends
-                .windows(2)
-                .all(|pair| !self.clusters.joined(pair[0], pair[1]));
+            let ends = closing.tree.iter();
+            let ends: Vec<(LinkId, LinkId)> =
+                ends.map(|&connection| self.link_of(connection)).collect();
+            let joined = |a, b| self.clusters.are_joined(a, b);
+            let apart = ends.iter().all(|&(from, to)| !joined(from, to));
+            let distinct = ends.windows(2).all(|pair| !joined(pair[0].1, pair[1].1));
             if apart && distinct {
                 self.accept(closing);
             }
@@ -197,13 +188,13 @@ impl<'m> Search<'m> {
         let allow = self.model.allow;
         let redundant = allow
             .redundant
-            .then(|| coupled::held_twice(&connections))
+            .then(|| coupled::redundant_block(&connections))
             .flatten();
         let found = match redundant {
-            Some(block) => self.described(block),
+            Some(block) => self.describe(block),
             None if allow.coupled => {
                 let found = self.blocks(&connections).into_iter();
-                let mut found = found.map(|block| self.described(block));
+                let mut found = found.map(|block| self.describe(block));
                 match found.find(|found| self.is_square(found)) {
                     Some(found) => found,
                     None => return false,
@@ -223,25 +214,22 @@ impl<'m> Search<'m> {
             .collect()
     }
 
-    /// Whether a loop has as many unknowns as equations: the directions, and the ways of slides, that nothing ties.
+    /// Whether a loop has as many unknowns as equations: the directions, and the displacements of slides, that nothing ties.
     fn is_square(&self, closing: &Loop) -> bool {
-        let slides = closing
-            .connections()
-            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
-            .count();
-        self.turning(&closing.rings, &closing.tree).len() + slides
+        let slides = closing.connections().filter(Connection::slides).count();
+        self.turning_clusters(&closing.rings, &closing.tree).len() + slides
             == 2 * closing.rings.len() + closing.ties.len()
     }
 
     /// The clusters of a loop that turn by themselves, seen from the first: one for each set of clusters that slide on each
     /// other.
-    fn turning(&self, rings: &[Vec<Connection>], tree: &[Connection]) -> Vec<LinkId> {
+    fn turning_clusters(&self, rings: &[Vec<Connection>], tree: &[Connection]) -> Vec<LinkId> {
         let base = |axis| self.clusters.base(self.model.axis(axis).link);
         let mut classes = UnionFind::<usize>::new(self.model.links.len());
         for connection in rings
             .iter()
             .flatten()
-            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
+            .filter(|connection| connection.slides())
         {
             classes.union(base(connection.from).index(), base(connection.to).index());
         }
@@ -258,7 +246,7 @@ impl<'m> Search<'m> {
         turning
     }
 
-    fn described(&self, (rings, tree): Block) -> Loop {
+    fn describe(&self, (rings, tree): Block) -> Loop {
         let members = self.members(&rings);
         let before = self.knowledge(&members);
         let ties = if self.rolls() && rings.iter().any(|ring| ring.len() > 3) {
@@ -294,15 +282,9 @@ impl<'m> Search<'m> {
             };
             self.source(angle, &LinearForm::turn(first, base), how.clone());
         }
-        for connection in found
-            .connections()
-            .filter(|connection| connection.kind == ConnectionKind::Prismatic)
-        {
-            self.source(
-                Source::Displacement(connection.joint),
-                &LinearForm::slide(connection.joint),
-                how.clone(),
-            );
+        for slide in found.connections().filter(Connection::slides) {
+            let source = Source::Displacement(slide.joint);
+            self.source(source, &LinearForm::slide(slide.joint), how.clone());
         }
         self.merge(&[&[first], &bases[..]].concat(), &how);
         self.loops += 1;
@@ -318,7 +300,7 @@ impl<'m> Search<'m> {
             let (a, b, connection) = if a < b {
                 (a, b, connection)
             } else {
-                (b, a, connection.reversed())
+                (b, a, connection.reverse())
             };
             if a != b {
                 between.push(Between {
@@ -385,7 +367,7 @@ impl<'m> Search<'m> {
         found.copied().unwrap_or(pin.joints[0])
     }
 
-    /// The joints of the rings: the unknown ones, and ways through the clusters between them.
+    /// The joints of the rings: the unknown ones, and paths through the clusters between them.
     fn members(&self, rings: &[Vec<Connection>]) -> Vec<JointId> {
         let mut members: Vec<JointId> = Vec::new();
         for ring in rings {
@@ -406,7 +388,7 @@ impl<'m> Search<'m> {
         members
     }
 
-    /// A way through known joints between two links of the same cluster: of the lowest level, then the shortest.
+    /// A path of known joints between two links of the same cluster: of the lowest level, then the shortest.
     fn path(&self, from: LinkId, to: LinkId) -> Vec<JointId> {
         self.graph.path(from, to, |joint| {
             let known = self.known[joint.index()].as_ref()?;
@@ -415,10 +397,10 @@ impl<'m> Search<'m> {
     }
 
     /// The joints between different clusters.
-    fn waiting(&self) -> Vec<JointId> {
+    fn open_joints(&self) -> Vec<JointId> {
         let apart = |joint: &JointId| {
             let (a, b) = self.model.ends(*joint);
-            !self.clusters.joined(a, b) && !self.model.joint(*joint).kind.ties()
+            !self.clusters.are_joined(a, b) && !self.model.joint(*joint).kind.ties()
         };
         self.model.joint_ids().filter(apart).collect()
     }

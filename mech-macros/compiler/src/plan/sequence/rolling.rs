@@ -62,11 +62,11 @@ impl Search<'_> {
         };
         let direct = |(rolling, end): &(&Rolling, usize)| {
             let other = rolling.ends[1 - *end].0.link();
-            self.clusters.joined(rolling.carrier, other)
+            self.clusters.are_joined(rolling.carrier, other)
         };
         // Where several joints could be said to be moved, the name decides, which no reordering changes.
         let name = |mesh: &Mesh| self.model.joint(mesh.connection.joint).name.clone();
-        let moved = |(rolling, end)| self.moved(rolling, end);
+        let moved = |(rolling, end)| self.mesh_of(rolling, end);
         let found = ends().filter(direct).filter_map(moved).min_by_key(name);
         let found = found.or_else(|| ends().filter_map(moved).min_by_key(name));
         let Some(mesh) = found else { return false };
@@ -78,8 +78,8 @@ impl Search<'_> {
     }
 
     /// How a wheel or bar is moved on its carrier, if that is known by now and was not before.
-    pub(super) fn moved(&self, rolling: &Rolling, end: usize) -> Option<Mesh> {
-        let connection = self.carried(rolling, rolling.ends[end].0)?;
+    pub(super) fn mesh_of(&self, rolling: &Rolling, end: usize) -> Option<Mesh> {
+        let connection = self.carrier_connection(rolling, rolling.ends[end].0)?;
         let (from, to) = self.link_of(connection);
         let (free, quantity) = match connection.kind {
             ConnectionKind::Revolute => (
@@ -88,7 +88,7 @@ impl Search<'_> {
             ),
             ConnectionKind::Prismatic => (true, self.along(connection)),
         };
-        if !free || self.clusters.joined(from, to) {
+        if !free || self.clusters.are_joined(from, to) {
             return None;
         }
         let parts = self.relations.value(&quantity)?;
@@ -101,7 +101,11 @@ impl Search<'_> {
 
     /// The joint of a wheel or bar on its carrier; where they are only coaxial, the declared joint that joins their clusters
     /// there.
-    pub(super) fn carried(&self, rolling: &Rolling, end: RollingEnd) -> Option<Connection> {
+    pub(super) fn carrier_connection(
+        &self,
+        rolling: &Rolling,
+        end: RollingEnd,
+    ) -> Option<Connection> {
         let joint = match end {
             RollingEnd::Bar { slide, .. } => slide,
             RollingEnd::Wheel(wheel) => {
@@ -112,10 +116,10 @@ impl Search<'_> {
                 self.named_on(pin, rolling.carrier, wheel)
             }
         };
-        self.declared(joint)
+        self.declared_connection(joint)
     }
 
-    /// The way along a sliding connection, for one who walks it.
+    /// The displacement along a sliding connection, from its first axis to its second.
     pub(super) fn along(&self, connection: Connection) -> LinearForm {
         let slide = LinearForm::slide(connection.joint);
         let declared = self.model.ends(connection.joint) == self.link_of(connection);
@@ -139,7 +143,7 @@ impl Search<'_> {
         self.structure.rollings.iter().map(of).collect()
     }
 
-    /// Finds a ring whose unknown directions or ways rolling ties, so that two unknowns remain.
+    /// Finds a ring whose unknown directions or displacements rolling ties, so that two unknowns remain.
     pub(super) fn tie(&mut self) -> bool {
         if !self.rolls() {
             return false;
@@ -147,12 +151,12 @@ impl Search<'_> {
         let blocks = self.blocks(&self.connections()).into_iter();
         let mut alone = blocks
             .filter(|(rings, _)| rings.len() == 1)
-            .map(|block| self.described(block));
+            .map(|block| self.describe(block));
         let found = alone.find(|found| !found.ties.is_empty() && self.is_square(found));
         found.map(|found| self.accept(found)).is_some()
     }
 
-    /// The directions and ways of a loop that rolling ties.
+    /// The directions and displacements of a loop that rolling ties.
     pub(super) fn ties(&self, rings: &[Vec<Connection>], tree: &[Connection]) -> Vec<Tie> {
         let Some(first) = tree
             .first()
@@ -160,11 +164,11 @@ impl Search<'_> {
         else {
             return Vec::new();
         };
-        let turning = self.turning(rings, tree).into_iter();
+        let turning = self.turning_clusters(rings, tree).into_iter();
         let mut unknowns: Vec<Unknown> = turning.map(Unknown::Direction).collect();
         for connection in rings.iter().flatten() {
             let slide = Unknown::Slide(connection.joint);
-            if connection.kind == ConnectionKind::Prismatic && !unknowns.contains(&slide) {
+            if connection.slides() && !unknowns.contains(&slide) {
                 unknowns.push(slide);
             }
         }
@@ -194,7 +198,7 @@ fn one() -> Rational {
     BigRational::from_integer(1.into())
 }
 
-/// The coordinate of a connection that is walked as its joint is declared.
+/// The coordinate of a connection, from the first link of its joint to the second.
 pub(super) fn coordinate(connection: Connection, (from, to): (LinkId, LinkId)) -> LinearForm {
     match connection.kind {
         ConnectionKind::Revolute => LinearForm::turn(from, to),

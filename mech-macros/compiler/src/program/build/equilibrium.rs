@@ -1,5 +1,5 @@
-//! In which order the equations of equilibrium are solved: which of them have to be solved together, and how they are written so
-//! that these are few.
+//! The order in which the equations of equilibrium are solved: which of them have to be solved together, and for which balances these are
+//! few.
 //!
 //! Equations and unknowns are matched; what then depends on each other in a circle is one block (the fine decomposition of
 //! Dulmage and Mendelsohn). About which point moments are taken and along which axes forces are summed is free for each link, and
@@ -18,12 +18,12 @@ pub(super) struct Together {
     pub(super) unknowns: Vec<usize>,
 }
 
-/// How often the choices of all links are gone through.
+/// How often the balances of all links are tried.
 const PASSES: usize = 3;
 
-/// Chooses one of several ways to write the equations of each link, three at a time, so that as few as possible have to be solved
+/// Chooses one of several balances for the three equations of each link, so that as few as possible have to be solved
 /// together. Gives the choices and the blocks, in the order in which they are solved; none if they do not determine the unknowns.
-pub(super) fn chosen(
+pub(super) fn choose_balances(
     alternatives: &[Vec<[Vec<usize>; 3]>],
     unknowns: usize,
 ) -> Option<(Vec<usize>, Vec<Together>)> {

@@ -1,11 +1,11 @@
 //! Loops that place links which are needed, but whose solution is not: where two slides follow each other, a link between them keeps
-//! a direction that is known, and may be where it is whatever the way of the slides.
+//! a direction that is known, and may be where it is whatever the displacements of the slides.
 
 use crate::model::Model;
 use crate::plan::Plan;
 use crate::program::live::iteration;
 use crate::program::node::{BlockId, Op, Slot, Value};
-use crate::program::{Block, BlockKind, Program};
+use crate::program::{BlockKind, Program};
 
 impl Program {
     /// The loops, by number, whose solution does not reach any pose, while poses are numbered among those of all links.
@@ -15,7 +15,7 @@ impl Program {
         }
         let reached = self.reached_loops();
         let blocks = self.block_ids().filter(|block| !reached.contains(block));
-        let idle = blocks.filter_map(|block| number(&self.blocks[block.index()]));
+        let idle = blocks.filter_map(|block| self.loop_of(block));
         // The turns of what is tied are counted from move to move.
         let tied = |number: &usize| {
             plan.loops()
@@ -67,27 +67,15 @@ impl Program {
         reached
     }
 
-    /// Loops that are only there for how their links hang together are straight blocks.
+    /// Turns the blocks of these loops into straight ones: they only say how their links hang together.
     pub(super) fn forget_loops(&mut self, idle: &[usize]) {
         for block in &mut self.blocks {
-            if number(block).is_some_and(|number| idle.contains(&number)) {
+            if block
+                .loop_number()
+                .is_some_and(|number| idle.contains(&number))
+            {
                 block.kind = BlockKind::Straight;
             }
         }
-    }
-
-    /// The loops that it solves, by their numbers in the plan.
-    #[must_use]
-    pub fn solved_loops(&self) -> Vec<usize> {
-        self.blocks.iter().filter_map(number).collect()
-    }
-}
-
-/// The number of the loop that a block solves, if it does.
-fn number(block: &Block) -> Option<usize> {
-    match &block.kind {
-        BlockKind::Straight => None,
-        BlockKind::ClosedForm(closed) => Some(closed.number),
-        BlockKind::Newton(newton) => Some(newton.number),
     }
 }

@@ -1,15 +1,16 @@
-//! What it takes to move in a given way: the equilibrium of each link, with what keeps it from being accelerated (d'Alembert), for
-//! the reactions in all joints and the torques of all motors.
+//! Inverse dynamics: the equilibrium of each link, inertia included (d'Alembert), for the reactions in all joints and the torques of all
+//! motors.
 
-use super::Writer;
-use super::equilibrium::{Together, chosen};
-use super::rates::Solved;
+use super::Positions;
+use super::equilibrium::{Together, choose_balances};
+use super::lowering::Lowering;
+use super::rates::LoopRates;
 use super::reaction::{Along, Part, Place, Push, Unknown};
 use super::tangent::Seed;
 use super::wrench::Wrench;
 use crate::bug::bug;
 use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId};
-use crate::plan::Algebra;
+use crate::plan::{Algebra, Arithmetic};
 use crate::program::node::{Op, Value};
 use crate::program::{Forces, InverseDynamics, Motion};
 use crate::structure::Structure;
@@ -22,33 +23,35 @@ struct Balance {
     along: Option<JointId>,
 }
 
-/// The three equations of a link, written one way: what each unknown adds, and what is known.
+/// The three equations of a link for one balance: what each unknown adds, and what is known.
 struct Rows {
     unknown: [Vec<(usize, Value)>; 3],
     known: [Value; 3],
 }
 
-impl Writer<'_> {
-    /// What it takes to move in a given way: no forces where equilibrium does not determine them.
-    pub(super) fn inverse_dynamics(&mut self, structure: &Structure) -> Motion {
+impl Lowering<'_> {
+    /// The torques, forces and reactions that a given motion takes; no forces where equilibrium does not determine them.
+    pub(super) fn derive_inverse_dynamics(
+        &mut self,
+        positions: &Positions,
+        structure: &Structure,
+    ) -> Motion {
         let mut motion = Motion::default();
-        let closings = std::mem::take(&mut self.closings);
-        let mut influence_coefficients = self.influence_coefficients(&closings, &mut motion);
-        let (mut given, solved) = self.driven(&closings, Seed::Given, &mut motion);
-        self.driven_on(&closings, &solved, &mut given, &mut motion);
-        self.builder
-            .block("forces".to_owned(), "What acts.".to_owned());
+        let mut influence_coefficients = self.influence_coefficients(positions, &mut motion);
+        let (mut given, rates) = self.all_rates(positions, Seed::Given, &mut motion);
+        self.add_second_rates(positions, &rates, &mut given, &mut motion);
+        self.ssa.block("forces".to_owned(), "What acts.".to_owned());
         let bodies = self.bodies();
         let mut wrenches = self.wrenches(&bodies);
         wrenches.extend(self.resistances(&mut given));
         for body in &bodies {
-            wrenches.extend(self.inertial(body, &mut given));
+            wrenches.extend(self.inertial_wrenches(body, &mut given));
         }
-        self.builder.block(
+        self.ssa.block(
             "equilibrium".to_owned(),
             "The equilibrium of each link.".to_owned(),
         );
-        let unknowns = self.unknown_reactions(structure);
+        let unknowns = self.unknown_reactions(positions, structure);
         let Some(found) = self.equilibrium(&unknowns, &wrenches, &mut motion) else {
             return motion;
         };
@@ -60,10 +63,9 @@ impl Writer<'_> {
             torques: self.drives(&unknowns, &found),
             reactions: self.reactions(&unknowns, &found),
             velocity_ratios,
-            transmission: self.transmission(&solved),
+            transmission: self.transmission(&rates),
         };
         motion.forces = Some(Forces::InverseDynamics(inverse_dynamics));
-        motion.loads = self.model.actions.load_names();
         motion
     }
 
@@ -76,20 +78,20 @@ impl Writer<'_> {
         motion: &mut Motion,
     ) -> Option<Vec<Value>> {
         let links: Vec<LinkId> = self.model.moving_links().collect();
-        let mut written: Vec<Vec<Rows>> = Vec::new();
+        let mut alternatives: Vec<Vec<Rows>> = Vec::new();
         for &link in &links {
             let balances = self.balances(link);
             let rows = balances
                 .into_iter()
                 .map(|balance| self.rows(link, balance, unknowns, wrenches));
-            written.push(rows.collect());
+            alternatives.push(rows.collect());
         }
-        let pattern: Vec<Vec<[Vec<usize>; 3]>> = written
+        let pattern: Vec<Vec<[Vec<usize>; 3]>> = alternatives
             .iter()
             .map(|balances| balances.iter().map(Rows::pattern).collect())
             .collect();
-        let (choices, blocks) = chosen(&pattern, unknowns.len())?;
-        let rows: Vec<(&Vec<(usize, Value)>, Value)> = written
+        let (choices, blocks) = choose_balances(&pattern, unknowns.len())?;
+        let rows: Vec<(&Vec<(usize, Value)>, Value)> = alternatives
             .iter()
             .zip(choices)
             .flat_map(|(balances, choice)| {
@@ -99,9 +101,9 @@ impl Writer<'_> {
             .collect();
         let mut found: Vec<Option<Value>> = vec![None; unknowns.len()];
         for block in &blocks {
-            let values = self.solved_together(block, &rows, &found, motion);
+            let values = self.solve_block(block, &rows, &found, motion);
             for (&unknown, value) in block.unknowns.iter().zip(values) {
-                self.builder.name(value, unknowns[unknown].name.clone());
+                self.ssa.name(value, unknowns[unknown].name.clone());
                 found[unknown] = Some(value);
             }
         }
@@ -111,15 +113,15 @@ impl Writer<'_> {
         Some(found.collect())
     }
 
-    /// Solves a few equations, given what others have found.
-    fn solved_together(
+    /// Solves a few equations, with the unknowns that others have found.
+    fn solve_block(
         &mut self,
         block: &Together,
         rows: &[(&Vec<(usize, Value)>, Value)],
         found: &[Option<Value>],
         motion: &mut Motion,
     ) -> Vec<Value> {
-        let zero = self.builder.constant(0.0);
+        let zero = self.ssa.constant(0.0);
         let mut columns = vec![vec![zero; block.equations.len()]; block.unknowns.len()];
         let mut right = Vec::new();
         for (row, &equation) in block.equations.iter().enumerate() {
@@ -132,23 +134,26 @@ impl Writer<'_> {
                     let Some(value) = found[unknown] else {
                         bug!("an equilibrium needs an unknown that is found after it");
                     };
-                    let share = self.builder.mul(factor, value);
-                    sum = self.builder.add(sum, share);
+                    let share = self.ssa.mul(factor, value);
+                    sum = self.ssa.add(sum, share);
                 }
             }
             right.push(sum);
         }
         match (&columns[..], &right[..]) {
             ([column], &[sum]) => {
-                let sum = self.builder.neg(sum);
-                vec![self.builder.div(sum, column[0])]
+                let sum = self.ssa.neg(sum);
+                vec![self.ssa.div(sum, column[0])]
             }
-            _ if columns.len() <= 3 => self.steps(self.builder.current(), &columns, &right).0,
-            _ => self.dense(&columns, &right, motion).0,
+            _ if columns.len() <= 3 => {
+                let block = self.ssa.current();
+                self.ssa.solve_linear(block, &columns, &right).0
+            }
+            _ => self.solve_dense(&columns, &right, motion).0,
         }
     }
 
-    /// The ways to write the equations of a link.
+    /// The balances that a link's equations can be written for.
     fn balances(&self, link: LinkId) -> Vec<Balance> {
         let mut points: Vec<AxisId> = Vec::new();
         let place = |axis: AxisId| {
@@ -187,7 +192,7 @@ impl Writer<'_> {
         balances.collect()
     }
 
-    /// The equations of a link, written one way.
+    /// The equations of a link for one balance.
     fn rows(
         &mut self,
         link: LinkId,
@@ -195,7 +200,7 @@ impl Writer<'_> {
         unknowns: &[Unknown],
         wrenches: &[Wrench],
     ) -> Rows {
-        let zero = self.builder.constant(0.0);
+        let zero = self.ssa.constant(0.0);
         let mut rows = Rows {
             unknown: Default::default(),
             known: [zero; 3],
@@ -210,15 +215,13 @@ impl Writer<'_> {
                         along,
                         size,
                     } if pushed == link => {
-                        let parts = self.pushed(link, balance, at, along);
-                        parts.map(|part| self.builder.mul(size, part))
+                        let parts = self.force_terms(link, balance, at, along);
+                        parts.map(|part| self.ssa.mul(size, part))
                     }
                     Push::Torque { link: pushed, size } if pushed == link => [zero, zero, size],
                     _ => continue,
                 };
-                for (sum, part) in sums.iter_mut().zip(parts) {
-                    *sum = self.builder.add(*sum, part);
-                }
+                self.ssa.add_to(&mut sums, parts);
             }
             for (row, sum) in rows.unknown.iter_mut().zip(sums) {
                 if sum != zero {
@@ -234,8 +237,8 @@ impl Writer<'_> {
                     force,
                 } if pushed == link => {
                     let arm = self.arm(link, balance, Place::Scene(at));
-                    let [along, across] = self.resolved(balance, force);
-                    [along, across, self.builder.cross(arm, force)]
+                    let [along, across] = self.resolve(balance, force);
+                    [along, across, self.ssa.cross(arm, force)]
                 }
                 Wrench::Torque {
                     link: pushed,
@@ -243,23 +246,27 @@ impl Writer<'_> {
                 } if pushed == link => [zero, zero, torque],
                 _ => continue,
             };
-            for (sum, part) in rows.known.iter_mut().zip(parts) {
-                *sum = self.builder.add(*sum, part);
-            }
+            self.ssa.add_to(&mut rows.known, parts);
         }
         rows
     }
 
     /// What a force of size one adds to the equations of a link.
-    fn pushed(&mut self, link: LinkId, balance: Balance, at: Place, along: Along) -> [Value; 3] {
-        let (zero, one) = (self.builder.constant(0.0), self.builder.constant(1.0));
+    fn force_terms(
+        &mut self,
+        link: LinkId,
+        balance: Balance,
+        at: Place,
+        along: Along,
+    ) -> [Value; 3] {
+        let (zero, one) = (self.ssa.constant(0.0), self.ssa.constant(1.0));
         let direction = self.direction(along);
         let arm = self.arm(link, balance, at);
-        let moment = self.builder.cross(arm, direction);
+        let moment = self.ssa.cross(arm, direction);
         let [p, q] = match (along, balance.along) {
             (Along::Slide(joint), Some(own)) if joint == own => [one, zero],
             (Along::Across(joint), Some(own)) if joint == own => [zero, one],
-            _ => self.resolved(balance, direction),
+            _ => self.resolve(balance, direction),
         };
         [p, q, moment]
     }
@@ -271,7 +278,7 @@ impl Writer<'_> {
             Along::Slide(joint) => self.slide(joint),
             Along::Across(joint) => {
                 let [x, y] = self.slide(joint);
-                [self.builder.neg(y), x]
+                [self.ssa.neg(y), x]
             }
         }
     }
@@ -279,23 +286,20 @@ impl Writer<'_> {
     /// The direction of a slide in the scene.
     fn slide(&mut self, joint: JointId) -> [Value; 2] {
         let JointKind::Prismatic(a, _) = self.model.joint(joint).kind else {
-            return self.builder.vector([1.0, 0.0]);
+            return self.ssa.vector([1.0, 0.0]);
         };
         let axis = self.model.axis(a);
         let pose = self.placement.pose(axis.link);
-        pose.turn(&mut self.builder, axis.direction)
+        pose.turn(&mut self.ssa, axis.direction)
     }
 
     /// A force along and across what the forces of a link are summed along.
-    fn resolved(&mut self, balance: Balance, force: [Value; 2]) -> [Value; 2] {
+    fn resolve(&mut self, balance: Balance, force: [Value; 2]) -> [Value; 2] {
         match balance.along {
             None => force,
             Some(joint) => {
                 let along = self.slide(joint);
-                [
-                    self.builder.dot(along, force),
-                    self.builder.cross(along, force),
-                ]
+                [self.ssa.dot(along, force), self.ssa.cross(along, force)]
             }
         }
     }
@@ -307,17 +311,17 @@ impl Writer<'_> {
             Place::Own(axis) => {
                 let axis = self.model.axis(axis);
                 let arm = match balance.about {
-                    Some(about) => self.builder.between(self.model.axis(about), axis),
-                    None => self.builder.place(axis),
+                    Some(about) => self.ssa.between(self.model.axis(about), axis),
+                    None => self.ssa.place(axis),
                 };
-                self.builder.turned(pose.direction, arm)
+                self.ssa.rotate(pose.direction, arm)
             }
             Place::Scene(at) => {
                 let about = match balance.about {
-                    Some(about) => pose.carry(&mut self.builder, self.model.axis(about)),
+                    Some(about) => pose.carry(&mut self.ssa, self.model.axis(about)),
                     None => pose.origin,
                 };
-                self.builder.minus(at, about)
+                self.ssa.minus(at, about)
             }
         }
     }
@@ -332,9 +336,9 @@ impl Writer<'_> {
         self.model.motor_ids().filter_map(drive).collect()
     }
 
-    /// The reactions in all joints that are told.
+    /// The reactions in all declared joints.
     fn reactions(&mut self, unknowns: &[Unknown], found: &[Value]) -> Vec<[Value; 3]> {
-        let zero = self.builder.constant(0.0);
+        let zero = self.ssa.constant(0.0);
         let mut reactions = Vec::new();
         for joint in self.model.declared_joints() {
             let mut sums = [zero; 3];
@@ -346,13 +350,11 @@ impl Writer<'_> {
                     Part::Torque => [zero, zero, size],
                     Part::Force(along) => {
                         let direction = self.direction(along);
-                        let [x, y] = self.builder.scaled(size, direction);
+                        let [x, y] = self.ssa.scale(size, direction);
                         [x, y, zero]
                     }
                 };
-                for (sum, part) in sums.iter_mut().zip(parts) {
-                    *sum = self.builder.add(*sum, part);
-                }
+                self.ssa.add_to(&mut sums, parts);
             }
             reactions.push(sums);
         }
@@ -360,27 +362,25 @@ impl Writer<'_> {
     }
 
     /// The transmission angles of dyads: between the directions in which the two unknowns of each move its closure.
-    fn transmission(&mut self, solved: &[Solved]) -> Vec<Value> {
+    fn transmission(&mut self, rates: &[LoopRates]) -> Vec<Value> {
         let mut angles = Vec::new();
-        for solved in solved {
-            let [a, b] = &solved.columns[..] else {
+        for rates in rates {
+            let [a, b] = &rates.columns[..] else {
                 continue;
             };
             let (&[p, q], &[r, s]) = (&a[..], &b[..]) else {
                 continue;
             };
-            let (across, along) = (
-                self.builder.cross([p, q], [r, s]),
-                self.builder.dot([p, q], [r, s]),
-            );
-            let (across, along) = (self.builder.abs(across), self.builder.abs(along));
-            angles.push(self.builder.make(Op::Atan2(across, along)));
+            let (across, along) = (self.ssa.cross([p, q], [r, s]), self.ssa.dot([p, q], [r, s]));
+            let (across, along) = (self.ssa.abs(across), self.ssa.abs(along));
+            angles.push(self.ssa.make(Op::Atan2(across, along)));
         }
         angles
     }
 }
 
 impl Rows {
+    /// Which unknowns each equation contains.
     fn pattern(&self) -> [Vec<usize>; 3] {
         self.unknown
             .each_ref()

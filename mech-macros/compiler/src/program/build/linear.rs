@@ -1,12 +1,12 @@
-//! The linear system of a loop, written out.
+//! The linear system of a loop, solved by explicit formulas.
 
-use super::Writer;
-use crate::plan::Algebra;
+use crate::plan::{Algebra, Arithmetic};
+use crate::program::builder::SsaBuilder;
 use crate::program::node::{BlockId, Op, Value};
 
-impl Writer<'_> {
+impl SsaBuilder {
     /// The steps of the unknowns that close the gap to first order, and the determinant.
-    pub(super) fn steps(
+    pub(super) fn solve_linear(
         &mut self,
         block: BlockId,
         columns: &[Vec<Value>],
@@ -15,34 +15,29 @@ impl Writer<'_> {
         match (columns, gap) {
             ([a, b], &[x, y]) => {
                 let (a, b, gap) = ([a[0], a[1]], [b[0], b[1]], [x, y]);
-                let det = self.builder.cross(a, b);
-                let (p, q) = (self.builder.cross(b, gap), self.builder.cross(gap, a));
-                let one = self.builder.constant(1.0);
-                let inverse = self.builder.div(one, det);
-                let inverse = self.builder.name(inverse, "inverse");
-                (
-                    vec![self.builder.mul(p, inverse), self.builder.mul(q, inverse)],
-                    det,
-                )
+                let det = self.cross(a, b);
+                let (p, q) = (self.cross(b, gap), self.cross(gap, a));
+                let one = self.constant(1.0);
+                let inverse = self.div(one, det);
+                let inverse = self.name(inverse, "inverse");
+                (vec![self.mul(p, inverse), self.mul(q, inverse)], det)
             }
             ([a, b, c], [_, _, _]) => self.cramer([a, b, c], gap),
             // More equations than unknowns, where joints are redundant: as good as possible.
             ([a], &[x, y]) => {
                 let a = [a[0], a[1]];
-                let square = self.builder.dot(a, a);
-                let along = self.builder.dot(a, [x, y]);
-                let along = self.builder.neg(along);
-                (vec![self.builder.div(along, square)], square)
+                let square = self.dot(a, a);
+                let along = self.dot(a, [x, y]);
+                let along = self.neg(along);
+                (vec![self.div(along, square)], square)
             }
             _ => {
-                let dense = |builder: &mut crate::program::builder::Builder, index| {
-                    builder.make(Op::Dense(block, index))
-                };
+                let dense = |builder: &mut SsaBuilder, index| builder.make(Op::Dense(block, index));
                 let steps = (0..columns.len()).map(|index| {
-                    let step = dense(&mut self.builder, index);
-                    self.builder.name(step, "step")
+                    let step = dense(self, index);
+                    self.name(step, "step")
                 });
-                (steps.collect(), dense(&mut self.builder, columns.len()))
+                (steps.collect(), dense(self, columns.len()))
             }
         }
     }
@@ -57,15 +52,22 @@ impl Writer<'_> {
             self.triple(a, b, gap),
         ];
         let steps = parts.map(|part| {
-            let part = self.builder.neg(part);
-            self.builder.div(part, det)
+            let part = self.neg(part);
+            self.div(part, det)
         });
         (steps.to_vec(), det)
     }
 
+    /// Adds to each of some sums.
+    pub(super) fn add_to(&mut self, sums: &mut [Value], parts: impl IntoIterator<Item = Value>) {
+        for (sum, part) in sums.iter_mut().zip(parts) {
+            *sum = self.add(*sum, part);
+        }
+    }
+
     /// The determinant of three columns.
     fn triple(&mut self, a: [Value; 3], b: [Value; 3], c: [Value; 3]) -> Value {
-        let builder = &mut self.builder;
+        let builder = self;
         let minors =
             [(1, 2), (2, 0), (0, 1)].map(|(i, j)| builder.cross([b[i], b[j]], [c[i], c[j]]));
         let [x, y, z] = [0, 1, 2].map(|row| builder.mul(a[row], minors[row]));

@@ -1,22 +1,19 @@
-//! What is carried of params: where axes are in their links that something tells, and what says so must be a number.
+//! Where axes are in their links, if that depends on params: a position carries what accessors, springs and the overlay read.
 
-use super::Writer;
+use super::lowering::Lowering;
 use crate::model::{AxisId, Between, JointKind};
 use crate::plan::Algebra;
 use crate::program::Place;
 
-impl Writer<'_> {
-    /// Carries where axes are that are told by themselves, by a joint's coordinate, by a spring or by the overlay, if it depends on
-    /// params.
-    pub(super) fn keep_places(&mut self) {
-        for id in self.told_axes() {
+impl Lowering<'_> {
+    /// Carries the coordinates of axes in their links that depend on params and that something outside of the program reads.
+    pub(super) fn carry_places(&mut self) {
+        for id in self.exposed_axes() {
             let axis = self.model.axis(id);
-            let place = self.builder.place(axis);
+            let place = self.ssa.place(axis);
             for part in (0..2).filter(|&part| axis.formulas[part].is_some()) {
-                let state = self.state.len();
-                self.keep(self.builder.at_start(place[part]));
-                self.state[state] = place[part];
-                self.places.push(Place {
+                let state = self.ssa.record(place[part]).index;
+                self.layout.places.push(Place {
                     axis: id,
                     part,
                     state,
@@ -25,15 +22,15 @@ impl Writer<'_> {
         }
     }
 
-    /// The axes that vary and that a point, the coordinate of a joint, the force of a spring or the overlay tells, each once.
-    fn told_axes(&self) -> Vec<AxisId> {
+    /// The axes that vary and that a point, the coordinate of a joint, the force of a spring or the overlay is computed from, each once.
+    fn exposed_axes(&self) -> Vec<AxisId> {
         let model = self.model;
         let joints = model.joint_ids().filter(|&id| model.shows_joint(id));
         let of_joints = joints.filter_map(|id| match model.joint(id).kind {
             JointKind::Prismatic(a, b) => Some([a, b].map(|axis| model.seen_axis(axis))),
             _ => None,
         });
-        // The forces of springs are told from where their ends are.
+        // The forces of springs are computed from their ends.
         let springs = model.actions.springs.iter();
         let sprung = springs.filter_map(|spring| match spring.between {
             Between::Points(a, b) if model.effects.needs_actions() => Some([a, b]),
@@ -46,15 +43,15 @@ impl Writer<'_> {
             0
         };
         let drawn = (0..all).map(AxisId::new);
-        let mut told: Vec<AxisId> = model
+        let mut exposed: Vec<AxisId> = model
             .shown_points()
             .chain(of_joints.flatten())
             .chain(sprung.flatten())
             .chain(drawn)
             .filter(|&id| model.axis(id).varies())
             .collect();
-        told.sort_unstable();
-        told.dedup();
-        told
+        exposed.sort_unstable();
+        exposed.dedup();
+        exposed
     }
 }

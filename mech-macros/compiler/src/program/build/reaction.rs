@@ -1,8 +1,9 @@
-//! What joints and motors do to links, as unknowns: in which directions each pushes, and where.
+//! The reactions in joints and the torques of motors as unknowns: in which directions each pushes, and where.
 
-use super::Writer;
+use super::Positions;
+use super::lowering::Lowering;
 use crate::model::{AxisId, JointId, JointKind, LinkId, MotorId};
-use crate::plan::Algebra;
+use crate::plan::{Algebra, Arithmetic};
 use crate::program::node::Value;
 use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 
@@ -48,11 +49,11 @@ pub(super) struct Unknown {
     pub(super) name: String,
     /// What it does to each link.
     pub(super) pushes: Vec<Push>,
-    /// What of the reaction it is, for one that is told.
+    /// Which part of the joint's reaction it is.
     pub(super) part: Part,
 }
 
-/// What of a reaction an unknown is.
+/// A part of a reaction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Part {
     /// A force in this direction.
@@ -61,37 +62,50 @@ pub(super) enum Part {
     Torque,
 }
 
-impl Writer<'_> {
+impl Lowering<'_> {
     /// All unknowns of the reactions in all joints.
-    pub(super) fn unknown_reactions(&mut self, structure: &Structure) -> Vec<Unknown> {
+    pub(super) fn unknown_reactions(
+        &mut self,
+        positions: &Positions,
+        structure: &Structure,
+    ) -> Vec<Unknown> {
         let mut unknowns = Vec::new();
         for joint in self.model.joint_ids() {
             let motor = self.model.motor_of(joint);
             match self.model.joint(joint).kind {
                 JointKind::Revolute(a, b) => {
-                    unknowns.extend(self.pinned(joint, [a, b]));
+                    unknowns.extend(self.pin_forces(joint, [a, b]));
                     if motor.is_some() {
-                        unknowns.push(self.twist(joint, "torque"));
+                        unknowns.push(self.joint_torque(joint, "torque"));
                     }
                 }
                 JointKind::Weld(a, b) => {
-                    unknowns.extend(self.pinned(joint, [a, b]));
-                    unknowns.push(self.twist(joint, "torque"));
+                    unknowns.extend(self.pin_forces(joint, [a, b]));
+                    unknowns.push(self.joint_torque(joint, "torque"));
                 }
                 JointKind::Prismatic(a, b) => {
-                    unknowns.push(self.guided(joint, [a, b], Along::Across(joint), "normal"));
-                    unknowns.push(self.twist(joint, "moment"));
+                    unknowns.push(self.slide_force(joint, [a, b], Along::Across(joint), "normal"));
+                    unknowns.push(self.joint_torque(joint, "moment"));
                     if motor.is_some() {
-                        unknowns.push(self.guided(joint, [a, b], Along::Slide(joint), "force"));
+                        unknowns.push(self.slide_force(
+                            joint,
+                            [a, b],
+                            Along::Slide(joint),
+                            "force",
+                        ));
                     }
                 }
                 JointKind::Cam {
                     shaft, follower, ..
-                } => unknowns.extend(self.cammed(joint, shaft, follower)),
+                } => {
+                    let slope = self.slope(positions, joint);
+                    unknowns
+                        .extend(slope.map(|slope| self.cam_push(joint, slope, [shaft, follower])));
+                }
                 JointKind::Gear { .. } | JointKind::Belt { .. } | JointKind::Rack { .. } => {
                     let mut rollings = structure.rollings.iter();
                     if let Some(rolling) = rollings.find(|rolling| rolling.joint == joint) {
-                        unknowns.push(self.rolled(structure, rolling));
+                        unknowns.push(self.rolling_force(structure, rolling));
                     }
                 }
             }
@@ -115,9 +129,9 @@ impl Writer<'_> {
     }
 
     /// Two forces at a pin, along x and y.
-    fn pinned(&mut self, joint: JointId, axes: [AxisId; 2]) -> [Unknown; 2] {
+    fn pin_forces(&mut self, joint: JointId, axes: [AxisId; 2]) -> [Unknown; 2] {
         [([1.0, 0.0], "x"), ([0.0, 1.0], "y")].map(|(direction, name)| {
-            let along = Along::Scene(self.builder.vector(direction));
+            let along = Along::Scene(self.ssa.vector(direction));
             let [first, second] = axes.map(|axis| (self.link_of(axis), Place::Own(axis)));
             self.force(joint, name, along, [first, second])
         })
@@ -137,7 +151,7 @@ impl Writer<'_> {
             along,
             size,
         };
-        let (one, back) = (self.builder.constant(1.0), self.builder.constant(-1.0));
+        let (one, back) = (self.ssa.constant(1.0), self.ssa.constant(-1.0));
         Unknown {
             joint,
             name: self.reaction_name(joint, name),
@@ -147,9 +161,15 @@ impl Writer<'_> {
     }
 
     /// A force between the links of a slide, where the second one's line begins.
-    fn guided(&mut self, joint: JointId, [a, b]: [AxisId; 2], along: Along, name: &str) -> Unknown {
+    fn slide_force(
+        &mut self,
+        joint: JointId,
+        [a, b]: [AxisId; 2],
+        along: Along,
+        name: &str,
+    ) -> Unknown {
         let (first, link, own) = (self.link_of(a), self.link_of(b), Place::Own(b));
-        let (_, there) = self.point(b);
+        let there = self.point(b);
         self.force(
             joint,
             name,
@@ -159,75 +179,75 @@ impl Writer<'_> {
     }
 
     /// A torque on the second link of a joint, and back on the first.
-    fn twist(&mut self, joint: JointId, name: &str) -> Unknown {
-        let (a, b) = self.model.ends(joint);
-        let (one, back) = (self.builder.constant(1.0), self.builder.constant(-1.0));
+    fn joint_torque(&mut self, joint: JointId, name: &str) -> Unknown {
+        let one = self.ssa.constant(1.0);
         Unknown {
             joint,
             name: self.reaction_name(joint, name),
-            pushes: vec![
-                Push::Torque { link: b, size: one },
-                Push::Torque {
-                    link: a,
-                    size: back,
-                },
-            ],
+            pushes: self.torques(joint, one),
             part: Part::Torque,
         }
     }
 
-    /// What a cam does: it pushes its follower, and is turned back by as much as the follower is faster than it.
-    fn cammed(&mut self, joint: JointId, shaft: JointId, follower: JointId) -> Option<Unknown> {
-        let slope = self.slope(joint)?;
-        let back = self.builder.neg(slope);
-        let one = self.builder.constant(1.0);
-        let mut pushes = self.driving(follower, one);
-        pushes.extend(self.driving(shaft, back));
+    /// A torque of this size on the second link of a joint, and back on the first.
+    fn torques(&mut self, joint: JointId, size: Value) -> Vec<Push> {
+        let (a, b) = self.model.ends(joint);
+        let back = self.ssa.neg(size);
+        [(b, size), (a, back)]
+            .map(|(link, size)| Push::Torque { link, size })
+            .to_vec()
+    }
+
+    /// The push of a cam on its follower, which turns the shaft back by as much as the follower is faster than it.
+    fn cam_push(
+        &mut self,
+        joint: JointId,
+        slope: Value,
+        [shaft, follower]: [JointId; 2],
+    ) -> Unknown {
+        let back = self.ssa.neg(slope);
+        let one = self.ssa.constant(1.0);
+        let mut pushes = self.pushes_along(follower, one);
+        pushes.extend(self.pushes_along(shaft, back));
         let part = match self.model.joint(follower).kind {
             JointKind::Prismatic(..) => Part::Force(Along::Slide(follower)),
             _ => Part::Torque,
         };
-        Some(Unknown {
+        Unknown {
             joint,
             name: self.reaction_name(joint, "push"),
             pushes,
             part,
-        })
-    }
-
-    /// What drives the coordinate of a joint: a torque, or a force along its slide.
-    fn driving(&mut self, joint: JointId, size: Value) -> Vec<Push> {
-        let back = self.builder.neg(size);
-        if let JointKind::Prismatic(a, b) = self.model.joint(joint).kind {
-            let (along, (link, there)) = (Along::Slide(joint), self.point(b));
-            let push = |link, size| Push::Force {
-                link,
-                at: Place::Scene(there),
-                along,
-                size,
-            };
-            return vec![push(link, size), push(self.model.axis(a).link, back)];
         }
-        let (a, b) = self.model.ends(joint);
-        vec![
-            Push::Torque { link: b, size },
-            Push::Torque {
-                link: a,
-                size: back,
-            },
-        ]
     }
 
-    /// What rolls: a force where the pitch circles touch, or, where they do not, torques alone.
-    fn rolled(&mut self, structure: &Structure, rolling: &Rolling) -> Unknown {
+    /// The pushes that drive the coordinate of a joint: torques, or forces along its slide.
+    fn pushes_along(&mut self, joint: JointId, size: Value) -> Vec<Push> {
+        let JointKind::Prismatic(a, b) = self.model.joint(joint).kind else {
+            return self.torques(joint, size);
+        };
+        let back = self.ssa.neg(size);
+        let at = Place::Scene(self.point(b));
+        let along = Along::Slide(joint);
+        let pushes = [(b, size), (a, back)].map(|(axis, size)| Push::Force {
+            link: self.link_of(axis),
+            at,
+            along,
+            size,
+        });
+        pushes.to_vec()
+    }
+
+    /// The force of what rolls, where the pitch circles touch; where they do not touch, torques alone.
+    fn rolling_force(&mut self, structure: &Structure, rolling: &Rolling) -> Unknown {
         let joint = rolling.joint;
-        let meshes = match self.model.joint(joint).kind {
-            JointKind::Gear { .. } => self.meshing(structure, rolling),
-            JointKind::Rack { .. } => self.racking(structure, rolling),
+        let contact = match self.model.joint(joint).kind {
+            JointKind::Gear { .. } => self.wheel_contact(structure, rolling),
+            JointKind::Rack { .. } => self.rack_contact(structure, rolling),
             _ => None,
         };
         let (a, b) = self.model.ends(joint);
-        if let Some((at, along)) = meshes {
+        if let Some((at, along)) = contact {
             let place = Place::Scene(at);
             return self.force(joint, "tooth", along, [(a, place), (b, place)]);
         }
@@ -236,10 +256,10 @@ impl Writer<'_> {
         for ((end, _), size) in rolling.ends.iter().zip(sizes) {
             pushes.push(Push::Torque {
                 link: end.link(),
-                size: self.builder.constant(size),
+                size: self.ssa.constant(size),
             });
         }
-        let on_carrier = self.builder.constant(-sizes[0] - sizes[1]);
+        let on_carrier = self.ssa.constant(-sizes[0] - sizes[1]);
         pushes.push(Push::Torque {
             link: rolling.carrier,
             size: on_carrier,
@@ -253,7 +273,11 @@ impl Writer<'_> {
     }
 
     /// Where two wheels touch, and in which direction the one pushes the other: across the line of their centres.
-    fn meshing(&mut self, structure: &Structure, rolling: &Rolling) -> Option<([Value; 2], Along)> {
+    fn wheel_contact(
+        &mut self,
+        structure: &Structure,
+        rolling: &Rolling,
+    ) -> Option<([Value; 2], Along)> {
         let [(a, first), (b, second)] = rolling.ends;
         let (first, second) = (number(first), number(second));
         let here = center(structure, a, rolling.carrier)?;
@@ -265,26 +289,30 @@ impl Writer<'_> {
             return None;
         }
         let pose = self.placement.pose(rolling.carrier);
-        let builder = &mut self.builder;
-        let offset = builder.between(from, to);
+        let ssa = &mut self.ssa;
+        let offset = ssa.between(from, to);
         let distance = if from.varies() || to.varies() {
-            let square = builder.dot(offset, offset);
-            builder.sqrt(square)
+            let square = ssa.dot(offset, offset);
+            ssa.sqrt(square)
         } else {
-            builder.constant(distance)
+            ssa.constant(distance)
         };
-        let [x, y] = offset.map(|part| builder.div(part, distance));
-        let part = builder.constant(first / (first + second));
-        let (start, on) = (builder.place(from), builder.scaled(part, offset));
-        let touch = builder.plus(start, on);
-        let at = pose.carry_spot(builder, touch);
-        let across = [builder.neg(y), x];
-        let along = builder.turned(pose.direction, across);
+        let [x, y] = offset.map(|part| ssa.div(part, distance));
+        let part = ssa.constant(first / (first + second));
+        let (start, on) = (ssa.place(from), ssa.scale(part, offset));
+        let touch = ssa.plus(start, on);
+        let at = pose.carry_spot(ssa, touch);
+        let across = [ssa.neg(y), x];
+        let along = ssa.rotate(pose.direction, across);
         Some((at, Along::Scene(along)))
     }
 
     /// Where a pinion touches its bar, and in which direction it pushes it: along its line.
-    fn racking(&mut self, structure: &Structure, rolling: &Rolling) -> Option<([Value; 2], Along)> {
+    fn rack_contact(
+        &mut self,
+        structure: &Structure,
+        rolling: &Rolling,
+    ) -> Option<([Value; 2], Along)> {
         let [(pinion, turn), (bar, displacement)] = rolling.ends;
         let RollingEnd::Bar {
             slide, forwards, ..
@@ -299,12 +327,12 @@ impl Writer<'_> {
         let [x, y] = line.direction;
         let radius = -number(turn) / number(displacement);
         let center = center(structure, pinion, rolling.carrier)?;
-        let center = self.builder.place(self.model.axis(center));
-        let beside = self.builder.vector([radius * y, -radius * x]);
-        let touch = self.builder.plus(center, beside);
+        let center = self.ssa.place(self.model.axis(center));
+        let beside = self.ssa.vector([radius * y, -radius * x]);
+        let touch = self.ssa.plus(center, beside);
         let pose = self.placement.pose(rolling.carrier);
-        let at = pose.carry_spot(&mut self.builder, touch);
-        let along = pose.turn(&mut self.builder, [x, y]);
+        let at = pose.carry_spot(&mut self.ssa, touch);
+        let along = pose.turn(&mut self.ssa, [x, y]);
         Some((at, Along::Scene(along)))
     }
 }

@@ -1,28 +1,32 @@
-//! How everything follows the params: each is an input like a motor, and these are its influence coefficients. All params share the
-//! loops' linear systems and differ only in what stands on the right of them.
+//! Sensitivities: the rates of everything with each param. A param is an input like a motor, and these are its influence coefficients.
+//! All params share the loops' linear systems and differ only in the right sides.
 
-use super::Writer;
+use super::Positions;
+use super::lowering::Lowering;
 use super::tangent::{Seed, Tangents};
 use crate::model::{AxisId, JointId, JointKind};
-use crate::plan::Algebra;
+use crate::plan::{Algebra, Arithmetic};
 use crate::program::Motion;
 use crate::program::node::Value;
 use crate::program::sensitivity::{Rates, Sensitivity};
 
-impl Writer<'_> {
-    /// Extends the program by the rates of everything with each param.
-    pub(super) fn sensitivity(&mut self, poses: &[[Value; 4]]) -> (Motion, Sensitivity) {
+impl Lowering<'_> {
+    /// Derives the rates of everything with each param.
+    pub(super) fn derive_sensitivity(
+        &mut self,
+        positions: &Positions,
+        poses: &[[Value; 4]],
+    ) -> (Motion, Sensitivity) {
         let mut motion = Motion::default();
         let (points, joints) = (
             self.model.shown_points().collect::<Vec<AxisId>>(),
             self.model.dependent_joints().collect::<Vec<JointId>>(),
         );
-        let closings = std::mem::take(&mut self.closings);
         let mut of_params = Vec::new();
         let motors = self.model.motors.len();
         for (number, param) in self.model.params.all().iter().enumerate() {
             let seed = Seed::Alone(motors + number);
-            let (mut tangents, _) = self.driven(&closings, seed, &mut motion);
+            let (mut tangents, _) = self.all_rates(positions, seed, &mut motion);
             let links = self.link_rates(&format!("{}_rates", param.name), poses, &mut tangents);
             of_params.push(Rates {
                 links,
@@ -40,8 +44,8 @@ impl Writer<'_> {
 
     fn point_rates(&mut self, points: &[AxisId], tangents: &mut Tangents) -> Vec<[Value; 2]> {
         let rates = points.iter().map(|&point| {
-            let spot = self.placement.spot(&mut self.builder, point);
-            tangents.of_vector(&mut self.builder, spot)
+            let spot = self.point(point);
+            tangents.of_vector(&mut self.ssa, spot)
         });
         rates.collect()
     }
@@ -51,20 +55,20 @@ impl Writer<'_> {
             let (a, b, turns) = match self.model.joint(joint).kind {
                 JointKind::Revolute(a, b) => (a, b, true),
                 JointKind::Prismatic(a, b) => (a, b, false),
-                _ => return self.builder.constant(0.0),
+                _ => return self.ssa.constant(0.0),
             };
             let [a, b] = [a, b].map(|axis| self.model.seen_axis(axis));
             if turns {
                 let [a, b] = [a, b].map(|axis| {
                     let direction = self.placement.pose(self.link_of(axis)).direction;
-                    tangents.turning(&mut self.builder, direction)
+                    tangents.turning(&mut self.ssa, direction)
                 });
-                return self.builder.sub(b, a);
+                return self.ssa.sub(b, a);
             }
-            let heading = self.placement.heading(&mut self.builder, a);
-            let span = self.placement.span(&mut self.builder, a, b);
-            let displacement = self.builder.dot(heading, span);
-            tangents.of(&mut self.builder, displacement)
+            let heading = self.placement.heading(&mut self.ssa, a);
+            let span = self.placement.span(&mut self.ssa, a, b);
+            let displacement = self.ssa.dot(heading, span);
+            tangents.of(&mut self.ssa, displacement)
         });
         rates.collect()
     }

@@ -1,7 +1,7 @@
 //! How large a loop is, which tolerances are relative to: what it is at the start, unless params change it.
 
-use super::Writer;
-use crate::plan::{Algebra, Equation};
+use crate::plan::{Arithmetic, Equation};
+use crate::program::builder::SsaBuilder;
 use crate::program::node::Value;
 
 /// A length that tolerances are relative to.
@@ -20,7 +20,7 @@ impl Size {
     }
 }
 
-impl Writer<'_> {
+impl SsaBuilder {
     /// A length, if a param has a part in it; else what it is at the start.
     pub(super) fn size_or(&self, length: Value, at_start: f64) -> Size {
         if self.any_varies(&[length]) {
@@ -33,10 +33,10 @@ impl Writer<'_> {
     /// A part of a size.
     pub(super) fn part_of(&mut self, part: f64, size: Size) -> Value {
         match size {
-            Size::Fixed(size) => self.builder.constant(part * size),
+            Size::Fixed(size) => self.constant(part * size),
             Size::Varying(size) => {
-                let part = self.builder.constant(part);
-                self.builder.mul(part, size)
+                let part = self.constant(part);
+                self.mul(part, size)
             }
         }
     }
@@ -44,43 +44,52 @@ impl Writer<'_> {
     /// One through a size.
     pub(super) fn inverse_of(&mut self, size: Size) -> Value {
         match size {
-            Size::Fixed(size) => self.builder.constant(1.0 / size),
+            Size::Fixed(size) => self.constant(1.0 / size),
             Size::Varying(size) => {
-                let one = self.builder.constant(1.0);
-                self.builder.div(one, size)
+                let one = self.constant(1.0);
+                self.div(one, size)
             }
         }
     }
 
     /// Whether a param has a part in one of these.
     pub(super) fn any_varies(&self, values: &[Value]) -> bool {
-        values.iter().any(|&value| self.builder.varies(value))
+        values.iter().any(|&value| self.varies(value))
     }
 
-    /// The lengths of what a loop is made of, added.
+    /// The sum of these vectors' lengths at the start.
+    pub(super) fn size_at_start(&self, sides: &[[Value; 2]]) -> f64 {
+        let length = |side: &[Value; 2]| {
+            let [x, y] = side.map(|part| self.at_start(part));
+            x.hypot(y)
+        };
+        sides.iter().map(length).sum()
+    }
+
+    /// The sum of these vectors' lengths.
     pub(super) fn size(&mut self, sides: &[[Value; 2]]) -> Size {
         if !self.any_varies(sides.as_flattened()) {
             return Size::Fixed(self.size_at_start(sides));
         }
-        let mut size = self.builder.constant(0.0);
+        let mut size = self.constant(0.0);
         for side in sides {
             let length = self.about(side);
-            size = self.builder.add(size, length);
+            size = self.add(size, length);
         }
-        Size::Varying(self.builder.name(size, "size"))
+        Size::Varying(self.name(size, "size"))
     }
 
     /// How long a vector is, without a root: at most twice as long as this many numbers may make it.
     pub(super) fn about(&mut self, vector: &[Value]) -> Value {
-        let mut sum = self.builder.constant(0.0);
+        let mut sum = self.constant(0.0);
         for &part in vector {
-            let part = self.builder.abs(part);
-            sum = self.builder.add(sum, part);
+            let part = self.abs(part);
+            sum = self.add(sum, part);
         }
         sum
     }
 
-    /// By how much params may have made the way round a loop longer than it is at the start; none if they have no part in it.
+    /// By how much params may have made the vectors round a loop longer than they are at the start; none if they have no part in it.
     pub(super) fn varying_extent(&mut self, equation: &Equation<Value>) -> Option<Value> {
         let arms = equation
             .rings

@@ -4,8 +4,8 @@
 //! linear system, and are known here beforehand. Where something turns, its rate is the angular velocity times what is across
 //! it: cheaper than the rule of products, and exact.
 
-use crate::plan::Algebra;
-use crate::program::builder::Builder;
+use crate::plan::{Algebra, Arithmetic};
+use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 use std::collections::HashMap;
 
@@ -43,7 +43,7 @@ struct Turned {
 }
 
 impl Tangents {
-    /// Nothing but what is given: so many motors, and params after them.
+    /// Knows nothing but the inputs: so many motors, and params after them.
     pub(in crate::program) fn new(seed: Seed, motors: usize) -> Self {
         Self {
             seed,
@@ -55,155 +55,146 @@ impl Tangents {
     }
 
     /// The rate of a motor or param.
-    fn of_given(&self, builder: &mut Builder, given: usize) -> Value {
+    fn of_given(&self, ssa: &mut SsaBuilder, given: usize) -> Value {
         match self.seed {
-            Seed::Given | Seed::Coasting if given < self.motors => builder.make(Op::Rate(given)),
-            Seed::Given | Seed::Coasting => builder.constant(0.0),
-            Seed::Alone(other) => builder.constant(if given == other { 1.0 } else { 0.0 }),
+            Seed::Given | Seed::Coasting if given < self.motors => ssa.make(Op::Rate(given)),
+            Seed::Given | Seed::Coasting => ssa.constant(0.0),
+            Seed::Alone(other) => ssa.constant(if given == other { 1.0 } else { 0.0 }),
         }
     }
 
     /// Notes that a value is the angle from one direction to another.
-    pub(super) fn is_angle(&mut self, angle: Value, [from, to]: [[Value; 2]; 2]) {
+    pub(super) fn set_angle(&mut self, angle: Value, [from, to]: [[Value; 2]; 2]) {
         self.angles.insert(angle, [from, to]);
     }
 
     /// Notes the rate of a value that a loop solves. What is made from a value with its sign turned is made from the value itself.
-    pub(super) fn set(&mut self, builder: &mut Builder, value: Value, rate: Value) {
+    pub(super) fn set(&mut self, ssa: &mut SsaBuilder, value: Value, rate: Value) {
         self.rates.insert(value, rate);
-        if let Op::Neg(inner) = builder.op(value) {
-            let back = builder.neg(rate);
+        if let Op::Neg(inner) = ssa.op(value) {
+            let back = ssa.neg(rate);
             self.rates.insert(inner, back);
         }
     }
 
     /// Notes the angular velocity of a direction that a loop solves.
-    pub(super) fn set_turning(
-        &mut self,
-        builder: &mut Builder,
-        direction: [Value; 2],
-        rate: Value,
-    ) {
+    pub(super) fn set_turning(&mut self, ssa: &mut SsaBuilder, direction: [Value; 2], rate: Value) {
         self.turning.insert(direction, rate);
         let [cos, sin] = direction;
-        let (along, back) = (builder.mul(rate, cos), builder.mul(rate, sin));
-        let back = builder.neg(back);
-        self.set(builder, cos, back);
-        self.set(builder, sin, along);
+        let (along, back) = (ssa.mul(rate, cos), ssa.mul(rate, sin));
+        let back = ssa.neg(back);
+        self.set(ssa, cos, back);
+        self.set(ssa, sin, along);
     }
 
     /// The rate of a value.
-    pub(super) fn of(&mut self, builder: &mut Builder, value: Value) -> Value {
+    pub(super) fn of(&mut self, ssa: &mut SsaBuilder, value: Value) -> Value {
         if let Some(&known) = self.rates.get(&value) {
             return known;
         }
-        let rate = match self.turned(builder, value) {
-            Some(turned) => self.of_turned(builder, &turned),
-            None => self.of_operation(builder, value),
+        let rate = match self.as_turned(ssa, value) {
+            Some(turned) => self.of_turned_vector(ssa, &turned),
+            None => self.of_operation(ssa, value),
         };
         self.rates.insert(value, rate);
         rate
     }
 
     /// The rate of a value at the end of a long chain: one after the other from its beginning, as the stack holds no long chain.
-    pub(in crate::program) fn of_all_up_to(
-        &mut self,
-        builder: &mut Builder,
-        value: Value,
-    ) -> Value {
+    pub(in crate::program) fn of_all_up_to(&mut self, ssa: &mut SsaBuilder, value: Value) -> Value {
         let mut needed = vec![false; value.index() + 1];
         let mut waiting = vec![value];
         while let Some(one) = waiting.pop() {
             if !std::mem::replace(&mut needed[one.index()], true) {
-                waiting.extend(builder.op(one).operands());
+                waiting.extend(ssa.op(one).operands());
             }
         }
         let needed = (0..).map(Value).zip(needed).filter(|(_, needed)| *needed);
         for (one, _) in needed {
-            self.of(builder, one);
+            self.of(ssa, one);
         }
-        self.of(builder, value)
+        self.of(ssa, value)
     }
 
     /// The rates of both parts of a vector.
-    pub(super) fn of_vector(&mut self, builder: &mut Builder, v: [Value; 2]) -> [Value; 2] {
-        v.map(|part| self.of(builder, part))
+    pub(super) fn of_vector(&mut self, ssa: &mut SsaBuilder, v: [Value; 2]) -> [Value; 2] {
+        v.map(|part| self.of(ssa, part))
     }
 
-    fn of_operation(&mut self, builder: &mut Builder, value: Value) -> Value {
-        let zero = builder.constant(0.0);
-        match builder.op(value) {
-            Op::Motor(given) => self.of_given(builder, given),
-            Op::Rate(motor) if self.seed == Seed::Given => builder.make(Op::Acceleration(motor)),
-            Op::Time => builder.constant(1.0),
+    fn of_operation(&mut self, ssa: &mut SsaBuilder, value: Value) -> Value {
+        let zero = ssa.constant(0.0);
+        match ssa.op(value) {
+            Op::Motor(given) => self.of_given(ssa, given),
+            Op::Rate(motor) if self.seed == Seed::Given => ssa.make(Op::Acceleration(motor)),
+            Op::Time => ssa.constant(1.0),
             Op::Neg(a) => {
-                let a = self.of(builder, a);
-                builder.neg(a)
+                let a = self.of(ssa, a);
+                ssa.neg(a)
             }
             Op::Add(a, b) => {
-                let [a, b] = self.of_vector(builder, [a, b]);
-                builder.add(a, b)
+                let [a, b] = self.of_vector(ssa, [a, b]);
+                ssa.add(a, b)
             }
             Op::Sub(a, b) => {
-                let [a, b] = self.of_vector(builder, [a, b]);
-                builder.sub(a, b)
+                let [a, b] = self.of_vector(ssa, [a, b]);
+                ssa.sub(a, b)
             }
             Op::Mul(a, b) => {
-                let [first, second] = self.of_vector(builder, [a, b]);
-                let (first, second) = (builder.mul(first, b), builder.mul(a, second));
-                builder.add(first, second)
+                let [first, second] = self.of_vector(ssa, [a, b]);
+                let (first, second) = (ssa.mul(first, b), ssa.mul(a, second));
+                ssa.add(first, second)
             }
             Op::Div(a, b) => {
-                let [above, below] = self.of_vector(builder, [a, b]);
-                let lost = builder.mul(value, below);
-                let rest = builder.sub(above, lost);
-                part(builder, rest, b)
+                let [above, below] = self.of_vector(ssa, [a, b]);
+                let lost = ssa.mul(value, below);
+                let rest = ssa.sub(above, lost);
+                part(ssa, rest, b)
             }
             Op::Sqrt(a) => {
-                let rate = self.of(builder, a);
-                let two = builder.constant(2.0);
-                let twice = builder.mul(two, value);
-                part(builder, rate, twice)
+                let rate = self.of(ssa, a);
+                let two = ssa.constant(2.0);
+                let twice = ssa.mul(two, value);
+                part(ssa, rate, twice)
             }
             Op::Sin(angle) => {
-                let (rate, cos) = (self.of(builder, angle), builder.make(Op::Cos(angle)));
-                builder.mul(rate, cos)
+                let (rate, cos) = (self.of(ssa, angle), ssa.make(Op::Cos(angle)));
+                ssa.mul(rate, cos)
             }
             Op::Cos(angle) => {
-                let (rate, sin) = (self.of(builder, angle), builder.make(Op::Sin(angle)));
-                let product = builder.mul(rate, sin);
-                builder.neg(product)
+                let (rate, sin) = (self.of(ssa, angle), ssa.make(Op::Sin(angle)));
+                let product = ssa.mul(rate, sin);
+                ssa.neg(product)
             }
             Op::Exp(a) => {
-                let rate = self.of(builder, a);
-                builder.mul(rate, value)
+                let rate = self.of(ssa, a);
+                ssa.mul(rate, value)
             }
             Op::Abs(a) => {
-                let (rate, one) = (self.of(builder, a), builder.constant(1.0));
-                let sign = builder.copysign(one, a);
-                builder.mul(sign, rate)
+                let (rate, one) = (self.of(ssa, a), ssa.constant(1.0));
+                let sign = ssa.copysign(one, a);
+                ssa.mul(sign, rate)
             }
             Op::CopySign(size, sign) => {
                 // Sizes are not negative: they are roots.
-                let (rate, one) = (self.of(builder, size), builder.constant(1.0));
-                let sign = builder.copysign(one, sign);
-                builder.mul(sign, rate)
+                let (rate, one) = (self.of(ssa, size), ssa.constant(1.0));
+                let sign = ssa.copysign(one, sign);
+                ssa.mul(sign, rate)
             }
             Op::Max(a, b) => {
-                let [first, second] = self.of_vector(builder, [a, b]);
-                let test = builder.sub(a, b);
-                builder.make(Op::Choose(test, first, second))
+                let [first, second] = self.of_vector(ssa, [a, b]);
+                let test = ssa.sub(a, b);
+                ssa.make(Op::Choose(test, first, second))
             }
             Op::Choose(test, a, b) => {
-                let [first, second] = self.of_vector(builder, [a, b]);
-                builder.make(Op::Choose(test, first, second))
+                let [first, second] = self.of_vector(ssa, [a, b]);
+                ssa.make(Op::Choose(test, first, second))
             }
             Op::Atan2(sin, cos) => match self.angles.get(&value).copied() {
                 Some([from, to]) => {
-                    let [from, to] = [from, to].map(|direction| self.turning(builder, direction));
-                    builder.sub(to, from)
+                    let [from, to] = [from, to].map(|direction| self.turning(ssa, direction));
+                    ssa.sub(to, from)
                 }
-                None => self.of_direction(builder, [cos, sin]),
+                None => self.of_direction(ssa, [cos, sin]),
             },
             Op::Constant(_)
             | Op::Turns(_)
@@ -220,48 +211,48 @@ impl Tangents {
         }
     }
 
-    fn of_turned(&mut self, builder: &mut Builder, turned: &Turned) -> Value {
+    fn of_turned_vector(&mut self, ssa: &mut SsaBuilder, turned: &Turned) -> Value {
         let Turned {
             direction: [cos, sin],
             vector,
             is_x,
             other,
         } = *turned;
-        let speed = self.turning(builder, [cos, sin]);
-        let across = builder.mul(speed, other);
-        let [p, q] = self.of_vector(builder, vector);
+        let speed = self.turning(ssa, [cos, sin]);
+        let across = ssa.mul(speed, other);
+        let [p, q] = self.of_vector(ssa, vector);
         if is_x {
-            let (cp, sq) = (builder.mul(cos, p), builder.mul(sin, q));
-            let own = builder.sub(cp, sq);
-            builder.sub(own, across)
+            let (cp, sq) = (ssa.mul(cos, p), ssa.mul(sin, q));
+            let own = ssa.sub(cp, sq);
+            ssa.sub(own, across)
         } else {
-            let (sp, cq) = (builder.mul(sin, p), builder.mul(cos, q));
-            let own = builder.add(sp, cq);
-            builder.add(own, across)
+            let (sp, cq) = (ssa.mul(sin, p), ssa.mul(cos, q));
+            let own = ssa.add(sp, cq);
+            ssa.add(own, across)
         }
     }
 
     /// The angular velocity of a direction.
-    pub(super) fn turning(&mut self, builder: &mut Builder, direction: [Value; 2]) -> Value {
+    pub(super) fn turning(&mut self, ssa: &mut SsaBuilder, direction: [Value; 2]) -> Value {
         if let Some(&known) = self.turning.get(&direction) {
             return known;
         }
         let [cos, sin] = direction;
-        let speed = match (builder.op(cos), builder.op(sin)) {
-            (Op::Cos(a), Op::Sin(b)) if a == b => self.of(builder, a),
-            (_, Op::Neg(back)) if self.is_direction(builder, [cos, back]) => {
-                let speed = self.turning(builder, [cos, back]);
-                builder.neg(speed)
+        let speed = match (ssa.op(cos), ssa.op(sin)) {
+            (Op::Cos(a), Op::Sin(b)) if a == b => self.of(ssa, a),
+            (_, Op::Neg(back)) if self.is_direction(ssa, [cos, back]) => {
+                let speed = self.turning(ssa, [cos, back]);
+                ssa.neg(speed)
             }
-            _ => match self.turned(builder, cos) {
+            _ => match self.as_turned(ssa, cos) {
                 Some(turned) if turned.is_x && turned.other == sin => {
-                    let outer = self.turning(builder, turned.direction);
-                    let inner = self.turning(builder, turned.vector);
-                    builder.add(outer, inner)
+                    let outer = self.turning(ssa, turned.direction);
+                    let inner = self.turning(ssa, turned.vector);
+                    ssa.add(outer, inner)
                 }
                 _ => {
-                    let rate = self.of_vector(builder, direction);
-                    builder.cross(direction, rate)
+                    let rate = self.of_vector(ssa, direction);
+                    ssa.cross(direction, rate)
                 }
             },
         };
@@ -270,18 +261,18 @@ impl Tangents {
     }
 
     /// The angular velocity of a vector of any length.
-    fn of_direction(&mut self, builder: &mut Builder, v: [Value; 2]) -> Value {
-        let rate = self.of_vector(builder, v);
-        let across = builder.cross(v, rate);
-        if builder.number(across) == Some(0.0) {
+    fn of_direction(&mut self, ssa: &mut SsaBuilder, v: [Value; 2]) -> Value {
+        let rate = self.of_vector(ssa, v);
+        let across = ssa.cross(v, rate);
+        if ssa.number(across) == Some(0.0) {
             return across;
         }
-        let square = builder.dot(v, v);
-        builder.div(across, square)
+        let square = ssa.dot(v, v);
+        ssa.div(across, square)
     }
 
-    fn is_direction(&self, builder: &Builder, direction: [Value; 2]) -> bool {
-        let motor = match direction.map(|part| builder.op(part)) {
+    fn is_direction(&self, ssa: &SsaBuilder, direction: [Value; 2]) -> bool {
+        let motor = match direction.map(|part| ssa.op(part)) {
             [Op::Cos(a), Op::Sin(b)] => a == b,
             _ => false,
         };
@@ -289,13 +280,13 @@ impl Tangents {
     }
 
     /// A value as a part of a vector that is turned by a direction, if it is made so.
-    fn turned(&self, builder: &Builder, value: Value) -> Option<Turned> {
-        let (first, second, is_x) = match builder.op(value) {
+    fn as_turned(&self, ssa: &SsaBuilder, value: Value) -> Option<Turned> {
+        let (first, second, is_x) = match ssa.op(value) {
             Op::Sub(a, b) => (a, b, true),
             Op::Add(a, b) => (a, b, false),
             _ => return None,
         };
-        let (Op::Mul(a, b), Op::Mul(c, d)) = (builder.op(first), builder.op(second)) else {
+        let (Op::Mul(a, b), Op::Mul(c, d)) = (ssa.op(first), ssa.op(second)) else {
             return None;
         };
         let pairs = [
@@ -315,17 +306,17 @@ impl Tangents {
             } else {
                 ([f, e], [p, q])
             };
-            if !self.is_direction(builder, direction) {
+            if !self.is_direction(ssa, direction) {
                 continue;
             }
             let [cos, sin] = direction;
-            let product = |a: Value, b: Value| builder.find(Op::Mul(a.min(b), a.max(b)));
+            let product = |a: Value, b: Value| ssa.find(Op::Mul(a.min(b), a.max(b)));
             let other = if is_x {
                 let (a, b) = (product(sin, vector[0])?, product(cos, vector[1])?);
-                builder.find(Op::Add(a.min(b), a.max(b)))
+                ssa.find(Op::Add(a.min(b), a.max(b)))
             } else {
                 let (a, b) = (product(cos, vector[0])?, product(sin, vector[1])?);
-                builder.find(Op::Sub(a, b))
+                ssa.find(Op::Sub(a, b))
             };
             if let Some(other) = other {
                 return Some(Turned {
@@ -341,9 +332,9 @@ impl Tangents {
 }
 
 /// One value through another; what rests does so whatever it is divided by.
-fn part(builder: &mut Builder, a: Value, b: Value) -> Value {
-    if builder.number(a) == Some(0.0) {
+fn part(ssa: &mut SsaBuilder, a: Value, b: Value) -> Value {
+    if ssa.number(a) == Some(0.0) {
         return a;
     }
-    builder.div(a, b)
+    ssa.div(a, b)
 }

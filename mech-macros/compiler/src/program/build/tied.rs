@@ -1,19 +1,27 @@
-//! Loops in which rolling ties directions or ways: their unknowns are angles and ways, because a tie is a relation of these.
+//! Loops in which rolling ties directions or displacements: their unknowns are angles and displacements, because a tie is a relation of
+//! these.
 
-use super::Writer;
-use super::closing::System;
-use super::watching::Side;
-use crate::model::{JointId, LinkId};
-use crate::plan::{Algebra, Equation, Loop, Residuals, Solution, Tie, Unknown, float_of};
-use crate::program::builder::Builder;
-use crate::program::newton::Newton;
-use crate::program::node::{BlockId, Op, Value};
+use super::closing::LoopSite;
+use super::iteration::{Iterated, LoopIteration, System};
+use super::last::{LastUnknown, last_unknown};
+use super::steps::PositionPass;
+use crate::model::{JointId, LinkId, Model};
+use crate::plan::{Algebra, Arithmetic, Equation, Residuals, Solution, Tie, Unknown, float_of};
+use crate::program::builder::SsaBuilder;
+use crate::program::node::{Op, Value};
 
 /// What a radian of an angle that is counted from the start adds to rounding, as a part of it.
 const OF_A_RADIAN: f64 = 0.125;
 
-/// How a direction or way of the equation follows from the unknowns of the loop and from what is known.
-struct Course {
+/// The unknowns of a tied loop.
+pub(super) struct Tied {
+    /// For each direction and displacement of the equation, how it follows from the unknowns.
+    relations: Vec<Relation>,
+    unknowns: Vec<TiedUnknown>,
+}
+
+/// How a direction or displacement of the equation follows from the unknowns of the loop and from what is known.
+struct Relation {
     /// Parts of unknowns, by their place.
     parts: Vec<(usize, f64)>,
     /// What sources add.
@@ -22,38 +30,45 @@ struct Course {
     start: Start,
 }
 
-/// A direction or way at the start.
+/// A direction or displacement at the start.
 enum Start {
     /// A unit vector.
     Direction([f64; 2]),
-    /// A length; zero for a way that is an unknown itself.
+    /// A length; zero for a displacement that is an unknown itself.
     Displacement(f64),
 }
 
-/// The unknowns of a tied loop.
-pub(super) struct Tied {
-    /// For each direction and way of the equation, how it follows.
-    courses: Vec<Course>,
-    /// For each unknown its name, and the direction or way of the equation that it is.
-    unknowns: Vec<(String, usize)>,
+/// An unknown of a tied loop.
+struct TiedUnknown {
+    name: String,
+    /// The direction or displacement of the equation that it is.
+    index: usize,
+    /// Whether it is an angle.
+    turns: bool,
 }
 
 impl Tied {
-    /// What each direction and way moves by besides the unknowns: its number in the equation, and what is known.
-    pub(super) fn known(&self) -> impl Iterator<Item = (usize, Value)> + '_ {
-        self.courses.iter().map(|course| course.known).enumerate()
+    /// Whether an angle is among its unknowns: it is counted over whole turns.
+    pub(super) fn counts_turns(&self) -> bool {
+        self.unknowns.iter().any(|unknown| unknown.turns)
     }
 
-    /// The columns of the unknowns, from those of all directions and ways.
-    pub(super) fn columns(&self, builder: &mut Builder, all: &[Vec<Value>]) -> Vec<Vec<Value>> {
+    /// What each direction and displacement moves by besides the unknowns: its number in the equation, and what is known.
+    pub(super) fn known(&self) -> impl Iterator<Item = (usize, Value)> + '_ {
+        let known = self.relations.iter().map(|relation| relation.known);
+        known.enumerate()
+    }
+
+    /// The columns of the unknowns, from those of all directions and displacements.
+    pub(super) fn columns(&self, ssa: &mut SsaBuilder, all: &[Vec<Value>]) -> Vec<Vec<Value>> {
         let column = |place: usize| {
-            let mut sum = vec![builder.constant(0.0); all[place].len()];
-            for (course, column) in self.courses.iter().zip(all) {
-                for (_, part) in course.parts.iter().filter(|(other, _)| *other == place) {
-                    let part = builder.constant(*part);
+            let mut sum = vec![ssa.constant(0.0); all[place].len()];
+            for (relation, column) in self.relations.iter().zip(all) {
+                for (_, part) in relation.parts.iter().filter(|(other, _)| *other == place) {
+                    let part = ssa.constant(*part);
                     for (sum, &rate) in sum.iter_mut().zip(column) {
-                        let share = builder.mul(part, rate);
-                        *sum = builder.add(*sum, share);
+                        let share = ssa.mul(part, rate);
+                        *sum = ssa.add(*sum, share);
                     }
                 }
             }
@@ -62,106 +77,167 @@ impl Tied {
         (0..self.unknowns.len()).map(column).collect()
     }
 
-    /// The rate of a direction or way of the equation, from those of the unknowns and of what is known.
+    /// The columns of the unknowns at this solution of the equation.
+    pub(super) fn columns_at(
+        &self,
+        ssa: &mut SsaBuilder,
+        equation: &Equation<Value>,
+        solution: &[Solution<Value>],
+    ) -> Vec<Vec<Value>> {
+        let residuals = equation.residuals(ssa, solution);
+        self.columns(ssa, &all_columns(&residuals, solution.len()))
+    }
+
+    /// The rate of a direction or displacement of the equation, from the rates of the unknowns and of what is known.
     pub(super) fn rate(
         &self,
-        builder: &mut Builder,
-        (index, rates): (usize, &[Value]),
-        of_known: impl FnOnce(&mut Builder, Value) -> Value,
+        ssa: &mut SsaBuilder,
+        index: usize,
+        rates: &[Value],
+        of_known: impl FnOnce(&mut SsaBuilder, Value) -> Value,
     ) -> Value {
-        let course = &self.courses[index];
-        let known = of_known(builder, course.known);
-        course.sum(builder, known, rates)
+        let relation = &self.relations[index];
+        let known = of_known(ssa, relation.known);
+        relation.sum(ssa, known, rates)
+    }
+
+    /// How much more is rounded where the unknowns have these values: angles are counted from the start.
+    pub(super) fn roundings(&self, ssa: &mut SsaBuilder, unknowns: &[Solution<Value>]) -> Value {
+        let part = ssa.constant(OF_A_RADIAN);
+        let mut sum = ssa.constant(0.0);
+        for (tied, unknown) in self.unknowns.iter().zip(unknowns) {
+            if let (true, Solution::Slide(angle)) = (tied.turns, *unknown) {
+                let angle = ssa.abs(angle);
+                let share = ssa.mul(part, angle);
+                sum = ssa.add(sum, share);
+            }
+        }
+        sum
+    }
+
+    /// All unknowns of the equation, from those of the tied loop.
+    pub(super) fn all_unknowns(
+        &self,
+        ssa: &mut SsaBuilder,
+        model: &Model,
+        equation: &Equation<Value>,
+        now: &[Solution<Value>],
+    ) -> Vec<Solution<Value>> {
+        // The unknown angles are iterated as plain numbers, as displacements are.
+        let numbers: Vec<Value> = now
+            .iter()
+            .filter_map(|solution| solution.numbers().next())
+            .collect();
+        let mut all = Vec::new();
+        for (unknown, relation) in equation.unknowns.iter().zip(&self.relations) {
+            let moved = relation.sum(ssa, relation.known, &numbers);
+            all.push(match (*unknown, &relation.start) {
+                (Unknown::Direction(base), Start::Direction(start)) => {
+                    let (sin, cos) = (ssa.make(Op::Sin(moved)), ssa.make(Op::Cos(moved)));
+                    let start = ssa.vector(*start);
+                    let direction = ssa.rotate([cos, sin], start);
+                    Solution::Direction(ssa.name_direction(direction, &model.link(base).name))
+                }
+                (_, Start::Displacement(start)) => {
+                    let start = ssa.constant(*start);
+                    Solution::Slide(ssa.add(start, moved))
+                }
+                (_, Start::Direction(_)) => Solution::Slide(moved),
+            });
+        }
+        all
     }
 }
 
-impl Course {
+impl Relation {
     /// What is known, and the parts of these values of the unknowns.
-    fn sum(&self, builder: &mut Builder, known: Value, unknowns: &[Value]) -> Value {
+    fn sum(&self, ssa: &mut SsaBuilder, known: Value, unknowns: &[Value]) -> Value {
         let mut sum = known;
         for (place, part) in &self.parts {
-            let part = builder.constant(*part);
-            let share = builder.mul(part, unknowns[*place]);
-            sum = builder.add(sum, share);
+            let part = ssa.constant(*part);
+            let share = ssa.mul(part, unknowns[*place]);
+            sum = ssa.add(sum, share);
         }
         sum
     }
 }
 
-impl Writer<'_> {
-    /// How the directions and ways of a loop follow from its unknowns.
-    pub(super) fn tied(
-        &mut self,
-        closing: &Loop,
-        equation: &Equation<Value>,
-        first: LinkId,
-    ) -> Tied {
-        let tie = |unknown: &Unknown| closing.ties.iter().find(|tie| tie.of == *unknown);
-        let mut unknowns: Vec<(String, usize)> = Vec::new();
-        for (index, unknown) in equation.unknowns.iter().enumerate() {
+impl PositionPass<'_> {
+    /// How the directions and displacements of a loop follow from its unknowns.
+    pub(super) fn tie(&mut self, site: &LoopSite<'_>) -> Tied {
+        let model = self.lowering.model;
+        let all = &site.equation.unknowns;
+        let tie = |unknown: &Unknown| site.closing.ties.iter().find(|tie| tie.of == *unknown);
+        let mut unknowns: Vec<TiedUnknown> = Vec::new();
+        for (index, unknown) in all.iter().enumerate() {
             if tie(unknown).is_none() {
-                let name = match *unknown {
-                    Unknown::Direction(base) => format!("{}_angle", self.name_of(base)),
-                    Unknown::Slide(joint) => self.model.joint(joint).name.clone(),
+                let (name, turns) = match *unknown {
+                    Unknown::Direction(base) => (format!("{}_angle", model.link(base).name), true),
+                    Unknown::Slide(joint) => (model.joint(joint).name.clone(), false),
                 };
-                unknowns.push((name, index));
+                unknowns.push(TiedUnknown { name, index, turns });
             }
         }
         let place = |wanted: &Unknown| {
             unknowns
                 .iter()
-                .position(|(_, index)| equation.unknowns[*index] == *wanted)
+                .position(|unknown| all[unknown.index] == *wanted)
         };
-        let mut courses = Vec::new();
-        for unknown in &equation.unknowns {
-            courses.push(match tie(unknown) {
-                None => Course {
+        let mut relations = Vec::new();
+        for unknown in all {
+            relations.push(match tie(unknown) {
+                None => Relation {
                     parts: place(unknown)
                         .map(|place| (place, 1.0))
                         .into_iter()
                         .collect(),
-                    known: self.builder.constant(0.0),
+                    known: self.lowering.ssa.constant(0.0),
                     start: match *unknown {
-                        Unknown::Direction(base) => Start::Direction(self.seen_from(first, base)),
+                        Unknown::Direction(link) => self.direction_at_start(site.base, link),
                         Unknown::Slide(_) => Start::Displacement(0.0),
                     },
                 },
                 Some(tie) => {
                     let part = |(other, part): &(Unknown, _)| Some((place(other)?, float_of(part)));
-                    Course {
+                    Relation {
                         parts: tie.parts.iter().filter_map(part).collect(),
                         known: self.moved_by_sources(tie),
-                        start: self.start_of(tie, first),
+                        start: self.start_of_tied(tie, site.base),
                     }
                 }
             });
         }
-        Tied { courses, unknowns }
+        Tied {
+            relations,
+            unknowns,
+        }
     }
 
-    /// What the sources add to a tied direction or way since the start.
+    /// What the sources add to a tied direction or displacement since the start.
     fn moved_by_sources(&mut self, tie: &Tie) -> Value {
         let turns = matches!(tie.of, Unknown::Direction(_));
-        let mut known = self.builder.constant(0.0);
+        let mut known = self.lowering.ssa.constant(0.0);
         for (number, part) in &tie.sources {
-            let start = self.plan.start.sources[*number];
+            let start = self.lowering.plan.start.sources[*number];
             let share = self.share(*number, part, turns);
-            let start = self.builder.constant(start * float_of(part));
-            let moved = self.builder.sub(share, start);
-            known = self.builder.add(known, moved);
+            let ssa = &mut self.lowering.ssa;
+            let start = ssa.constant(start * float_of(part));
+            let moved = ssa.sub(share, start);
+            known = ssa.add(known, moved);
         }
         known
     }
 
-    /// What a tied direction or way is where all unknowns and sources are zero. An angle is counted from the start, a way is not.
-    fn start_of(&mut self, tie: &Tie, first: LinkId) -> Start {
+    /// What a tied direction or displacement is where all unknowns and sources are zero. An angle is counted from the start, a
+    /// displacement is not.
+    fn start_of_tied(&mut self, tie: &Tie, base: LinkId) -> Start {
         match tie.of {
-            Unknown::Direction(base) => Start::Direction(self.seen_from(first, base)),
+            Unknown::Direction(link) => self.direction_at_start(base, link),
             Unknown::Slide(joint) => {
-                let mut displacement = self.way_at_start(joint, first);
+                let mut displacement = self.displacement_at_start(joint, base);
                 for (other, part) in &tie.parts {
                     if let Unknown::Slide(other) = *other {
-                        displacement -= float_of(part) * self.way_at_start(other, first);
+                        displacement -= float_of(part) * self.displacement_at_start(other, base);
                     }
                 }
                 Start::Displacement(displacement)
@@ -169,169 +245,85 @@ impl Writer<'_> {
         }
     }
 
-    /// The iteration on the unknown angles and ways.
-    pub(super) fn iterate_tied(
-        &mut self,
-        block: BlockId,
-        tied: &Tied,
-        equation: &Equation<Value>,
-        base: LinkId,
-    ) -> (Newton, Vec<Solution<Value>>, Option<Side>) {
-        let mut firsts = Vec::new();
-        let mut state = Vec::new();
-        for (name, index) in &tied.unknowns {
-            firsts.push(match equation.unknowns[*index] {
-                Unknown::Direction(_) => {
-                    self.winds = true;
-                    state.push(self.state.len());
-                    let last = self.keep(0.0);
-                    (name.clone(), Solution::Slide(last))
-                }
-                unknown @ Unknown::Slide(_) => self.first(unknown, base),
-            });
-        }
-        let names: Vec<String> = firsts.iter().map(|(name, _)| name.clone()).collect();
-        let (scalars, now) = self.unknowns(block, firsts);
-        let full = self.all_directions(tied, equation, &now);
-        let residuals = equation.residuals(&mut self.builder, &full);
-        let rings = || residuals.rings.iter();
-        let columns = tied.columns(&mut self.builder, &all_columns(&residuals, full.len()));
-        let coupled = (equation.rings.len() > 1)
-            .then(|| self.keep_coupled_side(&columns))
-            .flatten();
-        let side = match coupled {
-            Some(side) => Some(side.last),
-            None => self.keep_side(&columns),
-        };
-        let sides: Vec<[Value; 2]> = rings()
-            .flat_map(|ring| ring.sides.iter().map(|(_, side)| *side))
-            .collect();
-        let angles: Vec<bool> = tied
-            .unknowns
-            .iter()
-            .map(|(_, index)| matches!(equation.unknowns[*index], Unknown::Direction(_)))
-            .collect();
-        let slides = self.extent(equation, &full);
-        let turns = self.rounded_by_turns(tied, equation, &now);
-        let size = self.builder.constant(self.size_at_start(&sides));
-        let turns = self.builder.mul(size, turns);
-        let extent = match slides {
-            Some(slides) => self.builder.add(slides, turns),
-            None => turns,
-        };
-        let system = System {
-            gap: rings().flat_map(|ring| ring.gap).collect(),
-            columns,
-            extent: Some(self.builder.name(extent, "extent")),
-            sides,
-            legs: Vec::new(),
-            angles: Some(angles),
-            side,
-        };
-        let (newton, solution) = self.advance(block, &names, scalars, &now, system);
-        let mut state = state.into_iter();
-        for ((_, index), solved) in tied.unknowns.iter().zip(&solution) {
-            if let (Unknown::Direction(_), Solution::Slide(angle)) =
-                (equation.unknowns[*index], *solved)
-                && let Some(state) = state.next()
-            {
-                self.state[state] = angle;
-            }
-        }
-        (newton, solution, coupled)
-    }
-
-    /// How much more is rounded where the angles of a tied loop have these values: they are counted from the start.
-    pub(super) fn rounded_by_turns(
-        &mut self,
-        tied: &Tied,
-        equation: &Equation<Value>,
-        unknowns: &[Solution<Value>],
-    ) -> Value {
-        let part = self.builder.constant(OF_A_RADIAN);
-        let mut sum = self.builder.constant(0.0);
-        for ((_, index), unknown) in tied.unknowns.iter().zip(unknowns) {
-            if let (Unknown::Direction(_), Solution::Slide(angle)) =
-                (equation.unknowns[*index], *unknown)
-            {
-                let angle = self.builder.abs(angle);
-                let share = self.builder.mul(part, angle);
-                sum = self.builder.add(sum, share);
-            }
-        }
-        sum
-    }
-
-    /// The columns of the unknowns of a tied loop where it is closed.
-    pub(super) fn tied_columns(
-        &mut self,
-        tied: &Tied,
-        equation: &Equation<Value>,
-        solution: &[Solution<Value>],
-    ) -> Vec<Vec<Value>> {
-        let residuals = equation.residuals(&mut self.builder, solution);
-        tied.columns(&mut self.builder, &all_columns(&residuals, solution.len()))
-    }
-
-    /// All unknowns of the equation, from those of the tied loop.
-    pub(super) fn all_directions(
-        &mut self,
-        tied: &Tied,
-        equation: &Equation<Value>,
-        now: &[Solution<Value>],
-    ) -> Vec<Solution<Value>> {
-        // The unknown angles are iterated as plain numbers, as ways are.
-        let numbers: Vec<Value> = now
-            .iter()
-            .map(|solution| match *solution {
-                Solution::Slide(number) => number,
-                Solution::Direction([cos, _]) => cos,
-            })
-            .collect();
-        let mut full = Vec::new();
-        for (unknown, course) in equation.unknowns.iter().zip(&tied.courses) {
-            let moved = course.sum(&mut self.builder, course.known, &numbers);
-            full.push(match (*unknown, &course.start) {
-                (Unknown::Direction(base), Start::Direction(start)) => {
-                    let name = self.name_of(base).to_owned();
-                    self.turned_since(*start, moved, &name)
-                }
-                (_, Start::Displacement(start)) => {
-                    let start = self.builder.constant(*start);
-                    Solution::Slide(self.builder.add(start, moved))
-                }
-                (_, Start::Direction(_)) => Solution::Slide(moved),
-            });
-        }
-        full
-    }
-
-    fn turned_since(&mut self, start: [f64; 2], angle: Value, name: &str) -> Solution<Value> {
-        let builder = &mut self.builder;
-        let (sin, cos) = (builder.make(Op::Sin(angle)), builder.make(Op::Cos(angle)));
-        let start = builder.vector(start);
-        let direction = builder.turned([cos, sin], start);
-        Solution::Direction(builder.name_direction(direction, name))
-    }
-
     /// The direction of a link at the start, seen from another.
-    fn seen_from(&self, first: LinkId, base: LinkId) -> [f64; 2] {
-        let pose = |link: LinkId| self.plan.start.poses[link.index()];
-        let ([a, b, ..], [c, d, ..]) = (pose(first), pose(base));
-        [a * c + b * d, a * d - b * c]
+    fn direction_at_start(&self, base: LinkId, link: LinkId) -> Start {
+        let pose = |link: LinkId| self.lowering.plan.start.poses[link.index()];
+        let ([a, b, ..], [c, d, ..]) = (pose(base), pose(link));
+        Start::Direction([a * c + b * d, a * d - b * c])
     }
 
     /// The coordinate of a sliding joint at the start.
-    fn way_at_start(&mut self, joint: JointId, first: LinkId) -> f64 {
-        let (_, now) = self.first(Unknown::Slide(joint), first);
-        match now {
-            Solution::Slide(displacement) => self.builder.at_start(displacement),
+    fn displacement_at_start(&mut self, joint: JointId, base: LinkId) -> f64 {
+        let (model, ssa) = (self.lowering.model, &mut self.lowering.ssa);
+        match last_unknown(ssa, model, Unknown::Slide(joint), base).value {
+            Solution::Slide(displacement) => ssa.at_start(displacement),
             Solution::Direction(_) => 0.0,
         }
     }
 }
 
-/// The rates of all gaps with each direction and way of an equation.
+impl LoopIteration<'_> {
+    /// Iterates on the unknown angles and displacements.
+    pub(super) fn iterate_tied(&mut self, tied: &Tied) -> Iterated {
+        let equation = &self.site.equation;
+        let mut last = Vec::new();
+        let mut angles = Vec::new();
+        for TiedUnknown { name, index, turns } in &tied.unknowns {
+            last.push(if *turns {
+                let carried = self.ssa.carry(0.0);
+                angles.push(carried.index);
+                LastUnknown {
+                    name: name.clone(),
+                    value: Solution::Slide(carried.last),
+                }
+            } else {
+                let unknown = equation.unknowns[*index];
+                last_unknown(self.ssa, self.model, unknown, self.site.base)
+            });
+        }
+        let unknowns = self.begin(last);
+        let all = tied.all_unknowns(self.ssa, self.model, equation, &unknowns.now);
+        let residuals = equation.residuals(self.ssa, &all);
+        let columns = tied.columns(self.ssa, &all_columns(&residuals, all.len()));
+        let choice = &self.site.choice;
+        let coupled = (equation.rings.len() > 1)
+            .then(|| self.ssa.carry_coupled_side(choice, &columns))
+            .flatten();
+        let side = match coupled {
+            Some(side) => Some(side.last),
+            None => self.ssa.carry_side(choice, &columns),
+        };
+        let sides = residuals.sides();
+        let slides = self.extent(&all);
+        let turns = tied.roundings(self.ssa, &unknowns.now);
+        let size = self.ssa.constant(self.ssa.size_at_start(&sides));
+        let turns = self.ssa.mul(size, turns);
+        let extent = match slides {
+            Some(slides) => self.ssa.add(slides, turns),
+            None => turns,
+        };
+        let system = System {
+            gap: residuals.gap(),
+            columns,
+            extent: Some(self.ssa.name(extent, "extent")),
+            sides,
+            angles: Some(tied.unknowns.iter().map(|unknown| unknown.turns).collect()),
+            side,
+            ..System::default()
+        };
+        let iterated = self.advance(unknowns, system, coupled);
+        let solved = tied.unknowns.iter().zip(&iterated.solution);
+        let turning = solved.filter(|(unknown, _)| unknown.turns);
+        for (angle, (_, solved)) in angles.into_iter().zip(turning) {
+            for number in solved.numbers() {
+                self.ssa.update(angle, number);
+            }
+        }
+        iterated
+    }
+}
+
+/// The rates of all gaps with each direction and displacement of an equation.
 pub(super) fn all_columns(residuals: &Residuals<Value>, unknowns: usize) -> Vec<Vec<Value>> {
     let column = |unknown: usize| -> Vec<Value> {
         let rings = residuals.rings.iter();

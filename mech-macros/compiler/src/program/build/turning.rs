@@ -1,18 +1,18 @@
-//! Directions that are turned, and kept at length one.
+//! Directions: how they are turned and stay at length one, and the angles between them.
 
-use super::Writer;
-use crate::plan::{Algebra, Solution};
+use crate::plan::{Algebra, Arithmetic, Solution};
+use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 
-impl Writer<'_> {
+impl SsaBuilder {
     /// One step towards length one, so that rounding never adds up.
-    pub(super) fn normalised(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
-        let square = self.builder.dot(v, v);
-        let (half, three) = (self.builder.constant(0.5), self.builder.constant(1.5));
-        let half = self.builder.mul(half, square);
-        let factor = self.builder.sub(three, half);
-        let factor = self.builder.name(factor, format!("{name}_scale"));
-        self.builder.scaled(factor, v)
+    pub(super) fn normalise(&mut self, v: [Value; 2], name: &str) -> [Value; 2] {
+        let square = self.dot(v, v);
+        let (half, three) = (self.constant(0.5), self.constant(1.5));
+        let half = self.mul(half, square);
+        let factor = self.sub(three, half);
+        let factor = self.name(factor, format!("{name}_scale"));
+        self.scale(factor, v)
     }
 
     /// A margin, unless a direction is not of length one: that of a link which a param made so short that rounding hides it.
@@ -23,7 +23,7 @@ impl Writer<'_> {
     ) -> Value {
         /// A direction whose square is off by more than this after a step towards length one was no direction before.
         const STRETCH: f64 = 1.0 / 1024.0;
-        let builder = &mut self.builder;
+        let builder = self;
         solution.iter().fold(margin, |margin, unknown| {
             let Solution::Direction(direction) = *unknown else {
                 return margin;
@@ -39,13 +39,13 @@ impl Writer<'_> {
     }
 
     /// A direction turned by a small angle, to third order: without a division.
-    pub(super) fn turned_a_little(
+    pub(super) fn rotate_slightly(
         &mut self,
         direction: [Value; 2],
         angle: Value,
         name: &str,
     ) -> [Value; 2] {
-        let builder = &mut self.builder;
+        let builder = self;
         let (half, one) = (builder.constant(0.5), builder.constant(1.0));
         let square = builder.mul(angle, angle);
         let half = builder.mul(half, square);
@@ -57,19 +57,19 @@ impl Writer<'_> {
         let too_long = builder.mul(factor, e);
         let scale = builder.sub(one, too_long);
         let cos = builder.sub(one, half);
-        let turn = builder.scaled(scale, [cos, angle]);
+        let turn = builder.scale(scale, [cos, angle]);
         let turn = builder.name_direction(turn, &format!("{name}_turn"));
-        builder.turned(direction, turn)
+        builder.rotate(direction, turn)
     }
 
     /// A direction turned by a small angle, by the rational map that keeps its length (Cayley's).
-    pub(super) fn turned_by(
+    pub(super) fn rotate_by(
         &mut self,
         direction: [Value; 2],
         angle: Value,
         name: &str,
     ) -> [Value; 2] {
-        let builder = &mut self.builder;
+        let builder = self;
         let (half, one) = (builder.constant(0.5), builder.constant(1.0));
         let tangent = builder.mul(half, angle);
         let tangent = builder.name(tangent, format!("{name}_tangent"));
@@ -81,6 +81,29 @@ impl Writer<'_> {
         let factor = builder.name(factor, format!("{name}_factor"));
         let turn = [builder.sub(factor, one), builder.mul(tangent, factor)];
         let turn = builder.name_direction(turn, &format!("{name}_turn"));
-        builder.turned(direction, turn)
+        builder.rotate(direction, turn)
+    }
+
+    /// The angle from one direction to another, between −π and π.
+    pub(super) fn angle_between(&mut self, [from, to]: [[Value; 2]; 2]) -> Value {
+        let (sin, cos) = (self.cross(from, to), self.dot(from, to));
+        self.make(Op::Atan2(sin, cos))
+    }
+
+    /// The first of two unknowns of one kind if a number is not negative, else the second.
+    pub(super) fn choose(
+        &mut self,
+        test: Value,
+        a: Solution<Value>,
+        b: Solution<Value>,
+    ) -> Solution<Value> {
+        let mut choose = |a, b| self.make(Op::Choose(test, a, b));
+        match (a, b) {
+            (Solution::Direction([a, b]), Solution::Direction([c, d])) => {
+                Solution::Direction([choose(a, c), choose(b, d)])
+            }
+            (Solution::Slide(a), Solution::Slide(b)) => Solution::Slide(choose(a, b)),
+            (a, _) => a,
+        }
     }
 }

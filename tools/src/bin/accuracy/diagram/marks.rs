@@ -1,4 +1,4 @@
-//! How a method looks: colours that also the colour-blind can tell apart (Okabe and Ito's), and shapes besides.
+//! The marks of methods: shapes, and colours that are distinct also for the colour-blind (Okabe and Ito's).
 
 use super::{Area, Drawn};
 use crate::measurement::{STEPS, Step};

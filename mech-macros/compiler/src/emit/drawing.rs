@@ -1,0 +1,117 @@
+//! The methods that return and paint what is seen.
+
+use super::emitter::Emitter;
+use super::parts::Parts;
+use super::shapes::{Painted, in_order};
+use super::tokens::integer;
+use super::traces::trace_ident;
+use crate::model::{Model, Quality, Trace};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// `EXTENT`, `picture`, `poses` and `draw`.
+pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
+    let Emitter {
+        visibility,
+        scalar,
+        model,
+        ..
+    } = emitter;
+    let links = integer(emitter.program.poses.len());
+    let (picture, doc) = (picture(model), picture_doc(model));
+    let painting = painting(emitter);
+    let methods = quote! {
+                /// The smallest upright box around all that is seen, wherever its motors move it: lower left and upper right
+                /// corner, in scene units.
+                #visibility const EXTENT: [[#scalar; 2]; 2] = known::EXTENT;
+
+                #doc
+                #[must_use]
+                #visibility fn picture<const W: usize, const H: usize>() -> #picture<{ W }, { H }> {
+                    let mut picture = #picture::new();
+                    #picture::look_at(&mut picture, <Self as Mechanism>::view(W, H));
+                    picture
+                }
+
+                /// The poses of the moving links in the scene, in the order of their declaration.
+                #[must_use]
+                #visibility const fn poses(&self) -> &[Pose<#scalar>; #links] {
+                    &self.position.poses
+                }
+
+                /// Paints every shape, from the plane farthest from the eye to the nearest.
+                #visibility fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
+                    #painting
+                }
+    };
+    Parts::methods(methods)
+}
+
+/// The type of the pictures that a mechanism makes.
+pub(super) fn picture(model: &Model) -> TokenStream {
+    match model.quality {
+        Quality::Hard => quote!(Frame),
+        Quality::Smooth => quote!(Smooth),
+    }
+}
+
+/// The documentation of `picture`.
+fn picture_doc(model: &Model) -> TokenStream {
+    match model.quality {
+        Quality::Hard => quote! {
+            /// An empty picture that looks at all of it, wherever its motors move it.
+            ///
+            /// It takes `W` × `H` bytes on the stack, and 768 for its palette. For a large picture, which would overflow
+            /// the stack, `mech_runtime::HeapFrame::of` makes the same on the heap, with feature `std`.
+        },
+        Quality::Smooth => quote! {
+            /// An empty picture with soft edges that looks at all of it, wherever its motors move it.
+            ///
+            /// It takes 4 × `W` × (`H` + 16) bytes on the stack, and 2 KiB besides. For a large picture, which would overflow
+            /// the stack, `mech_runtime::HeapSmooth::of` makes the same on the heap, with feature `std`.
+        },
+    }
+}
+
+/// The statements that paint all shapes and traces, from the plane farthest from the eye to the nearest.
+fn painting(emitter: &Emitter<'_>) -> TokenStream {
+    let shapes = in_order(emitter);
+    let traces = emitter.model.traces.iter();
+    let mut traces: Vec<(usize, &Trace)> = traces
+        .map(|trace| (shapes_behind(trace, &shapes), trace))
+        .collect();
+    traces.sort_by_key(|(behind, _)| *behind);
+    let paint =
+        |shapes: TokenStream| quote!(generated::paint(#shapes, &self.position.poses, canvas););
+    let mut tokens = TokenStream::new();
+    let mut painted = 0;
+    for (behind, trace) in traces {
+        if behind > painted {
+            let [from, to] = [painted, behind].map(integer);
+            let range = quote!(known::SHAPES.get(#from..#to).unwrap_or_default());
+            tokens.extend(paint(range));
+            painted = behind;
+        }
+        let field = trace_ident(emitter, trace);
+        let color = proc_macro2::Literal::u8_unsuffixed(trace.color);
+        tokens.extend(quote!(Trace::draw(&self.#field, canvas, #color);));
+    }
+    if painted == 0 {
+        tokens.extend(paint(quote!(known::SHAPES)));
+    } else if painted < shapes.len() {
+        let from = integer(painted);
+        let range = quote!(known::SHAPES.get(#from..).unwrap_or_default());
+        tokens.extend(paint(range));
+    }
+    tokens
+}
+
+/// The number of shapes that are painted before a trace.
+fn shapes_behind(trace: &Trace, shapes: &[Painted]) -> usize {
+    let is_behind = |shape: &&Painted| match trace.plane {
+        Some(plane) => shape.plane < plane || (shape.plane == plane && shape.link == 0),
+        // Behind all links: the first of their shapes is the limit.
+        None => shape.link == 0,
+    };
+    shapes.iter().take_while(is_behind).count()
+}

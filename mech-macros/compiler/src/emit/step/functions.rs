@@ -1,0 +1,226 @@
+//! The step functions of positions, rates and forces.
+
+use super::super::tokens::{integer, position, scalar};
+use super::inputs::{arguments, motors_type, parameters};
+use super::outcome::Outcome;
+use super::scope::Scope;
+use super::sines::{takes_sines, type_parameter};
+use crate::program::Program;
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+/// The parts of a step.
+pub(super) struct StepParts<'p> {
+    /// The parameter for the last position: `_` if nothing reads it.
+    pub(super) last: TokenStream,
+    /// The statements that read the inputs and compute everything.
+    pub(super) statements: TokenStream,
+    /// The new position.
+    pub(super) position: TokenStream,
+    /// The margins by which loops close.
+    pub(super) margins: Margins<'p>,
+    /// The margins by which rates are determined.
+    pub(super) rate_margins: Margins<'p>,
+}
+
+/// Numbers that are negative where a loop fails, and what the loops are called.
+pub(super) struct Margins<'p> {
+    values: Vec<TokenStream>,
+    places: Vec<&'p str>,
+}
+
+impl<'p> FromIterator<(TokenStream, &'p str)> for Margins<'p> {
+    fn from_iter<I: IntoIterator<Item = (TokenStream, &'p str)>>(margins: I) -> Self {
+        let (values, places) = margins.into_iter().unzip();
+        Self { values, places }
+    }
+}
+
+impl Margins<'_> {
+    pub(super) fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// The margins as an array.
+    pub(super) fn array(&self) -> TokenStream {
+        let values = &self.values;
+        quote!([#(#values),*])
+    }
+
+    /// The type of the array.
+    fn kind(&self, scalar: &TokenStream) -> TokenStream {
+        let count = integer(self.values.len());
+        quote!([#scalar; #count])
+    }
+
+    /// The statement by which `test` returns an error for the first loop whose margin is negative.
+    pub(super) fn check(&self, test: &TokenStream, margins: &TokenStream) -> TokenStream {
+        let places = &self.places;
+        quote!(#test(#margins, [#(#places),*])?;)
+    }
+}
+
+/// The results of a function.
+#[derive(Default)]
+struct Results {
+    kinds: Vec<TokenStream>,
+    values: Vec<TokenStream>,
+    /// The variables to which a caller binds them.
+    names: Vec<Ident>,
+}
+
+impl Results {
+    fn push(&mut self, kind: TokenStream, value: TokenStream, name: &str) {
+        self.kinds.push(kind);
+        self.values.push(value);
+        self.names.push(format_ident!("{name}"));
+    }
+}
+
+/// A tuple; one element stands for itself.
+fn tuple<T: ToTokens>(elements: &[T]) -> TokenStream {
+    match elements {
+        [element] => quote!(#element),
+        _ => quote!((#(#elements),*)),
+    }
+}
+
+/// The functions of a step: `step`, and for steps in closed form `position` and `step_reduced`.
+pub(super) fn step_functions(parts: StepParts<'_>, scope: &Scope<'_>) -> TokenStream {
+    let outcome = scope.program.motion.as_ref();
+    let outcome = outcome.map(|motion| Outcome::new(motion, scope));
+    let mut results = Results::default();
+    results.push(position(scope.program), parts.position.clone(), "position");
+    let what = outcome.as_ref().map(|outcome| outcome.what);
+    if let Some(outcome) = outcome {
+        results.push(outcome.kind, outcome.value, "rates");
+    }
+    if scope.program.is_closed() {
+        closed_step(&parts, results, what, scope.program)
+    } else {
+        iterated_step(&parts, &results, what, scope.program)
+    }
+}
+
+/// The function of a step with iterations in it.
+fn iterated_step(
+    parts: &StepParts<'_>,
+    results: &Results,
+    what: Option<&str>,
+    program: &Program,
+) -> TokenStream {
+    let StepParts {
+        last,
+        statements,
+        rate_margins,
+        ..
+    } = parts;
+    let (position, motors) = (position(program), motors_type(program));
+    let parameters = parameters(program);
+    let what = what.map_or_else(String::new, |what| format!(", and {what}"));
+    let doc = format!(" The position at these motor values, close to the last one{what}.");
+    let determined = program
+        .motion
+        .is_some()
+        .then(|| rate_margins.check(&quote!(determined), &rate_margins.array()));
+    let (kind, value) = (tuple(&results.kinds), tuple(&results.values));
+    quote! {
+        #[doc = #doc]
+        pub(super) fn step(#last: &#position, motors: #motors #parameters) -> Result<#kind, Stop> {
+            #statements
+            #determined
+            Ok(#value)
+        }
+    }
+}
+
+/// The functions of a step whose loops are all in closed form: `position` computes whether or not they close, and the others test.
+fn closed_step(
+    parts: &StepParts<'_>,
+    mut results: Results,
+    what: Option<&str>,
+    program: &Program,
+) -> TokenStream {
+    let StepParts {
+        last,
+        statements,
+        margins,
+        rate_margins,
+        ..
+    } = parts;
+    let (scalar, position, motors) = (
+        scalar(program.precision),
+        position(program),
+        motors_type(program),
+    );
+    let (parameters, arguments) = (parameters(program), arguments(program));
+    let (kind, found) = (tuple(&results.kinds), tuple(&results.names));
+    results.push(margins.kind(&scalar), margins.array(), "margins");
+    let closes = margins.check(&quote!(closes), &quote!(margins));
+    let determined = what.map(|_| {
+        results.push(rate_margins.kind(&scalar), rate_margins.array(), "regular");
+        rate_margins.check(&quote!(determined), &quote!(regular))
+    });
+    let Results {
+        kinds,
+        values,
+        names,
+    } = results;
+    let body = |sines: Option<TokenStream>| {
+        quote! {
+            let (#(#names),*) = position #sines(last, motors #arguments);
+            #closes
+            #determined
+            Ok(#found)
+        }
+    };
+    let (position_docs, step_docs) = docs(what);
+    let [sines, full_range] = type_parameter(program);
+    let (access, inline) = match what {
+        None => (quote!(pub(super)), quote!(inline)),
+        Some(_) => (TokenStream::new(), quote!(inline(always))),
+    };
+    let step_reduced = takes_sines(program).then(|| {
+        let body = body(Some(quote!(::<Reduced>)));
+        quote! {
+            /// The same, where all angles are within the range of the polynomials of sine and cosine.
+            #[#inline]
+            pub(super) fn step_reduced(last: &#position, motors: #motors #parameters) -> Result<#kind, Stop> {
+                #body
+            }
+        }
+    });
+    let body = body(full_range);
+    quote! {
+        #(#[doc = #position_docs])*
+        #[inline(always)]
+        #access fn position #sines(#last: &#position, motors: #motors #parameters) -> (#(#kinds),*) {
+            #statements
+            (#(#values),*)
+        }
+
+        #(#[doc = #step_docs])*
+        #[inline]
+        pub(super) fn step(last: &#position, motors: #motors #parameters) -> Result<#kind, Stop> {
+            #body
+        }
+
+        #step_reduced
+    }
+}
+
+/// The documentation of `position` and of `step`, line by line.
+fn docs(what: Option<&str>) -> (Vec<String>, Vec<String>) {
+    let (position, step) = match what {
+        None => (
+            " The position at these motor values, and for each loop a margin: it closes if that is not negative.".to_owned(),
+            " The position at these motor values, if every loop closes there.".to_owned(),
+        ),
+        Some(what) => (
+            format!(" The position at these motor values, {what}, and for each loop margins: if they are not negative, it\n closes, and its rates are determined."),
+            format!(" The position at these motor values and {what}, if every loop closes there and its rates are\n determined."),
+        ),
+    };
+    let lines = |text: String| text.lines().map(str::to_owned).collect();
+    (lines(position), lines(step))
+}

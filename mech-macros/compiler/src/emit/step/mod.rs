@@ -1,0 +1,137 @@
+//! The functions of a program: its step, and those that the step calls.
+
+mod binding;
+mod block;
+mod flow;
+mod functions;
+mod inputs;
+mod iteration;
+mod laws;
+mod outcome;
+mod scope;
+mod sensitivity;
+mod sines;
+mod stages;
+mod uses;
+
+use super::module;
+use crate::program::{BlockKind, Op, Program, Value};
+use block::{function, statements};
+use flow::{Flow, flows};
+use functions::{Margins, StepParts, step_functions};
+pub(super) use inputs::{arguments, parameters};
+pub(super) use laws::laws;
+pub(super) use outcome::outcome_type;
+use proc_macro2::TokenStream;
+use quote::quote;
+use scope::Scope;
+use sensitivity::sensitivity_functions;
+pub(super) use sines::{in_lanes, takes_sines};
+use stages::{Act, Body, MOST_LETS, body, count_lets};
+use std::collections::BTreeSet;
+
+/// The module of a program: the function `step`, and those it calls.
+pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
+    let name = module::name(program);
+    let program = &*program.divide(MOST_LETS);
+    let flows = flows(program);
+    let sin_cos = if takes_sines(program) {
+        quote!(S::sin_cos)
+    } else {
+        quote!(sin_cos)
+    };
+    let mut scope = Scope::new(program, uses::all_uses(program), sin_cos);
+    let inputs = inputs::inputs(&mut scope);
+    let mut names = BTreeSet::new();
+    let Blocks { acts, functions } = blocks(&flows, &mut scope, &mut names);
+    let Body {
+        statements,
+        functions: stages,
+    } = body(acts, count_lets(&inputs), &mut scope, &mut names);
+    let is_last = |value: &Value| matches!(program.node(*value).op, Op::Last(_));
+    let mut run = flows.iter().filter(|flow| !flow.gives.is_empty());
+    let reads_last = program.state.iter().any(is_last) || run.any(|flow| flow.reads_last);
+    let parts = StepParts {
+        last: if reads_last { quote!(last) } else { quote!(_) },
+        statements: quote!(#inputs #statements),
+        position: position(&scope),
+        margins: program
+            .margins()
+            .map(|(_, closed)| (scope.expression(closed.margin), closed.place.as_str()))
+            .collect(),
+        rate_margins: rate_margins(&scope),
+    };
+    let steps = match &program.sensitivity {
+        Some(sensitivity) => sensitivity_functions(sensitivity, &parts, &scope),
+        None => step_functions(parts, &scope),
+    };
+    module::module(krate, &name, &quote!(#functions #stages #steps))
+}
+
+/// The blocks of a step.
+struct Blocks {
+    acts: Vec<Act>,
+    /// The functions of those blocks that do not stand in the step itself.
+    functions: TokenStream,
+}
+
+/// The statements of each block that is run.
+fn blocks(flows: &[Flow], scope: &mut Scope<'_>, names: &mut BTreeSet<String>) -> Blocks {
+    let program = scope.program;
+    let (mut acts, mut functions) = (Vec::new(), TokenStream::new());
+    for (id, flow) in program.block_ids().zip(flows) {
+        if flow.gives.is_empty() {
+            continue;
+        }
+        let block = &program.blocks[id.index()];
+        let mut act = Act {
+            statements: TokenStream::new(),
+            lets: 1,
+            flow: flow.clone(),
+            fails: matches!(block.kind, BlockKind::Newton(_)),
+            takes_sines: false,
+        };
+        if matches!(block.kind, BlockKind::Straight) && sines::is_short(program) {
+            act.statements = statements(id, flow, scope);
+            act.lets = count_lets(&act.statements);
+            act.takes_sines = takes_sines(program);
+            acts.push(act);
+            continue;
+        }
+        let name = scope.fresh_function(names, &block.name);
+        functions.extend(function(program, id, &name, flow));
+        let last = flow.reads_last.then(|| quote!(last,));
+        let takes = scope.expressions(&flow.takes);
+        let gives = scope.bind_all(&flow.gives);
+        let fails = act.fails.then(|| quote!(?));
+        act.statements = quote!(let (#(#gives),*) = #name(#last #(#takes),*)#fails;);
+        if let (false, Some(closed)) = (program.is_closed(), program.closed_form(id))
+            && program.margins().any(|(other, _)| other == id)
+        {
+            let (margin, place) = (scope.expression(closed.margin), &closed.place);
+            act.statements.extend(quote!(closes([#margin], [#place])?;));
+            act.fails = true;
+        }
+        acts.push(act);
+    }
+    Blocks { acts, functions }
+}
+
+/// The position that a step ends with.
+fn position(scope: &Scope<'_>) -> TokenStream {
+    let poses = scope.program.poses.iter().map(|pose| {
+        let [cos, sin, x, y] = pose.map(|value| scope.expression(value));
+        quote!(Pose { cos: #cos, sin: #sin, x: #x, y: #y })
+    });
+    let state = scope.expressions(&scope.program.state);
+    quote!(Position { motors, poses: [#(#poses),*], state: [#(#state),*] })
+}
+
+/// The margins by which rates are determined.
+fn rate_margins<'p>(scope: &Scope<'p>) -> Margins<'p> {
+    let motion = scope.program.motion.iter();
+    let margins = motion.flat_map(|motion| &motion.margins);
+    margins
+        .map(|margin| (scope.expression(margin.margin), margin.place.as_str()))
+        .collect()
+}

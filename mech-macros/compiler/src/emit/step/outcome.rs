@@ -1,0 +1,110 @@
+//! What a step computes besides a position: rates or forces.
+
+use super::super::tokens::{integer, scalar};
+use super::scope::Scope;
+use crate::bug::bug;
+use crate::program::{Forces, Motion, Program, Value};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The rates or forces of a motion: their type, their value, and what documentation calls them.
+pub(super) struct Outcome {
+    pub(super) kind: TokenStream,
+    pub(super) value: TokenStream,
+    pub(super) what: &'static str,
+}
+
+impl Outcome {
+    pub(super) fn new(motion: &Motion, scope: &Scope<'_>) -> Self {
+        Self {
+            kind: outcome_type(scope.program),
+            value: match &motion.forces {
+                None => rates(motion, scope),
+                Some(forces) => self::forces(forces, scope),
+            },
+            what: match &motion.forces {
+                None => "the rates of all links",
+                Some(Forces::Holding(_)) => "what holds it there",
+                Some(Forces::InverseDynamics(_)) => "the forces in it",
+                Some(Forces::Inertia(_)) => "its inertia as the motors feel it",
+            },
+        }
+    }
+}
+
+fn rates(motion: &Motion, scope: &Scope<'_>) -> TokenStream {
+    let rates = |name: TokenStream, all: &[[Value; 3]]| {
+        let all = all.iter().map(|rates| {
+            let [angular, x, y] = rates.map(|rate| scope.expression(rate));
+            quote!(#name { angular: #angular, x: #x, y: #y })
+        });
+        quote!([#(#all),*])
+    };
+    let velocities = rates(quote!(Velocity), &motion.velocities);
+    match &motion.accelerations {
+        None => velocities,
+        Some(accelerations) => {
+            let accelerations = rates(quote!(Acceleration), accelerations);
+            quote!((#velocities, #accelerations))
+        }
+    }
+}
+
+fn forces(forces: &Forces<Value>, scope: &Scope<'_>) -> TokenStream {
+    let row = |values: &Vec<Value>| {
+        let values = scope.expressions(values);
+        quote!([#(#values),*])
+    };
+    match forces {
+        Forces::Holding(torques) => {
+            let torques = row(torques);
+            quote!(Holding { torques: #torques })
+        }
+        Forces::InverseDynamics(found) => {
+            let (torques, transmission) = (row(&found.torques), row(&found.transmission));
+            let velocity_ratios = found.velocity_ratios.iter().map(row);
+            let reactions = found.reactions.iter().map(|reaction| {
+                let [x, y, torque] = reaction.map(|part| scope.expression(part));
+                quote!(Reaction { x: #x, y: #y, torque: #torque })
+            });
+            quote! {
+                Forces {
+                    torques: #torques,
+                    reactions: [#(#reactions),*],
+                    velocity_ratios: [#(#velocity_ratios),*],
+                    transmission: #transmission,
+                }
+            }
+        }
+        Forces::Inertia(inertia) => {
+            let (matrix, drive) = (inertia.matrix.iter().map(row), row(&inertia.drive));
+            let [kinetic, potential] = inertia.energy.map(|part| scope.expression(part));
+            quote! {
+                Inertia { matrix: [#(#matrix),*], drive: #drive, kinetic: #kinetic, potential: #potential }
+            }
+        }
+    }
+}
+
+/// The type of the rates or forces that a program computes.
+pub(in crate::emit) fn outcome_type(program: &Program) -> TokenStream {
+    let Some(motion) = &program.motion else {
+        bug!("a program without a motion has no rates");
+    };
+    let scalar = scalar(program.precision);
+    let (links, motors) = (integer(program.links.len()), integer(program.motors.len()));
+    match &motion.forces {
+        None if motion.accelerations.is_some() => {
+            quote!(([Velocity<#scalar>; #links], [Acceleration<#scalar>; #links]))
+        }
+        None => quote!([Velocity<#scalar>; #links]),
+        Some(Forces::Holding(_)) => quote!(Holding<#scalar, #motors>),
+        Some(Forces::InverseDynamics(found)) => {
+            // One row for each motor, and there is one at least.
+            let loads = found.velocity_ratios[0].len();
+            let sizes = [found.reactions.len(), loads, found.transmission.len()].map(integer);
+            quote!(Forces<#scalar, #motors, #(#sizes),*>)
+        }
+        Some(Forces::Inertia(_)) => quote!(Inertia<#scalar, #motors>),
+    }
+}

@@ -1,0 +1,71 @@
+//! What is seen of a mechanism, and the box around it.
+
+use crate::model::{LinkId, Model};
+use crate::program::Program;
+
+/// The left, lower, right and upper side of a box.
+pub(super) const SIDES: [usize; 4] = [0, 1, 2, 3];
+
+/// The sides of an upright box, each with its sign so that greater is farther out: −left, −lower, right, upper.
+pub(super) type Sides = [f64; 4];
+
+/// A box that holds nothing.
+pub(super) const EMPTY: Sides = [f64::NEG_INFINITY; 4];
+
+/// The points that are seen: corners and centres of shapes, or joints and named points where there is no shape.
+pub(super) struct Seen {
+    /// The box around what the ground carries.
+    pub(super) ground: Sides,
+    /// For each pose its points, and the radius of what is seen around each.
+    moving: Vec<Vec<([f64; 2], f64)>>,
+}
+
+impl Seen {
+    pub(super) fn new(model: &Model, program: &Program) -> Self {
+        let links = || std::iter::once(LinkId::GROUND).chain(program.stored.iter().copied());
+        let has_shapes = links().any(|id| !model.link(id).shapes.is_empty());
+        let points = |id: LinkId| -> Vec<([f64; 2], f64)> {
+            if has_shapes {
+                let shapes = model.link(id).shapes.iter().flat_map(|shape| {
+                    let (points, radius) = shape.kind.reach();
+                    points.iter().map(move |&point| (point, radius))
+                });
+                shapes.collect()
+            } else {
+                let axes = model.axes.iter().filter(|axis| axis.link == id);
+                axes.map(|axis| (axis.at, 0.0)).collect()
+            }
+        };
+        let mut ground = EMPTY;
+        for (point, radius) in points(LinkId::GROUND) {
+            grow(&mut ground, point, radius);
+        }
+        Self {
+            ground,
+            moving: program.stored.iter().map(|&id| points(id)).collect(),
+        }
+    }
+
+    /// How many points move.
+    pub(super) fn count(&self) -> usize {
+        self.moving.iter().map(Vec::len).sum()
+    }
+
+    /// The box around everything that moves, if the links have these poses.
+    pub(super) fn sides(&self, poses: &[[f64; 4]]) -> Sides {
+        let mut sides = EMPTY;
+        for (&[cos, sin, x, y], points) in poses.iter().zip(&self.moving) {
+            for &([u, v], radius) in points {
+                let point = [x + cos * u - sin * v, y + sin * u + cos * v];
+                grow(&mut sides, point, radius);
+            }
+        }
+        sides
+    }
+}
+
+fn grow(sides: &mut Sides, [x, y]: [f64; 2], radius: f64) {
+    for (side, out) in sides.iter_mut().zip([-x, -y, x, y]) {
+        *side = side.max(out + radius);
+    }
+}

@@ -1,0 +1,97 @@
+//! Two circles that cut each other.
+
+use super::{DyadLowering, FAR_APART, Found, TOLERANCE, Vector};
+use crate::plan::{Algebra, Arithmetic, Solution, TwoCircles};
+use crate::program::build::size::Size;
+use crate::program::node::{Op, Value};
+
+impl DyadLowering<'_> {
+    /// u·a + v·b = goal.
+    pub(super) fn two_circles(&mut self, goal: Vector, arms: [Vector; 2]) -> Found {
+        let last = self.last_direction();
+        let tip = self.ssa.rotate(last, arms[0]);
+        let turn = self.ssa.cross(goal, tip);
+        let side = self.side(turn);
+        let circles = TwoCircles::new(self.ssa, goal, arms);
+        let [a, b] = circles.lengths;
+        let product = self.ssa.mul(a, b);
+        let tolerance = self.circles_tolerance(&circles, product);
+        let root = self.root(circles.discriminant);
+        let signed = self.on_side(root, side);
+        let [long, short, wide] = [a, b, product].map(|value| self.ssa.at_start(value));
+        let size = self.ssa.size_or(circles.sum, long + short);
+        let alike = size.varies() || (long - short).abs() <= 1e-9 * (long + short);
+        let pins_meet = self.choice.changes_branch() && alike;
+        let beside = if pins_meet {
+            let near = self.beyond_rounding(circles.square, size);
+            let side = self.ssa.make(Op::Choose(near, signed, turn));
+            self.ssa.copysign(root, side)
+        } else {
+            signed
+        };
+        let directions = circles
+            .directions(self.ssa, beside)
+            .map(Solution::Direction);
+        let two = self.ssa.constant(2.0);
+        let scale = self.ssa.mul(two, product);
+        let sine = self.ssa.div(signed, scale);
+        // Where rounding passes for closed, it must not stretch a link.
+        let stretches = self.choice.watching.is_some()
+            || self.choice.pins_near
+            || self.are_far_apart(a, b, circles.square);
+        let mut solution = self.normalise(directions, stretches);
+        if pins_meet {
+            // The one keeps its direction, the other follows from it.
+            solution[0] = self.unless_pins_meet(circles.square, size, solution[0], self.last[0]);
+            let second = circles.second(self.ssa, solution[0]);
+            solution[1] = self.unless_pins_meet(circles.square, size, solution[1], second);
+        }
+        let shift = self.ssa.div(circles.square, product);
+        let rounded = match size {
+            Size::Fixed(size) => Size::Fixed(size * size / wide),
+            Size::Varying(_) => Size::Varying(self.ssa.div(circles.outer, product)),
+        };
+        Found {
+            solution,
+            discriminant: circles.discriminant,
+            tolerance,
+            closes: None,
+            sine,
+            rounding_square: self.rounding_square(shift, rounded),
+        }
+    }
+
+    /// How far rounding may push the discriminant below zero.
+    ///
+    /// A gap of `g` makes the discriminant −g · 2d · 4ab at a dead point: at the outer with a distance d of s = a + b, at the inner of
+    /// m = |a − b|. For all between, d is taken as the chord of the root of its square: (d² + sm) / (s + m).
+    fn circles_tolerance(&mut self, circles: &TwoCircles<Value>, product: Value) -> Value {
+        let epsilon = self.ssa.epsilon;
+        let ssa = &mut *self.ssa;
+        let least = ssa.abs(circles.difference);
+        let (both, within) = (ssa.add(circles.sum, least), ssa.mul(circles.sum, least));
+        let tolerance = ssa.constant(8.0 * TOLERANCE * epsilon);
+        let gap = ssa.mul(tolerance, circles.sum);
+        let scale = ssa.mul(gap, product);
+        let scale = ssa.div(scale, both);
+        let chord = ssa.add(circles.square, within);
+        ssa.mul(scale, chord)
+    }
+
+    /// A number that is negative where pins nearly meet: there rounding hides on which side of the line between them a dyad of equal
+    /// lengths lies, and it lies on that on which it was.
+    fn beyond_rounding(&mut self, square: Value, size: Size) -> Value {
+        let roundings = self.roundings();
+        let scale = self.ssa.part_of(4.0 * self.ssa.epsilon, size);
+        let near = self.ssa.mul(scale, roundings);
+        let near = self.ssa.mul(near, near);
+        self.ssa.sub(square, near)
+    }
+
+    /// Whether the lengths of a triangle differ so much that its short side's direction suffers.
+    fn are_far_apart(&self, a: Value, b: Value, square: Value) -> bool {
+        let [a, b, square] = [a, b, square].map(|value| self.ssa.at_start(value));
+        let greatest = a.max(b).max(square.sqrt());
+        greatest > FAR_APART * a.min(b)
+    }
+}

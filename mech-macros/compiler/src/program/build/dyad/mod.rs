@@ -1,0 +1,206 @@
+//! Dyads in closed form: whether they close, and on which side they lie.
+
+mod circles;
+mod lines;
+
+use super::size::Size;
+use crate::bug::bug;
+use crate::plan::{Algebra, Arithmetic, Dyad, Solution};
+use crate::program::builder::SsaBuilder;
+use crate::program::choice::Choice;
+use crate::program::closed_form::ClosedForm;
+use crate::program::node::{Op, Value};
+
+/// A gap, in units of rounding of the loop's size, that passes for closed.
+const TOLERANCE: f64 = 64.0;
+
+/// Directions are brought back to length one where lengths differ by more than this: the short link's would suffer.
+const FAR_APART: f64 = 32.0;
+
+type Vector = [Value; 2];
+
+/// Lowers a dyad to operations.
+pub(super) struct DyadLowering<'a> {
+    pub(super) ssa: &'a mut SsaBuilder,
+    pub(super) choice: &'a Choice,
+    /// Its two unknowns at the last position.
+    pub(super) last: &'a [Solution<Value>],
+}
+
+/// What a closed form finds.
+struct Found {
+    solution: [Solution<Value>; 2],
+    discriminant: Value,
+    tolerance: Value,
+    /// What is not negative if it closes, where discriminant and tolerance do not say it.
+    closes: Option<Value>,
+    sine: Value,
+    rounding_square: Value,
+}
+
+/// The side on which a dyad lies.
+#[derive(Clone, Copy)]
+enum Side {
+    /// Always this one.
+    Fixed(bool),
+    /// That on which it was: the sign of a number of the state.
+    Carried(Value),
+}
+
+impl DyadLowering<'_> {
+    /// The closed form of a dyad and its unknowns: it closes the loop of this number, between joints of these names.
+    pub(super) fn lower(
+        &mut self,
+        dyad: Dyad<Value>,
+        number: usize,
+        place: &str,
+    ) -> (ClosedForm, [Solution<Value>; 2]) {
+        let found = match dyad {
+            Dyad::TwoCircles { goal, arms } => self.two_circles(goal, arms),
+            Dyad::CircleAndLine { goal, arm, along } => self.circle_and_line(goal, arm, along),
+            Dyad::TurningLine { goal, arm, along } => self.turning_line(goal, arm, along),
+            Dyad::TwoLines { goal, lines } => self.two_lines(goal, lines),
+        };
+        let margin = match (self.choice.proved, found.closes) {
+            (true, _) => self.ssa.constant(1.0),
+            (false, Some(closes)) => closes,
+            (false, None) => self.ssa.add(found.discriminant, found.tolerance),
+        };
+        let sides = dyad.sides();
+        let margin = if self.ssa.any_varies(sides[1..].as_flattened()) {
+            self.ssa.unless_stretched(margin, &found.solution)
+        } else {
+            margin
+        };
+        let numbers = found.solution.iter().flat_map(Solution::numbers);
+        let closed = ClosedForm {
+            number,
+            place: place.to_owned(),
+            discriminant: found.discriminant,
+            tolerance: found.tolerance,
+            margin: self.ssa.name(margin, "margin"),
+            sine: found.sine,
+            rounding_square: found.rounding_square,
+            has_branches: !matches!(dyad, Dyad::TwoLines { .. }),
+            found: numbers.collect(),
+            size: self.ssa.size_at_start(&sides),
+            dyad,
+        };
+        (closed, found.solution)
+    }
+
+    /// The direction of the first unknown at the last position.
+    fn last_direction(&self) -> Vector {
+        match self.last[0] {
+            Solution::Direction(direction) => direction,
+            Solution::Slide(_) => bug!("a dyad that turns has no direction"),
+        }
+    }
+
+    /// The displacement of the second unknown at the last position.
+    fn last_displacement(&self) -> Value {
+        match self.last[1] {
+            Solution::Slide(displacement) => displacement,
+            Solution::Direction(_) => bug!("a dyad that slides has no displacement"),
+        }
+    }
+
+    /// On which side a dyad lies, from a number that is positive on one and negative on the other.
+    fn side(&mut self, signed: Value) -> Side {
+        let positive = self.choice.side;
+        let positive = positive.unwrap_or_else(|| self.ssa.at_start(signed) > 0.0);
+        if self.choice.changes_branch() {
+            let sine = if positive { 1.0 } else { -1.0 };
+            Side::Carried(self.ssa.carry(sine).last)
+        } else {
+            Side::Fixed(positive)
+        }
+    }
+
+    /// The root of a discriminant; what rounding made negative is zero.
+    fn root(&mut self, discriminant: Value) -> Value {
+        let discriminant = if self.choice.proved {
+            discriminant
+        } else {
+            let zero = self.ssa.constant(0.0);
+            self.ssa.max(discriminant, zero)
+        };
+        let root = self.ssa.sqrt(discriminant);
+        self.ssa.name(root, "root")
+    }
+
+    /// A root with the sign of a side.
+    fn on_side(&mut self, root: Value, side: Side) -> Value {
+        match side {
+            Side::Fixed(true) => root,
+            Side::Fixed(false) => self.ssa.neg(root),
+            Side::Carried(carried) => {
+                let signed = self.ssa.copysign(root, carried);
+                self.ssa.name(signed, "signed_root")
+            }
+        }
+    }
+
+    /// The tolerance of a difference of squares: so much rounding of twice a size, times a length.
+    fn tolerance(&mut self, size: Size, length: Value) -> Value {
+        let tolerance = self.ssa.part_of(2.0 * TOLERANCE * self.ssa.epsilon, size);
+        self.ssa.mul(tolerance, length)
+    }
+
+    /// How many roundings a length at hand has suffered: the motors' values are rounded too, the more the farther they have turned.
+    fn roundings(&mut self) -> Value {
+        let mut turned = self.ssa.constant(0.0);
+        for motor in 0..self.ssa.motors {
+            let value = self.ssa.make(Op::Motor(motor));
+            let value = self.ssa.abs(value);
+            turned = self.ssa.add(turned, value);
+        }
+        let (two, sixteen) = (self.ssa.constant(2.0), self.ssa.constant(16.0));
+        let turned = self.ssa.mul(two, turned);
+        self.ssa.add(sixteen, turned)
+    }
+
+    /// The square of a sine below which rounding hides its sign: where rounding shifts the square of the sine by this part of
+    /// epsilon, and not less than what rounding of lengths does to the sine itself.
+    fn rounding_square(&mut self, shift: Value, sine: Size) -> Value {
+        let epsilon = self.ssa.epsilon;
+        let roundings = self.roundings();
+        let least = self.ssa.part_of(epsilon, sine);
+        let least = self.ssa.mul(least, roundings);
+        let least = self.ssa.mul(least, least);
+        let shift_by = self.ssa.constant(16.0 * epsilon);
+        let shift = self.ssa.mul(shift_by, shift);
+        self.ssa.add(shift, least)
+    }
+
+    /// A solution whose directions are brought back to length one, if that is needed.
+    fn normalise(&mut self, solution: [Solution<Value>; 2], needed: bool) -> [Solution<Value>; 2] {
+        solution.map(|unknown| match unknown {
+            Solution::Direction(direction) if needed => {
+                Solution::Direction(self.ssa.normalise(direction, "closed"))
+            }
+            unknown => unknown,
+        })
+    }
+
+    /// A direction, unless the pins meet that the dyad joins: there any direction closes it, and it is this other one.
+    fn unless_pins_meet(
+        &mut self,
+        square: Value,
+        size: Size,
+        direction: Solution<Value>,
+        other: Solution<Value>,
+    ) -> Solution<Value> {
+        let part = 0.5 * TOLERANCE * self.ssa.epsilon;
+        let least = match size {
+            Size::Fixed(size) => self.ssa.constant((part * size).powi(2)),
+            Size::Varying(_) => {
+                let least = self.ssa.part_of(part, size);
+                self.ssa.mul(least, least)
+            }
+        };
+        let apart = self.ssa.sub(square, least);
+        let apart = self.ssa.name(apart, "apart");
+        self.ssa.choose(apart, direction, other)
+    }
+}

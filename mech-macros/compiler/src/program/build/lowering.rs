@@ -1,0 +1,95 @@
+//! What every pass over a plan adds to: the operations so far, and where they put the links.
+
+use super::watching::Watches;
+use crate::model::{AxisId, LinkId, Model};
+use crate::plan::{Connection, ConnectionKind, Placement, Plan, Solution};
+use crate::program::builder::SsaBuilder;
+use crate::program::node::{Op, Value};
+use crate::program::{Position, StateLayout};
+use mech_core::journey::AtZero;
+
+/// A plan that is being lowered to operations.
+pub(super) struct Lowering<'m> {
+    pub(super) model: &'m Model,
+    pub(super) plan: &'m Plan,
+    pub(super) ssa: SsaBuilder,
+    pub(super) placement: Placement<'m, Value>,
+    pub(super) layout: StateLayout,
+}
+
+impl<'m> Lowering<'m> {
+    pub(super) fn new(model: &'m Model, plan: &'m Plan) -> Self {
+        let all = model.declared_links();
+        let motors = plan.start.motors.iter().copied();
+        let start = Position {
+            motors: motors.chain(model.params.values()).collect(),
+            turns: vec![0; model.inputs()],
+            poses: all.map(|link| plan.start.poses[link.index()]).collect(),
+            state: Vec::new(),
+        };
+        let mut ssa = SsaBuilder::new(start, model.precision);
+        ssa.block("start".to_owned(), String::new());
+        ssa.evaluate_formulas(model);
+        let placement = Placement::new(&mut ssa, model);
+        Self {
+            model,
+            plan,
+            ssa,
+            placement,
+            layout: StateLayout::default(),
+        }
+    }
+
+    pub(super) fn link_of(&self, axis: AxisId) -> LinkId {
+        self.model.axis(axis).link
+    }
+
+    pub(super) fn name_of(&self, link: LinkId) -> &'m str {
+        &self.model.link(link).name
+    }
+
+    /// Places a link by the coordinate of its connection, an angle or a length.
+    pub(super) fn place(&mut self, connection: Connection, value: Value, name: &str) {
+        let coordinate = match connection.kind {
+            ConnectionKind::Revolute => {
+                let (sin, cos) = (self.ssa.make(Op::Sin(value)), self.ssa.make(Op::Cos(value)));
+                Solution::Direction(self.ssa.name_direction([cos, sin], name))
+            }
+            ConnectionKind::Prismatic => Solution::Slide(value),
+        };
+        self.connect(connection, coordinate);
+    }
+
+    /// Brings two clusters together over a connection of known coordinate.
+    pub(super) fn connect(&mut self, connection: Connection, coordinate: Solution<Value>) {
+        self.placement
+            .connect(&mut self.ssa, connection, coordinate);
+        self.name_cluster(self.link_of(connection.to));
+    }
+
+    /// Names the poses of all links in the cluster of this one.
+    pub(super) fn name_cluster(&mut self, link: LinkId) {
+        let base = self.placement.clusters.base(link);
+        for link in self.placement.clusters.links(base) {
+            let pose = self.placement.pose(link);
+            let name = &self.model.link(link).name;
+            self.ssa.name_direction(pose.direction, name);
+            self.ssa.name_vector(pose.origin, name);
+        }
+    }
+
+    /// The point of an axis in the scene.
+    pub(super) fn point(&mut self, axis: AxisId) -> [Value; 2] {
+        self.placement.spot(&mut self.ssa, axis)
+    }
+
+    /// Carries the signs of the inputs' last motions, if a loop passes change points: they say on which side it leaves one.
+    pub(super) fn carry_motion_signs(&mut self, watches: &Watches) {
+        let mut loops = watches.loops.iter();
+        if loops.all(|watch| watch.at_zero == AtZero::Stay) {
+            return;
+        }
+        let signs = (0..self.model.inputs()).map(|_| self.ssa.carry(1.0).index);
+        self.layout.motion_signs = signs.min();
+    }
+}

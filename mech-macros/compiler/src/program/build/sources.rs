@@ -1,0 +1,127 @@
+//! What gears, belts, racks and cams are solved from.
+
+use super::lowering::Lowering;
+use super::steps::PositionPass;
+use super::watching::Watches;
+use crate::model::{JointKind, LinkId};
+use crate::plan::{Arithmetic, Plan, Rational, Source, Turning, float_of};
+use crate::program::node::{Op, Value};
+use num_traits::ToPrimitive;
+use std::f64::consts::TAU;
+
+/// The sources of a plan, as far as they were read.
+pub(super) struct Sources {
+    values: Vec<Option<Value>>,
+    /// Those of them that are angles, between −π and π.
+    principals: Vec<Option<Value>>,
+    /// The angles that were made.
+    pub(super) angles: Vec<Angle>,
+}
+
+/// An angle from one direction to another, between −π and π.
+pub(super) struct Angle {
+    pub(super) value: Value,
+    pub(super) between: [[Value; 2]; 2],
+}
+
+impl Sources {
+    pub(super) fn new(plan: &Plan) -> Self {
+        Self {
+            values: vec![None; plan.sources.len()],
+            principals: vec![None; plan.sources.len()],
+            angles: Vec::new(),
+        }
+    }
+
+    /// Whether a source was read.
+    pub(super) fn has(&self, number: usize) -> bool {
+        self.values[number].is_some()
+    }
+
+    /// The value of a source; of an angle, over any number of turns.
+    pub(super) fn value(
+        &mut self,
+        lowering: &mut Lowering<'_>,
+        watches: &mut Watches,
+        number: usize,
+    ) -> Value {
+        if let Some(known) = self.values[number] {
+            return known;
+        }
+        let (model, plan) = (lowering.model, lowering.plan);
+        let value = match plan.sources[number] {
+            Source::Motor(motor) => {
+                let name = &model.joint(model.motor(motor).joint).name;
+                let value = lowering.ssa.make(Op::Motor(motor.index()));
+                lowering.ssa.name(value, name)
+            }
+            Source::Angle { from, to } => {
+                let start = plan.start.sources[number];
+                let principal = self.principal(lowering, number, [from, to]);
+                let what = Turning::Source(number);
+                let state = watches.count_turns(lowering, what, principal, start);
+                let angle = lowering.ssa.state(state);
+                let name = format!("{}_angle", lowering.name_of(to));
+                lowering.ssa.name(angle, name)
+            }
+            Source::Displacement(joint) => lowering
+                .placement
+                .sliding_coordinate(&mut lowering.ssa, joint),
+        };
+        self.values[number] = Some(value);
+        value
+    }
+
+    /// The angle between two links that loops have solved, between −π and π: a source, by its number.
+    pub(super) fn principal(
+        &mut self,
+        lowering: &mut Lowering<'_>,
+        number: usize,
+        links: [LinkId; 2],
+    ) -> Value {
+        if let Some(known) = self.principals[number] {
+            return known;
+        }
+        let between = links.map(|link| lowering.placement.pose(link).direction);
+        let value = lowering.ssa.angle_between(between);
+        self.angles.push(Angle { value, between });
+        self.principals[number] = Some(value);
+        value
+    }
+}
+
+impl PositionPass<'_> {
+    /// A part of a source. Of a motor's whole turns, an angle needs only what they come to less whole turns.
+    pub(super) fn share(&mut self, number: usize, part: &Rational, is_angle: bool) -> Value {
+        let Self {
+            lowering, watches, ..
+        } = self;
+        let source = self.sources.value(lowering, watches, number);
+        let (model, plan, ssa) = (lowering.model, lowering.plan, &mut lowering.ssa);
+        let factor = ssa.constant(float_of(part));
+        let share = ssa.mul(factor, source);
+        let Source::Motor(motor) = plan.sources[number] else {
+            return share;
+        };
+        let joint = model.joint(model.motor(motor).joint);
+        if !matches!(joint.kind, JointKind::Revolute(..)) {
+            return share;
+        }
+        let name = format!("{}_turns", joint.name);
+        let turns = match (is_angle, part.numer().to_i64(), part.denom().to_i64()) {
+            (true, Some(_), Some(1)) => return share,
+            (true, Some(numerator), Some(denominator)) => {
+                let turns = ssa.make(Op::Turned(motor.index(), numerator, denominator));
+                ssa.name(turns, name)
+            }
+            _ => {
+                let turns = ssa.make(Op::Turns(motor.index()));
+                let turns = ssa.name(turns, name);
+                let turn = ssa.constant(TAU);
+                let turns = ssa.mul(turn, turns);
+                ssa.mul(factor, turns)
+            }
+        };
+        ssa.add(share, turns)
+    }
+}

@@ -1,0 +1,109 @@
+//! The steps of a plan, lowered one after the other.
+
+use super::cam::Follower;
+use super::continuous::ContinuousAngles;
+use super::lowering::Lowering;
+use super::predictor::Predictor;
+use super::rates::SolvedLoop;
+use super::sources::Sources;
+use super::watching::Watches;
+use crate::model::Model;
+use crate::plan::{
+    Algebra, Arithmetic, Connection, ConnectionKind, Drive, Mesh, Plan, Solution, Source, Step,
+    float_of,
+};
+use crate::program::node::Op;
+
+/// The pass that finds the positions of all links.
+pub(super) struct PositionPass<'m> {
+    pub(super) lowering: Lowering<'m>,
+    pub(super) sources: Sources,
+    pub(super) watches: Watches,
+    pub(super) predictor: Predictor,
+    pub(super) continuous: ContinuousAngles,
+    pub(super) followers: Vec<Follower>,
+    pub(super) loops: Vec<SolvedLoop>,
+}
+
+impl<'m> PositionPass<'m> {
+    pub(super) fn new(model: &'m Model, plan: &'m Plan) -> Self {
+        Self {
+            lowering: Lowering::new(model, plan),
+            sources: Sources::new(plan),
+            watches: Watches::default(),
+            predictor: Predictor::new(model),
+            continuous: ContinuousAngles::new(model),
+            followers: Vec::new(),
+            loops: Vec::new(),
+        }
+    }
+
+    /// A weld: its coordinate is zero.
+    pub(super) fn weld(&mut self, connection: Connection) {
+        let zero = self.lowering.ssa.vector([1.0, 0.0]);
+        self.lowering.connect(connection, Solution::Direction(zero));
+    }
+
+    /// A joint whose coordinate a motor gives.
+    pub(super) fn drive(&mut self, drive: &Drive) {
+        let name = &self.lowering.model.joint(drive.connection.joint).name;
+        let ssa = &mut self.lowering.ssa;
+        ssa.block(format!("drive_{name}"), format!("Motor `{name}`."));
+        let motor = ssa.make(Op::Motor(drive.motor.index()));
+        ssa.name(motor, name);
+        self.lowering.place(drive.connection, motor, name);
+    }
+
+    /// A joint whose coordinate follows from sources by rolling, and is `start` at the start.
+    pub(super) fn mesh(&mut self, mesh: &Mesh, start: f64) {
+        let (model, plan) = (self.lowering.model, self.lowering.plan);
+        let name = &model.joint(mesh.by).name;
+        let ssa = &mut self.lowering.ssa;
+        ssa.block(format!("mesh_{name}"), format!("Moved by `{name}`."));
+        let mut moved = ssa.constant(0.0);
+        let mut offset = start;
+        let turns = mesh.connection.kind == ConnectionKind::Revolute;
+        for (number, part) in &mesh.parts {
+            offset -= float_of(part) * plan.start.sources[*number];
+            let share = self.share(*number, part, turns);
+            moved = self.lowering.ssa.add(moved, share);
+        }
+        let offset = self.lowering.ssa.constant(offset);
+        let value = self.lowering.ssa.add(offset, moved);
+        if self.continuous.contains(mesh.connection) {
+            let mut whole = offset;
+            for (number, part) in &mesh.parts {
+                let share = self.share(*number, part, false);
+                whole = self.lowering.ssa.add(whole, share);
+            }
+            self.continuous.note(mesh.connection, whole);
+        }
+        let moved = &model.joint(mesh.connection.joint).name;
+        self.lowering.ssa.name(value, moved);
+        self.lowering.place(mesh.connection, value, moved);
+    }
+
+    /// Passes over a step that nothing needs. A source that it would have been the first to read is read here, if a later step needs it:
+    /// so every program computes it in the same way, bit by bit.
+    pub(super) fn read_sources(&mut self, step: &Step, needed: &[bool]) {
+        for (number, _) in step.sources() {
+            let source = self.lowering.plan.sources[*number];
+            let is_motor = matches!(source, Source::Motor(_));
+            if needed[*number] && !is_motor && !self.sources.has(*number) {
+                let title = "What gears are solved from.".to_owned();
+                self.lowering.ssa.block("source".to_owned(), title);
+                match (step, source) {
+                    // It may be that nothing needs its whole turns.
+                    (Step::Cam(_), Source::Angle { from, to }) => {
+                        self.sources
+                            .principal(&mut self.lowering, *number, [from, to]);
+                    }
+                    _ => {
+                        self.sources
+                            .value(&mut self.lowering, &mut self.watches, *number);
+                    }
+                }
+            }
+        }
+    }
+}

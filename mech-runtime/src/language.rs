@@ -1,0 +1,34 @@
+//! The language of [`mechanism!`](crate::mechanism), in chapters.
+//!
+//! | chapter | what it describes |
+//! |---|---|
+//! | [`links`] | links, the two ways to declare them, and `show` |
+//! | [`joints`] | joints, their coordinates, gears, belts, racks and cams |
+//! | [`moves`] | methods, accuracy, moves, and ranges that are proved |
+//! | [`laws`] | numbers, functions, and motors that follow a law of time |
+//! | [`pictures`] | shapes, pictures, traces and diagrams |
+//! | [`forces`] | velocities, masses, springs, loads, and motion under forces |
+//! | [`params`] | numbers that can be changed at run time, and sensitivities |
+//!
+//! These modules hold documentation only.
+
+#[doc = include_str!("language/forces.md")]
+pub mod forces {}
+
+#[doc = include_str!("language/joints.md")]
+pub mod joints {}
+
+#[doc = include_str!("language/laws.md")]
+pub mod laws {}
+
+#[doc = include_str!("language/links.md")]
+pub mod links {}
+
+#[doc = include_str!("language/moves.md")]
+pub mod moves {}
+
+#[doc = include_str!("language/params.md")]
+pub mod params {}
+
+#[doc = include_str!("language/pictures.md")]
+pub mod pictures {}
