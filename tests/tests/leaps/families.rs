@@ -83,6 +83,22 @@ pub(crate) fn targets(subject: &Subject, seed: u64, count: usize, reach: &[f64])
     (0..count).map(|_| target()).collect()
 }
 
+/// A parallelogram drawn with rounded places, nearly a rhombus: where it lies folded, rounding of its lengths is more than that of the
+/// short distance of its pins.
+#[test]
+fn a_parallelogram_that_is_nearly_a_rhombus() {
+    let subject = of(include_str!("texts/near-rhombus.txt"));
+    let targets: Vec<Vec<f64>> = (1..60).map(|step| vec![2.5 * f64::from(step)]).collect();
+    none("near rhombus", &subject, &wrong(&subject, &targets));
+    let mut machine = Machine::<f64>::new(&subject.compiled.program);
+    for step in 1..=600 {
+        let target = [5.0 * f64::from(step)];
+        machine.move_to(&target).expect("it goes round");
+        let [cos, ..] = machine.position().poses[1];
+        assert!(cos > 0.999, "its coupler has turned at {target:?}");
+    }
+}
+
 #[test]
 fn a_dead_zone_behind_a_reduction() {
     let far = values(&[-226.0, 100.0, 226.0, -90.0, 300.0, -300.0, 40.0]);

@@ -21,8 +21,9 @@ struct Cell {
 }
 
 fn cell(flat: impl Strategy<Value = f64>) -> impl Strategy<Value = Cell> {
-    // Rhombi too: where they are folded, pins meet.
-    let part = prop_oneof![Just(1.0), 0.4..0.9];
+    // Rhombi too: where they are folded, pins meet; and what is nearly one, down to a millionth.
+    let near = (-6.0..-1.0).prop_map(|power| 1.0 - 10.0_f64.powf(power));
+    let part = prop_oneof![Just(1.0), near, 0.4..0.9];
     let lengths =
         (0.5..3.0, part, any::<bool>()).prop_map(|(long, part, turned): (f64, f64, bool)| {
             let lengths = [long, long * part];
@@ -38,6 +39,11 @@ fn cell(flat: impl Strategy<Value = f64>) -> impl Strategy<Value = Cell> {
         flat,
         folded,
     })
+}
+
+/// A single parallelogram, which is not flat at the start.
+fn alone() -> impl Strategy<Value = Vec<Cell>> {
+    cell(0.4..PI - 0.4).prop_map(|cell| vec![cell])
 }
 
 /// A row whose change points are at one place, or apart by any power of ten.
@@ -122,6 +128,14 @@ fn stay_parallel(text: &str, moves: &[f64]) {
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_parallelogram_stays_one_however_far_it_goes(
+        cells in alone(),
+        moves in prop::collection::vec(-300.0..300.0, 1..4),
+    ) {
+        stay_parallel(&text(&cells, ""), &moves);
+    }
 
     #[test]
     fn all_cranks_stay_parallel(cells in row(), moves in moves()) {
