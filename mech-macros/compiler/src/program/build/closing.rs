@@ -58,13 +58,12 @@ impl PositionPass<'_> {
             base: lowering.placement.base(closing.first().from),
             place,
         };
-        let (solution, tied) = match self.solve_in_closed_form(&site) {
-            Some(solution) => (solution, None),
-            None => {
-                site.iterated = true;
-                self.solve_by_iteration(&site)
-            }
-        };
+        let closed = self.solve_in_closed_form(&site);
+        site.iterated = closed.is_none();
+        let (solution, tied) = closed.map_or_else(
+            || self.solve_by_iteration(&site),
+            |solution| (solution, None),
+        );
         let lowering = &mut self.lowering;
         let placement = &mut lowering.placement;
         site.equation

@@ -52,15 +52,13 @@ impl ContinuousAngles {
     pub(super) fn carry(&self, lowering: &mut Lowering<'_>, watches: &mut Watches) {
         for &ContinuousJoint { joint, axes } in &self.joints {
             let name = format!("{}_angle", lowering.model.joint(joint).name);
-            let state = match self.known_angle(lowering, axes) {
-                Some(angle) => lowering.ssa.record(angle).index,
-                None => {
-                    let between =
-                        axes.map(|axis| lowering.placement.heading(&mut lowering.ssa, axis));
-                    let principal = lowering.ssa.angle_between(between);
-                    let start = lowering.ssa.at_start(principal);
-                    watches.count_turns(lowering, Turning::Joint(joint), principal, start)
-                }
+            let state = if let Some(angle) = self.known_angle(lowering, axes) {
+                lowering.ssa.record(angle).index
+            } else {
+                let between = axes.map(|axis| lowering.placement.heading(&mut lowering.ssa, axis));
+                let principal = lowering.ssa.angle_between(between);
+                let start = lowering.ssa.at_start(principal);
+                watches.count_turns(lowering, Turning::Joint(joint), principal, start)
             };
             let angle = lowering.ssa.state(state);
             lowering.ssa.name(angle, name);
