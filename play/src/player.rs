@@ -98,6 +98,8 @@ impl Player {
             Command::PreviousExhibit => self.show(self.index + self.exhibits.len() - 1),
             Command::Reset => self.reset(),
             Command::Fit => self.camera.fit(),
+            Command::Press([x, y]) | Command::Point([x, y])
+                if !(x.is_finite() && y.is_finite()) => {}
             Command::Press(pixel) => self.press(pixel),
             Command::Point(pixel) => self.point(pixel),
             Command::Release => self.held = None,
@@ -147,17 +149,13 @@ impl Player {
     /// The name of the exhibit on the command line.
     #[must_use]
     pub fn slug(&self) -> &'static str {
-        self.exhibits
-            .get(self.index)
-            .map_or("", |exhibit| exhibit.slug())
+        self.exhibit().map_or("", |exhibit| exhibit.slug())
     }
 
     /// The title of the exhibit.
     #[must_use]
     pub fn title(&self) -> &'static str {
-        self.exhibits
-            .get(self.index)
-            .map_or("", |exhibit| exhibit.title())
+        self.exhibit().map_or("", |exhibit| exhibit.title())
     }
 
     /// The motors' values, what is driven, and the speed; or the limit.
@@ -252,6 +250,11 @@ impl Player {
         &self.camera
     }
 
+    /// The present exhibit. There is always one.
+    fn exhibit(&self) -> Option<&dyn Exhibit> {
+        self.exhibits.get(self.index).map(AsRef::as_ref)
+    }
+
     /// Shows another exhibit; the first follows the last. If it cannot be shown, the present one stays.
     fn show(&mut self, index: usize) {
         let index = index % self.exhibits.len().max(1);
@@ -341,9 +344,6 @@ impl Player {
 
     /// Takes hold of the link or the paper at a pixel.
     fn press(&mut self, pixel: [f64; 2]) {
-        if !pixel.iter().all(|c| c.is_finite()) {
-            return;
-        }
         let aim = self.camera.place(pixel);
         let near = (NEAR * f64::from(self.symbol_size()).max(0.5)) / self.camera.view().scale();
         self.held = Some(match self.mechanism.spot_at(aim, near) {
@@ -357,9 +357,6 @@ impl Player {
 
     /// Moves the held link or paper.
     fn point(&mut self, pixel: [f64; 2]) {
-        if !pixel.iter().all(|c| c.is_finite()) {
-            return;
-        }
         match self.held {
             Some(Held::Link { grip, .. }) => {
                 let aim = self.camera.place(pixel);
