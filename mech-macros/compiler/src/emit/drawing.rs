@@ -2,7 +2,7 @@
 
 use super::emitter::Emitter;
 use super::parts::Parts;
-use super::shapes::{Painted, in_order};
+use super::shapes::{Painted, painting_order};
 use super::tokens::integer;
 use super::traces::trace_ident;
 use crate::model::{Model, Quality, Shape, Trace};
@@ -88,7 +88,7 @@ fn picture_doc(model: &Model) -> TokenStream {
 
 /// The statements that paint all shapes and traces, from the plane farthest from the eye to the nearest.
 fn painting(emitter: &Emitter<'_>) -> TokenStream {
-    let shapes = in_order(emitter);
+    let shapes = painting_order(emitter);
     let traces = emitter.model.traces.iter();
     let mut traces: Vec<(usize, &Trace)> = traces
         .map(|trace| (shapes_behind(trace, &shapes), trace))

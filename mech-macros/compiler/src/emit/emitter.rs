@@ -26,6 +26,8 @@ pub(super) struct Emitter<'a> {
     pub(super) links: Literal,
     /// The number of params.
     pub(super) params: Literal,
+    /// The type of a value for each motor.
+    pub(super) values: TokenStream,
     /// The error type of most methods.
     pub(super) blocked: TokenStream,
 }
@@ -40,6 +42,7 @@ impl<'a> Emitter<'a> {
         let program = &compiled.program;
         let scalar = scalar(program.precision);
         let motors = integer(program.motors.len());
+        let values = quote!([#scalar; #motors]);
         Self {
             krate,
             header,
@@ -50,9 +53,10 @@ impl<'a> Emitter<'a> {
             program,
             links: integer(program.links.len()),
             params: integer(program.params.len()),
-            blocked: quote!(Blocked<[#scalar; #motors]>),
+            blocked: quote!(Blocked<#values>),
             scalar,
             motors,
+            values,
         }
     }
 

@@ -36,7 +36,7 @@ impl Painted {
 
 /// The outlines of the ground and of all links whose poses are known, from the plane farthest from the eye to the nearest; within a
 /// plane as declared, the ground's first.
-pub(super) fn in_order(emitter: &Emitter<'_>) -> Vec<Painted> {
+pub(super) fn painting_order(emitter: &Emitter<'_>) -> Vec<Painted> {
     let stored = emitter.program.stored.iter().copied();
     let links = std::iter::once(LinkId::GROUND).chain(stored);
     let all = links.enumerate().flat_map(|(link, id)| {
@@ -124,7 +124,7 @@ fn colored_outlines(
 
 /// The constants `SHAPES` and `EXTENT`, the box around all of them wherever they move.
 pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
-    let entries = in_order(emitter).into_iter().map(|painted| {
+    let entries = painting_order(emitter).into_iter().map(|painted| {
         let Painted {
             link,
             outline,

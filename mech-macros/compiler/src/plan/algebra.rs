@@ -16,7 +16,7 @@ pub(crate) trait Algebra<S: Copy>: Arithmetic<Scalar = S> {
         [self.constant(x), self.constant(y)]
     }
 
-    /// Where an axis is in its link: with numbers, at the start.
+    /// The place of an axis in its link: with numbers, at the start.
     fn place(&mut self, axis: &Axis) -> [S; 2] {
         self.vector(axis.at)
     }
@@ -131,13 +131,13 @@ impl<S: Copy> Pose<S> {
         [cos, sin, x, y]
     }
 
-    /// Where an axis of the link is.
+    /// The place of an axis of the link in the outer frame.
     pub(crate) fn carry(self, algebra: &mut impl Algebra<S>, axis: &Axis) -> [S; 2] {
         let point = algebra.place(axis);
         self.carry_spot(algebra, point)
     }
 
-    /// Where a spot of the link is.
+    /// The place of a spot of the link in the outer frame.
     pub(crate) fn carry_spot(self, algebra: &mut impl Algebra<S>, spot: [S; 2]) -> [S; 2] {
         let turned = algebra.rotate(self.direction, spot);
         algebra.plus(self.origin, turned)

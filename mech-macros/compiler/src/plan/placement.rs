@@ -16,7 +16,7 @@ pub(crate) struct Placement<'m, S> {
 }
 
 impl<'m, S: Copy> Placement<'m, S> {
-    /// Nothing is known but each link to itself.
+    /// Knows no relative position yet: each link is a cluster of its own.
     pub(crate) fn new(algebra: &mut impl Algebra<S>, model: &'m Model) -> Self {
         let identity = Pose::identity(algebra);
         Self {

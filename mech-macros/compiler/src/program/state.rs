@@ -3,7 +3,7 @@
 use super::Program;
 use crate::model::{FormulaId, JointId};
 
-/// Where in the state each number stands that has a meaning outside of the loops.
+/// The places in the state of all numbers that have a meaning outside of the loops.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StateLayout {
     /// The first of the signs of the inputs' last motions, if a loop passes change points: one number for each motor and param.

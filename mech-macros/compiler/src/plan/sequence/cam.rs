@@ -29,7 +29,7 @@ impl Search<'_> {
         true
     }
 
-    /// How a cam moves its follower, if its shaft is known and the follower is not.
+    /// The step in which a cam moves its follower, if its shaft is known and the follower is not.
     fn driven(&self, by: JointId, shaft: JointId, follower: JointId) -> Option<Cam> {
         let (shaft, follower) = (
             self.declared_connection(shaft)?,

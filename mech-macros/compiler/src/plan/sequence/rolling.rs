@@ -20,7 +20,7 @@ impl Search<'_> {
         self.rolls() || self.model.cams().next().is_some()
     }
 
-    /// What slides and welds keep parallel, and what rolls on what.
+    /// Enters the relations of slides and welds, which keep links parallel, and those of rolling.
     pub(super) fn open_ledger(&mut self) {
         if !self.keeps_ledger() {
             return;
@@ -98,7 +98,7 @@ impl Search<'_> {
         true
     }
 
-    /// How a wheel or bar is moved on its carrier, if that is known by now and was not before.
+    /// The step in which a wheel or bar is moved on its carrier, if that is known by now and was not before.
     pub(super) fn mesh_of(&self, rolling: &Rolling, end: usize) -> Option<Mesh> {
         let connection = self.carrier_connection(rolling, rolling.ends[end].0)?;
         let (from, to) = self.link_of(connection);
@@ -227,7 +227,7 @@ pub(super) fn coordinate(connection: Connection, (from, to): (LinkId, LinkId)) -
     }
 }
 
-/// What rolling says: this combination is constant.
+/// The linear form that rolling holds constant.
 fn relation(rolling: &Rolling) -> LinearForm {
     rolling
         .ends
