@@ -171,6 +171,7 @@ fn brace(model: &mut Model, dice: &mut Dice, [a, b]: [LinkId; 2]) -> LinkId {
                 kind: AxisKind::Point,
                 at,
                 formulas: [None; 2],
+                direction_formulas: [None; 2],
                 direction: [1.0, 0.0],
                 direction_formulas: [None; 2],
             });

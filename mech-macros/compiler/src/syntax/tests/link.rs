@@ -56,13 +56,6 @@ fn a_direction_may_be_an_angle() {
         &["expected `(dx, dy)`, or an angle such as `30 deg`, found `;`"],
     );
     assert_messages("link a { line l = (0, 0) -> (1«)»; }", &["expected `,`"]);
-    assert_messages(
-        "param tilt = 1; link a { line l = (0, 0) -> «tilt»; }",
-        &[
-            "`tilt` is a param: it may change while the mechanism runs; which directions are parallel decides how a mechanism is \
-           solved; use a `const` here",
-        ],
-    );
 }
 
 #[test]
