@@ -86,7 +86,7 @@ fn tuple<T: ToTokens>(elements: &[T]) -> TokenStream {
 }
 
 /// The functions of a step: `step`, and for steps in closed form `position` and `step_reduced`.
-pub(super) fn step_functions(parts: StepParts<'_>, scope: &Scope<'_>) -> TokenStream {
+pub(super) fn step_functions(parts: &StepParts<'_>, scope: &Scope<'_>) -> TokenStream {
     let outcome = scope.program.motion.as_ref();
     let outcome = outcome.map(|motion| Outcome::new(motion, scope));
     let mut results = Results::default();
@@ -96,9 +96,9 @@ pub(super) fn step_functions(parts: StepParts<'_>, scope: &Scope<'_>) -> TokenSt
         results.push(outcome.kind, outcome.value, "rates");
     }
     if scope.program.is_closed() {
-        closed_step(&parts, results, what, scope.program)
+        closed_step(parts, results, what, scope.program)
     } else {
-        iterated_step(&parts, &results, what, scope.program)
+        iterated_step(parts, &results, what, scope.program)
     }
 }
 
