@@ -79,9 +79,10 @@ impl Results {
 
 /// A tuple; one element stands for itself.
 fn tuple<T: ToTokens>(elements: &[T]) -> TokenStream {
-    match elements {
-        [element] => quote!(#element),
-        _ => quote!((#(#elements),*)),
+    if let [element] = elements {
+        quote!(#element)
+    } else {
+        quote!((#(#elements),*))
     }
 }
 
