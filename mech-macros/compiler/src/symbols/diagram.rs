@@ -110,7 +110,7 @@ impl Diagram<'_> {
         let (at, block) = (self.first_visible(&[guide])?, self.first_visible(&[block])?);
         Some(Symbol::Slide {
             guide: at,
-            along: self.model.axis(guide).direction,
+            along: guide,
             block,
         })
     }
@@ -188,7 +188,7 @@ impl Diagram<'_> {
             AxisKind::Point => Symbol::Point(self.spot(axis)),
             AxisKind::Line => Symbol::Line {
                 at: self.spot(axis),
-                along: self.model.axis(axis).direction,
+                along: axis,
             },
         };
         declared.map(symbol).collect()

@@ -69,15 +69,15 @@ pub enum Symbol {
         radius: f64,
         /// The origin of the line along which the bar slides.
         bar: Spot,
-        /// The direction of that line, in the bar's frame.
-        along: [f64; 2],
+        /// That line.
+        along: AxisId,
     },
     /// A declared line.
     Line {
         /// Its origin.
         at: Spot,
-        /// Its direction, in the link's frame.
-        along: [f64; 2],
+        /// The line.
+        along: AxisId,
     },
     /// A declared point of the ground or of a link, as the axis of a joint.
     Point(Spot),
@@ -85,8 +85,8 @@ pub enum Symbol {
     Slide {
         /// The origin of the guide's line.
         guide: Spot,
-        /// The direction of the guide, in its link's frame.
-        along: [f64; 2],
+        /// The line of the guide.
+        along: AxisId,
         /// The place of the sliding block.
         block: Spot,
     },
@@ -102,7 +102,7 @@ pub enum Symbol {
         block: Spot,
         /// The link of the guide.
         guide: LinkId,
-        /// The direction of the guide, in that link's frame.
-        along: [f64; 2],
+        /// The line of the guide.
+        along: AxisId,
     },
 }

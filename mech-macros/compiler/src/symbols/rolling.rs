@@ -52,7 +52,7 @@ impl Diagram<'_> {
             pinion,
             radius,
             bar,
-            along: self.model.axis(line).direction,
+            along: line,
         });
         Some([wheel].into_iter().chain(rack).collect())
     }

@@ -38,7 +38,7 @@ pub(in crate::emit) fn laws(emitter: &Emitter<'_>, timing: &Timing) -> TokenStre
         None => time = format_ident!("_"),
     }
     let mut functions = TokenStream::new();
-    if laws.blocks.len() > 1 {
+    if laws.ssa.blocks.len() > 1 {
         functions = part_functions(&mut scope, &mut body);
     } else {
         body.extend(statements(&mut scope));

@@ -83,7 +83,7 @@ fn blocks(flows: &[Flow], scope: &mut Scope<'_>, names: &mut BTreeSet<String>) -
         if flow.gives.is_empty() {
             continue;
         }
-        let block = &program.blocks[id.index()];
+        let block = &program.ssa.blocks[id.index()];
         let mut act = Act {
             statements: TokenStream::new(),
             lets: 1,

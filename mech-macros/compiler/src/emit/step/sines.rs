@@ -16,7 +16,7 @@ const MOST_BLOCKS: usize = 32;
 pub(super) fn is_short(program: &Program) -> bool {
     let is_straight = |value: &Value| {
         let block = program.node(*value).block;
-        matches!(program.blocks[block.index()].kind, BlockKind::Straight)
+        matches!(program.ssa.blocks[block.index()].kind, BlockKind::Straight)
     };
     program.live_values().filter(is_straight).count() <= MOST_IN_PLACE
 }
@@ -24,7 +24,7 @@ pub(super) fn is_short(program: &Program) -> bool {
 /// Whether many positions are computed in lanes: where each is a function of the motors alone, and not too long.
 pub(in crate::emit) fn runs_in_lanes(program: &Program) -> bool {
     let of_motors_alone = program.is_function() && program.params.is_empty();
-    of_motors_alone && takes_sines(program) && program.blocks.len() <= MOST_BLOCKS
+    of_motors_alone && takes_sines(program) && program.ssa.blocks.len() <= MOST_BLOCKS
 }
 
 /// Whether a step computes sines and cosines by a type parameter: where all of them stand in one function, and none is of an angle
