@@ -3,6 +3,7 @@
 use mech_compiler::model::Model;
 use mech_compiler::syntax::parse;
 use mech_compiler::{Compiled, compile, reporter};
+use mech_runtime::Mechanism;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// Every `mechanism!` of a source file, in order.
@@ -12,6 +13,18 @@ use proc_macro2::{TokenStream, TokenTree};
 #[must_use]
 pub fn mechanisms(source: &str) -> Vec<(Model, Compiled)> {
     bodies(source).into_iter().map(compiled).collect()
+}
+
+/// The mechanism in a source file that became this type.
+///
+/// # Panics
+/// If there is none, or as [`mechanisms`].
+#[must_use]
+pub fn mechanism_of<M: Mechanism>(source: &str) -> (Model, Compiled) {
+    let found = mechanisms(source)
+        .into_iter()
+        .find(|(model, _)| model.name == M::NAME);
+    found.expect("the source declares it")
 }
 
 /// Every `mechanism!` of a source file, in order, without compiling it.

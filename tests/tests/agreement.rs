@@ -2,10 +2,11 @@
 
 use super::zoo;
 use mech_compiler::evaluate::Machine;
-use mech_compiler::model::{JointKind, Model};
-use mech_compiler::{Compiled, model::LinkId};
+use mech_compiler::model::{JointKind, LinkId};
 use mech_runtime::{Mechanism, Real};
-use mech_tests::{mechanisms, size, with_ground, worst_gap, worst_stretch};
+use mech_tests::{
+    in_f64, lengths, mechanism_of, mechanisms, size, with_ground, worst_gap, worst_stretch,
+};
 use std::f64::consts::{PI, TAU};
 
 const FRAMES: i32 = 360;
@@ -17,43 +18,13 @@ struct Case<'s> {
     motion: fn(f64) -> Vec<f64>,
 }
 
-fn read<M: Mechanism>(source: &str) -> (Model, Compiled) {
-    let found = mechanisms(source)
-        .into_iter()
-        .find(|(model, _)| model.name == M::NAME);
-    found.expect("the source declares it")
-}
-
-fn in_f64<T: Real>(poses: &[mech_runtime::Pose<T>]) -> Vec<[f64; 4]> {
-    poses
-        .iter()
-        .map(|pose| [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64))
-        .collect()
-}
-
-/// The greatest of the model's lengths: between axes of a link, or as given.
-fn largest_length(model: &Model) -> f64 {
-    let spans = model.link_ids().flat_map(|link| {
-        let axes: Vec<_> = model.axes.iter().filter(|axis| axis.link == link).collect();
-        let pairs: Vec<f64> = axes
-            .iter()
-            .flat_map(|a| {
-                axes.iter()
-                    .map(|b| (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]))
-            })
-            .collect();
-        pairs
-    });
-    spans.fold(0.0, f64::max)
-}
-
 /// Moves both through a full motion: same bits or 4 ulp; every joint closed.
 fn check<M>(case: &Case<'_>, gap_limit: f64)
 where
     M: Mechanism,
     M::Scalar: Real,
 {
-    let (model, compiled) = read::<M>(case.source);
+    let (model, compiled) = mechanism_of::<M>(case.source);
     let mut machine = Machine::<M::Scalar>::new(&compiled.program);
     let mut mechanism = M::new();
     let start: Vec<f64> = mechanism
@@ -98,7 +69,7 @@ where
         worst = worst.max(worst_gap(&model, &poses));
         assert!(worst_stretch(&poses) < 8.0 * <M::Scalar as Real>::EPSILON);
     }
-    let relative = worst / largest_length(&model);
+    let relative = worst / lengths(&model).fold(0.0, f64::max);
     println!(
         "{:<16} gap at most {relative:.1e} of its largest length",
         M::NAME

@@ -7,7 +7,7 @@ use mech_compiler::model::{
 };
 use mech_compiler::structure::{Factor, RollingEnd};
 use mech_compiler::{Compiled, compile, reporter};
-use mech_tests::{Dice, dice, for_all, law, text, with_ground, worst_gap};
+use mech_tests::{Dice, dice, for_all, law, reach, text, with_ground, worst_gap};
 use proptest::collection::vec;
 use proptest::prelude::Strategy;
 use std::cell::Cell;
@@ -294,10 +294,7 @@ fn try_all(declared: &impl Strategy<Value = Declared>) {
             moved.set(moved.get() + 1);
             let poses = with_ground(&model, &machine.position().poses);
             assert!(poses.iter().flatten().all(|number| number.is_finite()));
-            let reach = poses
-                .iter()
-                .map(|pose| pose[2].hypot(pose[3]))
-                .fold(10.0, f64::max);
+            let reach = reach(&poses).max(10.0);
             let gap = worst_gap(&model, &poses);
             assert!(gap < 1e-11 * reach, "gap {gap:e}");
         }

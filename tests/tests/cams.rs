@@ -6,7 +6,7 @@ use mech_compiler::model::Shown;
 use mech_compiler::program::build;
 use mech_compiler::structure::{Diagnosis, RangeTrouble};
 use mech_runtime::{Cause, Phase};
-use mech_tests::{Dice, add_cam, grow, model, with_ground, worst_gap};
+use mech_tests::{Dice, add_cam, grow, model, reach, with_ground, worst_gap};
 use std::f64::consts::{PI, TAU};
 
 mod generated {
@@ -352,10 +352,7 @@ fn random_followers_are_where_their_laws_have_them() {
             }
             moved += 1;
             let poses = with_ground(&model, &machine.position().poses);
-            let reach = poses
-                .iter()
-                .map(|pose| pose[2].hypot(pose[3]))
-                .fold(10.0, f64::max);
+            let reach = reach(&poses).max(10.0);
             let gap = worst_gap(&model, &poses);
             assert!(gap < 1e-11 * reach, "seed {seed}: {gap:e}");
             alone.move_to(&motors).expect("less is in the way");

@@ -9,7 +9,7 @@ use mech_compiler::model::{
 };
 use mech_compiler::program::{Forces, Inertia, InverseDynamics};
 use mech_compiler::{Compiled, compile};
-use mech_tests::{Dice, SOURCES, grow, grow_coupled, models, size};
+use mech_tests::{Dice, SOURCES, grow, grow_coupled, models, reach, size};
 
 fn cases() -> u64 {
     mech_tests::cases(200)
@@ -181,7 +181,7 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
         else {
             panic!("{}: some forces are found and some are not", model.name);
         };
-        let reach = reach(model, &at);
+        let reach = size(model) + reach(&at.poses);
         let [most_moving, most_resting] = [&moving, &resting].map(|found| largest(found, reach));
         if most_moving.max(most_resting) > 1e6 * reach {
             // So near a dead point that what is left of them is rounding.
@@ -206,12 +206,6 @@ fn check(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
         newton_and_euler(model, &compiled, found, &moving, most_moving, seen);
         slopes(model, &compiled, (&at, &held, &given), most_resting, seen);
     }
-}
-
-/// How far everything reaches.
-fn reach(model: &Model, at: &Position) -> f64 {
-    let far = at.poses.iter().map(|pose| pose[2].hypot(pose[3]));
-    size(model) + far.fold(0.0, f64::max)
 }
 
 /// How large the forces are that cancel: near a dead point they are larger than what is left of them.

@@ -8,7 +8,7 @@ use mech_compiler::model::{
 };
 use mech_compiler::program::{Timing, build_timing};
 use mech_runtime::Cause;
-use mech_tests::{Dice, grow, size};
+use mech_tests::{Dice, differences, grow, size};
 
 fn cases() -> u64 {
     mech_tests::cases(200)
@@ -87,15 +87,6 @@ fn extent(law: &Law, time: f64) -> f64 {
         params,
     });
     sizes.iter().map(|size| size.abs()).fold(1.0, f64::max)
-}
-
-/// First and second differences of fourth order.
-fn differences(f: [f64; 5], step: f64) -> [f64; 2] {
-    let [a, b, c, d, e] = f;
-    [
-        (a - 8.0 * b + 8.0 * d - e) / (12.0 * step),
-        (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * step * step),
-    ]
 }
 
 fn five(at: impl Fn(f64) -> f64, time: f64, step: f64) -> [f64; 5] {

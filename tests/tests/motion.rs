@@ -5,10 +5,10 @@
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::{Machine, Stop};
-use mech_compiler::model::{AtChangePoints, LinkId, Method, Model, Precision};
+use mech_compiler::model::{AtChangePoints, Method, Model, Precision};
 use mech_compiler::program::{Position, Program};
 use mech_runtime::Real;
-use mech_tests::{Dice, grow, with_ground, worst_gap, worst_stretch};
+use mech_tests::{Dice, apart, grow, lengths, with_ground, worst_gap, worst_stretch};
 use std::f64::consts::SQRT_2;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -55,7 +55,8 @@ impl Subject {
             AtChangePoints::Stop,
         ]);
         let program = compile(&model).ok()?.program;
-        let size = lengths(&model);
+        // The lengths of all links together.
+        let size = lengths(&model).sum();
         Some(Self {
             model,
             program,
@@ -63,23 +64,6 @@ impl Subject {
             size,
         })
     }
-}
-
-/// The lengths of all links together: the greatest distances between their axes.
-fn lengths(model: &Model) -> f64 {
-    let longest = |link: LinkId| {
-        let at: Vec<[f64; 2]> = model
-            .axes
-            .iter()
-            .filter(|axis| axis.link == link)
-            .map(|axis| axis.at)
-            .collect();
-        let apart = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-        at.iter()
-            .flat_map(|a| at.iter().map(move |b| apart(a, b)))
-            .fold(0.0, f64::max)
-    };
-    model.link_ids().map(longest).sum()
 }
 
 fn poses<T: Real>(position: &Position<T>) -> Vec<[f64; 4]> {
@@ -254,7 +238,7 @@ fn sensitivity<T: Real>(program: &Program, at: &Position<T>) -> f64 {
             motors[motor] = motors[motor] + T::from_f64(displacement);
             let displacement = (motors[motor] - at.motors[motor]).to_f64();
             if machine.move_to(&motors).is_ok() && displacement != 0.0 {
-                most = most.max(apart(at, machine.position()) / displacement.abs());
+                most = most.max(apart(&poses(at), &poses(machine.position())) / displacement.abs());
             } else {
                 // It is at its limit: a root is there, and half of the digits are gone.
                 most = most.max(1.0 / small);
@@ -262,16 +246,6 @@ fn sensitivity<T: Real>(program: &Program, at: &Position<T>) -> f64 {
         }
     }
     most
-}
-
-/// The greatest difference of any number of two positions' poses.
-fn apart<T: Real>(a: &Position<T>, b: &Position<T>) -> f64 {
-    poses(a)
-        .iter()
-        .flatten()
-        .zip(poses(b).iter().flatten())
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max)
 }
 
 /// In one leap it comes where it comes in small steps.
@@ -297,7 +271,7 @@ fn same_way<T: Real>(
             ));
         }
     }
-    let off = apart(machine.position(), end);
+    let off = apart(&poses(machine.position()), &poses(end));
     if off == 0.0 {
         return Ok(());
     }

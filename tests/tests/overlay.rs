@@ -6,18 +6,15 @@ use mech_compiler::model::{LinkId, Model};
 use mech_compiler::symbols::{Spot, Symbol, moving_points, symbols};
 use mech_runtime::overlay::Arrows;
 use mech_runtime::{Canvas, Outline, Overlay, Pose, mechanism};
-use mech_tests::mechanisms;
+use mech_tests::{SOURCES, mechanisms};
 
 type Vector = [f64; 2];
 
 /// All mechanisms of the zoo.
 fn zoo() -> Vec<(Model, Compiled)> {
-    let sources = [
-        include_str!("zoo/mod.rs"),
-        include_str!("zoo/rolling.rs"),
-        include_str!("zoo/special.rs"),
-    ];
-    sources.into_iter().flat_map(mechanisms).collect()
+    let others = SOURCES[6..8].iter().map(|(_, source)| *source);
+    let sources = [include_str!("zoo/mod.rs")].into_iter().chain(others);
+    sources.flat_map(mechanisms).collect()
 }
 
 /// Where everything is at a moment, and a little before and after it.
@@ -207,7 +204,12 @@ fn what_rolls_in_a_diagram_does_not_slip() {
                         more @ ..,
                     ],
                 ) => {
-                    racks_mesh(name, &moment, (*pinion, *radius), (*bar, *along));
+                    racks_mesh(
+                        name,
+                        &moment,
+                        (*pinion, *radius),
+                        (*bar, model.axis(*along).direction),
+                    );
                     racks += 1;
                     rest = more;
                 }
@@ -287,7 +289,7 @@ fn blocks_lie_on_the_lines_of_their_guides() {
             } = symbol
             {
                 let (from, to) = (moment.place(guide), moment.place(block));
-                let [u, v] = moment.direction(guide.link, along);
+                let [u, v] = moment.direction(guide.link, model.axis(along).direction);
                 near(
                     dot([to[0] - from[0], to[1] - from[1]], [-v, u]),
                     0.0,

@@ -6,8 +6,8 @@ use mech_compiler::evaluate::{Followed, Machine, Stop, sensitivities};
 use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, Method, Model};
 use mech_compiler::program::{Position, Program};
 use mech_tests::{
-    Dice, SOURCES, direction, grow, in_own_frames, models, place, scale, size, vary, with_ground,
-    with_params, worst_gap, worst_stretch,
+    Dice, SOURCES, apart, direction, grow, in_own_frames, models, place, reach, scale, size, vary,
+    with_ground, with_params, worst_gap, worst_stretch,
 };
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -219,12 +219,6 @@ fn sensitivities_of_random_mechanisms_are_those_of_their_positions() {
     assert!(seen.borrow().compared > 20 * usize::try_from(cases()).unwrap_or(0));
 }
 
-/// The greatest difference of two rows of poses.
-fn apart(a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
-    let pairs = a.iter().flatten().zip(b.iter().flatten());
-    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-}
-
 /// A mechanism goes the same ways as one in which the params are numbers, closes as well, and comes back to where it was.
 #[test]
 fn params_are_numbers_that_may_be_changed() {
@@ -257,12 +251,7 @@ fn params_are_numbers_that_may_be_changed() {
             if let Err(stop) = own.move_to(&motors) {
                 panic!("{seed}: {stop:?} where a number is none in the way");
             }
-            let extent = size(&model)
-                + own
-                    .position()
-                    .poses
-                    .iter()
-                    .fold(0.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+            let extent = size(&model) + reach(&own.position().poses);
             worst[0] = worst[0].max(apart(&own.position().poses, &other.position().poses) / extent);
             moved += 1;
         }
@@ -279,10 +268,7 @@ fn params_are_numbers_that_may_be_changed() {
         }
         let there = with_params(&model, &wanted);
         let poses = with_ground(&there, &own.position().poses);
-        let extent = size(&there)
-            + poses
-                .iter()
-                .fold(0.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+        let extent = size(&there) + reach(&poses);
         worst[1] = worst[1]
             .max(worst_gap(&there, &poses) / extent)
             .max(worst_stretch(&poses));
@@ -397,10 +383,7 @@ fn tolerances_follow_the_size() {
                     break;
                 }
                 let poses = with_ground(&there, &large.position().poses);
-                let extent = size(&there)
-                    + poses
-                        .iter()
-                        .fold(0.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+                let extent = size(&there) + reach(&poses);
                 worst[0] = worst[0]
                     .max(worst_gap(&there, &poses) / extent)
                     .max(worst_stretch(&poses));
@@ -464,10 +447,7 @@ fn params_go_with_every_method() {
             }
             let there = with_params(&model, machine.params());
             let poses = with_ground(&there, &machine.position().poses);
-            let extent = size(&there)
-                + poses
-                    .iter()
-                    .fold(0.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+            let extent = size(&there) + reach(&poses);
             worst = worst.max(worst_gap(&there, &poses) / extent);
         }
     }

@@ -5,7 +5,8 @@ use mech_compiler::model::Model;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::{compile, reporter};
 use mech_tests::{
-    Sample, for_all, in_own_frames, samples, size, with_ground, worst_gap, worst_stretch,
+    Sample, apart, for_all, in_own_frames, reach, samples, size, with_ground, worst_gap,
+    worst_stretch,
 };
 use std::cell::Cell;
 
@@ -17,14 +18,6 @@ fn messages(diagnoses: &[Diagnosis], model: &Model) -> String {
         .iter()
         .map(|diagnosis| reporter::text(diagnosis, model));
     texts.collect::<Vec<_>>().join("; ")
-}
-
-/// How far two poses are apart, in any of their numbers.
-fn apart(a: &[f64; 4], b: &[f64; 4]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max)
 }
 
 #[test]
@@ -46,7 +39,7 @@ fn it_starts_as_it_was_drawn() {
     for_all(CASES, &samples(1..=8), |Sample { grown, .. }| {
         let compiled = compile(&grown.model).expect("coherent");
         for pose in &compiled.program.start.poses {
-            assert!(apart(pose, &[1.0, 0.0, 0.0, 0.0]) < 1e-9, "{pose:?}");
+            assert!(apart(&[*pose], &[[1.0, 0.0, 0.0, 0.0]]) < 1e-9, "{pose:?}");
         }
     });
 }
@@ -71,7 +64,7 @@ fn in_own_frames_it_is_assembled_the_same_way() {
         let declared = 1 + model.declared_links().count();
         for (link, (is, should)) in start.iter().zip(&poses).enumerate().take(declared) {
             assert!(
-                apart(is, should) < 1e-8,
+                apart(&[*is], &[*should]) < 1e-8,
                 "link {link}: {is:?} instead of {should:?}"
             );
         }
@@ -103,10 +96,7 @@ fn it_moves_and_closes_or_stays_where_it_was() {
                 continue;
             }
             let poses = with_ground(&grown.model, &machine.position().poses);
-            let reach = poses
-                .iter()
-                .map(|pose| pose[2].hypot(pose[3]))
-                .fold(size(&grown.model), f64::max);
+            let reach = reach(&poses).max(size(&grown.model));
             let gap = worst_gap(&grown.model, &poses);
             assert!(gap < 1e-13 * reach, "gap {gap:e} at reach {reach}");
             assert!(worst_stretch(&poses) < 1e-14, "a link is stretched");

@@ -5,7 +5,7 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{Effects, LinkId, Method, Model, Precision, Shown};
 use mech_compiler::program::{Position, Program};
-use mech_tests::{Dice, SOURCES, add_cam, grow, grow_coupled, models, size};
+use mech_tests::{Dice, SOURCES, add_cam, differences, grow, grow_coupled, models, size};
 
 /// A step of the time, in which motors move about a unit a unit.
 const STEP: f64 = 1e-3;
@@ -49,15 +49,6 @@ fn five(
         found.push(numbers(machine.position()));
     }
     found.try_into().ok()
-}
-
-/// First and second differences of fourth order.
-fn differences(f: [f64; 5], step: f64) -> [f64; 2] {
-    let [a, b, c, d, e] = f;
-    [
-        (a - 8.0 * b + 8.0 * d - e) / (12.0 * step),
-        (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * step * step),
-    ]
 }
 
 /// Angular and linear rates, first and second, by differences.

@@ -172,6 +172,7 @@ fn brace(model: &mut Model, dice: &mut Dice, [a, b]: [LinkId; 2]) -> LinkId {
                 at,
                 formulas: [None; 2],
                 direction: [1.0, 0.0],
+                direction_formulas: [None; 2],
             });
             AxisId::new(model.axes.len() - 1)
         });

@@ -2,8 +2,8 @@
 
 use super::zoo::{self, rolling, special};
 use mech_compiler::plan::{Mesh, Rational, Step};
-use mech_runtime::mechanism;
-use mech_tests::mechanisms;
+use mech_runtime::{Mechanism, mechanism};
+use mech_tests::mechanism_of;
 use std::f64::consts::TAU;
 
 mechanism! {
@@ -24,12 +24,9 @@ mechanism! {
     motor a;
 }
 
-/// What moves a joint of a mechanism in the zoo, exactly.
-fn moved(source: &str, mechanism: &str, joint: &str) -> Vec<Rational> {
-    let (model, compiled) = mechanisms(source)
-        .into_iter()
-        .find(|(model, _)| model.name == mechanism)
-        .expect("it is there");
+/// What moves a joint of a mechanism that rolls, exactly.
+fn moved<M: Mechanism>(joint: &str) -> Vec<Rational> {
+    let (model, compiled) = mechanism_of::<M>(include_str!("zoo/rolling.rs"));
     let named = |mesh: &&Mesh| model.joint(mesh.connection.joint).name == joint;
     let meshes = compiled.plan.steps.iter().filter_map(|step| {
         if let Step::Mesh(mesh) = step {
@@ -51,10 +48,9 @@ fn rational(above: i64, below: i64) -> Rational {
 
 #[test]
 fn the_planetary_is_exact() {
-    let source = include_str!("zoo/rolling.rs");
-    assert_eq!(moved(source, "Planetary", "a"), [rational(5, 12)]);
+    assert_eq!(moved::<rolling::Planetary>("a"), [rational(5, 12)]);
     // The planet turns by itself: −5 (sun − arm) = −35/12 on the arm.
-    assert_eq!(moved(source, "Planetary", "p"), [rational(-35, 12)]);
+    assert_eq!(moved::<rolling::Planetary>("p"), [rational(-35, 12)]);
     let mut planetary = rolling::Planetary::new();
     for turns in [0.1, 1.0, 12.0, -7.3] {
         planetary.move_to([turns * TAU]).unwrap();
@@ -65,19 +61,17 @@ fn the_planetary_is_exact() {
 
 #[test]
 fn a_differential_adds_its_inputs() {
-    let source = include_str!("zoo/rolling.rs");
     assert_eq!(
-        moved(source, "Differential", "a"),
+        moved::<rolling::Differential>("a"),
         [rational(5, 12), rational(7, 12)]
     );
 }
 
 #[test]
 fn a_clock_train_is_exact_and_does_not_drift() {
-    let source = include_str!("zoo/rolling.rs");
     let hand = rational(-8, 60) * rational(-10, 64) * rational(-12, 75);
-    assert_eq!(moved(source, "Clock", "d"), std::slice::from_ref(&hand));
-    assert_eq!(moved(source, "Clock", "e"), [hand * rational(2, 3)]);
+    assert_eq!(moved::<rolling::Clock>("d"), std::slice::from_ref(&hand));
+    assert_eq!(moved::<rolling::Clock>("e"), [hand * rational(2, 3)]);
     // Ten million turns forwards in leaps, and the same position as after none.
     let mut clock = rolling::Clock::new();
     for step in 1..=1_000 {

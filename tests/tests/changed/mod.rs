@@ -4,11 +4,11 @@ mod beside;
 mod shapes;
 mod zoo;
 
-use mech_compiler::Compiled;
 use mech_compiler::evaluate::{Machine, sensitivities};
-use mech_compiler::model::Model;
 use mech_runtime::{Blocked, Cause, Mechanism, Phase, Reached, Real};
-use mech_tests::{mechanisms, place, size, with_ground, with_params, worst_gap, worst_stretch};
+use mech_tests::{
+    in_f64, mechanism_of, place, reach, size, with_ground, with_params, worst_gap, worst_stretch,
+};
 use zoo::{
     Arm, Coupled, FourBar, Geared, Leaning, Lifted, LongFourBar, Loose, QuickReturn, Rolling,
     SliderCrank, Tilted, Tilted30,
@@ -59,28 +59,13 @@ changed!(
     Leaning: f64, Rolling: f64
 );
 
-fn read<M: Mechanism>() -> (Model, Compiled) {
-    let found = mechanisms(include_str!("zoo.rs"));
-    let mut found = found.into_iter();
-    found
-        .find(|(model, _)| model.name == M::NAME)
-        .expect("the source declares it")
-}
-
-fn in_f64<T: Real>(poses: &[mech_runtime::Pose<T>]) -> Vec<[f64; 4]> {
-    poses
-        .iter()
-        .map(|pose| [pose.cos, pose.sin, pose.x, pose.y].map(Real::to_f64))
-        .collect()
-}
-
 /// Moves and changes both, to and fro: the same bits, and every joint closed.
 fn agree<M>(displacements: &[f64], factors: &[&[f64]])
 where
     M: Changed,
     M::Scalar: Real,
 {
-    let (model, compiled) = read::<M>();
+    let (model, compiled) = mechanism_of::<M>(include_str!("zoo.rs"));
     let sensitive = compiled.sensitive.as_ref().expect("it was asked for");
     let mut machine = Machine::<M::Scalar>::new(&compiled.program);
     let mut mechanism = M::new();
@@ -128,10 +113,7 @@ where
         if model.show.is_none() {
             let there = with_params(&model, &given);
             let poses = with_ground(&there, &in_f64(mechanism.poses()));
-            let extent = size(&there)
-                + poses
-                    .iter()
-                    .fold(1.0, |most: f64, pose| most.max(pose[2].hypot(pose[3])));
+            let extent = size(&there) + reach(&poses).max(1.0);
             let open = worst_gap(&there, &poses).max(worst_stretch(&poses));
             assert!(open <= 64.0 * epsilon * extent, "{}: {open:e}", M::NAME);
         }
@@ -453,7 +435,7 @@ fn a_parallelogram_that_is_made_passes_its_change_points() {
 
 #[test]
 fn a_place_is_what_its_formula_says() {
-    let (model, _) = read::<QuickReturn>();
+    let (model, _) = mechanism_of::<QuickReturn>(include_str!("zoo.rs"));
     let tip = model
         .axes
         .iter()
