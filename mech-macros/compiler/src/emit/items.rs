@@ -29,25 +29,7 @@ pub(crate) fn items(
         methods,
         trait_items,
         modules,
-    } = [
-        moves::emit,
-        phases::emit,
-        ranges::emit,
-        many::emit,
-        rates::emit,
-        forces::emit,
-        timing::emit,
-        traces::emit,
-        overlay::emit,
-        params::emit,
-        sensitivity::emit,
-        joints::emit,
-        drawing::emit,
-        accessors::emit,
-    ]
-    .into_iter()
-    .map(|emit| emit(emitter))
-    .collect();
+    } = parts(emitter);
     let costs = costs::emit(emitter);
     let (cost_tables, cost_methods) = (costs.known, costs.methods);
     let known = known_module(emitter, &quote!(#cost_tables #tables));
@@ -134,6 +116,27 @@ pub(crate) fn items(
             };
         };
     }
+}
+
+/// The parts that all files add, in the order in which they stand in the generated code.
+fn parts(emitter: &Emitter<'_>) -> Parts {
+    let all = [
+        moves::emit,
+        phases::emit,
+        ranges::emit,
+        many::emit,
+        rates::emit,
+        forces::emit,
+        timing::emit,
+        traces::emit,
+        overlay::emit,
+        params::emit,
+        sensitivity::emit,
+        joints::emit,
+        drawing::emit,
+        accessors::emit,
+    ];
+    all.into_iter().map(|emit| emit(emitter)).collect()
 }
 
 /// The name of the struct in the generated code.

@@ -51,12 +51,11 @@ fn at_time(emitter: &Emitter<'_>) -> TokenStream {
         (true, true) => quote!((motors, rates, accelerations)),
     };
     let motors = quote!(motors);
-    let advance = match &emitter.compiled.moving {
-        Some(moving) => advance_at_rates(emitter, moving, &motors),
-        None => {
-            let advance = advance(emitter, &quote!(self.position), &motors);
-            with_end(emitter, strip_params(emitter, advance))
-        }
+    let advance = if let Some(moving) = &emitter.compiled.moving {
+        advance_at_rates(emitter, moving, &motors)
+    } else {
+        let advance = advance(emitter, &quote!(self.position), &motors);
+        with_end(emitter, strip_params(emitter, advance))
     };
     let refusal = refusal(emitter);
     let errors = if effects.velocity {

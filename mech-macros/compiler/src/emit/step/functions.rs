@@ -79,14 +79,15 @@ impl Results {
 
 /// A tuple; one element stands for itself.
 fn tuple<T: ToTokens>(elements: &[T]) -> TokenStream {
-    match elements {
-        [element] => quote!(#element),
-        _ => quote!((#(#elements),*)),
+    if let [element] = elements {
+        quote!(#element)
+    } else {
+        quote!((#(#elements),*))
     }
 }
 
 /// The functions of a step: `step`, and for steps in closed form `position` and `step_reduced`.
-pub(super) fn step_functions(parts: StepParts<'_>, scope: &Scope<'_>) -> TokenStream {
+pub(super) fn step_functions(parts: &StepParts<'_>, scope: &Scope<'_>) -> TokenStream {
     let outcome = scope.program.motion.as_ref();
     let outcome = outcome.map(|motion| Outcome::new(motion, scope));
     let mut results = Results::default();
@@ -96,9 +97,9 @@ pub(super) fn step_functions(parts: StepParts<'_>, scope: &Scope<'_>) -> TokenSt
         results.push(outcome.kind, outcome.value, "rates");
     }
     if scope.program.is_closed() {
-        closed_step(&parts, results, what, scope.program)
+        closed_step(parts, results, what, scope.program)
     } else {
-        iterated_step(&parts, &results, what, scope.program)
+        iterated_step(parts, &results, what, scope.program)
     }
 }
 

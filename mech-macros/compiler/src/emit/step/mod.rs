@@ -63,7 +63,7 @@ pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
     };
     let steps = match &program.sensitivity {
         Some(sensitivity) => sensitivity_functions(sensitivity, &parts, &scope),
-        None => step_functions(parts, &scope),
+        None => step_functions(&parts, &scope),
     };
     module::module(krate, &name, &quote!(#functions #stages #steps))
 }
