@@ -34,7 +34,8 @@ pub trait Mechanism: Clone {
     const LINKS: &'static [&'static str];
     /// The joints, in the order of their declaration.
     const JOINTS: &'static [JointInfo<Self::Scalar>];
-    /// The shapes, from the farthest plane to the nearest.
+    /// The shapes, from the farthest plane to the nearest. What depends on params is as at the start; [`draw`](Self::draw) paints it as it
+    /// is.
     const SHAPES: &'static [Shape<Self::Scalar>];
 
     /// The upright box around the shapes throughout the motion: lower left and upper right corner, in scene units. Without shapes, the
@@ -42,7 +43,7 @@ pub trait Mechanism: Clone {
     ///
     /// The compiler finds it by moving the mechanism: each motor alone through its range or whole turns, then all of them to some
     /// hundred combinations, and from the outermost positions farther out. A motor that slides without a range moves by four sizes of
-    /// the mechanism.
+    /// the mechanism. Params are as at the start.
     const EXTENT: [[Self::Scalar; 2]; 2];
 
     /// The mechanism as assembled at compile time.

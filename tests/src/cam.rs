@@ -52,6 +52,7 @@ pub fn add_cam(model: &mut Model, dice: &mut Dice) -> Option<JointId> {
             kind,
             at,
             formulas: [None; 2],
+            direction_formulas: [None; 2],
             direction: if slides { [x, y] } else { [1.0, 0.0] },
         });
         AxisId::new(model.axes.len() - 1)

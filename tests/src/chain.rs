@@ -52,6 +52,7 @@ fn revolute(model: &mut Model, a: LinkId, b: LinkId, at: [f64; 2]) {
             kind,
             at,
             formulas: [None; 2],
+            direction_formulas: [None; 2],
             direction,
         });
         AxisId::new(model.axes.len() - 1)

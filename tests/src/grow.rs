@@ -112,6 +112,7 @@ impl Grown {
             kind,
             at,
             formulas: [None; 2],
+            direction_formulas: [None; 2],
             direction,
         });
         AxisId::new(self.model.axes.len() - 1)

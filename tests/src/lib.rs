@@ -26,7 +26,7 @@ pub use rustc::rustc;
 pub use sample::{Sample, coupled_samples, dice, for_all, samples};
 pub use source::{bodies, mechanism_of, mechanisms, model, models};
 pub use text::text;
-pub use varied::{place, scale, vary, with_params};
+pub use varied::{direction, place, scale, vary, with_params};
 
 use std::time::Instant;
 

@@ -30,6 +30,9 @@ pub fn vary(model: &mut Model, dice: &mut Dice, params: usize) {
                 model.axes[axis].at = place(model, &model.axes[axis], &values);
             }
         }
+        if dice.below(2) == 0 {
+            turn_line(model, dice, param);
+        }
     }
     for (number, axis) in model.axes.iter_mut().enumerate() {
         let is_exposed = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
@@ -37,6 +40,28 @@ pub fn vary(model: &mut Model, dice: &mut Dice, params: usize) {
             axis.name = Some(format!("a{number}"));
         }
     }
+}
+
+/// Lets a param turn a line, if there is one that none turns.
+fn turn_line(model: &mut Model, dice: &mut Dice, param: ParamId) {
+    let is_free = |axis: &Axis| {
+        let is_declared = model.link(axis.link).die.is_none();
+        axis.kind == AxisKind::Line && is_declared && !axis.turns()
+    };
+    let lines: Vec<usize> = (0..model.axes.len())
+        .filter(|&axis| is_free(&model.axes[axis]))
+        .collect();
+    if lines.is_empty() {
+        return;
+    }
+    let line = *dice.pick(&lines);
+    let [x, y] = model.axes[line].direction;
+    let angle = depending(model, dice, param, y.atan2(x));
+    let parts = [Function::Cos, Function::Sin]
+        .map(|function| Some(model.params.formula(Formula::Of(function, angle))));
+    model.axes[line].direction_formulas = parts;
+    let values: Vec<f64> = model.params.values().collect();
+    model.axes[line].direction = direction(model, &model.axes[line], &values);
 }
 
 /// Makes every length of a mechanism so many times as great as a param says, which is one at the start.
@@ -106,12 +131,24 @@ fn depending(model: &mut Model, dice: &mut Dice, param: ParamId, at: f64) -> For
 /// Where an axis is in its link with these params.
 #[must_use]
 pub fn place(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
+    pair(model, axis.at, axis.formulas, params)
+}
+
+/// The direction of an axis in its link with these params.
+#[must_use]
+pub fn direction(model: &Model, axis: &Axis, params: &[f64]) -> [f64; 2] {
+    pair(model, axis.direction, axis.direction_formulas, params)
+}
+
+fn pair(
+    model: &Model,
+    start: [f64; 2],
+    formulas: [Option<FormulaId>; 2],
+    params: &[f64],
+) -> [f64; 2] {
     let variable = f64::NAN;
-    let formulas = model.params.evaluate(&mut Now { variable, params });
-    [0, 1].map(|part| match axis.formulas[part] {
-        None => axis.at[part],
-        Some(formula) => formulas[formula.index()],
-    })
+    let values = model.params.evaluate(&mut Now { variable, params });
+    [0, 1].map(|part| formulas[part].map_or(start[part], |formula| values[formula.index()]))
 }
 
 /// The mechanism that this one is with these params: they are numbers in it.
@@ -120,7 +157,9 @@ pub fn with_params(model: &Model, params: &[f64]) -> Model {
     let mut fixed = model.clone();
     for axis in &mut fixed.axes {
         axis.at = place(model, axis, params);
+        axis.direction = direction(model, axis, params);
         axis.formulas = [None; 2];
+        axis.direction_formulas = [None; 2];
     }
     fixed.params = mech_compiler::model::Params::default();
     fixed.effects.sensitivity = false;

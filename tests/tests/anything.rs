@@ -34,6 +34,7 @@ fn axis(
         kind,
         at,
         formulas: [None; 2],
+        direction_formulas: [None; 2],
         direction,
     });
     AxisId::new(model.axes.len() - 1)

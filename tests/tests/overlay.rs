@@ -204,7 +204,12 @@ fn what_rolls_in_a_diagram_does_not_slip() {
                         more @ ..,
                     ],
                 ) => {
-                    racks_mesh(name, &moment, (*pinion, *radius), (*bar, *along));
+                    racks_mesh(
+                        name,
+                        &moment,
+                        (*pinion, *radius),
+                        (*bar, model.axis(*along).direction),
+                    );
                     racks += 1;
                     rest = more;
                 }
@@ -284,7 +289,7 @@ fn blocks_lie_on_the_lines_of_their_guides() {
             } = symbol
             {
                 let (from, to) = (moment.place(guide), moment.place(block));
-                let [u, v] = moment.direction(guide.link, along);
+                let [u, v] = moment.direction(guide.link, model.axis(along).direction);
                 near(
                     dot([to[0] - from[0], to[1] - from[1]], [-v, u]),
                     0.0,

@@ -6,7 +6,7 @@ use mech_compiler::evaluate::{Followed, Machine, Stop, sensitivities};
 use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, Method, Model};
 use mech_compiler::program::{Position, Program};
 use mech_tests::{
-    Dice, SOURCES, apart, grow, in_own_frames, models, place, reach, scale, size, vary,
+    Dice, SOURCES, apart, direction, grow, in_own_frames, models, place, reach, scale, size, vary,
     with_ground, with_params, worst_gap, worst_stretch,
 };
 use proptest::prelude::*;
@@ -64,7 +64,7 @@ fn told(
         let [cos, sin, x, y] = poses[axis.link.index()];
         let turned = |[a, b]: [f64; 2]| [cos * a - sin * b, sin * a + cos * b];
         let [u, v] = turned(place(model, axis, params));
-        ([x + u, y + v], turned(axis.direction))
+        ([x + u, y + v], turned(direction(model, axis, params)))
     };
     let (points, joints) = what;
     let coordinate = |&joint: &JointId| match model.joint(joint).kind {
@@ -302,6 +302,7 @@ fn what_is_set_might_have_been_declared() {
             plain.params = mech_compiler::model::Params::default();
             for axis in &mut plain.axes {
                 axis.formulas = [None; 2];
+                axis.direction_formulas = [None; 2];
             }
             plain.effects.sensitivity = false;
             in_own_frames(&plain, &mut dice).0

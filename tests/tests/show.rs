@@ -117,7 +117,7 @@ impl Carried {
 fn reached(program: &Program, link: LinkId) -> BTreeSet<usize> {
     let place = program.place_of(link).expect("the whole keeps all");
     let mut waiting: Vec<Value> = program.poses[place].to_vec();
-    let mut seen = vec![false; program.nodes.len()];
+    let mut seen = vec![false; program.ssa.nodes.len()];
     let mut loops = BTreeSet::new();
     while let Some(value) = waiting.pop() {
         if std::mem::replace(&mut seen[value.index()], true) {

@@ -1,11 +1,11 @@
 //! A gallery of mechanisms, each a `mechanism!` and a motion.
 //!
-//! The mechanisms are for any machine. Each module declares one, in `f64`; its submodule `single` has the same in `f32`. A motion is
-//! the same bits everywhere, so that what another machine makes of it can be compared with what this one does.
+//! The mechanisms run on any machine. Each module declares one in `f64`, and its submodule `single` has it in `f32`. A motion has the same
+//! bits everywhere, so the results of two machines can be compared.
 //!
-//! With the feature `page`, which is a default and needs the standard library, the runtime's own rasteriser paints them into pictures,
-//! animations and a page. An [`Exhibit`] becomes a [`Film`], scene by scene; an [`Easel`] paints each [`Scene`] as an anti-aliased
-//! [`Picture`]; the [`Curator`] hangs them all. A [`Playable`] is the same mechanism for whoever wants to move it himself.
+//! The default feature `page` needs the standard library. With it, the runtime paints pictures, animations and a page. An [`Exhibit`]
+//! becomes a [`Film`], scene by scene. An [`Easel`] paints each [`Scene`] as an anti-aliased [`Picture`]. The [`Curator`] hangs them all. A
+//! [`Playable`] is the same mechanism for a player.
 #![cfg_attr(not(feature = "page"), no_std)]
 
 #[cfg(feature = "page")]

@@ -1,4 +1,4 @@
-//! Internal errors: what can only be wrong with the compiler itself. Every room may tell of one; `guard` makes an error of it.
+//! Internal errors: what can only be wrong with the compiler itself. Every room may raise one; `guard` makes an error of it.
 
 use std::any::Any;
 use std::fmt::Arguments;

@@ -1,4 +1,4 @@
-//! What the compiler found out about a coherent mechanism.
+//! The results of the compiler for a coherent mechanism.
 
 use crate::cost::Cost;
 use crate::motion::accuracy::{Prediction, SolvedLoop};
@@ -6,41 +6,41 @@ use crate::plan::Plan;
 use crate::program::{Program, Timing};
 use crate::structure::Structure;
 
-/// A mechanism that was found coherent, and all that was found out about it.
+/// A coherent mechanism, analysed and compiled.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compiled {
-    /// What is connected, what moves, what is trunk and what is arm.
+    /// The loops, the open chains and the mobility.
     pub structure: Structure,
-    /// In which order positions become known, and where everything is at the start.
+    /// The order in which positions become known, and the assembly at the start.
     pub plan: Plan,
-    /// The operations that move it.
+    /// The program of positions.
     pub program: Program,
-    /// The operations that move it and go on to velocities, if these were asked for.
+    /// The program of velocities and accelerations, if they are asked for.
     pub moving: Option<Program>,
-    /// The operations that go on to forces, if these were asked for.
+    /// The programs of forces, as far as they are asked for.
     pub forced: ForcePrograms,
-    /// The laws of the motors, if any has one.
+    /// The laws of the motors, if any motor has one.
     pub timing: Option<Timing>,
-    /// The operations that tell how everything follows the params, if that was asked for.
+    /// The program of the sensitivities to the params, if they are asked for.
     pub sensitive: Option<Program>,
-    /// How each loop is solved, in the order in which they are closed.
+    /// The method of each loop, in the order in which they are solved.
     pub loops: Vec<SolvedLoop>,
-    /// How exact it will be, if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
-    /// motors are declared that move it.
+    /// The predicted error. There is one if an accuracy is declared, or if a loop is solved in a fixed number of steps and the steps of all
+    /// motors that move it are declared.
     pub prediction: Option<Prediction>,
-    /// What it saves that only what is shown is computed, if something is left out.
+    /// The operations that are saved because only what is shown is computed; none if nothing is left out.
     pub saved: Option<Cost>,
     /// All of this in words.
     pub report: String,
 }
 
-/// The programs that go on from positions to forces, as far as these were asked for.
+/// The programs that compute forces at a position.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ForcePrograms {
-    /// To what it takes to hold it at rest.
+    /// The torques or forces of the motors that hold the mechanism at rest.
     pub holding: Option<Program>,
-    /// To what it takes to move in a given way, in every joint; not where joints are redundant.
+    /// The torques of the motors and the reactions in all joints for a given motion; none if joints are redundant.
     pub inverse_dynamics: Option<Program>,
-    /// To inertia and forces as the motors feel them.
+    /// The inertia and the forces as the motors feel them.
     pub inertia: Option<Program>,
 }

@@ -6,7 +6,7 @@ use std::fmt;
 use std::iter::Sum;
 use std::ops::{Add, Mul};
 
-/// How many rounds an iteration usually takes until its loop closes: from a step of a degree or so each round doubles the digits,
+/// The number of rounds that an iteration usually takes until its loop closes: from a step of a degree or so each round doubles the digits,
 /// and the third finds nothing left to do.
 const USUAL_ROUNDS: u32 = 3;
 
@@ -93,7 +93,7 @@ impl Cost {
         Self::of_counts(std::array::from_fn(|kind| each(own[kind], others[kind])))
     }
 
-    /// What is left after the operations of another are taken off.
+    /// The difference to another cost, kind by kind, and not less than zero.
     #[must_use]
     pub fn without(self, other: Self) -> Self {
         self.combine(other, u32::saturating_sub)
@@ -189,13 +189,13 @@ impl Sum for Cost {
     }
 }
 
-/// What a whole program costs.
+/// The cost of a whole program.
 #[must_use]
 pub fn of_program(program: &Program) -> Cost {
     of_blocks(program).into_iter().sum()
 }
 
-/// What rates cost beyond a position.
+/// The cost of rates beyond that of a position.
 #[must_use]
 pub fn of_rates(program: &Program, moving: &Program) -> Cost {
     let systems = moving
@@ -209,21 +209,21 @@ pub fn of_rates(program: &Program, moving: &Program) -> Cost {
     all.without(of_program(program))
 }
 
-/// What each loop costs, in the order in which they are closed.
+/// The cost of each loop, in the order in which they are closed.
 #[must_use]
 pub fn of_loops(program: &Program) -> Vec<Cost> {
-    let blocks = program.blocks.iter().zip(of_blocks(program));
+    let blocks = program.ssa.blocks.iter().zip(of_blocks(program));
     blocks
         .filter(|(block, _)| !matches!(block.kind, BlockKind::Straight))
         .map(|(_, cost)| cost)
         .collect()
 }
 
-/// What each block costs. Of what several need, the first pays.
+/// The cost of each block. Of values that several need, the first pays.
 #[must_use]
 pub fn of_blocks(program: &Program) -> Vec<Cost> {
     let sine_of = sines(program);
-    let mut costs = vec![Cost::default(); program.blocks.len()];
+    let mut costs = vec![Cost::default(); program.ssa.blocks.len()];
     let iterations: Vec<Option<Iteration>> = program
         .block_ids()
         .map(|block| {
@@ -241,15 +241,15 @@ pub fn of_blocks(program: &Program) -> Vec<Cost> {
         let cost = &mut costs[node.block.index()];
         *cost = *cost + once * times;
     }
-    for ((block, iteration), cost) in program.blocks.iter().zip(&iterations).zip(&mut costs) {
+    for ((block, iteration), cost) in program.ssa.blocks.iter().zip(&iterations).zip(&mut costs) {
         *cost = *cost + tests(program, block, iteration.as_ref());
     }
     costs
 }
 
-/// Of which values the sine is needed.
+/// For each value whether its sine is needed.
 fn sines(program: &Program) -> Vec<bool> {
-    let mut sines = vec![false; program.nodes.len()];
+    let mut sines = vec![false; program.ssa.nodes.len()];
     for value in program.live_values() {
         if let Op::Sin(angle) = program.node(value).op {
             sines[angle.index()] = true;
@@ -298,7 +298,7 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
     in_rounds + dense + test + contraction_and_det
 }
 
-/// How often what is in an iteration is done.
+/// The number of times that the operations of an iteration run.
 struct Iteration {
     rounds: u32,
     /// For each node whether the test of a round needs it: that is done once more after the last round.
@@ -320,7 +320,7 @@ impl Iteration {
             .chain([newton.det])
             .chain(newton.extent)
             .collect();
-        let mut measured = vec![false; program.nodes.len()];
+        let mut measured = vec![false; program.ssa.nodes.len()];
         while let Some(value) = waiting.pop() {
             let node = program.node(value);
             let here = node.block == block && node.iterated;

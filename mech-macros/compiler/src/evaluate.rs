@@ -36,7 +36,7 @@ pub enum Stop {
     Unasked,
 }
 
-/// How fast everything moves.
+/// The rates of all links.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moved<T> {
     /// For each moving link its angular velocity, and the rates of x and y.
@@ -74,7 +74,7 @@ impl<'p, T: Real> Machine<'p, T> {
         }
     }
 
-    /// Where it is.
+    /// Its position.
     #[must_use]
     pub fn position(&self) -> &Position<T> {
         &self.position
@@ -150,7 +150,7 @@ impl<'p, T: Real> Machine<'p, T> {
         }
     }
 
-    /// How fast everything moves where it is, if the motors move at these rates and second rates.
+    /// The rates of all links where it is, if the motors move at these rates and second rates.
     ///
     /// # Errors
     /// If a loop is at a dead point or a change point, where rates are not determined; if a rate is not finite; or if the
@@ -160,7 +160,7 @@ impl<'p, T: Real> Machine<'p, T> {
         self.runner.motion(&self.position, given)
     }
 
-    /// What forces do where it is, if the motors move at these rates and second rates, and the loads are these numbers.
+    /// The forces where it is, if the motors move at these rates and second rates, and the loads are these numbers.
     ///
     /// # Errors
     /// If a loop is at a dead point or a change point, where that is not determined; if a number is not finite or missing; or if

@@ -1,9 +1,10 @@
 //! The compiler of `mechanism!`: it turns the text of a mechanism into the code that moves it.
 //!
-//! Data walks down one stair: `syntax → model → structure → plan → program → emit | evaluate | certify | cost`. The driver in
-//! `compile` stands beside it: it builds a program, watches it move ([`motion`]), and builds it again with what it learnt.
-//! The crate has two users: the macro, which calls [`expand`](fn@expand), and whoever analyses a [`Model`](model::Model) made in another
-//! way, by [`compile`](fn@compile).
+//! Data flows in one direction: `syntax → model → structure → plan → program → emit | evaluate | certify | cost`. The driver `compile`
+//! builds a program, lets [`motion`] watch it move, and builds it again with the results.
+//!
+//! There are two entries. The macro calls [`expand`](fn@expand). Programs that make a [`Model`](model::Model) of their own call
+//! [`compile`](fn@compile).
 
 mod api;
 mod bug;

@@ -37,7 +37,7 @@ pub fn messages(
         .iter()
         .zip(offers)
         .flat_map(|(diagnosis, offers)| words.of(diagnosis, offers))
-        .map(|(origin, text)| Message::new(places.get(origin), spaced(&text)))
+        .map(|(origin, text)| Message::new(places.get(origin), space_notes(&text)))
         .collect()
 }
 
@@ -47,12 +47,12 @@ pub fn text(diagnosis: &Diagnosis, model: &Model) -> String {
     let found = repair::offers(model, std::slice::from_ref(diagnosis));
     let offers = found.into_iter().next().unwrap_or_default();
     let messages = Words { model }.of(diagnosis, &offers);
-    let texts: Vec<String> = messages.iter().map(|(_, text)| spaced(text)).collect();
+    let texts: Vec<String> = messages.iter().map(|(_, text)| space_notes(text)).collect();
     texts.join("\n\n")
 }
 
 /// Sets the notes off from the sentence.
-fn spaced(text: &str) -> String {
+fn space_notes(text: &str) -> String {
     text.replacen('\n', "\n\n", 1)
 }
 
@@ -187,7 +187,7 @@ impl Words<'_> {
     }
 
     fn disconnected(&self, links: &[LinkId], offers: &Offers) -> String {
-        let links = self.moving(links);
+        let links = self.moving_links(links);
         let help = if offers.is_empty() {
             "\nhelp: declare a joint between one of them and the ground or a link that is connected to it".to_owned()
         } else {
@@ -204,8 +204,8 @@ impl Words<'_> {
         let messages = motors.iter().map(|&motor| {
             let motor = self.model.motor(motor);
             let text = format!(
-                "nothing that motor {} moves has a mass: forces do not tell how it moves\nhelp: give a link that it moves \
-                 `mass` or `density`, or leave the effect `dynamics` out",
+                "nothing that motor {} moves has a mass, so forces cannot determine how it moves\nhelp: give a link that it moves \
+                 a `mass` or a `density`, or leave the effect `dynamics` out",
                 self.joint(motor.joint)
             );
             (motor.origin, text)

@@ -179,7 +179,7 @@ joint c = revolute(rod.tip, block.p); joint x = prismatic(ground.l, block.l);
 motor a; start { x = 3; }";
     let (text, _) = message(drawn);
     assert!(
-        text.ends_with("help: leave this out: there is one assembly, in which `x` is at 4"),
+        text.ends_with("help: leave this out: there is only one assembly, in which `x` is at 4"),
         "{text}"
     );
     compiles(&drawn.replace("start { x = 3; }", ""));
@@ -221,6 +221,6 @@ fn a_motor_too_many_is_told_beside_a_torsional_spring() {
     let text = FOUR_BAR.replace("START", "coupler near 50 deg;")
         + " motor b; spring coil = torsional(d) stiffness 1 rest 6; effects { force; }";
     let (message, _) = message(&text);
-    let cause = "motor `b` is one too many: what moves there is already given by motor `a`\n";
+    let cause = "motor `b` is one too many: motor `a` already determines what moves there\n";
     assert!(message.starts_with(cause), "{message}");
 }

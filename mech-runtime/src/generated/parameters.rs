@@ -1,6 +1,5 @@
-//! Functions that are never called. Generated methods stand beside whatever the user has, and where a constant is called as one of
-//! their parameters or variables, the compiler takes this to be a pattern. Methods that import these functions do not see it, and a
-//! parameter may be called as a function is.
+//! Functions that are never called. Generated methods stand beside the user's items. A constant of the user with the name of a parameter or
+//! variable would be a pattern. Methods that import these functions do not see that constant, and a parameter may share a function's name.
 
 /// A function of each name.
 macro_rules! functions {

@@ -6,8 +6,8 @@ use core::ops::Range;
 
 /// A side of a polygon: in each row that it crosses, the first pixel to its right.
 ///
-/// It is computed from its upper end to its lower, and from its first row in the picture, whichever way it is gone and whatever part
-/// of the picture is painted: two shapes that share it find the very same pixels.
+/// It is computed from its upper end to its lower, and from its first row in the picture. Neither its sense nor the painted part of the
+/// picture matters, so two shapes that share a side find the same pixels.
 #[derive(Clone, Copy)]
 pub(super) struct Edge {
     /// The rows of the picture that it crosses.

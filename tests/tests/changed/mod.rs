@@ -1,6 +1,7 @@
 //! Params of compiled mechanisms: the generated code beside the interpreted program, what is refused, and truths that are known.
 
 mod beside;
+mod shapes;
 mod zoo;
 
 use mech_compiler::evaluate::{Machine, sensitivities};
@@ -8,7 +9,10 @@ use mech_runtime::{Blocked, Cause, Mechanism, Phase, Reached, Real};
 use mech_tests::{
     in_f64, mechanism_of, place, reach, size, with_ground, with_params, worst_gap, worst_stretch,
 };
-use zoo::{Arm, Coupled, FourBar, Geared, Lifted, LongFourBar, Loose, QuickReturn, SliderCrank};
+use zoo::{
+    Arm, Coupled, FourBar, Geared, Leaning, Lifted, LongFourBar, Loose, QuickReturn, Rolling,
+    SliderCrank, Tilted, Tilted30,
+};
 
 /// A mechanism whose params are given as slices.
 trait Changed: Mechanism {
@@ -50,7 +54,10 @@ macro_rules! changed {
     };
 }
 
-changed!(FourBar: f64, SliderCrank: f32, QuickReturn: f64, Arm: f64, Coupled: f64, Lifted: f64, Geared: f64);
+changed!(
+    FourBar: f64, SliderCrank: f32, QuickReturn: f64, Arm: f64, Coupled: f64, Lifted: f64, Geared: f64, Tilted: f64,
+    Leaning: f64, Rolling: f64
+);
 
 /// Moves and changes both, to and fro: the same bits, and every joint closed.
 fn agree<M>(displacements: &[f64], factors: &[&[f64]])
@@ -145,6 +152,55 @@ fn generated_code_changes_as_the_interpreted_program_does() {
         &[&[1.0, 0.8], &[1.2, 1.0], &[2.0, 1.0], &[0.5, 1.1]],
     );
     agree::<Geared>(&[0.37], &[&[1.2], &[0.95], &[1.1]]);
+    agree::<Tilted>(&[0.37], &[&[1.5], &[0.0], &[-1.0], &[1.1]]);
+    agree::<Leaning>(&[-0.41], &[&[0.5], &[2.0], &[-1.0], &[5.0]]);
+    agree::<Rolling>(&[0.1], &[&[1.5], &[0.0], &[-1.0], &[1.1]]);
+}
+
+#[test]
+fn a_line_is_turned_as_it_might_have_been_declared() {
+    let (mut set, mut declared) = (Tilted::new(), Tilted30::new());
+    set.set_tilt(30.0_f64.to_radians()).expect("it closes");
+    for degrees in (0..=720).step_by(7) {
+        let motors = [f64::from(degrees).to_radians()];
+        set.move_with(motors, [2.0], [1.0]).expect("a crank turns");
+        declared
+            .move_with(motors, [2.0], [1.0])
+            .expect("a crank turns");
+        let near = |a: f64, b: f64| {
+            assert!(
+                (a - b).abs() < 1e-12 * (1.0 + a.abs()),
+                "{a} {b} at {degrees}°"
+            );
+        };
+        near(set.rod_middle().x, declared.rod_middle().x);
+        near(set.rod_middle().y, declared.rod_middle().y);
+        near(set.x(), declared.x());
+        near(set.x_rate(), declared.x_rate());
+        near(set.x_acceleration(), declared.x_acceleration());
+        near(set.block().rotation.angle(), 0.0);
+    }
+    // Without a length a direction is none.
+    let mut leaning = Leaning::new();
+    let before = leaning;
+    let blocked = leaning.set_lean(f64::INFINITY).expect_err("no direction");
+    assert_eq!(blocked.cause, Cause::NotFinite);
+    assert_eq!(leaning, before);
+}
+
+#[test]
+fn teeth_stay_in_mesh_where_a_param_turns_a_slide() {
+    let mut rolling = Rolling::new();
+    let start = rolling.wheel().rotation.angle();
+    for step in 1..40 {
+        let turned = 0.05 * f64::from(step);
+        rolling
+            .set_tilt(30.0_f64.to_radians() + turned)
+            .expect("it closes");
+        let off = rolling.wheel().rotation.angle() - start + 2.0 * turned;
+        let turns = off / std::f64::consts::TAU;
+        assert!((turns - turns.round()).abs() < 1e-12, "{off}");
+    }
 }
 
 #[test]

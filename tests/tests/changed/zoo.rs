@@ -146,6 +146,71 @@ mechanism! {
 }
 
 mechanism! {
+    /// A rail that a param tilts.
+    pub struct Tilted;
+    param tilt = 20 deg;
+    link crank;
+    link rod { point middle = (2, 0.5); }
+    link block;
+    joint a = revolute(ground, crank) at (0, 0);
+    joint b = revolute(crank, rod) at (0, 1);
+    joint c = revolute(rod, block) at (4, 0);
+    joint x = prismatic(ground, block) at (4, 0) along tilt;
+    motor a;
+    effects { velocity; acceleration; sensitivity; }
+}
+
+mechanism! {
+    /// The same, tilted otherwise: what is set in one is declared in the other.
+    pub struct Tilted30;
+    link crank { point o = (0, 0); point b = (0, 1); }
+    link rod { point b = (0, 1); point c = (4, 0); point middle = (2, 0.5); }
+    link block { point c = (4, 0); line x = (4, 0) -> 30 deg; }
+    ground { point o = (0, 0); line x = (4, 0) -> 30 deg; }
+    joint a = revolute(ground.o, crank.o);
+    joint b = revolute(crank.b, rod.b);
+    joint c = revolute(rod.c, block.c);
+    joint x = prismatic(ground.x, block.x);
+    motor a;
+    start { rod near 0 deg; }
+    effects { velocity; acceleration; }
+}
+
+mechanism! {
+    /// A slot that a param turns in its lever.
+    pub struct Leaning;
+    param lean = 0.25;
+    ground { point shaft = (0, 0); point pivot = (0, -2); }
+    link crank { point shaft = (0, 0); point pin = (0.8, 0); }
+    link lever { point pivot = (0, 0); line slot = (0.1, 0) -> (lean, 1); point tip = (0, 4); }
+    joint a = revolute(ground.shaft, crank.shaft);
+    joint b = revolute(ground.pivot, lever.pivot);
+    joint s = slot(crank.pin, lever.slot);
+    motor a;
+    start { a = 60 deg; lever near 0 deg; }
+    effects { sensitivity; overlay; }
+}
+
+mechanism! {
+    /// A wheel that rolls on what a param turns: teeth stay in mesh.
+    pub struct Rolling;
+    param tilt = 30 deg;
+    ground { line rail = (0, 0) -> tilt; }
+    link block { line guide = (0, 0) -> 30 deg; }
+    link arm;
+    link wheel { point mark = (2.5, 0.5); }
+    link carriage;
+    joint s = prismatic(ground.rail, block.guide);
+    joint p = revolute(block, arm) at (0, 0);
+    joint w = revolute(arm, wheel) at (2, 0);
+    joint u = prismatic(arm, carriage) at (0, 2) along (1, 0);
+    joint v = prismatic(ground, carriage) at (0, 2) along (0, 1);
+    joint mesh = gear(block, wheel, 20 : 10 on arm);
+    motor s;
+    effects { sensitivity; }
+}
+
+mechanism! {
     /// Points that no joint holds.
     pub struct Loose: f64;
     param x = 0.6;

@@ -12,7 +12,7 @@ mod watt;
 
 use crate::Exhibit;
 
-/// All of them, in the order in which they hang.
+/// All exhibits, in the order in which they hang.
 #[must_use]
 pub fn exhibits() -> Vec<Box<dyn Exhibit>> {
     vec![

@@ -1,4 +1,4 @@
-//! What every mechanism of the gallery has besides being one.
+//! The trait of the mechanisms of the gallery.
 
 use mech_runtime::Mechanism;
 
@@ -9,7 +9,7 @@ pub trait Exhibited: Mechanism {
     /// The Rust source that declares it, by a `mechanism!` that stands by itself.
     const SOURCE: &'static str;
 
-    /// The values of its motors (radians, scene units) at a phase in `0.0..1.0` of its motion: the same bits on every machine. What
-    /// it does between the last phase and the first again looks like what it does between others, and a little beyond it goes on so.
+    /// The values of its motors, in radians or scene units, at a phase in `0.0..1.0` of its motion: the same bits on every machine. The
+    /// motion continues smoothly from the last phase to the first, and a little beyond.
     fn motion(phase: Self::Scalar) -> Self::Motors;
 }

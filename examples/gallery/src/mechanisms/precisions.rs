@@ -1,7 +1,7 @@
 //! One declaration, two precisions.
 
-/// Declares a mechanism as [`mech_runtime::mechanism!`] does, in `f64`, and in a module `single` once more in `f32`. It takes a
-/// declaration that names no precision.
+/// Declares a mechanism in `f64`, as [`mech_runtime::mechanism!`] does, and in a module `single` in `f32`. The declaration must not name a
+/// precision.
 macro_rules! mechanism {
     ($(#[$($attribute:tt)*])* $visibility:vis struct $mechanism:ident; $($body:tt)*) => {
         mech_runtime::mechanism! {
@@ -21,8 +21,7 @@ macro_rules! mechanism {
     };
 }
 
-/// Makes a mechanism [`Exhibited`](crate::Exhibited), in both precisions: by its slug, its source and the function that gives
-/// its motors' values.
+/// Makes a mechanism [`Exhibited`](crate::Exhibited) in both precisions, from its slug, its source and the function of its motor values.
 macro_rules! exhibited {
     ($mechanism:ident, $slug:literal, $source:expr, $motion:ident) => {
         $crate::mechanisms::precisions::exhibited!(in f64: $mechanism, $slug, $source, $motion);

@@ -1,13 +1,13 @@
-//! All mechanisms, one after the other, each as the type it is.
+//! Visitors of all mechanisms, each with its own type.
 
 use crate::{
     Exhibited, andrews, crane, diagram, four_bar, geared_piston, jansen, rocker_arm, velocities,
     watt,
 };
 
-/// Does something with each mechanism of the gallery.
+/// A visitor of the mechanisms of the gallery.
 pub trait Visitor {
-    /// Does it with this one.
+    /// Visits a mechanism.
     fn visit<M: Exhibited>(&mut self);
 }
 

@@ -1,16 +1,16 @@
-//! An endless animation.
+//! Endless animations.
 
 use crate::{Picture, Swatches};
 use mech_runtime::files::{self, FileError, Gif};
 use std::time::Duration;
 
-/// How long a frame is seen.
+/// The duration of a frame.
 pub(crate) const DELAY: Duration = Duration::from_millis(30);
 
-/// The bytes of a GIF file that shows the pictures again and again, in few enough colours for one table.
+/// The bytes of a GIF file that repeats the pictures, with one table of colours.
 ///
 /// # Errors
-/// [`FileError`] if there is none, if one has another size than the first, or fewer pixels than its size says.
+/// [`FileError`] if there is no picture, or if one has another size than the first or fewer pixels than its size says.
 pub fn animation(pictures: &[Picture]) -> Result<Vec<u8>, FileError> {
     let swatches = Swatches::for_pictures(pictures);
     let palette = swatches.palette();

@@ -1,4 +1,4 @@
-//! Who hangs the exhibits.
+//! The curator, who hangs the exhibits.
 
 use super::animation::DELAY;
 use super::html;
@@ -26,13 +26,13 @@ pub struct Curator {
 }
 
 impl Curator {
-    /// Is given the exhibits and the folder.
+    /// A curator of these exhibits and this folder.
     #[must_use]
     pub fn new(exhibits: Vec<Box<dyn Exhibit>>, folder: PathBuf) -> Self {
         Self { exhibits, folder }
     }
 
-    /// `target/gallery` in the workspace, or in the current folder if the workspace has gone.
+    /// `target/gallery` in the workspace, or in the current folder if the workspace does not exist.
     #[must_use]
     pub fn usual_folder() -> PathBuf {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2);
@@ -40,7 +40,7 @@ impl Curator {
         root.unwrap_or(Path::new(".")).join("target/gallery")
     }
 
-    /// Does what a command line asks for.
+    /// Obeys a command line.
     ///
     /// # Errors
     /// [`Error::Unknown`] if it names an exhibit that does not exist; else as [`hang`](Self::hang).
@@ -65,7 +65,7 @@ impl Curator {
         self.hang(|slug| all || wanted.iter().any(|name| name == slug))
     }
 
-    /// Paints the exhibits that are wanted, and writes the page. One that fails does not keep the others from hanging.
+    /// Paints the wanted exhibits, and writes the page. One that fails does not prevent the others.
     ///
     /// # Errors
     /// [`Error::File`] if the folder or page cannot be written, [`Error::Missing`] if an exhibit could not be shown.
@@ -139,7 +139,7 @@ impl Curator {
         self.write_and_announce(&html::moving_file(slug), moving.as_bytes(), "in motion")
     }
 
-    /// Writes a file and says so.
+    /// Writes a file and announces it.
     fn write_and_announce(&self, name: &str, bytes: &[u8], what: &str) -> Result<(), Error> {
         let (path, size) = self.write(name, bytes)?;
         let size = HumanBytes(size);
@@ -166,17 +166,17 @@ impl Curator {
     }
 }
 
-/// Writes a line to the output, and does not mind if nobody reads it to the end.
+/// Writes a line to the output. It is no error if nobody reads it.
 fn say(line: fmt::Arguments<'_>) {
     let _ = writeln!(io::stdout(), "{line}");
 }
 
-/// How long it takes to show all scenes.
+/// The duration of all scenes.
 fn period(scenes: &[Scene]) -> Duration {
     DELAY * u32::try_from(scenes.len()).unwrap_or(u32::MAX)
 }
 
-/// The text of an SVG that shows the scenes again and again.
+/// The text of an SVG that repeats the scenes.
 fn moving(mut svg: AnimatedSvg, scenes: &[Scene]) -> String {
     for scene in scenes {
         svg.add(|moment| scene.draw(moment));
@@ -184,7 +184,7 @@ fn moving(mut svg: AnimatedSvg, scenes: &[Scene]) -> String {
     svg.finish()
 }
 
-/// Paints all the scenes of a film, on all the processors there are.
+/// Paints all scenes of a film, on all processors.
 fn paint_all(easel: &Easel, film: &Film) -> Vec<Picture> {
     let scenes = film.scenes();
     let bar = ProgressBar::new(scenes.len() as u64);

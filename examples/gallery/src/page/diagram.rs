@@ -1,21 +1,21 @@
-//! A mechanism with what a textbook draws over it.
+//! Mechanisms with the diagrams of textbooks.
 
 use crate::{Exhibit, Film, Graphs, Layers, Playable, Scene, Showcase, Stuck};
 use mech_runtime::{Blocked, Mechanism};
 
 /// A showcase with functions of its own that move and paint it: with rates, with an overlay.
 pub struct Diagram<M: Mechanism<Scalar = f64>> {
-    /// The mechanism and what it is to do.
+    /// The mechanism and its motion.
     pub showcase: Showcase<M>,
     /// Moves it to these values of its motors.
     pub move_to: Move<M>,
     /// Paints it.
     pub paint: fn(&M, &mut Scene),
-    /// The layers that come nearest to that.
+    /// The layers that resemble it most.
     pub layers: Layers,
 }
 
-/// How a mechanism is moved to values of its motors.
+/// A function that moves a mechanism to motor values.
 pub type Move<M> =
     fn(&mut M, <M as Mechanism>::Motors) -> Result<(), Blocked<<M as Mechanism>::Motors>>;
 

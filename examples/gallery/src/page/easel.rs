@@ -1,4 +1,4 @@
-//! Where scenes become pictures.
+//! The easel, on which scenes become pictures.
 
 use crate::{Film, Picture, Scene, Strips};
 use mech_runtime::files::Sheet;
@@ -7,24 +7,23 @@ use mech_runtime::{Palette, View};
 /// The longer side of a picture, and the least of the shorter one.
 const LONG: u16 = 640;
 const SHORT: u16 = 240;
-/// Paper left free around what is seen.
+/// The margin of a picture.
 const MARGIN: u16 = 24;
-/// How many pixels high the strips are in which a picture is painted.
+/// The height in pixels of the strips in which a picture is painted.
 const STRIP: usize = 64;
 
-/// Paints the scenes of one film, all in the same view.
+/// A painter of the scenes of one film, all in the same view.
 #[derive(Clone)]
 pub struct Easel {
     strips: Strips<{ LONG as usize }, STRIP>,
-    /// Of the whole picture.
+    /// The view of the whole picture.
     view: View,
     width: u16,
     height: u16,
 }
 
 impl Easel {
-    /// Chooses the size and the view such that everything in the film is seen, and as large as possible; `None` if there
-    /// is nothing to be seen.
+    /// An easel whose size and view show everything in the film, as large as possible. `None` if nothing is visible.
     #[must_use]
     pub fn for_film(film: &Film) -> Option<Self> {
         let [low, high] = film.bounds()?;
@@ -51,13 +50,13 @@ impl Easel {
         })
     }
 
-    /// How many pixels of a picture are a scene unit.
+    /// The number of pixels per scene unit.
     #[must_use]
     pub const fn scale(&self) -> f64 {
         self.view.scale()
     }
 
-    /// A sheet that looks like its pictures.
+    /// A sheet with the size, view and colours of its pictures.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
         Sheet::new(self.width.into(), self.height.into())
@@ -65,7 +64,7 @@ impl Easel {
             .palette(self.strips.palette().clone())
     }
 
-    /// Paints with other colours.
+    /// Changes the colours.
     pub fn set_palette(&mut self, palette: Palette) {
         self.strips.set_palette(palette);
     }

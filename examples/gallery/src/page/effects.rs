@@ -1,14 +1,14 @@
-//! What a mechanism has besides positions, by values instead of methods.
+//! Effects of a mechanism as values.
 
 use crate::Scene;
 use mech_runtime::overlay::Arrows;
 use mech_runtime::{Blocked, Mechanism, Overlay};
 
-/// The methods of a mechanism with `effects { acceleration; overlay; }`, which no trait knows of. Made by
-/// [`all_effects!`](crate::all_effects).
+/// The methods of a mechanism with `effects { acceleration; overlay; }`, which no trait has. [`all_effects!`](crate::all_effects) makes
+/// them.
 #[derive(Clone)]
 pub struct Effects<M: Mechanism<Scalar = f64>> {
-    /// Moves it to these values of its motors, with these rates and second rates of theirs.
+    /// Moves the motors to these values, with these rates and second rates.
     pub move_with: MoveWith<M>,
     /// Draws its symbols.
     pub draw_overlay: fn(&M, &mut Scene, &Overlay),
@@ -18,7 +18,7 @@ pub struct Effects<M: Mechanism<Scalar = f64>> {
     pub draw_accelerations: Draw<M>,
 }
 
-/// How a mechanism is moved to values of its motors with their rates and second rates.
+/// A function that moves a mechanism to motor values with rates and second rates.
 pub type MoveWith<M> = fn(
     &mut M,
     <M as Mechanism>::Motors,
@@ -26,7 +26,7 @@ pub type MoveWith<M> = fn(
     <M as Mechanism>::Motors,
 ) -> Result<(), Blocked<<M as Mechanism>::Motors>>;
 
-/// How arrows are drawn.
+/// A function that draws arrows.
 type Draw<M> = fn(&M, &mut Scene, &Arrows<f64>);
 
 /// The [`Effects`] of a mechanism that is declared with `effects { acceleration; overlay; }`.

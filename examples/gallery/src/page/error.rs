@@ -1,31 +1,31 @@
-//! What can go wrong in the gallery.
+//! The errors of the gallery.
 
 use crate::Stuck;
 use mech_runtime::files::FileError;
 use std::{fmt, io, path::PathBuf};
 
-/// What went wrong in the gallery.
+/// An error of the gallery.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
     /// The command line asks for exhibits that do not exist.
     Unknown {
-        /// The names asked for in vain.
+        /// The unknown names.
         names: Vec<String>,
-        /// The names of the exhibits there are.
+        /// The names of all exhibits.
         known: Vec<&'static str>,
     },
-    /// A mechanism does not go through its motion.
+    /// A mechanism cannot make its motion.
     Stuck(Stuck),
-    /// Nothing of a mechanism is seen at any time.
+    /// A mechanism is never visible.
     Invisible,
     /// A picture could not be made into a file.
     Picture(FileError),
     /// A file could not be written.
     File {
-        /// Which one.
+        /// The path.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         source: io::Error,
     },
     /// Some exhibits failed, for reasons that were printed already.

@@ -1,41 +1,41 @@
-//! A mechanism and what it is to do.
+//! Exhibits: mechanisms with a motion.
 
 use super::played::Played;
 use crate::Exhibited;
 use crate::{Easel, Effects, Film, Graphs, Layer, Layers, Playable, Scene, Stuck};
 use mech_runtime::{Blocked, Mechanism};
 
-/// Frames in most films: enough for one turn of a crank to look smooth.
+/// The number of frames in most films: enough for a smooth turn of a crank.
 pub const FRAMES: usize = 90;
 
-/// Something that hangs in the gallery. Made by filling in a [`Showcase`].
+/// An exhibit of the gallery. A [`Showcase`] is one.
 pub trait Exhibit {
     /// The name of its files and on the command line.
     fn slug(&self) -> &'static str;
-    /// Its title.
+    /// The title.
     fn title(&self) -> &'static str;
-    /// A paragraph about it.
+    /// A paragraph about the mechanism.
     fn caption(&self) -> &'static str;
-    /// What the macro found out about its mechanism.
+    /// The compiler's report on its mechanism.
     fn report(&self) -> &'static str;
     /// The graphs of its mechanism, if a `mechanism!` declares it.
     fn graphs(&self) -> Option<Graphs>;
-    /// When it is at its most characteristic, in `0.0..1.0` of its motion.
+    /// The most characteristic phase of its motion, in `0.0..1.0`.
     fn still(&self) -> f64;
-    /// Moves it once through its whole motion.
+    /// The film of its whole motion.
     ///
     /// # Errors
-    /// [`Stuck`] if it cannot go on.
+    /// [`Stuck`] if it cannot make its motion.
     fn film(&self) -> Result<Film, Stuck>;
-    /// How long that takes, in seconds.
+    /// The duration of the motion, in seconds.
     fn seconds(&self) -> f64;
-    /// Its mechanism, to be played with.
+    /// Its mechanism for a player.
     fn playable(&self) -> Box<dyn Playable>;
-    /// What is seen of it unless somebody wants it otherwise.
+    /// The layers that are visible at first.
     fn layers(&self) -> Layers;
 }
 
-/// A mechanism and what it is to do.
+/// A mechanism and its motion.
 ///
 /// ```
 /// use mech_gallery::{Exhibit, FRAMES, Showcase};
@@ -58,28 +58,27 @@ pub trait Exhibit {
 pub struct Showcase<M: Mechanism<Scalar = f64>> {
     /// The name of its files and on the command line: `lower-case-with-hyphens`.
     pub slug: &'static str,
-    /// Its title.
+    /// The title.
     pub title: &'static str,
-    /// A paragraph about it.
+    /// A paragraph about the mechanism.
     pub caption: &'static str,
-    /// The source file that declares the mechanism: its graphs are read out of it.
+    /// The source file that declares the mechanism, for its graphs.
     pub source: &'static str,
-    /// The values of its motors (radians, scene units) at a phase in `0.0..1.0`. What it does between the last phase
-    /// and the first again should look like what it does between others, and a little beyond it goes on so.
+    /// The values of its motors, in radians or scene units, at a phase in `0.0..1.0`. The motion should continue smoothly from the last
+    /// phase to the first, and a little beyond.
     pub motion: fn(f64) -> M::Motors,
-    /// How many frames its film has, at 30 ms each: [`FRAMES`], or more for a long motion.
+    /// The number of frames of its film, at 30 ms each: [`FRAMES`], or more for a long motion.
     pub frames: usize,
     /// The phase of its still picture.
     pub still: f64,
-    /// What it can do besides, if it is declared with these effects: seen only by those who play with it.
+    /// Its effects, if it declares them, for the player.
     pub effects: Option<Effects<M>>,
 }
 
-/// How long a frame is seen.
+/// The duration of a frame.
 const SECONDS: f64 = 0.03;
 
-/// Positions on the way from one frame to the next, so that a method that goes from one position to a near one has it
-/// easy.
+/// The number of positions from one frame to the next, for methods that start from the last position.
 const STEPS: usize = 8;
 
 impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Showcase<M> {
@@ -158,7 +157,7 @@ impl<M: Mechanism<Scalar = f64>> Showcase<M> {
         self.filmed_at(scale, &move_to, &paint)
     }
 
-    /// The same, with so many pixels to a scene unit.
+    /// The film for so many pixels per scene unit.
     fn filmed_at(
         &self,
         scale: f64,

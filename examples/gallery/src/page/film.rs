@@ -1,20 +1,20 @@
-//! A motion, scene by scene, free of the type of its mechanism.
+//! Films: motions, scene by scene, without the type of the mechanism.
 
 use mech_runtime::{Blocked, Canvas, Outline, Pose};
 use std::fmt;
 
-/// All that is seen at one moment, from back to front.
+/// All figures of one moment, from back to front.
 #[derive(Clone, Debug)]
 pub struct Scene {
     spots: Vec<Spot>,
-    /// Pixels to a scene unit.
+    /// The number of pixels per scene unit.
     scale: f64,
 }
 
-/// Something that is seen.
+/// A figure.
 #[derive(Clone, Debug)]
 enum Spot {
-    /// A shape, and where it is.
+    /// A shape, and its pose.
     Shape(Form, Pose<f64>, u8),
     /// A text, and its lower left corner.
     Text([f64; 2], String, u8),
@@ -23,7 +23,7 @@ enum Spot {
 /// An outline that is stored.
 #[derive(Clone, Debug)]
 enum Form {
-    /// One without a list of points.
+    /// An outline without a list of points.
     Plain(Outline<'static, f64>),
     Polygon(Vec<[f64; 2]>),
     Winding(Vec<[f64; 2]>),
@@ -84,14 +84,14 @@ impl Spot {
 }
 
 impl Scene {
-    /// An empty scene that is to be seen with so many pixels to a scene unit.
+    /// An empty scene for so many pixels per scene unit.
     #[must_use]
     pub const fn new(scale: f64) -> Self {
         let spots = Vec::new();
         Self { spots, scale }
     }
 
-    /// Paints it.
+    /// Paints the scene.
     pub fn draw(&self, canvas: &mut impl Canvas<f64>) {
         for spot in &self.spots {
             match spot {
@@ -120,20 +120,20 @@ impl Canvas<f64> for Scene {
 #[derive(Clone, Debug)]
 pub struct Film {
     scenes: Vec<Scene>,
-    /// Pixels to a scene unit.
+    /// The number of pixels per scene unit.
     scale: f64,
 }
 
 impl Film {
-    /// An empty film that is to be seen with so many pixels to a scene unit. Infinitely many will do to find out how much there is
-    /// to be seen: then what has a size in pixels takes no room.
+    /// An empty film for so many pixels per scene unit. At infinite scale, figures whose size is in pixels have none, so the film gives the
+    /// bounds of the motion.
     #[must_use]
     pub const fn new(scale: f64) -> Self {
         let scenes = Vec::new();
         Self { scenes, scale }
     }
 
-    /// Adds a scene that is painted now.
+    /// Adds a scene, which `paint` paints.
     pub fn add(&mut self, paint: impl FnOnce(&mut Scene)) {
         let mut scene = Scene::new(self.scale);
         paint(&mut scene);
@@ -146,7 +146,7 @@ impl Film {
         &self.scenes
     }
 
-    /// The smallest upright box around everything that is ever seen; `None` if nothing is.
+    /// The smallest upright box around all scenes. `None` if nothing is visible.
     #[must_use]
     pub fn bounds(&self) -> Option<[[f64; 2]; 2]> {
         let all = self.scenes.iter().flat_map(|scene| &scene.spots);
@@ -164,16 +164,16 @@ fn around([low, high]: [[f64; 2]; 2], [other_low, other_high]: [[f64; 2]; 2]) ->
     ]
 }
 
-/// A mechanism that could not go on with its motion.
+/// The error of a mechanism that could not make its motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stuck {
-    /// The frame it had last reached, from 0.
+    /// The last frame that it reached, from 0.
     pub frame: usize,
-    /// The number of frames there should have been.
+    /// The number of frames of the film.
     pub frames: usize,
-    /// What its motors were to be.
+    /// The target of its motors.
     pub motors: Vec<(&'static str, f64)>,
-    /// What it had to say.
+    /// The error of the move.
     pub blocked: Blocked<Vec<f64>>,
 }
 

@@ -1,4 +1,4 @@
-//! A graph as SVG, to stand in a page that gives it its colours.
+//! Graphs as SVG, in a page that gives them their colours.
 
 use super::graph_layout::{Layout, Point, Sketch};
 use super::html::escape;
@@ -23,7 +23,7 @@ pub(crate) const STYLE: &str = "\
 .graph .motor rect { stroke: var(--accent); fill: var(--card); }
 ";
 
-/// The size of the letters, those of a detail, and the height of a line of them.
+/// The size of letters, that of small letters, and the height of a line.
 const LETTER: f64 = 13.0;
 const SMALL: f64 = 11.0;
 const LINE: f64 = 17.0;
@@ -40,7 +40,7 @@ pub(crate) fn svg(graph: &Graph) -> String {
     text
 }
 
-/// A graph as its layout sees it.
+/// A graph without its names.
 pub(crate) fn sketch(graph: &Graph) -> Sketch {
     let edges = graph.edges.iter();
     Sketch {
@@ -76,7 +76,7 @@ fn note(edge: &Edge) -> &str {
     }
 }
 
-/// About how wide a text is, in a wide one of the usual typefaces.
+/// The approximate width of a text, in a wide typeface.
 fn width(text: &str, size: f64) -> f64 {
     let em = |letter: char| match letter {
         'i' | 'j' | 'l' | 'f' | 't' | 'r' | ' ' | '.' | ',' | ':' => 0.4,
@@ -149,7 +149,7 @@ fn label(graph: &Graph, edge: &Edge) -> String {
     format!("{}: {} of {from} and {to}{motor}", edge.name, edge.detail)
 }
 
-/// Where the head of an arrow begins.
+/// The point where the head of an arrow begins.
 fn foot(control: Point, tip: Point) -> Point {
     let [dx, dy] = [tip[0] - control[0], tip[1] - control[1]];
     let length = dx.hypot(dy).max(1e-9);
@@ -221,7 +221,7 @@ fn write_vertex(text: &mut String, vertex: &Vertex, [x, y]: Point) -> Result {
     writeln!(text, "</g>")
 }
 
-/// The strokes by which draughtsmen mark what is fixed.
+/// Writes the strokes by which draughtsmen mark the ground.
 fn write_hatching(text: &mut String, [left, bottom]: Point, width: f64) -> Result {
     write!(text, r#"<path d="M{left:.1} {bottom:.1}h{width:.1}"#)?;
     let mut x = left + 9.0;

@@ -1,21 +1,21 @@
-//! The graphs of a mechanism, found by the compiler in the very source that declares it.
+//! The graphs of a mechanism, which the compiler finds in its source.
 
 use mech_compiler::graphs::{Graph, kinematic, loops};
 use mech_compiler::model::Model;
 use mech_compiler::{compile, syntax};
 use proc_macro2::{TokenStream, TokenTree};
 
-/// What a mechanism is made of, and in which order it is solved.
+/// The graphs of a mechanism: its links, and the order in which its loops are solved.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Graphs {
     /// Its links and the joints between them.
     pub links: Graph,
-    /// Its loops, and what leads to them.
+    /// Its loops, and the motors and loops that they need.
     pub loops: Graph,
 }
 
 impl Graphs {
-    /// Of the mechanism with this name, declared by a `mechanism!` that stands by itself in this Rust source.
+    /// The graphs of the mechanism with this name, which a `mechanism!` of this Rust source declares.
     #[must_use]
     pub fn find(source: &str, name: &str) -> Option<Self> {
         let model = model(source, name)?;
@@ -27,7 +27,7 @@ impl Graphs {
     }
 }
 
-/// The mechanism with this name, declared by a `mechanism!` that stands by itself in this Rust source.
+/// The mechanism with this name, which a `mechanism!` of this Rust source declares.
 fn model(source: &str, name: &str) -> Option<Model> {
     let mut models = declarations(source.parse().ok()?)
         .into_iter()
@@ -35,7 +35,7 @@ fn model(source: &str, name: &str) -> Option<Model> {
     models.find(|model| model.name == name)
 }
 
-/// What stands in the brackets of each `mechanism!`.
+/// The tokens in the brackets of each `mechanism!`.
 fn declarations(source: TokenStream) -> Vec<TokenStream> {
     let trees: Vec<_> = source.into_iter().collect();
     let declaration = |trees: &[TokenTree]| match trees {

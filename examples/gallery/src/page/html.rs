@@ -64,7 +64,7 @@ links with the joints between them, and its loops in the order in which they are
 </header>
 "#;
 
-/// The page with these exhibits. It refers to nothing but their pictures, beside it.
+/// The page with these exhibits. It refers to the pictures beside it only.
 pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> String {
     let (mut entries, mut articles) = (String::new(), String::new());
     for exhibit in exhibits {
@@ -138,7 +138,7 @@ fn graphs_of(slug: &str, Graphs { links, loops }: &Graphs) -> String {
     text + "</div>\n"
 }
 
-/// Explains what is seen, and nothing else.
+/// The explanation of the graphs.
 fn links_caption(links: &Graph) -> String {
     let mut caption =
         "The links, and the joints between them: revolutes where nothing else is said".to_owned();

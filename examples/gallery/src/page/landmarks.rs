@@ -1,4 +1,4 @@
-//! Where the joints of a mechanism are.
+//! The places of joints.
 
 use mech_runtime::{Anchor, JointKind, Mechanism};
 
@@ -7,12 +7,12 @@ use mech_runtime::{Anchor, JointKind, Mechanism};
 pub struct Spot {
     /// The link: 0 is the ground, `n + 1` the moving link whose pose is `poses()[n]`.
     pub link: usize,
-    /// Where, in the link's frame, in scene units.
+    /// The place in the link's frame, in scene units.
     pub at: [f64; 2],
 }
 
 impl Spot {
-    /// Where a link has a joint, if its pose is given.
+    /// The place of a joint on a link, if the link has a pose.
     fn of(anchor: &Anchor<f64>) -> Option<Self> {
         anchor.link.map(|link| Self {
             link,
@@ -21,7 +21,7 @@ impl Spot {
     }
 }
 
-/// A joint, where each of its two links has it.
+/// A joint, and its place on each of its two links.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Landmark {
     joint: &'static str,
@@ -36,7 +36,7 @@ pub struct Landmarks {
 }
 
 impl Landmarks {
-    /// Of the mechanism `M`: its joints on links whose poses it gives.
+    /// The joints of the mechanism `M` on links that have poses.
     #[must_use]
     pub fn of<M: Mechanism<Scalar = f64>>() -> Self {
         let landmarks = M::JOINTS.iter().filter_map(|joint| {
@@ -57,7 +57,7 @@ impl Landmarks {
         }
     }
 
-    /// Where a joint is: what slides, on its second link.
+    /// The place of a joint on its second link.
     #[must_use]
     pub fn joint(&self, name: &str) -> Option<Spot> {
         let [_, second] = self.find(name)?.spots;

@@ -1,4 +1,4 @@
-//! What is seen of a mechanism that is played with.
+//! Layers of a mechanism in the player.
 
 /// A part of the picture that can be switched on and off by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +20,7 @@ pub enum Layer {
 }
 
 impl Layer {
-    /// All of them, from back to front.
+    /// All layers, from back to front.
     pub const ALL: [Self; 7] = [
         Self::Shapes,
         Self::Joints,
@@ -31,7 +31,7 @@ impl Layer {
         Self::Accelerations,
     ];
 
-    /// What it is called.
+    /// The name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -46,14 +46,14 @@ impl Layer {
     }
 }
 
-/// The layers that are switched on.
+/// The visible layers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Layers {
     shown: [bool; Layer::ALL.len()],
 }
 
 impl Layers {
-    /// These, and no others.
+    /// These layers only.
     #[must_use]
     pub const fn of(layers: &[Layer]) -> Self {
         let mut shown = [false; Layer::ALL.len()];
@@ -65,13 +65,13 @@ impl Layers {
         Self { shown }
     }
 
-    /// Whether a layer is switched on.
+    /// Whether a layer is visible.
     #[must_use]
     pub const fn has(self, layer: Layer) -> bool {
         self.shown[layer as usize]
     }
 
-    /// Switches one on or off.
+    /// Shows or hides a layer.
     pub const fn toggle(&mut self, layer: Layer) {
         self.shown[layer as usize] = !self.has(layer);
     }

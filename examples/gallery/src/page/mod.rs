@@ -1,4 +1,4 @@
-//! What makes pictures, films and a page of mechanisms.
+//! Pictures, films and the page.
 
 mod animation;
 mod curator;

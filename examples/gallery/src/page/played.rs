@@ -1,4 +1,4 @@
-//! How a mechanism of any type is played with.
+//! Playing with a mechanism of any type.
 
 use crate::{Effects, Landmarks, Layer, Look, Playable, Rates, Scene, Showcase, Spot};
 use mech_runtime::overlay::Arrows;
@@ -13,7 +13,7 @@ pub(crate) struct Played<M: Mechanism<Scalar = f64>> {
 }
 
 impl<M: Mechanism<Scalar = f64>> Played<M> {
-    /// As it was assembled.
+    /// The mechanism at its start.
     pub(crate) fn new(showcase: &Showcase<M>) -> Self {
         Self {
             mechanism: M::new(),
@@ -33,7 +33,7 @@ impl<M: Mechanism<Scalar = f64>> Played<M> {
         pose(&self.mechanism, link)
     }
 
-    /// How far a place is from what is seen of a link.
+    /// The distance of a place from the bars of a link.
     fn distance(&self, link: usize, at: [f64; 2]) -> f64 {
         let joints = self.landmarks.on_link(link);
         let bars = joints
@@ -172,7 +172,7 @@ impl<M: Mechanism<Scalar = f64>> Playable for Played<M> {
     }
 }
 
-/// How far a place is from a shape: 0 within it.
+/// The distance of a place from a shape: 0 within it.
 fn distance_to_shape(at: [f64; 2], outline: &Outline<'_, f64>) -> f64 {
     let from = |[x, y]: [f64; 2]| (at[0] - x).hypot(at[1] - y);
     let beyond = match *outline {
@@ -203,7 +203,7 @@ fn distance_to_shape(at: [f64; 2], outline: &Outline<'_, f64>) -> f64 {
     beyond.max(0.0)
 }
 
-/// How far a place is from a polygon that fills what it leads around as often as `is_filled` says.
+/// The distance of a place from a polygon. `is_filled` says which winding numbers are inside.
 fn distance_to_polygon(at: [f64; 2], corners: &[[f64; 2]], is_filled: impl Fn(i32) -> bool) -> f64 {
     let next = corners.iter().cycle().skip(1);
     let sides = corners.iter().zip(next).map(|(&from, &to)| [from, to]);
@@ -227,14 +227,14 @@ fn crossing([x, y]: [f64; 2], [from, to]: [[f64; 2]; 2]) -> i32 {
     }
 }
 
-/// How far a place is from the nearest of these lines.
+/// The distance of a place from the nearest of these lines.
 fn nearest(at: [f64; 2], lines: impl Iterator<Item = [[f64; 2]; 2]>) -> f64 {
     lines
         .map(|line| distance_to_line(at, line))
         .fold(f64::INFINITY, f64::min)
 }
 
-/// How far a place is from a straight line with two ends.
+/// The distance of a place from a segment.
 fn distance_to_line(at: [f64; 2], [from, to]: [[f64; 2]; 2]) -> f64 {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     let square = x * x + y * y;

@@ -3,8 +3,7 @@
 use crate::{Picture, Scene};
 use mech_runtime::{Palette, Smooth, View};
 
-/// Where a picture is painted in strips `W` pixels wide and `H` high, so that a small one will do for any height. What is wider has
-/// paper at both sides.
+/// A strip of `W` × `H` pixels, in which pictures of any height are painted strip by strip. A wider picture has paper at both sides.
 #[derive(Clone, Default)]
 pub struct Strips<const W: usize, const H: usize> {
     strip: Box<Smooth<W, H>>,
@@ -17,19 +16,19 @@ impl<const W: usize, const H: usize> Strips<W, H> {
         self.strip.palette()
     }
 
-    /// Paints with other colours.
+    /// Changes the colours.
     pub fn set_palette(&mut self, palette: Palette) {
         self.strip.set_palette(palette);
     }
 
-    /// The strip itself, cleared, with one pixel to a scene unit: for something small.
+    /// Clears the strip and returns it, with one pixel per scene unit, for a small picture.
     pub fn clear(&mut self) -> &mut Smooth<W, H> {
         self.strip.look_at(View::default());
         self.strip.clear();
         &mut self.strip
     }
 
-    /// Paints a scene as it is seen in a picture of this size.
+    /// Paints a scene in a picture of this size.
     #[must_use]
     pub fn paint(&mut self, scene: &Scene, view: View, [width, height]: [u16; 2]) -> Picture {
         let [columns, rows] = [width, height].map(usize::from);
@@ -58,7 +57,7 @@ impl<const W: usize, const H: usize> Strips<W, H> {
     }
 }
 
-/// What a strip sees whose first row is row `top` of a picture of this size.
+/// The view of the strip whose first row is row `top` of a picture of this size.
 fn view_of_strip<const W: usize, const H: usize>(
     view: View,
     [width, height]: [usize; 2],

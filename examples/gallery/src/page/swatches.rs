@@ -1,13 +1,13 @@
-//! A few colours in place of many.
+//! Swatches: a few colours in place of many.
 
 use crate::Picture;
 use mech_runtime::Palette;
 use std::{array, collections::HashMap, iter};
 
-/// The most colours of an animation: one entry of its table is left free, for what is as before.
+/// The most colours of an animation. One entry of its table means "as before".
 const MOST: usize = 255;
 
-/// At most 255 colours that stand for all those in some pictures.
+/// At most 255 colours that replace all those of some pictures.
 #[derive(Clone, Debug)]
 pub struct Swatches {
     colors: Vec<[u8; 3]>,
@@ -15,8 +15,8 @@ pub struct Swatches {
 }
 
 impl Swatches {
-    /// Chooses them: first what there is most of, and then whatever is not yet near one of those chosen. "Near" is as
-    /// near as 255 colours allow, so no pixel of any picture is farther from its true colour than that.
+    /// Chooses the most frequent colours first, then those that are not near a chosen one. "Near" is the smallest distance that 255 colours
+    /// allow. No pixel of any picture is farther from its true colour.
     #[must_use]
     pub fn for_pictures(pictures: &[Picture]) -> Self {
         let mut counts = HashMap::<[u8; 3], usize>::new();
@@ -52,7 +52,7 @@ impl Swatches {
         &self.colors
     }
 
-    /// A palette of them; entries that are too many are the first colour again.
+    /// A palette of the colours. Unused entries are the first colour.
     #[must_use]
     pub fn palette(&self) -> Palette {
         let color = |entry| self.colors.get(entry).or(self.colors.first());
@@ -61,13 +61,13 @@ impl Swatches {
         }))
     }
 
-    /// The entry that stands for a colour: 0 if it was in none of the pictures.
+    /// The entry that replaces a colour: 0 if no picture has it.
     #[must_use]
     pub fn entry(&self, color: [u8; 3]) -> u8 {
         self.entries.get(&color).copied().unwrap_or_default()
     }
 
-    /// The entries for all the pixels of a picture.
+    /// The entries of all pixels of a picture.
     #[must_use]
     pub fn entries(&self, picture: &Picture) -> Vec<u8> {
         let runs = picture.pixels.chunk_by(|one, next| one == next);
@@ -79,7 +79,7 @@ impl Swatches {
     }
 }
 
-/// Colours such that none of those seen is farther from all of them; `None` if that takes too many.
+/// Colours so that each seen colour is within this distance of one. `None` if that takes too many.
 fn choose(seen: &[[u8; 3]], square: u32) -> Option<Vec<[u8; 3]>> {
     let mut colors = Vec::with_capacity(MOST);
     for &color in seen {

@@ -75,7 +75,7 @@ fn directions(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
     match variable {
         Variable::Input(_) => Vec::new(),
         Variable::Angle(angle) => {
-            let nodes = program.nodes.iter().enumerate();
+            let nodes = program.ssa.nodes.iter().enumerate();
             let of = nodes.filter(
                 |(_, node)| matches!(node.op, Op::Sin(other) | Op::Cos(other) if other == angle),
             );

@@ -23,13 +23,14 @@ impl Test {
 
 /// What must hold for the loops to close that do not hang on an iteration, in the order in which they are found.
 pub(super) fn tests(program: &Program) -> Vec<(BlockId, Test)> {
-    let mut hangs = vec![false; program.nodes.len()];
-    for (index, node) in program.nodes.iter().enumerate() {
+    let mut hangs = vec![false; program.ssa.nodes.len()];
+    for (index, node) in program.ssa.nodes.iter().enumerate() {
         hangs[index] = matches!(node.op, Op::Unknown(..) | Op::Solved(..) | Op::Dense(..))
             || node.op.operands().any(|operand| hangs[operand.index()]);
     }
     let exposed = exposed(program, &keeps_direction(program));
     let divisors = program
+        .ssa
         .nodes
         .iter()
         .enumerate()
@@ -60,9 +61,9 @@ pub(super) fn tests(program: &Program) -> Vec<(BlockId, Test)> {
 
 /// Which values are a direction that is found, or, where none can be, that of the last position.
 pub(super) fn keeps_direction(program: &Program) -> Vec<bool> {
-    let mut lasts = vec![false; program.nodes.len()];
-    let mut keeps = vec![false; program.nodes.len()];
-    for (index, node) in program.nodes.iter().enumerate() {
+    let mut lasts = vec![false; program.ssa.nodes.len()];
+    let mut keeps = vec![false; program.ssa.nodes.len()];
+    for (index, node) in program.ssa.nodes.iter().enumerate() {
         let mut operands = node.op.operands().peekable();
         lasts[index] = match node.op {
             Op::Constant(_) | Op::Last(Slot::Pose(_, Part::Cos | Part::Sin)) => true,
@@ -75,7 +76,7 @@ pub(super) fn keeps_direction(program: &Program) -> Vec<bool> {
 
 /// Which values reach anything that is asked for, and not only where the direction of the last position may stand in for them.
 fn exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
-    let mut exposed = vec![false; program.nodes.len()];
+    let mut exposed = vec![false; program.ssa.nodes.len()];
     let margins = program.margins().map(|(_, closed)| closed.margin);
     for root in program
         .poses
@@ -91,7 +92,7 @@ fn exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
         if !exposed[index] {
             continue;
         }
-        let op = program.nodes[index].op;
+        let op = program.ssa.nodes[index].op;
         let guarded = match op {
             Op::Choose(_, a, _) if keeps[index] => Some(a),
             _ => None,

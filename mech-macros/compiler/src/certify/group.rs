@@ -61,7 +61,7 @@ pub(super) fn groups(program: &Program, free: &[BlockId]) -> Vec<Group> {
 
 /// The motors that have a part in a loop, by their numbers.
 pub(crate) fn motors_of(program: &Program, block: BlockId) -> Vec<usize> {
-    let values = program.nodes.iter().enumerate();
+    let values = program.ssa.nodes.iter().enumerate();
     let own = values.filter(|(_, node)| node.block == block);
     let own = own.map(|(index, _)| Value::at(index)).collect();
     motors(program, own, &Held::new())

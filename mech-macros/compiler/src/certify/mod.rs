@@ -121,7 +121,7 @@ pub fn certify_counted(
     let verdict = on_sides(program, (&groups, &[]), &ranges, &mut effort);
     let iterated = program
         .block_ids()
-        .find(|block| matches!(program.blocks[block.index()].kind, BlockKind::Newton(_)));
+        .find(|block| matches!(program.ssa.blocks[block.index()].kind, BlockKind::Newton(_)));
     let verdict = match (verdict, iterated) {
         (Verdict::Proved { touching }, None) => {
             on_all_sides(program, &groups, &ranges, touching, &mut effort)

@@ -51,7 +51,7 @@ impl<'p> Tape<'p> {
     pub(super) fn new(program: &'p Program, group: &Group, turned: &[BlockId]) -> Self {
         let directions = keeps_direction(program);
         let tests = group.tests.clone();
-        let mut tape = Self::on(&program.nodes, program.inputs(), tests, directions);
+        let mut tape = Self::on(&program.ssa.nodes, program.inputs(), tests, directions);
         for &(value, at) in &group.held {
             tape.hold(value, Interval::point(at));
         }

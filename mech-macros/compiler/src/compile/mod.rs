@@ -73,7 +73,7 @@ pub fn compile(model: &Model) -> Result<Compiled, Vec<Diagnosis>> {
     Ok(compiled)
 }
 
-/// Checks whether a mechanism compiles, as far as its start tells: declared ranges and accuracies are not examined.
+/// Checks whether a mechanism compiles, as far as its start shows: declared ranges and accuracies are not examined.
 ///
 /// # Errors
 /// As [`compile`].
@@ -303,7 +303,8 @@ fn missing_motor(model: &Model) -> Option<Diagnosis> {
             JointKind::Revolute(..) | JointKind::Prismatic(..)
         ) && !joint.hidden
     };
-    let moves = |joint: &JointId| overconstrained::assemble(&model.with_motor(*joint)).is_some();
+    let driven = |joint| model.with_edit(|edit| edit.add_motor(joint));
+    let moves = |&joint: &JointId| overconstrained::assemble(&driven(joint)).is_some();
     // Each of them is assembled and moved: in a large mechanism not all are tried.
     let most = MOST_MOVED.div_ceil(model.joints.len().pow(2).max(1));
     let joints = model.joint_ids().filter(can_have_motor).take(most);

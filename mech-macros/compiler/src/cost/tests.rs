@@ -38,8 +38,8 @@ fn made(operations: &[fn(&[Value]) -> Op]) -> Program {
         iterated: false,
         name: None,
     });
-    program.nodes = nodes.collect();
-    program.blocks = vec![Block {
+    program.ssa.nodes = nodes.collect();
+    program.ssa.blocks = vec![Block {
         name: String::new(),
         title: String::new(),
         kind: BlockKind::Straight,

@@ -82,7 +82,7 @@ impl Target {
 }
 
 /// The result of a move, with motors alone in its error.
-pub(super) fn of_motors(emitter: &Emitter<'_>, result: TokenStream) -> TokenStream {
+pub(super) fn strip_params(emitter: &Emitter<'_>, result: TokenStream) -> TokenStream {
     if emitter.has_params() {
         quote!(#result.map_err(generated::blocked_motors))
     } else {
@@ -112,7 +112,7 @@ pub(super) fn end(emitter: &Emitter<'_>) -> TokenStream {
 }
 
 /// A move without rates, and the statements after it.
-pub(super) fn ending(emitter: &Emitter<'_>, advance: TokenStream) -> TokenStream {
+pub(super) fn with_end(emitter: &Emitter<'_>, advance: TokenStream) -> TokenStream {
     let end = end(emitter);
     if end.is_empty() {
         return advance;

@@ -2,12 +2,13 @@
 
 use super::emitter::Emitter;
 use super::parts::Parts;
-use super::shapes::{Painted, in_order};
+use super::shapes::{Painted, painting_order};
 use super::tokens::integer;
 use super::traces::trace_ident;
-use crate::model::{Model, Quality, Trace};
+use crate::model::{Model, Quality, Shape, Trace};
 use proc_macro2::TokenStream;
 use quote::quote;
+use std::ops::Range;
 
 /// `EXTENT`, `picture`, `poses` and `draw`.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
@@ -44,7 +45,19 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
                     #painting
                 }
     };
-    Parts::methods(methods)
+    // The trait's own method paints what is at the start; `traces` has another.
+    let mut shapes = model.links.iter().flat_map(|link| &link.shapes);
+    let trait_items = (model.traces.is_empty() && shapes.any(Shape::varies)).then(|| {
+        quote! {
+            fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
+                Self::draw(self, canvas);
+            }
+        }
+    });
+    Parts {
+        trait_items: trait_items.unwrap_or_default(),
+        ..Parts::methods(methods)
+    }
 }
 
 /// The type of the pictures that a mechanism makes.
@@ -75,35 +88,49 @@ fn picture_doc(model: &Model) -> TokenStream {
 
 /// The statements that paint all shapes and traces, from the plane farthest from the eye to the nearest.
 fn painting(emitter: &Emitter<'_>) -> TokenStream {
-    let shapes = in_order(emitter);
+    let shapes = painting_order(emitter);
     let traces = emitter.model.traces.iter();
     let mut traces: Vec<(usize, &Trace)> = traces
         .map(|trace| (shapes_behind(trace, &shapes), trace))
         .collect();
     traces.sort_by_key(|(behind, _)| *behind);
-    let paint =
-        |shapes: TokenStream| quote!(generated::paint(#shapes, &self.position.poses, canvas););
+    let mut traces = traces.into_iter().peekable();
     let mut tokens = TokenStream::new();
-    let mut painted = 0;
-    for (behind, trace) in traces {
-        if behind > painted {
-            let [from, to] = [painted, behind].map(integer);
-            let range = quote!(known::SHAPES.get(#from..#to).unwrap_or_default());
-            tokens.extend(paint(range));
-            painted = behind;
+    // From this shape on nothing is painted yet: as many as possible are painted at once.
+    let mut first = 0;
+    for number in 0..=shapes.len() {
+        let fill = shapes.get(number).and_then(Painted::fill);
+        let is_next = |(behind, _): &(usize, &Trace)| *behind == number;
+        let ends = number == shapes.len() || fill.is_some() || traces.peek().is_some_and(is_next);
+        if ends && first < number {
+            tokens.extend(paint(first..number, shapes.len()));
+            first = number;
         }
-        let field = trace_ident(emitter, trace);
-        let color = proc_macro2::Literal::u8_unsuffixed(trace.color);
-        tokens.extend(quote!(Trace::draw(&self.#field, canvas, #color);));
+        while let Some((_, trace)) = traces.next_if(is_next) {
+            let field = trace_ident(emitter, trace);
+            let color = proc_macro2::Literal::u8_unsuffixed(trace.color);
+            tokens.extend(quote!(Trace::draw(&self.#field, canvas, #color);));
+        }
+        if let Some(fill) = fill {
+            tokens.extend(fill);
+            first = number + 1;
+        }
     }
-    if painted == 0 {
-        tokens.extend(paint(quote!(known::SHAPES)));
-    } else if painted < shapes.len() {
-        let from = integer(painted);
-        let range = quote!(known::SHAPES.get(#from..).unwrap_or_default());
-        tokens.extend(paint(range));
+    if shapes.is_empty() {
+        tokens.extend(paint(0..0, 0));
     }
     tokens
+}
+
+/// The statement that paints some of all shapes as they are at the start.
+fn paint(some: Range<usize>, all: usize) -> TokenStream {
+    let [from, to] = [some.start, some.end].map(integer);
+    let shapes = match (some.start == 0, some.end == all) {
+        (true, true) => quote!(known::SHAPES),
+        (false, true) => quote!(known::SHAPES.get(#from..).unwrap_or_default()),
+        (_, false) => quote!(known::SHAPES.get(#from..#to).unwrap_or_default()),
+    };
+    quote!(generated::paint(#shapes, &self.position.poses, canvas);)
 }
 
 /// The number of shapes that are painted before a trace.

@@ -2,7 +2,7 @@
 
 use super::tokens::{integer, number, scalar, user_ident};
 use crate::compiled::Compiled;
-use crate::model::{AxisId, JointKind, LinkId, Model, MotorId, Origin};
+use crate::model::{AxisId, FormulaId, JointKind, LinkId, Model, MotorId, Origin};
 use crate::program::Program;
 use crate::syntax::{Header, Parsed, Places};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -26,6 +26,8 @@ pub(super) struct Emitter<'a> {
     pub(super) links: Literal,
     /// The number of params.
     pub(super) params: Literal,
+    /// The type of a value for each motor.
+    pub(super) values: TokenStream,
     /// The error type of most methods.
     pub(super) blocked: TokenStream,
 }
@@ -40,6 +42,7 @@ impl<'a> Emitter<'a> {
         let program = &compiled.program;
         let scalar = scalar(program.precision);
         let motors = integer(program.motors.len());
+        let values = quote!([#scalar; #motors]);
         Self {
             krate,
             header,
@@ -50,9 +53,10 @@ impl<'a> Emitter<'a> {
             program,
             links: integer(program.links.len()),
             params: integer(program.params.len()),
-            blocked: quote!(Blocked<[#scalar; #motors]>),
+            blocked: quote!(Blocked<#values>),
             scalar,
             motors,
+            values,
         }
     }
 
@@ -118,14 +122,29 @@ impl<'a> Emitter<'a> {
     /// The place of an axis in its link, as an array: an expression in a method.
     pub(super) fn place(&self, id: AxisId) -> TokenStream {
         let axis = self.model.axis(id);
-        let [x, y] = [0, 1].map(|part| match self.program.place_state(id, part) {
-            None => self.number(axis.at[part]),
+        self.present_pair(axis.at, axis.formulas)
+    }
+
+    /// The direction of an axis in its link, in the same form.
+    pub(super) fn direction(&self, id: AxisId) -> TokenStream {
+        let axis = self.model.axis(id);
+        self.present_pair(axis.direction, axis.direction_formulas)
+    }
+
+    fn present_pair(&self, start: [f64; 2], formulas: [Option<FormulaId>; 2]) -> TokenStream {
+        let [x, y] = [0, 1].map(|part| self.present(start[part], formulas[part]));
+        quote!([#x, #y])
+    }
+
+    /// A number that may depend on params: an expression in a method.
+    pub(super) fn present(&self, start: f64, formula: Option<FormulaId>) -> TokenStream {
+        match formula.and_then(|formula| self.program.formula_state(formula)) {
+            None => self.number(start),
             Some(state) => {
                 let state = integer(state);
                 quote!(self.position.state[#state])
             }
-        });
-        quote!([#x, #y])
+        }
     }
 
     /// The place of an axis in the scene, as an array: an expression in a method.
@@ -136,9 +155,8 @@ impl<'a> Emitter<'a> {
 
     /// The pose of an axis's link, its place there and its direction: an expression in a method.
     pub(super) fn axis(&self, id: AxisId) -> TokenStream {
-        let axis = self.model.axis(id);
-        let (pose, place) = (self.pose(axis.link), self.place(id));
-        let direction = self.pair(axis.direction);
+        let (pose, place) = (self.pose(self.model.axis(id).link), self.place(id));
+        let direction = self.direction(id);
         quote!((#pose, #place, #direction))
     }
 

@@ -1,7 +1,7 @@
 //! The struct and its implementations.
 
 use super::emitter::Emitter;
-use super::known::known;
+use super::known::known_module;
 use super::parts::Parts;
 use super::step::step;
 use super::tokens::integer;
@@ -50,7 +50,7 @@ pub(crate) fn items(
     .collect();
     let costs = costs::emit(emitter);
     let (cost_tables, cost_methods) = (costs.known, costs.methods);
-    let known = known(emitter, &quote!(#cost_tables #tables));
+    let known = known_module(emitter, &quote!(#cost_tables #tables));
     let (attributes, visibility, name) = (&header.attributes, &header.visibility, &header.name);
     let this = alias(name);
     let (implementation, tracing) = (
@@ -149,7 +149,7 @@ fn alias(name: &Ident) -> Ident {
 fn implementation(emitter: &Emitter<'_>, this: &Ident, trait_items: &TokenStream) -> TokenStream {
     let Emitter {
         scalar,
-        motors,
+        values,
         blocked,
         program,
         ..
@@ -159,7 +159,7 @@ fn implementation(emitter: &Emitter<'_>, this: &Ident, trait_items: &TokenStream
     quote! {
             impl Mechanism for #this {
                 type Scalar = #scalar;
-                type Motors = [#scalar; #motors];
+                type Motors = #values;
                 const NAME: &'static str = #name;
                 const REPORT: &'static str = known::REPORT;
                 const COST: Cost = known::COST;
@@ -173,15 +173,15 @@ fn implementation(emitter: &Emitter<'_>, this: &Ident, trait_items: &TokenStream
                     Self::new()
                 }
 
-                fn motors(&self) -> [#scalar; #motors] {
+                fn motors(&self) -> #values {
                     Self::motors(self)
                 }
 
-                fn move_to(&mut self, motors: [#scalar; #motors]) -> Result<(), #blocked> {
+                fn move_to(&mut self, motors: #values) -> Result<(), #blocked> {
                     Self::move_to(self, motors)
                 }
 
-                fn move_toward(&mut self, motors: [#scalar; #motors]) -> Result<Reached<[#scalar; #motors]>, #blocked> {
+                fn move_toward(&mut self, motors: #values) -> Result<Reached<#values>, #blocked> {
                     Self::move_toward(self, motors)
                 }
 

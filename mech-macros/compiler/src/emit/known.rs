@@ -9,7 +9,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The module `known`, with the tables that every mechanism has and with `tables`.
-pub(super) fn known(emitter: &Emitter<'_>, tables: &TokenStream) -> TokenStream {
+pub(super) fn known_module(emitter: &Emitter<'_>, tables: &TokenStream) -> TokenStream {
     let (krate, report) = (emitter.krate, &emitter.compiled.report);
     let (position, start) = (position(emitter.program), start(emitter));
     let (shapes, limits) = (shapes(emitter), limits(emitter));

@@ -72,7 +72,7 @@ pub(super) fn limits(emitter: &Emitter<'_>) -> TokenStream {
     }));
     let range = option(program.range.as_ref().map(|range| {
         let ends = range.iter().map(|ends| {
-            let [low, high] = ends.map(|end| bound(emitter, end));
+            let [low, high] = ends.map(|end| range_end(emitter, end));
             quote!([#low, #high])
         });
         quote!([#(#ends),*])
@@ -124,7 +124,7 @@ fn growth(emitter: &Emitter<'_>, growth: &[Growth<f64>]) -> TokenStream {
 }
 
 /// An end of a range: infinite for a motor without a range.
-fn bound(emitter: &Emitter<'_>, end: f64) -> TokenStream {
+fn range_end(emitter: &Emitter<'_>, end: f64) -> TokenStream {
     let scalar = &emitter.scalar;
     if end == f64::INFINITY {
         quote!(#scalar::INFINITY)

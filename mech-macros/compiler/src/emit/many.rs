@@ -1,10 +1,10 @@
 //! The methods that compute many positions at once.
 
-use super::advance::{Target, advance, of_motors, standstill};
+use super::advance::{Target, advance, standstill, strip_params};
 use super::emitter::Emitter;
 use super::limits::reduced_range;
 use super::parts::Parts;
-use super::step::in_lanes;
+use super::step::runs_in_lanes;
 use super::tokens::integer;
 use crate::model::Precision;
 use proc_macro2::TokenStream;
@@ -15,7 +15,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     let Emitter {
         visibility,
         scalar,
-        motors,
+        values,
         links,
         model,
         program,
@@ -30,7 +30,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     let kernel = kernel(emitter);
     let there = quote!(there);
     let Target { before, value } = Target::new(emitter, &there);
-    let advance = of_motors(emitter, advance(emitter, &there, &value));
+    let advance = strip_params(emitter, advance(emitter, &there, &value));
     let move_all = if emitter.has_params() {
         quote! {
             let each = Iterator::zip(<[Self]>::iter_mut(instances), motors);
@@ -74,9 +74,9 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         /// The first that is blocked, or for which there is no room; those before it are in the columns.
         #visibility fn solve_many(
             &self,
-            motors: &[[#scalar; #motors]],
+            motors: &[#values],
             columns: &mut Columns<'_, #scalar, #links>,
-        ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
+        ) -> Result<(), BlockedAt<#values>> {
             generated::solve_many::<_, _, _, #lanes>(motors, columns, #reduced_range, #kernel, |motors| {
                 let mut there = self.position;
                 #before
@@ -92,8 +92,8 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         /// The first that is blocked; those before it have moved, those after it have not.
         #visibility fn move_many(
             instances: &mut [Self],
-            motors: &[[#scalar; #motors]],
-        ) -> Result<(), BlockedAt<[#scalar; #motors]>> {
+            motors: &[#values],
+        ) -> Result<(), BlockedAt<#values>> {
             #move_all
         }
     };
@@ -102,7 +102,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
 
 /// The closure that computes several positions and their smallest margins; one whose margins are negative computes one by one.
 fn kernel(emitter: &Emitter<'_>) -> TokenStream {
-    if !in_lanes(emitter.program) {
+    if !runs_in_lanes(emitter.program) {
         quote!(|_| (known::START.poses, -1.0))
     } else if emitter.program.range.is_some() {
         quote! {

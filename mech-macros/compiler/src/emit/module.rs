@@ -1,11 +1,11 @@
-//! The modules of the generated code. Nothing of the user's crate is in scope there, so that no constant, macro or trait of theirs
-//! can be met by what the functions of a program call their variables.
+//! The modules in which the functions of programs stand. Nothing of the user's crate is in scope there, so no constant, macro or trait
+//! of theirs collides with a variable.
 
 use crate::program::{Forces, Program};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// What the functions of a program call, and variants and unit structs, which a pattern would mean.
+/// The functions that a program calls, and variants and unit structs, which a pattern of their name would mean.
 const CALLED: [&str; 20] = [
     "FullRange",
     "Err",
@@ -29,7 +29,7 @@ const CALLED: [&str; 20] = [
     "turned",
 ];
 
-/// The types of what they take and give.
+/// The types of arguments and results.
 const TYPES: [&str; 15] = [
     "Acceleration",
     "Forces",
@@ -48,7 +48,7 @@ const TYPES: [&str; 15] = [
     "f64",
 ];
 
-/// What their functions and variables are called, whatever the mechanism.
+/// The names of functions and variables that do not depend on the mechanism.
 const FIXED: [&str; 15] = [
     "accelerations",
     "before",
@@ -67,12 +67,12 @@ const FIXED: [&str; 15] = [
     "step",
 ];
 
-/// What neither a function nor a variable may be called that is named after something of the user's.
+/// The names that no function or variable may have that is named after something of the user's.
 pub(super) fn taken_names() -> impl Iterator<Item = String> {
     CALLED.into_iter().chain(FIXED).map(str::to_owned)
 }
 
-/// The module in which the functions of a program stand.
+/// The name of a program's module.
 pub(super) fn name(program: &Program) -> Ident {
     let name = if program.sensitivity.is_some() {
         "sensitivity"
@@ -88,7 +88,7 @@ pub(super) fn name(program: &Program) -> Ident {
     format_ident!("{}", name)
 }
 
-/// A module with functions of a program in it, and what they use.
+/// A module with the functions of a program, and the imports that they need.
 pub(super) fn module(krate: &TokenStream, name: &Ident, functions: &TokenStream) -> TokenStream {
     let names = CALLED.into_iter().chain(TYPES);
     let names = names.map(|name| format_ident!("{}", name));

@@ -1,6 +1,6 @@
 //! The methods that read and change params.
 
-use super::advance::{advance, ending};
+use super::advance::{advance, with_end};
 use super::emitter::Emitter;
 use super::parts::Parts;
 use super::tokens::integer;
@@ -22,7 +22,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     let names = &program.params;
     let index = |param: usize| integer(program.motors.len() + param);
     let advance = advance(emitter, &quote!(self.position), &quote!(target));
-    let set = ending(emitter, quote!(#advance.map_err(generated::blocked_params)));
+    let set = with_end(emitter, quote!(#advance.map_err(generated::blocked_params)));
     let changes = (0..names.len()).map(|param| {
         let (place, param) = (index(param), integer(param));
         quote!(target.values[#place] = params[#param];)
@@ -60,7 +60,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
             " Gives param `{name}` this value and assembles everything anew by a continuous change from where it is; the motors stay \
              where they are."
         );
-        let set = ending(
+        let set = with_end(
             emitter,
             quote! {
                 #advance.map_err(|blocked| blocked.starting_at(#index).map(|reached| reached[#index]))

@@ -1,6 +1,6 @@
 //! The method that takes phases, if a motor turns.
 
-use super::advance::{advance, ending, of_motors, refusal};
+use super::advance::{advance, refusal, strip_params, with_end};
 use super::emitter::Emitter;
 use super::parts::Parts;
 use super::tokens::integer;
@@ -40,7 +40,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         return Parts::default();
     }
     let advance = advance(emitter, &quote!(self.position), &quote!(target));
-    let advance = ending(emitter, of_motors(emitter, advance));
+    let advance = with_end(emitter, strip_params(emitter, advance));
     let start = if emitter.has_params() {
         quote!(generated::inputs([#(#values),*], &self.position.motors))
     } else {

@@ -11,8 +11,7 @@ use quote::quote;
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     let Emitter {
         visibility,
-        scalar,
-        motors,
+        values,
         program,
         ..
     } = emitter;
@@ -44,7 +43,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     let methods = quote! {
         #[doc = #doc]
         #[must_use]
-        #visibility fn range(motors: [#scalar; #motors]) -> Option<InRange<Self, [#scalar; #motors]>> {
+        #visibility fn range(motors: #values) -> Option<InRange<Self, #values>> {
             let values = Motors::new(motors);
             (#is_finite && MoveLimits::contains(&known::MOVE_LIMITS, &values)).then_some(InRange::tested(motors))
         }
@@ -52,7 +51,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         /// Moves to values of the motors within their declared ranges: it was proved at compile time that nothing is in the
         /// way there, so this cannot fail.
         #[inline]
-        #visibility fn move_within(&mut self, motors: InRange<Self, [#scalar; #motors]>) {
+        #visibility fn move_within(&mut self, motors: InRange<Self, #values>) {
             let target = Motors::new(motors.motors());
             #there
             // It was proved that every loop closes there: there is nothing else.

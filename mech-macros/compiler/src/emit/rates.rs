@@ -1,6 +1,6 @@
 //! The fields and methods of velocities and accelerations.
 
-use super::advance::{Target, advance_with, of_motors, rates_at, record, refusal};
+use super::advance::{Target, advance_with, rates_at, record, refusal, strip_params};
 use super::costs::extra_cost;
 use super::emitter::Emitter;
 use super::parts::Parts;
@@ -66,7 +66,7 @@ pub(super) fn advance_at_rates(
     let record = record(emitter);
     let refusal = refusal(emitter);
     let advance = advance_with(moving, &quote!(&mut self.position), target);
-    let advance = of_motors(emitter, advance);
+    let advance = strip_params(emitter, advance);
     quote! {
         for rates in #given {
             if let Result::Err(stop) = generated::finite(rates, known::MOVE_LIMITS.inputs) {
@@ -87,6 +87,7 @@ fn methods(emitter: &Emitter<'_>, moving: &Program) -> TokenStream {
     let Emitter {
         visibility,
         scalar,
+        values,
         links,
         motors,
         blocked,
@@ -122,7 +123,7 @@ fn methods(emitter: &Emitter<'_>, moving: &Program) -> TokenStream {
         /// If a value is not finite, a loop cannot be closed on the way there, or it is at a dead point or a change point there,
         /// where rates are not determined; the mechanism then stays where it was.
         #[inline]
-        #visibility fn move_with(&mut self, motors: [#scalar; #motors] #parameters) -> Result<(), #blocked> {
+        #visibility fn move_with(&mut self, motors: #values #parameters) -> Result<(), #blocked> {
             #before
             #advance
         }

@@ -2,7 +2,7 @@
 
 use super::emitter::Emitter;
 use super::tokens::integer;
-use crate::model::{LinkId, Shape, ShapeKind};
+use crate::model::{FormulaId, LinkId, Shape, ShapeKind};
 use crate::motion::extent::extent;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -12,13 +12,31 @@ pub(super) struct Painted {
     /// The number of its link: 0 is the ground.
     pub(super) link: usize,
     pub(super) plane: i32,
+    /// At the start.
     outline: TokenStream,
+    /// Now, an expression in a method, if params change it.
+    changed: Option<TokenStream>,
     color: TokenStream,
+}
+
+impl Painted {
+    /// The statement that paints it as params have it; none if they do not change it.
+    pub(super) fn fill(&self) -> Option<TokenStream> {
+        let (outline, color) = (self.changed.as_ref()?, &self.color);
+        let pose = match self.link.checked_sub(1) {
+            None => quote!(Pose::identity()),
+            Some(index) => {
+                let index = integer(index);
+                quote!(self.position.poses[#index])
+            }
+        };
+        Some(quote!(Canvas::fill(canvas, #outline, #pose, #color);))
+    }
 }
 
 /// The outlines of the ground and of all links whose poses are known, from the plane farthest from the eye to the nearest; within a
 /// plane as declared, the ground's first.
-pub(super) fn in_order(emitter: &Emitter<'_>) -> Vec<Painted> {
+pub(super) fn painting_order(emitter: &Emitter<'_>) -> Vec<Painted> {
     let stored = emitter.program.stored.iter().copied();
     let links = std::iter::once(LinkId::GROUND).chain(stored);
     let all = links.enumerate().flat_map(|(link, id)| {
@@ -32,60 +50,81 @@ pub(super) fn in_order(emitter: &Emitter<'_>) -> Vec<Painted> {
 
 /// The outlines of a shape, from back to front.
 fn outlines(emitter: &Emitter<'_>, link: usize, shape: &Shape) -> Vec<Painted> {
-    let n = |value| emitter.number(value);
-    let point = |point| emitter.pair(point);
-    let points = |points: &[[f64; 2]]| {
-        let points = points.iter().map(|&place| point(place));
-        quote!(&[#(#points),*])
+    let at_start = |share: f64, value: f64, _| emitter.number(share * value);
+    let now = |share: f64, value: f64, formula: Option<FormulaId>| {
+        if formula.is_none() {
+            return at_start(share, value, None);
+        }
+        let (share, value) = (emitter.number(share), emitter.present(value, formula));
+        quote!(#share * #value)
     };
-    let circle = |center: [f64; 2], radius: f64| {
-        let (center, radius) = (point(center), n(radius));
-        quote!(Outline::Circle { center: #center, radius: #radius })
-    };
-    let color = Literal::u8_unsuffixed(shape.color);
-    let one = |outline: TokenStream, color: TokenStream| Painted {
+    let changed = shape.varies().then(|| colored_outlines(shape, now));
+    let mut changed = changed.into_iter().flatten();
+    let outlines = colored_outlines(shape, at_start).into_iter();
+    let painted = outlines.map(|(outline, color)| Painted {
         link,
         plane: shape.plane,
         outline,
+        changed: changed.next().map(|(outline, _)| outline),
         color,
+    });
+    painted.collect()
+}
+
+/// Outlines and their colours. `scaled` gives so many times a number of the shape, of which it also takes the formula.
+fn colored_outlines(
+    shape: &Shape,
+    scaled: impl Fn(f64, f64, Option<FormulaId>) -> TokenStream,
+) -> Vec<(TokenStream, TokenStream)> {
+    let (values, count) = (shape.kind.numbers(), shape.kind.reach().0.len());
+    let n = |index: usize, share: f64| scaled(share, values[index], shape.formulas[index]);
+    let point = |index: usize| {
+        let [x, y] = [0, 1].map(|part| n(2 * index + part, 1.0));
+        quote!([#x, #y])
     };
-    let outline = match &shape.kind {
-        ShapeKind::Circle { center, radius } => circle(*center, *radius),
-        ShapeKind::Ring {
-            center,
-            radius,
-            hole,
-        } => {
-            let (center, radius, hole) = (point(*center), n(*radius), n(*hole));
+    let points = || {
+        let points = (0..count).map(point);
+        quote!(&[#(#points),*])
+    };
+    let length = |index: usize, share: f64| n(2 * count + index, share);
+    let circle = |center: usize, share: f64| {
+        let (center, radius) = (point(center), length(0, share));
+        quote!(Outline::Circle { center: #center, radius: #radius })
+    };
+    let color = Literal::u8_unsuffixed(shape.color);
+    let outline = match shape.kind {
+        ShapeKind::Circle { .. } => circle(0, 1.0),
+        ShapeKind::Ring { .. } => {
+            let (center, radius, hole) = (point(0), length(0, 1.0), length(1, 1.0));
             quote!(Outline::Ring { center: #center, radius: #radius, hole: #hole })
         }
-        ShapeKind::Polygon(corners) => {
-            let corners = points(corners);
+        ShapeKind::Polygon(_) => {
+            let corners = points();
             quote!(Outline::Polygon(#corners))
         }
-        ShapeKind::Bar { pins, width } => {
+        ShapeKind::Bar { .. } => {
             let line = |share: f64| {
-                let (points, width) = (points(pins), n(share * width));
+                let (points, width) = (points(), length(0, share));
                 quote!(Outline::Line { points: #points, width: #width })
             };
             // As `mech_runtime::raster::bar` draws it.
-            let mut parts = vec![
-                one(line(1.0), quote!(Palette::darker(#color))),
-                one(line(0.76), quote!(#color)),
+            let mut all = vec![
+                (line(1.0), quote!(Palette::darker(#color))),
+                (line(0.76), quote!(#color)),
             ];
-            for &pin in pins {
-                parts.push(one(circle(pin, 0.28 * width), quote!(Palette::INK)));
-                parts.push(one(circle(pin, 0.14 * width), quote!(Palette::EYE)));
+            for pin in 0..count {
+                all.push((circle(pin, 0.28), quote!(Palette::INK)));
+                all.push((circle(pin, 0.14), quote!(Palette::EYE)));
             }
-            return parts;
+            return all;
         }
     };
-    vec![one(outline, quote!(#color))]
+    vec![(outline, quote!(#color))]
 }
 
 /// The constants `SHAPES` and `EXTENT`, the box around all of them wherever they move.
 pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
-    let entries = in_order(emitter).into_iter().map(|painted| {
+    let entries = painting_order(emitter).into_iter().map(|painted| {
         let Painted {
             link,
             outline,

@@ -51,7 +51,7 @@ pub(crate) fn stub(krate: &TokenStream, header: &Header, parsed: &Parsed) -> Tok
         parsed,
     };
     let methods = stub.items(Item::method);
-    let methods = distinct(quote!(impl #name { #methods }));
+    let methods = without_duplicates(quote!(impl #name { #methods }));
     let trait_items = stub.items(Item::trait_item);
     quote! {
         #(#attributes)*
@@ -77,8 +77,8 @@ pub(crate) fn stub(krate: &TokenStream, header: &Header, parsed: &Parsed) -> Tok
     }
 }
 
-/// The methods of an implementation, each once: what has the name of something else is reported elsewhere.
-fn distinct(methods: TokenStream) -> TokenStream {
+/// The items of an implementation, the first of each name. Parts of the same name are reported elsewhere.
+fn without_duplicates(methods: TokenStream) -> TokenStream {
     let Ok(mut methods) = syn::parse2::<ItemImpl>(methods.clone()) else {
         return methods;
     };
@@ -246,7 +246,7 @@ impl Stub<'_> {
     }
 }
 
-/// Whether a word of the table has the name of its subject in it.
+/// Whether a word of the table contains the name of its part.
 fn is_pattern(word: &str) -> bool {
     word == "name" || word == "set_name" || word.starts_with("name_")
 }

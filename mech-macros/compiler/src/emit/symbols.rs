@@ -11,6 +11,7 @@ use quote::{format_ident, quote};
 /// A symbol.
 pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
     let (n, pair) = (|value| emitter.number(value), |pair| emitter.pair(pair));
+    let direction = |line| emitter.direction(line);
     let spot = |spot| self::spot(emitter, spot);
     let at_spot = |name: &str, at| {
         let (name, spot) = (format_ident!("{name}"), spot(at));
@@ -39,11 +40,11 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
             along,
         } => {
             let (pinion, radius) = (spot(pinion), n(radius));
-            let (bar, along) = (spot(bar), pair(along));
+            let (bar, along) = (spot(bar), direction(along));
             quote!(Rack { pinion: #pinion, radius: #radius, bar: #bar, along: #along })
         }
         Symbol::Line { at, along } => {
-            let (at, along) = (spot(at), pair(along));
+            let (at, along) = (spot(at), direction(along));
             quote!(Line { at: #at, along: #along })
         }
         Symbol::Slide {
@@ -51,7 +52,7 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
             along,
             block,
         } => {
-            let (guide, along, block) = (spot(guide), pair(along), spot(block));
+            let (guide, along, block) = (spot(guide), direction(along), spot(block));
             quote!(Slide { guide: #guide, along: #along, block: #block })
         }
         Symbol::Pushed {
@@ -59,7 +60,8 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
             guide,
             along,
         } => {
-            let (block, guide, along) = (spot(block), link_number(emitter, guide), pair(along));
+            let (block, guide, along) =
+                (spot(block), link_number(emitter, guide), direction(along));
             quote!(Pushed { block: #block, guide: #guide, along: #along })
         }
         Symbol::Mark(at) => at_spot("Mark", at),

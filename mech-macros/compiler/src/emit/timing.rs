@@ -1,6 +1,6 @@
 //! The method that moves motors by their laws.
 
-use super::advance::{advance, ending, of_motors, refusal};
+use super::advance::{advance, refusal, strip_params, with_end};
 use super::emitter::Emitter;
 use super::parts::Parts;
 use super::rates::advance_at_rates;
@@ -55,7 +55,7 @@ fn at_time(emitter: &Emitter<'_>) -> TokenStream {
         Some(moving) => advance_at_rates(emitter, moving, &motors),
         None => {
             let advance = advance(emitter, &quote!(self.position), &motors);
-            ending(emitter, of_motors(emitter, advance))
+            with_end(emitter, strip_params(emitter, advance))
         }
     };
     let refusal = refusal(emitter);

@@ -11,7 +11,7 @@ use mech_core::contraction::{before_first, contracts};
 use mech_core::dense::solve;
 use mech_core::motors::turned;
 
-/// What a program besides that of positions is given, apart from the motors' values.
+/// The inputs of a program of rates or forces, besides the motors' values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Given<'g, T> {
     pub(super) rates: &'g [T],
@@ -133,7 +133,7 @@ impl<'p> Runner<'p> {
         }
     }
 
-    /// Which loop a block closes.
+    /// The number of the loop that a block closes.
     fn number(&self, block: BlockId) -> usize {
         let Some(number) = self.program.loop_of(block) else {
             bug!("block {} closes no loop", block.index());
@@ -158,8 +158,8 @@ impl<'p> Runner<'p> {
         };
         let inputs = motors.iter().zip(turns).enumerate().map(reduced);
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
-        let mut values = vec![T::from_f64(0.0); self.program.nodes.len()];
-        let mut solved = vec![false; self.program.blocks.len()];
+        let mut values = vec![T::from_f64(0.0); self.program.ssa.nodes.len()];
+        let mut solved = vec![false; self.program.ssa.blocks.len()];
         let closes = |(block, closed): (BlockId, &ClosedForm), values: &[T]| {
             if values[closed.margin.index()] >= T::from_f64(0.0) {
                 Ok(())
@@ -174,7 +174,7 @@ impl<'p> Runner<'p> {
             }
             if let Op::Solved(block, _) = node.op
                 && !std::mem::replace(&mut solved[block.index()], true)
-                && let BlockKind::Newton(newton) = &self.program.blocks[block.index()].kind
+                && let BlockKind::Newton(newton) = &self.program.ssa.blocks[block.index()].kind
             {
                 for before in self.program.margins().take_while(|(id, _)| *id < block) {
                     closes(before, &values)?;

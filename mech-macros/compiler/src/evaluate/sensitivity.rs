@@ -5,7 +5,7 @@ use super::run::{Given, Runner};
 use crate::program::{Position, Program};
 use mech_core::Real;
 
-/// How everything follows one param: the rates if it alone changes, at a rate of one.
+/// The rates of everything if one param alone changes, at a rate of one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Followed<T> {
     /// For each moving link its angular velocity, and the rates of x and y.

@@ -9,7 +9,7 @@ impl Timing {
     #[must_use]
     pub fn at(&self, time: f64, params: &[f64]) -> Vec<[f64; 3]> {
         let program = &self.program;
-        let mut values = vec![0.0; program.nodes.len()];
+        let mut values = vec![0.0; program.ssa.nodes.len()];
         for (param, value) in self.used_params() {
             values[value.index()] = params[param.index()];
         }

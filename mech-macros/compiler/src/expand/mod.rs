@@ -14,7 +14,7 @@ use quote::quote;
 #[must_use]
 pub fn expand(input: TokenStream) -> TokenStream {
     let (krate, body) = split_crate_path(input);
-    guard::guarded(
+    guard::guard(
         &body,
         || analyse_and_emit(&krate, body.clone()),
         || stub(&krate, body.clone()),

@@ -3,7 +3,7 @@
 use super::{Edge, EdgeKind, Graph, Vertex, VertexKind};
 use std::fmt::Write;
 
-/// The text.
+/// The graph in the language DOT.
 pub(super) fn dot(graph: &Graph) -> String {
     let mut text = String::new();
     // Writing into a string does not fail.
@@ -17,10 +17,10 @@ fn write(text: &mut String, graph: &Graph) -> std::fmt::Result {
     } else {
         ("graph", "--")
     };
-    writeln!(text, "{kind} {} {{", quoted(&[&graph.name]))?;
+    writeln!(text, "{kind} {} {{", quote(&[&graph.name]))?;
     writeln!(text, "  node [shape=box, style=rounded];")?;
     for (index, vertex) in graph.vertices.iter().enumerate() {
-        let label = quoted(&[&vertex.name, &vertex.detail]);
+        let label = quote(&[&vertex.name, &vertex.detail]);
         writeln!(text, "  n{index} [label={label}{}];", vertex_style(vertex))?;
     }
     for edge in &graph.edges {
@@ -32,7 +32,7 @@ fn write(text: &mut String, graph: &Graph) -> std::fmt::Result {
     writeln!(text, "}}")
 }
 
-/// The loops of one level stand in one row. Links may stand wherever there is room.
+/// Writes the loops of each level into one row. Links may stand wherever there is room.
 fn write_levels(text: &mut String, graph: &Graph) -> std::fmt::Result {
     let is_loop = |vertex: &&Vertex| vertex.kind == VertexKind::Loop;
     let levels = graph
@@ -70,17 +70,18 @@ fn edge_style(edge: &Edge) -> &'static str {
 
 fn edge_label(edge: &Edge) -> String {
     let motor = if edge.motor { "motor" } else { "" };
-    quoted(&[&edge.name, &edge.detail, motor])
+    quote(&[&edge.name, &edge.detail, motor])
 }
 
-/// A quoted string of several lines; empty ones are left out.
-fn quoted(lines: &[&str]) -> String {
+/// Lines as a quoted string, without empty ones.
+fn quote(lines: &[&str]) -> String {
     let lines = lines.iter().filter(|line| !line.is_empty());
-    let lines: Vec<String> = lines.map(|line| escaped(line)).collect();
+    let lines: Vec<String> = lines.map(|line| escape(line)).collect();
     format!("\"{}\"", lines.join("\\n"))
 }
 
-fn escaped(line: &str) -> String {
+/// A line with its quotes and control characters replaced.
+fn escape(line: &str) -> String {
     let mut escaped = String::with_capacity(line.len());
     for character in line.chars() {
         match character {

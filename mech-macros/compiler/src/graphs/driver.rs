@@ -1,54 +1,46 @@
-//! Which motors lead to which loops, other than by way of loops.
+//! The motors that determine loops, other than through other loops.
 
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
 use crate::plan::{Loop, Plan};
 
-/// A motor that leads to a loop.
+/// A motor that determines a loop.
 pub(super) struct Driver {
     pub(super) motor: MotorId,
-    /// The loop, by its number.
+    /// The index of the loop.
     pub(super) ring: usize,
-    /// The joint that passes the motion on to the loop, if the motor's own is not in it.
+    /// The gear, belt, rack or weld that passes the motion on to the loop; none if the motor's joint is in it.
     pub(super) by: Option<JointId>,
 }
 
-/// All of them, loop by loop.
+/// The motors of all loops, loop by loop.
 pub(super) fn drivers(model: &Model, plan: &Plan) -> Vec<Driver> {
     let rings: Vec<&Loop> = plan.loops().collect();
     let mut drivers: Vec<Driver> = Vec::new();
-    // Of each loop, the motors that lead to it in any way.
+    // For each loop, the motors that determine it, directly or through other loops.
     let mut known: Vec<Vec<MotorId>> = Vec::new();
     for (number, ring) in rings.iter().enumerate() {
         let before = ring.needs.iter().map(|&need| &known[need]);
         let mut all: Vec<MotorId> = before.flatten().copied().collect();
-        for motor in model
-            .motor_ids()
-            .filter(|motor| !all.contains(motor))
-            .collect::<Vec<_>>()
-        {
-            let by = if ring.members.contains(&model.motor(motor).joint) {
-                None
-            } else if !ring.needs.is_empty() {
-                continue;
-            } else if let Some(joint) = by_way_of(model, motor, ring) {
-                Some(joint)
-            } else {
-                continue;
-            };
-            all.push(motor);
-            drivers.push(Driver {
-                motor,
-                ring: number,
-                by,
-            });
+        for motor in model.motor_ids() {
+            let is_member = ring.members.contains(&model.motor(motor).joint);
+            let by = connecting_joint(model, motor, ring).filter(|_| !is_member);
+            let drives = is_member || (ring.needs.is_empty() && by.is_some());
+            if drives && !all.contains(&motor) {
+                all.push(motor);
+                drivers.push(Driver {
+                    motor,
+                    ring: number,
+                    by,
+                });
+            }
         }
         known.push(all);
     }
     drivers
 }
 
-/// The joint without a coordinate that passes the motion of a motor on to a link of this loop.
-fn by_way_of(model: &Model, motor: MotorId, ring: &Loop) -> Option<JointId> {
+/// The joint without a coordinate that passes the motion of a motor on to a link of a loop.
+fn connecting_joint(model: &Model, motor: MotorId, ring: &Loop) -> Option<JointId> {
     let in_ring = |link: LinkId| {
         let mut ends = ring.members.iter().map(|&member| model.ends(member));
         ends.any(|(a, b)| a == link || b == link)
@@ -76,7 +68,7 @@ fn by_way_of(model: &Model, motor: MotorId, ring: &Loop) -> Option<JointId> {
     None
 }
 
-/// Gears and the like: they tie links to each other and have no coordinate of their own.
+/// Whether a joint passes motion on and has no coordinate of its own, as gears do.
 fn passes_on(model: &Model, joint: JointId) -> bool {
     !matches!(
         model.joint(joint).kind,

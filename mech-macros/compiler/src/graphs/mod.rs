@@ -1,4 +1,4 @@
-//! The graphs of the paper, as data and as text for Graphviz: that of links and joints, and those of the loops.
+//! Graphs of a mechanism, as data and as text for Graphviz: one of links and joints, and two of loops.
 
 mod dot;
 mod driver;
@@ -9,12 +9,12 @@ use crate::model::{JointId, JointKind, LinkId, Model};
 use crate::plan::{Loop, Plan};
 use crate::structure::Structure;
 
-/// A graph with names, for whoever draws it.
+/// A graph with names, for a page or a tool to draw.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Graph {
-    /// What it is the graph of.
+    /// The name of the mechanism, and what the graph shows of it.
     pub name: String,
-    /// Whether its edges are arrows.
+    /// Whether its edges have a direction.
     pub directed: bool,
     /// The vertices.
     pub vertices: Vec<Vertex>,
@@ -29,10 +29,9 @@ pub struct Vertex {
     pub kind: VertexKind,
     /// Its name.
     pub name: String,
-    /// What more is to be said: of a loop its unknowns. Else empty.
+    /// The unknowns of a loop; empty for other vertices.
     pub detail: String,
-    /// The row in which it is best drawn: of a link the number of joints that lead to it from the ground, of a loop its
-    /// level, of a motor zero.
+    /// The row in which it is best drawn: for a link its distance from the ground in joints, for a loop its level, for a motor 0.
     pub level: usize,
 }
 
@@ -52,15 +51,15 @@ pub enum VertexKind {
 /// An edge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edge {
-    /// The vertex at which it begins, by its number.
+    /// The index of the vertex at which it begins.
     pub from: usize,
-    /// The vertex at which it ends.
+    /// The index of the vertex at which it ends.
     pub to: usize,
     /// What it stands for.
     pub kind: EdgeKind,
-    /// Its name: a joint, or several.
+    /// The names of its joints.
     pub name: String,
-    /// Of a joint its kind, as it is declared. Else empty.
+    /// The kind of its joint, as it is declared; empty between loops.
     pub detail: String,
     /// Whether it is a joint with a motor.
     pub motor: bool,
@@ -71,15 +70,15 @@ pub struct Edge {
 pub enum EdgeKind {
     /// A joint that belongs to a loop.
     Trunk,
-    /// A joint that belongs to none.
+    /// A joint that belongs to no loop.
     Arm,
-    /// What comes first leads to what comes second.
+    /// The first vertex determines the second.
     Leads,
-    /// The two have joints in common.
+    /// Both loops have joints in common.
     Shares,
 }
 
-/// The kinematic graph G(N, P): links and the joints between them.
+/// The kinematic graph: links, and the joints between them.
 #[must_use]
 pub fn kinematic(model: &Model, structure: &Structure) -> Graph {
     let distances = distances(model);
@@ -116,8 +115,8 @@ pub fn kinematic(model: &Model, structure: &Structure) -> Graph {
     }
 }
 
-/// The dependency graph of the loops: each loop, with its unknown joints, and what leads to it. That is other loops,
-/// whose results it needs, and motors; if a motor acts by way of gears, the arrow has the name of the last of them.
+/// The dependency graph of the loops: each loop with its unknowns, after the loops and motors that determine it. The arrow from a motor
+/// that acts through gears has the name of the last of them.
 #[must_use]
 pub fn loops(model: &Model, plan: &Plan) -> Graph {
     let motors = model.motor_ids().map(|id| {
@@ -152,13 +151,13 @@ pub fn loops(model: &Model, plan: &Plan) -> Graph {
         vertices: motors.chain(loop_vertices(model, plan)).collect(),
         edges,
     };
-    graph.forget_idle_motors();
+    graph.remove_idle_motors();
     graph
 }
 
-/// The graph of the loops as the paper draws it first: an edge wherever two loops have joints in common.
+/// The graph of loops that have joints in common, as the paper introduces them.
 #[must_use]
-pub fn shared(model: &Model, plan: &Plan) -> Graph {
+pub fn common_joints(model: &Model, plan: &Plan) -> Graph {
     let rings: Vec<&Loop> = plan.loops().collect();
     let mut edges = Vec::new();
     for (to, ring) in rings.iter().enumerate() {
@@ -192,8 +191,8 @@ impl Graph {
         dot::dot(self)
     }
 
-    /// Leaves out the motors that lead to nothing here: those of arms.
-    fn forget_idle_motors(&mut self) {
+    /// Removes the motors that determine no loop.
+    fn remove_idle_motors(&mut self) {
         for index in (0..self.vertices.len()).rev() {
             let idle = |edge: &Edge| edge.from != index && edge.to != index;
             if self.vertices[index].kind == VertexKind::Motor && self.edges.iter().all(idle) {
@@ -224,7 +223,7 @@ fn names(model: &Model, joints: impl IntoIterator<Item = JointId>) -> String {
     names.join(" ")
 }
 
-/// How a joint of this kind is declared.
+/// The word by which a joint of this kind is declared.
 fn word(kind: JointKind) -> &'static str {
     match kind {
         JointKind::Revolute(..) => "revolute",
@@ -237,8 +236,7 @@ fn word(kind: JointKind) -> &'static str {
     }
 }
 
-/// For each link the number of joints that lead to it from the ground; for one that none lead to, as many as there are
-/// links.
+/// The distance of each link from the ground in joints: the number of links, if no joints lead to it.
 fn distances(model: &Model) -> Vec<usize> {
     let far = model.links.len();
     let mut distances = vec![far; far];

@@ -1,6 +1,6 @@
 //! The graphs of small mechanisms, letter by letter.
 
-use super::{EdgeKind, Graph, VertexKind, kinematic, loops, shared};
+use super::{EdgeKind, Graph, VertexKind, common_joints, kinematic, loops};
 use crate::model::Model;
 use crate::syntax::parse;
 use crate::{Compiled, compile};
@@ -87,7 +87,7 @@ fn loops_of_figure_1() {
 }
 "#;
     assert_eq!(loops(&model, &compiled.plan).to_dot(), expected);
-    assert!(shared(&model, &compiled.plan).edges.is_empty());
+    assert!(common_joints(&model, &compiled.plan).edges.is_empty());
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn loops_in_a_row() {
     assert_eq!(levels, [0, 1, 2]);
     assert_eq!(edge_names(&graph), [(0, 1, ""), (1, 2, "")]);
 
-    let graph = shared(&model, &compiled.plan);
+    let graph = common_joints(&model, &compiled.plan);
     assert_eq!(edge_names(&graph), [(0, 1, "d")]);
 }
 

@@ -18,7 +18,7 @@ pub struct Actions {
 /// What a spring or a damper lies between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Between {
-    /// Two points of different links: it pulls and pushes along the way between them.
+    /// Two points of different links: it pulls and pushes along the line between them.
     Points(AxisId, AxisId),
     /// The two links of a revolute joint: it turns them against each other.
     Joint(JointId),

@@ -12,6 +12,7 @@ pub(crate) struct Drawn {
     pub(crate) at: [f64; 2],
     pub(crate) formulas: [Option<FormulaId>; 2],
     pub(crate) direction: [f64; 2],
+    pub(crate) direction_formulas: [Option<FormulaId>; 2],
 }
 
 impl Drawn {
@@ -22,6 +23,7 @@ impl Drawn {
             at,
             formulas: [None; 2],
             direction: FORWARD,
+            direction_formulas: [None; 2],
         }
     }
 
@@ -43,11 +45,14 @@ impl Model {
             at,
             formulas,
             direction,
+            direction_formulas,
         } = drawn;
         let same = |axis: &Axis| {
             let unnamed = axis.name.is_none() && axis.link == link;
             let there = axis.at == at && axis.formulas == formulas;
-            unnamed && axis.kind == kind && there && axis.direction == direction
+            let along =
+                axis.direction == direction && axis.direction_formulas == direction_formulas;
+            unnamed && axis.kind == kind && there && along
         };
         if let Some(index) = self.axes.iter().position(same) {
             return AxisId::new(index);
@@ -61,6 +66,7 @@ impl Model {
             at,
             formulas,
             direction,
+            direction_formulas,
         });
         id
     }

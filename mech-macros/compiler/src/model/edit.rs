@@ -2,7 +2,7 @@
 
 use super::{
     Actions, Axis, AxisId, AxisKind, Between, Joint, JointId, JointKind, Link, LinkId, LoadKind,
-    Model, Motor, MotorId, NewJoint, Origin, Ratio, Shown, Start, StartValue,
+    Model, Motor, MotorId, NewJoint, NewKind, Origin, Ratio, Shown, Start, StartValue,
 };
 use crate::bug::bug;
 
@@ -70,24 +70,31 @@ impl Edit {
         }
     }
 
-    /// Makes a revolute joint a pin in a slot: the line is fixed to the second link, through its point, in this direction.
-    pub fn make_slot(&mut self, id: JointId, along: [f64; 2]) {
-        let JointKind::Revolute(point, other) = self.model.joint(id).kind else {
-            return;
-        };
-        let Joint { name, origin, .. } = self.model.joint(id).clone();
-        let line = AxisId::new(self.model.axes.len());
-        self.model.axes.push(Axis {
-            name: None,
-            origin,
-            kind: AxisKind::Line,
-            direction: along,
-            ..self.model.axis(other).clone()
-        });
-        self.keeps_joint[id.index()] = false;
-        self.model.add_slot(&name, origin, point, line);
-        self.keeps_link.push(true);
-        self.keeps_joint.extend([true, true]);
+    /// Makes a joint one of another kind, if it can be: a weld revolute, or a revolute joint a slot. Its line is then fixed to the second
+    /// link, through its point.
+    pub fn replace(&mut self, id: JointId, by: NewKind) {
+        match (by, self.model.joint(id).kind) {
+            (NewKind::Revolute, JointKind::Weld(a, b)) => {
+                self.model.joints[id.index()].kind = JointKind::Revolute(a, b);
+            }
+            (NewKind::Slot(along), JointKind::Revolute(point, other)) => {
+                let Joint { name, origin, .. } = self.model.joint(id).clone();
+                let line = AxisId::new(self.model.axes.len());
+                self.model.axes.push(Axis {
+                    name: None,
+                    origin,
+                    kind: AxisKind::Line,
+                    direction: along,
+                    direction_formulas: [None; 2],
+                    ..self.model.axis(other).clone()
+                });
+                self.keeps_joint[id.index()] = false;
+                self.model.add_slot(&name, origin, point, line);
+                self.keeps_link.push(true);
+                self.keeps_joint.extend([true, true]);
+            }
+            _ => {}
+        }
     }
 
     /// Adds a link. Joints may be declared on it by the id that is returned.
@@ -103,13 +110,6 @@ impl Edit {
         joint.declare(&mut self.model);
         self.keeps_link.resize(self.model.links.len(), true);
         self.keeps_joint.resize(self.model.joints.len(), true);
-    }
-
-    /// Lets two welded links turn on each other.
-    pub fn unweld(&mut self, id: JointId) {
-        if let JointKind::Weld(a, b) = self.model.joint(id).kind {
-            self.model.joints[id.index()].kind = JointKind::Revolute(a, b);
-        }
     }
 
     /// Names the link that carries what rolls, or leaves it unnamed.
@@ -275,49 +275,9 @@ impl Edit {
 }
 
 impl Model {
-    /// This mechanism without a joint.
+    /// This mechanism with a change.
     #[must_use]
-    pub fn without_joint(&self, id: JointId) -> Self {
-        self.edited(|edit| edit.remove_joint(id))
-    }
-
-    /// This mechanism without a link and all that is fixed to it or joins it.
-    #[must_use]
-    pub fn without_link(&self, id: LinkId) -> Self {
-        self.edited(|edit| edit.remove_link(id))
-    }
-
-    /// This mechanism without a motor.
-    #[must_use]
-    pub fn without_motor(&self, id: MotorId) -> Self {
-        self.edited(|edit| edit.remove_motor(id))
-    }
-
-    /// This mechanism with one more motor.
-    #[must_use]
-    pub fn with_motor(&self, joint: JointId) -> Self {
-        self.edited(|edit| edit.add_motor(joint))
-    }
-
-    /// This mechanism with a motor on another joint.
-    #[must_use]
-    pub fn with_motor_moved(&self, id: MotorId, joint: JointId) -> Self {
-        self.edited(|edit| edit.move_motor(id, joint))
-    }
-
-    /// This mechanism with a slot in place of a revolute joint.
-    #[must_use]
-    pub fn with_slot_for(&self, id: JointId, along: [f64; 2]) -> Self {
-        self.edited(|edit| edit.make_slot(id, along))
-    }
-
-    /// This mechanism with a revolute joint in place of a weld.
-    #[must_use]
-    pub fn without_weld(&self, id: JointId) -> Self {
-        self.edited(|edit| edit.unweld(id))
-    }
-
-    fn edited(&self, change: impl FnOnce(&mut Edit)) -> Self {
+    pub fn with_edit(&self, change: impl FnOnce(&mut Edit)) -> Self {
         let mut edit = Edit::new(self);
         change(&mut edit);
         edit.finish()
@@ -350,7 +310,7 @@ fn renumber(
     axis: impl Fn(AxisId) -> Option<AxisId>,
     joint: impl Fn(JointId) -> Option<JointId>,
 ) {
-    // What is left has all its parts; only a named carrier may be gone.
+    // What is left has all its parts; only a named carrier may have been removed.
     if let Some(on) = carrier_of(kind) {
         *on = on.and_then(&link);
     }
@@ -411,12 +371,12 @@ fn renumber_actions(
     });
 }
 
-/// The new id of what something that is kept needs, and which is therefore kept itself.
+/// The new id of something that cannot have been removed, because something that stays needs it.
 fn new_id<I: Copy + std::fmt::Debug>(id: I, new: impl Fn(I) -> Option<I>) -> I {
     new(id).unwrap_or_else(|| bug!("an edit keeps what needs {id:?}, which it takes away"))
 }
 
-/// For everything that is kept its new number.
+/// The new number of everything that stays.
 fn numbers(kept: &[bool]) -> Vec<Option<usize>> {
     let mut next = 0;
     let number = |kept: &bool| {

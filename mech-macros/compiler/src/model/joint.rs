@@ -21,7 +21,7 @@ pub struct Joint {
 pub enum JointKind {
     /// Two point axes coincide; the coordinate is the angle from the first's direction to the second's, in radians.
     Revolute(AxisId, AxisId),
-    /// Two line axes coincide; the coordinate is the way from the first's origin to the second's, along the line.
+    /// Two line axes coincide; the coordinate is the displacement from the first's origin to the second's, along the line.
     Prismatic(AxisId, AxisId),
     /// Two point axes coincide, in place and in direction: the links are one.
     Weld(AxisId, AxisId),
@@ -53,7 +53,7 @@ pub enum JointKind {
         pinion: LinkId,
         /// The bar.
         bar: LinkId,
-        /// The pinion's pitch radius, in scene units: the way of the bar along its line for one radian of the pinion, both
+        /// The pinion's pitch radius, in scene units: the displacement of the bar along its line for one radian of the pinion, both
         /// seen from their carrier. Negative if the bar is on the other side.
         radius: f64,
         /// The link that carries them, if it was said.

@@ -56,12 +56,12 @@ impl Law {
     }
 }
 
-/// How a number goes on when the variable has gone on by a whole turn.
+/// How a number changes when the variable grows by a whole turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Winding {
     /// It never changes.
     Fixed(f64),
-    /// It has gone on by so many whole turns.
+    /// It grows by so many whole turns.
     By(f64),
     /// Otherwise.
     Else,
@@ -77,7 +77,7 @@ impl Winding {
     }
 
     /// What comes of two, if they go on by these.
-    fn joined(self, other: Self, turns: impl FnOnce(f64, f64) -> Option<f64>) -> Self {
+    fn join(self, other: Self, turns: impl FnOnce(f64, f64) -> Option<f64>) -> Self {
         let both = self.by().zip(other.by());
         both.and_then(|(a, b)| turns(a, b))
             .map_or(Self::Else, Self::By)
@@ -86,7 +86,7 @@ impl Winding {
 
 impl Law {
     /// By how many whole turns its value goes on when the variable does by one: zero, if it is periodic. Nothing, if that depends
-    /// on where it is, or nobody can tell.
+    /// on where it is, or is unknown.
     #[must_use]
     pub fn winding(&self) -> Option<f64> {
         self.evaluate(&mut Windings).by()
@@ -99,13 +99,13 @@ impl Law {
     }
 }
 
-/// What tells how numbers go on.
+/// The arithmetic of how numbers change over a whole turn.
 struct Windings;
 
 impl Windings {
     /// What comes of two that both have to stay what they are.
     fn still(a: Winding, b: Winding) -> Winding {
-        a.joined(b, |a, b| (a == 0.0 && b == 0.0).then_some(0.0))
+        a.join(b, |a, b| (a == 0.0 && b == 0.0).then_some(0.0))
     }
 }
 
@@ -117,15 +117,15 @@ impl Arithmetic for Windings {
     }
 
     fn neg(&mut self, a: Winding) -> Winding {
-        a.joined(Winding::By(0.0), |a, _| Some(-a))
+        a.join(Winding::By(0.0), |a, _| Some(-a))
     }
 
     fn add(&mut self, a: Winding, b: Winding) -> Winding {
-        a.joined(b, |a, b| Some(a + b))
+        a.join(b, |a, b| Some(a + b))
     }
 
     fn sub(&mut self, a: Winding, b: Winding) -> Winding {
-        a.joined(b, |a, b| Some(a - b))
+        a.join(b, |a, b| Some(a - b))
     }
 
     fn mul(&mut self, a: Winding, b: Winding) -> Winding {
@@ -156,13 +156,13 @@ impl FormulaArithmetic for Windings {
 
     fn of(&mut self, function: Function, a: Winding) -> Winding {
         let periodic = |turns: f64| turns == 0.0 || function.is_periodic() && turns.fract() == 0.0;
-        a.joined(Winding::By(0.0), |a, _| periodic(a).then_some(0.0))
+        a.join(Winding::By(0.0), |a, _| periodic(a).then_some(0.0))
     }
 
     fn of_both(&mut self, function: BinaryFunction, a: Winding, b: Winding) -> Winding {
         match (function, a, b) {
             (BinaryFunction::Min | BinaryFunction::Max, a, b) => {
-                a.joined(b, |a, b| (a == b).then_some(a))
+                a.join(b, |a, b| (a == b).then_some(a))
             }
             // What goes on by whole times what it is measured by is where it was.
             (BinaryFunction::Mod, Winding::By(turns), Winding::Fixed(by))

@@ -51,8 +51,10 @@ pub struct Axis {
     pub at: [f64; 2],
     /// How each coordinate of its origin is computed that depends on params.
     pub formulas: [Option<FormulaId>; 2],
-    /// Its direction, of length one, in the frame of the link.
+    /// Its direction, of length one, in the frame of the link: at the start, if it depends on params.
     pub direction: [f64; 2],
+    /// How both parts of its direction are computed, if that depends on params: a line's may.
+    pub direction_formulas: [Option<FormulaId>; 2],
 }
 
 impl Axis {
@@ -85,6 +87,16 @@ pub struct Shape {
     pub plane: i32,
     /// Its entry in the palette.
     pub color: u8,
+    /// How each of its [`numbers`](ShapeKind::numbers) is computed that depends on params.
+    pub formulas: Vec<Option<FormulaId>>,
+}
+
+impl Shape {
+    /// Whether it depends on a param.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        self.formulas.iter().any(Option::is_some)
+    }
 }
 
 /// The outline of a shape.
@@ -138,5 +150,18 @@ impl ShapeKind {
             Self::Bar { pins, width } => (pins, width / 2.0),
             Self::Polygon(corners) => (corners, 0.0),
         }
+    }
+
+    /// All numbers that it is made of: both coordinates of each point, then its lengths.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        let (points, _) = self.reach();
+        let lengths = match *self {
+            Self::Circle { radius, .. } => vec![radius],
+            Self::Ring { radius, hole, .. } => vec![radius, hole],
+            Self::Bar { width, .. } => vec![width],
+            Self::Polygon(_) => Vec::new(),
+        };
+        points.iter().flatten().copied().chain(lengths).collect()
     }
 }

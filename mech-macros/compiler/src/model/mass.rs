@@ -154,7 +154,7 @@ mod tests {
     use super::{Mass, ShapeKind};
 
     /// The mass of what lies inside, by many small squares.
-    fn sampled(inside: impl Fn(f64, f64) -> bool) -> Mass {
+    fn sample(inside: impl Fn(f64, f64) -> bool) -> Mass {
         const SIDE: f64 = 0.004;
         let [mut mass, mut x, mut y, mut square] = [0.0; 4];
         for row in -750..750 {
@@ -205,7 +205,7 @@ mod tests {
                 pins: pins.clone(),
                 width,
             }),
-            sampled(inside),
+            sample(inside),
         );
     }
 
@@ -219,6 +219,6 @@ mod tests {
             radius,
             hole,
         };
-        assert_near(Mass::of_area(&ring), sampled(inside));
+        assert_near(Mass::of_area(&ring), sample(inside));
     }
 }

@@ -101,7 +101,7 @@ pub enum Target {
 /// How a mechanism passes its change points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum AtChangePoints {
-    /// It goes on the way it came: velocities are continuous.
+    /// It goes on as it came: velocities are continuous.
     #[default]
     GoOn,
     /// It keeps its branch: the sense in which each dyad is folded.
@@ -155,7 +155,7 @@ pub struct Model {
     pub effects: Effects,
     /// What acts on links.
     pub actions: Actions,
-    /// The points whose paths are kept.
+    /// The points whose paths are recorded.
     pub traces: Vec<Trace>,
 }
 
@@ -297,7 +297,7 @@ impl Model {
                 shaft, follower, ..
             } => {
                 let (shaft, follower) = (self.axes_of(shaft), self.axes_of(follower));
-                // Where they share none, an error is told: what the shaft is on will do.
+                // If they share none, that is an error: either link will do here.
                 let carrier = common(shaft, follower).unwrap_or(shaft.0);
                 (beside(shaft, carrier), beside(follower, carrier))
             }
@@ -349,6 +349,7 @@ impl Model {
                 at,
                 formulas: [None; 2],
                 direction,
+                direction_formulas: [None; 2],
             });
             AxisId::new(self.axes.len() - 1)
         };

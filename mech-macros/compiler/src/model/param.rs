@@ -85,10 +85,22 @@ impl Params {
 }
 
 impl Axis {
-    /// Whether where it is in its link depends on a param.
+    /// Whether where it is in its link, or its direction there, depends on a param.
     #[must_use]
     pub fn varies(&self) -> bool {
-        self.formulas.iter().any(Option::is_some)
+        self.all_formulas().next().is_some()
+    }
+
+    /// Whether its direction in its link depends on a param.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        self.direction_formulas.iter().any(Option::is_some)
+    }
+
+    /// How everything of it is computed that depends on params.
+    pub(crate) fn all_formulas(&self) -> impl Iterator<Item = FormulaId> + '_ {
+        let all = self.formulas.iter().chain(&self.direction_formulas);
+        all.flatten().copied()
     }
 }
 
@@ -105,8 +117,8 @@ impl Model {
         law.at(variable, &self.params.values().collect::<Vec<f64>>())
     }
 
-    /// How far a param has to go until some axis or follower has gone as far as the mechanism is large, as far as its slope at the
-    /// start tells: none if nothing depends on it.
+    /// By how much a param must change until some axis or follower has moved as far as the mechanism is large, by its slope at the
+    /// start: none if nothing depends on it.
     #[must_use]
     pub fn param_scale(&self, param: ParamId) -> Option<f64> {
         let params: Vec<f64> = self.params.values().collect();
@@ -115,15 +127,23 @@ impl Model {
             params: &params,
             by: param,
         });
-        let used = self.axes.iter().flat_map(|axis| axis.formulas).flatten();
-        let slopes = used.map(|formula| slopes[formula.index()]);
         let size = self.size().max(f64::MIN_POSITIVE);
+        let slope = |formula: FormulaId| slopes[formula.index()].1.abs();
+        let axes = self.axes.iter().map(|axis| {
+            let [placed, turned] = [axis.formulas, axis.direction_formulas].map(|formulas| {
+                formulas
+                    .into_iter()
+                    .flatten()
+                    .map(slope)
+                    .fold(0.0, f64::max)
+            });
+            placed.max(size * turned)
+        });
         let followers = self.cams().map(|(_, _, follower, law)| {
             let slides = matches!(self.joint(follower).kind, JointKind::Prismatic(..));
             let steepest = steepest(law, param, &params);
             if slides { steepest } else { steepest * size }
         });
-        let axes = slopes.map(|(_, slope)| slope.abs());
         let scale = size / axes.chain(followers).fold(0.0, f64::max);
         scale.is_finite().then_some(scale)
     }
@@ -141,6 +161,6 @@ fn steepest(law: &Law, by: ParamId, params: &[f64]) -> f64 {
         });
         slope.abs()
     });
-    // Where it has none, others tell.
+    // Places where it has none do not count.
     slopes.filter(|slope| slope.is_finite()).fold(0.0, f64::max)
 }

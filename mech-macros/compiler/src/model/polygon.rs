@@ -31,7 +31,7 @@ impl Moments {
                 moments = moments.negative();
             }
         } else {
-            for [[left, right], [upper_left, upper_right]] in covered(&edges) {
+            for [[left, right], [upper_left, upper_right]] in trapezoids(&edges) {
                 for edge in [
                     [left, right],
                     [right, upper_right],
@@ -105,7 +105,7 @@ fn side([[ax, ay], [bx, by]]: [Point; 2], [x, y]: Point) -> f64 {
 
 /// The trapezoids inside by the even-odd rule, each by its lower and its upper side, between the heights at which edges begin,
 /// end and cross.
-fn covered(edges: &[[Point; 2]]) -> Vec<[[Point; 2]; 2]> {
+fn trapezoids(edges: &[[Point; 2]]) -> Vec<[[Point; 2]; 2]> {
     let mut heights: Vec<f64> = edges.iter().flatten().map(|corner| corner[1]).collect();
     for (index, &edge) in edges.iter().enumerate() {
         let others = edges[index + 1..].iter();
@@ -170,7 +170,7 @@ mod tests {
     }
 
     /// The moments of many small squares.
-    fn sampled(corners: &[Point], count: i32) -> Moments {
+    fn sample(corners: &[Point], count: i32) -> Moments {
         let side = 4.0 / f64::from(count);
         let mut moments = Moments::default();
         for row in 0..count {
@@ -235,13 +235,13 @@ mod tests {
         #[test]
         fn polygons_count_what_is_painted(corners in prop::collection::vec(prop::array::uniform2(-2.0..2.0), 3..9)) {
             let corners = closed(corners);
-            assert_near(Moments::of(&corners), sampled(&corners, 400), 0.12)?;
+            assert_near(Moments::of(&corners), sample(&corners, 400), 0.12)?;
         }
 
         #[test]
         fn polygons_on_a_grid_count_what_is_painted(corners in prop::collection::vec(prop::array::uniform2(-2..3_i32), 3..12)) {
             let corners = closed(corners.into_iter().map(|corner| corner.map(f64::from)).collect());
-            assert_near(Moments::of(&corners), sampled(&corners, 400), 0.12)?;
+            assert_near(Moments::of(&corners), sample(&corners, 400), 0.12)?;
         }
     }
 }

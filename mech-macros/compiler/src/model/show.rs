@@ -14,7 +14,7 @@ pub enum Shown {
 }
 
 impl Model {
-    /// The links whose poses are asked for or tell what is, in the order of their declaration.
+    /// The links whose poses are asked for or needed for what is, in the order of their declaration.
     #[must_use]
     pub fn asked_links(&self) -> Vec<LinkId> {
         let Some(shown) = self.show.as_ref().filter(|_| !self.effects.needs_actions()) else {
@@ -31,7 +31,7 @@ impl Model {
         links
     }
 
-    /// The links whose poses tell what is asked for. A motor's coordinate needs none.
+    /// The links whose poses give what is asked for. A motor's coordinate needs none.
     fn links_of(&self, shown: Shown) -> Vec<LinkId> {
         match shown {
             Shown::Link(link) => vec![link],
@@ -46,7 +46,7 @@ impl Model {
         }
     }
 
-    /// The axis that tells where this one is: a die's pose is not kept, but its pin is where it is.
+    /// The axis that lies where this one lies and whose link has a pose: instead of a die, its pin.
     #[must_use]
     pub fn seen_axis(&self, axis: AxisId) -> AxisId {
         let die = self.link(self.axis(axis).link).die;

@@ -1,4 +1,4 @@
-//! Paths of points that are kept.
+//! Recorded paths of points.
 
 use super::{AxisId, LinkId, Model, Origin};
 
@@ -7,7 +7,7 @@ use super::{AxisId, LinkId, Model, Origin};
 pub struct Trace {
     /// The point: of a moving link, and named.
     pub point: AxisId,
-    /// How many places are kept.
+    /// How many places are recorded.
     pub length: usize,
     /// The plane it is drawn in, above the ground's shapes and below all others there; without, below all links.
     pub plane: Option<i32>,
@@ -18,7 +18,7 @@ pub struct Trace {
 }
 
 impl Trace {
-    /// The most places that can be kept: they are part of the struct.
+    /// The most places that can be recorded: they are part of the struct.
     pub const LONGEST: i32 = 1 << 14;
 }
 

@@ -57,11 +57,15 @@ pub struct SolvedLoop {
 
 /// How the loops of a program are solved.
 pub(crate) fn solved_loops(program: &Program, prediction: Option<&Prediction>) -> Vec<SolvedLoop> {
-    let blocks = program.blocks.iter().filter_map(|block| match &block.kind {
-        BlockKind::Straight => None,
-        BlockKind::ClosedForm(closed) => Some((closed.number, "exact".to_owned())),
-        BlockKind::Newton(newton) => Some((newton.number, method(newton))),
-    });
+    let blocks = program
+        .ssa
+        .blocks
+        .iter()
+        .filter_map(|block| match &block.kind {
+            BlockKind::Straight => None,
+            BlockKind::ClosedForm(closed) => Some((closed.number, "exact".to_owned())),
+            BlockKind::Newton(newton) => Some((newton.number, method(newton))),
+        });
     let of_loop = |((number, method), cost): ((usize, String), Cost)| SolvedLoop {
         number,
         method,

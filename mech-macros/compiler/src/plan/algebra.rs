@@ -16,9 +16,20 @@ pub(crate) trait Algebra<S: Copy>: Arithmetic<Scalar = S> {
         [self.constant(x), self.constant(y)]
     }
 
-    /// Where an axis is in its link: with numbers, at the start.
+    /// The place of an axis in its link: with numbers, at the start.
     fn place(&mut self, axis: &Axis) -> [S; 2] {
         self.vector(axis.at)
+    }
+
+    /// The direction of an axis in its link: with numbers, at the start.
+    fn direction(&mut self, axis: &Axis) -> [S; 2] {
+        self.vector(axis.direction)
+    }
+
+    /// The same, mirrored in the link's x axis: the opposite angle.
+    fn mirrored_direction(&mut self, axis: &Axis) -> [S; 2] {
+        let [x, y] = axis.direction;
+        self.vector([x, -y])
     }
 
     /// The vector from one axis of a link to another, in the link.
@@ -120,13 +131,13 @@ impl<S: Copy> Pose<S> {
         [cos, sin, x, y]
     }
 
-    /// Where an axis of the link is.
+    /// The place of an axis of the link in the outer frame.
     pub(crate) fn carry(self, algebra: &mut impl Algebra<S>, axis: &Axis) -> [S; 2] {
         let point = algebra.place(axis);
         self.carry_spot(algebra, point)
     }
 
-    /// Where a spot of the link is.
+    /// The place of a spot of the link in the outer frame.
     pub(crate) fn carry_spot(self, algebra: &mut impl Algebra<S>, spot: [S; 2]) -> [S; 2] {
         let turned = algebra.rotate(self.direction, spot);
         algebra.plus(self.origin, turned)
@@ -134,13 +145,13 @@ impl<S: Copy> Pose<S> {
 
     /// Where a point of the link is that no param moves.
     pub(crate) fn carry_point(self, algebra: &mut impl Algebra<S>, point: [f64; 2]) -> [S; 2] {
-        let turned = self.turn(algebra, point);
-        algebra.plus(self.origin, turned)
+        let point = algebra.vector(point);
+        self.carry_spot(algebra, point)
     }
 
-    /// Where a direction of the link points.
-    pub(crate) fn turn(self, algebra: &mut impl Algebra<S>, direction: [f64; 2]) -> [S; 2] {
-        let direction = algebra.vector(direction);
+    /// Where an axis of the link points.
+    pub(crate) fn heading(self, algebra: &mut impl Algebra<S>, axis: &Axis) -> [S; 2] {
+        let direction = algebra.direction(axis);
         algebra.rotate(self.direction, direction)
     }
 

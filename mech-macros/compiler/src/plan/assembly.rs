@@ -17,7 +17,7 @@ const MOST: usize = 64;
 /// The angles of two assemblies differ by more than this.
 const APART: f64 = 1e-5;
 
-/// Where everything is at the start.
+/// The position of everything at the start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assembly {
     /// For each link the cosine, sine, x and y of its pose in the scene.
@@ -32,14 +32,14 @@ pub struct Assembly {
     pub sources: Vec<f64>,
 }
 
-/// Where a cam starts.
+/// The start of a cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CamStart {
     /// The cam.
     pub cam: JointId,
     /// The coordinate of its shaft.
     pub shaft: f64,
-    /// That of its follower.
+    /// The coordinate of its follower.
     pub follower: f64,
 }
 
@@ -355,7 +355,7 @@ fn angle(draft: &Draft<'_>, link: LinkId) -> f64 {
     sin.atan2(cos)
 }
 
-/// By how much two angles differ, whole turns aside.
+/// The difference of two angles, whole turns aside.
 fn turn(a: f64, b: f64) -> f64 {
     let off = (a - b).abs() % TAU;
     off.min(TAU - off)

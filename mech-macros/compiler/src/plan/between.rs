@@ -2,7 +2,7 @@
 
 use super::coupled::Block;
 use super::step::{Connection, ConnectionKind};
-use crate::model::{LinkId, Model};
+use crate::model::{Axis, LinkId, Model};
 use crate::structure::Pin;
 use std::collections::BTreeMap;
 
@@ -97,9 +97,13 @@ fn wedge(model: &Model, first: Between, second: Between) -> Option<Vec<Connectio
             model.axis(between.connection.to),
         )
     });
-    // Guides of one link in both clusters are seen to be parallel at once.
-    let parallel = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]).abs() < 1e-12;
-    let aligned = (p.0.link == q.0.link && parallel(p.0.direction, q.0.direction))
-        || (p.1.link == q.1.link && parallel(p.1.direction, q.1.direction));
+    // Guides of one link in both clusters are seen to be parallel at once; those that params turn differently are not.
+    let parallel = |a: &Axis, b: &Axis| {
+        let ([x, y], [u, v]) = (a.direction, b.direction);
+        a.link == b.link
+            && a.direction_formulas == b.direction_formulas
+            && (x * v - y * u).abs() < 1e-12
+    };
+    let aligned = parallel(p.0, q.0) || parallel(p.1, q.1);
     (same && !aligned).then(|| vec![first.connection, second.connection.reverse()])
 }

@@ -5,25 +5,25 @@ use crate::model::JointId;
 /// An angle whose turns are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turning {
-    /// What gears, belts, racks and cams are solved from, by its number among the sources of the plan.
+    /// A source of gears, belts, racks and cams, by its number in the plan.
     Source(usize),
     /// The coordinate of a joint that is carried.
     Joint(JointId),
 }
 
-/// How fast something changes with each motor and param, at most, as long as nothing of its growth has begun: then it is so many
+/// The greatest rate of something with each motor and param, as long as nothing of its growth has begun: then it is so many
 /// times as fast.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bound {
     /// With each motor and param.
     pub rates: Vec<f64>,
-    /// What makes it faster. What stands there twice does so twice.
+    /// The causes that make it faster. A cause that stands there twice does so twice.
     pub growth: Vec<Growth>,
     /// Whether that is no bound any more but a guess: of what was too wide to be of use.
     pub guessed: bool,
 }
 
-/// What makes something faster without end.
+/// A cause that makes something faster without end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth {
     /// It is as many times as fast as one is greater than the sine of this loop, by its number in the plan.
@@ -48,7 +48,7 @@ impl Growth {
 }
 
 impl Bound {
-    /// What does not change with any of so many inputs.
+    /// The bound of something that does not change with any of so many inputs.
     #[must_use]
     pub fn still(inputs: usize) -> Self {
         Self {

@@ -42,7 +42,7 @@ impl Display for PlanText<'_> {
 }
 
 impl PlanText<'_> {
-    /// What a step does; `loops` counts the loops up to it.
+    /// The line of a step; `loops` counts the loops up to it.
     fn step(&self, step: &Step, loops: usize, clusters: &Clusters) -> String {
         match step {
             Step::Weld(connection) => format!("weld {}", self.joint(connection.joint)),
@@ -86,7 +86,7 @@ impl PlanText<'_> {
         text
     }
 
-    /// What kind of loop it is: a dyad by the letters of its joints, or why it is none.
+    /// The kind of a loop: a dyad by the letters of its joints, or why it is none.
     fn kind(&self, closing: &Loop, clusters: &Clusters) -> String {
         let letters = |ring: &Vec<Connection>| -> String {
             ring.iter()
@@ -119,7 +119,7 @@ impl PlanText<'_> {
         }
     }
 
-    /// Which links a step places, and relative to what: it merges their clusters.
+    /// The links that a step places, and relative to what: it merges their clusters.
     fn placement_text(&self, step: &Step, clusters: &mut Clusters) -> String {
         let mut bases: Vec<LinkId> = step
             .connections()

@@ -7,7 +7,7 @@
 use super::algebra::Algebra;
 use super::equation::{Equation, Solution, Unknown};
 
-/// What a dyad cuts with what. Every vector is given by its two coordinates in the frame of the loop's first cluster.
+/// The circles and lines that a dyad intersects. Every vector is given by its two coordinates in the frame of the loop's first cluster.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Dyad<S> {
     /// Two circles, u·a + v·b = goal: the arms turn, and reach the goal together.
@@ -183,9 +183,9 @@ fn direction<S: Copy>(
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line<S> {
     along: [S; 2],
-    /// How far along the line the point is.
+    /// The distance of the point along the line.
     pub(crate) foot: S,
-    /// How far to the left of the line the point is.
+    /// The distance of the point to the left of the line.
     pub(crate) height: S,
 }
 

@@ -9,7 +9,7 @@ use super::placement::Placement;
 use super::step::{Connection, ConnectionKind, Loop};
 use crate::model::{JointId, LinkId};
 
-/// What is unknown in a loop.
+/// An unknown of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknown {
     /// The direction of the base of a cluster, seen from the first.
@@ -23,16 +23,16 @@ pub enum Unknown {
 pub(crate) struct Equation<S> {
     /// One for each ring.
     pub(crate) rings: Vec<Ring<S>>,
-    /// What is unknown, directions first.
+    /// The unknowns, directions first.
     pub(crate) unknowns: Vec<Unknown>,
-    /// How each cluster is turned relative to the first, by its base.
+    /// The direction of each cluster relative to the first, by its base.
     classes: Vec<(LinkId, Class<S>)>,
 }
 
 /// The vectors round a ring: what is known, arms turned by unknown directions, and unknown displacements.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Ring<S> {
-    /// What is known, in the frame of the first cluster.
+    /// The sum of what is known, in the frame of the first cluster.
     pub(crate) offset: [S; 2],
     /// For each unknown that is a direction, the sum of everything that turns with it, in its own frame.
     pub(crate) arms: Vec<Option<[S; 2]>>,
@@ -43,7 +43,7 @@ pub(crate) struct Ring<S> {
 /// A slide in a ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Slide<S> {
-    /// Which unknown its coordinate is.
+    /// The number of the unknown that its coordinate is.
     pub(crate) unknown: usize,
     /// The direction in which one goes when the coordinate grows: in the first cluster's frame, or in the frame of the
     /// cluster that turns it.
@@ -52,7 +52,7 @@ pub(crate) struct Slide<S> {
     pub(crate) turned_by: Option<usize>,
 }
 
-/// How a cluster is turned relative to the first.
+/// The direction of a cluster relative to the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Class<S> {
     /// The unknown that turns it; none if its direction is known.
@@ -94,7 +94,7 @@ pub(crate) struct Residuals<S> {
 }
 
 impl<S: Copy> Residuals<S> {
-    /// What is missing for all rings to close.
+    /// The gaps of all rings, in scene units.
     pub(crate) fn gap(&self) -> Vec<S> {
         self.rings.iter().flat_map(|ring| ring.gap).collect()
     }
@@ -109,7 +109,7 @@ impl<S: Copy> Residuals<S> {
 /// The residual of a ring.
 #[derive(Clone, Debug)]
 pub(crate) struct RingResidual<S> {
-    /// What is missing for the ring to close.
+    /// The gap of the ring, in scene units.
     pub(crate) gap: [S; 2],
     /// The rate of the gap with each unknown: with the angle of a direction, or with a displacement.
     pub(crate) columns: Vec<[S; 2]>,
@@ -313,7 +313,7 @@ fn extend<S: Copy>(algebra: &mut impl Algebra<S>, arm: &mut Option<[S; 2]>, part
     *arm = Some(arm.map_or(part, |arm| algebra.plus(arm, part)));
 }
 
-/// How the clusters of a loop are turned relative to the first, and which of them turn by themselves.
+/// The directions of a loop's clusters relative to the first, and the unknowns among them.
 fn classes<S: Copy>(
     algebra: &mut impl Algebra<S>,
     placement: &Placement<'_, S>,
@@ -360,13 +360,13 @@ fn classes<S: Copy>(
     (classes, unknowns)
 }
 
-/// How the cluster with this base is turned, if that is known.
+/// The direction of the cluster with this base, if it is known.
 fn class_of<S: Copy>(classes: &[(LinkId, Class<S>)], base: LinkId) -> Option<Class<S>> {
     let mut known = classes.iter().filter(|(known, _)| *known == base);
     known.next().map(|(_, class)| *class)
 }
 
-/// What slides on a cluster of known class is of that class too.
+/// Spreads classes over slides: a cluster that slides on one of known class is of that class too.
 fn spread<S: Copy>(
     algebra: &mut impl Algebra<S>,
     placement: &Placement<'_, S>,

@@ -8,7 +8,7 @@ pub(super) struct Knowledge {
 }
 
 impl Knowledge {
-    /// What depends on all of these.
+    /// The knowledge of something that depends on all of these.
     pub(super) fn of<'k>(parts: impl Iterator<Item = &'k Self>) -> Self {
         let mut all = Self::default();
         for part in parts {

@@ -31,7 +31,7 @@ pub(crate) fn fraction(part: &Rational) -> String {
     }
 }
 
-/// How far something has moved since the start.
+/// A displacement since the start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Variable {
     /// A link, by angle. The ground never turns.

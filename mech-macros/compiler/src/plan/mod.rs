@@ -40,16 +40,16 @@ pub(crate) use triad::{Leg, Triad};
 use crate::model::Model;
 use crate::structure::{Diagnosis, Structure};
 
-/// How a coherent mechanism is solved.
+/// The solution of a coherent mechanism, step by step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// The steps, each of which needs only those before it.
     pub steps: Vec<Step>,
-    /// What gears, belts, racks and cams are solved from.
+    /// The sources from which gears, belts, racks and cams are solved.
     pub sources: Vec<Source>,
-    /// How fast each angle turns at most whose turns are counted, once that was looked at.
+    /// The greatest rates of all angles whose turns are counted, once these were examined.
     pub turning: Vec<(Turning, Bound)>,
-    /// Where everything is at the start.
+    /// The assembly at the start.
     pub start: Assembly,
 }
 

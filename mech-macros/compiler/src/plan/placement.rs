@@ -16,7 +16,7 @@ pub(crate) struct Placement<'m, S> {
 }
 
 impl<'m, S: Copy> Placement<'m, S> {
-    /// Nothing is known but each link to itself.
+    /// Knows no relative position yet: each link is a cluster of its own.
     pub(crate) fn new(algebra: &mut impl Algebra<S>, model: &'m Model) -> Self {
         let identity = Pose::identity(algebra);
         Self {
@@ -68,7 +68,7 @@ impl<'m, S: Copy> Placement<'m, S> {
     /// The direction of an axis, relative to the base of its cluster.
     pub(crate) fn heading(&self, algebra: &mut impl Algebra<S>, id: AxisId) -> [S; 2] {
         let axis = self.axis(id);
-        self.pose(axis.link).turn(algebra, axis.direction)
+        self.pose(axis.link).heading(algebra, axis)
     }
 
     /// The vector from one axis to another in the same cluster, relative to its base.
@@ -100,8 +100,7 @@ impl<'m, S: Copy> Placement<'m, S> {
             }
         };
         let to = self.axis(connection.to);
-        let [x, y] = to.direction;
-        let own = algebra.vector([x, -y]);
+        let own = algebra.mirrored_direction(to);
         let direction = algebra.rotate(facing, own);
         let spot = algebra.place(to);
         self.hang(

@@ -14,7 +14,7 @@ const ROUNDS: usize = 60;
 /// Assemblies closer than this are one.
 const APART: f64 = 1e-5;
 
-/// Where to look first: the direction in which a cluster is wanted.
+/// The first guess: the direction in which a cluster is wanted.
 pub(super) type Guess<'g> = &'g dyn Fn(LinkId) -> Option<[f64; 2]>;
 
 /// Solves any equation: from the guess, and where the guess leaves something open from many starts.

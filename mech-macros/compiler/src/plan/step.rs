@@ -25,7 +25,7 @@ pub enum Step {
 pub struct Drive {
     /// The motor.
     pub motor: MotorId,
-    /// What the motor moves.
+    /// The connection that the motor moves.
     pub connection: Connection,
 }
 
@@ -34,9 +34,9 @@ pub struct Drive {
 pub struct Mesh {
     /// A gear, belt or rack that moves it.
     pub by: JointId,
-    /// What is moved.
+    /// The connection that is moved.
     pub connection: Connection,
-    /// How far it has moved since the start: the sum of these parts of what the sources have moved, by their number in
+    /// Its displacement since the start: the sum of these parts of what the sources have moved, by their number in
     /// [`Plan::sources`](super::Plan::sources).
     pub parts: Vec<(usize, Rational)>,
 }
@@ -48,7 +48,7 @@ pub struct Cam {
     pub by: JointId,
     /// The follower, as its joint is declared.
     pub connection: Connection,
-    /// How far the shaft has moved since the start: the sum of these parts of what the sources have moved, by their number in
+    /// The displacement of the shaft since the start: the sum of these parts of what the sources have moved, by their number in
     /// [`Plan::sources`](super::Plan::sources).
     pub parts: Vec<(usize, Rational)>,
 }
@@ -90,7 +90,7 @@ pub struct Loop {
 /// An unknown that rolling ties: how far it moves from the start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tie {
-    /// What is tied.
+    /// The unknown that is tied.
     pub of: Unknown,
     /// Parts of what other unknowns of the loop have moved.
     pub parts: Vec<(Unknown, Rational)>,
@@ -140,7 +140,7 @@ impl Connection {
     }
 }
 
-/// What a connection allows.
+/// The freedom of a connection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConnectionKind {
     /// Rotation: the coordinate is an angle.

@@ -78,7 +78,7 @@ fn count_freedoms(connections: &[Between], rolls: &[Vec<LinkId>]) -> (Vec<LinkId
     (clusters, count)
 }
 
-/// Which freedoms equations have taken.
+/// The freedoms that equations have taken.
 struct Count {
     /// For each part the freedoms that are left to it.
     free: Vec<usize>,

@@ -1,7 +1,7 @@
 //! The construction of a program in SSA form: constants are folded, and common subexpressions made once.
 
 use super::node::{BlockId, Node, Op, Slot, Value};
-use super::{Block, BlockKind, Position};
+use super::{Block, BlockKind, Position, Ssa};
 use crate::model::{Axis, Number, Precision};
 use crate::plan::{Algebra, Arithmetic};
 use std::collections::HashMap;
@@ -9,25 +9,24 @@ use std::collections::HashMap;
 /// The operations of a program that is being built, and the state that its positions carry.
 #[derive(Debug, Default)]
 pub(super) struct SsaBuilder {
-    pub(super) nodes: Vec<Node>,
-    pub(super) blocks: Vec<Block>,
+    pub(super) ssa: Ssa,
     /// Looked up only, never iterated: the program does not depend on its order.
     known: HashMap<Op, Value>,
-    /// What is known only inside the present iteration.
+    /// The operations that are known only inside the present iteration.
     inside: Option<Vec<Op>>,
-    /// What every value is at the start.
+    /// Every value at the start.
     at_start: Vec<f64>,
-    /// Where the mechanism is at the start.
-    start: Position<f64>,
+    /// The position at the start.
+    pub(super) start: Position<f64>,
     /// The new values of the state's numbers.
-    state: Vec<Value>,
+    pub(super) state: Vec<Value>,
     /// The rounding unit of what the program computes in.
     pub(super) epsilon: f64,
-    /// How many motors there are: what is given after them are params.
+    /// The number of motors: inputs after them are params.
     pub(super) motors: usize,
     /// Whether a value is made from a param.
     varies: Vec<bool>,
-    /// What is computed from params, by the numbers of the model's formulas.
+    /// The values of the model's formulas, by their numbers.
     pub(super) formulas: Vec<Value>,
     /// The variable of the law that is being lowered.
     pub(super) variable: Option<Value>,
@@ -57,7 +56,7 @@ impl SsaBuilder {
         self.varies[value.index()]
     }
 
-    /// What a value is at the start.
+    /// A value at the start.
     pub(super) fn at_start(&self, value: Value) -> f64 {
         self.at_start[value.index()]
     }
@@ -93,14 +92,9 @@ impl SsaBuilder {
         self.state[index]
     }
 
-    /// The position at the start, the new values of its state, and all nodes and blocks.
-    pub(super) fn finish(self) -> (Position<f64>, Vec<Value>, Vec<Node>, Vec<Block>) {
-        (self.start, self.state, self.nodes, self.blocks)
-    }
-
     /// Begins a new block.
     pub(super) fn block(&mut self, name: String, title: String) -> BlockId {
-        self.blocks.push(Block {
+        self.ssa.blocks.push(Block {
             name,
             title,
             kind: BlockKind::Straight,
@@ -108,9 +102,14 @@ impl SsaBuilder {
         self.current()
     }
 
+    /// Says how a block works.
+    pub(super) fn set_kind(&mut self, block: BlockId, kind: BlockKind) {
+        self.ssa.blocks[block.index()].kind = kind;
+    }
+
     pub(super) fn current(&self) -> BlockId {
         // What is made before the first block stands in it.
-        BlockId::at(self.blocks.len().saturating_sub(1))
+        BlockId::at(self.ssa.blocks.len().saturating_sub(1))
     }
 
     /// From here to [`leave`](Self::leave) whatever depends on the block's unknowns is made anew in every round.
@@ -132,12 +131,12 @@ impl SsaBuilder {
         }
         let block = self.current();
         let depends = |value: Value| {
-            let node = &self.nodes[value.index()];
+            let node = &self.ssa.nodes[value.index()];
             node.iterated && node.block == block
         };
         let iterated = self.inside.is_some()
             && (matches!(op, Op::Unknown(..) | Op::Dense(..)) || op.operands().any(depends));
-        let value = Value::at(self.nodes.len());
+        let value = Value::at(self.ssa.nodes.len());
         // Where unknowns begin is set afterwards.
         let at_start = op.at_start(&self.start, |value| self.at_start[value.index()]);
         self.at_start.push(at_start);
@@ -146,7 +145,7 @@ impl SsaBuilder {
             op => op.operands().any(|operand| self.varies(operand)),
         };
         self.varies.push(varies);
-        self.nodes.push(Node {
+        self.ssa.nodes.push(Node {
             op,
             block,
             iterated,
@@ -161,7 +160,7 @@ impl SsaBuilder {
 
     /// Gives a value a name, unless it has one or is a constant.
     pub(super) fn name(&mut self, value: Value, name: impl Into<String>) -> Value {
-        let node = &mut self.nodes[value.index()];
+        let node = &mut self.ssa.nodes[value.index()];
         if node.name.is_none() && !matches!(node.op, Op::Constant(_)) {
             node.name = Some(name.into());
         }
@@ -206,14 +205,14 @@ impl SsaBuilder {
         }
     }
 
-    /// What a value is called.
+    /// The name of a value.
     pub(super) fn name_of(&self, value: Value) -> Option<&str> {
-        self.nodes[value.index()].name.as_deref()
+        self.ssa.nodes[value.index()].name.as_deref()
     }
 
-    /// What makes a value.
+    /// The operation that makes a value.
     pub(super) fn op(&self, value: Value) -> Op {
-        self.nodes[value.index()].op
+        self.ssa.nodes[value.index()].op
     }
 
     /// The value that this operation makes, if it was made.
@@ -222,14 +221,14 @@ impl SsaBuilder {
     }
 
     pub(super) fn number(&self, value: Value) -> Option<f64> {
-        match self.nodes[value.index()].op {
+        match self.ssa.nodes[value.index()].op {
             Op::Constant(number) => Some(number.get()),
             _ => None,
         }
     }
 
     fn negation(&self, value: Value) -> Option<Value> {
-        match self.nodes[value.index()].op {
+        match self.ssa.nodes[value.index()].op {
             Op::Neg(inner) => Some(inner),
             _ => None,
         }
@@ -322,6 +321,22 @@ impl Algebra<Value> for SsaBuilder {
             Some(id) => self.formulas[id.index()],
             None => self.constant(axis.at[part]),
         })
+    }
+
+    fn direction(&mut self, axis: &Axis) -> [Value; 2] {
+        [0, 1].map(|part| match axis.direction_formulas[part] {
+            Some(id) => self.formulas[id.index()],
+            None => self.constant(axis.direction[part]),
+        })
+    }
+
+    fn mirrored_direction(&mut self, axis: &Axis) -> [Value; 2] {
+        if axis.turns() {
+            let direction = self.direction(axis);
+            return self.conjugate(direction);
+        }
+        let [x, y] = axis.direction;
+        self.vector([x, -y])
     }
 
     fn between(&mut self, from: &Axis, to: &Axis) -> [Value; 2] {

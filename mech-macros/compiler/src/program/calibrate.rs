@@ -16,11 +16,11 @@ pub(super) fn calibrate(program: &mut Program) {
             number(newton.det)
         }
     };
-    let nodes = &program.nodes;
+    let nodes = &program.ssa.nodes;
     // Where a side is carried its sign is taken out of the determinant.
     let sided =
         |newton: &Newton| newton.dense && !matches!(nodes[newton.det.index()].op, Op::Dense(..));
-    for block in &mut program.blocks {
+    for block in &mut program.ssa.blocks {
         if let BlockKind::Newton(newton) = &mut block.kind {
             newton.limits = Limits {
                 size: newton.sides.iter().map(|&side| length(side)).sum(),
@@ -48,13 +48,13 @@ pub(super) fn reach(columns: &[Vec<Value>], number: impl Fn(Value) -> f64) -> f6
 impl Program {
     /// All values at the start, where every loop is already closed.
     pub(crate) fn values_at_start(&self) -> Vec<f64> {
-        let mut values: Vec<f64> = Vec::with_capacity(self.nodes.len());
+        let mut values: Vec<f64> = Vec::with_capacity(self.ssa.nodes.len());
         // What a loop finds that is left out, because nothing shown needs it, is read by nobody.
         let first = |block: BlockId, index: usize| {
             let newton = self.newton(block)?;
             Some(newton.scalars[index].first)
         };
-        for node in &self.nodes {
+        for node in &self.ssa.nodes {
             let get = |value: Value| values[value.index()];
             let value = match node.op {
                 Op::Unknown(block, index) | Op::Solved(block, index) => {

@@ -8,7 +8,7 @@ use mech_core::journey::AtZero;
 /// More rounds than this never help: Newton's iteration doubles its digits in each.
 pub(super) const MOST_ROUNDS: u32 = 24;
 
-/// How a loop is solved.
+/// The solver of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Solver {
     /// In closed form, if it is a dyad; else by Newton's iteration until it closes.
@@ -19,19 +19,19 @@ pub enum Solver {
     Newton(Rounds),
 }
 
-/// That a loop has to be watched.
+/// The watch over a loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Watching {
-    /// By how much the square of its sine changes with each motor, at most.
+    /// The greatest rate of the square of its sine with each motor.
     pub bound: Bound,
-    /// What happens at its change points.
+    /// Its behaviour at change points.
     pub at_zero: AtZero,
 }
 
-/// What is decided about a loop before its program is built.
+/// The decisions about a loop before its program is built.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
-    /// How it is solved.
+    /// Its solver.
     pub solver: Solver,
     /// From how many differences its iteration is started, 0 to 3, as long as the motors move by equal steps.
     pub predictor: u8,

@@ -6,13 +6,13 @@ use crate::plan::Dyad;
 /// A loop that is solved in closed form: its block is straight-line, with a margin to be tested.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedForm {
-    /// Which loop of the plan it closes.
+    /// The number of its loop in the plan.
     pub number: usize,
     /// The joints of the loop whose coordinates are unknown, for messages.
     pub place: String,
-    /// What must not be negative for the loop to close: the discriminant of its dyad.
+    /// The discriminant of its dyad: negative if the loop does not close.
     pub discriminant: Value,
-    /// How far rounding may push the discriminant below zero where the loop does close.
+    /// The tolerance by which rounding may push the discriminant below zero where the loop does close.
     pub tolerance: Value,
     /// The discriminant and the tolerance together: not negative if the loop closes. A constant if it always does.
     pub margin: Value,
@@ -24,7 +24,7 @@ pub struct ClosedForm {
     pub has_branches: bool,
     /// The unknowns, as they are found.
     pub found: Vec<Value>,
-    /// What is cut with what.
+    /// The circles and lines that it intersects.
     pub(crate) dyad: Dyad<Value>,
     /// The sum of the lengths of its goal and arms at the start, in scene units. The sine of a turning line is relative to it.
     pub size: f64,

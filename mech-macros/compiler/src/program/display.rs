@@ -54,7 +54,7 @@ impl Program {
         Ok(())
     }
 
-    /// What a number of the state is, as far as the program says it.
+    /// The meaning of a number of the state, as far as the program says it.
     fn state_meaning(&self, number: usize) -> String {
         for watch in &self.watches {
             if watch.sine == number {
@@ -82,10 +82,7 @@ impl Program {
             .iter()
             .find(|place| place.state == number)
         {
-            Some(place) => {
-                let part = if place.part == 0 { "x" } else { "y" };
-                format!(": {part} of axis {} in its link", place.axis.index())
-            }
+            Some(place) => format!(": formula {} of params", place.formula.index()),
             None => String::new(),
         }
     }
@@ -98,7 +95,7 @@ impl Program {
         if values.is_empty() {
             return Ok(());
         }
-        let of = &self.blocks[block.index()];
+        let of = &self.ssa.blocks[block.index()];
         match of.title.as_str() {
             "" => writeln!(f, "\n{}:", of.name)?,
             title => writeln!(f, "\n{}: {title}", of.name)?,
@@ -243,7 +240,7 @@ impl Program {
 
     fn motion(&self, f: &mut Formatter<'_>, motion: &Motion) -> fmt::Result {
         for (number, system) in motion.systems.iter().enumerate() {
-            let name = &self.blocks[system.block.index()].name;
+            let name = &self.ssa.blocks[system.block.index()].name;
             writeln!(f, "linear system {number} of {name}")?;
             for column in &system.columns {
                 writeln!(f, "  column {}", self.list(column))?;

@@ -5,15 +5,15 @@ use super::{Block, BlockKind, Program, System};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// How many `let`s are in one part of a block that is divided.
+/// The number of `let`s in one part of a block that is divided.
 const PART: usize = 256;
 
-/// What is bound together, by one `let`.
+/// Values that are bound together, by one `let`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Together {
     /// Sine and cosine of an angle.
     Sines(Value),
-    /// What a linear system gives.
+    /// The results of a linear system.
     System(usize),
     /// Nothing else.
     Alone(Value),
@@ -24,13 +24,13 @@ impl Program {
     /// same; those that have no name stand where their result is used.
     pub(crate) fn divide(&self, most: usize) -> Cow<'_, Self> {
         let lets = self.lets();
-        let mut counts = vec![0_usize; self.blocks.len()];
+        let mut counts = vec![0_usize; self.ssa.blocks.len()];
         for value in self.live_values().filter(|value| lets[value.index()]) {
             counts[self.node(value).block.index()] += 1;
         }
         let is_straight = |block: &Block| matches!(block.kind, BlockKind::Straight);
         let is_long = |(block, &count): (&Block, &usize)| is_straight(block) && count > most;
-        let long: Vec<bool> = self.blocks.iter().zip(&counts).map(is_long).collect();
+        let long: Vec<bool> = self.ssa.blocks.iter().zip(&counts).map(is_long).collect();
         if !long.contains(&true) {
             return Cow::Borrowed(self);
         }
@@ -41,8 +41,8 @@ impl Program {
     /// For each value whether it is bound by a `let` where blocks are functions: it means something, it is not used just once, or not
     /// in its block.
     fn lets(&self) -> Vec<bool> {
-        let mut uses = vec![0_usize; self.nodes.len()];
-        let mut beyond = vec![false; self.nodes.len()];
+        let mut uses = vec![0_usize; self.ssa.nodes.len()];
+        let mut beyond = vec![false; self.ssa.nodes.len()];
         for value in self.live_values() {
             let block = self.node(value).block;
             for operand in self.read_by(value) {
@@ -57,10 +57,10 @@ impl Program {
             let leaf = matches!(node.op, Op::Constant(_) | Op::Last(_));
             self.live[index] && !leaf && (node.name.is_some() || uses[index] != 1 || beyond[index])
         };
-        self.nodes.iter().enumerate().map(is_let).collect()
+        self.ssa.nodes.iter().enumerate().map(is_let).collect()
     }
 
-    /// What a value is made from, directly or by the system that gives it.
+    /// The values that a value is made from, directly or by the system that gives it.
     fn read_by(&self, value: Value) -> impl Iterator<Item = Value> {
         let op = self.node(value).op;
         let system = match op {
@@ -73,8 +73,8 @@ impl Program {
 
     /// For each value the part of its block in which it is made, counted from zero.
     fn parts(&self, lets: &[bool], long: &[bool]) -> Vec<usize> {
-        let mut parts = vec![0; self.nodes.len()];
-        let mut bound = vec![0_usize; self.blocks.len()];
+        let mut parts = vec![0; self.ssa.nodes.len()];
+        let mut bound = vec![0_usize; self.ssa.blocks.len()];
         let mut known = BTreeMap::new();
         let is_in_long = |value: Value| long[self.node(value).block.index()];
         for value in self
@@ -111,21 +111,21 @@ impl Program {
 
     /// The same program with each block in these parts.
     fn in_parts(&self, parts: &[usize]) -> Self {
-        let mut last = vec![0; self.blocks.len()];
+        let mut last = vec![0; self.ssa.blocks.len()];
         for value in self.live_values() {
             let last = &mut last[self.node(value).block.index()];
             *last = parts[value.index()].max(*last);
         }
         let mut divided = self.clone();
-        divided.blocks.clear();
+        divided.ssa.blocks.clear();
         // Where the parts of each block begin among all.
         let mut first = Vec::new();
-        for (block, &last) in self.blocks.iter().zip(&last) {
-            first.push(divided.blocks.len());
-            divided.blocks.extend((0..=last).map(|_| block.clone()));
+        for (block, &last) in self.ssa.blocks.iter().zip(&last) {
+            first.push(divided.ssa.blocks.len());
+            divided.ssa.blocks.extend((0..=last).map(|_| block.clone()));
         }
         let renumbered = |block: BlockId, part: usize| BlockId::at(first[block.index()] + part);
-        for (node, &part) in divided.nodes.iter_mut().zip(parts) {
+        for (node, &part) in divided.ssa.nodes.iter_mut().zip(parts) {
             node.block = renumbered(node.block, part);
             if let Op::Unknown(block, _) | Op::Solved(block, _) | Op::Dense(block, _) = &mut node.op
             {

@@ -7,7 +7,7 @@ pub enum Forces<V> {
     Holding(Vec<V>),
     /// The torques, forces and reactions that a given motion takes.
     InverseDynamics(InverseDynamics<V>),
-    /// How everything moves under the torques of the motors.
+    /// The motion under the torques of the motors.
     Inertia(Inertia<V>),
 }
 
@@ -37,7 +37,7 @@ pub struct Inertia<V> {
 }
 
 impl<V: Copy> Forces<V> {
-    /// What is asked for.
+    /// All values that it consists of.
     pub fn roots(&self) -> Vec<V> {
         let mut roots = Vec::new();
         self.map(|value| roots.push(value));

@@ -5,29 +5,33 @@ use super::{Block, BlockKind, Program};
 
 /// For each node whether it is needed.
 pub(super) fn live(program: &Program) -> Vec<bool> {
-    let mut live = vec![false; program.nodes.len()];
-    let margins = program.blocks.iter().filter_map(|block| match &block.kind {
-        BlockKind::ClosedForm(closed) => Some(closed.margin),
-        BlockKind::Straight | BlockKind::Newton(_) => None,
-    });
+    let mut live = vec![false; program.ssa.nodes.len()];
+    let margins = program
+        .ssa
+        .blocks
+        .iter()
+        .filter_map(|block| match &block.kind {
+            BlockKind::ClosedForm(closed) => Some(closed.margin),
+            BlockKind::Straight | BlockKind::Newton(_) => None,
+        });
     let mut waiting: Vec<Value> = program.roots().chain(margins).collect();
     while let Some(value) = waiting.pop() {
         if std::mem::replace(&mut live[value.index()], true) {
             continue;
         }
-        let op = program.nodes[value.index()].op;
+        let op = program.ssa.nodes[value.index()].op;
         waiting.extend(op.operands());
         if let (Op::Linear(system, _), Some(motion)) = (op, &program.motion) {
             waiting.extend(motion.systems[system].coefficients());
         }
         if let Op::Solved(block, _) = op {
-            waiting.extend(iteration(&program.blocks, block));
+            waiting.extend(iteration(&program.ssa.blocks, block));
         }
     }
     live
 }
 
-/// What an iteration needs.
+/// The values that an iteration needs.
 pub(super) fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
     match &blocks[block.index()].kind {
         BlockKind::Straight | BlockKind::ClosedForm(_) => Vec::new(),

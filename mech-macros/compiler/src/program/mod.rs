@@ -50,12 +50,10 @@ pub(crate) const MODERATE: f64 = 1e15;
 pub struct Program {
     /// The name of the mechanism.
     pub name: String,
-    /// What it computes in.
+    /// The precision that it computes in.
     pub precision: Precision,
-    /// All values, each after those it is made from.
-    pub nodes: Vec<Node>,
-    /// The blocks, in the order in which they run.
-    pub blocks: Vec<Block>,
+    /// Its operations.
+    pub ssa: Ssa,
     /// The names of the motors' joints.
     pub motors: Vec<String>,
     /// The names of the params: they are given after the motors, by the same operation.
@@ -68,9 +66,9 @@ pub struct Program {
     pub poses: Vec<[Value; 4]>,
     /// The new values of what is carried from position to position.
     pub state: Vec<Value>,
-    /// What the numbers of the state are, besides those of watched loops.
+    /// The layout of the state, but for the numbers of watched loops.
     pub layout: StateLayout,
-    /// What each loop that it solves finds, by the loop's number in the plan.
+    /// The unknowns of each loop that it solves, by the loop's number in the plan.
     pub(crate) solutions: Vec<(usize, Vec<Solution<Value>>)>,
     /// The loops in closed form that have dead points or change points.
     pub watches: Vec<Watch>,
@@ -78,7 +76,7 @@ pub struct Program {
     pub follows: Vec<Follow>,
     /// The same angles, less whole turns, and what they are.
     pub(crate) followed: Vec<(Turning, Value)>,
-    /// How far each motor and param may go in one piece, where loops are coupled, or laws or params change what nobody has looked at.
+    /// The longest displacement of each motor and param in one piece, where loops are coupled, or laws or params change what was not examined.
     pub max_steps: Option<Vec<f64>>,
     /// For each motor and param, whether its value is read less whole turns, and the turns are read as a separate count. This
     /// keeps a declared accuracy after any number of turns.
@@ -93,20 +91,29 @@ pub struct Program {
     pub motion: Option<Motion>,
     /// The rates of everything with each param, if this program computes them.
     pub sensitivity: Option<Sensitivity>,
-    /// Which values anything depends on.
+    /// Whether anything depends on each value.
     pub live: Vec<bool>,
     /// The position in which the mechanism is assembled.
     pub start: Position<f64>,
 }
 
+/// Operations in SSA form, whatever they are for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ssa {
+    /// All values, each after those it is made from.
+    pub nodes: Vec<Node>,
+    /// The blocks, in the order in which they run.
+    pub blocks: Vec<Block>,
+}
+
 /// One step of the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
-    /// What it is called: a function's name.
+    /// Its name, which is that of a function.
     pub name: String,
-    /// What it does, for a reader.
+    /// Its title, for a reader.
     pub title: String,
-    /// How.
+    /// Its kind.
     pub kind: BlockKind,
 }
 
@@ -121,7 +128,7 @@ impl Block {
     }
 }
 
-/// How a block works.
+/// The kind of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BlockKind {
     /// One operation after another.
@@ -141,12 +148,12 @@ pub struct Position<T> {
     pub turns: Vec<i32>,
     /// For each moving link whose pose is stored its cosine, sine, x and y.
     pub poses: Vec<[T; 4]>,
-    /// What is carried from position to position besides: unwrapped angles, sides of dyads.
+    /// Numbers that are carried from position to position besides: unwrapped angles, sides of dyads.
     pub state: Vec<T>,
 }
 
 impl<T: Copy> Position<T> {
-    /// What the position holds in a slot.
+    /// The number in a slot.
     pub(crate) fn at(&self, slot: Slot) -> T {
         match slot {
             Slot::State(index) => self.state[index],
@@ -160,7 +167,7 @@ impl Program {
     #[must_use]
     pub fn fits(&self) -> bool {
         let start = self.start.poses.iter().flatten().chain(&self.start.state);
-        let constants = self.nodes.iter().filter_map(|node| match node.op {
+        let constants = self.ssa.nodes.iter().filter_map(|node| match node.op {
             Op::Constant(number) => Some(number.get()),
             _ => None,
         });
@@ -170,7 +177,7 @@ impl Program {
             .all(|number| self.precision.holds(number))
     }
 
-    /// How many numbers are given from outside: the values of the motors, and after these those of the params.
+    /// The number of inputs: motors, and after these params.
     #[must_use]
     pub fn inputs(&self) -> usize {
         self.motors.len() + self.params.len()
@@ -190,7 +197,7 @@ impl Program {
     /// The node that makes a value.
     #[must_use]
     pub fn node(&self, value: Value) -> &Node {
-        &self.nodes[value.index()]
+        &self.ssa.nodes[value.index()]
     }
 
     /// All values that something depends on, each after those it is made from.
@@ -202,7 +209,7 @@ impl Program {
             .map(|(value, _)| value)
     }
 
-    /// What it is for, besides the margins of its loops: the poses, what is carried, and whatever else it finds.
+    /// Its results, besides the margins of its loops: poses, state, and whatever else it computes.
     pub(crate) fn roots(&self) -> impl Iterator<Item = Value> + '_ {
         let position = self.poses.iter().flatten().chain(&self.state).copied();
         let motion = self.motion.iter().flat_map(Motion::roots);
@@ -213,7 +220,7 @@ impl Program {
     /// The loop of a block, if it solves one.
     #[must_use]
     pub fn newton(&self, block: BlockId) -> Option<&Newton> {
-        match &self.blocks[block.index()].kind {
+        match &self.ssa.blocks[block.index()].kind {
             BlockKind::Newton(newton) => Some(newton),
             BlockKind::Straight | BlockKind::ClosedForm(_) => None,
         }
@@ -222,7 +229,7 @@ impl Program {
     /// The closed form of a block, if it is one.
     #[must_use]
     pub fn closed_form(&self, block: BlockId) -> Option<&ClosedForm> {
-        match &self.blocks[block.index()].kind {
+        match &self.ssa.blocks[block.index()].kind {
             BlockKind::ClosedForm(closed) => Some(closed),
             BlockKind::Straight | BlockKind::Newton(_) => None,
         }
@@ -231,13 +238,17 @@ impl Program {
     /// The number of the loop that a block solves, if it solves one.
     #[must_use]
     pub fn loop_of(&self, block: BlockId) -> Option<usize> {
-        self.blocks[block.index()].loop_number()
+        self.ssa.blocks[block.index()].loop_number()
     }
 
     /// The loops that it solves, by their numbers in the plan.
     #[must_use]
     pub fn solved_loops(&self) -> Vec<usize> {
-        self.blocks.iter().filter_map(Block::loop_number).collect()
+        self.ssa
+            .blocks
+            .iter()
+            .filter_map(Block::loop_number)
+            .collect()
     }
 
     /// The linear systems of the motion that something depends on.
@@ -255,7 +266,7 @@ impl Program {
     #[must_use]
     pub fn subdivides(&self) -> bool {
         let rounds = |wanted: fn(Rounds) -> bool| {
-            self.blocks.iter().any(
+            self.ssa.blocks.iter().any(
                 |block| matches!(&block.kind, BlockKind::Newton(newton) if wanted(newton.rounds)),
             )
         };
@@ -285,6 +296,7 @@ impl Program {
     #[must_use]
     pub fn is_closed(&self) -> bool {
         !self
+            .ssa
             .blocks
             .iter()
             .any(|block| matches!(block.kind, BlockKind::Newton(_)))
@@ -310,6 +322,6 @@ impl Program {
 
     /// The ids of all blocks, in the order in which they run.
     pub fn block_ids(&self) -> impl Iterator<Item = BlockId> + use<> {
-        (0u32..).take(self.blocks.len()).map(BlockId)
+        (0u32..).take(self.ssa.blocks.len()).map(BlockId)
     }
 }

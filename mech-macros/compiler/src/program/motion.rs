@@ -3,14 +3,14 @@
 use super::forces::Forces;
 use super::node::{BlockId, Value};
 
-/// What is derived from positions: the rates of all poses, from those of the motors, or forces.
+/// Values derived from positions: the rates of all poses, from those of the motors, or forces.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
     /// For each moving link its angular velocity, and the rates of x and y.
     pub velocities: Vec<[Value; 3]>,
     /// For each moving link its angular acceleration, and the second rates of x and y, if they were asked for.
     pub accelerations: Option<Vec<[Value; 3]>>,
-    /// What must not be negative for the rates of a loop to be determined.
+    /// The margins of all loops: negative where a loop's rates are not determined.
     pub margins: Vec<RateMargin>,
     /// The linear systems that are solved as a whole.
     pub systems: Vec<System>,
@@ -36,19 +36,19 @@ pub struct System {
     pub block: BlockId,
     /// For each unknown the rates of the gaps with it.
     pub columns: Vec<Vec<Value>>,
-    /// What the columns times the unknowns must add to zero.
+    /// The right side: with the columns times the unknowns it adds to zero.
     pub right: Vec<Value>,
 }
 
 impl System {
-    /// What it is made of.
+    /// All values that it is made of.
     pub(crate) fn coefficients(&self) -> impl Iterator<Item = &Value> {
         self.columns.iter().flatten().chain(&self.right)
     }
 }
 
 impl Motion {
-    /// What is asked for.
+    /// All values that it consists of.
     pub fn roots(&self) -> impl Iterator<Item = Value> + '_ {
         let accelerations = self.accelerations.iter().flatten().flatten();
         let velocities = self.velocities.iter().flatten();

@@ -8,13 +8,13 @@ const LINEAR_GAP: f64 = 2e-3;
 /// Newton's iteration on a loop's equations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Newton {
-    /// Which loop of the plan it closes.
+    /// The number of its loop in the plan.
     pub number: usize,
     /// The joints of the loop whose coordinates are unknown, for messages.
     pub place: String,
     /// The scalars that are iterated: a direction has two, a length one.
     pub scalars: Vec<Scalar>,
-    /// What is missing for the loop to close.
+    /// The gap of the loop, in scene units.
     pub gap: Vec<Value>,
     /// The determinant: of the 2×2 core of a loop's 3×3 system; of the dense system of coupled loops; or, where joints are
     /// redundant, the square of the one column.
@@ -28,20 +28,20 @@ pub struct Newton {
     /// The square of a round's step, angles in radians and lengths as parts of the loop's size, where the determinant's sign does
     /// not distinguish all assemblies: a step that is not followed by a much smaller one may end in another of them.
     pub step: Option<Value>,
-    /// How far it has grown beyond that size, where something slides: the lengths that are not fixed.
+    /// The lengths that are not fixed, where something slides: they add to that size.
     pub extent: Option<Value>,
-    /// How many rounds.
+    /// The number of rounds.
     pub rounds: Rounds,
     /// Whether directions are turned to first order only, as in a step of the linear system.
     pub linear: bool,
-    /// What a result must satisfy.
+    /// The limits that a result must satisfy.
     pub limits: Limits,
 }
 
 /// A scalar that is iterated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scalar {
-    /// What it is called.
+    /// Its name.
     pub name: String,
     /// Its value before the first round.
     pub first: Value,
@@ -51,7 +51,7 @@ pub struct Scalar {
     pub next: Value,
 }
 
-/// How many rounds an iteration makes.
+/// The number of rounds of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rounds {
     /// Until the gap is closed to rounding, but not more than this.

@@ -36,7 +36,7 @@ impl BlockId {
     }
 }
 
-/// What the last position left behind.
+/// A number of the last position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slot {
     /// A number of the pose of a link, by its position among the links that a position stores.
@@ -77,17 +77,17 @@ pub enum Op {
     Constant(Number),
     /// The value given to a motor, by its number, less whole turns.
     Motor(usize),
-    /// How many whole turns were given to a motor besides.
+    /// The whole turns that were given to a motor besides.
     Turns(usize),
     /// The angle in radians, less whole turns, that a part (numerator and denominator) of a motor's whole turns comes to.
     Turned(usize, i64, i64),
-    /// What the last position left behind.
+    /// A number of the last position.
     Last(Slot),
     /// An unknown of a loop while it is being solved.
     Unknown(BlockId, usize),
     /// An unknown of a loop after it was solved.
     Solved(BlockId, usize),
-    /// What a loop's dense system gives in a round: the steps of its unknowns, and after these its determinant.
+    /// A result of a loop's dense system in a round: the steps of its unknowns, and after these its determinant.
     Dense(BlockId, usize),
     /// The time, of which the laws of motors are functions.
     Time,
@@ -97,7 +97,7 @@ pub enum Op {
     Acceleration(usize),
     /// A number of a load, by its position among those of all loads.
     Load(usize),
-    /// What a linear system of the motion, by its number, gives: its unknowns, and after these its determinant.
+    /// A result of a linear system of the motion, by its number: the unknowns, and after these the determinant.
     Linear(usize, usize),
     /// −a.
     Neg(Value),
@@ -184,12 +184,12 @@ impl Op {
 /// A value in its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
-    /// What makes it.
+    /// The operation that makes it.
     pub op: Op,
     /// The block in which it is made.
     pub block: BlockId,
     /// Whether it is made anew in every round of its block's iteration.
     pub iterated: bool,
-    /// What it is called, if it means something to a reader.
+    /// Its name, if it means something to a reader.
     pub name: Option<String>,
 }

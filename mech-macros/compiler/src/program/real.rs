@@ -5,7 +5,7 @@ use super::node::{Op, Value};
 use mech_core::Real;
 
 impl Op {
-    /// What the operation gives, if it is arithmetic on values; the others come from outside.
+    /// The result of the operation, if it is arithmetic on values; the others come from outside.
     pub fn apply<T: Real>(self, get: impl Fn(Value) -> T) -> Option<T> {
         Some(match self {
             Self::Constant(number) => T::from_f64(number.get()),
@@ -35,7 +35,7 @@ impl Op {
         })
     }
 
-    /// What the operation gives at the start, where nothing has turned, moves or acts, and no step is missing.
+    /// The result of the operation at the start, where nothing has turned, moves or acts, and no step is missing.
     pub(super) fn at_start(self, start: &Position<f64>, get: impl Fn(Value) -> f64) -> f64 {
         match self {
             Self::Motor(motor) => start.motors[motor],

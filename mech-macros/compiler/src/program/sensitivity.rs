@@ -28,7 +28,7 @@ pub struct Rates {
 }
 
 impl Sensitivity {
-    /// What is asked for.
+    /// All values that it consists of.
     pub fn roots(&self) -> impl Iterator<Item = Value> + '_ {
         self.of_params.iter().flat_map(|rates| {
             let links = rates.links.iter().flatten();
@@ -42,12 +42,12 @@ impl Program {
     /// For each value whether it depends on a param, through whatever is between.
     #[must_use]
     pub fn dependent(&self) -> Vec<bool> {
-        let mut dependent: Vec<bool> = Vec::with_capacity(self.nodes.len());
-        for node in &self.nodes {
+        let mut dependent: Vec<bool> = Vec::with_capacity(self.ssa.nodes.len());
+        for node in &self.ssa.nodes {
             let depends = |value: Value| dependent[value.index()];
             let is = match node.op {
                 Op::Motor(input) => input >= self.motors.len(),
-                Op::Solved(block, _) => iteration(&self.blocks, block).into_iter().any(depends),
+                Op::Solved(block, _) => iteration(&self.ssa.blocks, block).into_iter().any(depends),
                 op => op.operands().any(depends),
             };
             dependent.push(is);
@@ -64,14 +64,14 @@ impl Program {
         let dependent = self.dependent();
         let any = |values: Vec<Value>| values.iter().any(|value| dependent[value.index()]);
         let loops = self.block_ids().filter_map(|block| {
-            let (values, number) = match &self.blocks[block.index()].kind {
+            let (values, number) = match &self.ssa.blocks[block.index()].kind {
                 BlockKind::Straight => return None,
                 BlockKind::ClosedForm(closed) => {
                     let found = closed.found.iter().copied();
                     let values = found.chain([closed.discriminant, closed.sine]);
                     (values.collect(), closed.number)
                 }
-                BlockKind::Newton(newton) => (iteration(&self.blocks, block), newton.number),
+                BlockKind::Newton(newton) => (iteration(&self.ssa.blocks, block), newton.number),
             };
             any(values).then_some(number)
         });

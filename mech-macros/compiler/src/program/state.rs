@@ -1,16 +1,16 @@
 //! What the numbers of a position's state are.
 
 use super::Program;
-use crate::model::{AxisId, JointId};
+use crate::model::{FormulaId, JointId};
 
-/// Where in the state each number stands that has a meaning outside of the loops.
+/// The places in the state of all numbers that have a meaning outside of the loops.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StateLayout {
     /// The first of the signs of the inputs' last motions, if a loop passes change points: one number for each motor and param.
     pub motion_signs: Option<usize>,
     /// The coordinates of joints over any number of turns, where they are asked for or torsional springs need them.
     pub joint_angles: Vec<JointAngle>,
-    /// The coordinates of axes in their links that depend on params.
+    /// Numbers of axes and shapes that depend on params.
     pub places: Vec<Place>,
 }
 
@@ -23,13 +23,11 @@ pub struct JointAngle {
     pub state: usize,
 }
 
-/// A coordinate of an axis in its link that depends on params.
+/// A number that depends on params: of the place or direction of an axis in its link, or of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The axis.
-    pub axis: AxisId,
-    /// Which of its coordinates: zero for the abscissa, one for the ordinate.
-    pub part: usize,
+    /// How it is computed.
+    pub formula: FormulaId,
     /// The index in the state.
     pub state: usize,
 }
@@ -43,14 +41,11 @@ impl Program {
         found.map(|angle| angle.state)
     }
 
-    /// The index in the state of an axis's coordinate in its link; none if it is a constant, or not exposed.
+    /// The index in the state of what a formula of params gives; none if it is not exposed.
     #[must_use]
-    pub fn place_state(&self, axis: AxisId, part: usize) -> Option<usize> {
-        let found = |place: &&Place| place.axis == axis && place.part == part;
-        self.layout
-            .places
-            .iter()
-            .find(found)
-            .map(|place| place.state)
+    pub fn formula_state(&self, formula: FormulaId) -> Option<usize> {
+        let mut places = self.layout.places.iter();
+        let found = places.find(|place| place.formula == formula);
+        found.map(|place| place.state)
     }
 }

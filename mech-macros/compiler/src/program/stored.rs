@@ -47,7 +47,7 @@ impl Program {
             .iter()
             .filter_map(|&link| number_among_all(link));
         poses.extend(numbers.map(|number| all[number]));
-        for node in &mut self.nodes {
+        for node in &mut self.ssa.nodes {
             if let Op::Last(Slot::Pose(number, part)) = node.op {
                 let place = self.stored.binary_search(&LinkId::new(number + 1));
                 node.op = match place {

@@ -12,13 +12,13 @@ use crate::model::{Model, MotorId, ParamId, Precision};
 pub struct Timing {
     /// The operations: one straight block.
     pub program: Program,
-    /// What each of these motors is given, in the order of their declaration.
+    /// The values of each of these motors, in the order of their declaration.
     pub motors: Vec<Timed>,
     /// The values of all params, in the order of their declaration.
     pub params: Vec<Value>,
 }
 
-/// What a motor is given at a time.
+/// The values of a motor at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timed {
     /// The motor.
@@ -90,12 +90,10 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
             second,
         });
     }
-    let (_, _, nodes, blocks) = ssa.finish();
     let values = |timed: &Timed| [Some(timed.value), timed.rate, timed.second];
     let mut program = Program {
         name: model.name.clone(),
-        nodes,
-        blocks,
+        ssa: ssa.ssa,
         state: motors.iter().flat_map(values).flatten().collect(),
         curved: true,
         ..Program::default()

@@ -12,15 +12,15 @@ pub struct Watch {
     pub sine: usize,
     /// The index in the state of the square of a sine below which rounding hides its sign.
     pub rounding_square: usize,
-    /// Which loop of the plan it closes.
+    /// The number of its loop in the plan.
     pub number: usize,
-    /// By how much the square of that sine changes with each motor, at most.
+    /// The greatest rate of the square of that sine with each motor.
     pub rates: Vec<f64>,
-    /// What increases that: loops by their place among those that are watched.
+    /// The causes that increase it: loops by their place among those that are watched.
     pub growth: Vec<Growth<f64>>,
     /// Whether these are no bounds but guesses.
     pub guessed: bool,
-    /// What happens at a change point.
+    /// Its behaviour at change points.
     pub at_zero: AtZero,
     /// Whether it is solved by iteration, which fails at a change point.
     pub iterated: bool,
@@ -29,8 +29,8 @@ pub struct Watch {
 /// An angle that is followed over whole turns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Follow {
-    /// By how much it changes with each motor, at most.
+    /// Its greatest rate with each motor.
     pub rates: Vec<f64>,
-    /// What increases that: loops by their place among those that are watched.
+    /// The causes that increase it: loops by their place among those that are watched.
     pub growth: Vec<Growth<f64>>,
 }

@@ -2,7 +2,7 @@
 
 use super::sketch::Sketch;
 use super::{Repair, completions, drivable, sizes};
-use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
+use crate::model::{JointId, JointKind, LinkId, Model, MotorId, NewKind};
 use crate::structure::{self, Diagnosis, MeshTrouble};
 
 /// All single changes that might cure this, the likely ones first.
@@ -13,18 +13,18 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             part,
             joints,
         } => {
-            let mut repairs = relocated(model, all, &[*motor]);
+            let mut repairs = relocations(model, all, &[*motor]);
             repairs.push(Repair::RemoveMotor(*motor));
             let mut links = ends(model, joints);
             links.extend(part);
             let joints = with_slides(model, joints, &mut links);
             repairs.extend(completions::slots(model, &joints));
-            repairs.extend(completions::freed(model, &joints));
+            repairs.extend(completions::free_from_ground(model, &joints));
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
         Diagnosis::TooManyMotors { among, .. } => {
-            let mut repairs = relocated(model, all, among);
+            let mut repairs = relocations(model, all, among);
             repairs.extend(among.iter().map(|&motor| Repair::RemoveMotor(motor)));
             let (links, joints): (Vec<_>, Vec<_>) =
                 (model.link_ids().collect(), model.joint_ids().collect());
@@ -38,12 +38,12 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             }
             let mut joints = joints.clone();
             if *is_mobile {
-                joints.extend(held(model));
+                joints.extend(held_joints(model));
             }
             let mut links = ends(model, &joints);
             let joints = with_slides(model, &joints, &mut links);
             repairs.extend(completions::slots(model, &joints));
-            repairs.extend(completions::freed(model, &joints));
+            repairs.extend(completions::free_from_ground(model, &joints));
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
@@ -51,7 +51,7 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
             let (links, joints): (Vec<_>, Vec<_>) =
                 (model.link_ids().collect(), model.joint_ids().collect());
             let mut repairs = completions::slots(model, &joints);
-            repairs.extend(completions::freed(model, &joints));
+            repairs.extend(completions::free_from_ground(model, &joints));
             repairs.extend(on_part(model, &links, &joints));
             repairs
         }
@@ -62,7 +62,7 @@ pub(super) fn candidates(model: &Model, all: &[Diagnosis], of: &Diagnosis) -> Ve
         }
         Diagnosis::Disconnected { links } => {
             let mut repairs = completions::joints(model, &Sketch::of(model));
-            repairs.extend(completions::fixed(model, links));
+            repairs.extend(completions::fix_to_ground(model, links));
             repairs
         }
         Diagnosis::NoMotor { candidates, .. } => {
@@ -129,7 +129,7 @@ fn motors(model: &Model, all: &[Diagnosis], of: &Diagnosis, candidates: &[JointI
         return Vec::new();
     };
     if *freedom == 1 {
-        let mut repairs = relocated_to(model, all, candidates);
+        let mut repairs = relocations_to(model, all, candidates);
         let motors = ground_first(model, candidates.iter().copied());
         repairs.extend(motors.map(|joint| Repair::AddMotors(vec![joint])));
         return repairs;
@@ -179,7 +179,7 @@ fn on_wheels(model: &Model, of: &Diagnosis) -> Vec<Repair> {
                 joint: *joint,
                 sizes,
             };
-            let sizes = sizes::fitting(*ratio, *trouble).into_iter();
+            let sizes = sizes::fitting_sizes(*ratio, *trouble).into_iter();
             sizes.map(resize).collect()
         }
         _ => Vec::new(),
@@ -198,10 +198,12 @@ fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
         matches!(kind, JointKind::Revolute(..)) && model.motor_of(*joint).is_none()
     };
     let welded = |joint: &JointId| matches!(model.joint(*joint).kind, JointKind::Weld(..));
-    let slots =
-        joints.iter().copied().filter(turns).flat_map(|joint| {
-            [[1.0, 0.0], [0.0, 1.0]].map(|along| Repair::MakeSlot { joint, along })
-        });
+    let slots = joints.iter().copied().filter(turns).flat_map(|joint| {
+        [[1.0, 0.0], [0.0, 1.0]].map(|along| Repair::Replace {
+            joint,
+            by: NewKind::Slot(along),
+        })
+    });
     let kinds: [Vec<Repair>; 4] = [
         links.map(Repair::RemoveLink).collect(),
         joints.iter().copied().map(Repair::RemoveJoint).collect(),
@@ -209,7 +211,10 @@ fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
             .iter()
             .copied()
             .filter(welded)
-            .map(Repair::Unweld)
+            .map(|joint| Repair::Replace {
+                joint,
+                by: NewKind::Revolute,
+            })
             .collect(),
         slots.collect(),
     ];
@@ -224,7 +229,7 @@ fn on_part(model: &Model, links: &[LinkId], joints: &[JointId]) -> Vec<Repair> {
 }
 
 /// The motors that could drive what is left free instead.
-fn relocated(model: &Model, all: &[Diagnosis], motors: &[MotorId]) -> Vec<Repair> {
+fn relocations(model: &Model, all: &[Diagnosis], motors: &[MotorId]) -> Vec<Repair> {
     let free = all.iter().find_map(|diagnosis| match diagnosis {
         Diagnosis::Undetermined {
             freedom: 1,
@@ -241,7 +246,7 @@ fn relocated(model: &Model, all: &[Diagnosis], motors: &[MotorId]) -> Vec<Repair
 }
 
 /// The motors that do nothing where they are and could drive one of these joints.
-fn relocated_to(model: &Model, all: &[Diagnosis], joints: &[JointId]) -> Vec<Repair> {
+fn relocations_to(model: &Model, all: &[Diagnosis], joints: &[JointId]) -> Vec<Repair> {
     let idle = all.iter().flat_map(|diagnosis| match diagnosis {
         Diagnosis::Blocked { motor, .. } => vec![*motor],
         Diagnosis::TooManyMotors { among, .. } => among.clone(),
@@ -280,7 +285,7 @@ fn ends(model: &Model, joints: &[JointId]) -> Vec<LinkId> {
 }
 
 /// The joints that hold each other whatever the lengths.
-fn held(model: &Model) -> Vec<JointId> {
+fn held_joints(model: &Model) -> Vec<JointId> {
     let diagnoses = structure::analyse(model).err().unwrap_or_default();
     diagnoses
         .into_iter()
@@ -323,7 +328,7 @@ fn with_slides(model: &Model, joints: &[JointId], links: &mut Vec<LinkId>) -> Ve
     }
 }
 
-/// Some of the ways to choose so many of these joints.
+/// Some choices of so many of these joints.
 fn several(joints: &[JointId], count: usize) -> impl Iterator<Item = Vec<JointId>> {
     const MOST: usize = 60;
     let mut chosen: Vec<usize> = (0..count).collect();

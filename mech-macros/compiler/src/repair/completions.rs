@@ -1,8 +1,8 @@
 //! What could be added: joints and links that a drawing suggests, and joints of other kinds.
 
 use super::Repair;
-use super::declaration::{Declaration, NewNames, Purpose, drawn, turns_freely};
-use super::sketch::{DrawnPin, LooseEnd, Sketch, distance, is_in_scene, unjoined};
+use super::declaration::{Declaration, NewNames, Purpose, drawn_joint, turns_freely};
+use super::sketch::{DrawnPin, LooseEnd, Sketch, distance, is_in_scene, unjoined_points};
 use crate::digits::rounded;
 use crate::model::{AxisId, Ends, JointId, JointKind, LinkId, Model, NewJoint, NewKind};
 
@@ -17,9 +17,9 @@ const WELDS: usize = 3;
 pub(super) fn joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
     let bare = bare_leaves(model, sketch);
     let kinds = [
-        meeting(model, sketch),
+        meeting_joints(model, sketch),
         points(model),
-        reaching(model, sketch, &bare),
+        reaching_joints(model, sketch, &bare),
         alone(model, sketch),
         below(model, sketch, &bare),
         apexes(model, &bare),
@@ -40,7 +40,7 @@ fn alone(model: &Model, sketch: &Sketch) -> Vec<Repair> {
 }
 
 /// The joints between ends of links and pins, or ends of other links, that are near.
-fn meeting(model: &Model, sketch: &Sketch) -> Vec<Repair> {
+fn meeting_joints(model: &Model, sketch: &Sketch) -> Vec<Repair> {
     let mut found: Vec<(f64, Repair)> = Vec::new();
     let mut add = |end: &LooseEnd, other: LinkId, at: [f64; 2], apart: f64| {
         let mut links = [other, end.link];
@@ -49,7 +49,7 @@ fn meeting(model: &Model, sketch: &Sketch) -> Vec<Repair> {
             return;
         }
         let name = NewNames::new(model).like(end.name.as_deref(), "pin");
-        found.push((apart, joined(Purpose::Join { apart }, name, links, at)));
+        found.push((apart, join(Purpose::Join { apart }, name, links, at)));
     };
     for (number, end) in sketch.ends.iter().enumerate() {
         for pin in sketch.pins.iter().chain(&sketch.blocks) {
@@ -86,7 +86,7 @@ fn are_held(model: &Model, [a, b]: [LinkId; 2]) -> bool {
 
 /// The joints between points of links with frames of their own: those of one name first.
 fn points(model: &Model) -> Vec<Repair> {
-    let free = unjoined(model);
+    let free = unjoined_points(model);
     let link = |id: AxisId| model.axis(id).link;
     let own = |id: AxisId| !is_in_scene(model, link(id));
     let mut pairs: Vec<[AxisId; 2]> = Vec::new();
@@ -114,7 +114,7 @@ fn points(model: &Model) -> Vec<Repair> {
 
 fn on_ground(model: &Model, link: LinkId, name: Option<&str>, at: [f64; 2]) -> Repair {
     let name = NewNames::new(model).like(name, "pin");
-    joined(Purpose::Ground, name, [LinkId::GROUND, link], at)
+    join(Purpose::Ground, name, [LinkId::GROUND, link], at)
 }
 
 /// The links that hang on one joint, and of which nothing else is drawn, each with the place of that joint.
@@ -124,12 +124,12 @@ fn bare_leaves(model: &Model, sketch: &Sketch) -> Vec<(LinkId, [f64; 2])> {
         let ends = sketch.ends.iter().any(|end| end.link == *link);
         model.link(*link).shapes.is_empty() && !ends
     });
-    bare.filter_map(|(link, joint)| Some((link, drawn(model, joint)?.1)))
+    bare.filter_map(|(link, joint)| Some((link, drawn_joint(model, joint)?.1)))
         .collect()
 }
 
 /// The joints between ends of links, or what slides, and links that could reach there.
-fn reaching(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
+fn reaching_joints(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
     let ends = sketch.ends.iter();
     let ends = ends.map(|end| (end.link, end.name.as_deref(), end.at));
     let blocks = sketch.blocks.iter();
@@ -144,13 +144,13 @@ fn reaching(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<
             let mut links = [link, end];
             links.sort();
             let name = NewNames::new(model).like(name, "pin");
-            joined(Purpose::Join { apart: 0.0 }, name, links, at)
+            join(Purpose::Join { apart: 0.0 }, name, links, at)
         })
     });
     joints.collect()
 }
 
-fn joined(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> Repair {
+fn join(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> Repair {
     let joint = NewJoint {
         name,
         kind: NewKind::Revolute,
@@ -159,7 +159,7 @@ fn joined(purpose: Purpose, name: String, links: [LinkId; 2], at: [f64; 2]) -> R
     Declaration::joint(purpose, joint).into()
 }
 
-/// Where nothing tells how long the last link of a chain is: it ends at the height of the first pivot on the ground.
+/// If nothing says how long the last link of a chain is: it ends at the height of the first pivot on the ground.
 fn below(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
     let mut pivots = sketch.pins.iter();
     let Some(pivot) = pivots.find(|pin| pin.links.contains(&LinkId::GROUND)) else {
@@ -174,7 +174,7 @@ fn below(model: &Model, sketch: &Sketch, bare: &[(LinkId, [f64; 2])]) -> Vec<Rep
     lone.collect()
 }
 
-/// Where nothing tells where two links meet: over the middle of the joints on which they hang.
+/// If nothing says where two links meet: over the middle of the joints on which they hang.
 fn apexes(model: &Model, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
     let mut found = Vec::new();
     for (number, &(b, q)) in bare.iter().enumerate() {
@@ -189,7 +189,7 @@ fn apexes(model: &Model, bare: &[(LinkId, [f64; 2])]) -> Vec<Repair> {
                 0.5 * (p[1] + q[1]) + over * (q[0] - p[0]),
             ];
             let name = NewNames::new(model).like(None, "pin");
-            found.push(joined(
+            found.push(join(
                 Purpose::Meet,
                 name,
                 [a, b],
@@ -250,10 +250,10 @@ pub(super) fn connecting_links(model: &Model, sketch: &Sketch) -> Vec<Repair> {
             Some([pin, end.clone()])
         }));
     }
-    found.iter().map(|ends| connecting(model, ends)).collect()
+    found.iter().map(|ends| connect(model, ends)).collect()
 }
 
-fn connecting(model: &Model, ends: &[LooseEnd; 2]) -> Repair {
+fn connect(model: &Model, ends: &[LooseEnd; 2]) -> Repair {
     let mut names = NewNames::new(model);
     let name = names.like(None, "bar");
     let new = LinkId::new(model.links.len());
@@ -286,8 +286,8 @@ pub(super) fn welds(model: &Model, joints: &[JointId]) -> Vec<Repair> {
         .collect();
     inner.sort_by_key(|joint| leaves.iter().all(|(_, held)| held != joint));
     let weld = |joint: JointId| {
-        let (links, at) = drawn(model, joint)?;
-        Some(rewritten(
+        let (links, at) = drawn_joint(model, joint)?;
+        Some(rewrite(
             model,
             Purpose::Stiffen,
             joint,
@@ -313,11 +313,11 @@ pub(super) fn guides(model: &Model, joints: &[JointId]) -> Vec<Repair> {
         let (point, line) = (model.axis(point), model.axis(line));
         let is_drawn = [point, line]
             .iter()
-            .all(|axis| axis.name.is_none() && axis.formulas == [None; 2]);
+            .all(|axis| axis.name.is_none() && !axis.varies());
         is_drawn.then(|| {
             let links = [line.link, point.link];
             let kind = NewKind::Prismatic(line.direction);
-            rewritten(model, Purpose::Guide, slide, kind, links, point.at)
+            rewrite(model, Purpose::Guide, slide, kind, links, point.at)
         })
     };
     joints.iter().filter_map(guide).collect()
@@ -329,21 +329,21 @@ pub(super) fn slots(model: &Model, joints: &[JointId]) -> Vec<Repair> {
         let JointKind::Prismatic(line, _) = model.joint(joint).kind else {
             return None;
         };
-        let ([a, b], at) = drawn(model, joint)?;
+        let ([a, b], at) = drawn_joint(model, joint)?;
         let kind = NewKind::Slot(model.axis(line).direction);
         let moving = |link: &LinkId| *link != LinkId::GROUND;
         let repairs = [[b, a], [a, b]]
             .into_iter()
             .filter(move |ends| moving(&ends[0]));
         let repairs: Vec<Repair> = repairs
-            .map(|links| rewritten(model, Purpose::Turn, joint, kind, links, at))
+            .map(|links| rewrite(model, Purpose::Turn, joint, kind, links, at))
             .collect();
         Some(repairs)
     };
     joints.iter().filter_map(slot).flatten().take(FEW).collect()
 }
 
-fn rewritten(
+fn rewrite(
     model: &Model,
     purpose: Purpose,
     joint: JointId,
@@ -360,9 +360,9 @@ fn rewritten(
 }
 
 /// Where several of these joints pin links to the ground at one place: the links joined to each other.
-pub(super) fn freed(model: &Model, joints: &[JointId]) -> Vec<Repair> {
+pub(super) fn free_from_ground(model: &Model, joints: &[JointId]) -> Vec<Repair> {
     let pinned = |&joint: &JointId| {
-        let (links, at) = drawn(model, joint).filter(|_| turns_freely(model, joint))?;
+        let (links, at) = drawn_joint(model, joint).filter(|_| turns_freely(model, joint))?;
         let [a, b] = links;
         match (a, b) {
             (LinkId::GROUND, link) | (link, LinkId::GROUND) => Some((joint, link, at)),
@@ -405,10 +405,10 @@ pub(super) fn freed(model: &Model, joints: &[JointId]) -> Vec<Repair> {
 }
 
 /// One of these links, which float, could be a part of the ground: the one with the most joints first.
-pub(super) fn fixed(model: &Model, links: &[LinkId]) -> Vec<Repair> {
+pub(super) fn fix_to_ground(model: &Model, links: &[LinkId]) -> Vec<Repair> {
     let places = |link: LinkId| {
         let joints = model.joint_ids().filter_map(move |joint| {
-            let (ends, at) = drawn(model, joint)?;
+            let (ends, at) = drawn_joint(model, joint)?;
             ends.contains(&link).then_some(at)
         });
         joints.collect::<Vec<_>>()

@@ -28,7 +28,7 @@ pub enum Purpose {
         /// How far apart they are drawn where they are joined, in scene units.
         apart: f64,
     },
-    /// To join two links somewhere: nothing tells where.
+    /// To join two links somewhere: nothing says where.
     Meet,
     /// To connect two links by a third.
     Connect,
@@ -63,7 +63,7 @@ impl Declaration {
         }
     }
 
-    /// Makes the change; tells whether it can be made.
+    /// Makes the change; returns whether it can be made.
     pub(super) fn make(&self, model: &Model, edit: &mut Edit) -> bool {
         for &joint in &self.replaced {
             edit.remove_joint(joint);
@@ -83,7 +83,7 @@ impl Declaration {
     }
 
     /// The names of the joints that it stands for and that have no heir of that name.
-    pub(crate) fn dropped<'m>(&self, model: &'m Model) -> Vec<&'m str> {
+    pub(crate) fn dropped_names<'m>(&self, model: &'m Model) -> Vec<&'m str> {
         let names = self.replaced.iter().map(|&id| &*model.joint(id).name);
         names
             .filter(|name| self.joints.iter().all(|joint| joint.name != *name))
@@ -135,7 +135,7 @@ impl<'m> NewNames<'m> {
 }
 
 /// The two links of a joint between axes, and where it is drawn; none if it is not drawn or depends on params.
-pub(super) fn drawn(model: &Model, joint: JointId) -> Option<([LinkId; 2], [f64; 2])> {
+pub(super) fn drawn_joint(model: &Model, joint: JointId) -> Option<([LinkId; 2], [f64; 2])> {
     let axes = model.joint(joint).kind.axes()?;
     let declared = axes.map(|id| model.axis(id));
     let unnamed = declared.iter().all(|axis| axis.name.is_none());

@@ -13,7 +13,7 @@ mod trial;
 pub use declaration::{Declaration, Purpose};
 pub use offers::{Offers, Search, offers};
 
-use crate::model::{Edit, JointId, JointKind, LinkId, Model, MotorId, Ratio, StartValue};
+use crate::model::{Edit, JointId, JointKind, LinkId, Model, MotorId, NewKind, Ratio, StartValue};
 
 /// A change that a user can make. The ids are those of the mechanism that is to be mended.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,15 +25,13 @@ pub enum Repair {
     RemoveJoint(JointId),
     /// Take this link away, with all its joints and the motors on them.
     RemoveLink(LinkId),
-    /// Replace this revolute joint by a slot in its second link.
-    MakeSlot {
+    /// Replace this revolute joint by a slot in its second link, with a direction in that link's frame; or this weld by a revolute joint.
+    Replace {
         /// The joint.
         joint: JointId,
-        /// The direction of the slot, in the frame of the second link.
-        along: [f64; 2],
+        /// What it becomes.
+        by: NewKind,
     },
-    /// Replace this weld by a revolute joint.
-    Unweld(JointId),
     /// Take this motor away.
     RemoveMotor(MotorId),
     /// Let this motor drive another joint.
@@ -79,7 +77,7 @@ impl Repair {
         apply_all(std::slice::from_ref(self), model)
     }
 
-    /// Makes the change; tells whether it can be made.
+    /// Makes the change; returns whether it can be made.
     fn make(&self, model: &Model, edit: &mut Edit) -> bool {
         match *self {
             Self::Declare(ref declaration) => declaration.make(model, edit),
@@ -91,15 +89,12 @@ impl Repair {
                 edit.remove_link(link);
                 link != LinkId::GROUND && model.link(link).die.is_none() && !carries(model, link)
             }
-            Self::MakeSlot { joint, along } => {
-                edit.make_slot(joint, along);
-                let turns = matches!(model.joint(joint).kind, JointKind::Revolute(..));
-                let is_free = model.motor_of(joint).is_none() && !is_in_cam(model, joint);
-                turns && !model.joint(joint).hidden && is_free
-            }
-            Self::Unweld(joint) => {
-                edit.unweld(joint);
-                matches!(model.joint(joint).kind, JointKind::Weld(..))
+            Self::Replace { joint, by } => {
+                edit.replace(joint, by);
+                match by {
+                    NewKind::Revolute => matches!(model.joint(joint).kind, JointKind::Weld(..)),
+                    _ => declaration::turns_freely(model, joint),
+                }
             }
             Self::RemoveMotor(motor) => {
                 edit.remove_motor(motor);

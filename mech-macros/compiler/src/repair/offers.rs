@@ -2,7 +2,7 @@
 
 use super::candidates::candidates;
 use super::rank::Ranking;
-use super::translation::translated;
+use super::translation::translate;
 use super::trial::{Trial, Trials};
 use super::{Declaration, Purpose, Repair};
 use crate::model::Model;
@@ -171,7 +171,7 @@ fn has_enough(found: &[Repair], repair: &Repair) -> bool {
 /// Whether two changes differ only in the direction of a slot.
 fn same_place(a: &Repair, b: &Repair) -> bool {
     match (a, b) {
-        (Repair::MakeSlot { joint: a, .. }, Repair::MakeSlot { joint: b, .. }) => a == b,
+        (Repair::Replace { joint: a, .. }, Repair::Replace { joint: b, .. }) => a == b,
         _ => false,
     }
 }
@@ -210,7 +210,7 @@ fn is_one_shaft(diagnosis: &Diagnosis) -> bool {
     )
 }
 
-/// Whether of all that was wrong this one is gone and nothing has come.
+/// Whether a change mends this diagnosis, and nothing new is wrong.
 fn is_better(found: &[Diagnosis], all: &[Diagnosis], index: usize) -> bool {
     let mut rest: Vec<_> = all
         .iter()
@@ -292,7 +292,7 @@ fn freedom(diagnoses: &[Diagnosis]) -> Option<usize> {
     diagnoses.iter().map(missing).sum()
 }
 
-/// What might mend the rest of what is wrong after a first change.
+/// What might mend what is still wrong after a first change.
 fn seconds(model: &Model, first: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
     /// Of the joints on which a motor would do, so many are enough.
     const MOTORS: usize = 3;
@@ -303,7 +303,7 @@ fn seconds(model: &Model, first: &Repair, found: &[Diagnosis]) -> Vec<Repair> {
     for second in candidates(&changed, found, rest) {
         let fits = is_half(&second) || matches!(second, Repair::AddMotors(_));
         if fits && !has_enough(&seconds, &second) {
-            seconds.extend(translated(&second, &changed, model));
+            seconds.extend(translate(&second, &changed, model));
         }
     }
     let adds = |repair: &Repair| matches!(repair, Repair::AddMotors(_));

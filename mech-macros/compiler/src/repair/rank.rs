@@ -1,10 +1,10 @@
-//! In which order changes are told.
+//! The order in which changes are offered.
 
 use super::{Declaration, Purpose, Repair};
-use crate::model::{JointId, LinkId, Model};
+use crate::model::{JointId, LinkId, Model, NewKind};
 use crate::structure::{self, Diagnosis, Pin};
 
-/// Ranks the changes that mend the same: the least is told first.
+/// Ranks the changes that mend the same: the least comes first.
 pub(super) struct Ranking<'m> {
     model: &'m Model,
     pins: Vec<Pin>,
@@ -36,13 +36,16 @@ impl<'m> Ranking<'m> {
             Repair::RemoveJoint(joint) if self.pins_again(*joint) => (4, joint.index()),
             Repair::RemoveLink(link) => (5, link.index()),
             Repair::RemoveJoint(joint) => (6, joint.index()),
-            Repair::MakeSlot { joint, .. } => (7, joint.index()),
-            Repair::Unweld(joint) => (8, joint.index()),
+            Repair::Replace {
+                joint,
+                by: NewKind::Slot(_),
+            } => (7, joint.index()),
+            Repair::Replace { joint, .. } => (8, joint.index()),
             _ => (1, 0),
         }
     }
 
-    /// The same of two changes that are enough together: those are told first that the drawing suggests.
+    /// The same of two changes that are enough together: those that the drawing suggests come first.
     pub(super) fn of_pair(&self, pair: &[Repair; 2]) -> usize {
         let suggested = |repair: &&Repair| self.of(repair).0 == 0;
         2 - pair.iter().filter(suggested).count()

@@ -14,7 +14,7 @@ const MOST_PARTS: u8 = 100;
 const EXACT: f64 = 1e-9;
 
 /// What the sizes of a gear could be instead, the likely ones first: the same ratio, then one of the wheels as it is.
-pub(super) fn fitting(ratio: Ratio, trouble: MeshTrouble) -> Vec<Ratio> {
+pub(super) fn fitting_sizes(ratio: Ratio, trouble: MeshTrouble) -> Vec<Ratio> {
     let distance = match trouble {
         MeshTrouble::OneShaft => return Vec::new(),
         MeshTrouble::SmallRing if ratio.turned_out().ring_is_small() => return Vec::new(),

@@ -51,7 +51,7 @@ impl Sketch {
                 _ => {}
             }
         }
-        for id in unjoined(model) {
+        for id in unjoined_points(model) {
             let axis = model.axis(id);
             let name = axis.name.clone();
             if is_drawn(model, axis) {
@@ -59,7 +59,8 @@ impl Sketch {
             }
         }
         for link in model.declared_links().filter(|&id| is_in_scene(model, id)) {
-            for shape in &model.link(link).shapes {
+            let shapes = model.link(link).shapes.iter();
+            for shape in shapes.filter(|shape| !shape.varies()) {
                 if let ShapeKind::Bar { pins, .. } = &shape.kind {
                     for at in [pins.first(), pins.last()].into_iter().flatten() {
                         sketch.note_end(model, link, None, *at);
@@ -114,7 +115,7 @@ impl Sketch {
 
     /// Notes the end of a link, unless a joint of that link is there.
     fn note_end(&mut self, model: &Model, link: LinkId, name: Option<String>, at: [f64; 2]) {
-        let mut axes = joined(model).map(|id| model.axis(id));
+        let mut axes = joined_axes(model).map(|id| model.axis(id));
         let held = axes.any(|axis| axis.link == link && self.is_same(axis.at, at));
         let mut ends = self.ends.iter();
         let known = ends.any(|end| end.link == link && self.is_same(end.at, at));
@@ -126,24 +127,24 @@ impl Sketch {
 
 /// Whether an axis is where the drawing has it, whatever the params.
 pub(super) fn is_drawn(model: &Model, axis: &Axis) -> bool {
-    is_in_scene(model, axis.link) && axis.formulas == [None; 2]
+    is_in_scene(model, axis.link) && !axis.varies()
 }
 
 /// The axes that joints make coincide.
-fn joined(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
+fn joined_axes(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
     let axes = model.joints.iter().filter_map(|joint| joint.kind.axes());
     axes.flatten()
 }
 
-/// The named points that no joint makes coincide with another. Those whose path is kept are there for that.
-pub(super) fn unjoined(model: &Model) -> Vec<AxisId> {
+/// The named points that no joint makes coincide with another. Traced points are left out: they need no joint.
+pub(super) fn unjoined_points(model: &Model) -> Vec<AxisId> {
     let ids = (0..model.axes.len()).map(AxisId::new);
     let is_free = |id: &AxisId| {
         let axis = model.axis(*id);
-        let named = axis.name.is_some() && axis.formulas == [None; 2];
+        let named = axis.name.is_some() && !axis.varies();
         let point = axis.kind == AxisKind::Point && model.link(axis.link).die.is_none();
         let traced = model.traces.iter().any(|trace| trace.point == *id);
-        named && point && !traced && joined(model).all(|other| other != *id)
+        named && point && !traced && joined_axes(model).all(|other| other != *id)
     };
     ids.filter(is_free).collect()
 }
@@ -151,7 +152,7 @@ pub(super) fn unjoined(model: &Model) -> Vec<AxisId> {
 /// Whether the frame of a link is that of the scene: it is the ground, or drawn, or no joint says otherwise and others are drawn.
 pub(super) fn is_in_scene(model: &Model, link: LinkId) -> bool {
     let declared = model.link(link);
-    let jointless = || joined(model).all(|id| model.axis(id).link != link);
+    let jointless = || joined_axes(model).all(|id| model.axis(id).link != link);
     let others = || model.links.iter().any(|link| link.drawn);
     link == LinkId::GROUND || declared.drawn || declared.die.is_none() && others() && jointless()
 }

@@ -4,7 +4,7 @@ use super::{Declaration, Repair};
 use crate::model::{AxisId, Ends, JointId, LinkId, Model, NewJoint};
 
 /// A change to a changed mechanism, as one to the original: what has the same name is the same.
-pub(super) fn translated(repair: &Repair, changed: &Model, original: &Model) -> Option<Repair> {
+pub(super) fn translate(repair: &Repair, changed: &Model, original: &Model) -> Option<Repair> {
     let joint = |id: JointId| {
         let name = &changed.joint(id).name;
         let same = |id: &JointId| original.joint(*id).name == *name && !original.joint(*id).hidden;
@@ -60,11 +60,10 @@ pub(super) fn translated(repair: &Repair, changed: &Model, original: &Model) -> 
         Repair::Declare(declared) => Repair::Declare(declaration(declared)?),
         Repair::RemoveJoint(id) => Repair::RemoveJoint(joint(*id)?),
         Repair::RemoveLink(id) => Repair::RemoveLink(link(*id)?),
-        Repair::MakeSlot { joint: id, along } => Repair::MakeSlot {
+        Repair::Replace { joint: id, by } => Repair::Replace {
             joint: joint(*id)?,
-            along: *along,
+            by: *by,
         },
-        Repair::Unweld(id) => Repair::Unweld(joint(*id)?),
         Repair::RemoveMotor(id) => {
             Repair::RemoveMotor(original.motor_of(joint(changed.motor(*id).joint)?)?)
         }

@@ -1,13 +1,13 @@
-//! The lines of a report about forces and traces.
+//! The report's lines about forces and traces.
 
-use super::name;
+use super::{name, plural};
 use crate::compiled::ForcePrograms;
 use crate::cost;
 use crate::model::{Model, Precision, Trace};
 use crate::program::Program;
 use std::fmt::Write;
 
-/// Masses, springs, dampers and loads, and what it costs to compute their effects.
+/// Writes masses, springs, dampers and loads, and the costs of computing their effects.
 pub(super) fn force_lines(
     text: &mut String,
     model: &Model,
@@ -24,32 +24,17 @@ pub(super) fn force_lines(
     if actions.gravity.is_some() {
         parts.push("gravity".to_owned());
     }
-    let mut named = |what: &str, names: Vec<&str>| {
-        if !names.is_empty() {
-            let ending = if names.len() == 1 { "" } else { "s" };
-            parts.push(format!("{what}{ending} {}", names.join(", ")));
-        }
-    };
-    named(
-        "spring",
-        actions
-            .springs
-            .iter()
-            .map(|one| one.name.as_str())
-            .collect(),
-    );
-    named(
-        "damper",
-        actions
-            .dampers
-            .iter()
-            .map(|one| one.name.as_str())
-            .collect(),
-    );
-    named(
-        "load",
-        actions.loads.iter().map(|one| one.name.as_str()).collect(),
-    );
+    let springs = actions.springs.iter().map(|spring| spring.name.as_str());
+    let dampers = actions.dampers.iter().map(|damper| damper.name.as_str());
+    let loads = actions.loads.iter().map(|load| load.name.as_str());
+    let all: [(&str, Vec<&str>); 3] = [
+        ("spring", springs.collect()),
+        ("damper", dampers.collect()),
+        ("load", loads.collect()),
+    ];
+    for (noun, names) in all {
+        parts.extend(plural(noun, names.len(), &names.join(", ")));
+    }
     writeln!(text, "  acting    {}", parts.join("; "))?;
     let programs = [
         ("torques at rest", &forced.holding),
@@ -71,10 +56,10 @@ pub(super) fn force_lines(
     Ok(())
 }
 
-/// The length of a trace, and the memory that it takes.
+/// The length of a trace, and its memory in bytes.
 pub(super) fn trace_line(model: &Model, trace: &Trace) -> String {
     let axis = model.axis(trace.point);
-    let number = match model.precision {
+    let bytes = match model.precision {
         Precision::F32 => 4,
         Precision::F64 => 8,
     };
@@ -86,6 +71,6 @@ pub(super) fn trace_line(model: &Model, trace: &Trace) -> String {
         "{}.{}: the last {places}, {} bytes",
         name(model, axis.link),
         axis.own_name(),
-        trace.length * 2 * number
+        trace.length * 2 * bytes
     )
 }

@@ -1,16 +1,17 @@
-//! The lines of a report about loops, and about how they are solved.
+//! The report's lines about loops and their methods.
 
-use super::joints;
+use super::{joints, plural};
 use crate::model::{JointId, Method, Model};
 use crate::motion::accuracy::{Prediction, SolvedLoop};
 use crate::plan::{ConnectionKind, Loop, Plan, Step};
 use crate::program::{self, Program};
 
+/// The level and the unknowns of a loop.
 pub(super) fn loop_line(model: &Model, closing: &Loop) -> String {
     let unknowns = closing.connections().map(|connection| {
         let kind = match connection.kind {
             ConnectionKind::Revolute => "angle",
-            ConnectionKind::Prismatic => "way",
+            ConnectionKind::Prismatic => "displacement",
         };
         format!("{} ({kind})", model.joint(connection.joint).name)
     });
@@ -31,23 +32,18 @@ pub(super) fn loop_line(model: &Model, closing: &Loop) -> String {
     )
 }
 
+/// The joints of a loop, and the loops or motors that determine it.
 pub(super) fn needs_line(model: &Model, plan: &Plan, closing: &Loop) -> String {
-    let needs = match &closing.needs[..] {
-        [] => drivers(model, plan, closing),
-        [one] => format!("after loop {}", one + 1),
-        several => format!(
-            "after loops {}",
-            several
-                .iter()
-                .map(|n| (n + 1).to_string())
-                .collect::<Vec<_>>()
-                .join(", ")
-        ),
+    let needs = closing.needs.iter().map(|need| (need + 1).to_string());
+    let needs: Vec<String> = needs.collect();
+    let needs = match plural("after loop", needs.len(), &needs.join(", ")) {
+        Some(needs) => needs,
+        None => drivers(model, plan, closing),
     };
     format!("joints {}; {needs}", joints(model, &closing.members))
 }
 
-/// What leads to a loop that needs no other: the motors and gears among its members.
+/// The motors, gears and cams among the joints of a loop that needs no other.
 fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
     let driven = plan.steps.iter().filter_map(|step| match step {
         Step::Drive(drive) => Some((drive.connection.joint, "motor", drive.connection.joint)),
@@ -67,8 +63,8 @@ fn drivers(model: &Model, plan: &Plan, closing: &Loop) -> String {
     }
 }
 
-/// How a loop is solved, and what that costs.
-pub(super) fn solved_line(solved: &SolvedLoop) -> String {
+/// The method of a loop, its predicted error and its cost.
+pub(super) fn method_line(solved: &SolvedLoop) -> String {
     let error = match solved.error {
         None => String::new(),
         Some(error) if error.is_finite() => format!(", predicted error {error:.1e}"),
@@ -77,6 +73,7 @@ pub(super) fn solved_line(solved: &SolvedLoop) -> String {
     format!("{}{error}: {}", solved.method, solved.cost)
 }
 
+/// The method of all loops, as declared.
 pub(super) fn method(model: &Model, program: &Program) -> String {
     match (model.method, model.accuracy) {
         _ if !program.has_loops() => "none needed".to_owned(),
@@ -89,7 +86,7 @@ pub(super) fn method(model: &Model, program: &Program) -> String {
     }
 }
 
-/// The accuracy that was declared, and the one that is to be expected.
+/// The predicted error and the declared accuracy, in scene units.
 pub(super) fn accuracy(model: &Model, prediction: &Prediction) -> String {
     let error = match prediction.error {
         error if error.is_finite() => format!("{error:.1e} predicted"),
@@ -101,8 +98,8 @@ pub(super) fn accuracy(model: &Model, prediction: &Prediction) -> String {
     }
 }
 
-/// The loops and joints on which nothing that is shown depends.
-pub(super) fn left_out(model: &Model, plan: &Plan, program: &Program) -> String {
+/// The loops and joints that are not computed, because nothing that is shown depends on them.
+pub(super) fn omissions(model: &Model, plan: &Plan, program: &Program) -> String {
     let solved = program.solved_loops();
     let needed = program::needed(model, plan, &program.stored);
     let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
@@ -115,16 +112,8 @@ pub(super) fn left_out(model: &Model, plan: &Plan, program: &Program) -> String 
         .collect();
     arms.sort_unstable();
     let mut parts = Vec::new();
-    match &loops[..] {
-        [] => {}
-        [one] => parts.push(format!("loop {one}")),
-        several => parts.push(format!("loops {}", several.join(", "))),
-    }
-    match &arms[..] {
-        [] => {}
-        [one] => parts.push(format!("joint {}", joints(model, &[*one]))),
-        several => parts.push(format!("joints {}", joints(model, several))),
-    }
+    parts.extend(plural("loop", loops.len(), &loops.join(", ")));
+    parts.extend(plural("joint", arms.len(), &joints(model, &arms)));
     if parts.is_empty() {
         parts.push("poses".to_owned());
     }

@@ -1,4 +1,4 @@
-//! The report: what the analysis found, in plain text, for the terminal, the docs and the gallery.
+//! The results of the analysis as plain text, for the terminal, the documentation and the gallery.
 
 mod effects;
 mod loops;
@@ -10,7 +10,7 @@ use crate::model::{Joint, JointId, JointKind, LinkId, Model};
 use crate::plan::Step;
 use crate::structure::Structure;
 use effects::{force_lines, trace_line};
-use loops::{accuracy, left_out, loop_line, method, needs_line, solved_line};
+use loops::{accuracy, loop_line, method, method_line, needs_line, omissions};
 use rolling::{cam_line, mesh_line, rolling_line};
 use std::fmt::Write;
 
@@ -78,7 +78,7 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
         )?;
         writeln!(text, "            {}", needs_line(model, plan, closing))?;
         if let Some(solved) = loops.iter().find(|solved| solved.number == index) {
-            writeln!(text, "            {}", solved_line(solved))?;
+            writeln!(text, "            {}", method_line(solved))?;
         }
     }
     writeln!(text, "  method    {}", method(model, program))?;
@@ -89,7 +89,7 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
         writeln!(
             text,
             "  left out  {}: {saved}",
-            left_out(model, plan, program)
+            omissions(model, plan, program)
         )?;
     }
     writeln!(text, "  cost      {}", cost::of_program(program))?;
@@ -119,7 +119,7 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
     Ok(())
 }
 
-/// The mobility by counting, with what each kind of joint takes away.
+/// The mobility by counting, with the degrees of freedom that each kind of joint removes.
 fn mobility(model: &Model, structure: &Structure) -> String {
     let count =
         |wanted: fn(&Joint) -> bool| model.joints.iter().filter(|joint| wanted(joint)).count();
@@ -145,6 +145,7 @@ fn mobility(model: &Model, structure: &Structure) -> String {
     text
 }
 
+/// The names of joints.
 fn joints(model: &Model, ids: &[JointId]) -> String {
     if ids.is_empty() {
         return "none".to_owned();
@@ -158,6 +159,16 @@ fn joints(model: &Model, ids: &[JointId]) -> String {
     names.join(" ")
 }
 
+/// A noun with names after it, in the plural if there are several; none if there are none.
+fn plural(noun: &str, count: usize, names: &str) -> Option<String> {
+    match count {
+        0 => None,
+        1 => Some(format!("{noun} {names}")),
+        _ => Some(format!("{noun}s {names}")),
+    }
+}
+
+/// The name of a link.
 fn name(model: &Model, link: LinkId) -> &str {
     &model.link(link).name
 }

@@ -1,4 +1,4 @@
-//! The lines of a report about gears, belts, racks and cams.
+//! The report's lines about gears, belts, racks and cams.
 
 use super::name;
 use crate::bug::bug;
@@ -6,25 +6,18 @@ use crate::model::{JointKind, Model, Ratio};
 use crate::plan::{Cam, Mesh, Plan, Rational, Source, fraction};
 use crate::structure::Rolling;
 
+/// The links, the size and the carrier of a gear, belt or rack.
 pub(super) fn rolling_line(model: &Model, rolling: &Rolling) -> String {
     let joint = model.joint(rolling.joint);
     let size = match joint.kind {
-        JointKind::Gear {
-            ratio: Ratio::Teeth(a, b),
-            ..
-        } => format!("{a} : {b} teeth"),
-        JointKind::Belt {
-            ratio: Ratio::Teeth(a, b),
-            ..
-        } => format!("belt {a} : {b}"),
-        JointKind::Gear {
-            ratio: Ratio::Radii(a, b),
-            ..
-        } => format!("radii {a} : {b}"),
-        JointKind::Belt {
-            ratio: Ratio::Radii(a, b),
-            ..
-        } => format!("belt {a} : {b}"),
+        JointKind::Gear { ratio, .. } => match ratio {
+            Ratio::Teeth(a, b) => format!("{a} : {b} teeth"),
+            Ratio::Radii(a, b) => format!("radii {a} : {b}"),
+        },
+        JointKind::Belt { ratio, .. } => match ratio {
+            Ratio::Teeth(a, b) => format!("belt {a} : {b}"),
+            Ratio::Radii(a, b) => format!("belt {a} : {b}"),
+        },
         JointKind::Rack { radius, .. } => format!("rack, radius {radius}"),
         kind => bug!("{kind:?} is reported as something that rolls"),
     };
@@ -36,7 +29,7 @@ pub(super) fn rolling_line(model: &Model, rolling: &Rolling) -> String {
     )
 }
 
-/// By which motors, angles and slides a joint is moved that rolling moves.
+/// The factors of motors, angles and displacements in the coordinate of a joint that gears, belts or racks move.
 pub(super) fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
     let part = |(source, part): &(usize, Rational)| {
         let source = match plan.sources[*source] {

@@ -1,4 +1,4 @@
-//! The start: assembled in no way, or in several.
+//! The start: no assembly, or several.
 
 use super::Words;
 use super::wording::{brief, places_enough};
@@ -21,8 +21,8 @@ impl Words<'_> {
             } => (
                 self.middle(unknowns),
                 format!(
-                    "the mechanism cannot close at its start: {} and {} stay {} apart\nnote: {} freely, and this is \
-                     as near as they bring them\nhelp: change a length, or start the motors elsewhere",
+                    "the mechanism cannot close at its start: {} and {} stay {} apart\nnote: {} freely, but bring \
+                     them no nearer\nhelp: change a length, or start the motors elsewhere",
                     self.axis(axes.0),
                     self.axis(axes.1),
                     brief(*gap),
@@ -32,8 +32,8 @@ impl Words<'_> {
             Diagnosis::DeadStart { unknowns } => (
                 self.middle(unknowns),
                 format!(
-                    "the mechanism starts at a dead point: which way {} from there is not determined{}",
-                    self.the_joints(unknowns, ["goes", "go"]),
+                    "the mechanism starts at a dead point: from there {} go either way{}",
+                    self.the_joints(unknowns, ["can", "can"]),
                     self.start_elsewhere(offers)
                 ),
             ),
@@ -65,7 +65,7 @@ impl Words<'_> {
         }
     }
 
-    /// Where a loop is told of: at its middle joint.
+    /// Where a message about a loop stands: at its middle joint.
     fn middle(&self, unknowns: &[JointId]) -> Origin {
         let joint = unknowns.get(1).or(unknowns.first());
         joint.map_or(self.model.origin, |&joint| self.model.joint(joint).origin)
@@ -80,7 +80,7 @@ impl Words<'_> {
         }
     }
 
-    /// A statement for each assembly. That of a single loop tells where its joint is then.
+    /// A statement for each assembly. That of a single loop says where its joint is then.
     fn all_assemblies(&self, links: &[LinkId], angles: &[Vec<f64>], loops: &[OpenLoop]) -> String {
         let places = places_enough(links.len(), angles);
         let clause = |(number, angles): (usize, &Vec<f64>)| {
@@ -95,7 +95,7 @@ impl Words<'_> {
                         joint, assemblies, ..
                     },
                 ] => assemblies.get(number).map(|assembly| {
-                    let at = self.shown(*joint, assembly.coordinate);
+                    let at = self.format_coordinate(*joint, assembly.coordinate);
                     format!(": {} is then at {at}", self.joint(*joint))
                 }),
                 _ => None,
@@ -129,9 +129,9 @@ impl Words<'_> {
                 return String::new();
             };
             let joint = self.joint(open.joint);
-            let first = self.shown(open.joint, first.coordinate);
+            let first = self.format_coordinate(open.joint, first.coordinate);
             let others = others.iter().map(|assembly| {
-                let there = self.shown(open.joint, assembly.coordinate);
+                let there = self.format_coordinate(open.joint, assembly.coordinate);
                 format!("`{}` puts it at {there}", clause(open, assembly))
             });
             let others: Vec<String> = others.collect();

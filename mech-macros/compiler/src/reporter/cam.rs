@@ -15,7 +15,7 @@ impl Words<'_> {
         let (shaft, follower) = (self.joint(shaft), self.joint(follower));
         format!(
             "cam {} does not drive its follower: the coordinate of {shaft}, its shaft, is not known before that of {follower}\nhelp: \
-             put a motor on {shaft} or on what moves it, or exchange the two and write the law the other way round",
+             put a motor on {shaft} or on what moves it, or exchange shaft and follower, and invert the law",
             self.joint(cam)
         )
     }
@@ -26,7 +26,7 @@ impl Words<'_> {
         };
         let law = self.model.law(law);
         let text = format!(
-            "cam {} has its follower nowhere at the start: `{}` has no value where `q`, the coordinate of {}, is {at}\nhelp: start \
+            "cam {} gives its follower no place at the start: `{}` has no value where `q`, the coordinate of {}, is {at}\nhelp: start \
              elsewhere, or change the law",
             self.joint(cam),
             law.written,
@@ -68,7 +68,7 @@ impl Words<'_> {
         let mut cams = self.model.cams();
         let (cam, shaft, ..) = cams.find(|(_, _, follower, _)| *follower == joint)?;
         Some(format!(
-            "joint {} follows cam {}: where it starts is by its law\nhelp: leave this out, or start {} elsewhere",
+            "joint {} follows cam {}, whose law gives its start\nhelp: leave this out, or start {} elsewhere",
             self.joint(joint),
             self.joint(cam),
             self.joint(shaft)

@@ -18,7 +18,7 @@ impl Words<'_> {
         } else {
             "write"
         };
-        let dropped = declared.dropped(self.model).into_iter();
+        let dropped = declared.dropped_names(self.model).into_iter();
         let dropped: Vec<String> = dropped.map(|name| format!("`joint {name}`")).collect();
         let without = if dropped.is_empty() {
             String::new()

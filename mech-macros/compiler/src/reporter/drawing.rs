@@ -95,7 +95,7 @@ impl Words<'_> {
             joint = self.joint(joint),
             given = self.axis(given),
             other = self.axis(other),
-            offer = self.moved(joint, given, other),
+            offer = self.moved_axis(joint, given, other),
         );
         Some((axis.origin, text))
     }
@@ -138,7 +138,7 @@ impl Words<'_> {
     }
 
     /// An axis as it is declared where the other one is.
-    fn moved(&self, joint: JointId, given: AxisId, other: AxisId) -> String {
+    fn moved_axis(&self, joint: JointId, given: AxisId, other: AxisId) -> String {
         let (axis, there) = (self.model.axis(given), self.model.axis(other));
         let name = axis.own_name();
         let (a, _) = self.model.ends(joint);

@@ -34,8 +34,8 @@ impl Words<'_> {
     pub(super) fn endless_accuracy(&self, accuracy: f64, motor: MotorId) -> String {
         let motor = &self.model.joint(self.model.motor(motor).joint).name;
         format!(
-            "no accuracy holds however far motor `{motor}` turns: rounding errors of `{}` grow with its turns\nhelp: declare how far it \
-             turns, `motor {motor} in -3600 deg ..= 3600 deg;` for example, or leave `accuracy {accuracy:e};` out",
+            "no accuracy holds for unlimited turns of motor `{motor}`: rounding errors of `{}` grow with each turn\nhelp: declare how \
+             far it turns, for example `motor {motor} in -3600 deg ..= 3600 deg;`, or leave `accuracy {accuracy:e};` out",
             self.model.name
         )
     }

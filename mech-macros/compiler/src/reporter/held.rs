@@ -13,7 +13,7 @@ impl Words<'_> {
         offers: &Offers,
     ) -> String {
         let motor = self.joint(self.model.motor(motor).joint);
-        let links = self.moving(part);
+        let links = self.moving_links(part);
         let (form, them) = if links.len() == 1 {
             ("is", "it")
         } else {
@@ -39,8 +39,13 @@ impl Words<'_> {
             .filter(|&&id| id != motor)
             .map(|&id| joint(id))
             .collect();
+        let determine = if others.len() == 1 {
+            "determines"
+        } else {
+            "determine"
+        };
         format!(
-            "motor {} is one too many: what moves there is already given by {}{}",
+            "motor {} is one too many: {} already {determine} what moves there{}",
             self.joint(joint(motor)),
             self.motors(&others),
             self.help_or_pairs(offers)
@@ -53,7 +58,6 @@ impl Words<'_> {
         is_mobile: bool,
         offers: &Offers,
     ) -> String {
-        let one = self.joint_names(joints).len() == 1;
         let rolls = |&joint: &JointId| self.model.joint(joint).kind.rolls();
         let cam = |&joint: &JointId| matches!(self.model.joint(joint).kind, JointKind::Cam { .. });
         let sizes = if joints.iter().any(cam) {
@@ -63,7 +67,7 @@ impl Words<'_> {
         } else {
             "lengths"
         };
-        let bolted = self.bolted(joints).unwrap_or_default();
+        let bolted = self.bolting_note(joints).unwrap_or_default();
         let help = if bolted.is_empty() {
             self.help_or_pairs(offers)
         } else {
@@ -71,14 +75,13 @@ impl Words<'_> {
         };
         if is_mobile {
             return format!(
-                "{} too many: the mechanism moves all the same, but only because its {sizes} match exactly{bolted}{help}",
+                "{} too many: the mechanism still moves, but only because its {sizes} match exactly{bolted}{help}",
                 self.the_joints(joints, ["is one", "are"]),
             );
         }
         let hold = self.the_joints(joints, ["holds", "hold"]);
-        let it = if one { "it fits" } else { "they fit" };
         format!(
-            "{hold} the same parts more than once: {it} together only if all {sizes} match exactly{bolted}{help}"
+            "{hold} the same parts more than once: these fit together only if all {sizes} match exactly{bolted}{help}"
         )
     }
 
@@ -95,7 +98,7 @@ impl Words<'_> {
     }
 
     /// If joints that hold each other are all between the same two links: that these should be one.
-    fn bolted(&self, joints: &[JointId]) -> Option<String> {
+    fn bolting_note(&self, joints: &[JointId]) -> Option<String> {
         let pair = |joint: JointId| {
             let (a, b) = self.model.ends(joint);
             (a.min(b), a.max(b))
@@ -129,7 +132,7 @@ impl Words<'_> {
         )
     }
 
-    /// Slots whose pins stay free to turn, though a motor drives their way: the two have one name.
+    /// Slots whose pins stay free to turn, though a motor drives their displacement: both joints of a slot have its name.
     fn pins_that_turn(&self, free: &[JointId]) -> String {
         let driven = |&pin: &JointId| {
             let joint = self.model.joint(pin);

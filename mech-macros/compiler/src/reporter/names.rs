@@ -42,7 +42,7 @@ impl Words<'_> {
     }
 
     /// The links that were declared, without the ground.
-    pub(super) fn moving(&self, ids: &[LinkId]) -> Vec<LinkId> {
+    pub(super) fn moving_links(&self, ids: &[LinkId]) -> Vec<LinkId> {
         let declared = |id: &LinkId| *id != LinkId::GROUND && self.model.link(*id).die.is_none();
         ids.iter().copied().filter(declared).collect()
     }

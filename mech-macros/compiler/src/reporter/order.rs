@@ -36,8 +36,8 @@ impl Words<'_> {
             let round = [after, before, &after[..1]].concat().join(" → ");
             let help = if index == 0 { &help[..] } else { "" };
             let text = format!(
-                "the mechanism is not sequential: {} cannot be solved alone\nnote: these loops have more than three \
-                 unknowns each, and wait for each other: {round}{help}",
+                "the mechanism is not sequential: {} cannot be solved alone\nnote: each of these loops has more than three \
+                 unknowns, and they wait for each other: {round}{help}",
                 named[index]
             );
             (at, text)

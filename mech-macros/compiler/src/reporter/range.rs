@@ -38,8 +38,8 @@ impl Words<'_> {
                 let start = self.model.start.value(declared.joint);
                 let end = if *limit < start { "begin" } else { "end" };
                 format!(
-                    "motor {name} is blocked at {}, within its range{others}\nnote: coming from its start at {} it is at a dead \
-                     point there; until {} {} close the loop\nhelp: let the range {end} at {}, or change a length",
+                    "motor {name} is blocked at {}, within its range{others}\nnote: coming from its start at {} it meets a dead \
+                     point there; from there to {} {} close the loop\nhelp: let the range {end} at {}, or change a length",
                     at(*limit),
                     at(start),
                     at(*until),
@@ -48,24 +48,24 @@ impl Words<'_> {
                 )
             }
             RangeTrouble::Cam(cam) => format!(
-                "it cannot be proved that motor {name} moves through its range: there is no proof for cams, and {} is one\nhelp: leave \
-                 the range out: then every move is tested when it is made",
+                "it cannot be proved that motor {name} moves through its range: there is no proof for cams, and {} is a cam\nhelp: leave \
+                 the range out; every move is then tested as it is made",
                 self.joint(*cam)
             ),
             RangeTrouble::Stops => format!(
                 "motor {name} cannot move through its range: {} at a change point in it, and `at change points stop` was declared\nhelp: \
-                 narrow the range, or let it go on",
+                 narrow the range, or leave `at change points stop` out",
                 self.the_joints(unknowns, ["is", "are"])
             ),
             RangeTrouble::Undecided { between } => format!(
-                "it could not be proved that motor {name} moves through its range, nor that it does not\nnote: it could not be told whether \
-                 the loop of {} closes {}\nhelp: narrow the range, or leave it out: then every move is tested when it is made",
+                "it could not be proved that motor {name} moves through its range, nor that it does not\nnote: it could not be decided whether \
+                 the loop of {} closes {}\nhelp: narrow the range, or leave it out; every move is then tested as it is made",
                 self.joints(unknowns),
                 self.places(motor, between)
             ),
             RangeTrouble::Iterated => format!(
                 "the range of motor {name} cannot be proved: the loop of {} is solved by iteration, for which there is no proof\nhelp: \
-                 leave the range out: then every move is tested when it is made{}",
+                 leave the range out; every move is then tested as it is made{}",
                 self.joints(unknowns),
                 if self.model.method.is_some() {
                     "; or write `method exact`"
@@ -77,7 +77,7 @@ impl Words<'_> {
                 let param = self.param(*param);
                 format!(
                     "the range of motor {name} is proved for one shape of the mechanism, which param `{param}` may change\nhelp: \
-                     leave the range out: then every move is tested when it is made; or write `const {param}`"
+                     leave the range out; every move is then tested as it is made; or write `const {param}`"
                 )
             }
             RangeTrouble::Missing => format!(

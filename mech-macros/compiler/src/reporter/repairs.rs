@@ -3,7 +3,7 @@
 use super::Words;
 use super::wording::{brief, one_of};
 use crate::bug::bug;
-use crate::model::{JointId, JointKind, MotorId, Ratio};
+use crate::model::{JointId, JointKind, MotorId, NewKind, Ratio};
 use crate::repair::{Offers, Repair, Search};
 
 /// A line is not made longer than this by putting several phrases on it.
@@ -23,7 +23,7 @@ impl Words<'_> {
         if !offers.coupled.is_empty() {
             let phrases = self.phrases(&offers.coupled).join(", or ");
             lines.push(format!(
-                "{phrases}, with `allow coupled;`: it settles everything, but the loops then wait for each other"
+                "{phrases}, with `allow coupled;`: then everything is determined, but loops are solved together"
             ));
         }
         if !lines.is_empty() {
@@ -37,7 +37,7 @@ impl Words<'_> {
             .map(|line| format!("\nhelp: for this alone, {line}"));
         let some = !lines.is_empty() || alone.is_some();
         let cut = some && offers.search == Search::Bounded;
-        let cut = cut.then(|| "\nnote: not all changes that might mend it were tried".to_owned());
+        let cut = cut.then(|| "\nnote: not all possible changes were tried".to_owned());
         lines
             .iter()
             .enumerate()
@@ -113,13 +113,13 @@ impl Words<'_> {
             repairs.iter().enumerate().filter_map(alone).collect();
         phrases.extend(self.moved_motors(repairs));
         let listed = |before: &str, after: &str, name: &dyn Fn(&Repair) -> Option<String>| {
-            let names = named(repairs, name);
+            let names = collect_names(repairs, name);
             let place = repairs.iter().position(|repair| name(repair).is_some());
             place.map(|place| (place, [before, &one_of(&names), after].concat()))
         };
         let lists = [
             listed("write ", "", &|repair| match repair {
-                Repair::Resize { sizes, .. } => Some(format!("`{}`", written(*sizes))),
+                Repair::Resize { sizes, .. } => Some(format!("`{}`", write_ratio(*sizes))),
                 _ => None,
             }),
             listed("remove ", "", &|repair| match repair {
@@ -129,11 +129,17 @@ impl Words<'_> {
                 _ => None,
             }),
             listed("replace ", " by `slot(...)`", &|repair| match repair {
-                Repair::MakeSlot { joint, .. } => Some(self.joint_line(*joint)),
+                Repair::Replace {
+                    joint,
+                    by: NewKind::Slot(_),
+                } => Some(self.joint_line(*joint)),
                 _ => None,
             }),
             listed("replace ", " by `revolute(...)`", &|repair| match repair {
-                Repair::Unweld(joint) => Some(self.joint_line(*joint)),
+                Repair::Replace {
+                    joint,
+                    by: NewKind::Revolute,
+                } => Some(self.joint_line(*joint)),
                 _ => None,
             }),
             listed("leave ", " out", &|repair| match repair {
@@ -188,7 +194,7 @@ impl Words<'_> {
         let mut motors: Vec<MotorId> = repairs.iter().filter_map(moved).collect();
         motors.dedup();
         let phrase = |motor| {
-            let to = named(repairs, |repair| match repair {
+            let to = collect_names(repairs, |repair| match repair {
                 Repair::MoveMotor { motor: other, to } if *other == motor => Some(self.joint(*to)),
                 _ => None,
             });
@@ -254,14 +260,14 @@ impl Words<'_> {
 }
 
 /// Two sizes as they are declared: teeth are whole, radii have a decimal point.
-pub(super) fn written(sizes: Ratio) -> String {
+pub(super) fn write_ratio(sizes: Ratio) -> String {
     match sizes {
         Ratio::Teeth(a, b) => format!("{a} : {b}"),
         Ratio::Radii(a, b) => format!("{a:?} : {b:?}"),
     }
 }
 
-fn named(repairs: &[Repair], name: impl Fn(&Repair) -> Option<String>) -> Vec<String> {
+fn collect_names(repairs: &[Repair], name: impl Fn(&Repair) -> Option<String>) -> Vec<String> {
     repairs.iter().filter_map(name).collect()
 }
 

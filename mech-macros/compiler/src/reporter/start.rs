@@ -19,7 +19,7 @@ impl Words<'_> {
         };
         let text = self.start_by_cam(joint).unwrap_or_else(|| {
             format!(
-                "joint {} has no motor and nothing that rolls drives it: where it starts follows from the others{}",
+                "joint {} has no motor, and no gear, belt or rack drives it: its start follows from the other joints{}",
                 self.joint(joint),
                 self.assembly_near(joint)
             )
@@ -31,12 +31,12 @@ impl Words<'_> {
     fn assembly_near(&self, joint: JointId) -> String {
         let wanted = self.model.start.value(joint);
         let mut free = self.model.clone();
-        match assembled(&mut free) {
+        match assemble(&mut free) {
             Ok(plan) => match coordinate(&free, &plan, joint) {
                 Some(value) => format!(
-                    "\nhelp: leave this out: there is one assembly, in which {} is at {}",
+                    "\nhelp: leave this out: there is only one assembly, in which {} is at {}",
                     self.joint(joint),
-                    self.shown(joint, value)
+                    self.format_coordinate(joint, value)
                 ),
                 None => "\nhelp: leave this out".to_owned(),
             },
@@ -67,10 +67,10 @@ impl Words<'_> {
             .map(|(link, angle)| format!("{} near {angle} deg;", self.model.link(*link).name));
         let clauses: Vec<_> = clauses.collect();
         format!(
-            "\nhelp: write `{}` instead: then {} is at {}, as near as an assembly has it",
+            "\nhelp: write `{}` instead: then {} is at {}, the nearest of all assemblies",
             clauses.join(" "),
             self.joint(joint),
-            self.shown(joint, value)
+            self.format_coordinate(joint, value)
         )
     }
 
@@ -81,7 +81,7 @@ impl Words<'_> {
         }
     }
 
-    pub(super) fn shown(&self, joint: JointId, value: f64) -> String {
+    pub(super) fn format_coordinate(&self, joint: JointId, value: f64) -> String {
         match self.model.joint(joint).kind {
             JointKind::Revolute(..) => format!("{} deg", brief(value.to_degrees())),
             _ => brief(value),
@@ -94,7 +94,7 @@ const NO_ANGLE: &str =
     "\nhelp: leave this out; `near` after a link chooses one of several assemblies";
 
 /// The start of a mechanism, without what it says of joints that follow from others.
-fn assembled(model: &mut Model) -> Result<Plan, Diagnosis> {
+fn assemble(model: &mut Model) -> Result<Plan, Diagnosis> {
     loop {
         let structure = structure::analyse(model).map_err(|diagnoses| {
             let first = diagnoses.into_iter().next();
@@ -118,7 +118,7 @@ fn coordinate_near(model: &Model, joint: JointId, links: &[LinkId], angles: &[f6
         origin: Origin::default(),
     });
     chosen.start.near.extend(near);
-    let plan = assembled(&mut chosen).ok()?;
+    let plan = assemble(&mut chosen).ok()?;
     coordinate(&chosen, &plan, joint)
 }
 

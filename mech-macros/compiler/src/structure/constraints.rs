@@ -122,12 +122,12 @@ impl<'m> Constraints<'m> {
 
     /// `factors · (rates of b − rates of a)`.
     fn difference(&self, a: LinkId, b: LinkId, factors: [Element; 3]) -> Sparse {
-        let mut row = self.weighted(b, factors);
-        row.extend(self.weighted(a, factors.map(|factor| -factor)));
+        let mut row = self.weighted_row(b, factors);
+        row.extend(self.weighted_row(a, factors.map(|factor| -factor)));
         row
     }
 
-    fn weighted(&self, link: LinkId, factors: [Element; 3]) -> Sparse {
+    fn weighted_row(&self, link: LinkId, factors: [Element; 3]) -> Sparse {
         let columns = self.columns[link.index()];
         let columns = [columns.turn, columns.x, columns.y];
         columns

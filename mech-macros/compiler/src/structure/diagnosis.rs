@@ -66,7 +66,7 @@ pub enum Diagnosis {
     Overdetermined {
         /// The joints that hold each other's part.
         joints: Vec<JointId>,
-        /// Whether it can be assembled and moves all the same, because its lengths match exactly.
+        /// Whether it can still be assembled and moves, because its lengths match exactly.
         is_mobile: bool,
     },
     /// Joints hold a part more than once, so that it moves only as long as its lengths match; but params may change lengths.
@@ -122,19 +122,19 @@ pub enum Diagnosis {
         /// The axes that cannot be made to coincide.
         axes: (AxisId, AxisId),
     },
-    /// A loop starts at a dead point, where the way it goes on is not determined.
+    /// A loop starts at a dead point, from which it can go either way.
     DeadStart {
         /// The joints of the loop whose coordinates are unknown.
         unknowns: Vec<JointId>,
     },
     /// Several assemblies satisfy the start.
     SeveralAssemblies {
-        /// The links whose directions tell the assemblies apart.
+        /// The links whose directions distinguish the assemblies.
         links: Vec<LinkId>,
         /// For each assembly the angle of each of these links, in radians. Of very many, only those in which one loop differs
         /// from the first.
         angles: Vec<Vec<f64>>,
-        /// The loops that can be closed in several ways.
+        /// The loops with several assemblies.
         loops: Vec<OpenLoop>,
         /// Whether there are more than are looked at.
         many: bool,
@@ -183,18 +183,18 @@ pub enum Diagnosis {
     },
 }
 
-/// A loop that can be closed in several ways.
+/// A loop with several assemblies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenLoop {
     /// The joint by whose coordinate they differ most.
     pub joint: JointId,
     /// The link by whose direction they differ most.
     pub link: LinkId,
-    /// The ways, the first of them that of the first assembly.
+    /// Its assemblies, the first of them that of the first assembly of the whole.
     pub assemblies: Vec<LoopAssembly>,
 }
 
-/// One way in which a loop can be closed.
+/// One assembly of a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopAssembly {
     /// The angle of the link in the scene, in radians.
@@ -233,7 +233,7 @@ pub enum RangeTrouble {
     },
     /// The loop is at a change point in the range, and was declared to stop there.
     Stops,
-    /// Neither a proof nor a dead point was found within the time there is: this is where it could not be told.
+    /// Neither a proof nor a dead point was found within the time there is: this is where it could not be decided.
     Undecided {
         /// For each motor that has a part in the loop its values there.
         between: Vec<(MotorId, (f64, f64))>,

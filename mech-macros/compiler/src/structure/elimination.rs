@@ -94,7 +94,7 @@ impl Elimination {
     pub(crate) fn add(&mut self, row: Sparse) -> Added {
         let made_of = vec![(self.added, Element::ONE)];
         self.added += 1;
-        match self.reduced(row, made_of) {
+        match self.reduce(row, made_of) {
             None => Added::Independent,
             Some(made_of) => {
                 Added::Dependent(made_of.into_iter().map(|(index, _)| index).collect())
@@ -104,11 +104,11 @@ impl Elimination {
 
     /// Adds a row without remembering how it came about, as all rows before it; whether it says something new.
     pub(crate) fn extend(&mut self, row: Sparse) -> bool {
-        self.reduced(row, Sparse::new()).is_none()
+        self.reduce(row, Sparse::new()).is_none()
     }
 
     /// Adds what is left of a row when those before it are taken away; if nothing is, gives what it was made of.
-    fn reduced(&mut self, row: Sparse, mut made_of: Sparse) -> Option<Sparse> {
+    fn reduce(&mut self, row: Sparse, mut made_of: Sparse) -> Option<Sparse> {
         let mut row = sparse(row);
         while let Some(&(column, value)) = row.last() {
             if let Some(pivot) = &self.pivots[column] {

@@ -61,8 +61,8 @@ impl KinematicGraph {
         arms
     }
 
-    /// The joints on a way between two links over joints that have a level: the way's highest level is as low as it can be, and
-    /// of such ways it is a shortest.
+    /// The joints on a path between two links over joints that have a level: its highest level is as low as it can be, and of
+    /// such paths it is a shortest.
     pub(crate) fn path(
         &self,
         from: LinkId,

@@ -64,7 +64,7 @@ pub(crate) fn carriers(model: &Model, joint: JointId) -> Vec<LinkId> {
 /// Finds out what is connected to what, without asking whether it moves.
 pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
     let graph = KinematicGraph::new(model);
-    connected(&graph, model)?;
+    check_connected(&graph, model)?;
     let pins = pin::pins(model);
     let rollings = rolling::rollings(model, &pins)?;
     let arms = graph.arms();
@@ -82,7 +82,7 @@ pub(crate) fn layout(model: &Model) -> Result<Structure, Vec<Diagnosis>> {
     })
 }
 
-fn connected(graph: &KinematicGraph, model: &Model) -> Result<(), Vec<Diagnosis>> {
+fn check_connected(graph: &KinematicGraph, model: &Model) -> Result<(), Vec<Diagnosis>> {
     let pieces = graph.pieces_off_ground();
     let jointless = |link| {
         model

@@ -119,12 +119,12 @@ fn candidates(model: &Model, pins: &[Pin], joint: JointId) -> Vec<Rolling> {
     model
         .link_ids()
         .filter(|&carrier| carrier != a && carrier != b)
-        .filter_map(|carrier| carried(model, pins, joint, carrier))
+        .filter_map(|carrier| rolling_on(model, pins, joint, carrier))
         .collect()
 }
 
 /// The rolling on this carrier, if both axes keep their place in it: directly, or through a coaxial joint.
-fn carried(model: &Model, pins: &[Pin], joint: JointId, carrier: LinkId) -> Option<Rolling> {
+fn rolling_on(model: &Model, pins: &[Pin], joint: JointId, carrier: LinkId) -> Option<Rolling> {
     let wheel = |link| {
         let shares = |pin: &&Pin| pin.axis_of(link).is_some() && pin.axis_of(carrier).is_some();
         pins.iter().find(shares).map(|_| RollingEnd::Wheel(link))

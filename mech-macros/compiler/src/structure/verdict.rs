@@ -91,7 +91,7 @@ impl<'m> Rank<'m> {
     }
 
     /// The joints that move in a random motion of what is left free.
-    fn moving(&self, motion: &[Element]) -> Vec<JointId> {
+    fn moving_joints(&self, motion: &[Element]) -> Vec<JointId> {
         let moves = |id: &JointId| !self.rate(*id, motion).is_zero();
         self.model.joint_ids().filter(moves).collect()
     }
@@ -125,7 +125,7 @@ impl<'m> Rank<'m> {
             .collect();
         let free = motions
             .first()
-            .map_or(Vec::new(), |motion| self.moving(motion));
+            .map_or(Vec::new(), |motion| self.moving_joints(motion));
         if freedom <= 1 {
             return free;
         }
@@ -182,7 +182,7 @@ pub(super) fn verdict(
         });
     } else if freedom > 0 {
         let motion = rank.driven.random_motion(&mut rank.dice);
-        let free = rank.moving(&motion);
+        let free = rank.moving_joints(&motion);
         diagnoses.push(Diagnosis::Undetermined {
             freedom,
             free,
@@ -210,7 +210,7 @@ fn blocked_motors(model: &Model, rank: &mut Rank<'_>) -> Vec<Diagnosis> {
         }
         let ends = model.ends(model.motor(motor).joint);
         let holding = if joints.is_empty() {
-            aligning(model, ends)
+            aligning_joints(model, ends)
         } else {
             joints
         };
@@ -232,7 +232,7 @@ fn blocked_motors(model: &Model, rank: &mut Rank<'_>) -> Vec<Diagnosis> {
 }
 
 /// The slides and welds by which two links keep their direction to each other.
-fn aligning(model: &Model, (a, b): (LinkId, LinkId)) -> Vec<JointId> {
+fn aligning_joints(model: &Model, (a, b): (LinkId, LinkId)) -> Vec<JointId> {
     let keeps = |joint| {
         let kind = model.joint(joint).kind;
         matches!(kind, JointKind::Prismatic(..) | JointKind::Weld(..)).then_some(0)

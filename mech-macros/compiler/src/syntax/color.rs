@@ -2,8 +2,8 @@
 
 use mech_core::colors::NAMED;
 
-/// What to do about a colour that is told by this name.
-pub(super) fn named(name: &str) -> String {
+/// Says how to write a colour that was given by this name.
+pub(super) fn advice_for(name: &str) -> String {
     let mut known = NAMED.iter();
     let known = known.find(|(known, _)| known.eq_ignore_ascii_case(name));
     let beginning = match known {

@@ -67,7 +67,7 @@ impl Places {
     }
 }
 
-/// Something to tell the user about a place: lower-case, without a final period, notes and helps on lines of their own.
+/// A message to the user about a place: lower-case, without a final period, notes and helps on lines of their own.
 #[derive(Clone, Debug)]
 pub struct Message {
     /// Where.

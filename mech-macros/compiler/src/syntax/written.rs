@@ -42,7 +42,7 @@ impl Display for Expr {
 
 /// A number as it is written where it is multiplied or divided.
 pub(super) fn in_product(expr: &Expr) -> String {
-    bracketed(expr, Bond::Unit)
+    in_brackets(expr, Bond::Unit)
 }
 
 /// A number as it is written when it is given in degrees.
@@ -50,12 +50,12 @@ pub(super) fn with_degrees(expr: &Expr) -> String {
     match &expr.kind {
         // A sign before the number binds less than the unit after it.
         ExprKind::Negative(inner) => format!("-{}", with_degrees(inner)),
-        _ => format!("{} deg", bracketed(expr, Bond::Whole)),
+        _ => format!("{} deg", in_brackets(expr, Bond::Whole)),
     }
 }
 
 /// A number: in brackets if it is held together less tightly than this.
-fn bracketed(expr: &Expr, bond: Bond) -> String {
+fn in_brackets(expr: &Expr, bond: Bond) -> String {
     if bond_of(expr) < bond {
         format!("({expr})")
     } else {
@@ -79,7 +79,7 @@ fn chain(
 }
 
 fn part(expr: &Expr, bond: Bond, formatter: &mut Formatter) -> fmt::Result {
-    formatter.write_str(&bracketed(expr, bond))
+    formatter.write_str(&in_brackets(expr, bond))
 }
 
 fn bond_of(expr: &Expr) -> Bond {

@@ -30,7 +30,7 @@ const BETWEEN: f64 = 0.381_966;
 /// a period is shown wrongly.
 ///
 /// ```
-/// use mech_runtime::files::{Sheet, animated};
+/// use mech_runtime::files::{Sheet, animate};
 /// use mech_runtime::{View, mechanism};
 /// use std::f64::consts::TAU;
 /// use std::time::Duration;

@@ -17,7 +17,7 @@ use std::{format, string::String, vec::Vec};
 ///
 /// It is painted moment by moment. The moments are equidistant, and the first follows the last. A rigid figure moves as a whole, also if
 /// it is painted in the scene. Where the moments are near enough together, its error is below a tenth of a pixel. A figure that changes
-/// its form, such as an arrow or a spring, or that is not always visible, is shown at most thirty times a second. A trace shows its whole
+/// its form (an arrow, a spring) or is not always visible is shown at most thirty times a second. A trace shows its whole
 /// path. Readers who prefer reduced motion see the first moment, and so do those whose viewer cannot move it.
 ///
 /// The names in the file are its own as long as an `<img>` shows it.

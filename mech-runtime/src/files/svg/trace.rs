@@ -11,8 +11,8 @@ const STEP: f64 = 0.5;
 /// The number of moments at which the whole line must lie on the path. That distinguishes traces from springs.
 const ASKED: usize = 16;
 
-/// The whole path of a trace in one period. `None` if the moments do not show one line that always continues from its last end, stays
-/// visible, and lies on the path of its end.
+/// The whole path of a trace in one period. `None` if the moments show anything else. A trace is one line that stays visible, continues
+/// from its last end, and lies on the path of its end.
 pub(super) fn whole_path(moments: &[Vec<Figure>]) -> Option<Figure> {
     let seen = moments.iter().skip_while(|moment| moment.is_empty());
     let lines = seen.map(|moment| match moment.as_slice() {

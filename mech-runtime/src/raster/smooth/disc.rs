@@ -1,5 +1,5 @@
-//! A circle within the margins of a picture, which are not looked at any more: first the rows in which its sides are steep, and the
-//! rows around its poles, pixel by pixel, if it is so large that these are flat.
+//! A circle within a picture, for which no pixel needs a test. The rows with steep sides are filled first. The rows around the poles of a
+//! large circle, which are flat, are filled pixel by pixel.
 
 use super::Soft;
 use super::flank::{self, Flank};
@@ -10,8 +10,8 @@ use crate::raster::memory::{Grid, Memory};
 use core::ops::Range;
 use nalgebra::ComplexField;
 
-/// How far at most, in pixels, the sides may lie outside of a straight line from border to border. The line is put outwards by so
-/// much that it covers as much; where it leads through several pixels, one of them errs by a fifth of that.
+/// The greatest distance, in pixels, of the sides from a straight line between two borders. The line is moved outwards until it covers as
+/// much. Where it passes through several pixels, one of them errs by a fifth of that.
 const BULGE: f32 = 0.006;
 
 /// The same for the sides around the poles, from column to column: none leads through several pixels.
@@ -125,8 +125,8 @@ impl<T: Scalar> Disc<T> {
         }
     }
 
-    /// Gives some pixels of a row another colour, each as far as the circle is farther from its horizontal diameter than the nearer
-    /// border of the row.
+    /// Paints some pixels of a row. The covered part of each is where the circle is farther from its horizontal diameter than the row's
+    /// nearer border.
     fn paint_columns(
         &self,
         pixels: &mut [[u8; 4]],

@@ -57,7 +57,7 @@ impl Flank {
     }
 }
 
-/// The mean of all numbers in a range so long around one, of which each counts as one that is not below zero nor above one.
+/// The mean of a range of numbers around a middle, each clamped between zero and one.
 #[inline]
 pub(super) fn mean_around(middle: f32, run: f32) -> f32 {
     let run = Real::max(run, LEAST_RUN);

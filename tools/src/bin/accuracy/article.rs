@@ -1,4 +1,4 @@
-//! The page about it all.
+//! The page `docs/accuracy.md`.
 
 use crate::frontier::{frontier, never_worth};
 use crate::machine;
@@ -66,7 +66,7 @@ fn steps() -> String {
     }
 }
 
-/// What is worth its price, and at which step.
+/// The section on methods that are worth their price.
 fn worth_list(measurements: &[Measurement]) -> String {
     let heads = STEPS.map(|step| format!(" {}° |", step.degrees()));
     let rules = STEPS.map(|_| "---|");
@@ -105,7 +105,7 @@ fn describe_price(figures: &Figures, size: f64) -> String {
     )
 }
 
-/// What follows from it.
+/// The section on conclusions.
 fn reading(measurements: &[Measurement]) -> String {
     let is_exact = |measurement: &&Measurement| {
         let mut worth = STEPS
@@ -141,7 +141,7 @@ fn reading(measurements: &[Measurement]) -> String {
     text
 }
 
-/// What was blocked, and where.
+/// The section on blocked methods.
 fn blocked_list(measurements: &[Measurement]) -> String {
     let mut text = String::new();
     for measurement in measurements {

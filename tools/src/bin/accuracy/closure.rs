@@ -1,21 +1,22 @@
 //! Positions that close to thirty digits, straight from the definition of the joints.
 //!
-//! The compiler folds lengths into constants that have seventeen digits. So what its program finds in more is still off by
-//! what these were rounded by, as are the positions it is to judge. A few steps of Newton's iteration on all joints at once,
-//! the gaps in all digits and the rates in a float, take that away.
+//! The compiler folds lengths into constants of seventeen digits. So even with more digits, its program has the error of their rounding, as
+//! the judged positions have. A few steps of Newton's iteration on all joints at once remove this error. The gaps have all digits, the
+//! rates are floats.
 
 use crate::double_double::DoubleDouble;
 use mech_compiler::model::{AxisId, JointKind, LinkId, Model};
+use mech_core::dense;
 use mech_runtime::Real;
 
-/// Gaps below this part of the mechanism's size pass for none.
+/// The size of a gap that counts as closed, relative to the mechanism's.
 const CLOSED: f64 = 1e-28;
-/// Each gives some fourteen digits.
+/// The most rounds. Each gives some fourteen digits.
 const ROUNDS: usize = 6;
 
 type Vector = [DoubleDouble; 2];
 
-/// One condition on the position: what is missing, and its rates with turning and moving each link.
+/// A condition on the position: its gap, and the rates of the gap for the rotation and translation of each link.
 struct Condition {
     gap: DoubleDouble,
     rates: Vec<(usize, f64)>,
@@ -23,10 +24,10 @@ struct Condition {
 
 /// An axis in the scene.
 struct Placed {
-    /// Where the unknowns of its link begin, if that moves.
+    /// The first unknown of its link, if that moves.
     first: Option<usize>,
     at: Vector,
-    /// From the origin of its link.
+    /// The vector from the origin of its link.
     arm: Vector,
     direction: Vector,
 }
@@ -34,7 +35,7 @@ struct Placed {
 /// Corrects the poses until the joints close and the motor's coordinate has the given value.
 ///
 /// # Errors
-/// If they do not come to close, or there is a joint that rolls.
+/// If the joints do not close, or one of them rolls.
 pub(crate) fn close(
     model: &Model,
     size: f64,
@@ -133,7 +134,7 @@ fn dot([a, b]: Vector, [c, d]: Vector) -> f64 {
     (a * c + b * d).to_f64()
 }
 
-/// Two points coincide.
+/// The conditions that two points coincide.
 fn meeting(a: &Placed, b: &Placed) -> [Condition; 2] {
     let condition = |coordinate: usize| {
         let mut rates = Vec::new();
@@ -152,7 +153,7 @@ fn meeting(a: &Placed, b: &Placed) -> [Condition; 2] {
     [condition(0), condition(1)]
 }
 
-/// Two axes have the same direction.
+/// The condition that two axes have the same direction.
 fn parallel(a: &Placed, b: &Placed) -> Condition {
     let rate = dot(a.direction, b.direction);
     let rates = [(a, -rate), (b, rate)].into_iter();
@@ -164,7 +165,7 @@ fn parallel(a: &Placed, b: &Placed) -> Condition {
     }
 }
 
-/// The second point is on the first line.
+/// The condition that the second point is on the first line.
 fn on_line(a: &Placed, b: &Placed) -> Condition {
     let between = [b.at[0] - a.at[0], b.at[1] - a.at[1]];
     let [x, y] = a.direction.map(Real::to_f64);
@@ -188,42 +189,21 @@ fn on_line(a: &Placed, b: &Placed) -> Condition {
     }
 }
 
-/// The steps that take the gaps away, by Gauss's elimination; none if it is singular.
+/// The steps that close the gaps. `None` if the conditions are singular.
 fn solve(conditions: &[Condition], unknowns: usize) -> Option<Vec<f64>> {
     if conditions.len() != unknowns {
         return None;
     }
     let row = |condition: &Condition| {
-        let mut row = vec![0.0; unknowns + 1];
+        let mut row = vec![0.0; unknowns];
         for &(unknown, rate) in &condition.rates {
             row[unknown] += rate;
         }
-        row[unknowns] = -condition.gap.to_f64();
         row
     };
     let mut rows: Vec<Vec<f64>> = conditions.iter().map(row).collect();
-    for column in 0..unknowns {
-        let size = |row: &usize| rows[*row][column].abs();
-        let pivot = (column..unknowns).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        rows.swap(column, pivot);
-        let (above, below) = rows.split_at_mut(column + 1);
-        let pivot = &above[column];
-        if pivot[column] == 0.0 {
-            return None;
-        }
-        for row in below.iter_mut().filter(|row| row[column] != 0.0) {
-            let part = row[column] / pivot[column];
-            for (number, above) in row.iter_mut().zip(pivot).skip(column) {
-                *number -= part * above;
-            }
-        }
-    }
-    let mut steps = vec![0.0; unknowns];
-    for column in (0..unknowns).rev() {
-        let row = &rows[column];
-        let known = row.iter().zip(&steps).skip(column + 1);
-        let known: f64 = known.map(|(rate, step)| rate * step).sum();
-        steps[column] = (row[unknowns] - known) / row[column];
-    }
-    Some(steps)
+    let gaps = conditions.iter().map(|condition| condition.gap.to_f64());
+    let mut steps: Vec<f64> = gaps.map(|gap| -gap).collect();
+    let _ = dense::solve(&mut rows, &mut steps);
+    steps.iter().all(|step| step.is_finite()).then_some(steps)
 }

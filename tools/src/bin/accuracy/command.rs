@@ -1,17 +1,17 @@
 //! The command line.
 
-/// What is asked for.
+/// A command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Command {
-    /// To measure, and to renew the page in `docs`.
+    /// Measures, and renews the page in `docs`.
     Full,
-    /// To measure briefly, and to write into `target` only.
+    /// Measures briefly, and writes to `target` only.
     Quick,
     /// Prints a list of all subjects.
     Help,
 }
 
-/// What there is.
+/// The help.
 pub(crate) const HELP: &str = "\
 Measures what each method costs and how exact it is: the price list.
 
@@ -24,7 +24,7 @@ impl Command {
     /// Reads the arguments.
     ///
     /// # Errors
-    /// If there is one that means nothing.
+    /// If an argument is unknown.
     pub(crate) fn read(arguments: impl IntoIterator<Item = String>) -> Result<Self, String> {
         let mut command = Self::Full;
         for argument in arguments {

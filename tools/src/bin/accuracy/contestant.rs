@@ -5,30 +5,30 @@ use mech_runtime::{Mechanism, Real};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Cosine, sine, x and y of every link.
+/// The cosine, sine, x and y of every link.
 pub(crate) type Poses<T> = Vec<[T; 4]>;
-/// Position after position.
+/// The positions, one after the other.
 pub(crate) type Trace<T> = Vec<Poses<T>>;
 
 /// A mechanism with one method in one precision.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Contestant {
-    /// How its loops are solved.
+    /// The method.
     pub(crate) method: Method,
-    /// What it is computed in.
+    /// The precision.
     pub(crate) precision: Precision,
     trace: fn(&[f64]) -> Result<Trace<f64>, Block>,
     time: fn(&[f64], u32) -> f64,
 }
 
-/// Where a mechanism was blocked.
+/// The place where a mechanism was blocked.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Block {
     /// The loop or the motor.
     pub(crate) place: &'static str,
-    /// Which of the positions could not be reached.
+    /// The number of the position that it did not reach.
     pub(crate) position: usize,
-    /// All that was said.
+    /// The whole error.
     pub(crate) words: String,
 }
 
@@ -48,7 +48,7 @@ impl Contestant {
         (self.trace)(values)
     }
 
-    /// Nanoseconds a position, on so many sweeps.
+    /// The time of a position in nanoseconds, over so many sweeps.
     pub(crate) fn time(&self, values: &[f64], sweeps: u32) -> f64 {
         (self.time)(values, sweeps)
     }

@@ -13,7 +13,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, register_font};
 
-/// In pixels; it is shown at half of this, so that it is sharp on every screen.
+/// The size in pixels. It is shown at half of this, so that it is sharp on every screen.
 const WIDTH: u16 = 1800;
 const PANEL_HEIGHT: u16 = 560;
 const TEXT: RGBColor = RGBColor(34, 36, 44);
@@ -24,7 +24,7 @@ const FONT: &str = "sans-serif";
 type Area<'a, B> = DrawingArea<B, Shift>;
 type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
 
-/// As SVG.
+/// The diagram as SVG.
 ///
 /// # Errors
 /// If it could not be drawn.
@@ -46,7 +46,7 @@ pub(crate) fn svg(measurements: &[Measurement]) -> Result<String, String> {
     Ok(text.replacen(&whole, &half, 1))
 }
 
-/// In pixels.
+/// The diagram in pixels.
 ///
 /// # Errors
 /// If it could not be drawn.
@@ -71,7 +71,7 @@ pub(crate) fn picture(measurements: &[Measurement]) -> Result<Picture, String> {
     })
 }
 
-/// The picture's letters come with it: the machine may have none.
+/// The font of the diagram, because the machine may have none.
 fn font() -> Result<(), String> {
     let registered = register_font(FONT, FontStyle::Normal, UBUNTU_LIGHT);
     registered.map_err(|_| "the font cannot be read".to_owned())
@@ -99,7 +99,7 @@ fn draw<B: DrawingBackend>(area: &Area<'_, B>, measurements: &[Measurement]) -> 
     }
 }
 
-/// Where a text stands beside its point.
+/// The anchor of a text beside its point.
 #[derive(Clone, Copy, Debug)]
 enum Side {
     Left,
@@ -123,7 +123,7 @@ fn write<B: DrawingBackend>(
     area.draw(&Text::new(text.to_owned(), at, style))
 }
 
-/// How wide a text is, about.
+/// The approximate width of a text.
 fn width(text: &str, size: f64) -> i32 {
     let font = (FONT, size).into_font();
     font.box_size(text)

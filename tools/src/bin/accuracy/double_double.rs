@@ -1,4 +1,4 @@
-//! A number of about thirty digits: the sum of two floats that do not overlap. It is what the reference is computed in.
+//! Numbers of about thirty digits, in which the reference is computed: sums of two floats that do not overlap.
 //!
 //! Sums, products and quotients are those of Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building
 //! blocks of double-word arithmetic" (2017). There are crates for these, but their sines are good for 17 digits only.
@@ -25,20 +25,20 @@ impl DoubleDouble {
         Self { high, low }
     }
 
-    /// The sum of two floats, exactly.
+    /// The exact sum of two floats.
     fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
         let part = high - a;
         Self::new(high, (a - (high - part)) + (b - part))
     }
 
-    /// The same where the first is the greater.
+    /// The exact sum of two floats, of which the first is the greater.
     fn quick_sum(a: f64, b: f64) -> Self {
         let high = a + b;
         Self::new(high, b - (high - a))
     }
 
-    /// The product of two floats, exactly.
+    /// The exact product of two floats.
     fn product(a: f64, b: f64) -> Self {
         let high = a * b;
         Self::new(high, a.mul_add(b, -high))
@@ -266,7 +266,7 @@ mod tests {
     use super::*;
     use std::f64::consts::SQRT_2;
 
-    /// Beside digits that were computed with sixty.
+    /// Compares with digits that were computed with sixty.
     fn near(found: DoubleDouble, high: f64, low: f64) {
         let off = (found - DoubleDouble::new(high, low)).to_f64().abs();
         assert!(off < 1e-31, "{found:?} is {off:e} off");

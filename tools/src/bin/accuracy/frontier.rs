@@ -1,9 +1,9 @@
-//! What is worth its price: nothing else is both cheaper and more exact.
+//! Rows that are worth their price: no other is both cheaper and more exact.
 
 use crate::measurement::{Figures, Measurement, Row, Step};
 use crate::method::Method;
 
-/// Times and errors closer than this are the same: clocks are not more exact.
+/// The ratio below which times and errors count as the same, because clocks are not more exact.
 const SAME: f64 = 1.04;
 
 /// The rows at a step that are worth their price, from the cheapest to the most exact.
@@ -35,7 +35,7 @@ pub(crate) fn never_worth(measurements: &[Measurement]) -> Vec<Method> {
     methods.filter(|method| !worth(method)).collect()
 }
 
-/// Of some points those that no other beats, the cheapest first. Of points that are the same, the first.
+/// The points that no other beats, the cheapest first. Of equal points, the first.
 fn best(points: &[Figures]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&a, &b| points[a].nanoseconds.total_cmp(&points[b].nanoseconds));

@@ -3,7 +3,7 @@
 use std::num::NonZero;
 use std::{env, fs, thread};
 
-/// As it calls itself.
+/// The name of the machine.
 pub(crate) fn description() -> String {
     let processors = thread::available_parallelism().map_or(1, NonZero::get);
     let (arch, system) = (env::consts::ARCH, env::consts::OS);

@@ -1,4 +1,4 @@
-//! The price list: what every method costs and how exact it is, on several mechanisms.
+//! The price list: the cost and the accuracy of every method, on several mechanisms.
 //!
 //! `cargo accuracy [--quick]`
 
@@ -85,7 +85,7 @@ fn run(command: Command) -> Result<(), String> {
     Ok(())
 }
 
-/// Where the results go: in the workspace, or in the current folder if the workspace has gone.
+/// The folder of the results: in the workspace, or the current folder if the workspace does not exist.
 fn folders(command: Command) -> Vec<PathBuf> {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
     let root = workspace.filter(|workspace| workspace.is_dir());
@@ -97,7 +97,7 @@ fn folders(command: Command) -> Vec<PathBuf> {
     folders
 }
 
-/// Writes a line to the output, and does not mind if nobody reads it to the end.
+/// Writes a line to the output. It is no error if nobody reads it.
 fn say(line: fmt::Arguments<'_>) {
     let _ = writeln!(io::stdout(), "{line}");
 }

@@ -13,24 +13,24 @@ pub(crate) const STEPS: [Step; 3] = [Step(1), Step(10), Step(50)];
 pub(crate) struct Step(u16);
 
 impl Step {
-    /// In degrees.
+    /// The step in degrees.
     pub(crate) fn degrees(self) -> f64 {
         f64::from(self.0) / 10.0
     }
 }
 
-/// How long to measure.
+/// The extent of the measurement.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
     /// Rounds in which every contestant has its turn.
     pub(crate) rounds: u32,
-    /// Positions at a turn, at least.
+    /// The least number of positions in a turn.
     pub(crate) positions: usize,
 }
 
-/// What was found out about one mechanism.
+/// The measurement of a mechanism.
 pub(crate) struct Measurement {
-    /// Which one.
+    /// The mechanism.
     pub(crate) subject: Subject,
     /// The greatest distance between two of its axes at the start, in scene units.
     pub(crate) size: f64,
@@ -41,33 +41,33 @@ pub(crate) struct Measurement {
 /// A method in a precision at a step.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
-    /// How the loops are solved.
+    /// The method.
     pub(crate) method: Method,
-    /// What it is computed in.
+    /// The precision.
     pub(crate) precision: Precision,
     /// The step of the motor.
     pub(crate) step: Step,
-    /// What it costs and what it is worth, or where it was blocked.
+    /// The cost and the error, or the place where it was blocked.
     pub(crate) outcome: Result<Figures, Stuck>,
 }
 
-/// What it costs and what it is worth.
+/// The cost and the error of a method.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Figures {
     /// The worst error of any axis in any position, in scene units.
     pub(crate) error: f64,
-    /// Nanoseconds a position.
+    /// The time of a position, in nanoseconds.
     pub(crate) nanoseconds: f64,
 }
 
-/// Where a method was blocked.
+/// The place where a method was blocked.
 #[derive(Clone, Debug)]
 pub(crate) struct Stuck {
     /// The loop.
     pub(crate) place: &'static str,
     /// The target of the motor, relative to the start, in degrees.
     pub(crate) degrees: f64,
-    /// What the mechanism said.
+    /// The error of the mechanism.
     pub(crate) words: String,
 }
 
@@ -83,7 +83,7 @@ struct Entry {
 /// Measures a mechanism.
 ///
 /// # Errors
-/// What is wrong with the reference.
+/// The messages of the compiler about the reference.
 pub(crate) fn measure(subject: Subject, effort: Effort) -> Result<Measurement, String> {
     let reference = Reference::new(subject.text)?;
     let mut rows = Vec::new();
@@ -158,7 +158,7 @@ fn there_and_back(travel: u16, Step(tenths): Step) -> Vec<f64> {
     values.map(|step| f64::from(step * tenths) / 10.0).collect()
 }
 
-/// How often to go there and back for so many positions.
+/// The number of sweeps there and back for so many positions.
 fn sweeps(positions: usize, values: usize) -> u32 {
     u32::try_from(positions.div_ceil(values.max(1))).unwrap_or(u32::MAX)
 }

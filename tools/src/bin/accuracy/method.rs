@@ -1,8 +1,8 @@
-//! What is compared: methods, in single and in double precision.
+//! The compared methods, in single and in double precision.
 
 use std::fmt;
 
-/// How the loops of a mechanism are solved.
+/// A method that solves the loops of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Method {
     /// `method exact;`
@@ -16,7 +16,7 @@ pub(crate) enum Method {
 }
 
 impl Method {
-    /// All that are compared.
+    /// All compared methods.
     pub(crate) const ALL: [Self; 6] = [
         Self::Exact,
         Self::Linear,
@@ -38,7 +38,7 @@ impl fmt::Display for Method {
     }
 }
 
-/// What it is computed in.
+/// A precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Precision {
     /// `f32`

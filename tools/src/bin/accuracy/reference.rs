@@ -1,4 +1,4 @@
-//! The same mechanism in thirty digits.
+//! The reference: the same mechanism in thirty digits.
 
 use crate::closure::close;
 use crate::contestant::{Poses, Trace};
@@ -10,11 +10,11 @@ use mech_compiler::{compile, reporter, syntax};
 use mech_runtime::Real;
 use proc_macro2::TokenStream;
 
-/// A mechanism as its text says, run by the interpreter in more digits than any contestant has.
+/// A mechanism that the interpreter runs with more digits than any contestant has.
 pub(crate) struct Reference {
     model: Model,
     program: Program,
-    /// The axes of the moving links: the link, and where in its frame.
+    /// The axes of the moving links: the link, and the place in its frame.
     points: Vec<(usize, [f64; 2])>,
     /// The greatest distance between two axes at the start.
     pub(crate) size: f64,
@@ -26,7 +26,7 @@ impl Reference {
     /// Reads and compiles the text of a mechanism with one motor, which names neither its scalar nor its method.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The messages of the compiler.
     pub(crate) fn new(text: &str) -> Result<Self, String> {
         let (model, program) = compile_text(text)?;
         let [start] = program.start.motors[..] else {
@@ -61,7 +61,7 @@ impl Reference {
     /// The positions for these values of the motor.
     ///
     /// # Errors
-    /// Where it cannot go.
+    /// The value at which it stops.
     pub(crate) fn trace(&self, values: &[f64]) -> Result<Trace<DoubleDouble>, String> {
         let mut machine = Machine::<DoubleDouble>::new(&self.program);
         let step = |&value: &f64| {

@@ -191,7 +191,7 @@ subject! { stephenson, "stephenson", "Stephenson III, loops coupled", 15,
     allow coupled;
 }
 
-/// All of them.
+/// All subjects.
 pub(crate) fn subjects() -> Vec<Subject> {
     vec![
         four_bar::subject(),

@@ -7,7 +7,7 @@ use std::fmt::Write;
 /// The columns of one step in the terminal.
 const WIDTH: usize = 27;
 
-/// For a terminal: a row for each method and precision, three columns for each step.
+/// The table for a terminal: a row for each method and precision, three columns for each step.
 pub(crate) fn table(measurement: &Measurement) -> String {
     let mut text = format!(
         "\n{}, size {:.4}, the motor goes {}° and back\n\n{:14}",
@@ -48,13 +48,13 @@ fn cell(measurement: &Measurement, row: &Row) -> String {
     }
 }
 
-/// Where it was blocked, in a few words.
+/// The place where it was blocked, in a few words.
 pub(crate) fn describe_block(stuck: &Stuck) -> String {
     let joints = stuck.place.replace(['`', ' '], "");
     format!("blocked {:.1}° {joints}", stuck.degrees)
 }
 
-/// As comma-separated values, one line for each row.
+/// The comma-separated values, one line for each row.
 pub(crate) fn csv(measurements: &[Measurement]) -> String {
     let mut text = String::from(
         "mechanism,method,scalar,step_degrees,error,error_by_size,nanoseconds,worth_its_price,blocked\n",

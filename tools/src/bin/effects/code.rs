@@ -1,4 +1,4 @@
-//! How large functions are, from the symbols of this very program.
+//! Sizes of functions, from the symbols of this program.
 
 use object::{Object, ObjectSymbol};
 use std::env;

@@ -1,4 +1,4 @@
-//! What effects cost: nothing where they are not asked for, and what they do cost where they are.
+//! The cost of effects: zero where they are not declared.
 //!
 //! `cargo effects` measures four mechanisms with and without effects, prints the table and renews
 //! `docs/effects.md`.
@@ -15,7 +15,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs, io};
 
-/// How a page begins.
+/// The beginning of the page.
 const HEAD: &str = "# What effects cost\n\n\
     Written by `cargo effects`, which measures everything on this page anew; do not edit it by hand.\n\n\
     Each mechanism is compiled from one text, with its masses and gravity in it, with nothing asked of it and with one effect after \

@@ -1,4 +1,4 @@
-//! Times, side by side.
+//! Measured times.
 
 use crate::code;
 use mech_runtime::Cost;
@@ -13,14 +13,14 @@ pub(crate) struct Subject {
     /// The module of its moving function.
     pub(crate) module: &'static str,
     pub(crate) cost: Cost,
-    /// What rates add, if there are any.
+    /// The cost of rates, if there are any.
     pub(crate) more: Option<Cost>,
     pub(crate) state: usize,
-    /// Moves it so many times; gives something that depends on all of them.
+    /// Moves it so many times. Returns a number that depends on all moves.
     pub(crate) run: fn(u32) -> f64,
 }
 
-/// What was found.
+/// A result.
 pub(crate) struct Row {
     pub(crate) name: &'static str,
     pub(crate) operations: String,
@@ -29,10 +29,10 @@ pub(crate) struct Row {
     pub(crate) code: Option<u64>,
 }
 
-/// Measures all of them in turn.
+/// Measures all subjects in turn.
 ///
 /// # Errors
-/// If one does not move.
+/// If a subject does not move.
 pub(crate) fn measure_all(subjects: &[Subject], rounds: usize) -> Result<Vec<Row>, String> {
     let mut times = vec![Vec::new(); subjects.len()];
     for _ in 0..rounds {

@@ -1,4 +1,4 @@
-//! What accuracy costs in motion under forces: how far energy drifts, against the time that a step takes.
+//! The cost of accuracy in motion under forces: the drift of energy against the time of a step.
 
 use mech_runtime::{GaussLegendre, mechanism};
 use std::f64::consts::TAU;
@@ -23,9 +23,9 @@ mechanism! {
     effects { dynamics; }
 }
 
-/// The rate with which the crank begins, in radians a second: about a turn in 0.8 seconds.
+/// The initial rate of the crank, in radians per second: about a turn in 0.8 seconds.
 const RATE: f64 = 8.0;
-/// Seconds of a turn, roughly.
+/// The approximate duration of a turn, in seconds.
 const TURN: f64 = 0.8;
 
 /// The table of methods and steps.
@@ -62,7 +62,7 @@ pub(crate) fn section(turns: u32) -> Result<String, String> {
     Ok(text + "\n")
 }
 
-/// What was found.
+/// A result.
 struct Followed {
     drift: f64,
     angle: f64,

@@ -1,11 +1,11 @@
-//! The mechanisms, each with nothing and with every effect.
+//! The mechanisms, each without effects and with every effect.
 
 use crate::measure::Subject;
 use mech_runtime::mechanism;
 use std::hint::black_box;
 
-/// The angle of a move: half a degree on, up to a quarter of a turn and back, and nearly nothing of the last position, so that each
-/// needs the one before.
+/// The angle of a move: half a degree on, up to a quarter of a turn and back. A tiny part of the last position makes each move depend on
+/// the one before.
 fn angle(number: u32, last: f64) -> f64 {
     let step = number % 360;
     f64::from(step.min(360 - step)).to_radians() * 0.5 + last * 1e-18
@@ -51,7 +51,7 @@ macro_rules! subject {
     };
 }
 
-/// One with the path of a point.
+/// A module with the trace of a point.
 macro_rules! traced {
     ($module:ident ($link:ident.$point:ident): { $($text:tt)* }) => {
         subject!($module: { $($text)* effects { trace $link.$point 256; } } (m, angle) => m.move_to([angle]), || None,
@@ -59,7 +59,7 @@ macro_rules! traced {
     };
 }
 
-/// All kinds of one mechanism.
+/// All variants of a mechanism.
 macro_rules! kinds {
     ($position:ident, $velocity:ident, $acceleration:ident, $held:ident, $acted:ident, $driven:ident, $traced:ident $trace:tt, $shown:ident, $show:tt: { $($text:tt)* }) => {
         subject!($position: { $($text)* } (m, angle) => m.move_to([angle]), || None, "position");
@@ -176,7 +176,7 @@ rocking!(rocking_proved (motor ja in 0 ..= 91 deg) => (m, angle) m.move_to([angl
 rocking!(rocking_within (motor ja in 0 ..= 91 deg) => (m, angle) { Subject0::range([angle]).map(|angle| m.move_within(angle)).ok_or(()) },
     "proved: `move_within`");
 
-/// All of them, by mechanism.
+/// All subjects, by mechanism.
 pub(crate) fn subjects() -> [(&'static str, Vec<Subject>); 5] {
     [
         (

@@ -1,10 +1,10 @@
 //! The methods that read and set loads, and return the forces of springs.
 
-use super::super::advance::refusal_by;
-use super::super::emitter::Emitter;
-use super::super::parts::Parts;
-use super::super::shown::NamedPoint;
-use super::super::tokens::integer;
+use crate::emit::advance::refusal_by;
+use crate::emit::emitter::Emitter;
+use crate::emit::parts::Parts;
+use crate::emit::shown::NamedPoint;
+use crate::emit::tokens::integer;
 use crate::model::{Between, Load, LoadKind};
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,10 +1,10 @@
 //! The methods that move a mechanism by forces.
 
-use super::super::advance::{advance_with, of_motors, rates_at, record, refusal};
-use super::super::emitter::Emitter;
-use super::super::parts::Parts;
-use super::super::step::arguments;
 use super::actions::bind_loads;
+use crate::emit::advance::{advance_with, rates_at, record, refusal, strip_params};
+use crate::emit::emitter::Emitter;
+use crate::emit::parts::Parts;
+use crate::emit::step::arguments;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -13,6 +13,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
     let Emitter {
         visibility,
         scalar,
+        values,
         motors,
         blocked,
         model,
@@ -38,11 +39,11 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
             #advance
         })
     };
-    let simulated = of_motors(emitter, simulated);
+    let simulated = strip_params(emitter, simulated);
     let methods = quote! {
         /// The rates of the motors: how fast they move, in radians or scene units a unit of time.
         #[must_use]
-        #visibility const fn rates(&self) -> [#scalar; #motors] {
+        #visibility const fn rates(&self) -> #values {
             self.rates
         }
 
@@ -50,7 +51,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         ///
         /// # Errors
         /// If a rate is not finite; all of them then stay what they were.
-        #visibility fn set_rates(&mut self, rates: [#scalar; #motors]) -> Result<(), #blocked> {
+        #visibility fn set_rates(&mut self, rates: #values) -> Result<(), #blocked> {
             match generated::finite(rates, #inputs) {
                 Result::Ok(()) => {
                     self.rates = rates;
@@ -65,7 +66,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         ///
         /// # Errors
         /// If a torque is not finite, no mass resists a motor, or the mechanism is at a dead point or a change point.
-        #visibility fn motor_accelerations(&self, torques: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
+        #visibility fn motor_accelerations(&self, torques: #values) -> Result<#values, #blocked> {
             #loads
             let rates = self.rates;
             generated::finite(torques, #inputs)
@@ -91,7 +92,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         ///
         /// # Errors
         /// As for `simulate_by`.
-        #visibility fn simulate(&mut self, time: #scalar, torques: [#scalar; #motors]) -> Result<(), #blocked> {
+        #visibility fn simulate(&mut self, time: #scalar, torques: #values) -> Result<(), #blocked> {
             Self::simulate_by(self, GaussLegendre::Order4, time, torques)
         }
 
@@ -100,7 +101,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         /// # Errors
         /// If something given is not finite, a loop cannot be closed on the way, the mechanism is at a dead point or a change
         /// point, no mass resists a motor, or the step is too long to be followed; everything then stays as it was.
-        #visibility fn simulate_by(&mut self, method: GaussLegendre, time: #scalar, torques: [#scalar; #motors]) -> Result<(), #blocked> {
+        #visibility fn simulate_by(&mut self, method: GaussLegendre, time: #scalar, torques: #values) -> Result<(), #blocked> {
             #loads
             let moment = Moment {
                 rates: self.rates,

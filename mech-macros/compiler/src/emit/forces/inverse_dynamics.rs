@@ -1,11 +1,13 @@
 //! The methods that return the torques and reactions by which a mechanism stands or moves.
 
-use super::super::advance::{Target, advance_with, end, of_motors, rates_at, refusal, refusal_by};
-use super::super::emitter::Emitter;
-use super::super::parts::Parts;
-use super::super::step::{arguments, outcome_type};
-use super::super::tokens::integer;
 use super::actions::bind_loads;
+use crate::emit::advance::{
+    Target, advance_with, end, rates_at, refusal, refusal_by, strip_params,
+};
+use crate::emit::emitter::Emitter;
+use crate::emit::parts::Parts;
+use crate::emit::step::{arguments, outcome_type};
+use crate::emit::tokens::integer;
 use crate::model::{Load, LoadKind};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -14,8 +16,7 @@ use quote::quote;
 pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
     let Emitter {
         visibility,
-        scalar,
-        motors,
+        values,
         blocked,
         ..
     } = emitter;
@@ -27,7 +28,7 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
     let Target { before, value } = Target::new(emitter, &position);
     let refusal = refusal(emitter);
     let advance = advance_with(holding, &quote!(&mut #position), &value);
-    let advance = of_motors(emitter, advance);
+    let advance = strip_params(emitter, advance);
     let found = rates_at(holding, &position, &arguments(holding));
     let methods = quote! {
         /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide) that hold it
@@ -37,7 +38,7 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
         /// If a value is not finite, a loop cannot be closed on the way there, or it is at a dead point or a change point
         /// there, where torques are not determined; the mechanism then stays where it was.
         #[inline]
-        #visibility fn hold_at(&mut self, motors: [#scalar; #motors]) -> Result<[#scalar; #motors], #blocked> {
+        #visibility fn hold_at(&mut self, motors: #values) -> Result<#values, #blocked> {
             #loads
             #before
             let held = #advance?;
@@ -49,7 +50,7 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
         ///
         /// # Errors
         /// If the mechanism is at a dead point or a change point, where these are not determined.
-        #visibility fn torques(&self) -> Result<[#scalar; #motors], #blocked> {
+        #visibility fn torques(&self) -> Result<#values, #blocked> {
             #loads
             #found
                 .map(|held| held.torques)
@@ -63,8 +64,7 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
 pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
     let Emitter {
         visibility,
-        scalar,
-        motors,
+        values,
         blocked,
         model,
         ..
@@ -85,7 +85,7 @@ pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
         ///
         /// # Errors
         /// If a rate is not finite, or the mechanism is at a dead point or a change point, where forces are not determined.
-        #visibility fn forces(&self, rates: [#scalar; #motors], accelerations: [#scalar; #motors]) -> Result<#kind, #blocked> {
+        #visibility fn forces(&self, rates: #values, accelerations: #values) -> Result<#kind, #blocked> {
             #loads
             generated::finite(rates, known::MOVE_LIMITS.inputs)
                 .and_then(|()| generated::finite(accelerations, known::MOVE_LIMITS.inputs))
@@ -103,6 +103,7 @@ fn advantage(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
     let Emitter {
         visibility,
         scalar,
+        values,
         motors,
         blocked,
         ..
@@ -136,7 +137,7 @@ fn advantage(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
         ///
         /// # Errors
         /// If the mechanism is at a dead point or a change point, where this is not determined, or a direction is zero.
-        #visibility fn #name(&self #parameter) -> Result<[#scalar; #motors], #blocked> {
+        #visibility fn #name(&self #parameter) -> Result<#values, #blocked> {
             #test
             let forces = Self::forces(self, [0.0; #motors], [0.0; #motors])?;
             Result::Ok(forces.velocity_ratios.map(|velocity_ratio| -1.0 / (#ratio)))

@@ -1,11 +1,11 @@
 //! One block as Rust.
 
-use super::super::tokens::{integer, position, scalar};
 use super::binding::{binding, system};
 use super::flow::{Flow, is_given};
 use super::iteration::iteration;
 use super::scope::Scope;
 use super::uses::uses;
+use crate::emit::tokens::{integer, position, scalar};
 use crate::program::{BlockId, BlockKind, Op, Program};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -53,7 +53,7 @@ fn linear(number: usize, scope: &mut Scope<'_>) -> TokenStream {
 
 /// A block as a function of its own.
 pub(super) fn function(program: &Program, id: BlockId, name: &Ident, flow: &Flow) -> TokenStream {
-    let block = &program.blocks[id.index()];
+    let block = &program.ssa.blocks[id.index()];
     let mut scope = Scope::new(program, uses(program, id), quote!(sin_cos));
     let takes = scope.bind_all(&flow.takes);
     let statements = statements(id, flow, &mut scope);

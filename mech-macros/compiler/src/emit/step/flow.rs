@@ -37,7 +37,7 @@ pub(super) fn is_computed(op: Op) -> bool {
 
 /// The flow of each block.
 pub(super) fn flows(program: &Program) -> Vec<Flow> {
-    let mut flows = vec![Flow::default(); program.blocks.len()];
+    let mut flows = vec![Flow::default(); program.ssa.blocks.len()];
     let mut read = |value: Value, by: BlockId| match program.node(value).op {
         Op::Constant(_) => {}
         Op::Last(slot) => {

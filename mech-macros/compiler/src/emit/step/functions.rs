@@ -1,10 +1,10 @@
 //! The step functions of positions, rates and forces.
 
-use super::super::tokens::{integer, position, scalar};
 use super::inputs::{arguments, motors_type, parameters};
 use super::outcome::Outcome;
 use super::scope::Scope;
 use super::sines::{takes_sines, type_parameter};
+use crate::emit::tokens::{integer, position, scalar};
 use crate::program::Program;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};

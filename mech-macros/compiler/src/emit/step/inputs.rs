@@ -1,8 +1,8 @@
 //! The inputs of a step as parameters, arguments and variables.
 
-use super::super::tokens::{integer, scalar};
 use super::scope::Scope;
 use super::stages::MOST_LETS;
+use crate::emit::tokens::{integer, scalar};
 use crate::program::{Forces, Op, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};

@@ -1,9 +1,9 @@
 //! The iteration of a loop as Rust.
 
-use super::super::tokens::number;
 use super::binding::{binding, system};
 use super::scope::Scope;
 use crate::bug::bug;
+use crate::emit::tokens::number;
 use crate::program::{BlockId, Newton, Op, Program, Rounds, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;

@@ -1,8 +1,5 @@
 //! The laws of the motors as a function of time.
 
-use super::super::emitter::Emitter;
-use super::super::module;
-use super::super::tokens::integer;
 use super::binding::binding;
 use super::block::function;
 use super::flow::flows;
@@ -10,6 +7,9 @@ use super::inputs::motors_type;
 use super::scope::Scope;
 use super::stages::MOST_LETS;
 use super::uses::all_uses;
+use crate::emit::emitter::Emitter;
+use crate::emit::module;
+use crate::emit::tokens::integer;
 use crate::model::Precision;
 use crate::program::{Timed, Timing, Value};
 use proc_macro2::TokenStream;
@@ -21,8 +21,7 @@ pub(in crate::emit) fn laws(emitter: &Emitter<'_>, timing: &Timing) -> TokenStre
     let Emitter {
         model,
         program,
-        scalar,
-        motors: count,
+        values,
         ..
     } = emitter;
     let laws = &*timing.program.divide(MOST_LETS);
@@ -39,10 +38,10 @@ pub(in crate::emit) fn laws(emitter: &Emitter<'_>, timing: &Timing) -> TokenStre
         None => time = format_ident!("_"),
     }
     let mut functions = TokenStream::new();
-    if laws.blocks.len() > 1 {
-        functions = in_functions(&mut scope, &mut body);
+    if laws.ssa.blocks.len() > 1 {
+        functions = part_functions(&mut scope, &mut body);
     } else {
-        body.extend(in_place(&mut scope));
+        body.extend(statements(&mut scope));
     }
     for timed in &timing.motors {
         body.extend(follow(emitter, timed, &scope));
@@ -62,16 +61,16 @@ pub(in crate::emit) fn laws(emitter: &Emitter<'_>, timing: &Timing) -> TokenStre
         });
         quote!([#(#rates),*])
     };
-    let (array, motors) = (quote!([#scalar; #count]), motors_type(program));
+    let motors = motors_type(program);
     let (mut kind, mut result) = (quote!(#motors), quote!(motors));
     if model.effects.velocity {
         let rates = rates(|timed| timed.rate);
-        kind.extend(quote!(, #array));
+        kind.extend(quote!(, #values));
         result.extend(quote!(, #rates));
     }
     if model.effects.acceleration {
         let accelerations = rates(|timed| timed.second);
-        kind.extend(quote!(, #array));
+        kind.extend(quote!(, #values));
         result.extend(quote!(, #accelerations));
     }
     if model.effects.velocity {
@@ -91,7 +90,7 @@ pub(in crate::emit) fn laws(emitter: &Emitter<'_>, timing: &Timing) -> TokenStre
 }
 
 /// The statements that compute all laws.
-fn in_place(scope: &mut Scope<'_>) -> TokenStream {
+fn statements(scope: &mut Scope<'_>) -> TokenStream {
     let mut tokens = TokenStream::new();
     for value in scope.program.live_values() {
         if !scope.is_bound(value) && scope.deserves_name(value) {
@@ -102,7 +101,7 @@ fn in_place(scope: &mut Scope<'_>) -> TokenStream {
 }
 
 /// Functions that compute parts of all laws. The statements that call them go to `body`.
-fn in_functions(scope: &mut Scope<'_>, body: &mut TokenStream) -> TokenStream {
+fn part_functions(scope: &mut Scope<'_>, body: &mut TokenStream) -> TokenStream {
     let (laws, mut functions) = (scope.program, TokenStream::new());
     let mut names = BTreeSet::new();
     for ((block, flow), number) in laws.block_ids().zip(flows(laws)).zip(1..) {

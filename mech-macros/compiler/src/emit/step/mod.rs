@@ -26,7 +26,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use scope::Scope;
 use sensitivity::sensitivity_functions;
-pub(super) use sines::{in_lanes, takes_sines};
+pub(super) use sines::{runs_in_lanes, takes_sines};
 use stages::{Act, Body, MOST_LETS, body, count_lets};
 use std::collections::BTreeSet;
 
@@ -83,7 +83,7 @@ fn blocks(flows: &[Flow], scope: &mut Scope<'_>, names: &mut BTreeSet<String>) -
         if flow.gives.is_empty() {
             continue;
         }
-        let block = &program.blocks[id.index()];
+        let block = &program.ssa.blocks[id.index()];
         let mut act = Act {
             statements: TokenStream::new(),
             lets: 1,

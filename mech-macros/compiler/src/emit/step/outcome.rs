@@ -1,8 +1,8 @@
 //! What a step computes besides a position: rates or forces.
 
-use super::super::tokens::{integer, scalar};
 use super::scope::Scope;
 use crate::bug::bug;
+use crate::emit::tokens::{integer, scalar};
 use crate::program::{Forces, Motion, Program, Value};
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,8 +1,8 @@
 //! The names in a generated function, and expressions that use them.
 
-use super::super::module;
-use super::super::tokens::{hidden_ident, integer, number};
 use crate::bug::bug;
+use crate::emit::module;
+use crate::emit::tokens::{hidden_ident, integer, number};
 use crate::program::{Op, Part, Program, Slot, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -49,7 +49,7 @@ impl<'p> Scope<'p> {
 
     /// A name that nothing else in this function has.
     pub(super) fn fresh(&mut self, wanted: &str) -> Ident {
-        let name = unused(wanted, |name| self.taken.contains(name));
+        let name = free_name(wanted, |name| self.taken.contains(name));
         let ident = hidden_ident(&name);
         self.taken.insert(name);
         ident
@@ -62,7 +62,7 @@ impl<'p> Scope<'p> {
         wanted: &str,
     ) -> Ident {
         let is_taken = |name: &str| self.taken.contains(name) || functions.contains(name);
-        let name = unused(wanted, is_taken);
+        let name = free_name(wanted, is_taken);
         let ident = hidden_ident(&name);
         self.taken.insert(name.clone());
         functions.insert(name);
@@ -123,7 +123,7 @@ impl<'p> Scope<'p> {
 
     /// A value as an expression: its name if it has one here, else its operation.
     pub(super) fn expression(&self, value: Value) -> TokenStream {
-        self.named_or_computed(value).0
+        self.name_or_operation(value).0
     }
 
     /// Several values as expressions.
@@ -143,7 +143,7 @@ impl<'p> Scope<'p> {
 
     /// The operation of a value, even if the value has a name.
     pub(super) fn definition(&self, value: Value) -> TokenStream {
-        self.computed(value).0
+        self.operation(value).0
     }
 
     /// The sine and cosine of an angle, as a pair.
@@ -152,14 +152,14 @@ impl<'p> Scope<'p> {
         quote!(#sin_cos(#angle))
     }
 
-    fn named_or_computed(&self, value: Value) -> (TokenStream, Binding) {
+    fn name_or_operation(&self, value: Value) -> (TokenStream, Binding) {
         match self.names.get(&value) {
             Some(name) => (quote!(#name), Binding::Atom),
-            None => self.computed(value),
+            None => self.operation(value),
         }
     }
 
-    fn computed(&self, value: Value) -> (TokenStream, Binding) {
+    fn operation(&self, value: Value) -> (TokenStream, Binding) {
         let call = |function: TokenStream, arguments: &[Value]| {
             let arguments = self.expressions(arguments);
             quote!(#function(#(#arguments),*))
@@ -240,7 +240,7 @@ impl<'p> Scope<'p> {
 
     /// A value as an operand, in parentheses unless it binds at least as tightly as `wanted`.
     fn operand(&self, value: Value, wanted: Binding) -> TokenStream {
-        let (tokens, binding) = self.named_or_computed(value);
+        let (tokens, binding) = self.name_or_operation(value);
         if binding < wanted {
             quote!((#tokens))
         } else {
@@ -274,7 +274,7 @@ impl<'p> Scope<'p> {
 }
 
 /// A name, numbered if need be so that it is not taken.
-fn unused(wanted: &str, is_taken: impl Fn(&str) -> bool) -> String {
+fn free_name(wanted: &str, is_taken: impl Fn(&str) -> bool) -> String {
     let mut name = wanted.to_owned();
     let mut number = 1;
     while is_taken(&name) {

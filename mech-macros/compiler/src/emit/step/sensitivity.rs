@@ -1,10 +1,10 @@
 //! The functions that compute how everything changes with the params.
 
-use super::super::tokens::{integer, position, scalar};
 use super::functions::StepParts;
 use super::inputs::motors_type;
 use super::scope::Scope;
 use super::sines::type_parameter;
+use crate::emit::tokens::{integer, position, scalar};
 use crate::program::{Program, Sensitivity};
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,6 +1,6 @@
 //! The steps that compute sines and cosines by a type parameter: by polynomials of a reduced range, or for any angle.
 
-use super::super::tokens::scalar;
+use crate::emit::tokens::scalar;
 use crate::program::{BlockKind, Op, Program, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -16,15 +16,15 @@ const MOST_BLOCKS: usize = 32;
 pub(super) fn is_short(program: &Program) -> bool {
     let is_straight = |value: &Value| {
         let block = program.node(*value).block;
-        matches!(program.blocks[block.index()].kind, BlockKind::Straight)
+        matches!(program.ssa.blocks[block.index()].kind, BlockKind::Straight)
     };
     program.live_values().filter(is_straight).count() <= MOST_IN_PLACE
 }
 
 /// Whether many positions are computed in lanes: where each is a function of the motors alone, and not too long.
-pub(in crate::emit) fn in_lanes(program: &Program) -> bool {
+pub(in crate::emit) fn runs_in_lanes(program: &Program) -> bool {
     let of_motors_alone = program.is_function() && program.params.is_empty();
-    of_motors_alone && takes_sines(program) && program.blocks.len() <= MOST_BLOCKS
+    of_motors_alone && takes_sines(program) && program.ssa.blocks.len() <= MOST_BLOCKS
 }
 
 /// Whether a step computes sines and cosines by a type parameter: where all of them stand in one function, and none is of an angle

@@ -1,8 +1,8 @@
 //! Stages of a long step: the Rust compiler nests a scope for every `let` of a function.
 
-use super::super::tokens::{integer, position, scalar};
 use super::flow::{Flow, is_computed};
 use super::scope::Scope;
+use crate::emit::tokens::{integer, position, scalar};
 use crate::program::{Program, Value};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;

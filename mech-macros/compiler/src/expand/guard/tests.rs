@@ -1,4 +1,4 @@
-use super::guarded;
+use super::guard;
 use crate::bug::bug;
 use crate::expand;
 use crate::expand::{analyse_and_emit, stub};
@@ -26,15 +26,15 @@ fn message(expansion: TokenStream) -> String {
     error.expect("an error").value()
 }
 
-/// What comes of a mechanism if its expansion does this.
-fn provoked(expansion: impl FnOnce() -> TokenStream) -> TokenStream {
+/// The result for a mechanism with this expansion.
+fn provoke(expansion: impl FnOnce() -> TokenStream) -> TokenStream {
     let mechanism = tokens(CRANK);
-    guarded(&mechanism, expansion, || stub(&krate(), mechanism.clone()))
+    guard(&mechanism, expansion, || stub(&krate(), mechanism.clone()))
 }
 
 #[test]
 fn an_internal_error_quotes_the_mechanism_and_asks_to_be_reported() {
-    let expansion = provoked(|| bug!("link {} has no pose", 7));
+    let expansion = provoke(|| bug!("link {} has no pose", 7));
     let said = message(expansion.clone());
     assert_eq!(
         said,
@@ -57,7 +57,7 @@ fn an_internal_error_quotes_the_mechanism_and_asks_to_be_reported() {
 fn any_panic_of_ours_is_an_internal_error() {
     let list = tokens(CRANK).into_iter().collect::<Vec<_>>();
     let beyond = list.len();
-    let said = message(provoked(|| list[beyond].clone().into()));
+    let said = message(provoke(|| list[beyond].clone().into()));
     assert!(
         said.starts_with("internal error: index out of bounds"),
         "{said}"
@@ -68,7 +68,7 @@ fn any_panic_of_ours_is_an_internal_error() {
 #[test]
 fn a_stub_that_fails_too_does_not_hide_the_error() {
     let mechanism = tokens(CRANK);
-    let expansion = guarded(&mechanism, || bug!("this"), || bug!("and that"));
+    let expansion = guard(&mechanism, || bug!("this"), || bug!("and that"));
     let said = message(expansion);
     assert!(said.starts_with("internal error: this."), "{said}");
     assert!(!said.contains("and that"), "{said}");

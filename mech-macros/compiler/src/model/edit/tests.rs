@@ -1,7 +1,7 @@
 use super::{Edit, die_of};
 use crate::model::{
     Axis, AxisId, AxisKind, Between, Joint, JointId, JointKind, Link, LinkId, LoadKind, Model,
-    Motor, MotorId, Near, Origin, Ratio, StartValue,
+    Motor, MotorId, Near, NewKind, Origin, Ratio, StartValue,
 };
 
 /// A small generator (splitmix64).
@@ -26,6 +26,7 @@ fn axis(model: &mut Model, dice: &mut Dice, kind: AxisKind) -> AxisId {
         kind,
         at: [1.0, 2.0],
         formulas: [None; 2],
+        direction_formulas: [None; 2],
         direction: [1.0, 0.0],
     });
     AxisId::new(number)
@@ -225,7 +226,7 @@ fn a_slot_goes_as_a_whole() {
     for seed in 0..300 {
         let model = jumble(&mut Dice(seed));
         for id in model.joint_ids() {
-            let after = model.without_joint(id);
+            let after = model.with_edit(|edit| edit.remove_joint(id));
             assert_sound(&after);
             let name = &model.joint(id).name;
             assert!(after.joints.iter().all(|joint| joint.name != *name));
@@ -240,14 +241,14 @@ fn a_link_takes_what_joins_it_along() {
     for seed in 0..300 {
         let model = jumble(&mut Dice(seed));
         for id in model.declared_links() {
-            let after = model.without_link(id);
+            let after = model.with_edit(|edit| edit.remove_link(id));
             assert_sound(&after);
             assert_rest_of(&model, &after);
             let name = link_name(&model, id);
             assert!(after.links.iter().all(|link| link.name != name));
         }
         assert_eq!(
-            model.without_link(LinkId::GROUND),
+            model.with_edit(|edit| edit.remove_link(LinkId::GROUND)),
             Edit::new(&model).finish()
         );
     }
@@ -261,7 +262,7 @@ fn a_revolute_becomes_a_slot_in_its_second_link() {
             let JointKind::Revolute(point, other) = model.joint(id).kind else {
                 continue;
             };
-            let after = model.with_slot_for(id, [0.0, 1.0]);
+            let after = model.with_edit(|edit| edit.replace(id, NewKind::Slot([0.0, 1.0])));
             assert_sound(&after);
             let die = after.links.last().and_then(|link| link.die);
             let (pin, line) = die.expect("a die");
@@ -281,13 +282,14 @@ fn a_revolute_becomes_a_slot_in_its_second_link() {
 fn motors_come_go_and_move() {
     let model = jumble(&mut Dice(7));
     let joint = JointId::new(0);
-    let more = model.with_motor(joint);
+    let more = model.with_edit(|edit| edit.add_motor(joint));
     assert_eq!(more.motors.len(), model.motors.len() + 1);
     assert_eq!(
-        more.without_motor(MotorId::new(model.motors.len())).motors,
+        more.with_edit(|edit| edit.remove_motor(MotorId::new(model.motors.len())))
+            .motors,
         model.motors
     );
-    let moved = model.with_motor_moved(MotorId::new(1), joint);
+    let moved = model.with_edit(|edit| edit.move_motor(MotorId::new(1), joint));
     assert_eq!(moved.motor(MotorId::new(1)).joint, joint);
     assert_eq!(moved.motors.len(), model.motors.len());
 }
@@ -303,7 +305,7 @@ fn springs_and_loads_stay_on_what_they_act_on() {
     assert!(parsed.errors.is_empty(), "{:?}", parsed.errors);
     let before = parsed.model;
     let first = JointId::new(0);
-    let after = before.without_joint(first);
+    let after = before.with_edit(|edit| edit.remove_joint(first));
     let [spring] = &after.actions.springs[..] else {
         panic!("one spring is left: {:?}", after.actions);
     };
@@ -314,7 +316,7 @@ fn springs_and_loads_stay_on_what_they_act_on() {
         (&spring.name[..], &after.joint(on).name[..]),
         ("on_last", "last")
     );
-    let without_b = before.without_link(LinkId::new(2));
+    let without_b = before.with_edit(|edit| edit.remove_link(LinkId::new(2)));
     let [damper] = &without_b.actions.dampers[..] else {
         panic!("the damper is left");
     };

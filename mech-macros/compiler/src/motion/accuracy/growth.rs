@@ -28,9 +28,9 @@ pub(super) fn growing(model: &Model, program: &Program) -> Option<MotorId> {
     };
     let endless: Vec<MotorId> = model.motor_ids().filter(endless).collect();
     let winding = winding(program, &endless);
-    let mut found: Vec<Growth> = Vec::with_capacity(program.nodes.len());
-    let mut blocks = vec![None; program.blocks.len()];
-    for node in &program.nodes {
+    let mut found: Vec<Growth> = Vec::with_capacity(program.ssa.nodes.len());
+    let mut blocks = vec![None; program.ssa.blocks.len()];
+    for node in &program.ssa.nodes {
         let growth = match node.op {
             Op::Motor(motor) if program.reduced.get(motor) != Some(&true) => {
                 of_motor(motor, &endless)

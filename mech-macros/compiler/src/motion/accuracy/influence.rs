@@ -25,7 +25,12 @@ impl Influence {
         let mut found: Vec<Self> = (0..loops)
             .map(|_| Self::on(program, loops, Vec::new()))
             .collect();
-        for (number, roots) in program.blocks.iter().filter_map(|block| roots(&block.kind)) {
+        for (number, roots) in program
+            .ssa
+            .blocks
+            .iter()
+            .filter_map(|block| roots(&block.kind))
+        {
             found[number] = Self::on(program, loops, roots);
             found[number].loops[number] = true;
         }
@@ -37,7 +42,7 @@ impl Influence {
             motors: vec![false; program.inputs()],
             loops: vec![false; loops],
         };
-        let mut seen = vec![false; program.nodes.len()];
+        let mut seen = vec![false; program.ssa.nodes.len()];
         while let Some(value) = waiting.pop() {
             if std::mem::replace(&mut seen[value.index()], true) {
                 continue;
@@ -50,7 +55,7 @@ impl Influence {
                 _ => {}
             }
             waiting.extend(node.op.operands());
-            match &program.blocks[node.block.index()].kind {
+            match &program.ssa.blocks[node.block.index()].kind {
                 BlockKind::Straight => {}
                 BlockKind::ClosedForm(closed) => influence.note(closed.number),
                 kind @ BlockKind::Newton(newton) => {

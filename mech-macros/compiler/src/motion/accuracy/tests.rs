@@ -63,10 +63,14 @@ fn accepted(model: &Model) -> Compiled {
 }
 
 fn rounds(program: &Program) -> Option<Rounds> {
-    program.blocks.iter().find_map(|block| match &block.kind {
-        BlockKind::Newton(newton) => Some(newton.rounds),
-        BlockKind::Straight | BlockKind::ClosedForm(_) => None,
-    })
+    program
+        .ssa
+        .blocks
+        .iter()
+        .find_map(|block| match &block.kind {
+            BlockKind::Newton(newton) => Some(newton.rounds),
+            BlockKind::Straight | BlockKind::ClosedForm(_) => None,
+        })
 }
 
 #[test]

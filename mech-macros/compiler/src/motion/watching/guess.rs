@@ -85,7 +85,7 @@ impl Paces<'_> {
             .map(|input| 1.0 / self.unit(input))
             .collect();
         let program = self.domain.cutter.program;
-        for node in &program.nodes {
+        for node in &program.ssa.nodes {
             if let Op::Sin(angle) | Op::Cos(angle) = node.op {
                 for (input, part) in self.domain.cutter.parts(angle).into_iter().flatten() {
                     fastest[input] = fastest[input].max(part.abs());

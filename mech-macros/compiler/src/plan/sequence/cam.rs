@@ -23,12 +23,13 @@ impl Search<'_> {
             ConnectionKind::Prismatic => Source::Displacement(cam.connection.joint),
         };
         self.source(source, &coordinate(cam.connection, (from, to)), how.clone());
+        self.turned_slide(cam.connection.joint, &how);
         self.merge(&[from, to], &how);
         self.steps.push(Step::Cam(cam));
         true
     }
 
-    /// How a cam moves its follower, if its shaft is known and the follower is not.
+    /// The step in which a cam moves its follower, if its shaft is known and the follower is not.
     fn driven(&self, by: JointId, shaft: JointId, follower: JointId) -> Option<Cam> {
         let (shaft, follower) = (
             self.declared_connection(shaft)?,

@@ -51,7 +51,7 @@ struct Search<'m> {
     graph: KinematicGraph,
     clusters: Clusters,
     steps: Vec<Step>,
-    /// How many loops were found.
+    /// The number of loops that were found.
     loops: usize,
     /// For each joint whose coordinate is known, how.
     known: Vec<Option<Knowledge>>,
@@ -130,6 +130,7 @@ impl<'m> Search<'m> {
                 &coordinate(connection, (a, b)),
                 Knowledge::default(),
             );
+            self.turned_slide(joint, &Knowledge::default());
             self.merge(&[a, b], &Knowledge::default());
             self.steps.push(Step::Drive(Drive { motor, connection }));
         }
@@ -150,7 +151,7 @@ impl<'m> Search<'m> {
         }
     }
 
-    /// What is known of these joints.
+    /// The knowledge of these joints.
     fn knowledge(&self, joints: &[JointId]) -> Knowledge {
         Knowledge::of(
             joints
@@ -206,7 +207,7 @@ impl<'m> Search<'m> {
         true
     }
 
-    /// What has to be solved together: one block for each smallest set of clusters that hold each other.
+    /// The blocks that have to be solved together: one for each smallest set of clusters that hold each other.
     fn blocks(&self, connections: &[Between]) -> Vec<Block> {
         tight::sets(connections, &self.rolling_clusters())
             .iter()

@@ -2,7 +2,7 @@
 
 use super::Search;
 use crate::bug::bug;
-use crate::model::{JointKind, LinkId};
+use crate::model::{JointId, JointKind, LinkId};
 use crate::plan::equation::Unknown;
 use crate::plan::knowledge::Knowledge;
 use crate::plan::linear_relations::{LinearForm, Rational};
@@ -20,7 +20,7 @@ impl Search<'_> {
         self.rolls() || self.model.cams().next().is_some()
     }
 
-    /// What slides and welds keep parallel, and what rolls on what.
+    /// Enters the relations of slides and welds, which keep links parallel, and those of rolling.
     pub(super) fn open_ledger(&mut self) {
         if !self.keeps_ledger() {
             return;
@@ -28,7 +28,9 @@ impl Search<'_> {
         for joint in self.model.joint_ids() {
             if let JointKind::Prismatic(..) | JointKind::Weld(..) = self.model.joint(joint).kind {
                 let (a, b) = self.model.ends(joint);
-                self.relations.add(&LinearForm::turn(a, b));
+                if !self.is_turned(joint) {
+                    self.relations.add(&LinearForm::turn(a, b));
+                }
                 self.aligned.union(a.index(), b.index());
             }
         }
@@ -44,6 +46,24 @@ impl Search<'_> {
             self.relations.add(&quantity.clone().plus(&-one(), &number));
             self.sources.push(source);
             self.behind.push(behind);
+        }
+    }
+
+    /// Whether params turn the links of a joint against each other, whose directions it keeps otherwise.
+    fn is_turned(&self, joint: JointId) -> bool {
+        let axes = self.model.joint(joint).kind.axes();
+        axes.is_some_and(|axes| {
+            let [a, b] = axes.map(|axis| self.model.axis(axis).direction_formulas);
+            a != b
+        })
+    }
+
+    /// Enters the angle across a slide that was just found, if params turn it: no relation gives it.
+    pub(super) fn turned_slide(&mut self, joint: JointId, how: &Knowledge) {
+        if self.is_turned(joint) {
+            let (from, to) = self.model.ends(joint);
+            let angle = Source::Angle { from, to };
+            self.source(angle, &LinearForm::turn(from, to), how.clone());
         }
     }
 
@@ -72,12 +92,13 @@ impl Search<'_> {
         let Some(mesh) = found else { return false };
         let how = Knowledge::of(mesh.parts.iter().map(|(source, _)| &self.behind[*source]));
         let (from, to) = self.link_of(mesh.connection);
+        self.turned_slide(mesh.connection.joint, &how);
         self.merge(&[from, to], &how);
         self.steps.push(Step::Mesh(mesh));
         true
     }
 
-    /// How a wheel or bar is moved on its carrier, if that is known by now and was not before.
+    /// The step in which a wheel or bar is moved on its carrier, if that is known by now and was not before.
     pub(super) fn mesh_of(&self, rolling: &Rolling, end: usize) -> Option<Mesh> {
         let connection = self.carrier_connection(rolling, rolling.ends[end].0)?;
         let (from, to) = self.link_of(connection);
@@ -206,7 +227,7 @@ pub(super) fn coordinate(connection: Connection, (from, to): (LinkId, LinkId)) -
     }
 }
 
-/// What rolling says: this combination is constant.
+/// The linear form that rolling holds constant.
 fn relation(rolling: &Rolling) -> LinearForm {
     rolling
         .ends

@@ -117,7 +117,7 @@ impl PositionPass<'_> {
                 }
             }
         }
-        ssa.blocks[site.block.index()].kind = BlockKind::ClosedForm(closed);
+        ssa.set_kind(site.block, BlockKind::ClosedForm(closed));
         Some(solution.to_vec())
     }
 
@@ -171,7 +171,7 @@ impl PositionPass<'_> {
                 solution
             }
         };
-        ssa.blocks[site.block.index()].kind = BlockKind::Newton(newton);
+        ssa.set_kind(site.block, BlockKind::Newton(newton));
         (solution, tied)
     }
 }

@@ -8,7 +8,7 @@
 use petgraph::algo::tarjan_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
 
-/// Which unknowns each equation contains.
+/// The unknowns that each equation contains.
 pub(super) type Pattern = Vec<Vec<usize>>;
 
 /// Equations with as many unknowns, to be solved together.
@@ -18,7 +18,7 @@ pub(super) struct Together {
     pub(super) unknowns: Vec<usize>,
 }
 
-/// How often the balances of all links are tried.
+/// The number of times that the balances of all links are tried.
 const PASSES: usize = 3;
 
 /// Chooses one of several balances for the three equations of each link, so that as few as possible have to be solved
@@ -55,7 +55,7 @@ pub(super) fn choose_balances(
     Some((choices, best))
 }
 
-/// How much it takes to solve these.
+/// The work of solving these: the sum of the cubes of their sizes.
 fn work(blocks: &[Together]) -> usize {
     blocks
         .iter()

@@ -27,7 +27,7 @@ impl Program {
 
     /// The blocks of the loops whose solution some pose depends on, or the solution or the test of such a loop.
     fn reached_loops(&self) -> Vec<BlockId> {
-        let mut found = vec![None; self.nodes.len()];
+        let mut found = vec![None; self.ssa.nodes.len()];
         for (block, closed) in self.closed_forms() {
             for value in &closed.found {
                 // A value that was known before is not found by closing the loop.
@@ -37,7 +37,7 @@ impl Program {
             }
         }
         let mut reached: Vec<BlockId> = Vec::new();
-        let mut seen = vec![false; self.nodes.len()];
+        let mut seen = vec![false; self.ssa.nodes.len()];
         let mut waiting: Vec<Value> = self.poses.iter().flatten().copied().collect();
         while let Some(value) = waiting.pop() {
             if std::mem::replace(&mut seen[value.index()], true) {
@@ -54,7 +54,7 @@ impl Program {
             };
             if let Some(block) = solved.filter(|block| !reached.contains(block)) {
                 reached.push(block);
-                waiting.extend(iteration(&self.blocks, block));
+                waiting.extend(iteration(&self.ssa.blocks, block));
                 waiting.extend(self.closed_form(block).map(|closed| closed.margin));
                 let watches = self.watches.iter().filter(|watch| watch.block == block);
                 waiting.extend(
@@ -69,7 +69,7 @@ impl Program {
 
     /// Turns the blocks of these loops into straight ones: they only say how their links hang together.
     pub(super) fn forget_loops(&mut self, idle: &[usize]) {
-        for block in &mut self.blocks {
+        for block in &mut self.ssa.blocks {
             if block
                 .loop_number()
                 .is_some_and(|number| idle.contains(&number))

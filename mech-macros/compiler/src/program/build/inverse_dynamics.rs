@@ -251,7 +251,7 @@ impl Lowering<'_> {
         rows
     }
 
-    /// What a force of size one adds to the equations of a link.
+    /// The terms that a force of size one adds to the equations of a link.
     fn force_terms(
         &mut self,
         link: LinkId,
@@ -290,7 +290,7 @@ impl Lowering<'_> {
         };
         let axis = self.model.axis(a);
         let pose = self.placement.pose(axis.link);
-        pose.turn(&mut self.ssa, axis.direction)
+        pose.heading(&mut self.ssa, axis)
     }
 
     /// A force along and across what the forces of a link are summed along.
@@ -380,7 +380,7 @@ impl Lowering<'_> {
 }
 
 impl Rows {
-    /// Which unknowns each equation contains.
+    /// The unknowns that each equation contains.
     fn pattern(&self) -> [Vec<usize>; 3] {
         self.unknown
             .each_ref()

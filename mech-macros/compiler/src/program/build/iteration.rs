@@ -33,13 +33,13 @@ pub(super) struct Unknowns {
 /// The equations of a round.
 #[derive(Default)]
 pub(super) struct System {
-    /// What is missing.
+    /// The gap, in scene units.
     pub(super) gap: Vec<Value>,
     /// For each unknown, the rates of the gap with it.
     pub(super) columns: Vec<Vec<Value>>,
     /// The vectors that add to the gap.
     pub(super) sides: Vec<[Value; 2]>,
-    /// How far it has grown, where something slides.
+    /// The lengths that are not fixed, where something slides.
     pub(super) extent: Option<Value>,
     /// The legs of a middle link, whose pose the unknowns are: how far each turns is a part of the step.
     pub(super) legs: Vec<Lever>,
@@ -114,7 +114,7 @@ impl LoopIteration<'_> {
         places
     }
 
-    /// How far a loop has grown where something slides: a telescope may become any times longer than it is at the start.
+    /// The lengths of a loop that are not fixed, where something slides: a telescope may become any times longer than it is at the start.
     pub(super) fn extent(&mut self, now: &[Solution<Value>]) -> Option<Value> {
         let equation = &self.site.equation;
         let slides = |joint: &Joint| matches!(joint.kind, JointKind::Prismatic(..));
@@ -135,7 +135,7 @@ impl LoopIteration<'_> {
         Some(self.ssa.name(extent, "extent"))
     }
 
-    /// How many rounds the iteration takes.
+    /// The number of rounds that the iteration takes.
     fn rounds(&self) -> Rounds {
         match self.site.choice.solver {
             Solver::ClosedForm => Rounds::UntilClosed(MOST_ROUNDS),
@@ -144,7 +144,7 @@ impl LoopIteration<'_> {
         }
     }
 
-    /// How far a loop has grown; one of one unknown, whose joints hold again what earlier loops hold, closes as well as these know it.
+    /// The lengths of a loop that are not fixed. A loop of one unknown holds again what earlier loops hold: their doubt adds to its lengths.
     fn redundant_extent(&mut self, watches: &Watches, now: &[Solution<Value>]) -> Option<Value> {
         let extent = self.extent(now);
         let linear = self.site.choice.solver == Solver::Linear;

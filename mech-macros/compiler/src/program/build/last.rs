@@ -17,7 +17,7 @@ pub(super) fn last_pose(ssa: &mut SsaBuilder, model: &Model, link: LinkId) -> Po
     if let Some((pin, guide)) = model.link(link).die {
         let (pin, guide) = (model.axis(pin), model.axis(guide));
         let origin = last_pose(ssa, model, pin.link).carry(ssa, pin);
-        let direction = last_pose(ssa, model, guide.link).turn(ssa, guide.direction);
+        let direction = last_pose(ssa, model, guide.link).heading(ssa, guide);
         return Pose { direction, origin };
     }
     match number_among_all(link) {
@@ -59,7 +59,7 @@ pub(super) fn last_unknown(
                         last_pose(ssa, model, from.link),
                         last_pose(ssa, model, to.link),
                     );
-                    let heading = start.turn(ssa, from.direction);
+                    let heading = start.heading(ssa, from);
                     let start = start.carry(ssa, from);
                     let end = end.carry(ssa, to);
                     let displacement = ssa.minus(end, start);

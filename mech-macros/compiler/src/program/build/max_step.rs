@@ -4,13 +4,13 @@
 use crate::model::{JointKind, Model};
 use crate::plan::{ConnectionKind, Plan, Rational, Source, Step, Unknown, float_of};
 
-/// Nothing that motors turn may turn farther in one piece, in radians.
+/// The largest turn in one piece, in radians.
 const TURN: f64 = 0.25;
 /// Nothing may slide farther, nor a length change more, as a part of its size.
 const PART: f64 = 0.02;
 
-/// For each motor and param so short a displacement that loops which close at both ends are not likely to be open between. Where loops are
-/// coupled, nothing that a motor drives by rolling goes farther either.
+/// The longest displacement of each motor and param in one piece, in radians or scene units: loops that close at both ends of it are not
+/// likely to be open between. Where loops are coupled, nothing that a motor drives by rolling goes farther either.
 pub(super) fn max_steps(model: &Model, plan: &Plan, is_coupled: bool) -> Vec<f64> {
     let slide = PART * model.size().max(f64::MIN_POSITIVE);
     let most = |turns: bool| if turns { TURN } else { slide };
@@ -47,7 +47,7 @@ struct Rolling<'p> {
     turns: bool,
 }
 
-/// What rolling moves in a step.
+/// All that rolling moves in a step.
 fn rolling(step: &Step) -> Vec<Rolling<'_>> {
     match step {
         Step::Mesh(mesh) => {
@@ -63,7 +63,7 @@ fn rolling(step: &Step) -> Vec<Rolling<'_>> {
     }
 }
 
-/// What moves by these parts of sources.
+/// All that moves by these parts of sources.
 fn rolling_by(parts: &[(usize, Rational)], turns: bool) -> impl Iterator<Item = Rolling<'_>> {
     parts.iter().map(move |(source, part)| Rolling {
         source: *source,

@@ -31,10 +31,11 @@ mod wrench;
 
 pub(super) use tangent::{Seed, Tangents};
 
+use super::builder::SsaBuilder;
 use super::calibrate::calibrate;
 use super::live::live;
 use super::node::Value;
-use super::{Block, BlockKind, Choice, Program, Rounds};
+use super::{Block, BlockKind, Choice, Motion, Program, Rounds, Sensitivity};
 use crate::model::{LinkId, Model};
 use crate::plan::{Needed, Plan, Step};
 use crate::structure::Structure;
@@ -118,7 +119,7 @@ pub fn derive(
     (!undetermined).then_some(program)
 }
 
-/// What a program computes besides positions.
+/// A result of a program besides positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Output<'s> {
     /// The rates of everything.
@@ -128,7 +129,7 @@ pub enum Output<'s> {
     /// The torques and forces of motors that a given motion takes, and the reactions in all joints of this structure, of which none is
     /// redundant.
     InverseDynamics(&'s Structure),
-    /// How it moves under the torques of its motors.
+    /// The inertia and forces that its motors feel.
     Inertia,
     /// The rates of everything with each param.
     Sensitivity,
@@ -143,7 +144,7 @@ pub(crate) fn needed(model: &Model, plan: &Plan, stored: &[LinkId]) -> Needed {
     }
 }
 
-/// What a program is for.
+/// The results that a program is built for.
 #[derive(Clone, Copy)]
 struct Target<'t> {
     /// The links whose poses it finds.
@@ -203,25 +204,14 @@ impl Target<'_> {
         };
         let pose = |&link: &LinkId| lowering.placement.pose(link).numbers();
         let mut poses: Vec<[Value; 4]> = self.links.iter().map(pose).collect();
-        let mut sensitivity = None;
-        let mut motion = self.output.map(|output| match output {
-            Output::Rates => lowering.derive_rates(&positions, &poses),
-            Output::Holding => lowering.derive_holding(&positions),
-            Output::InverseDynamics(structure) => {
-                lowering.derive_inverse_dynamics(&positions, structure)
-            }
-            Output::Inertia => lowering.derive_inertia(&positions),
-            Output::Sensitivity => {
-                let (motion, found) = lowering.derive_sensitivity(&positions, &poses);
-                sensitivity = Some(found);
-                motion
-            }
-        });
-        if let Some(motion) = motion.as_mut().filter(|motion| motion.forces.is_some()) {
-            motion.loads = model.actions.load_names();
-        }
+        let (motion, sensitivity) = self.derive(&mut lowering, &positions, &poses);
         let Lowering { ssa, layout, .. } = lowering;
-        let (start, mut state, nodes, blocks) = ssa.finish();
+        let SsaBuilder {
+            ssa,
+            start,
+            mut state,
+            ..
+        } = ssa;
         if sensitivity.is_some() {
             // It computes nothing else.
             state.clear();
@@ -231,9 +221,9 @@ impl Target<'_> {
             matches!(&block.kind, BlockKind::Newton(newton)
                 if newton.step.is_some() && matches!(newton.rounds, Rounds::UntilClosed(_)))
         };
-        let has_loops = blocks.iter().any(|block| block.loop_number().is_some());
+        let has_loops = ssa.blocks.iter().any(|block| block.loop_number().is_some());
         let varies = (wanders || !model.params.is_empty()) && has_loops;
-        let is_coupled = blocks.iter().any(leaps);
+        let is_coupled = ssa.blocks.iter().any(leaps);
         let max_steps =
             (winds || varies || is_coupled).then(|| max_step::max_steps(model, plan, is_coupled));
         let motors = model.motors.iter();
@@ -242,8 +232,7 @@ impl Target<'_> {
         let mut program = Program {
             name: model.name.clone(),
             precision: model.precision,
-            nodes,
-            blocks,
+            ssa,
             layout,
             solutions,
             watches: watches.loops,
@@ -273,7 +262,33 @@ impl Target<'_> {
         program
     }
 
-    /// How a loop is solved.
+    /// Derives the output from positions.
+    fn derive(
+        self,
+        lowering: &mut Lowering<'_>,
+        positions: &Positions,
+        poses: &[[Value; 4]],
+    ) -> (Option<Motion>, Option<Sensitivity>) {
+        let mut motion = match self.output {
+            None => return (None, None),
+            Some(Output::Sensitivity) => {
+                let (motion, sensitivity) = lowering.derive_sensitivity(positions, poses);
+                return (Some(motion), Some(sensitivity));
+            }
+            Some(Output::Rates) => lowering.derive_rates(positions, poses),
+            Some(Output::Holding) => lowering.derive_holding(positions),
+            Some(Output::InverseDynamics(structure)) => {
+                lowering.derive_inverse_dynamics(positions, structure)
+            }
+            Some(Output::Inertia) => lowering.derive_inertia(positions),
+        };
+        if motion.forces.is_some() {
+            motion.loads = lowering.model.actions.load_names();
+        }
+        (Some(motion), None)
+    }
+
+    /// The choice of a loop's solver and watch.
     fn choice(self, model: &Model, choices: &[Choice], number: usize) -> Choice {
         let otherwise = || Choice {
             predictor: model.predictor,
@@ -292,7 +307,7 @@ impl Target<'_> {
     }
 }
 
-/// What the positions were found with: rates, forces and sensitivities are derived from it.
+/// Everything that positions were found with: rates, forces and sensitivities are derived from it.
 struct Positions {
     /// The loops that were solved, but for those whose solution nothing needs.
     loops: Vec<SolvedLoop>,

@@ -1,23 +1,23 @@
-//! Where axes are in their links, if that depends on params: a position carries what accessors, springs and the overlay read.
+//! Numbers of axes and shapes that depend on params: a position carries what accessors, springs, the overlay and `draw` read.
 
 use super::lowering::Lowering;
 use crate::model::{AxisId, Between, JointKind};
-use crate::plan::Algebra;
 use crate::program::Place;
 
 impl Lowering<'_> {
-    /// Carries the coordinates of axes in their links that depend on params and that something outside of the program reads.
+    /// Carries the numbers of axes and shapes that depend on params and that something outside of the program reads.
     pub(super) fn carry_places(&mut self) {
-        for id in self.exposed_axes() {
-            let axis = self.model.axis(id);
-            let place = self.ssa.place(axis);
-            for part in (0..2).filter(|&part| axis.formulas[part].is_some()) {
-                let state = self.ssa.record(place[part]).index;
-                self.layout.places.push(Place {
-                    axis: id,
-                    part,
-                    state,
-                });
+        let model = self.model;
+        let axes = self.exposed_axes().into_iter();
+        let of_axes = axes.flat_map(|id| model.axis(id).all_formulas());
+        let shapes = model.links.iter().flat_map(|link| &link.shapes);
+        let of_shapes = shapes.flat_map(|shape| shape.formulas.iter().flatten().copied());
+        for formula in of_axes.chain(of_shapes) {
+            let places = &mut self.layout.places;
+            if places.iter().all(|place| place.formula != formula) {
+                let value = self.ssa.formulas[formula.index()];
+                let state = self.ssa.record(value).index;
+                places.push(Place { formula, state });
             }
         }
     }

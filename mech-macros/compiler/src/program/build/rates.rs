@@ -19,16 +19,16 @@ const MOST_LINKS: usize = 48;
 
 /// A loop that is solved.
 pub(super) struct SolvedLoop {
-    /// Which loop of the plan it closes.
+    /// The number of its loop in the plan.
     pub(super) number: usize,
-    /// What its block is called.
+    /// The name of its block.
     pub(super) name: String,
     /// The joints of the loop whose coordinates are unknown, for messages.
     pub(super) place: String,
     pub(super) equation: Equation<Value>,
     /// Its directions and displacements, in the order of the equation's unknowns.
     pub(super) solution: Vec<Solution<Value>>,
-    /// How its directions and displacements follow from fewer unknowns, if rolling ties them.
+    /// The relations of its directions and displacements to fewer unknowns, if rolling ties them.
     pub(super) tied: Option<Tied>,
 }
 
@@ -43,7 +43,7 @@ impl SolvedLoop {
 pub(super) struct LoopRates {
     block: BlockId,
     pub(super) columns: Vec<Vec<Value>>,
-    /// What the columns times the rates must add to zero.
+    /// The right side: with the columns times the rates it adds to zero.
     gap: Vec<Value>,
     rates: Vec<Value>,
 }

@@ -7,7 +7,7 @@ use crate::plan::{Algebra, Arithmetic};
 use crate::program::node::Value;
 use crate::structure::{Factor, Rolling, RollingEnd, Structure};
 
-/// Where something pushes.
+/// The point of application of a force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Place {
     /// At an axis of the link that is pushed.
@@ -27,7 +27,7 @@ pub(super) enum Along {
     Across(JointId),
 }
 
-/// What an unknown of size one does to a link.
+/// The force or torque of an unknown of size one on a link.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Push {
     /// A force of this size.
@@ -45,11 +45,11 @@ pub(super) enum Push {
 #[derive(Clone, Debug)]
 pub(super) struct Unknown {
     pub(super) joint: JointId,
-    /// What it is called.
+    /// Its name.
     pub(super) name: String,
-    /// What it does to each link.
+    /// Its forces and torques on all links.
     pub(super) pushes: Vec<Push>,
-    /// Which part of the joint's reaction it is.
+    /// The part of the joint's reaction that it is.
     pub(super) part: Part,
 }
 
@@ -124,8 +124,14 @@ impl Lowering<'_> {
         }
     }
 
-    fn reaction_name(&self, joint: JointId, part: &str) -> String {
-        format!("{}_{part}", self.model.joint(joint).name)
+    /// An unknown of a joint.
+    fn unknown(&self, joint: JointId, name: &str, pushes: Vec<Push>, part: Part) -> Unknown {
+        Unknown {
+            joint,
+            name: format!("{}_{name}", self.model.joint(joint).name),
+            pushes,
+            part,
+        }
     }
 
     /// Two forces at a pin, along x and y.
@@ -152,12 +158,12 @@ impl Lowering<'_> {
             size,
         };
         let (one, back) = (self.ssa.constant(1.0), self.ssa.constant(-1.0));
-        Unknown {
+        self.unknown(
             joint,
-            name: self.reaction_name(joint, name),
-            pushes: vec![push(second, one), push(first, back)],
-            part: Part::Force(along),
-        }
+            name,
+            vec![push(second, one), push(first, back)],
+            Part::Force(along),
+        )
     }
 
     /// A force between the links of a slide, where the second one's line begins.
@@ -181,12 +187,8 @@ impl Lowering<'_> {
     /// A torque on the second link of a joint, and back on the first.
     fn joint_torque(&mut self, joint: JointId, name: &str) -> Unknown {
         let one = self.ssa.constant(1.0);
-        Unknown {
-            joint,
-            name: self.reaction_name(joint, name),
-            pushes: self.torques(joint, one),
-            part: Part::Torque,
-        }
+        let pushes = self.torques(joint, one);
+        self.unknown(joint, name, pushes, Part::Torque)
     }
 
     /// A torque of this size on the second link of a joint, and back on the first.
@@ -213,12 +215,7 @@ impl Lowering<'_> {
             JointKind::Prismatic(..) => Part::Force(Along::Slide(follower)),
             _ => Part::Torque,
         };
-        Unknown {
-            joint,
-            name: self.reaction_name(joint, "push"),
-            pushes,
-            part,
-        }
+        self.unknown(joint, "push", pushes, part)
     }
 
     /// The pushes that drive the coordinate of a joint: torques, or forces along its slide.
@@ -251,28 +248,18 @@ impl Lowering<'_> {
             let place = Place::Scene(at);
             return self.force(joint, "tooth", along, [(a, place), (b, place)]);
         }
-        let sizes = rolling.ends.map(|(_, factor)| number(factor));
-        let mut pushes = Vec::new();
-        for ((end, _), size) in rolling.ends.iter().zip(sizes) {
-            pushes.push(Push::Torque {
-                link: end.link(),
-                size: self.ssa.constant(size),
-            });
-        }
-        let on_carrier = self.ssa.constant(-sizes[0] - sizes[1]);
-        pushes.push(Push::Torque {
-            link: rolling.carrier,
-            size: on_carrier,
+        let [(first, p), (second, q)] = rolling
+            .ends
+            .map(|(end, factor)| (end.link(), number(factor)));
+        let torques = [(first, p), (second, q), (rolling.carrier, -p - q)];
+        let pushes = torques.map(|(link, size)| Push::Torque {
+            link,
+            size: self.ssa.constant(size),
         });
-        Unknown {
-            joint,
-            name: self.reaction_name(joint, "pull"),
-            pushes,
-            part: Part::Torque,
-        }
+        self.unknown(joint, "pull", pushes.to_vec(), Part::Torque)
     }
 
-    /// Where two wheels touch, and in which direction the one pushes the other: across the line of their centres.
+    /// The point where two wheels touch, and the direction in which the one pushes the other: across the line of their centres.
     fn wheel_contact(
         &mut self,
         structure: &Structure,
@@ -307,7 +294,7 @@ impl Lowering<'_> {
         Some((at, Along::Scene(along)))
     }
 
-    /// Where a pinion touches its bar, and in which direction it pushes it: along its line.
+    /// The point where a pinion touches its bar, and the direction in which it pushes it: along its line.
     fn rack_contact(
         &mut self,
         structure: &Structure,
@@ -324,15 +311,22 @@ impl Lowering<'_> {
             return None;
         };
         let line = self.model.axis(if forwards { a } else { b });
-        let [x, y] = line.direction;
         let radius = -number(turn) / number(displacement);
         let center = center(structure, pinion, rolling.carrier)?;
         let center = self.ssa.place(self.model.axis(center));
-        let beside = self.ssa.vector([radius * y, -radius * x]);
+        let beside = if line.turns() {
+            let [x, y] = self.ssa.direction(line);
+            let radius = self.ssa.constant(radius);
+            let across = [y, self.ssa.neg(x)];
+            self.ssa.scale(radius, across)
+        } else {
+            let [x, y] = line.direction;
+            self.ssa.vector([radius * y, -radius * x])
+        };
         let touch = self.ssa.plus(center, beside);
         let pose = self.placement.pose(rolling.carrier);
         let at = pose.carry_spot(&mut self.ssa, touch);
-        let along = pose.turn(&mut self.ssa, [x, y]);
+        let along = pose.heading(&mut self.ssa, line);
         Some((at, Along::Scene(along)))
     }
 }

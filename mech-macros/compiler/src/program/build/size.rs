@@ -7,9 +7,9 @@ use crate::program::node::Value;
 /// A length that tolerances are relative to.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Size {
-    /// What it is at the start.
+    /// Its value at the start.
     Fixed(f64),
-    /// What it is now: a param has a part in it.
+    /// Its present value: a param has a part in it.
     Varying(Value),
 }
 
@@ -79,7 +79,7 @@ impl SsaBuilder {
         Size::Varying(self.name(size, "size"))
     }
 
-    /// How long a vector is, without a root: at most twice as long as this many numbers may make it.
+    /// The length of a vector without a root: the sum of its numbers' sizes.
     pub(super) fn about(&mut self, vector: &[Value]) -> Value {
         let mut sum = self.constant(0.0);
         for &part in vector {
@@ -89,7 +89,7 @@ impl SsaBuilder {
         sum
     }
 
-    /// By how much params may have made the vectors round a loop longer than they are at the start; none if they have no part in it.
+    /// The length of the vectors round a loop, if params have a part in it.
     pub(super) fn varying_extent(&mut self, equation: &Equation<Value>) -> Option<Value> {
         let arms = equation
             .rings

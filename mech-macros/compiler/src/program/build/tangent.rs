@@ -9,22 +9,22 @@ use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 use std::collections::HashMap;
 
-/// What the motors do.
+/// The motion of the inputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::program) enum Seed {
     /// They move at the rates and second rates that are given.
     Given,
     /// They move at the rates that are given, and these do not change.
     Coasting,
-    /// What is given under this number alone moves, at a rate of one: a motor, or a param after them.
+    /// The input of this number alone moves, at a rate of one: a motor, or a param after them.
     Alone(usize),
 }
 
-/// What is known about rates.
+/// The rates that are known.
 #[derive(Debug)]
 pub(in crate::program) struct Tangents {
     seed: Seed,
-    /// How many of what is given are motors; params, after them, rest.
+    /// The number of motors among the inputs; params, after them, do not move.
     motors: usize,
     /// Looked up only, never iterated: the program does not depend on its order.
     rates: HashMap<Value, Value>,

@@ -10,7 +10,7 @@ use crate::plan::{Algebra, Arithmetic, Equation, Residuals, Solution, Tie, Unkno
 use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
 
-/// What a radian of an angle that is counted from the start adds to rounding, as a part of it.
+/// The part of rounding that a radian of an angle adds to it, if the angle is counted from the start.
 const OF_A_RADIAN: f64 = 0.125;
 
 /// The unknowns of a tied loop.
@@ -20,13 +20,13 @@ pub(super) struct Tied {
     unknowns: Vec<TiedUnknown>,
 }
 
-/// How a direction or displacement of the equation follows from the unknowns of the loop and from what is known.
+/// The relation of a direction or displacement of the equation to the unknowns of the loop and to what is known.
 struct Relation {
     /// Parts of unknowns, by their place.
     parts: Vec<(usize, f64)>,
-    /// What sources add.
+    /// The share of sources.
     known: Value,
-    /// What it is without all these.
+    /// Its value without all these.
     start: Start,
 }
 
@@ -53,7 +53,7 @@ impl Tied {
         self.unknowns.iter().any(|unknown| unknown.turns)
     }
 
-    /// What each direction and displacement moves by besides the unknowns: its number in the equation, and what is known.
+    /// The known part of each direction and displacement, with its number in the equation.
     pub(super) fn known(&self) -> impl Iterator<Item = (usize, Value)> + '_ {
         let known = self.relations.iter().map(|relation| relation.known);
         known.enumerate()
@@ -101,7 +101,7 @@ impl Tied {
         relation.sum(ssa, known, rates)
     }
 
-    /// How much more is rounded where the unknowns have these values: angles are counted from the start.
+    /// The factor of additional rounding at these values of the unknowns: angles are counted from the start.
     pub(super) fn roundings(&self, ssa: &mut SsaBuilder, unknowns: &[Solution<Value>]) -> Value {
         let part = ssa.constant(OF_A_RADIAN);
         let mut sum = ssa.constant(0.0);
@@ -150,7 +150,7 @@ impl Tied {
 }
 
 impl Relation {
-    /// What is known, and the parts of these values of the unknowns.
+    /// The sum of what is known and of the parts of these unknowns.
     fn sum(&self, ssa: &mut SsaBuilder, known: Value, unknowns: &[Value]) -> Value {
         let mut sum = known;
         for (place, part) in &self.parts {
@@ -163,7 +163,7 @@ impl Relation {
 }
 
 impl PositionPass<'_> {
-    /// How the directions and displacements of a loop follow from its unknowns.
+    /// The relations of the directions and displacements of a loop to its unknowns.
     pub(super) fn tie(&mut self, site: &LoopSite<'_>) -> Tied {
         let model = self.lowering.model;
         let all = &site.equation.unknowns;
@@ -213,7 +213,7 @@ impl PositionPass<'_> {
         }
     }
 
-    /// What the sources add to a tied direction or displacement since the start.
+    /// The share of the sources in a tied direction or displacement, since the start.
     fn moved_by_sources(&mut self, tie: &Tie) -> Value {
         let turns = matches!(tie.of, Unknown::Direction(_));
         let mut known = self.lowering.ssa.constant(0.0);
@@ -228,7 +228,7 @@ impl PositionPass<'_> {
         known
     }
 
-    /// What a tied direction or displacement is where all unknowns and sources are zero. An angle is counted from the start, a
+    /// The value of a tied direction or displacement where all unknowns and sources are zero. An angle is counted from the start, a
     /// displacement is not.
     fn start_of_tied(&mut self, tie: &Tie, base: LinkId) -> Start {
         match tie.of {

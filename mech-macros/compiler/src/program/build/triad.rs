@@ -94,7 +94,7 @@ pub(super) fn triad_directions(
     directions.collect()
 }
 
-/// Where a leg reaches.
+/// The vectors of a leg.
 struct Reach {
     /// From its foot to its head.
     span: [Value; 2],
@@ -102,7 +102,7 @@ struct Reach {
     arm: [Value; 2],
 }
 
-/// Where a leg reaches with this pose of the middle link.
+/// The vectors of a leg at this pose of the middle link.
 fn reach(
     ssa: &mut SsaBuilder,
     placement: &Placement<'_, Value>,

@@ -2,7 +2,7 @@
 
 use super::closing::LoopSite;
 use super::lowering::Lowering;
-use crate::plan::{Algebra, Arithmetic, Equation, Plan, Solution, Turning};
+use crate::plan::{Algebra, Arithmetic, Equation, Solution, Turning};
 use crate::program::builder::SsaBuilder;
 use crate::program::calibrate::{determinant, reach};
 use crate::program::choice::Choice;
@@ -28,12 +28,12 @@ pub(super) struct CoupledSide {
     scale: f64,
 }
 
-/// What the journey looks at while motors move.
+/// The loops and angles that a journey examines while motors move.
 #[derive(Default)]
 pub(super) struct Watches {
     /// The loops that are watched, in the order in which they are closed.
     pub(super) loops: Vec<Watch>,
-    /// How fast each angle turns whose turns are counted.
+    /// The greatest rates of the angles whose turns are counted.
     pub(super) follows: Vec<Follow>,
     /// The same angles, between −π and π, and what they are.
     pub(super) angles: Vec<(Turning, Value)>,
@@ -75,8 +75,8 @@ impl Watches {
         });
     }
 
-    /// By how much rounding displaces what the loops hold that are watched so far, as a multiple of the part of a length that is
-    /// accepted as a gap: near a zero of its sine a loop turns by up to the root of rounding, and everything with it.
+    /// The displacement by rounding of all that the watched loops hold so far, as a multiple of the part of a length that is accepted as a gap:
+    /// near a zero of its sine a loop turns by up to the root of rounding, and everything with it.
     pub(super) fn doubt(&self, ssa: &mut SsaBuilder, size: f64, accepted: f64) -> Option<Value> {
         let scale = ssa.constant(size / accepted);
         self.loops.iter().fold(None, |sum, watch| {
@@ -94,7 +94,7 @@ impl Watches {
         })
     }
 
-    /// What makes a bound grow, loops by their place among those that are watched so far.
+    /// The causes of a bound's growth, loops by their place among those that are watched so far.
     fn growth(&self, bound: &Bound) -> Vec<journey::Growth<f64>> {
         let watched = |number| self.loops.iter().position(|watch| watch.number == number);
         let growth = bound.growth.iter().filter_map(|growth| match *growth {
@@ -113,7 +113,16 @@ impl Watches {
         principal: Value,
         start: f64,
     ) -> usize {
-        self.follow(lowering.plan, lowering.model.inputs(), what, principal);
+        self.angles.push((what, principal));
+        let mut known = lowering.plan.turning.iter();
+        let bound = known.find(|(turning, _)| *turning == what);
+        let bound = bound.map(|(_, bound)| bound.clone());
+        // As long as nobody has looked, nothing moves.
+        let bound = bound.unwrap_or_else(|| Bound::still(lowering.model.inputs()));
+        self.follows.push(Follow {
+            growth: self.growth(&bound),
+            rates: bound.rates,
+        });
         let ssa = &mut lowering.ssa;
         let carried = ssa.carry(start);
         let behind = ssa.sub(carried.last, principal);
@@ -124,20 +133,6 @@ impl Watches {
         let angle = ssa.add(principal, whole);
         ssa.update(carried.index, angle);
         carried.index
-    }
-
-    /// Notes how fast an angle turns whose turns are counted.
-    fn follow(&mut self, plan: &Plan, inputs: usize, what: Turning, angle: Value) {
-        self.angles.push((what, angle));
-        let mut known = plan.turning.iter();
-        let bound = known.find(|(turning, _)| *turning == what);
-        let bound = bound.map(|(_, bound)| bound.clone());
-        // As long as nobody has looked, nothing moves.
-        let bound = bound.unwrap_or_else(|| Bound::still(inputs));
-        self.follows.push(Follow {
-            growth: self.growth(&bound),
-            rates: bound.rates,
-        });
     }
 
     /// Watches a dyad that is iterated like one in closed form: over a place where it does not close it may not leap.

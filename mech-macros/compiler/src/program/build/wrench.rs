@@ -101,11 +101,10 @@ impl Lowering<'_> {
 
     /// The forces and torques of dampers, from the rates of everything.
     pub(super) fn resistances(&mut self, tangents: &mut Tangents) -> Vec<Wrench> {
-        let mut wrenches = Vec::new();
-        for damper in &self.model.actions.dampers {
-            wrenches.extend(self.resist(damper, tangents));
-        }
-        wrenches
+        let dampers = self.model.actions.dampers.iter();
+        dampers
+            .flat_map(|damper| self.resist(damper, tangents))
+            .collect()
     }
 
     /// The forces or torques of a spring on the links at its ends.

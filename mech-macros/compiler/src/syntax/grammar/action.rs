@@ -3,8 +3,8 @@
 use super::expression::{expression, one_of, pair};
 use super::joint::end;
 use super::recover::to_semicolon;
-use super::setting::settled;
-use super::statement::{BEGINNINGS, declared};
+use super::setting::read_setting;
+use super::statement::{BEGINNINGS, read_declared};
 use super::tokens::{in_parens, name, symbol, take, take_word, word};
 use crate::syntax::ast::{BetweenEnds, Elastic, ElasticBody, Load, LoadOn, Read, Statement};
 use proc_macro2::Span;
@@ -28,7 +28,7 @@ const LOADS: [(&str, On); 2] = [("force", On::Point), ("torque", On::Link)];
 
 /// Reads `(0, -9.81);`
 pub(super) fn gravity(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
+    read_setting(input, |input| {
         let value = pair(input)?;
         Ok(Statement::Gravity { keyword, value })
     })
@@ -36,7 +36,7 @@ pub(super) fn gravity(input: ParseStream, keyword: Span) -> Statement {
 
 /// Reads `name = linear(a.p, b.q) stiffness 4530 rest 0.08;`
 pub(super) fn spring(input: ParseStream) -> Statement {
-    declared(input, "the name of a spring", |input, name| {
+    read_declared(input, "the name of a spring", |input, name| {
         let body = to_semicolon(input, &BEGINNINGS, |input| {
             let (between, strength) = body(input, "stiffness")?;
             let rest = take_word(input, "rest")
@@ -54,7 +54,7 @@ pub(super) fn spring(input: ParseStream) -> Statement {
 
 /// Reads `name = torsional(joint) damping 0.1;`
 pub(super) fn damper(input: ParseStream) -> Statement {
-    declared(input, "the name of a damper", |input, name| {
+    read_declared(input, "the name of a damper", |input, name| {
         let body = to_semicolon(input, &BEGINNINGS, |input| {
             let (between, strength) = body(input, "damping")?;
             Ok(ElasticBody {
@@ -86,7 +86,7 @@ fn body(input: ParseStream, strength: &str) -> Read<(BetweenEnds, crate::syntax:
 
 /// Reads `name = force(link.point);`
 pub(super) fn load(input: ParseStream) -> Statement {
-    declared(input, "the name of a load", |input, name| {
+    read_declared(input, "the name of a load", |input, name| {
         let on = to_semicolon(input, &BEGINNINGS, on);
         Statement::Load(Box::new(Load { name, on }))
     })

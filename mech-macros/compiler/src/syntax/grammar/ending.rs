@@ -1,7 +1,7 @@
-//! The end of a statement, and what is told where there is none.
+//! The end of a statement, and the message where it is missing.
 
 use super::recover::at_beginning;
-use super::tokens::{beginning, comes, take, unexpected};
+use super::tokens::{beginning, comes, expected_message, take};
 use super::unit::is_declared;
 use crate::syntax::ast::Read;
 use crate::syntax::{Message, Place};
@@ -33,7 +33,10 @@ pub(super) fn missing_after(
 pub(super) fn after_last(input: ParseStream, begin: Cursor, missing: &str) -> Option<Message> {
     let last = last_between(begin, input.cursor())?;
     let (text, place) = match &last {
-        TokenTree::Group(group) => (closing(group.delimiter()), Place::at(group.span_close())),
+        TokenTree::Group(group) => (
+            closing_bracket(group.delimiter()),
+            Place::at(group.span_close()),
+        ),
         tree => (beginning(tree), Place::at(tree.span())),
     };
     Some(Message::new(
@@ -48,7 +51,7 @@ pub(super) fn at_assignment(input: ParseStream) -> bool {
     name.is_some_and(|(_, rest)| is_declared(rest))
 }
 
-fn closing(delimiter: Delimiter) -> String {
+fn closing_bracket(delimiter: Delimiter) -> String {
     match delimiter {
         Delimiter::Parenthesis => ")",
         Delimiter::Brace => "}",
@@ -69,7 +72,7 @@ fn last_between(begin: Cursor, end: Cursor) -> Option<TokenTree> {
 }
 
 fn otherwise(input: ParseStream, beginnings: &[&str]) -> Message {
-    let mut message = unexpected(input, "`;`");
+    let mut message = expected_message(input, "`;`");
     if comes(input, ",") {
         message.text += if beginnings.is_empty() {
             "; end each with `;`"

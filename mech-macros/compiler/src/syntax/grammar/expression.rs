@@ -1,7 +1,7 @@
 //! Numbers that are computed: `2 * sin(30 deg) - THROW`.
 
 use super::tokens::{
-    advance, any_word, comes, in_parens, name, run, symbol, take, take_word, unexpected,
+    advance, any_word, comes, expected_message, in_parens, name, run, symbol, take, take_word,
 };
 use super::{foreign, unit};
 use crate::model::{BinaryFunction, Function, function_names};
@@ -50,11 +50,11 @@ pub(super) fn pair(input: ParseStream) -> Read<Pair> {
 }
 
 /// Reads a number after the word that says what it is.
-pub(super) fn labelled(input: ParseStream, label: &str) -> Read<Expr> {
+pub(super) fn read_labelled(input: ParseStream, label: &str) -> Read<Expr> {
     if take_word(input, label).is_some() {
         return expression(input);
     }
-    let mut error = unexpected(input, &format!("`{label}`"));
+    let mut error = expected_message(input, &format!("`{label}`"));
     if input.peek(Lit)
         && let Ok(number) = expression(input)
     {
@@ -69,7 +69,7 @@ pub(super) fn direction(input: ParseStream) -> Read<Direction> {
     if input.peek(token::Paren) && !is_angle_in_parens(input) {
         return pair(input).map(Direction::Parts);
     }
-    let otherwise = unexpected(input, "`(dx, dy)`, or an angle such as `30 deg`");
+    let otherwise = expected_message(input, "`(dx, dy)`, or an angle such as `30 deg`");
     let begins = input.cursor();
     match expression(input) {
         Ok(angle) => Ok(Direction::Angle(angle)),
@@ -104,9 +104,9 @@ fn sum(input: ParseStream, depth: usize) -> Read<Expr> {
 }
 
 fn product(input: ParseStream, depth: usize) -> Read<Expr> {
-    let mut factors = vec![(false, signed(input, depth)?)];
+    let mut factors = vec![(false, read_signed(input, depth)?)];
     while let Some(over) = operator(input, "*", "/") {
-        factors.push((over, signed(input, depth)?));
+        factors.push((over, read_signed(input, depth)?));
     }
     let product = chain(factors, ExprKind::Product);
     if take(input, "%").is_some() {
@@ -138,7 +138,7 @@ fn chain(mut parts: Vec<(bool, Expr)>, kind: fn(Vec<(bool, Expr)>) -> ExprKind) 
 }
 
 /// A number with any minus signs before it: they bind less than `deg` after it.
-fn signed(input: ParseStream, depth: usize) -> Read<Expr> {
+fn read_signed(input: ParseStream, depth: usize) -> Read<Expr> {
     let mut signs = Vec::new();
     while let Some(place) = take(input, "-") {
         signs.push(place);
@@ -204,7 +204,7 @@ fn primary(input: ParseStream, depth: usize) -> Read<Expr> {
         return Err(Message::new(Place::at(input.span()), text));
     };
     if let Some(tokens) = take_invisible(input) {
-        return interpolated(tokens, depth);
+        return read_interpolated(tokens, depth);
     }
     if input.peek(token::Paren) {
         let (inner, place) = in_parens(input, "a number", |input| sum(input, depth))?;
@@ -226,7 +226,7 @@ fn primary(input: ParseStream, depth: usize) -> Read<Expr> {
     {
         return call(input, &ident, depth);
     }
-    Err(unexpected(input, "a number"))
+    Err(expected_message(input, "a number"))
 }
 
 /// What a `macro_rules!` variable such as `$x:expr` stands for comes in invisible brackets.
@@ -237,21 +237,21 @@ fn take_invisible(input: ParseStream) -> Option<TokenStream> {
     })
 }
 
-fn interpolated(tokens: TokenStream, depth: usize) -> Read<Expr> {
+fn read_interpolated(tokens: TokenStream, depth: usize) -> Read<Expr> {
     let place = Place::of(&tokens);
     let inner = run(tokens, |input| {
         let inner = sum(input, depth)?;
         if input.is_empty() {
             Ok(inner)
         } else {
-            Err(unexpected(input, "an operator"))
+            Err(expected_message(input, "an operator"))
         }
     });
     inner.unwrap_or_else(|| Err(Message::new(place, "expected a number")))
 }
 
 fn literal(input: ParseStream) -> Read<Expr> {
-    let other = unexpected(input, "a number");
+    let other = expected_message(input, "a number");
     let Ok(literal) = input.parse::<Lit>() else {
         return Err(other);
     };
@@ -382,7 +382,7 @@ pub(super) fn one_of<T: Copy>(
     words: &[(&str, T)],
 ) -> Read<(Ident, T)> {
     let Some(ident) = any_word(input) else {
-        return Err(unexpected(input, what));
+        return Err(expected_message(input, what));
     };
     if let Some((_, meaning)) = words.iter().find(|(word, _)| ident == word) {
         return Ok((ident, *meaning));

@@ -35,7 +35,7 @@ pub(super) fn call(name: &str, arguments: &[Expr]) -> Option<String> {
         ("cot", [x], _) => format!("(1 / tan({x}))"),
         ("sec", [x], _) => format!("(1 / cos({x}))"),
         ("csc", [x], _) => format!("(1 / sin({x}))"),
-        ("pow" | "powi" | "powf", [x, power], _) => powered(x, power)?,
+        ("pow" | "powi" | "powf", [x, power], _) => spell_power(x, power)?,
         ("sgn" | "signum", [x], _) => format!("sign({x})"),
         ("ceil", _, [x]) => format!("(-floor(-{x}))"),
         ("rad" | "deg" | "radians" | "degrees", [x], _) => with_degrees(x),
@@ -44,7 +44,7 @@ pub(super) fn call(name: &str, arguments: &[Expr]) -> Option<String> {
 }
 
 /// A power as it can be written, if it can be.
-fn powered(base: &Expr, power: &Expr) -> Option<String> {
+fn spell_power(base: &Expr, power: &Expr) -> Option<String> {
     const MOST: usize = 8;
     let text = in_product(base);
     match &power.kind {
@@ -62,7 +62,7 @@ fn powered(base: &Expr, power: &Expr) -> Option<String> {
 
 /// What to write for a power.
 pub(super) fn power(operator: &str, base: &Expr, power: &Expr) -> Message {
-    let text = match powered(base, power) {
+    let text = match spell_power(base, power) {
         Some(product) => format!("there is no `{operator}`; write `{product}`"),
         None => {
             format!("there is no `{operator}`; write the power as a product, such as `x * x * x`")

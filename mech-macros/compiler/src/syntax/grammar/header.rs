@@ -3,7 +3,7 @@
 use super::ending::{missing_after, semicolon};
 use super::recover::skip;
 use super::statement::BEGINNINGS;
-use super::tokens::{any_word, message_of, name, take, unexpected};
+use super::tokens::{any_word, expected_message, message_of, name, take};
 use crate::model::Precision;
 use crate::syntax::ast::Read;
 use crate::syntax::{Header, Message, Place};
@@ -55,7 +55,7 @@ pub(super) fn line(input: ParseStream, mut attributes: Vec<Attribute>) -> Line {
 fn beginning(input: ParseStream, attributes: Vec<Attribute>) -> Read<Header> {
     let visibility: Visibility = input.parse().map_err(|error| message_of(&error))?;
     if !input.peek(Token![struct]) {
-        return Err(unexpected(input, "`struct`"));
+        return Err(expected_message(input, "`struct`"));
     }
     any_word(input);
     let name = name(input, "the name of the struct")?;
@@ -90,7 +90,7 @@ fn ending(input: ParseStream, begin: Cursor) -> Read<Precision> {
         None => {
             let missing = "`;`, or `: f64` or `: f32`";
             let forgotten = missing_after(input, begin, &BEGINNINGS, "`;`");
-            return Err(forgotten.unwrap_or_else(|| unexpected(input, missing)));
+            return Err(forgotten.unwrap_or_else(|| expected_message(input, missing)));
         }
     };
     semicolon(input, begin, &BEGINNINGS)?;
@@ -98,7 +98,7 @@ fn ending(input: ParseStream, begin: Cursor) -> Read<Precision> {
 }
 
 fn scalar(input: ParseStream) -> Read<Precision> {
-    let otherwise = unexpected(input, "`f64` or `f32`");
+    let otherwise = expected_message(input, "`f64` or `f32`");
     let ident = any_word(input).ok_or(otherwise)?;
     match ident.to_string().as_str() {
         "f64" => Ok(Precision::F64),

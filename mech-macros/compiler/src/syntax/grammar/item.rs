@@ -1,11 +1,12 @@
 //! What is fixed to a link: `{ point pin = (1, 0); circle (0, 0) radius 0.2; }`.
 
 use super::ending::missing_after;
-use super::expression::{direction, expression, labelled, pair};
+use super::expression::{direction, expression, pair, read_labelled};
 use super::misplaced;
 use super::recover::{at_beginning, or_skip, skip, to_semicolon};
 use super::tokens::{
-    any_word, comes, in_braces, in_brackets, name, symbol, take, take_tree, take_word, unexpected,
+    any_word, comes, expected_message, in_braces, in_brackets, name, symbol, take, take_tree,
+    take_word,
 };
 use crate::model::AxisKind;
 use crate::syntax::ast::{
@@ -27,7 +28,7 @@ pub(super) fn items(input: ParseStream) -> Read<Vec<Item>> {
 }
 
 fn item(input: ParseStream) -> Item {
-    let otherwise = unexpected(input, "`point`, `line`, `circle` or `polygon`");
+    let otherwise = expected_message(input, "`point`, `line`, `circle` or `polygon`");
     let Some(keyword) = any_word(input) else {
         if take(input, ";").is_none() {
             take_tree(input);
@@ -47,11 +48,11 @@ fn item(input: ParseStream) -> Item {
         "bar" => shape(input, keyword.span(), bar),
         "mass" => matter(input, keyword.span(), mass),
         "density" => matter(input, keyword.span(), density),
-        _ => unknown(input, &keyword),
+        _ => unknown_item(input, &keyword),
     }
 }
 
-fn unknown(input: ParseStream, keyword: &Ident) -> Item {
+fn unknown_item(input: ParseStream, keyword: &Ident) -> Item {
     let text = misplaced::as_item(&keyword.to_string()).unwrap_or_else(|| {
         let remedy = match spelling::nearest(&keyword.to_string(), &BEGINNINGS) {
             Some(near) => format!("did you mean `{near}`?"),
@@ -97,12 +98,12 @@ fn axis_value(input: ParseStream, kind: AxisKind) -> Read<(Pair, Option<Directio
         AxisKind::Point => {
             let missing = "`;`, or `-> (dx, dy)`";
             let forgotten = missing_after(input, begin, &BEGINNINGS, "`;`");
-            Err(forgotten.unwrap_or_else(|| unexpected(input, missing)))
+            Err(forgotten.unwrap_or_else(|| expected_message(input, missing)))
         }
         AxisKind::Line => {
             let missing = "`-> (dx, dy)`";
             let forgotten = missing_after(input, begin, &BEGINNINGS, missing);
-            let mut error = forgotten.unwrap_or_else(|| unexpected(input, missing));
+            let mut error = forgotten.unwrap_or_else(|| expected_message(input, missing));
             error.text.push_str("; a line has a direction");
             Err(error)
         }
@@ -143,7 +144,7 @@ fn plane(input: ParseStream) -> Read<Option<Expr>> {
     if take_word(input, "on").is_none() {
         return Ok(None);
     }
-    labelled(input, "plane").map(Some)
+    read_labelled(input, "plane").map(Some)
 }
 
 fn color(input: ParseStream) -> Read<Option<Expr>> {
@@ -154,7 +155,7 @@ fn color(input: ParseStream) -> Read<Option<Expr>> {
         return Ok(None);
     }
     if input.peek(LitStr) || comes(input, "#") {
-        let mut error = unexpected(input, "a number");
+        let mut error = expected_message(input, "a number");
         error.text.push_str("; ");
         error.text.push_str(&crate::syntax::color::choices());
         return Err(error);
@@ -177,7 +178,7 @@ fn circle(input: ParseStream) -> Read<Outline> {
     let center = pair(input)?;
     Ok(Outline::Circle {
         center,
-        radius: labelled(input, "radius")?,
+        radius: read_labelled(input, "radius")?,
     })
 }
 
@@ -185,8 +186,8 @@ fn ring(input: ParseStream) -> Read<Outline> {
     let center = pair(input)?;
     Ok(Outline::Ring {
         center,
-        radius: labelled(input, "radius")?,
-        hole: labelled(input, "hole")?,
+        radius: read_labelled(input, "radius")?,
+        hole: read_labelled(input, "hole")?,
     })
 }
 
@@ -195,7 +196,7 @@ fn bar(input: ParseStream) -> Read<Outline> {
     Ok(Outline::Bar {
         pins,
         place,
-        width: labelled(input, "width")?,
+        width: read_labelled(input, "width")?,
     })
 }
 

@@ -1,9 +1,9 @@
 //! `joint name = kind(first, second, size) at (x, y) along (dx, dy);`
 
-use super::expression::{direction, expression, labelled, one_of, pair};
+use super::expression::{direction, expression, one_of, pair, read_labelled};
 use super::recover::{at_beginning, to_semicolon};
-use super::statement::{BEGINNINGS, declared};
-use super::tokens::{comes_word, in_parens, name, symbol, take, take_word, unexpected};
+use super::statement::{BEGINNINGS, read_declared};
+use super::tokens::{comes_word, expected_message, in_parens, name, symbol, take, take_word};
 use crate::syntax::ast::{
     Clause, End, Expr, Joint, JointBody, JointWord, Read, Rolling, Size, Statement,
 };
@@ -24,7 +24,7 @@ const WORDS: [(&str, JointWord); 8] = [
 
 /// Reads a joint after its keyword.
 pub(super) fn joint(input: ParseStream) -> Statement {
-    declared(input, "the name of a joint", |input, name| {
+    read_declared(input, "the name of a joint", |input, name| {
         let body = to_semicolon(input, &BEGINNINGS, body);
         Statement::Joint(Box::new(Joint { name, body }))
     })
@@ -104,7 +104,7 @@ pub(super) fn end(input: ParseStream) -> Read<End> {
 fn comma(input: ParseStream, next: &str) -> Read<()> {
     match take(input, ",") {
         Some(_) => Ok(()),
-        None => Err(unexpected(input, &format!("`,` and {next}"))),
+        None => Err(expected_message(input, &format!("`,` and {next}"))),
     }
 }
 
@@ -115,7 +115,7 @@ fn ratio(input: ParseStream, [a, b]: [&End; 2]) -> Read<Size> {
         let second = expression(input)?;
         return Ok(Size::Ratio([first, second]));
     }
-    let otherwise = unexpected(input, "`:`");
+    let otherwise = expected_message(input, "`:`");
     if take(input, ",").is_some() && !input.is_empty() {
         let second = expression(input)?;
         let text = format!("a ratio is written with `:`; write `{first} : {second}`");
@@ -173,7 +173,7 @@ fn carrier_outside(input: ParseStream) -> Read<()> {
 
 fn radius(input: ParseStream) -> Read<Size> {
     comma(input, "the radius of the pinion, as `radius 0.5`")?;
-    labelled(input, "radius").map(Size::Radius)
+    read_labelled(input, "radius").map(Size::Radius)
 }
 
 fn clause<T>(

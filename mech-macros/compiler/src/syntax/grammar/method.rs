@@ -1,8 +1,8 @@
 //! How the loops are solved.
 
 use super::expression::expression;
-use super::setting::settled;
-use super::tokens::{any_word, comes_word, in_parens, take_word, unexpected, word};
+use super::setting::read_setting;
+use super::tokens::{any_word, comes_word, expected_message, in_parens, take_word, word};
 use crate::model::AtChangePoints;
 use crate::syntax::Message;
 use crate::syntax::ast::{Expr, Method, Read, Statement};
@@ -12,9 +12,9 @@ use syn::token;
 
 /// Reads `newton(2);` or `newton(1) predictor(3);`.
 pub(super) fn method(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
-        let word =
-            any_word(input).ok_or_else(|| unexpected(input, "`exact`, `newton` or `linear`"))?;
+    read_setting(input, |input| {
+        let word = any_word(input)
+            .ok_or_else(|| expected_message(input, "`exact`, `newton` or `linear`"))?;
         let steps = if input.peek(token::Paren) {
             Some(in_parens(input, "`(`", steps)?)
         } else {
@@ -41,7 +41,7 @@ fn steps(input: ParseStream) -> Read<Option<Expr>> {
 
 /// Reads `1e-9;`.
 pub(super) fn accuracy(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
+    read_setting(input, |input| {
         Ok(Statement::Accuracy {
             keyword,
             value: expression(input)?,
@@ -51,16 +51,17 @@ pub(super) fn accuracy(input: ParseStream, keyword: Span) -> Statement {
 
 /// Reads `x86_64;`.
 pub(super) fn cost(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
-        let word = any_word(input)
-            .ok_or_else(|| unexpected(input, "the name of a machine, `x86_64` or `cortex_m4f`"))?;
+    read_setting(input, |input| {
+        let word = any_word(input).ok_or_else(|| {
+            expected_message(input, "the name of a machine, `x86_64` or `cortex_m4f`")
+        })?;
         Ok(Statement::Cost { keyword, word })
     })
 }
 
 /// Reads `change points stop;`.
 pub(super) fn change_points(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
+    read_setting(input, |input| {
         let what = at_change_points(input).map_err(|error| with_choices(&error))?;
         Ok(Statement::ChangePoints { keyword, what })
     })
@@ -76,7 +77,7 @@ fn at_change_points(input: ParseStream) -> Read<AtChangePoints> {
     } else if comes_word(input, "go") {
         (AtChangePoints::GoOn, ["go", "on"].as_slice())
     } else {
-        return Err(unexpected(input, "`go`, `keep` or `stop`"));
+        return Err(expected_message(input, "`go`, `keep` or `stop`"));
     };
     words
         .iter()

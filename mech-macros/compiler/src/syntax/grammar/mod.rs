@@ -21,7 +21,7 @@ use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 
 /// Reads the body of a `mechanism!`.
 pub(super) fn read(input: TokenStream) -> Text {
-    let text = tokens::run(enclosed(input), |input| {
+    let text = tokens::run(braces_at_end(input), |input| {
         tokens::open_braces(input)
             .map(|(_, content)| statement::text(&content))
             .unwrap_or_default()
@@ -30,7 +30,7 @@ pub(super) fn read(input: TokenStream) -> Text {
 }
 
 /// The tokens in braces that stand where the last token stands: there, a message about the end of the text is of use.
-fn enclosed(input: TokenStream) -> TokenStream {
+fn braces_at_end(input: TokenStream) -> TokenStream {
     let last = last_span(&input);
     let mut group = Group::new(Delimiter::Brace, input);
     group.set_span(last);

@@ -6,7 +6,7 @@ use crate::syntax::ast::Read;
 use proc_macro2::{Delimiter, TokenTree};
 use syn::parse::ParseStream;
 
-/// Reads the rest of a statement up to its `;`. After an error, goes to the next statement of a list in which
+/// Reads the remainder of a statement up to its `;`. After an error, goes to the next statement of a list in which
 /// statements begin with one of these words.
 pub(super) fn to_semicolon<T>(
     input: ParseStream,
@@ -21,7 +21,7 @@ pub(super) fn to_semicolon<T>(
     })
 }
 
-/// Reads the rest of a statement that has an end of its own. After an error, goes to the next statement.
+/// Reads the remainder of a statement that has an end of its own. After an error, goes to the next statement.
 pub(super) fn or_skip<T>(
     input: ParseStream,
     beginnings: &[&str],

@@ -5,7 +5,7 @@ use super::expression::expression;
 use super::joint::end;
 use super::recover::{or_skip, to_semicolon};
 use super::statement::BEGINNINGS;
-use super::tokens::{any_word, comes, in_braces, name, symbol, take, take_word, unexpected};
+use super::tokens::{any_word, comes, expected_message, in_braces, name, symbol, take, take_word};
 use super::trace::trace;
 use crate::syntax::ast::{Broken, Effect, Expr, Motor, Read, Start, StartClause, Statement};
 use crate::syntax::{Message, Place};
@@ -13,8 +13,8 @@ use proc_macro2::{Ident, Span};
 use syn::parse::ParseStream;
 use syn::token;
 
-/// Reads the rest of a statement that declares no name.
-pub(super) fn settled(
+/// Reads the remainder of a statement that declares no name.
+pub(super) fn read_setting(
     input: ParseStream,
     read: impl FnOnce(ParseStream) -> Read<Statement>,
 ) -> Statement {
@@ -31,7 +31,7 @@ pub(super) fn law_comes(input: ParseStream) -> bool {
 
 /// Reads `name = law in low ..= high by step;`.
 pub(super) fn motor(input: ParseStream) -> Statement {
-    settled(input, |input| {
+    read_setting(input, |input| {
         let joint = name(input, "the name of a joint")?;
         one_motor(input, &joint)?;
         let law = take(input, "=").map(|_| expression(input)).transpose()?;
@@ -79,9 +79,10 @@ fn after_step(input: ParseStream) -> Read<()> {
             Place::at(word),
             "`in` stands before `by`; swap the two",
         )),
-        None if comes(input, "=") => {
-            Err(unexpected(input, "`;` (a law stands before `in` and `by`)"))
-        }
+        None if comes(input, "=") => Err(expected_message(
+            input,
+            "`;` (a law stands before `in` and `by`)",
+        )),
         None => Ok(()),
     }
 }
@@ -99,7 +100,7 @@ fn clause(input: ParseStream) -> Read<StartClause> {
         let name = name(input, "the name of a joint or a link")?;
         let near = take_word(input, "near").is_some();
         if !near && take(input, "=").is_none() {
-            return Err(unexpected(
+            return Err(expected_message(
                 input,
                 "`=` (for a joint) or `near` (for a link)",
             ));
@@ -147,22 +148,22 @@ fn effect(input: ParseStream) -> Read<Effect> {
 
 /// Reads `a, b.c;`.
 pub(super) fn show(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
-        let what = listed(input, end)?;
+    read_setting(input, |input| {
+        let what = read_list(input, end)?;
         Ok(Statement::Show { keyword, what })
     })
 }
 
 /// Reads `a, b;`.
 pub(super) fn continuous(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
-        let joints = listed(input, |input| name(input, "the name of a joint"))?;
+    read_setting(input, |input| {
+        let joints = read_list(input, |input| name(input, "the name of a joint"))?;
         Ok(Statement::Continuous { keyword, joints })
     })
 }
 
 /// Reads one or more of something, with commas between them.
-fn listed<T>(input: ParseStream, one: impl Fn(ParseStream) -> Read<T>) -> Read<Vec<T>> {
+fn read_list<T>(input: ParseStream, one: impl Fn(ParseStream) -> Read<T>) -> Read<Vec<T>> {
     let mut all = vec![one(input)?];
     while take(input, ",").is_some() && !input.peek(token::Semi) {
         all.push(one(input)?);
@@ -172,16 +173,17 @@ fn listed<T>(input: ParseStream, one: impl Fn(ParseStream) -> Read<T>) -> Read<V
 
 /// Reads `redundant;`.
 pub(super) fn allow(input: ParseStream) -> Statement {
-    settled(input, |input| {
-        let word = any_word(input).ok_or_else(|| unexpected(input, "`redundant` or `coupled`"))?;
+    read_setting(input, |input| {
+        let word =
+            any_word(input).ok_or_else(|| expected_message(input, "`redundant` or `coupled`"))?;
         Ok(Statement::Allow(word))
     })
 }
 
 /// Reads `smooth;`.
 pub(super) fn quality(input: ParseStream, keyword: Span) -> Statement {
-    settled(input, |input| {
-        let word = any_word(input).ok_or_else(|| unexpected(input, "`hard` or `smooth`"))?;
+    read_setting(input, |input| {
+        let word = any_word(input).ok_or_else(|| expected_message(input, "`hard` or `smooth`"))?;
         Ok(Statement::Quality { keyword, word })
     })
 }

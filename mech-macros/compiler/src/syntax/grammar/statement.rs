@@ -4,7 +4,9 @@ use super::ending::missing_after;
 use super::expression::expression;
 use super::header::{self, Line};
 use super::recover::{at_beginning, or_skip, skip, to_semicolon};
-use super::tokens::{any_word, comes_word, message_of, name, symbol, take, take_tree, unexpected};
+use super::tokens::{
+    any_word, comes_word, expected_message, message_of, name, symbol, take, take_tree,
+};
 use super::{action, item, joint, method, misplaced, setting};
 use crate::syntax::ast::{Broken, Constant, Ground, Item, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
@@ -51,7 +53,7 @@ pub(super) fn text(input: ParseStream) -> Text {
         let attributes = match attributes(input) {
             Ok(attributes) => attributes,
             Err(error) => {
-                text.statements.push(broken(error));
+                text.statements.push(broken_statement(error));
                 continue;
             }
         };
@@ -62,12 +64,13 @@ pub(super) fn text(input: ParseStream) -> Text {
                 first,
                 headed,
             );
-            text.statements.extend(misplaced.map(broken));
-            text.statements.extend(error.map(broken));
+            text.statements.extend(misplaced.map(broken_statement));
+            text.statements.extend(error.map(broken_statement));
             text.header = text.header.or(header);
             headed = true;
         } else {
-            text.statements.extend(stray(&attributes).map(broken));
+            text.statements
+                .extend(stray(&attributes).map(broken_statement));
             if !input.is_empty() {
                 text.motors += usize::from(comes_word(input, "motor"));
                 text.has_laws |= setting::law_comes(input);
@@ -77,12 +80,13 @@ pub(super) fn text(input: ParseStream) -> Text {
         first = false;
     }
     if !headed {
-        text.statements.insert(0, broken(headless(beginning)));
+        text.statements
+            .insert(0, broken_statement(headless(beginning)));
     }
     text
 }
 
-fn broken(error: Message) -> Statement {
+fn broken_statement(error: Message) -> Statement {
     Statement::Broken(Broken { error, name: None })
 }
 
@@ -125,14 +129,14 @@ fn stray(attributes: &[Attribute]) -> Option<Message> {
 
 /// Reads a statement; takes at least one token.
 fn statement(input: ParseStream) -> Statement {
-    let otherwise = unexpected(input, "a statement");
+    let otherwise = expected_message(input, "a statement");
     let Some(keyword) = any_word(input) else {
         // One token at least, or a stray keyword after it would be waited for forever.
         if take(input, ";").is_none() {
             take_tree(input);
             skip(input, &BEGINNINGS);
         }
-        return broken(otherwise);
+        return broken_statement(otherwise);
     };
     match keyword.to_string().as_str() {
         "const" => constant(input, "the name of a constant", Statement::Constant),
@@ -156,7 +160,7 @@ fn statement(input: ParseStream) -> Statement {
         "load" => action::load(input),
         "allow" => setting::allow(input),
         NOT_YET => left_behind(input, not_yet(&keyword)),
-        _ => left_behind(input, unknown(&keyword)),
+        _ => left_behind(input, unknown_statement(&keyword)),
     }
 }
 
@@ -167,7 +171,7 @@ fn not_yet(keyword: &Ident) -> Message {
     )
 }
 
-fn unknown(keyword: &Ident) -> Message {
+fn unknown_statement(keyword: &Ident) -> Message {
     let text = keyword.to_string();
     if let Some(trouble) = misplaced::as_statement(&text) {
         return Message::new(Place::at(keyword.span()), trouble);
@@ -200,22 +204,22 @@ fn left_behind(input: ParseStream, error: Message) -> Statement {
 }
 
 /// Reads the name that a statement declares; without one, the statement is lost.
-pub(super) fn declared(
+pub(super) fn read_declared(
     input: ParseStream,
     what: &str,
     rest: impl FnOnce(ParseStream, Ident) -> Statement,
 ) -> Statement {
     match or_skip(input, &BEGINNINGS, |input| name(input, what)) {
         Ok(name) => rest(input, name),
-        Err(error) => broken(error),
+        Err(error) => broken_statement(error),
     }
 }
 
 /// Reads `NAME = value;`.
 fn constant(input: ParseStream, what: &str, kind: fn(Constant) -> Statement) -> Statement {
-    declared(input, what, |input, name| {
+    read_declared(input, what, |input, name| {
         let value = to_semicolon(input, &BEGINNINGS, |input| {
-            untyped(input)?;
+            refuse_type(input)?;
             symbol(input, "=")?;
             expression(input)
         });
@@ -224,7 +228,7 @@ fn constant(input: ParseStream, what: &str, kind: fn(Constant) -> Statement) -> 
 }
 
 /// Complains about a type.
-fn untyped(input: ParseStream) -> Read<()> {
+fn refuse_type(input: ParseStream) -> Read<()> {
     let Some(colon) = take(input, ":") else {
         return Ok(());
     };
@@ -246,7 +250,7 @@ fn ground(input: ParseStream, keyword: Span) -> Statement {
 
 fn link(input: ParseStream) -> Statement {
     let begin = input.cursor();
-    declared(input, "the name of a link", |input, name| {
+    read_declared(input, "the name of a link", |input, name| {
         let items = or_skip(input, &BEGINNINGS, |input| body(input, begin));
         Statement::Link(Link { name, items })
     })
@@ -262,5 +266,5 @@ fn body(input: ParseStream, begin: Cursor) -> Read<Vec<Item>> {
     }
     let missing = "`{` or `;`";
     let forgotten = missing_after(input, begin, &BEGINNINGS, missing);
-    Err(forgotten.unwrap_or_else(|| unexpected(input, missing)))
+    Err(forgotten.unwrap_or_else(|| expected_message(input, missing)))
 }

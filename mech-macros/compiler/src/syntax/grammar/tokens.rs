@@ -9,7 +9,7 @@ use syn::parse::{ParseBuffer, ParseStream, Parser};
 use syn::token::{Brace, Bracket, Paren};
 use syn::{braced, bracketed, parenthesized};
 
-/// Runs a parser that reports in its own way.
+/// Runs a parser that makes its own messages.
 pub(super) fn run<T>(tokens: TokenStream, parse: impl FnOnce(ParseStream) -> T) -> Option<T> {
     let mut result = None;
     let parser = |input: ParseStream| {
@@ -27,7 +27,7 @@ pub(super) fn message_of(error: &syn::Error) -> Message {
 }
 
 /// The message that something else should stand here.
-pub(super) fn unexpected(input: ParseStream, expected: &str) -> Message {
+pub(super) fn expected_message(input: ParseStream, expected: &str) -> Message {
     let text = match input.cursor().token_tree() {
         Some((tree, _)) => format!("expected {expected}, found `{}`", beginning(&tree)),
         None => format!("expected {expected}"),
@@ -95,7 +95,7 @@ pub(super) fn take(input: ParseStream, text: &str) -> Option<Place> {
 
 /// Takes these punctuation characters.
 pub(super) fn symbol(input: ParseStream, text: &str) -> Read<Place> {
-    take(input, text).ok_or_else(|| unexpected(input, &format!("`{text}`")))
+    take(input, text).ok_or_else(|| expected_message(input, &format!("`{text}`")))
 }
 
 /// Whether this word comes next.
@@ -116,7 +116,7 @@ pub(super) fn take_word(input: ParseStream, word: &str) -> Option<Span> {
 
 /// Takes this word.
 pub(super) fn word(input: ParseStream, word: &str) -> Read<Span> {
-    take_word(input, word).ok_or_else(|| unexpected(input, &format!("`{word}`")))
+    take_word(input, word).ok_or_else(|| expected_message(input, &format!("`{word}`")))
 }
 
 /// Takes any word, be it a keyword of Rust.
@@ -127,11 +127,11 @@ pub(super) fn any_word(input: ParseStream) -> Option<Ident> {
 /// Takes a name that the generated code can bear.
 pub(super) fn name(input: ParseStream, what: &str) -> Read<Ident> {
     if !input.peek(Ident::peek_any) {
-        return Err(unexpected(input, what));
+        return Err(expected_message(input, what));
     }
     // What is a keyword to `syn`, and what became one in edition 2024, in which generated code is written.
     let valid = input.peek(syn::Ident) && !comes_word(input, "gen");
-    let ident = any_word(input).ok_or_else(|| unexpected(input, what))?;
+    let ident = any_word(input).ok_or_else(|| expected_message(input, what))?;
     let text = match ident.to_string() {
         raw if raw.starts_with("r#") => format!("`{raw}` is a raw identifier; choose a plain name"),
         text if text == "_" => format!("expected {what}, found `_`; give it a name"),
@@ -146,7 +146,7 @@ pub(super) fn end(input: ParseStream, closing: &str) -> Read<()> {
     if input.is_empty() {
         Ok(())
     } else {
-        Err(unexpected(input, &format!("`{closing}`")))
+        Err(expected_message(input, &format!("`{closing}`")))
     }
 }
 
@@ -157,7 +157,7 @@ pub(super) fn in_parens<T>(
     read: impl FnOnce(ParseStream) -> Read<T>,
 ) -> Read<(T, Place)> {
     let Ok((paren, content)) = open_parens(input) else {
-        return Err(unexpected(input, what));
+        return Err(expected_message(input, what));
     };
     let value = read(&content)?;
     end(&content, ")")?;
@@ -177,7 +177,7 @@ pub(super) fn in_brackets<T>(
     read: impl FnOnce(ParseStream) -> Read<T>,
 ) -> Read<(T, Place)> {
     let Ok((bracket, content)) = open_brackets(input) else {
-        return Err(unexpected(input, what));
+        return Err(expected_message(input, what));
     };
     let value = read(&content)?;
     end(&content, "]")?;
@@ -197,7 +197,7 @@ pub(super) fn in_braces<T>(
     item: impl Fn(ParseStream) -> T,
 ) -> Read<Vec<T>> {
     let Ok((_, content)) = open_braces(input) else {
-        return Err(unexpected(input, what));
+        return Err(expected_message(input, what));
     };
     let mut items = Vec::new();
     while !content.is_empty() {

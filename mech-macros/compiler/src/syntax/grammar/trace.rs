@@ -3,7 +3,7 @@
 use super::expression::expression;
 use super::item::look;
 use super::joint::end;
-use super::tokens::{comes, unexpected};
+use super::tokens::{comes, expected_message};
 use crate::syntax::ast::{Read, Trace};
 use syn::parse::ParseStream;
 
@@ -11,7 +11,7 @@ use syn::parse::ParseStream;
 pub(super) fn trace(input: ParseStream) -> Read<Trace> {
     let point = end(input)?;
     if comes(input, ";") || input.is_empty() {
-        let mut error = unexpected(input, "how many places are kept");
+        let mut error = expected_message(input, "how many places are kept");
         error
             .text
             .push_str("; write a number after the point, such as 256");

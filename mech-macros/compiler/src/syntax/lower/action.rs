@@ -3,7 +3,8 @@
 use super::Lowering;
 use crate::api::Owner;
 use crate::model::{
-    AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Mass, Spring,
+    AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Mass, Shape,
+    Spring,
 };
 use crate::syntax::Place;
 use crate::syntax::ast::{
@@ -84,6 +85,13 @@ impl Lowering {
                     let name = &self.model.link(link).name;
                     let text = format!(
                         "`{name}` has no shapes whose mass this could be; draw it, or give its `mass`"
+                    );
+                    return self.report.error(place, text);
+                }
+                if known.iter().any(Shape::varies) {
+                    let name = &self.model.link(link).name;
+                    let text = format!(
+                        "the shapes of `{name}` depend on a param, but a mass may not; give its `mass`"
                     );
                     return self.report.error(place, text);
                 }
@@ -177,13 +185,13 @@ impl Lowering {
                 return None;
             }
         };
-        let between = self.between(&body.between, what);
+        let between = self.resolve_between(&body.between, what);
         let strength = self.not_negative(&body.strength, strength);
         let both = between.zip(strength).filter(|_| kept);
         both.map(|(between, strength)| (between, strength, body))
     }
 
-    fn between(&mut self, ends: &BetweenEnds, what: &str) -> Option<Between> {
+    fn resolve_between(&mut self, ends: &BetweenEnds, what: &str) -> Option<Between> {
         match ends {
             BetweenEnds::Points([first, second]) => {
                 let (a, b) = (self.end_point(first, what), self.end_point(second, what));
@@ -205,7 +213,7 @@ impl Lowering {
                 }
                 Some(Between::Points(a, b))
             }
-            BetweenEnds::Joint(name) => self.turning(name, what).map(Between::Joint),
+            BetweenEnds::Joint(name) => self.find_turning(name, what).map(Between::Joint),
         }
     }
 
@@ -224,7 +232,7 @@ impl Lowering {
     }
 
     /// The joint of this name, if it turns.
-    fn turning(&mut self, name: &Ident, what: &str) -> Option<JointId> {
+    fn find_turning(&mut self, name: &Ident, what: &str) -> Option<JointId> {
         let joint = self.find_joint(name)?;
         if let JointKind::Revolute(..) = self.model.joint(joint).kind {
             return Some(joint);

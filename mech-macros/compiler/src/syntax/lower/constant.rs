@@ -168,14 +168,14 @@ impl Constants {
                 let word = entry.word;
                 format!("{word} `{text}` is declared further down; move its line up")
             }
-            None => self.unknown(&text, here),
+            None => self.unknown_name(&text, here),
         };
         report.error(Place::at(name.span()), trouble);
         None
     }
 
     /// What to say about a name that nothing has; one of Rust's may be meant, which a macro cannot see.
-    fn unknown(&self, text: &str, here: usize) -> String {
+    fn unknown_name(&self, text: &str, here: usize) -> String {
         let beginning = format!("unknown constant `{text}`");
         if text == "TAU" {
             return format!("{beginning}; write `(2 * PI)`");
@@ -186,7 +186,7 @@ impl Constants {
         if is_function(text) {
             return format!("`{text}` is a function; write what it is of, as `{text}(...)`");
         }
-        let known = self.known(here);
+        let known = self.known_names(here);
         let remedy = spelling::remedy(text, &known);
         let is_variable = VARIABLES.contains(&text);
         if is_variable || spelling::nearest(text, &known).is_some() {
@@ -197,7 +197,7 @@ impl Constants {
         )
     }
 
-    fn known(&self, here: usize) -> Vec<&str> {
+    fn known_names(&self, here: usize) -> Vec<&str> {
         let known = self.entries.iter().filter(|entry| entry.statement < here);
         known
             .map(|entry| entry.name.as_str())

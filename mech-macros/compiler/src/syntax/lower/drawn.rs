@@ -1,6 +1,7 @@
 //! Joints placed in the drawing, and the unnamed axes that they make.
 
 use super::Lowering;
+use super::param::Spot;
 use crate::model::{AxisId, AxisKind, Drawn, FORWARD, LinkId, Origin};
 use crate::syntax::Place;
 use crate::syntax::ast::{Clause, End, Joint, JointBody, JointWord, Pair};
@@ -20,20 +21,18 @@ impl Lowering {
         let direction = self.drawn_direction(body, kinds);
         let links = [links[0]?, links[1]?];
         self.check_apart(joint, body, links)?;
-        let ((at, formulas), direction) = (at?, direction?);
+        let ((at, formulas), (direction, direction_formulas)) = (at?, direction?);
         let [a, b] = links;
         Some([(a, kinds[0]), (b, kinds[1])].map(|(link, kind)| {
             self.model.links[link.index()].drawn |= link != LinkId::GROUND;
-            let direction = match kind {
-                AxisKind::Point => FORWARD,
-                AxisKind::Line => direction,
+            let drawn = match kind {
+                AxisKind::Point => Drawn::point(at),
+                AxisKind::Line => Drawn {
+                    direction_formulas,
+                    ..Drawn::line(at, direction)
+                },
             };
-            let drawn = Drawn {
-                kind,
-                at,
-                formulas,
-                direction,
-            };
+            let drawn = Drawn { formulas, ..drawn };
             self.model.drawn_axis(link, drawn, origin)
         }))
     }
@@ -52,11 +51,11 @@ impl Lowering {
     }
 
     /// The direction of the line, if there is one.
-    fn drawn_direction(&mut self, body: &JointBody, kinds: [AxisKind; 2]) -> Option<[f64; 2]> {
+    fn drawn_direction(&mut self, body: &JointBody, kinds: [AxisKind; 2]) -> Option<Spot> {
         let word = &body.word;
         match (&body.along, kinds.contains(&AxisKind::Line)) {
             (Some(along), true) => self.direction(&along.value),
-            (None, false) => Some(FORWARD),
+            (None, false) => Some((FORWARD, [None; 2])),
             (Some(along), false) => {
                 let other = match body.kind {
                     JointWord::Revolute => ", or write `prismatic`",

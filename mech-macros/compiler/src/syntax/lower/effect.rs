@@ -1,4 +1,4 @@
-//! What is computed beyond positions, and the methods that tell it.
+//! What is computed beyond positions, and the methods that return it.
 
 use super::Lowering;
 use crate::api::Owner;
@@ -82,7 +82,7 @@ impl Lowering {
         self.report.error(Place::at(effect.span()), message);
     }
 
-    /// The methods that tell rates must not be called as others are.
+    /// Claims the names of the methods that return rates.
     pub(super) fn claim_rate_methods(&mut self) {
         let Effects {
             velocity,

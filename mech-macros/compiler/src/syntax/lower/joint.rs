@@ -10,7 +10,7 @@ const POINT: Option<AxisKind> = Some(AxisKind::Point);
 const LINE: Option<AxisKind> = Some(AxisKind::Line);
 
 impl Lowering {
-    /// Enters the name of a joint; the rest comes when all links are known.
+    /// Enters the name of a joint; its axes follow when all links are known.
     pub(super) fn declare_joint(&mut self, joint: &Joint) {
         if self.claim(&joint.name, "joint") {
             self.names.enter(&joint.name, Named::Joint(None));
@@ -108,7 +108,7 @@ impl Lowering {
     ) -> Option<[AxisId; 2]> {
         let found = body.ends.each_ref().map(|end| self.kind_of(end));
         let axes = if body.kind == JointWord::Slot && found == [LINE, POINT] {
-            self.swapped(body);
+            self.refuse_swapped(body);
             [None; 2]
         } else {
             let [first, second] = &body.ends;
@@ -143,7 +143,7 @@ impl Lowering {
     }
 
     /// Complains about a slot whose line comes before its point.
-    fn swapped(&mut self, body: &JointBody) {
+    fn refuse_swapped(&mut self, body: &JointBody) {
         let [line, point] = &body.ends;
         let text =
             format!("a `slot` takes the point first, then the line; write `slot({point}, {line})`");
@@ -172,7 +172,7 @@ impl Lowering {
         let text = format!(
             "`{end}` is a {is}, but `{}` joins {}; name a {wanted}{}",
             body.word,
-            joined(body.kind),
+            operands_of(body.kind),
             other_joint(body, found)
         );
         self.report.error(Place::at(name.span()), text);
@@ -195,7 +195,7 @@ impl Lowering {
         };
         let text = format!(
             "`{word}` joins {}, but `{name}` is a link; name one of its {wanted}s, {example}, or {other}",
-            joined(body.kind)
+            operands_of(body.kind)
         );
         self.report.error(Place::at(name.span()), text);
     }
@@ -221,7 +221,7 @@ impl Lowering {
 }
 
 /// What a joint of axes takes.
-fn joined(kind: JointWord) -> &'static str {
+fn operands_of(kind: JointWord) -> &'static str {
     match kind {
         JointWord::Prismatic => "lines",
         JointWord::Slot => "a point to a line",

@@ -2,7 +2,7 @@
 
 use super::Lowering;
 use super::param::Quantity;
-use super::value::shown;
+use super::value::format_number;
 use crate::bug::bug;
 use crate::model::{Formula, Formulas, JointId, Law, LawId, StartValue};
 use crate::syntax::Place;
@@ -18,7 +18,7 @@ pub(super) const COORDINATE: &str = "q";
 /// More numbers and operations than this make no law that anybody could read.
 const MOST_FORMULAS: usize = 1000;
 
-/// By how many times its own size a start may miss what its law gives, having been computed in another way.
+/// The greatest relative difference between a start and what its law gives: the two are computed differently.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Lowering {
@@ -47,7 +47,7 @@ impl Lowering {
         Some(LawId::new(self.model.laws.len() - 1))
     }
 
-    /// Where formulas are kept: in the law that is read, or among those of the model.
+    /// Where formulas are added: to the law that is read, or to those of the model.
     pub(super) fn formulas(&mut self) -> &mut Formulas {
         match &mut self.law {
             Some(law) => law,
@@ -111,7 +111,7 @@ impl Lowering {
                 let text = format!(
                     "joint `{name}` is placed in the drawing, where its coordinate is 0, but its law starts at {}; \
                      make the law 0 when `t` is 0, or draw its links as they are to start",
-                    shown(value)
+                    format_number(value)
                 );
                 self.report.error(place, text);
             } else {
@@ -135,8 +135,8 @@ impl Lowering {
         }
         let text = format!(
             "motor `{name}` starts at {} by its law, not at {}; leave this out, or change one of the two",
-            shown(value),
-            shown(listed.value)
+            format_number(value),
+            format_number(listed.value)
         );
         self.report.error(self.places.get(listed.origin), text);
     }

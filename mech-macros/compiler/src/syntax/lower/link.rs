@@ -2,8 +2,9 @@
 
 use super::Lowering;
 use super::name::{Named, word_for};
+use super::param::Spot;
 use crate::bug::bug;
-use crate::model::{self, LinkId, ShapeKind};
+use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind};
 use crate::syntax::ast::{Axis, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape};
 use crate::syntax::{Place, color};
 
@@ -12,6 +13,9 @@ const GROUND_COLOR: u8 = 1;
 /// So many main colours for links the palette has; where they begin, and where their lighter and darker kinds do.
 const MAIN_COLORS: usize = 12;
 const FIRST_COLORS: [u8; 3] = [2, 34, 18];
+
+/// The outline of a shape, and how each of its numbers is computed that depends on a param.
+type Drawing = (ShapeKind, Vec<Option<FormulaId>>);
 
 impl Lowering {
     pub(super) fn declare_ground(&mut self, ground: &Ground) {
@@ -88,7 +92,10 @@ impl Lowering {
         let (at, direction) = match &axis.value {
             Ok((at, direction)) => (
                 self.spot(at),
-                direction.as_ref().and_then(|pair| self.direction(pair)),
+                direction.as_ref().and_then(|direction| match axis.kind {
+                    AxisKind::Point => self.fixed_direction(direction),
+                    AxisKind::Line => self.direction(direction),
+                }),
             ),
             Err(error) => {
                 self.report.pass_on(error.clone());
@@ -99,8 +106,9 @@ impl Lowering {
             return;
         }
         let origin = self.note(&axis.name);
-        // Something wrong was told: any place will do.
+        // An error was reported: any value will do.
         let (at, formulas) = at.unwrap_or_default();
+        let (direction, direction_formulas) = direction.unwrap_or((FORWARD, [None; 2]));
         self.model.axes.push(model::Axis {
             link,
             name: Some(axis.name.to_string()),
@@ -108,7 +116,8 @@ impl Lowering {
             kind: axis.kind,
             at,
             formulas,
-            direction: direction.unwrap_or([1.0, 0.0]),
+            direction,
+            direction_formulas,
         });
     }
 
@@ -130,11 +139,6 @@ impl Lowering {
     }
 
     fn lower_shape(&mut self, link: LinkId, shape: &Shape) {
-        let why = "shapes are painted from tables that are made at compile time";
-        self.with_fixed_numbers(why, |lowering| lowering.add_shape(link, shape));
-    }
-
-    fn add_shape(&mut self, link: LinkId, shape: &Shape) {
         let kind = match &shape.outline {
             Outline::Circle { center, radius } => self.circle(center, radius),
             Outline::Ring {
@@ -153,7 +157,7 @@ impl Lowering {
             Some(color) => self.color(color),
             None => Some(color_of(link)),
         };
-        let (Some(kind), Some(plane), Some(color)) = (kind, plane, color) else {
+        let (Some((kind, formulas)), Some(plane), Some(color)) = (kind, plane, color) else {
             return;
         };
         let origin = self.places.note(Place::at(shape.keyword));
@@ -162,6 +166,7 @@ impl Lowering {
             kind,
             plane,
             color,
+            formulas,
         });
     }
 
@@ -176,56 +181,55 @@ impl Lowering {
             && !self.constants.has(&name.to_string())
         {
             self.report
-                .error(color.place, color::named(&name.to_string()));
+                .error(color.place, color::advice_for(&name.to_string()));
             return None;
         }
         self.whole(color, "a color", [0, 255])
             .and_then(|color| u8::try_from(color).ok())
     }
 
-    fn circle(&mut self, center: &Pair, radius: &Expr) -> Option<ShapeKind> {
-        let center = self.pair(center);
-        let radius = self.positive(radius, "a radius");
-        Some(ShapeKind::Circle {
-            center: center?,
-            radius: radius?,
-        })
+    fn circle(&mut self, center: &Pair, radius: &Expr) -> Option<Drawing> {
+        let center = self.spot(center);
+        let radius = self.length(radius, "a radius");
+        let ((center, [x, y]), (radius, reach)) = (center?, radius?);
+        Some((ShapeKind::Circle { center, radius }, vec![x, y, reach]))
     }
 
-    fn ring(&mut self, center: &Pair, radius: &Expr, hole: &Expr) -> Option<ShapeKind> {
-        let center = self.pair(center);
-        let radius = self.positive(radius, "a radius");
-        let inner = self.positive(hole, "the radius of a hole");
-        let (radius, inner) = (radius?, inner?);
+    fn ring(&mut self, center: &Pair, radius: &Expr, hole: &Expr) -> Option<Drawing> {
+        let center = self.spot(center);
+        let radius = self.length(radius, "a radius");
+        let inner = self.length(hole, "the radius of a hole");
+        let ((radius, reach), (inner, within)) = (radius?, inner?);
         if inner >= radius {
             let text =
                 format!("the hole of a ring is smaller than the ring, whose radius is {radius}");
             self.report.error(hole.place, text);
             return None;
         }
-        Some(ShapeKind::Ring {
-            center: center?,
+        let (center, [x, y]) = center?;
+        let kind = ShapeKind::Ring {
+            center,
             radius,
             hole: inner,
-        })
+        };
+        Some((kind, vec![x, y, reach, within]))
     }
 
-    fn bar(&mut self, pins: &[Pair], place: Place, width: &Expr) -> Option<ShapeKind> {
-        let values: Vec<_> = pins.iter().map(|pin| self.pair(pin)).collect();
-        let width = self.positive(width, "a width");
+    fn bar(&mut self, pins: &[Pair], place: Place, width: &Expr) -> Option<Drawing> {
+        let found = self.spots(pins);
+        let width = self.length(width, "a width");
         if pins.len() < 2 {
             let text = format!("a bar has at least two pins, not {}", pins.len());
             self.report.error(place, text);
             return None;
         }
-        Some(ShapeKind::Bar {
-            pins: values.into_iter().collect::<Option<_>>()?,
-            width: width?,
-        })
+        let ((pins, mut formulas), (width, breadth)) = (found?, width?);
+        formulas.push(breadth);
+        Some((ShapeKind::Bar { pins, width }, formulas))
     }
 
-    fn polygon(&mut self, corners: &[Pair], place: Place) -> Option<ShapeKind> {
-        let values: Vec<_> = corners.iter().map(|corner| self.pair(corner)).collect();
+    fn polygon(&mut self, corners: &[Pair], place: Place) -> Option<Drawing> {
+        let found = self.spots(corners);
         if corners.len() < 3 {
             let text = format!(
                 "a polygon has at least three corners, not {}",
@@ -234,10 +238,16 @@ impl Lowering {
             self.report.error(place, text);
             return None;
         }
-        values
-            .into_iter()
-            .collect::<Option<_>>()
-            .map(ShapeKind::Polygon)
+        let (corners, formulas) = found?;
+        Some((ShapeKind::Polygon(corners), formulas))
+    }
+
+    /// Some places in a link, and how all of their numbers are computed. All are looked at, so that all of their errors are reported.
+    fn spots(&mut self, pairs: &[Pair]) -> Option<(Vec<[f64; 2]>, Vec<Option<FormulaId>>)> {
+        let spots: Vec<Option<Spot>> = pairs.iter().map(|pair| self.spot(pair)).collect();
+        let spots: Vec<Spot> = spots.into_iter().collect::<Option<_>>()?;
+        let (points, formulas): (_, Vec<_>) = spots.into_iter().unzip();
+        Some((points, formulas.concat()))
     }
 }
 

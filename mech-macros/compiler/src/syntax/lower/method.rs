@@ -40,7 +40,7 @@ impl Lowering {
                 return self.report.error(Place::at(*span), text);
             }
             let order = self.whole(order, "the order of a predictor", [1, MOST_ORDER]);
-            // Something wrong was told: no prediction will do.
+            // An error was reported: any value will do.
             self.model.predictor = order
                 .and_then(|order| u8::try_from(order).ok())
                 .unwrap_or(0);

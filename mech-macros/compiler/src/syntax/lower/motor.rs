@@ -3,13 +3,13 @@
 use super::Lowering;
 use super::law;
 use super::rolling;
-use super::value::shown;
+use super::value::format_number;
 use crate::model::{self, JointId, JointKind, Range};
 use crate::syntax::Place;
 use crate::syntax::ast::{Expr, Motor};
 use proc_macro2::Ident;
 
-/// By how many times its own size a number that was computed may miss one that was computed in another way.
+/// The greatest relative difference between two numbers that are equal but were computed differently.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A range as it was written, for messages about the start.
@@ -23,7 +23,7 @@ pub(super) struct Ranged {
 
 impl Lowering {
     pub(super) fn lower_motor(&mut self, motor: &Motor) {
-        let joint = self.driven(&motor.joint);
+        let joint = self.find_driven(&motor.joint);
         let range = self.range(motor);
         let step = self.step(motor);
         let law = motor.law.as_ref();
@@ -56,7 +56,7 @@ impl Lowering {
     }
 
     /// The joint of this name, if a motor can drive it.
-    fn driven(&mut self, name: &Ident) -> Option<JointId> {
+    fn find_driven(&mut self, name: &Ident) -> Option<JointId> {
         let joint = self.find_joint(name)?;
         let kind = self.model.joint(joint).kind;
         let text = if let Some(word) = rolling::word_for(kind) {
@@ -138,7 +138,7 @@ impl Lowering {
         };
         let text = format!(
             "motor `{name}` starts at {} by its law, outside its range; widen `{}`, or change the law",
-            shown(value),
+            format_number(value),
             ranged.written
         );
         self.report

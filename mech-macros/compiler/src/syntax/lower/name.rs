@@ -259,7 +259,7 @@ impl Lowering {
     }
 
     /// Complains about a name that is neither a link's nor a joint's.
-    pub(super) fn unknown(&mut self, name: &Ident) {
+    pub(super) fn refuse_unknown(&mut self, name: &Ident) {
         let text = name.to_string();
         let candidates: Vec<_> = [self.names.links(), self.names.joints()].concat();
         let remedy = spelling::remedy(&text, &candidates);

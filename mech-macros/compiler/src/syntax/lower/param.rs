@@ -29,6 +29,9 @@ impl Quantity {
 /// A pair of numbers, and how each is computed that depends on a param.
 pub(super) type Spot = ([f64; 2], [Option<FormulaId>; 2]);
 
+/// A length, and how it is computed if it depends on a param.
+pub(super) type Length = (f64, Option<FormulaId>);
+
 impl Lowering {
     pub(super) fn declare_param(&mut self, param: &Constant) {
         let is_new = self
@@ -94,7 +97,7 @@ impl Lowering {
         Some(([x.value?, y.value?], [x.formula, y.formula]))
     }
 
-    /// Reads numbers that may not depend on params, which would be told with this reason.
+    /// Reads numbers that may not depend on params, for this reason.
     pub(super) fn with_fixed_numbers<T>(
         &mut self,
         why: &'static str,
@@ -117,9 +120,9 @@ impl Lowering {
                 format!("`{name}` is computed from a param: it may change while the mechanism runs")
             }
         };
-        let why = self
-            .why_fixed
-            .unwrap_or("only laws and the places of points, lines and joints may depend on one");
+        let why = self.why_fixed.unwrap_or(
+            "only laws, points, lines, joints in a drawing and shapes may depend on one",
+        );
         let text = format!("{what}; {why}; use a `const` here");
         self.report.error(Place::at(name.span()), text);
     }

@@ -5,7 +5,7 @@ use crate::syntax::{Message, Place};
 /// Where in the text something stands: the number of its statement, and of the item in that statement.
 type Position = (usize, usize);
 
-/// The messages so far. The text is gone through several times, so they come in another order than they are told.
+/// The messages so far. Several passes read the text, so messages are sorted before they are shown.
 #[derive(Default)]
 pub(super) struct Report {
     position: Position,

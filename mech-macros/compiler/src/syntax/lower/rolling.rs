@@ -91,7 +91,7 @@ impl Lowering {
     }
 
     fn rolling_size(&mut self, kind: JointWord, size: &Size) -> Option<Rolled> {
-        let why = "what rolls keeps the ratio for which it was analysed";
+        let why = "what rolls keeps its ratio, so that it counts whole turns exactly (a `cam` may have a ratio in its law)";
         self.with_fixed_numbers(why, |lowering| lowering.size_of(kind, size))
     }
 

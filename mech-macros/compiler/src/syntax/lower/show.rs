@@ -17,7 +17,7 @@ impl Lowering {
         let mut shown: Vec<(Place, Shown)> = Vec::new();
         for end in what {
             self.report.next_item();
-            let Some(one) = self.shown(end) else {
+            let Some(one) = self.find_shown(end) else {
                 continue;
             };
             if let Some(text) = self.again(end, one, &shown) {
@@ -41,11 +41,11 @@ impl Lowering {
     }
 
     /// What is to be shown, if it can be.
-    fn shown(&mut self, end: &End) -> Option<Shown> {
+    fn find_shown(&mut self, end: &End) -> Option<Shown> {
         match (self.names.look_up(&end.link), &end.axis) {
             (Some(Named::Broken), _) => None,
             (None, None) => {
-                self.unknown(&end.link);
+                self.refuse_unknown(&end.link);
                 None
             }
             (Some(Named::Joint(joint)), None) => {

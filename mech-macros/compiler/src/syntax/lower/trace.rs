@@ -1,4 +1,4 @@
-//! The points whose paths are kept.
+//! The points whose paths are recorded.
 
 use super::Lowering;
 use super::name::Named;
@@ -11,7 +11,7 @@ const INK: u8 = 14;
 
 impl Lowering {
     pub(super) fn lower_trace(&mut self, trace: &ast::Trace) {
-        let point = self.traced(&trace.point);
+        let point = self.find_traced(&trace.point);
         let length = self.whole(&trace.length, "the length of a trace", [1, Trace::LONGEST]);
         // Each is looked at, so that the errors of all are reported.
         let plane = trace.plane.as_ref().map(|plane| self.plane(plane));
@@ -36,7 +36,7 @@ impl Lowering {
     }
 
     /// The point that is to be traced, if it can be.
-    fn traced(&mut self, end: &End) -> Option<AxisId> {
+    fn find_traced(&mut self, end: &End) -> Option<AxisId> {
         let Some(name) = &end.axis else {
             self.tell_no_point(end);
             return None;
@@ -72,7 +72,7 @@ impl Lowering {
                 let text = format!("`{end}` is a link; a trace is of a point{remedy}");
                 self.report.error(end.place(), text);
             }
-            None => self.unknown(&end.link),
+            None => self.refuse_unknown(&end.link),
         }
     }
 
@@ -86,7 +86,7 @@ impl Lowering {
         }
     }
 
-    /// The methods that tell traces must not be called as others are.
+    /// Claims the names of the methods that return traces.
     pub(super) fn claim_trace_methods(&mut self) {
         for trace in self.model.traces.clone() {
             let axis = self.model.axis(trace.point);

@@ -1,7 +1,7 @@
 //! Computing numbers. What is wrong with one is reported where it is wrong, and there is no value then.
 
 use super::Lowering;
-use super::param::Quantity;
+use super::param::{Length, Quantity, Spot};
 use super::report::Report;
 use crate::bug::bug;
 use crate::model::{BinaryFunction, Formula, FormulaId, Function};
@@ -143,7 +143,7 @@ impl Lowering {
             .and_then(|value| Some((value, function.trouble_at(value)?)))
         {
             self.report
-                .error(place, format!("{} {trouble}", shown(value)));
+                .error(place, format!("{} {trouble}", format_number(value)));
             return None;
         }
         let value = of.value.map(|value| function.at(value));
@@ -191,21 +191,43 @@ impl Lowering {
         Some(Quantity { value, formula })
     }
 
-    /// A direction, of length one.
-    pub(super) fn direction(&mut self, direction: &Direction) -> Option<[f64; 2]> {
-        let why = "which directions are parallel decides how a mechanism is solved";
-        self.with_fixed_numbers(why, |lowering| match direction {
-            Direction::Parts(pair) => lowering.direction_of_parts(pair),
-            Direction::Angle(angle) => {
-                let value = lowering.value(angle)?;
-                let is_reported = lowering.is_degrees_perhaps(angle, value);
-                (!is_reported).then(|| direction_at(value))
+    /// A direction, of length one, which may depend on params.
+    pub(super) fn direction(&mut self, direction: &Direction) -> Option<Spot> {
+        match direction {
+            Direction::Parts(pair) => self.direction_of_parts(pair),
+            Direction::Angle(expr) => {
+                let angle = self.quantity(expr)?;
+                let value = angle.value?;
+                if self.is_degrees_perhaps(expr, value) {
+                    return None;
+                }
+                let formulas = [Function::Cos, Function::Sin].map(|function| {
+                    let formula = Formula::Of(function, angle.formula?);
+                    Some(self.formulas().add(formula))
+                });
+                Some((direction_at(value), formulas))
             }
-        })
+        }
     }
 
-    fn direction_of_parts(&mut self, pair: &Pair) -> Option<[f64; 2]> {
-        let [x, y] = self.pair(pair)?;
+    /// A direction that may not depend on params.
+    pub(super) fn fixed_direction(&mut self, direction: &Direction) -> Option<Spot> {
+        let found = self.direction(direction)?;
+        if found.1 == [None; 2] {
+            return Some(found);
+        }
+        let why = "the joints of a point count angles from its direction; only lines may turn";
+        self.with_fixed_numbers(why, |lowering| match direction {
+            Direction::Parts(pair) => [&pair.x, &pair.y].map(|part| lowering.value(part)),
+            Direction::Angle(angle) => [lowering.value(angle), None],
+        });
+        None
+    }
+
+    fn direction_of_parts(&mut self, pair: &Pair) -> Option<Spot> {
+        let [x, y] = [self.quantity(&pair.x), self.quantity(&pair.y)];
+        let parts = [x?, y?];
+        let [x, y] = [parts[0].value?, parts[1].value?];
         // Scaled first: the squares of very long or short ones would overflow or vanish.
         let scale = x.abs().max(y.abs());
         if scale == 0.0 {
@@ -215,7 +237,13 @@ impl Lowering {
         }
         let (x, y) = (x / scale, y / scale);
         let length = libm::hypot(x, y);
-        Some([x / length, y / length])
+        let formulas = self.as_formulas(parts).map(|[x, y]| {
+            let length = Formula::OfBoth(BinaryFunction::Hypot, x, y);
+            let length = self.formulas().add(length);
+            [x, y].map(|part| self.formulas().add(Formula::Div(part, length)))
+        });
+        let formulas = formulas.map_or([None; 2], |formulas| formulas.map(Some));
+        Some(([x / length, y / length], formulas))
     }
 
     /// A whole number of these bounds.
@@ -225,7 +253,7 @@ impl Lowering {
         if value < f64::from(low) || value > f64::from(high) || value.fract() != 0.0 {
             let text = format!(
                 "{what} is a whole number from {low} to {high}, not {}",
-                shown(value)
+                format_number(value)
             );
             self.report.error(expr.place, text);
             return None;
@@ -241,12 +269,26 @@ impl Lowering {
     /// A number greater than zero.
     pub(super) fn positive(&mut self, expr: &Expr, what: &str) -> Option<f64> {
         let value = self.value(expr)?;
+        self.check_positive(value, expr, what)
+    }
+
+    /// A length greater than zero, at the start if it depends on params.
+    pub(super) fn length(&mut self, expr: &Expr, what: &str) -> Option<Length> {
+        let Quantity { value, formula } = self.quantity(expr)?;
+        let value = self.check_positive(value?, expr, what)?;
+        Some((value, formula))
+    }
+
+    fn check_positive(&mut self, value: f64, expr: &Expr, what: &str) -> Option<f64> {
         if value > 0.0 {
             return Some(value);
         }
         self.report.error(
             expr.place,
-            format!("{what} must be greater than zero, not {}", shown(value)),
+            format!(
+                "{what} must be greater than zero, not {}",
+                format_number(value)
+            ),
         );
         None
     }
@@ -295,7 +337,7 @@ fn direction_at(angle: f64) -> [f64; 2] {
 }
 
 /// A number for people: without a row of zeros.
-pub(super) fn shown(value: f64) -> String {
+pub(super) fn format_number(value: f64) -> String {
     if value == 0.0 || (1e-4..1e15).contains(&value.abs()) {
         format!("{value}")
     } else {

@@ -1,18 +1,13 @@
 //! Params: what they are, where they may stand, and what is told where they may not.
 
 use super::{assert_messages, good};
-use crate::model::{Axis, Model};
+use crate::model::{Axis, Model, Now};
 
-const ONLY: &str =
-    "only laws and the places of points, lines and joints may depend on one; use a `const` here";
+const ONLY: &str = "only laws, points, lines, joints in a drawing and shapes may depend on one; use a `const` here";
 
-const PARALLEL: &str =
-    "which directions are parallel decides how a mechanism is solved; use a `const` here";
+const POINT: &str = "the joints of a point count angles from its direction; only lines may turn; use a `const` here";
 
-const PAINTED: &str =
-    "shapes are painted from tables that are made at compile time; use a `const` here";
-
-const ROLLING: &str = "what rolls keeps the ratio for which it was analysed; use a `const` here";
+const ROLLING: &str = "what rolls keeps its ratio, so that it counts whole turns exactly (a `cam` may have a ratio in its law); use a `const` here";
 
 fn refused(what: &str) -> String {
     refused_for(what, ONLY)
@@ -65,6 +60,55 @@ fn joints_of_a_drawing_may_depend_on_params() {
 }
 
 #[test]
+fn a_direction_may_depend_on_params() {
+    let text = "struct M; param p = 3; const Q = 2 * p; link a; link b;
+        ground { line l = (0, 0) -> (p, 4); line m = (0, 0) -> p; line n = (0, 0) -> (3, 4); }
+        joint k = prismatic(a, b) at (0, 1) along (4, 2 * Q);
+        joint s = slot(b, a) at (0, 1) along Q;";
+    let model = good(text).model;
+    let [l, m, n] = ["l", "m", "n"].map(|name| axis(&model, name));
+    assert_eq!(l.direction, [0.6, 0.8]);
+    assert_eq!(m.direction, [libm::cos(3.0), libm::sin(3.0)]);
+    assert!(l.turns() && m.turns() && !n.turns());
+    // A slot's own line and the pin have none.
+    assert_eq!(model.axes.iter().filter(|axis| axis.turns()).count(), 5);
+    let now = |params: &[f64]| {
+        let variable = f64::NAN;
+        model.params.evaluate(&mut Now { variable, params })
+    };
+    let turned = |axis: &Axis, params: &[f64]| {
+        axis.direction_formulas
+            .map(|formula| now(params)[formula.expect("both").index()])
+    };
+    assert_eq!(turned(l, &[3.0]), [0.6, 0.8]);
+    assert_eq!(turned(l, &[-3.0]), [-0.6, 0.8]);
+    assert_eq!(turned(m, &[0.0]), [1.0, 0.0]);
+}
+
+#[test]
+fn a_shape_may_depend_on_params() {
+    let text = "struct M; param r = 3;
+        link a { circle (r, 0) radius 2 * r; ring (0, 0) radius 2 hole 1; bar [(0, 0), (0, r)] width 1; }";
+    let model = good(text).model;
+    let shapes = &model.links[1].shapes;
+    assert_eq!(shapes[0].kind.numbers(), [3.0, 0.0, 6.0]);
+    let varies = |shape: usize| -> Vec<bool> {
+        let formulas = shapes[shape].formulas.iter();
+        formulas.map(Option::is_some).collect()
+    };
+    assert_eq!(varies(0), [true, false, true]);
+    assert_eq!(varies(1), [false; 4]);
+    assert_eq!(varies(2), [false, false, false, true, false]);
+    assert_messages(
+        "param r = -3; link a { circle (0, 0) radius «r»; ring (0, 0) radius -r hole «4»; }",
+        &[
+            "a radius must be greater than zero, not -3",
+            "the hole of a ring is smaller than the ring, whose radius is 3",
+        ],
+    );
+}
+
+#[test]
 fn equal_formulas_are_one() {
     let text = "struct M; param x = 3; link l { point a = (x * 2, 0); point b = (x * 2, 1); }";
     let model = good(text).model;
@@ -75,21 +119,19 @@ fn equal_formulas_are_one() {
 fn everything_else_stays_as_it_is() {
     assert_messages(
         "param r = 1; const R = 2 * r;
-        ground { point o = (0, 0) -> («r», 1); line l = (0, 0) -> (1, «R»); circle (0, 0) radius «r» on plane «r» color «r»;
-            polygon [(0, 0), («R», 0), (0, 1)]; }
-        link a { point o = (r, R); line l = (r, 0) -> (1, 0); }
+        ground { point o = (0, 0) -> («r», 1); circle (0, 0) radius r on plane «r» color «r»; }
+        link a { point o = (r, R) -> 0.5 * «R»; line l = (r, 0) -> (1, R); «density» 2; polygon [(0, 0), (R, 0), (0, 1)]; }
         joint j = revolute(ground.o, a.o);
         joint k = gear(ground, a, «r» : 2);
         motor j in 0 ..= «R» by «r»;
         start { j = «r»; a near 2 * «R»; }
         method newton(«r»);",
         &[
-            &refused_for("`r` is a param", PARALLEL),
-            &refused_for("`R` is computed from a param", PARALLEL),
-            &refused_for("`r` is a param", PAINTED),
-            &refused_for("`r` is a param", PAINTED),
-            &refused_for("`r` is a param", PAINTED),
-            &refused_for("`R` is computed from a param", PAINTED),
+            &refused_for("`r` is a param", POINT),
+            &refused("`r` is a param"),
+            &refused("`r` is a param"),
+            &refused_for("`R` is computed from a param", POINT),
+            "the shapes of `a` depend on a param, but a mass may not; give its `mass`",
             &refused_for("`r` is a param", ROLLING),
             &refused("`R` is computed from a param"),
             &refused("`r` is a param"),

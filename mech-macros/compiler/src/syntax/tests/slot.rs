@@ -56,6 +56,7 @@ fn a_slot_is_drawn() {
         kind,
         at: [1.0, 2.0],
         formulas: [None; 2],
+        direction_formulas: [None; 2],
         direction,
     };
     assert_eq!(model.axis(point), &drawn(1, AxisKind::Point, [1.0, 0.0]));

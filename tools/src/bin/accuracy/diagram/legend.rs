@@ -1,4 +1,4 @@
-//! What the marks mean.
+//! The legend of the marks.
 
 use super::marks::{self, nearest};
 use super::{Area, Drawn, SOFT, Side, TEXT, write};

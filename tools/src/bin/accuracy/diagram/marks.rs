@@ -18,7 +18,7 @@ pub(super) fn color(method: Method) -> RGBColor {
     }
 }
 
-/// How large a mark is at a step: half its width.
+/// The size of a mark at a step: half its width.
 pub(super) fn radius(step: Step) -> f64 {
     let place = STEPS.iter().position(|other| *other == step);
     [6.5, 9.5, 13.0][place.unwrap_or_default().min(2)]
@@ -86,7 +86,7 @@ pub(super) fn draw<B: DrawingBackend>(
     Ok(())
 }
 
-/// A cross where a method is blocked.
+/// Draws a cross where a method is blocked.
 pub(super) fn cross<B: DrawingBackend>(
     area: &Area<'_, B>,
     method: Method,

@@ -1,4 +1,4 @@
-//! One mechanism: every method at its price and its error.
+//! The panel of a mechanism: every method at its price and its error.
 
 use super::marks::{self, nearest};
 use super::{Area, Drawn, LINE, SOFT, Side, TEXT, width, write};
@@ -11,11 +11,11 @@ const LEFT: i32 = 116;
 const RIGHT: i32 = 36;
 const TOP: i32 = 96;
 const BOTTOM: i32 = 84;
-/// Where the crosses of what is blocked stand, above the panel.
+/// The place of the crosses of blocked methods above the panel.
 const BLOCKED: i32 = 22;
 const NAME: f64 = 25.0;
 
-/// What the axes show: the logarithms of nanoseconds and of errors by size.
+/// The ranges of the axes: logarithms of nanoseconds and of errors by size.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {
     x: [f64; 2],
@@ -23,7 +23,7 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// So that all that was measured is seen, in all panels on the same scale.
+    /// The ranges of all measurements, the same in all panels.
     pub(super) fn fit(measurements: &[Measurement]) -> Self {
         let points = measurements.iter().flat_map(|measurement| {
             let figures = measurement
@@ -51,7 +51,7 @@ fn logarithms(figures: &Figures, size: f64) -> (f64, f64) {
     (figures.nanoseconds.log10(), relative.log10())
 }
 
-/// One mechanism.
+/// The panel of a mechanism.
 pub(super) struct Panel<'m> {
     measurement: &'m Measurement,
     scale: Scale,
@@ -61,20 +61,20 @@ pub(super) struct Panel<'m> {
     bottom: i32,
 }
 
-/// A box on the picture that is taken: left, top, right, bottom.
+/// A taken box of the picture: left, top, right, bottom.
 type Taken = [i32; 4];
 
-/// A name of something on a frontier.
+/// The name of a point on a frontier.
 struct Name {
     text: String,
     place: Taken,
-    /// From what it names to it.
+    /// The line from the point to the name.
     leader: [(i32, i32); 2],
     color: RGBColor,
 }
 
 impl<'m> Panel<'m> {
-    /// In a cell of this size.
+    /// A panel in a cell of this size.
     pub(super) fn new(
         measurement: &'m Measurement,
         scale: Scale,
@@ -90,7 +90,7 @@ impl<'m> Panel<'m> {
         }
     }
 
-    /// Draws it.
+    /// Draws the panel.
     pub(super) fn draw<B: DrawingBackend>(&self, area: &Area<'_, B>) -> Drawn<B> {
         self.draw_axes(area)?;
         self.draw_frontiers(area)?;
@@ -228,7 +228,7 @@ impl<'m> Panel<'m> {
         Ok(())
     }
 
-    /// The names of all that is on a frontier, where there is room for them.
+    /// The names of points on a frontier, where there is room for them.
     fn names(&self) -> Vec<Name> {
         let rows = self.measurement.rows.iter();
         let marks = rows.filter_map(|row| {

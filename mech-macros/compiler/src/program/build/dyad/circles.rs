@@ -61,7 +61,7 @@ impl DyadLowering<'_> {
         }
     }
 
-    /// How far rounding may push the discriminant below zero.
+    /// The tolerance by which rounding may push the discriminant below zero.
     ///
     /// A gap of `g` makes the discriminant −g · 2d · 4ab at a dead point: at the outer with a distance d of s = a + b, at the inner of
     /// m = |a − b|. For all between, d is taken as the chord of the root of its square: (d² + sm) / (s + m).

@@ -27,12 +27,12 @@ pub(super) struct DyadLowering<'a> {
     pub(super) last: &'a [Solution<Value>],
 }
 
-/// What a closed form finds.
+/// The results of a closed form.
 struct Found {
     solution: [Solution<Value>; 2],
     discriminant: Value,
     tolerance: Value,
-    /// What is not negative if it closes, where discriminant and tolerance do not say it.
+    /// A number that is negative if it does not close, where discriminant and tolerance do not say it.
     closes: Option<Value>,
     sine: Value,
     rounding_square: Value,
@@ -43,7 +43,7 @@ struct Found {
 enum Side {
     /// Always this one.
     Fixed(bool),
-    /// That on which it was: the sign of a number of the state.
+    /// The side on which it was: the sign of a number of the state.
     Carried(Value),
 }
 
@@ -147,7 +147,7 @@ impl DyadLowering<'_> {
         self.ssa.mul(tolerance, length)
     }
 
-    /// How many roundings a length at hand has suffered: the motors' values are rounded too, the more the farther they have turned.
+    /// The number of roundings that a length has suffered: the motors' values are rounded too, the more the farther they have turned.
     fn roundings(&mut self) -> Value {
         let mut turned = self.ssa.constant(0.0);
         for motor in 0..self.ssa.motors {

@@ -1,0 +1,108 @@
+//! The diagram of a mechanism: its joints, links, motors and axes as a textbook draws them.
+
+mod diagram;
+mod rolling;
+
+use crate::model::{AxisId, LinkId, Model};
+pub use diagram::{moving_points, symbols};
+
+/// A place on a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// The link; the ground too.
+    pub link: LinkId,
+    /// The coordinates in its frame, in scene units; at the start, if params move it.
+    pub at: [f64; 2],
+    /// The axis at this place.
+    pub axis: AxisId,
+}
+
+impl Spot {
+    /// The place of an axis.
+    pub(crate) fn of(model: &Model, id: AxisId) -> Self {
+        let axis = model.axis(id);
+        Self {
+            link: axis.link,
+            at: axis.at,
+            axis: id,
+        }
+    }
+
+    /// Whether another is in the same place on the same link, for all values of the params.
+    fn coincides_with(&self, other: &Self, model: &Model) -> bool {
+        let formulas = |spot: &Self| model.axis(spot.axis).formulas;
+        self.link == other.link && self.at == other.at && formulas(self) == formulas(other)
+    }
+}
+
+/// An element of a diagram.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Symbol {
+    /// A side of a link, between two of its joints or points.
+    Bar {
+        /// The link.
+        link: LinkId,
+        /// Both ends, on the link.
+        ends: [Spot; 2],
+    },
+    /// A named point without a joint.
+    Mark(Spot),
+    /// The pitch circle of a wheel, of the size that it has at the start.
+    Wheel {
+        /// Its centre.
+        center: Spot,
+        /// Its radius, in scene units.
+        radius: f64,
+    },
+    /// The strands of a belt between two wheels.
+    Belt {
+        /// The centres of the wheels.
+        centers: [Spot; 2],
+        /// Their radii, in scene units.
+        radii: [f64; 2],
+    },
+    /// The pitch line of a toothed bar.
+    Rack {
+        /// The centre of the pinion.
+        pinion: Spot,
+        /// The pinion's pitch radius, in scene units, as declared: negative on the other side.
+        radius: f64,
+        /// The origin of the line along which the bar slides.
+        bar: Spot,
+        /// That line.
+        along: AxisId,
+    },
+    /// A declared line.
+    Line {
+        /// Its origin.
+        at: Spot,
+        /// The line.
+        along: AxisId,
+    },
+    /// A declared point of the ground or of a link, as the axis of a joint.
+    Point(Spot),
+    /// A prismatic joint or a slot.
+    Slide {
+        /// The origin of the guide's line.
+        guide: Spot,
+        /// The line of the guide.
+        along: AxisId,
+        /// The place of the sliding block.
+        block: Spot,
+    },
+    /// A weld.
+    Weld(Spot),
+    /// A revolute joint; on the ground, a fixed pivot.
+    Pivot(Spot),
+    /// A rotary motor.
+    Turned(Spot),
+    /// A linear motor.
+    Pushed {
+        /// The place of the block that it moves.
+        block: Spot,
+        /// The link of the guide.
+        guide: LinkId,
+        /// The line of the guide.
+        along: AxisId,
+    },
+}

@@ -1,0 +1,115 @@
+//! The symbols of wheels, belts and racks.
+
+use super::diagram::Diagram;
+use super::{Spot, Symbol};
+use crate::model::{JointId, JointKind, LinkId, Ratio};
+use crate::structure::{Rolling, RollingEnd};
+
+/// The hub of a wheel.
+struct Hub {
+    /// Its place on the wheel; none if the wheel has no pose.
+    spot: Option<Spot>,
+    /// Its place on the carrier, in scene units.
+    at: [f64; 2],
+}
+
+impl Diagram<'_> {
+    /// The symbols of a gear, a belt or a rack; none if a hub is not found.
+    pub(super) fn rolling(&self, rolling: &Rolling) -> Vec<Symbol> {
+        let hub = |wheel: LinkId| self.hub(wheel, rolling.carrier);
+        let [a, b] = rolling.ends.map(|(end, _)| end);
+        let symbols = match (self.model.joint(rolling.joint).kind, a, b) {
+            (JointKind::Gear { ratio, .. }, RollingEnd::Wheel(a), RollingEnd::Wheel(b)) => {
+                hub(a).zip(hub(b)).map(|(a, b)| gear([a, b], ratio))
+            }
+            (JointKind::Belt { ratio, .. }, RollingEnd::Wheel(a), RollingEnd::Wheel(b)) => {
+                hub(a).zip(hub(b)).and_then(|(a, b)| belt(&[a, b], ratio))
+            }
+            (
+                JointKind::Rack { radius, .. },
+                RollingEnd::Wheel(pinion),
+                RollingEnd::Bar { link, slide, .. },
+            ) => {
+                let pinion = hub(pinion).and_then(|hub| hub.spot);
+                pinion.and_then(|pinion| self.rack(pinion, radius, link, slide))
+            }
+            _ => None,
+        };
+        symbols.unwrap_or_default()
+    }
+
+    /// A pinion and its rack. The radius is in scene units, negative if the bar is on the other side.
+    fn rack(&self, pinion: Spot, radius: f64, bar: LinkId, slide: JointId) -> Option<Vec<Symbol>> {
+        let JointKind::Prismatic(a, b) = self.model.joint(slide).kind else {
+            return None;
+        };
+        let line = if self.model.axis(a).link == bar { a } else { b };
+        let wheel = Symbol::Wheel {
+            center: pinion,
+            radius: radius.abs(),
+        };
+        let rack = self.first_visible(&[line]).map(|bar| Symbol::Rack {
+            pinion,
+            radius,
+            bar,
+            along: line,
+        });
+        Some([wheel].into_iter().chain(rack).collect())
+    }
+
+    /// The hub of a wheel that turns on a carrier.
+    fn hub(&self, wheel: LinkId, carrier: LinkId) -> Option<Hub> {
+        let mut pins = self.structure.pins.iter();
+        pins.find_map(|pin| {
+            let (own, on_carrier) = (pin.axis_of(wheel)?, pin.axis_of(carrier)?);
+            Some(Hub {
+                spot: (self.has_pose)(wheel).then(|| self.spot(own)),
+                at: self.model.axis(on_carrier).at,
+            })
+        })
+    }
+}
+
+/// Two meshing wheels, as far as they have poses.
+fn gear(hubs: [Hub; 2], ratio: Ratio) -> Vec<Symbol> {
+    let sizes = sizes(ratio);
+    let unit = distance(&hubs) / (sizes[0] + sizes[1]).abs();
+    let wheels = hubs.into_iter().zip(sizes).filter_map(|(hub, size)| {
+        let radius = size.abs() * unit;
+        let center = hub.spot.filter(|_| radius.is_finite() && radius > 0.0)?;
+        Some(Symbol::Wheel { center, radius })
+    });
+    wheels.collect()
+}
+
+/// Two wheels and their belt; none unless both have poses.
+fn belt(hubs: &[Hub; 2], ratio: Ratio) -> Option<Vec<Symbol>> {
+    let centers = [hubs[0].spot?, hubs[1].spot?];
+    let sizes = sizes(ratio);
+    let unit = match ratio {
+        Ratio::Radii(..) => 1.0,
+        // Teeth say nothing about the size of a pulley: a third of the distance looks well.
+        Ratio::Teeth(..) => distance(hubs) / (3.0 * sizes[0].max(sizes[1])),
+    };
+    let radii = sizes.map(|size| size * unit);
+    let wheels = centers.into_iter().zip(radii);
+    let wheels = wheels.map(|(center, radius)| Symbol::Wheel { center, radius });
+    Some(wheels.chain([Symbol::Belt { centers, radii }]).collect())
+}
+
+/// The declared sizes of two wheels: teeth, or radii in scene units.
+fn sizes(ratio: Ratio) -> [f64; 2] {
+    match ratio {
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "no wheel has 2⁵² teeth, and it is only drawn"
+        )]
+        Ratio::Teeth(a, b) => [a as f64, b as f64],
+        Ratio::Radii(a, b) => [a, b],
+    }
+}
+
+/// The distance of two hubs, in scene units.
+fn distance([a, b]: &[Hub; 2]) -> f64 {
+    libm::hypot(b.at[0] - a.at[0], b.at[1] - a.at[1])
+}
