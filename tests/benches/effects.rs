@@ -5,36 +5,13 @@
 mod common;
 
 use common::{Threshold, compare};
-use mech_runtime::mechanism;
+use mech_tests::four_bar;
 use std::hint::black_box;
 
-/// A four-bar: ground 4, crank 1, coupler 3.5, rocker 3.
-macro_rules! four_bar {
-    ($name:ident, $($effects:tt)*) => {
-        mechanism! {
-            struct $name;
-
-            ground { point crank_shaft = (0, 0); point rocker_shaft = (4, 0); }
-            link crank { point shaft = (0, 0); point pin = (1, 0); mass 2 at (0.1, 0); }
-            link coupler { point a = (0, 0); point b = (3.5, 0); point tip = (2, 1); mass 1 at (1.7, 0.2); }
-            link rocker { point shaft = (0, 0); point b = (3, 0); mass 1.5 at (1.4, 0); }
-
-            joint a = revolute(ground.crank_shaft, crank.shaft);
-            joint b = revolute(crank.pin, coupler.a);
-            joint c = revolute(coupler.b, rocker.b);
-            joint d = revolute(ground.rocker_shaft, rocker.shaft);
-
-            motor a;
-            start { coupler near 50 deg; }
-            $($effects)*
-        }
-    };
-}
-
-four_bar!(Position,);
-four_bar!(Fast, effects { velocity; });
-four_bar!(Faster, effects { velocity; acceleration; });
-four_bar!(Held, load push = force(coupler.tip); gravity (0, -9.81); effects { force; });
+four_bar!(struct Position: f64; motor a;);
+four_bar!(struct Fast: f64; motor a; effects { velocity; });
+four_bar!(struct Faster: f64; motor a; effects { velocity; acceleration; });
+four_bar!(struct Held: f64; motor a; load push = force(coupler.tip); gravity (0, -9.81); effects { force; });
 
 /// How much of the last position goes into the next angle in a dependent sequence: too little to be seen.
 const PART: f64 = 1e-18;

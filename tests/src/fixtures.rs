@@ -17,7 +17,7 @@ pub const SOURCES: &[(&str, &str)] = sources![
     "changed": "../tests/changed/zoo.rs",
 ];
 
-/// Declares the four-bar with ground 4, crank 1, coupler 3.5 and rocker 3: what follows its name stands at its end, its motor too.
+/// Declares the four-bar with ground 4, crank 1, coupler 3.5 and rocker 3, and with masses. Its motor and more follow its name.
 #[macro_export]
 macro_rules! four_bar {
     ($(#[$meta:meta])* struct $name:ident: $scalar:ident; $($statements:tt)*) => {
@@ -25,9 +25,9 @@ macro_rules! four_bar {
             $(#[$meta])*
             struct $name: $scalar;
             ground { point a = (0, 0); point d = (4, 0); }
-            link crank { point a = (0, 0); point b = (1, 0); }
-            link coupler { point b = (0, 0); point c = (3.5, 0); }
-            link rocker { point d = (0, 0); point c = (3, 0); }
+            link crank { point a = (0, 0); point b = (1, 0); mass 2 at (0.1, 0); }
+            link coupler { point b = (0, 0); point c = (3.5, 0); point tip = (2, 1); mass 1 at (1.7, 0.2); }
+            link rocker { point d = (0, 0); point c = (3, 0); mass 1.5 at (1.4, 0); }
             joint a = revolute(ground.a, crank.a);
             joint b = revolute(crank.b, coupler.b);
             joint c = revolute(coupler.c, rocker.c);

@@ -16,11 +16,11 @@ pub fn rustc(out: &Path) -> Command {
     let files = fs::read_dir(folder).expect("the folder of libraries");
     let newest = files
         .filter_map(|file| {
-            let file = file.ok()?;
-            let name = file.file_name().into_string().ok()?;
-            let hash = name.strip_prefix("libmech_runtime-")?;
-            let changed = file.metadata().ok()?.modified().ok()?;
-            hash.ends_with(".rlib").then(|| (changed, file.path()))
+            let path = file.ok()?.path();
+            let is_runtime = path.file_stem()?.to_str()?.starts_with("libmech_runtime-");
+            let is_library = path.extension().is_some_and(|end| end == "rlib");
+            let changed = path.metadata().ok()?.modified().ok()?;
+            (is_runtime && is_library).then_some((changed, path))
         })
         .max();
     let (_, library) = newest.expect("the runtime was built");

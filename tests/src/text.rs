@@ -1,6 +1,6 @@
 //! Mechanisms as text.
 
-use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model};
+use mech_compiler::model::{AxisId, Joint, JointKind, LinkId, Model, Ratio};
 
 /// The text of a `mechanism!`, in the form of a drawing. Where a mechanism is not drawn, a comment says where its second axis is.
 #[must_use]
@@ -29,17 +29,17 @@ pub fn text(model: &Model) -> String {
 fn kind(model: &Model, joint: &Joint) -> String {
     let name = |link: LinkId| &model.link(link).name;
     let on = |on: Option<LinkId>| on.map_or(String::new(), |on| format!(" on {}", name(on)));
-    let points = |word: &str, a, b| format!("{word} {}", pair(model, a, b));
+    let points = |word: &str, a, b| format!("{word}{}", pair(model, a, b));
     let lines = |word: &str, a, b| {
         let [x, y] = model.axis(a).direction;
-        format!("{word} {} along ({x:?}, {y:?})", pair(model, a, b))
+        format!("{word}{} along ({x:?}, {y:?})", pair(model, a, b))
     };
     let wheels = |word: &str, [a, b]: [LinkId; 2], sizes: String, carrier| {
         format!("{word}({}, {}, {sizes}{})", name(a), name(b), on(carrier))
     };
-    let ratio = |ratio: mech_compiler::model::Ratio| {
-        let [a, b] = ratio.sizes();
-        format!("{a} : {b}")
+    let ratio = |ratio| match ratio {
+        Ratio::Teeth(a, b) => format!("{a} : {b}"),
+        Ratio::Radii(a, b) => format!("{a:?} : {b:?}"),
     };
     match joint.kind {
         JointKind::Revolute(a, b) => points("revolute", a, b),

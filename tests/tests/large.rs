@@ -15,40 +15,55 @@ const MOST_LETS: usize = 512;
 /// The longest of the functions in an expansion, and its `let`s.
 fn longest(text: &str) -> (String, usize) {
     let tokens: TokenStream = text.parse().expect("tokens");
-    let tokens = mech_compiler::expand(quote::quote!(::mech_runtime; #tokens));
-    assert!(!tokens.to_string().contains("compile_error"));
     let mut longest = (String::new(), 0);
-    lets(tokens, &mut longest);
+    lets(
+        mech_compiler::expand(quote::quote!(::mech_runtime; #tokens)),
+        &mut longest,
+    );
     longest
 }
 
 /// The `let`s of some tokens without those of the functions in them, of which the longest is put down; closures and inner blocks count.
 fn lets(tokens: TokenStream, longest: &mut (String, usize)) -> usize {
-    let (mut count, mut function, mut before) = (0, None, String::new());
+    let (mut count, mut function, mut before) = (0, None, None);
     for tree in tokens {
-        if let TokenTree::Group(group) = &tree {
-            let inner = lets(group.stream(), longest);
-            match function.take_if(|_| group.delimiter() == Delimiter::Brace) {
-                Some(name) if inner > longest.1 => *longest = (name, inner),
-                Some(_) => {}
-                None => count += inner,
+        match &tree {
+            TokenTree::Ident(word) if is_before(before.as_ref(), "fn") => {
+                function = Some(word.to_string());
             }
-            before.clear();
-            continue;
-        }
-        let word = tree.to_string();
-        match (before.as_str(), word.as_str()) {
-            ("fn", name) => function = Some(name.to_owned()),
-            // A condition.
-            ("if" | "while" | "&", "let") => {}
-            (_, "let") => count += 1,
+            TokenTree::Ident(word) => {
+                assert_ne!(word, "compile_error");
+                let is_condition = || {
+                    ["if", "while", "&"]
+                        .iter()
+                        .any(|word| is_before(before.as_ref(), word))
+                };
+                count += usize::from(word == "let" && !is_condition());
+            }
+            TokenTree::Group(group) => {
+                let inner = lets(group.stream(), longest);
+                match function.take_if(|_| group.delimiter() == Delimiter::Brace) {
+                    Some(name) if inner > longest.1 => *longest = (name, inner),
+                    Some(_) => {}
+                    None => count += inner,
+                }
+            }
             // Of a function without a body.
-            (_, ";") => function = None,
-            _ => {}
+            TokenTree::Punct(mark) if mark.as_char() == ';' => function = None,
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
         }
-        before = word;
+        before = Some(tree);
     }
     count
+}
+
+/// Whether this word or mark stood before.
+fn is_before(before: Option<&TokenTree>, word: &str) -> bool {
+    match before {
+        Some(TokenTree::Ident(before)) => before == word,
+        Some(TokenTree::Punct(before)) => word.starts_with(before.as_char()),
+        _ => false,
+    }
 }
 
 /// A chain whose rockers have masses, in gravity.

@@ -5,8 +5,8 @@ use mech_compiler::model::Model;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::{compile, reporter};
 use mech_tests::{
-    Sample, apart, for_all, in_own_frames, reach, samples, size, with_ground, worst_gap,
-    worst_stretch,
+    Sample, apart, for_all, in_own_frames, model, reach, samples, size, text, with_ground,
+    worst_gap, worst_stretch,
 };
 use std::cell::Cell;
 
@@ -31,6 +31,18 @@ fn what_is_coherent_by_construction_is_accepted_and_understood() {
         assert_eq!(structure.arms.len(), grown.arms, "arms");
         let motors = grown.model.motors.len();
         assert_eq!(usize::try_from(structure.mobility), Ok(motors), "mobility");
+    });
+}
+
+/// A failure is shown as text.
+#[test]
+fn its_text_declares_it() {
+    for_all(50, &samples(1..=8), |Sample { grown, .. }| {
+        let model = model(&text(&grown.model));
+        let compiled =
+            compile(&model).unwrap_or_else(|wrong| panic!("{}", messages(&wrong, &model)));
+        assert_eq!(compiled.plan.loops().count(), grown.loops);
+        assert_eq!(compiled.structure.arms.len(), grown.arms);
     });
 }
 
