@@ -218,11 +218,9 @@ impl<'p> Runner<'p> {
             .iter()
             .map(|pose| pose.map(|value| get(&value)))
             .collect();
-        if poses.iter().flatten().any(|number| !number.is_finite()) {
-            return Err(Stop::Overflow);
-        }
         let state: Vec<T> = self.program.state.iter().map(get).collect();
-        if state.iter().any(|number| !number.is_finite()) {
+        let mut numbers = poses.iter().flatten().chain(&state);
+        if numbers.any(|number| !number.is_finite()) {
             return Err(Stop::Overflow);
         }
         Ok(Position {

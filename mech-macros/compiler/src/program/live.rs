@@ -6,14 +6,7 @@ use super::{Block, BlockKind, Program};
 /// For each node whether it is needed.
 pub(super) fn live(program: &Program) -> Vec<bool> {
     let mut live = vec![false; program.ssa.nodes.len()];
-    let margins = program
-        .ssa
-        .blocks
-        .iter()
-        .filter_map(|block| match &block.kind {
-            BlockKind::ClosedForm(closed) => Some(closed.margin),
-            BlockKind::Straight | BlockKind::Newton(_) => None,
-        });
+    let margins = program.closed_forms().map(|(_, closed)| closed.margin);
     let mut waiting: Vec<Value> = program.roots().chain(margins).collect();
     while let Some(value) = waiting.pop() {
         if std::mem::replace(&mut live[value.index()], true) {

@@ -265,13 +265,10 @@ impl Program {
     /// about time, which subdivision would break.
     #[must_use]
     pub fn subdivides(&self) -> bool {
-        let rounds = |wanted: fn(Rounds) -> bool| {
-            self.ssa.blocks.iter().any(
-                |block| matches!(&block.kind, BlockKind::Newton(newton) if wanted(newton.rounds)),
-            )
-        };
-        rounds(|rounds| matches!(rounds, Rounds::UntilClosed(_)))
-            && !rounds(|rounds| matches!(rounds, Rounds::Exactly(_)))
+        let newtons = self.block_ids().filter_map(|block| self.newton(block));
+        let rounds: Vec<Rounds> = newtons.map(|newton| newton.rounds).collect();
+        let is_fixed = |rounds: &Rounds| matches!(rounds, Rounds::Exactly(_));
+        !rounds.is_empty() && !rounds.iter().any(is_fixed)
     }
 
     /// Whether a position is a function of the motors alone: every loop in closed form, and nothing carried.
@@ -295,11 +292,7 @@ impl Program {
     /// Whether every loop is solved in closed form: no iteration, and no start that it would need.
     #[must_use]
     pub fn is_closed(&self) -> bool {
-        !self
-            .ssa
-            .blocks
-            .iter()
-            .any(|block| matches!(block.kind, BlockKind::Newton(_)))
+        self.block_ids().all(|block| self.newton(block).is_none())
     }
 
     /// Whether it closes any loop.
