@@ -123,7 +123,11 @@ pub(super) fn is_zero<T: Real, J: Journey<T>>(
     index: usize,
 ) -> bool {
     let sine = journey.sine(position, index);
-    let tiny = journey.rounding_square(position, index) + passed_on(journey, position, index);
+    // Between two parts of the way that rounding tells apart a sine changes by so much.
+    let resolution = journey.watch(index).change * T::from_f64(T::EPSILON);
+    let tiny = journey.rounding_square(position, index)
+        + passed_on(journey, position, index)
+        + resolution * resolution;
     !is_stepped_over(journey, index) && sine * sine <= tiny
 }
 
