@@ -14,7 +14,7 @@ use mech_tests::{Dice, Sample, chain, for_all, samples};
 /// Tries a test on random mechanisms, which are coherent.
 fn for_coherent(test: impl Fn(Model, Dice)) {
     for_all(60, &samples(1..=6), |Sample { grown, dice }| {
-        test(grown.model, dice)
+        test(grown.model, dice);
     });
 }
 
@@ -171,7 +171,6 @@ fn brace(model: &mut Model, dice: &mut Dice, [a, b]: [LinkId; 2]) -> LinkId {
                 kind: AxisKind::Point,
                 at,
                 formulas: [None; 2],
-                direction_formulas: [None; 2],
                 direction: [1.0, 0.0],
                 direction_formulas: [None; 2],
             });

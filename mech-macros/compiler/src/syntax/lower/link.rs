@@ -14,6 +14,8 @@ const GROUND_COLOR: u8 = 1;
 const MAIN_COLORS: usize = 12;
 const FIRST_COLORS: [u8; 3] = [2, 34, 18];
 
+/// Places in a link, and how each of their numbers is computed that depends on a param.
+type Spots = (Vec<[f64; 2]>, Vec<Option<FormulaId>>);
 /// The outline of a shape, and how each of its numbers is computed that depends on a param.
 type Drawing = (ShapeKind, Vec<Option<FormulaId>>);
 
@@ -243,7 +245,7 @@ impl Lowering {
     }
 
     /// Some places in a link, and how all of their numbers are computed. All are looked at, so that all of their errors are reported.
-    fn spots(&mut self, pairs: &[Pair]) -> Option<(Vec<[f64; 2]>, Vec<Option<FormulaId>>)> {
+    fn spots(&mut self, pairs: &[Pair]) -> Option<Spots> {
         let spots: Vec<Option<Spot>> = pairs.iter().map(|pair| self.spot(pair)).collect();
         let spots: Vec<Spot> = spots.into_iter().collect::<Option<_>>()?;
         let (points, formulas): (_, Vec<_>) = spots.into_iter().unzip();
