@@ -75,7 +75,7 @@ where
     }
     let start = *position;
     let going = Move::new(limits, &start, target, step);
-    match journey::go(&going, &start) {
+    match journey::travel(&going, &start) {
         Ok(there) => {
             *position = there;
             Ok(())
@@ -180,7 +180,7 @@ where
     }
     let going = Move::new(limits, position, target, take);
     let stop = |part| take(position, going.motors(part)).err();
-    let (part, beyond) = journey::halved(|part| stop(part).is_some());
+    let (part, beyond) = journey::bisect(|part| stop(part).is_some());
     going.error_at(part, stop(beyond).unwrap_or(going.too_far()))
 }
 
@@ -209,7 +209,7 @@ where
         }
     };
     let going = Move::new(limits, &start, target, &step);
-    match journey::go(&going, &start) {
+    match journey::travel(&going, &start) {
         Ok(arrived) => {
             *position = arrived;
             Ok(end)

@@ -50,7 +50,7 @@ impl<'a, 'p, T: Real> Move<'a, 'p, T> {
             self.note_motion_signs(&mut position);
             return Ok(position);
         }
-        journey::go(self, self.start)
+        journey::travel(self, self.start)
     }
 }
 

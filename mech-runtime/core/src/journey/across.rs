@@ -1,13 +1,13 @@
 //! Past change points without a position between: those of loops that are solved by iteration, which fails there, and those of several
 //! loops that are so near each other that rounding hides which comes first.
 
-use super::event::{Event, arrived};
+use super::event::{Event, position_at};
 use super::pace::lesser;
 use super::piece::{Reach, is_zero, reach};
 use super::{AtZero, Journey};
 use crate::Real;
 
-/// How far beyond it is begun, in fourth roots of the precision: both what curves a straight way and what rounding does to it are
+/// How far beyond it is begun, in fourth roots of the precision: both what curves a straight line and what rounding does to it are
 /// small then beside the distance from the other branch.
 const OFFSETS: [f64; 2] = [8.0, 32.0];
 /// The same for loops in closed form, whose positions are as exact as rounding lets them be.
@@ -28,7 +28,7 @@ const NOISE: f64 = 0.125;
 /// An iterated loop comes to what may be its change point.
 pub(super) struct Meeting<P, T> {
     pub(super) index: usize,
-    /// A position before it, and which part of the way is done there.
+    /// A position before it, and which part of the move is done there.
     pub(super) before: (P, T),
     /// A position beyond it, if everything goes straight on there.
     pub(super) beyond: Option<Beyond<P, T>>,
@@ -46,7 +46,7 @@ const LONGEST: f64 = 0.25;
 /// A position beyond.
 pub(super) struct Beyond<P, T> {
     pub(super) to: P,
-    /// The part of the way that is done there.
+    /// The part of the move that is done there.
     pub(super) end: T,
     /// Whether a loop is on its other side that may not go over.
     pub(super) stops: bool,
@@ -120,7 +120,7 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
         let stand = reach(journey, from, done, start);
         (stand.to, stand.end)
     };
-    let beyond = across(journey, (from, done), (&before.0, before.1), index);
+    let beyond = beyond_change_point(journey, (from, done), (&before.0, before.1), index);
     // Beyond a dead point there is nothing.
     (beyond.is_some() || reached.stop.is_none()).then_some(Meeting {
         index,
@@ -129,13 +129,13 @@ pub(super) fn meeting<T: Real, J: Journey<T>>(
     })
 }
 
-/// A distance from a zero: so many fourth roots of the precision, as a part of the way.
+/// A distance from a zero: so many fourth roots of the precision, as a part of the move.
 pub(super) fn distance<T: Real, J: Journey<T>>(journey: &J, index: usize, times: f64) -> T {
     T::from_f64(times) * T::from_f64(T::EPSILON).sqrt().sqrt() / journey.watch(index).change
 }
 
 /// The position a little farther, from one before a zero of a sine: that which everything goes straight on to.
-fn across<T: Real, J: Journey<T>>(
+fn beyond_change_point<T: Real, J: Journey<T>>(
     journey: &J,
     from: (&J::Position, T),
     (position, part): (&J::Position, T),
@@ -158,7 +158,7 @@ fn across<T: Real, J: Journey<T>>(
 }
 
 /// The position beyond a zero of a loop in closed form beside which others come to theirs: that which everything goes straight on to.
-pub(super) fn together<T: Real, J: Journey<T>>(
+pub(super) fn beyond_cluster<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),
     (part, index): (T, usize),
@@ -166,8 +166,8 @@ pub(super) fn together<T: Real, J: Journey<T>>(
     TOGETHER.into_iter().find_map(|times| {
         let offset = distance(journey, index, times);
         let [begun, last_part] = [3.0, 1.0].map(|offsets| part - offset * T::from_f64(offsets));
-        let before = arrived(journey, from, done, begun)?;
-        let last = arrived(journey, &before, begun, last_part)?;
+        let before = position_at(journey, from, done, begun)?;
+        let last = position_at(journey, &before, begun, last_part)?;
         let line = Line {
             before: (&before, begun),
             last: (&last, last_part),
@@ -190,7 +190,7 @@ fn touch<T: Real, J: Journey<T>>(
     let longest = T::from_f64(LONGEST) / journey.watch(index).change;
     let mut offset = distance(journey, index, 1.0);
     let before = loop {
-        let before = arrived(journey, from, done, part - offset)?;
+        let before = position_at(journey, from, done, part - offset)?;
         let sine = journey.sine(&before, index);
         if sine * sine >= far_enough {
             break before;
@@ -200,7 +200,7 @@ fn touch<T: Real, J: Journey<T>>(
             return None;
         }
     };
-    let halfway = arrived(journey, &before, part - offset, part - offset * T::HALF)?;
+    let halfway = position_at(journey, &before, part - offset, part - offset * T::HALF)?;
     let [far, near] = [&before, &halfway].map(|at| journey.sine(at, index).abs());
     (far > T::from_f64(TOUCHES) * near).then_some(Touch { halfway, offset })
 }
@@ -223,14 +223,14 @@ pub(super) fn touches<T: Real, J: Journey<T>>(
 }
 
 /// The position beyond a zero that a sine only touches: its loop stays on its side.
-pub(super) fn touched<T: Real, J: Journey<T>>(
+pub(super) fn beyond_touch<T: Real, J: Journey<T>>(
     journey: &J,
     (from, done): (&J::Position, T),
     (part, index): (T, usize),
 ) -> Option<Beyond<J::Position, T>> {
     let Touch { halfway, offset } = touch(journey, (from, done), (part, index))?;
     let end = lesser(part + offset, T::ONE);
-    let to = arrived(journey, &halfway, part - offset * T::HALF, end)?;
+    let to = position_at(journey, &halfway, part - offset * T::HALF, end)?;
     let is_clear = (0..journey.watches()).all(|one| !is_zero(journey, &to, one));
     is_clear.then_some(Beyond {
         to,
@@ -239,7 +239,7 @@ pub(super) fn touched<T: Real, J: Journey<T>>(
     })
 }
 
-/// Two positions before a zero, and the parts of the way that are done there.
+/// Two positions before a zero, and the parts of the move that are done there.
 struct Line<'a, P, T> {
     before: (&'a P, T),
     last: (&'a P, T),
@@ -299,7 +299,7 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
             stops |= journey.watch(index).at_zero == AtZero::Stop;
         }
         let to = journey.at(&beyond, end).ok()?;
-        // Where a sine is zero nothing tells on which side its loop is: only the end of the way may be there.
+        // Where a sine is zero nothing tells on which side its loop is: only the end of the move may be there.
         let is_clear = |index| end >= T::ONE && !turns(index) || !is_zero(journey, &to, index);
         let holds = |index| {
             let passes = journey.watch(index).at_zero != AtZero::Stay;
@@ -311,7 +311,7 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
     }
 }
 
-/// A position farther from a zero of a sine than one beside it, where the way leads away from it: in steps so short that none goes
+/// A position farther from a zero of a sine than one beside it, where the move leads away from it: in steps so short that none goes
 /// over to another branch.
 fn away<T: Real, J: Journey<T>>(
     journey: &J,
@@ -364,7 +364,7 @@ fn away<T: Real, J: Journey<T>>(
     None
 }
 
-/// The position so far back on the way.
+/// The position so far back in the move.
 fn back<T: Real, J: Journey<T>>(
     journey: &J,
     (position, part): (&J::Position, T),

@@ -16,7 +16,7 @@ const HALVED_EVERY: u32 = 3;
 /// The square of a sine that is this part of those at both ends of a piece may be zero.
 const DIP: f64 = 0.0625;
 
-/// What happens to a watched loop on the way.
+/// What happens to a watched loop in a piece.
 pub(super) enum Event<T> {
     None,
     /// A loop passes its change point.
@@ -28,7 +28,7 @@ pub(super) enum Event<T> {
 }
 
 impl<T: Copy> Event<T> {
-    /// The part of the way at which it is.
+    /// The part of the move at which it is.
     fn part(&self) -> Option<T> {
         match *self {
             Self::None => None,
@@ -40,7 +40,7 @@ impl<T: Copy> Event<T> {
 /// The first thing that happens to a watched loop on a piece.
 ///
 /// Behind a change point nothing is as it will be once its loop has gone over: what another loop does before may be hidden by what it
-/// seems to do there. So the way up to it is looked at again, until nothing happens before.
+/// seems to do there. So the piece up to it is examined again, until nothing happens before.
 pub(super) fn first_event<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
@@ -55,7 +55,7 @@ pub(super) fn first_event<T: Real, J: Journey<T>>(
         // Not quite: where pins meet nothing tells how other loops stand. What comes to zero so near is passed together.
         let end = part - distance(journey, passed, NEAREST);
         let Some(to) = (end > done)
-            .then(|| arrived(journey, from, done, end))
+            .then(|| position_at(journey, from, done, end))
             .flatten()
         else {
             break;
@@ -131,7 +131,7 @@ fn least_sine<T: Real, J: Journey<T>>(
         if !(at > a.0 && at < b.0) {
             break;
         }
-        let Some(position) = arrived(journey, from, done, at) else {
+        let Some(position) = position_at(journey, from, done, at) else {
             return Event::Blocked(at);
         };
         if is_near(journey, &position, index) {
@@ -206,8 +206,8 @@ fn straight<T: Real>(a: (T, T), b: (T, T)) -> T {
     a.0 + (b.0 - a.0) * (left / (left + right))
 }
 
-/// The position at a part of the way, if it can be gone to. An iteration that fails from afar may come there in many steps.
-pub(super) fn arrived<T: Real, J: Journey<T>>(
+/// The position at a part of the move; none if it cannot be reached. An iteration that fails in one step may succeed in many.
+pub(super) fn position_at<T: Real, J: Journey<T>>(
     journey: &J,
     from: &J::Position,
     done: T,

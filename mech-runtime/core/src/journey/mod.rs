@@ -1,6 +1,6 @@
 //! A move from where a mechanism is to where its motors are told to go, past the change points and dead points between.
 //!
-//! Where a loop in closed form is near none of them, one step is enough, however long it is. Else the way is gone in pieces.
+//! Where a loop in closed form is near none of them, one step is enough, however long it is. Else the move is divided into pieces.
 //! What is watched is the sine of each such loop's transmission angle: its square is smooth in the motors and zero at a
 //! dead point, beyond which the loop does not close, and at a change point, beyond which it goes on. There velocity is
 //! continuous if the dyad goes over to its other side.
@@ -13,14 +13,14 @@ mod piece;
 use crate::Real;
 pub use pace::is_clear;
 use pace::{TURN, first, is_passable, is_short, likely, next};
-use piece::piece;
+use piece::travel_piece;
 
-/// A loop that is watched. All numbers are for the way from the start to the target.
+/// A loop that is watched. All numbers are for the whole move, from the start to the target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Watch<T> {
-    /// By how much the square of the sine may change on the whole way, at most, as long as it does not grow.
+    /// By how much the square of the sine may change in the whole move, at most, as long as it does not grow.
     pub change: T,
-    /// Whether that is no bound but a guess, to be set right by what is seen on the way.
+    /// Whether that is no bound but a guess, to be corrected by what the pieces show.
     pub guessed: bool,
     /// What happens where the sine is zero and the loop closes on both sides.
     pub at_zero: AtZero,
@@ -48,14 +48,14 @@ pub enum AtZero {
     Stop,
 }
 
-/// A mechanism on its way from a start to a target.
+/// A mechanism that moves from a start to a target.
 pub trait Journey<T: Real> {
     /// Everything that is carried from one move to the next.
     type Position: Clone;
     /// Why it cannot be somewhere.
     type Stop;
 
-    /// The position when this part of the way is done, from a position on the way.
+    /// The position when this part of the move is done, starting from an earlier one.
     ///
     /// # Errors
     /// Why it cannot be there.
@@ -68,7 +68,7 @@ pub trait Journey<T: Real> {
     fn growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
     /// How many angles are followed over whole turns.
     fn follows(&self) -> usize;
-    /// By how much such an angle may change on the whole way, at most, as long as that does not grow.
+    /// By how much such an angle may change in the whole move, at most, as long as that does not grow.
     fn turn(&self, index: usize) -> T;
     /// What makes such an angle change faster.
     fn turn_growth(&self, index: usize) -> impl Iterator<Item = Growth<T>>;
@@ -92,11 +92,11 @@ pub trait Journey<T: Real> {
     fn is_open(&self, stop: &Self::Stop, index: usize) -> bool;
     /// Why it stops at a change point that it may not pass.
     fn stopped_at(&self, index: usize) -> Self::Stop;
-    /// In how many pieces the way has to be gone at least, where nothing tells how far coupled loops may leap.
+    /// The least number of pieces of the move, where nothing tells how far coupled loops may leap.
     fn pieces(&self) -> T {
         T::ONE
     }
-    /// Whether the way may be gone in one piece.
+    /// Whether the move may be one piece.
     fn is_one_piece(&self) -> bool {
         self.pieces() <= T::ONE
     }
@@ -109,13 +109,13 @@ pub trait Journey<T: Real> {
 pub struct Halt<P, S, T> {
     /// The position it reached.
     pub position: P,
-    /// The part of the way that was done.
+    /// The part of the move that was done.
     pub part: T,
     /// Why it went no farther.
     pub stop: S,
 }
 
-/// Where loops are solved by iteration, a way that was stopped is gone on with from there, so many times at most, as long as at
+/// Where loops are solved by iteration, a move that was stopped continues from there, so many times at most, as long as at
 /// least this part of it is gained: what failed from afar may work from near.
 const MOST_STARTS: u32 = 16;
 const GAIN: f64 = 1e-9;
@@ -124,10 +124,10 @@ const MOST_PIECES: u32 = 65_536;
 /// So often at most is a piece tried that does not end where it should.
 const MOST_TRIES: u32 = 512;
 
-/// The part that can be gone of a way to a target that cannot be reached, and one a rounding beyond it that cannot be, where nothing
-/// is watched and a position depends on the motors alone: the same journey, but none of the positions on the way needs to be kept.
-/// `stops` tells whether it cannot be at a part of the way.
-pub fn halved<T: Real>(stops: impl Fn(T) -> bool) -> (T, T) {
+/// The greatest part that is possible of a move whose target cannot be reached, and the least that is not, a rounding beyond it, where nothing
+/// is watched and a position depends on the motors alone: the same journey, but no position has to be stored.
+/// `stops` says whether a part of the move is impossible.
+pub fn bisect<T: Real>(stops: impl Fn(T) -> bool) -> (T, T) {
     let (mut end, mut blocked) = (T::ZERO, T::ONE);
     for _ in 0..MOST_TRIES {
         let middle = end + (blocked - end) * T::HALF;
@@ -153,11 +153,11 @@ fn is_endless<T: Real, J: Journey<T>>(journey: &J) -> bool {
         && (0..journey.follows()).all(|index| journey.turn(index) / turn <= most))
 }
 
-/// Goes to the target, past whatever is on the way. A way on which even the longest pieces would be too many is not begun.
+/// Moves to the target, past the change points before it. A move that even the longest pieces would divide too often is not begun.
 ///
 /// # Errors
 /// How far it came and why it went no farther.
-pub fn go<T: Real, J: Journey<T>>(
+pub fn travel<T: Real, J: Journey<T>>(
     journey: &J,
     start: &J::Position,
 ) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
@@ -166,19 +166,19 @@ pub fn go<T: Real, J: Journey<T>>(
     }
     let (mut position, mut done) = (start.clone(), T::ZERO);
     for _ in 1..MOST_STARTS {
-        match go_on(journey, position, done) {
+        match travel_on(journey, position, done) {
             Err(halt) if journey.subdivides() && halt.part > done + T::from_f64(GAIN) => {
                 (position, done) = (halt.position, halt.part);
             }
             gone => return gone,
         }
     }
-    go_on(journey, position, done)
+    travel_on(journey, position, done)
 }
 
-/// Goes on to the target from where a part of the way is done: in pieces that are as long as nothing can be in the way of them, and
+/// Moves on to the target from where a part of the move is done: in pieces that are long where nothing can stop them, and
 /// short where something may be.
-fn go_on<T: Real, J: Journey<T>>(
+fn travel_on<T: Real, J: Journey<T>>(
     journey: &J,
     mut position: J::Position,
     mut done: T,
@@ -195,7 +195,7 @@ fn go_on<T: Real, J: Journey<T>>(
             target
         };
         let part = target - done;
-        // A way so long that a piece of it is lost in rounding.
+        // A move so long that a piece of it is lost in rounding.
         if target <= done {
             break;
         }
@@ -206,7 +206,7 @@ fn go_on<T: Real, J: Journey<T>>(
             position = to;
             done = target;
         } else if is_short(journey, &position, part) {
-            let gone = piece(journey, position, done, target);
+            let gone = travel_piece(journey, position, done, target);
             (position, done) = (gone.to, gone.end);
             if let Some(stop) = gone.stop {
                 return Err(Halt {

@@ -14,14 +14,14 @@ pub(super) const TURN: f64 = 2.5;
 /// Near their zeros earlier loops make later ones faster without end: pieces are no smaller than for so many times as fast.
 const MOST_GROWTH: f64 = 16.0;
 
-/// A guess is trusted on the first piece of a way for this much change of a square at most: a degree of a motor that moves coupled loops.
+/// A guess is trusted in the first piece of a move for this much change of a square at most: a degree of a motor that moves coupled loops.
 const FIRST: f64 = 0.07;
 /// Each next piece is so many times as long, at most, where all are bounds, and where some are guesses. A square that falls straight or
 /// as a parabola to its zero is seen to fall on a piece that is two thirds of the next one.
 const LONGER: f64 = 2.0;
 const LONGER_GUESSED: f64 = 1.5;
 
-/// Whether nothing can be in the way between two positions that are this part of the way apart: no watched loop comes to zero, and
+/// Whether nothing can stop a step between two positions that are this part of the move apart: no watched loop comes to zero, and
 /// no angle loses a turn.
 #[inline]
 pub fn is_clear<T: Real, J: Journey<T>>(
@@ -35,7 +35,7 @@ pub fn is_clear<T: Real, J: Journey<T>>(
         && is_passable(journey, from, to, part)
 }
 
-/// By how much the squares of those sines change on the whole way of which that is guessed.
+/// By how much the squares of those sines change in the whole move of which that is guessed.
 fn guesses<T: Real, J: Journey<T>>(journey: &J) -> impl Iterator<Item = T> {
     let watches = (0..journey.watches()).map(|index| journey.watch(index));
     watches
@@ -43,7 +43,7 @@ fn guesses<T: Real, J: Journey<T>>(journey: &J) -> impl Iterator<Item = T> {
         .map(|watch| watch.change)
 }
 
-/// The longest first piece of a way: nothing was seen yet that could set a guess right.
+/// The longest first piece of a move: nothing was seen yet that could correct a guess.
 pub(super) fn first<T: Real, J: Journey<T>>(journey: &J, longest: T) -> T {
     guesses(journey).fold(longest, |length, change| {
         lesser(length, T::from_f64(FIRST) / change)

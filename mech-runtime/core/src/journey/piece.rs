@@ -1,6 +1,8 @@
 //! A piece that is short enough for one change point of a loop at most: past it, or as far as it closes.
 
-use super::across::{bounces, distance, is_stepped_over, meeting, together, touched, touches};
+use super::across::{
+    beyond_cluster, beyond_touch, bounces, distance, is_stepped_over, meeting, touches,
+};
 use super::event::{Event, first_event};
 use super::pace::lesser;
 use super::{AtZero, Growth, Journey, MOST_TRIES};
@@ -17,8 +19,8 @@ pub(super) struct Reach<P, S, T> {
 }
 
 /// Goes a piece that is short enough for one change point of a loop at most. It ends a little farther where a loop would stand at its
-/// change point, unless the way ends there.
-pub(super) fn piece<T: Real, J: Journey<T>>(
+/// change point, unless the move ends there.
+pub(super) fn travel_piece<T: Real, J: Journey<T>>(
     journey: &J,
     mut from: J::Position,
     mut done: T,
@@ -43,8 +45,10 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
         let mut meeting = meeting(journey, (&from, done), &reach, &event);
         let beyond = match (&mut meeting, &event) {
             (Some(meeting), _) => meeting.beyond.take(),
-            (None, &Event::Zero(part, index)) => together(journey, (&from, done), (part, index))
-                .or_else(|| touched(journey, (&from, done), (part, index))),
+            (None, &Event::Zero(part, index)) => {
+                beyond_cluster(journey, (&from, done), (part, index))
+                    .or_else(|| beyond_touch(journey, (&from, done), (part, index)))
+            }
             _ => None,
         };
         if let Some(beyond) = beyond.filter(|beyond| !beyond.stops) {
@@ -70,11 +74,11 @@ pub(super) fn piece<T: Real, J: Journey<T>>(
                 // What was blocked in a step that long is not in this one: on from here.
                 (from, done, aim) = (reach.to, reach.end, target);
             }
-            Event::None if let Some(other) = over(journey, &reach, aim) => {
+            Event::None if let Some(other) = other_side(journey, &reach, aim) => {
                 // On the side it came from something else does not close: it is the other side that goes on.
                 (from, done, aim) = (other, reach.end, target);
             }
-            Event::None if let Some(farther) = farther(journey, &reach, target) => {
+            Event::None if let Some(farther) = target_beyond(journey, &reach, target) => {
                 (aim, target) = (farther, farther);
             }
             Event::None | Event::Near(..) => {
@@ -123,7 +127,7 @@ pub(super) fn is_zero<T: Real, J: Journey<T>>(
     index: usize,
 ) -> bool {
     let sine = journey.sine(position, index);
-    // Between two parts of the way that rounding tells apart a sine changes by so much.
+    // Between two parts of the move that rounding tells apart a sine changes by so much.
     let resolution = journey.watch(index).change * T::from_f64(T::EPSILON);
     let tiny = journey.rounding_square(position, index)
         + passed_on(journey, position, index)
@@ -144,8 +148,8 @@ fn passed_on<T: Real, J: Journey<T>>(journey: &J, position: &J::Position, index:
     })
 }
 
-/// A target a little farther, if a loop would stand at its change point at this one and the way goes on.
-fn farther<T: Real, J: Journey<T>>(
+/// A target a little farther, if a loop would stand at its change point at this one and the move continues.
+fn target_beyond<T: Real, J: Journey<T>>(
     journey: &J,
     reach: &Reach<J::Position, J::Stop, T>,
     target: T,
@@ -193,7 +197,7 @@ fn leave<T: Real, J: Journey<T>>(
 }
 
 /// Where a step was stopped with a loop at its change point: the same place on the loop's other side, if that goes on.
-fn over<T: Real, J: Journey<T>>(
+fn other_side<T: Real, J: Journey<T>>(
     journey: &J,
     reach: &Reach<J::Position, J::Stop, T>,
     aim: T,
