@@ -15,10 +15,10 @@ impl DyadLowering<'_> {
         let circles = TwoCircles::new(self.ssa, goal, arms);
         let [a, b] = circles.lengths;
         let product = self.ssa.mul(a, b);
-        let distance = self.distance_by_sum(&circles);
         let tolerance = self.ssa.constant(8.0 * TOLERANCE * self.ssa.epsilon);
-        let tolerance = self.ssa.mul(tolerance, product);
-        let tolerance = self.ssa.mul(tolerance, distance);
+        let gap = self.ssa.mul(tolerance, circles.sum);
+        let gap = self.ssa.mul(gap, product);
+        let tolerance = self.by_distance(&circles, gap);
         let root = self.root(circles.discriminant);
         let signed = self.on_side(root, side);
         let [long, short, wide] = [a, b, product].map(|value| self.ssa.at_start(value));
@@ -49,7 +49,9 @@ impl DyadLowering<'_> {
             let second = circles.second(self.ssa, solution[0]);
             solution[1] = self.unless_pins_meet(circles.square, size, solution[1], second);
         }
-        let shift = self.ssa.div(distance, product);
+        // Rounding shifts the distance of the centres by a part of the sum of the lengths, however short it is.
+        let share = self.ssa.div(circles.sum, product);
+        let shift = self.by_distance(&circles, share);
         let rounded = match size {
             Size::Fixed(size) => Size::Fixed(size * size / wide),
             Size::Varying(_) => Size::Varying(self.ssa.div(circles.outer, product)),
@@ -64,15 +66,15 @@ impl DyadLowering<'_> {
         }
     }
 
-    /// The distance d of the centres times the sum s of the lengths: rounding of either is a part of s, whatever d is.
+    /// A number times the distance d of the centres, at a dead point.
     ///
-    /// A gap of `g` makes the discriminant −g · 2d · 4ab at a dead point: at the outer with d = s, at the inner with d = m, the
-    /// difference of the lengths. For all between, d is taken as the chord of the root of its square: (d² + sm) / (s + m).
-    fn distance_by_sum(&mut self, circles: &TwoCircles<Value>) -> Value {
+    /// A gap of `g` makes the discriminant −g · 2d · 4ab there: at the outer with d = s = a + b, at the inner with d = m = |a − b|. For all
+    /// between, d is taken as the chord of the root of its square: (d² + sm) / (s + m).
+    fn by_distance(&mut self, circles: &TwoCircles<Value>, number: Value) -> Value {
         let ssa = &mut *self.ssa;
         let least = ssa.abs(circles.difference);
         let (both, within) = (ssa.add(circles.sum, least), ssa.mul(circles.sum, least));
-        let scale = ssa.div(circles.sum, both);
+        let scale = ssa.div(number, both);
         let chord = ssa.add(circles.square, within);
         ssa.mul(scale, chord)
     }
