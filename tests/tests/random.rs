@@ -59,8 +59,7 @@ fn it_starts_as_it_was_drawn() {
 #[test]
 fn in_own_frames_it_is_assembled_the_same_way() {
     let [all, others] = [0, 0].map(Cell::new);
-    // A rate of one in a thousand needs as many.
-    for_all(1_000, &samples(1..=8), |Sample { grown, mut dice }| {
+    for_all(CASES, &samples(1..=8), |Sample { grown, mut dice }| {
         all.set(all.get() + 1);
         let (model, poses) = in_own_frames(&grown.model, &mut dice);
         let compiled = match compile(&model) {
@@ -83,7 +82,8 @@ fn in_own_frames_it_is_assembled_the_same_way() {
         }
     });
     let (all, others) = (all.get(), others.get());
-    assert!(1_000 * others <= all, "{others} of {all}");
+    // One in a thousand, and two more as chance has it in a small sample.
+    assert!(others <= all / 1_000 + 2, "{others} of {all}");
 }
 
 #[test]
