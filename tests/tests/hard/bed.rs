@@ -181,6 +181,11 @@ impl<M: Mechanism> Bed<M> {
         );
         let part = match self.model.method {
             Some(Method::Linear) => 1e-2,
+            // Each round but the first squares a thousandth. Of a loop's size, a link that two rings share is counted twice.
+            Some(Method::NewtonSteps(rounds)) => {
+                let promised = 2.0 * 1e-3_f64.powi(1 << (rounds - 1).min(4));
+                promised.max(ROUNDING * Self::EPSILON)
+            }
             _ => ROUNDING * Self::EPSILON,
         };
         let gap = worst_gap(&self.model, &poses);

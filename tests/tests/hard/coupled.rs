@@ -22,6 +22,8 @@ variants! {
         allow coupled;
     } {
         it_comes_near_its_singularity_and_back: near_its_singularity;
+    } and by [newton_3] {
+        it_goes_and_comes_back_where_a_step_is_too_long_for_the_rounds: there_and_back;
     }
 }
 
@@ -68,6 +70,12 @@ variants! {
     } {
         its_rail_swings_in_parallel: swings;
         its_rail_keeps_its_direction_for_a_hundred_turns: rail;
+    }
+}
+
+fn there_and_back<M: Mechanism>(mut bed: Bed<M>) {
+    for degree in (1..=15).chain((0..15).rev()) {
+        bed.must(&[f64::from(degree).to_radians()]);
     }
 }
 

@@ -26,6 +26,10 @@ macro_rules! variants {
         variants!(@variant newton_f64 f64 {newton} $body $checks);
         variants!(@variant newton_f32 f32 {newton} $body $checks);
     };
+    (@newton_3 $body:tt $checks:tt) => {
+        variants!(@variant newton_3_f64 f64 {newton(3)} $body $checks);
+        variants!(@variant newton_3_f32 f32 {newton(3)} $body $checks);
+    };
     (@newton_4 $body:tt $checks:tt) => {
         variants!(@variant newton_4_f64 f64 {newton(4)} $body $checks);
         variants!(@variant newton_4_f32 f32 {newton(4)} $body $checks);

@@ -4,7 +4,7 @@ use super::across::{
     beyond_cluster, beyond_touch, bounces, distance, is_stepped_over, meeting, touches,
 };
 use super::event::{Event, first_event};
-use super::pace::lesser;
+use super::pace::{is_passable, lesser};
 use super::{AtZero, Growth, Journey, MOST_TRIES};
 use crate::Real;
 
@@ -299,9 +299,10 @@ pub(super) fn reach<T: Real, J: Journey<T>>(
                 before = (to, end);
                 (to, end) = (position, middle);
                 if blocked >= aim
-                    && journey.subdivides()
                     && let Ok(position) = journey.at(&to, aim)
                     && !bounces(journey, &before, (&to, end), (&position, aim))
+                    // A fixed number of rounds may jump from where it failed to close.
+                    && (journey.subdivides() || is_passable(journey, &to, &position, aim - end))
                 {
                     return Reach {
                         to: position,
