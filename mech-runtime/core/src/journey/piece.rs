@@ -298,10 +298,12 @@ pub(super) fn reach<T: Real, J: Journey<T>>(
                 }
                 before = (to, end);
                 (to, end) = (position, middle);
+                // A fixed number of rounds is a promise about time: only a move that goes in pieces anyhow takes one more.
+                let again = journey.subdivides() || done > T::ZERO;
                 if blocked >= aim
+                    && again
                     && let Ok(position) = journey.at(&to, aim)
                     && !bounces(journey, &before, (&to, end), (&position, aim))
-                    // A fixed number of rounds may jump from where it failed to close.
                     && (journey.subdivides() || is_passable(journey, &to, &position, aim - end))
                 {
                     return Reach {
