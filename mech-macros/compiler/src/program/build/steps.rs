@@ -9,8 +9,8 @@ use super::sources::Sources;
 use super::watching::Watches;
 use crate::model::Model;
 use crate::plan::{
-    Algebra, Arithmetic, Connection, ConnectionKind, Drive, Mesh, Plan, Solution, Source, Step,
-    float_of,
+    Algebra, Arithmetic, Connection, ConnectionKind, Drive, Mesh, Plan, Rational, Solution, Source,
+    Step, float_of,
 };
 use crate::program::node::Op;
 
@@ -61,10 +61,12 @@ impl<'m> PositionPass<'m> {
         let ssa = &mut self.lowering.ssa;
         ssa.block(format!("mesh_{name}"), format!("Moved by `{name}`."));
         let mut moved = ssa.constant(0.0);
-        let mut offset = start;
         let turns = mesh.connection.kind == ConnectionKind::Revolute;
+        let at_start =
+            |(number, part): &(usize, Rational)| float_of(part) * plan.start.sources[*number];
+        let unit = if turns { 1.0 } else { model.size() };
+        let offset = difference(start, mesh.parts.iter().map(at_start), unit);
         for (number, part) in &mesh.parts {
-            offset -= float_of(part) * plan.start.sources[*number];
             let share = self.share(*number, part, turns);
             moved = self.lowering.ssa.add(moved, share);
         }
@@ -105,5 +107,21 @@ impl<'m> PositionPass<'m> {
                 }
             }
         }
+    }
+}
+
+/// A number less others. It is zero if it is no more than what rounding leaves of numbers of this unit.
+fn difference(number: f64, others: impl Iterator<Item = f64>, unit: f64) -> f64 {
+    /// So many roundings are in a source that an assembly gives.
+    const ROUNDINGS: f64 = 16.0;
+    let (mut difference, mut size) = (number, unit + number.abs());
+    for other in others {
+        difference -= other;
+        size += other.abs();
+    }
+    if difference.abs() <= ROUNDINGS * f64::EPSILON * size {
+        0.0
+    } else {
+        difference
     }
 }
