@@ -17,6 +17,7 @@ mod emit;
 pub mod evaluate;
 mod expand;
 pub mod graphs;
+mod kinematics;
 pub mod model;
 pub mod motion;
 pub mod plan;

@@ -9,6 +9,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("bug", &[]),
     ("digits", &["bug"]),
     ("model", &["bug"]),
+    ("kinematics", &["bug", "model"]),
     ("api", &["bug", "model"]),
     ("syntax", &["api", "bug", "model"]),
     ("structure", &["bug", "model"]),
@@ -56,6 +57,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "compiled",
             "cost",
             "evaluate",
+            "kinematics",
             "model",
             "motion",
             "plan",
@@ -73,6 +75,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         &[
             "bug",
             "digits",
+            "kinematics",
             "model",
             "plan",
             "repair",

@@ -1,8 +1,10 @@
 //! Overconstrained mechanisms: counting finds them rigid, but they move, because their lengths match exactly. A parallelogram with
 //! three cranks is one. They are tested by moving them.
 
+use crate::bug::bug;
 use crate::evaluate::{self, Machine};
-use crate::model::{Allowances, AxisId, Joint, JointId, JointKind, LinkId, Model, MotorId};
+use crate::kinematics::LinkFrames;
+use crate::model::{Allowances, JointId, JointKind, Model, MotorId};
 use crate::plan::{self, Plan, Step};
 use crate::program::{self, Program};
 use crate::structure::{self, Factor, Rolling, RollingEnd, Structure};
@@ -12,9 +14,6 @@ use std::f64::consts::TAU;
 /// only touches its circle to leave it. The first must be possible in one direction at least; where the others are, the joints must
 /// close there too.
 const DISPLACEMENTS: [f64; 3] = [0.02, 0.11, 0.37];
-
-/// The pose of the ground: cosine, sine, x and y.
-const GROUND: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
 /// A mechanism that moves because its lengths match.
 pub(super) struct Overconstrained {
@@ -103,8 +102,8 @@ fn displace(
         .poses
         .iter()
         .fold(size, |reach, pose| reach.max(pose[2].hypot(pose[3])));
-    let start = Scene::new(model, &program.start.poses);
-    let now = Scene::new(model, &machine.position().poses);
+    let start = LinkFrames::with_dies(model, &program.start.poses);
+    let now = LinkFrames::with_dies(model, &machine.position().poses);
     let slips = || {
         rollings
             .iter()
@@ -115,80 +114,8 @@ fn displace(
     if open { Outcome::Open } else { Outcome::Moved }
 }
 
-/// Where all links are, dies included.
-struct Scene<'m> {
-    model: &'m Model,
-    poses: Vec<[f64; 4]>,
-}
-
-impl<'m> Scene<'m> {
-    fn new(model: &'m Model, declared: &[[f64; 4]]) -> Self {
-        let mut scene = Self {
-            model,
-            poses: vec![GROUND],
-        };
-        scene.poses.extend_from_slice(declared);
-        // A die is where its pin is, and points where its slot does.
-        for (pin, guide) in model.links.iter().filter_map(|link| link.die) {
-            let ([x, y], [cos, sin]) = (scene.axis(pin).0, scene.axis(guide).1);
-            scene.poses.push([cos, sin, x, y]);
-        }
-        scene
-    }
-
-    fn pose(&self, link: LinkId) -> [f64; 4] {
-        self.poses[link.index()]
-    }
-
-    /// The place and the direction of an axis.
-    fn axis(&self, id: AxisId) -> ([f64; 2], [f64; 2]) {
-        let axis = self.model.axis(id);
-        let [cos, sin, x, y] = self.pose(axis.link);
-        let turned = |[a, b]: [f64; 2]| [cos * a - sin * b, sin * a + cos * b];
-        let [u, v] = turned(axis.at);
-        ([x + u, y + v], turned(axis.direction))
-    }
-
-    /// The angle from one link to another, up to whole turns.
-    fn turn(&self, from: LinkId, to: LinkId) -> f64 {
-        let ([a, b, ..], [c, d, ..]) = (self.pose(from), self.pose(to));
-        (a * d - b * c).atan2(a * c + b * d)
-    }
-
-    /// The coordinate of a sliding joint.
-    fn displacement(&self, slide: JointId) -> f64 {
-        let JointKind::Prismatic(from, to) = self.model.joint(slide).kind else {
-            return 0.0;
-        };
-        let (([a, b], [cos, sin]), ([c, d], _)) = (self.axis(from), self.axis(to));
-        (c - a) * cos + (d - b) * sin
-    }
-
-    /// The greatest distance, and sine of an angle, by which axes that a joint makes coincide do not.
-    fn gap(&self) -> f64 {
-        let cross = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]).abs();
-        let apart = |joint: &Joint| match joint.kind {
-            JointKind::Revolute(a, b) | JointKind::Weld(a, b) | JointKind::Prismatic(a, b) => {
-                let ((from, along), (to, other)) = (self.axis(a), self.axis(b));
-                let offset = [to[0] - from[0], to[1] - from[1]];
-                match joint.kind {
-                    JointKind::Revolute(..) => offset[0].hypot(offset[1]),
-                    JointKind::Weld(..) => offset[0].hypot(offset[1]).max(cross(along, other)),
-                    _ => cross(along, offset).max(cross(along, other)),
-                }
-            }
-            // What rolls is looked at apart.
-            JointKind::Gear { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Rack { .. }
-            | JointKind::Cam { .. } => 0.0,
-        };
-        self.model.joints.iter().map(apart).fold(0.0, f64::max)
-    }
-}
-
 /// How much the two parts that roll on each other have slipped from one scene to another, as a part of their size.
-fn slip(rolling: &Rolling, start: &Scene<'_>, now: &Scene<'_>) -> f64 {
+fn slip(rolling: &Rolling, start: &LinkFrames<'_>, now: &LinkFrames<'_>) -> f64 {
     let size = |factor: Factor| match factor {
         #[expect(
             clippy::cast_precision_loss,
@@ -207,7 +134,11 @@ fn slip(rolling: &Rolling, start: &Scene<'_>, now: &Scene<'_>) -> f64 {
             RollingEnd::Bar {
                 slide, forwards, ..
             } => {
-                let off = now.displacement(slide) - start.displacement(slide);
+                let [now, start] = [now, start].map(|frames| frames.coordinate(slide));
+                let (Some(now), Some(start)) = (now, start) else {
+                    bug!("a bar has no slide");
+                };
+                let off = now - start;
                 if forwards { off } else { -off }
             }
         };

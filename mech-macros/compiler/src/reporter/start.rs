@@ -4,7 +4,8 @@ use super::Words;
 use super::wording::{brief, places_enough};
 use crate::bug::bug;
 use crate::digits::rounded;
-use crate::model::{AxisId, JointId, JointKind, LinkId, Model, Near, Origin};
+use crate::kinematics::LinkFrames;
+use crate::model::{JointId, JointKind, LinkId, Model, Near, Origin};
 use crate::plan::{self, Plan};
 use crate::structure::{self, Diagnosis};
 
@@ -123,20 +124,5 @@ fn coordinate_near(model: &Model, joint: JointId, links: &[LinkId], angles: &[f6
 }
 
 fn coordinate(model: &Model, plan: &Plan, joint: JointId) -> Option<f64> {
-    let placed = |id: AxisId| {
-        let axis = model.axis(id);
-        let [c, s, x, y] = *plan.start.poses.get(axis.link.index())?;
-        let turned = |[u, v]: [f64; 2]| [c * u - s * v, s * u + c * v];
-        let [u, v] = turned(axis.at);
-        Some(([x + u, y + v], turned(axis.direction)))
-    };
-    let (a, b) = match model.joint(joint).kind {
-        JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => (placed(a)?, placed(b)?),
-        _ => return None,
-    };
-    let (([x, y], [c, s]), ([u, v], [d, t])) = (a, b);
-    Some(match model.joint(joint).kind {
-        JointKind::Revolute(..) => (c * t - s * d).atan2(c * d + s * t),
-        _ => (u - x) * c + (v - y) * s,
-    })
+    LinkFrames::new(model, &plan.start.poses).coordinate(joint)
 }
