@@ -74,9 +74,9 @@ pub use mech_macros::mechanism as expand_mechanism;
 ///         point pinion_shaft = (-3.0, 0.0);       // an axis of rotation; `-> (1, 0)` after it gives it a direction
 ///         point wheel_shaft = (0.0, 0.0);
 ///         line bore = (0.0, 0.0) -> (1.0, 0.0);   // an axis of sliding
-///         polygon [(4.0, 0.6), (8.0, 0.6), (8.0, 0.8), (4.0, 0.8)] on plane 0 color 1;
+///         polygon [(4.0, 0.6), (8.0, 0.6), (8.0, 0.8), (4.0, 0.8)] on plane 0 color ground;
 ///     }
-///     link pinion { point shaft = (0.0, 0.0); circle (0.0, 0.0) radius 1.0 on plane 2 color 3; }
+///     link pinion { point shaft = (0.0, 0.0); circle (0.0, 0.0) radius 1.0 on plane 2 color orange; }
 ///     link wheel  { point shaft = (0.0, 0.0); point pin = (THROW, 0.0); }
 ///     link rod    { point big_end = (0.0, 0.0); point small_end = (4.0, 0.0); }
 ///     link piston { point pin = (0.0, 0.0); line axis = (0.0, 0.0) -> (1.0, 0.0); }

@@ -21,3 +21,30 @@ pub const NAMED: [(&str, u8); 18] = [
     ("hatch", 16),
     ("steel", 17),
 ];
+
+const GROUND: u8 = 1;
+const FIRST_MAIN: u8 = 2;
+const LAST_MAIN: u8 = 13;
+const STEEL: u8 = 17;
+
+/// The entry of a darker main colour, ground or steel. Any other entry stays the same.
+#[must_use]
+pub const fn darker(color: u8) -> u8 {
+    match color {
+        GROUND => 30,
+        STEEL => 32,
+        FIRST_MAIN..=LAST_MAIN => color + 16,
+        _ => color,
+    }
+}
+
+/// The entry of a lighter main colour, ground or steel. Any other entry stays the same.
+#[must_use]
+pub const fn lighter(color: u8) -> u8 {
+    match color {
+        GROUND => 31,
+        STEEL => 33,
+        FIRST_MAIN..=LAST_MAIN => color + 32,
+        _ => color,
+    }
+}

@@ -155,23 +155,13 @@ impl Palette {
     /// The entry of a darker main colour, ground or steel. Any other entry stays the same.
     #[must_use]
     pub const fn darker(color: u8) -> u8 {
-        match color {
-            Self::GROUND => Self::GROUND_DARK,
-            Self::STEEL => Self::STEEL_DARK,
-            Self::BLUE..=Self::SLATE => color + 16,
-            _ => color,
-        }
+        mech_core::colors::darker(color)
     }
 
     /// The entry of a lighter main colour, ground or steel. Any other entry stays the same.
     #[must_use]
     pub const fn lighter(color: u8) -> u8 {
-        match color {
-            Self::GROUND => Self::GROUND_LIGHT,
-            Self::STEEL => Self::STEEL_LIGHT,
-            Self::BLUE..=Self::SLATE => color + 32,
-            _ => color,
-        }
+        mech_core::colors::lighter(color)
     }
 
     /// The entry of a step from the ink (step 0) through a main colour (between 7 and 8) to the paper (step 15 and above). For any other

@@ -13,7 +13,7 @@ mechanism! {
     link crank {
         point pin = (A, 0) -> 30 deg;
         circle (0, 0) radius 1 plane 2;
-        circle (0, 0) radius 1 color red;
+        circle (0, 0) radius 1 color rot;
         mass 1 kg;
     }
     link rod;

@@ -144,7 +144,22 @@ pub(super) struct Shape {
     /// Its plane, if given.
     pub plane: Option<Expr>,
     /// Its colour, if given.
-    pub color: Option<Expr>,
+    pub color: Option<Color>,
+}
+
+/// `color teal light`
+pub(super) struct Color {
+    /// Its name, or the number of its entry in the palette.
+    pub value: Expr,
+    /// The word after it.
+    pub shade: Option<(Shade, Span)>,
+}
+
+/// A colour beside another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shade {
+    Light,
+    Dark,
 }
 
 /// The mass of a link.
@@ -375,7 +390,7 @@ pub(super) struct Trace {
     /// Its plane, if given.
     pub plane: Option<Expr>,
     /// Its colour, if given.
-    pub color: Option<Expr>,
+    pub color: Option<Color>,
 }
 
 /// `method newton(2);`

@@ -10,7 +10,8 @@ use super::tokens::{
 };
 use crate::model::AxisKind;
 use crate::syntax::ast::{
-    Axis, Broken, Direction, Expr, Item, Matter, MatterKind, Outline, Pair, Read, Shape,
+    Axis, Broken, Color, Direction, Expr, Item, Matter, MatterKind, Outline, Pair, Read, Shade,
+    Shape,
 };
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
@@ -127,8 +128,8 @@ fn shape(input: ParseStream, keyword: Span, outline: fn(ParseStream) -> Read<Out
     }
 }
 
-/// Reads `on plane n color c`, each of which may be left out.
-pub(super) fn look(input: ParseStream) -> Read<(Option<Expr>, Option<Expr>)> {
+/// Reads `on plane 2 color teal light`, each part of which may be left out.
+pub(super) fn look(input: ParseStream) -> Read<(Option<Expr>, Option<Color>)> {
     let plane = plane(input)?;
     let color = color(input)?;
     after_color(input)?;
@@ -147,7 +148,7 @@ fn plane(input: ParseStream) -> Read<Option<Expr>> {
     read_labelled(input, "plane").map(Some)
 }
 
-fn color(input: ParseStream) -> Read<Option<Expr>> {
+fn color(input: ParseStream) -> Read<Option<Color>> {
     if let Some(word) = take_word(input, "colour") {
         return Err(Message::new(Place::at(word), "write `color` for `colour`"));
     }
@@ -155,12 +156,33 @@ fn color(input: ParseStream) -> Read<Option<Expr>> {
         return Ok(None);
     }
     if input.peek(LitStr) || comes(input, "#") {
-        let mut error = expected_message(input, "a number");
+        let mut error = expected_message(input, "a color's name or number");
         error.text.push_str("; ");
         error.text.push_str(&crate::syntax::color::choices());
         return Err(error);
     }
-    expression(input).map(Some)
+    // Before the name it would be a name itself, and the color's name a stray word.
+    if let Some(first) = take_shade(input)
+        && let Some(word) = any_word(input)
+    {
+        let shade = if first.0 == Shade::Light {
+            "light"
+        } else {
+            "dark"
+        };
+        let place = Place::at(first.1).to(Place::at(word.span()));
+        let text = format!("`{shade}` stands after the color's name; write `{word} {shade}`");
+        return Err(Message::new(place, text));
+    }
+    let value = expression(input)?;
+    let shade = take_shade(input);
+    Ok(Some(Color { value, shade }))
+}
+
+/// Takes the word `light` or `dark`.
+fn take_shade(input: ParseStream) -> Option<(Shade, Span)> {
+    let light = take_word(input, "light").map(|word| (Shade::Light, word));
+    light.or_else(|| take_word(input, "dark").map(|word| (Shade::Dark, word)))
 }
 
 fn after_color(input: ParseStream) -> Read<()> {

@@ -5,7 +5,9 @@ use super::name::{Named, word_for};
 use super::param::Spot;
 use crate::bug::bug;
 use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind};
-use crate::syntax::ast::{Axis, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape};
+use crate::syntax::ast::{
+    Axis, Color, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape,
+};
 use crate::syntax::{Place, color};
 
 /// Where shapes go that do not say: the ground has the first colour after the background, and each link the next.
@@ -178,16 +180,27 @@ impl Lowering {
     }
 
     /// An entry of the palette.
-    pub(super) fn color(&mut self, color: &Expr) -> Option<u8> {
-        if let ExprKind::Constant(name) = &color.kind
+    pub(super) fn color(&mut self, color: &Color) -> Option<u8> {
+        let Color { value, shade } = color;
+        if let ExprKind::Constant(name) = &value.kind
             && !self.constants.has(&name.to_string())
         {
-            self.report
-                .error(color.place, color::advice_for(&name.to_string()));
+            let entry = color::named(&name.to_string(), shade.map(|(shade, _)| shade));
+            return match entry {
+                Ok(entry) => Some(entry),
+                Err(text) => {
+                    self.report.error(value.place, text);
+                    None
+                }
+            };
+        }
+        let number = self.whole(value, "the number of a color", [0, 255])?;
+        if let Some((_, word)) = *shade {
+            let text = "only a color with a name has a shade; leave this word out, or give the color by its name";
+            self.report.error(Place::at(word), text);
             return None;
         }
-        self.whole(color, "a color", [0, 255])
-            .and_then(|color| u8::try_from(color).ok())
+        u8::try_from(number).ok()
     }
 
     fn circle(&mut self, center: &Pair, radius: &Expr) -> Option<Drawing> {

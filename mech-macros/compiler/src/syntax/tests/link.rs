@@ -166,11 +166,11 @@ fn planes_and_colors_are_whole_numbers() {
     );
     assert_messages(
         &circle("color «256»"),
-        &["a color is a whole number from 0 to 255, not 256"],
+        &["the number of a color is a whole number from 0 to 255, not 256"],
     );
     assert_messages(
         &circle("color «-1»"),
-        &["a color is a whole number from 0 to 255, not -1"],
+        &["the number of a color is a whole number from 0 to 255, not -1"],
     );
     assert_messages(
         &circle("color 1 «on» plane 2"),

@@ -238,27 +238,54 @@ fn a_look_is_told_by_its_words() {
 }
 
 #[test]
-fn a_color_is_a_number() {
-    let table = "a color is a number from 0 to 255: 0 paper, 1 ground, 2 blue, 3 orange, 4 teal, 5 red, 6 yellow, 7 purple, 8 green, \
-        9 pink, 10 sky, 11 brown, 12 olive, 13 slate, 14 ink, 15 eye, 16 hatch, 17 steel";
-    offered(
-        "link a { circle (0, 0) radius 1 color «red»; }",
-        &format!("a color is given by its number; write `5` for `red`\n\nnote: {table}"),
+fn a_color_has_a_name_or_a_number() {
+    let choices = "a color is one of paper, ground, blue, orange, teal, red, yellow, purple, green, pink, sky, brown, olive, slate, \
+        ink, eye, hatch, steel, or the number of an entry of the palette, from 0 to 255";
+    let unknown =
+        |name: &str, remedy: &str| format!("there is no color `{name}`{remedy}\n\nnote: {choices}");
+    super::assert_messages(
+        "link a { circle (0, 0) radius 1 color «Teal»; }",
+        &[&unknown("Teal", "; did you mean `teal`?")],
     );
     super::assert_messages(
         "link a { circle (0, 0) radius 1 color «black»; }",
-        &[&format!(
-            "a color is given by its number, and no palette names one `black`\n\nnote: {table}"
-        )],
+        &[&unknown("black", "")],
     );
     super::assert_messages(
         "link a { circle (0, 0) radius 1 color «\"red\"»; }",
-        &[&format!("expected a number, found `\"red\"`; {table}")],
+        &[&format!(
+            "expected a color's name or number, found `\"red\"`; {choices}"
+        )],
     );
     super::assert_messages(
-        "const red = 5; link a { circle (0, 0) radius 1 color red; }",
-        &[],
+        "link a { circle (0, 0) radius 1 color «light blue»; }",
+        &["`light` stands after the color's name; write `blue light`"],
     );
+    super::assert_messages(
+        "link a { circle (0, 0) radius 1 color «ink» light; circle (0, 0) radius 1 color 4 «dark»; }",
+        &[
+            "there is no light `ink`; leave `light` out",
+            "only a color with a name has a shade; leave this word out, or give the color by its name",
+        ],
+    );
+    super::assert_messages(
+        "const red = 300; link a { circle (0, 0) radius 1 color «red»; }",
+        &["the number of a color is a whole number from 0 to 255, not 300"],
+    );
+}
+
+#[test]
+fn a_name_of_a_color_is_its_entry_of_the_palette() {
+    let parsed = super::parsed(
+        "struct M; const red = 200; link a { circle (0, 0) radius 1 color teal; ring (0, 0) radius 2 hole 1 color steel dark; \
+         circle (0, 0) radius 1 color sky light; circle (0, 0) radius 1 color red; }",
+    );
+    let colors: Vec<u8> = parsed.model.links[1]
+        .shapes
+        .iter()
+        .map(|shape| shape.color)
+        .collect();
+    assert_eq!(colors, [4, 32, 42, 200]);
 }
 
 #[test]

@@ -115,7 +115,7 @@ fn the_length_of_a_trace_is_a_number_of_places() {
     );
     assert_messages(
         &with("trace crank.pin 9 color «256»;"),
-        &["a color is a whole number from 0 to 255, not 256"],
+        &["the number of a color is a whole number from 0 to 255, not 256"],
     );
     assert_messages(
         &with("trace crank.pin 9 on plane «0.5»;"),
@@ -138,7 +138,7 @@ fn every_error_of_a_trace_is_told_at_once_and_others_after_it() {
         &[
             "`crank` has no point `pim`; did you mean `pin`?",
             "the length of a trace is a whole number from 1 to 16384, not 0",
-            "a color is a whole number from 0 to 255, not -1",
+            "the number of a color is a whole number from 0 to 255, not -1",
             "unknown effect `speed`; there are `velocity`, `acceleration`, `force`, `dynamics`, `trace`, `overlay`, `sensitivity`",
         ],
     );
