@@ -272,6 +272,13 @@ fn a_color_has_a_name_or_a_number() {
         "const red = 300; link a { circle (0, 0) radius 1 color «red»; }",
         &["the number of a color is a whole number from 0 to 255, not 300"],
     );
+    super::assert_messages(
+        "param red = 5; link a { circle (0, 0) radius 1 color «red»; }",
+        &[
+            "`red` is a param: it may change while the mechanism runs; only laws, points, lines, joints in a drawing and shapes may \
+            depend on one; use a `const` here",
+        ],
+    );
 }
 
 #[test]
