@@ -123,8 +123,18 @@ pub(super) struct Axis {
     pub kind: crate::model::AxisKind,
     /// Its name.
     pub name: Ident,
-    /// Its origin, and its direction if one is given.
-    pub value: Read<(Pair, Option<Direction>)>,
+    /// Where it is.
+    pub value: Read<AxisValue>,
+}
+
+/// `(x, y) -> (dx, dy) turned a`
+pub(super) struct AxisValue {
+    /// Its origin.
+    pub at: Pair,
+    /// Its direction, if one is given.
+    pub direction: Option<Direction>,
+    /// The angle by which both are turned about the link's origin, if they are.
+    pub turned: Option<Expr>,
 }
 
 /// A direction.

@@ -10,7 +10,7 @@ use super::tokens::{
 };
 use crate::model::AxisKind;
 use crate::syntax::ast::{
-    Axis, Broken, Color, Direction, Expr, Item, Matter, MatterKind, Outline, Pair, Read, Shade,
+    Axis, AxisValue, Broken, Color, Expr, Item, Matter, MatterKind, Outline, Pair, Read, Shade,
     Shape,
 };
 use crate::syntax::{Message, Place, spelling};
@@ -87,28 +87,31 @@ fn axis(input: ParseStream, kind: AxisKind) -> Item {
     Item::Axis(Axis { kind, name, value })
 }
 
-fn axis_value(input: ParseStream, kind: AxisKind) -> Read<(Pair, Option<Direction>)> {
+fn axis_value(input: ParseStream, kind: AxisKind) -> Read<AxisValue> {
     let begin = input.cursor();
     symbol(input, "=")?;
     let at = pair(input)?;
-    if take(input, "->").is_some() {
-        return Ok((at, Some(direction(input)?)));
+    let direction = take(input, "->").map(|_| direction(input)).transpose()?;
+    if direction.is_none() && kind == AxisKind::Line {
+        let missing = "`-> (dx, dy)`";
+        let forgotten = missing_after(input, begin, &BEGINNINGS, missing);
+        let mut error = forgotten.unwrap_or_else(|| expected_message(input, missing));
+        error.text.push_str("; a line has a direction");
+        return Err(error);
     }
-    match kind {
-        AxisKind::Point if comes(input, ";") => Ok((at, None)),
-        AxisKind::Point => {
-            let missing = "`;`, or `-> (dx, dy)`";
-            let forgotten = missing_after(input, begin, &BEGINNINGS, "`;`");
-            Err(forgotten.unwrap_or_else(|| expected_message(input, missing)))
-        }
-        AxisKind::Line => {
-            let missing = "`-> (dx, dy)`";
-            let forgotten = missing_after(input, begin, &BEGINNINGS, missing);
-            let mut error = forgotten.unwrap_or_else(|| expected_message(input, missing));
-            error.text.push_str("; a line has a direction");
-            Err(error)
-        }
+    let turned = take_word(input, "turned")
+        .map(|_| expression(input))
+        .transpose()?;
+    if direction.is_none() && turned.is_none() && !comes(input, ";") {
+        let missing = "`;`, or `-> (dx, dy)`";
+        let forgotten = missing_after(input, begin, &BEGINNINGS, "`;`");
+        return Err(forgotten.unwrap_or_else(|| expected_message(input, missing)));
     }
+    Ok(AxisValue {
+        at,
+        direction,
+        turned,
+    })
 }
 
 fn shape(input: ParseStream, keyword: Span, outline: fn(ParseStream) -> Read<Outline>) -> Item {

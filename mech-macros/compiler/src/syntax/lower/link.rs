@@ -6,7 +6,7 @@ use super::param::Spot;
 use crate::bug::bug;
 use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind};
 use crate::syntax::ast::{
-    Axis, Color, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape,
+    Axis, AxisValue, Color, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape,
 };
 use crate::syntax::{Place, color};
 
@@ -94,13 +94,7 @@ impl Lowering {
     fn lower_axis(&mut self, link: LinkId, axis: &Axis) {
         let kept = self.claim_axis(link, axis);
         let (at, direction) = match &axis.value {
-            Ok((at, direction)) => (
-                self.spot(at),
-                direction.as_ref().and_then(|direction| match axis.kind {
-                    AxisKind::Point => self.fixed_direction(direction),
-                    AxisKind::Line => self.direction(direction),
-                }),
-            ),
+            Ok(value) => self.axis_value(axis.kind, value),
             Err(error) => {
                 self.report.pass_on(error.clone());
                 (None, None)
@@ -123,6 +117,30 @@ impl Lowering {
             direction,
             direction_formulas,
         });
+    }
+
+    /// The place and the direction of an axis, both turned if it says so.
+    fn axis_value(&mut self, kind: AxisKind, value: &AxisValue) -> (Option<Spot>, Option<Spot>) {
+        let at = self.spot(&value.at);
+        let direction = value.direction.as_ref();
+        let direction = direction.and_then(|direction| match kind {
+            AxisKind::Point => self.fixed_direction(direction),
+            AxisKind::Line => self.direction(direction),
+        });
+        let Some(angle) = &value.turned else {
+            return (at, direction);
+        };
+        let Some(by) = self.direction_at_angle(angle) else {
+            return (None, None);
+        };
+        // A point without a direction of its own keeps that of its link.
+        if kind == AxisKind::Point && direction.is_some() && by.1 != [None; 2] {
+            self.refuse_turning_point(&[angle]);
+            return (None, None);
+        }
+        let place = value.at.place;
+        let mut turn = |spot: Option<Spot>| self.turn(spot?, by, place);
+        (turn(at), turn(direction))
     }
 
     /// Takes the name of an axis: whether it can have it.

@@ -195,19 +195,22 @@ impl Lowering {
     pub(super) fn direction(&mut self, direction: &Direction) -> Option<Spot> {
         match direction {
             Direction::Parts(pair) => self.direction_of_parts(pair),
-            Direction::Angle(expr) => {
-                let angle = self.quantity(expr)?;
-                let value = angle.value?;
-                if self.is_degrees_perhaps(expr, value) {
-                    return None;
-                }
-                let formulas = [Function::Cos, Function::Sin].map(|function| {
-                    let formula = Formula::Of(function, angle.formula?);
-                    Some(self.formulas().add(formula))
-                });
-                Some((direction_at(value), formulas))
-            }
+            Direction::Angle(expr) => self.direction_at_angle(expr),
         }
+    }
+
+    /// The direction at an angle, which may depend on params.
+    pub(super) fn direction_at_angle(&mut self, expr: &Expr) -> Option<Spot> {
+        let angle = self.quantity(expr)?;
+        let value = angle.value?;
+        if self.is_degrees_perhaps(expr, value) {
+            return None;
+        }
+        let formulas = [Function::Cos, Function::Sin].map(|function| {
+            let formula = Formula::Of(function, angle.formula?);
+            Some(self.formulas().add(formula))
+        });
+        Some((direction_at(value), formulas))
     }
 
     /// A direction that may not depend on params.
@@ -216,12 +219,21 @@ impl Lowering {
         if found.1 == [None; 2] {
             return Some(found);
         }
-        let why = "the joints of a point count angles from its direction; only lines may turn";
-        self.with_fixed_numbers(why, |lowering| match direction {
-            Direction::Parts(pair) => [&pair.x, &pair.y].map(|part| lowering.value(part)),
-            Direction::Angle(angle) => [lowering.value(angle), None],
-        });
+        match direction {
+            Direction::Parts(pair) => self.refuse_turning_point(&[&pair.x, &pair.y]),
+            Direction::Angle(angle) => self.refuse_turning_point(&[angle]),
+        }
         None
+    }
+
+    /// Complains about numbers that turn the direction of a point.
+    pub(super) fn refuse_turning_point(&mut self, numbers: &[&Expr]) {
+        let why = "the joints of a point count angles from its direction; only lines may turn";
+        self.with_fixed_numbers(why, |lowering| {
+            for number in numbers {
+                lowering.value(number);
+            }
+        });
     }
 
     fn direction_of_parts(&mut self, pair: &Pair) -> Option<Spot> {
@@ -244,6 +256,37 @@ impl Lowering {
         });
         let formulas = formulas.map_or([None; 2], |formulas| formulas.map(Some));
         Some(([x / length, y / length], formulas))
+    }
+
+    /// A vector turned by the angle of a direction. The place is what is wrong if that is too large.
+    pub(super) fn turn(&mut self, vector: Spot, by: Spot, place: Place) -> Option<Spot> {
+        let ([x, y], [cos, sin]) = (vector.0, by.0);
+        let turned = [cos * x - sin * y, sin * x + cos * y];
+        for part in turned {
+            finite(part, place, &mut self.report)?;
+        }
+        let quantities = |(numbers, formulas): Spot| {
+            [0, 1].map(|part| Quantity {
+                value: Some(numbers[part]),
+                formula: formulas[part],
+            })
+        };
+        let ([x, y], [cos, sin]) = (quantities(vector), quantities(by));
+        let Some([x, y, cos, sin]) = self.as_formulas([x, y, cos, sin]) else {
+            return Some((turned, [None; 2]));
+        };
+        let mut product = |a, b| self.formulas().add(Formula::Mul(a, b));
+        let [cx, sy, sx, cy] = [
+            product(cos, x),
+            product(sin, y),
+            product(sin, x),
+            product(cos, y),
+        ];
+        let formulas = [Formula::Sub(cx, sy), Formula::Add(sx, cy)];
+        Some((
+            turned,
+            formulas.map(|formula| Some(self.formulas().add(formula))),
+        ))
     }
 
     /// A whole number of these bounds.

@@ -230,3 +230,50 @@ fn huge_numbers_are_told_briefly() {
         &["a plane is a whole number from -2147483648 to 2147483647, not 1e300"],
     );
 }
+
+#[test]
+fn an_axis_may_be_turned_about_the_origin_of_its_link() {
+    let parsed = super::parsed(
+        "struct M; link a {
+            point p = (2, 0) turned 90 deg;
+            point q = (1, 0) -> (0, 1) turned 180 deg;
+            line l = (0, 3) -> 0 deg turned -90 deg;
+        }",
+    );
+    assert!(parsed.errors.is_empty());
+    let axes = |index: usize| {
+        (
+            parsed.model.axes[index].at,
+            parsed.model.axes[index].direction,
+        )
+    };
+    assert_eq!(axes(0), ([0.0, 2.0], [1.0, 0.0]));
+    assert_eq!(axes(1), ([-1.0, 0.0], [0.0, -1.0]));
+    assert_eq!(axes(2), ([3.0, 0.0], [0.0, -1.0]));
+}
+
+#[test]
+fn what_turns_an_axis_is_an_angle() {
+    super::assert_messages(
+        "link a { point p = (2, 0) turned «30»; }",
+        &[
+            "`30` is an angle in radians, more than a turn; write `30 deg`\n\nhelp: or give the number a name with `const`, \
+         if radians are meant",
+        ],
+    );
+    super::assert_messages(
+        "link a { point p = (2, 0) turned«;» }",
+        &["expected a number, found `;`"],
+    );
+    super::assert_messages(
+        "link a { point p = «(1.5e308, -1.5e308)» turned 45 deg; }",
+        &["this number is too large; the largest is about 1.8e308"],
+    );
+    super::assert_messages(
+        "param phase = 1; link a { point p = (2, 0) turned phase; point q = (2, 0) -> (1, 0) turned «phase»; }",
+        &[
+            "`phase` is a param: it may change while the mechanism runs; the joints of a point count angles from its direction; \
+         only lines may turn; use a `const` here",
+        ],
+    );
+}
