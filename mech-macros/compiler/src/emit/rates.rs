@@ -47,6 +47,25 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     parts
 }
 
+/// The rates that a mechanism stores.
+pub(super) struct StoredRates {
+    /// The pattern of what a program of rates computes.
+    pub(super) pattern: TokenStream,
+    /// The statements that store it.
+    pub(super) store: TokenStream,
+}
+
+impl StoredRates {
+    pub(super) fn new(emitter: &Emitter<'_>) -> Self {
+        let (mut pattern, mut store) = (quote!(velocities), quote!(self.velocities = velocities;));
+        if emitter.model.effects.acceleration {
+            pattern = quote!((velocities, accelerations));
+            store.extend(quote!(self.accelerations = accelerations;));
+        }
+        Self { pattern, store }
+    }
+}
+
 /// The statements that move a mechanism to `target` at the rates that are given.
 pub(super) fn advance_at_rates(
     emitter: &Emitter<'_>,
@@ -54,28 +73,21 @@ pub(super) fn advance_at_rates(
     target: &TokenStream,
 ) -> TokenStream {
     let effects = emitter.model.effects;
-    let (mut given, mut found) = (quote!([rates]), quote!(velocities));
-    if effects.acceleration {
-        given = quote!([rates, accelerations]);
-        found = quote!((velocities, accelerations));
-    }
-    let store_accelerations = effects
-        .acceleration
-        .then(|| quote!(self.accelerations = accelerations;));
+    let accelerations = effects.acceleration.then(|| quote!(, accelerations));
+    let StoredRates { pattern, store } = StoredRates::new(emitter);
     let store_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
     let record = record(emitter);
     let refusal = refusal(emitter);
     let advance = advance_with(moving, &quote!(&mut self.position), target);
     let advance = strip_params(emitter, advance);
     quote! {
-        for rates in #given {
+        for rates in [rates #accelerations] {
             if let Result::Err(stop) = generated::finite(rates, known::MOVE_LIMITS.inputs) {
                 return Result::Err(#refusal);
             }
         }
-        let #found = #advance?;
-        self.velocities = velocities;
-        #store_accelerations
+        let #pattern = #advance?;
+        #store
         #store_rates
         #record
         Result::Ok(())
