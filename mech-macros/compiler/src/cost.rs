@@ -121,7 +121,7 @@ impl Cost {
             | Op::Load(_)
             | Op::Linear(..) => {}
             // A remainder of whole numbers, and a part of a turn.
-            Op::Turned(..) => {
+            Op::PartOfTurns(..) => {
                 cost.multiplications = 1;
                 cost.divisions = 1;
             }
@@ -294,7 +294,7 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
     } else {
         Cost::default()
     };
-    let rounds = newton.contracting().map_or(0, |_| iteration.rounds);
+    let rounds = newton.contracting_step().map_or(0, |_| iteration.rounds);
     let contraction_and_det = Cost {
         multiplications: rounds,
         selections: 2 * rounds + 1,

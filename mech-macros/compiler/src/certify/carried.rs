@@ -21,7 +21,7 @@ pub(super) type Held = Vec<(Value, f64)>;
 
 /// The directions in which a loop is carried, at the start: if they have no part in its slack, it closes in one as in all others. What
 /// has a part must not be made from them.
-pub(super) fn held(cutter: &Cutter<'_>, closed: &ClosedForm) -> Held {
+pub(super) fn find_held(cutter: &Cutter<'_>, closed: &ClosedForm) -> Held {
     let cone = cutter.cone(&[closed.discriminant, closed.tolerance], &Cuts::ALONE);
     let variables = cone.variables.iter().enumerate();
     let (mut with_part, mut without): (Vec<Vec<Value>>, Vec<Vec<Value>>) = (Vec::new(), Vec::new());

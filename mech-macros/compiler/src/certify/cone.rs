@@ -132,7 +132,7 @@ impl<'p> Cutter<'p> {
                 }
                 None => match node.op {
                     // Values are taken with all their turns in them.
-                    Op::Turns(_) | Op::Turned(..) => Op::Constant(Number::new(0.0)),
+                    Op::Turns(_) | Op::PartOfTurns(..) => Op::Constant(Number::new(0.0)),
                     op => op.map(|operand| growing.copies[&operand]),
                 },
             };
@@ -198,7 +198,7 @@ impl<'p> Cutter<'p> {
             )
         };
         match node.op {
-            Op::Constant(_) | Op::Turns(_) | Op::Turned(..) => Some(BTreeMap::new()),
+            Op::Constant(_) | Op::Turns(_) | Op::PartOfTurns(..) => Some(BTreeMap::new()),
             Op::Motor(input) => Some(BTreeMap::from([(input, 1.0)])),
             Op::Neg(a) => scaled(a, -1.0),
             Op::Add(a, b) => both(a, b, 1.0),
@@ -224,7 +224,7 @@ impl<'p> Cutter<'p> {
         let mut exact = None;
         while let Some(value) = waiting.pop() {
             match self.program.node(value).op {
-                Op::Turned(of, numerator, denominator) if of == input => {
+                Op::PartOfTurns(of, numerator, denominator) if of == input => {
                     // Of several parts of one motor only their sum tells.
                     if exact.replace((numerator, denominator)).is_some() {
                         return None;

@@ -2,7 +2,7 @@
 //! the boom stands.
 
 use super::Interval;
-use super::carried::{Held, held, made_from};
+use super::carried::{Held, find_held, made_from};
 use super::claim::{Test, tests};
 use super::cone::Cutter;
 use crate::program::{BlockId, Op, Program, Value};
@@ -43,7 +43,7 @@ pub(super) fn groups(program: &Program, free: &[BlockId]) -> Vec<Group> {
     for (block, test) in tests.filter(|(block, _)| !free.contains(block)) {
         let held = loops.entry(block).or_insert_with(|| {
             let closed = program.closed_form(block);
-            closed.map_or_else(Held::new, |closed| held(&cutter, closed))
+            closed.map_or_else(Held::new, |closed| find_held(&cutter, closed))
         });
         let motors = motors(program, test.values(), held);
         let same = |group: &&mut Group| group.motors == motors && group.held == *held;

@@ -1,6 +1,6 @@
 //! One step of a program: all its operations, one after the other.
 
-use super::{Moved, Stop};
+use super::{LinkRates, Stop};
 use crate::bug::bug;
 use crate::program::{
     BlockId, BlockKind, ClosedForm, Forces, Motion, Newton, Op, Position, Program, RateMargin,
@@ -55,8 +55,8 @@ impl<'p> Runner<'p> {
         &self,
         at: &Position<T>,
         given: Given<'_, T>,
-    ) -> Result<Moved<T>, Stop> {
-        let (motion, values) = self.beyond(at, given)?;
+    ) -> Result<LinkRates<T>, Stop> {
+        let (motion, values) = self.determined_motion(at, given)?;
         let get = |value: &Value| values[value.index()];
         let all = |rates: &Vec<[Value; 3]>| -> Vec<[T; 3]> {
             rates
@@ -64,7 +64,7 @@ impl<'p> Runner<'p> {
                 .map(|rates| rates.each_ref().map(get))
                 .collect()
         };
-        let moved = Moved {
+        let moved = LinkRates {
             velocities: all(&motion.velocities),
             accelerations: motion.accelerations.as_ref().map(all),
         };
@@ -86,7 +86,7 @@ impl<'p> Runner<'p> {
         at: &Position<T>,
         given: Given<'_, T>,
     ) -> Result<Forces<T>, Stop> {
-        let (motion, values) = self.beyond(at, given)?;
+        let (motion, values) = self.determined_motion(at, given)?;
         let forces = motion.forces.as_ref().ok_or(Stop::Unasked)?;
         let found = forces.map(|value: Value| values[value.index()]);
         if found.roots().iter().all(|number| number.is_finite()) {
@@ -97,7 +97,7 @@ impl<'p> Runner<'p> {
     }
 
     /// The motion that the program computes from a position, and all its values there.
-    fn beyond<T: Real>(
+    fn determined_motion<T: Real>(
         &self,
         at: &Position<T>,
         given: Given<'_, T>,
@@ -184,7 +184,7 @@ impl<'p> Runner<'p> {
             values[value.index()] = match node.op {
                 Op::Motor(motor) => motors[motor],
                 Op::Turns(motor) => T::from_i32(turns[motor]),
-                Op::Turned(motor, numerator, denominator) => {
+                Op::PartOfTurns(motor, numerator, denominator) => {
                     turned(turns[motor], numerator, denominator)
                 }
                 Op::Last(slot) => last.at(slot),
@@ -297,7 +297,7 @@ impl<'p> Runner<'p> {
             if done {
                 break;
             }
-            if let Some(step) = newton.contracting()
+            if let Some(step) = newton.contracting_step()
                 && !contracts(&mut before, values[step.index()])
             {
                 break;

@@ -50,7 +50,7 @@ pub(crate) fn prove_ranges(
         };
         return Ok((program, choices));
     }
-    let touching = touching(model, plan, &choices, &program, ranged)?;
+    let touching = find_touching(model, plan, &choices, &program, ranged)?;
     let touches: Vec<usize> = touching
         .iter()
         .filter_map(|&block| program.closed_form(block))
@@ -86,7 +86,7 @@ pub(crate) fn prove_ranges(
 
 /// The loops that may come to within rounding of a dead point or change point, if all close wherever the motors are within their ranges.
 /// The first motor that has one is `ranged`.
-fn touching(
+fn find_touching(
     model: &Model,
     plan: &Plan,
     choices: &[Choice],

@@ -200,7 +200,7 @@ impl Program {
             limits.det,
             newton.floor(epsilon)
         )?;
-        if let Some(step) = newton.contracting() {
+        if let Some(step) = newton.contracting_step() {
             writeln!(f, "    step, squared: {}", self.operand(step))?;
         }
         match newton.extent {
@@ -352,7 +352,7 @@ impl Program {
             Op::Constant(number) => return format!("{:?}", number.get()),
             Op::Motor(input) => return format!("input {}", self.input(input)),
             Op::Turns(input) => return format!("turns {}", self.input(input)),
-            Op::Turned(input, over, under) => {
+            Op::PartOfTurns(input, over, under) => {
                 return format!("turned {over}/{under} {}", self.input(input));
             }
             Op::Last(slot) => return format!("last {}", self.slot(slot)),

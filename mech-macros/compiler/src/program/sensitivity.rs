@@ -41,7 +41,7 @@ impl Sensitivity {
 impl Program {
     /// For each value whether it depends on a param, through whatever is between.
     #[must_use]
-    pub fn dependent(&self) -> Vec<bool> {
+    pub fn depends_on_params(&self) -> Vec<bool> {
         let mut dependent: Vec<bool> = Vec::with_capacity(self.ssa.nodes.len());
         for node in &self.ssa.nodes {
             let depends = |value: Value| dependent[value.index()];
@@ -61,7 +61,7 @@ impl Program {
         if self.params.is_empty() {
             return Vec::new();
         }
-        let dependent = self.dependent();
+        let dependent = self.depends_on_params();
         let any = |values: Vec<Value>| values.iter().any(|value| dependent[value.index()]);
         let loops = self.block_ids().filter_map(|block| {
             let (values, number) = match &self.ssa.blocks[block.index()].kind {

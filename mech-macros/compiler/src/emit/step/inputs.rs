@@ -66,7 +66,7 @@ fn motors(scope: &mut Scope<'_>) -> TokenStream {
                 let motor = integer(motor);
                 quote!(<#scalar as Real>::from_i32(#motors.turns[#motor]))
             }
-            Op::Turned(motor, numerator, denominator) => {
+            Op::PartOfTurns(motor, numerator, denominator) => {
                 let motor = integer(motor);
                 let [numerator, denominator] =
                     [numerator, denominator].map(Literal::i64_unsuffixed);

@@ -26,13 +26,13 @@ pub(super) fn prove(domain: &mut Domain<'_>) {
         if domain.varying.contains(&closed.number) {
             continue;
         }
-        let free = proved(domain, block, closed, &mut left);
+        let free = prove_free(domain, block, closed, &mut left);
         domain.known[closed.number] = Known { free };
     }
 }
 
 /// What is known of a loop if it is free.
-fn proved(
+fn prove_free(
     domain: &Domain<'_>,
     block: BlockId,
     closed: &ClosedForm,

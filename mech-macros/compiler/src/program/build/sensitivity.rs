@@ -61,7 +61,7 @@ impl Lowering<'_> {
             if turns {
                 let [a, b] = [a, b].map(|axis| {
                     let direction = self.placement.pose(self.link_of(axis)).direction;
-                    tangents.turning(&mut self.ssa, direction)
+                    tangents.angular_velocity(&mut self.ssa, direction)
                 });
                 return self.ssa.sub(b, a);
             }
