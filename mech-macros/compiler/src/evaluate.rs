@@ -11,7 +11,7 @@ use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
 use run::{Given, Runner};
 
-pub use sensitivity::{Followed, sensitivities};
+pub use sensitivity::sensitivities;
 
 /// Why a mechanism did not go to a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

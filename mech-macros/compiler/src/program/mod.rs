@@ -34,7 +34,7 @@ pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Op, Part, Slot, Value};
-pub use sensitivity::{Rates, Sensitivity};
+pub use sensitivity::{ParamRates, Sensitivity};
 pub use state::{JointAngle, Place, StateLayout};
 pub use timing::{Timed, Timing, build_timing};
 pub use watch::{Follow, Watch};
