@@ -26,14 +26,9 @@ impl Seen {
         let has_shapes = links().any(|id| !model.link(id).shapes.is_empty());
         let points = |id: LinkId| -> Vec<([f64; 2], f64)> {
             if has_shapes {
-                let shapes = model.link(id).shapes.iter().flat_map(|shape| {
-                    let (points, radius) = shape.kind.reach();
-                    points.iter().map(move |&point| (point, radius))
-                });
-                shapes.collect()
+                model.link(id).shape_points().collect()
             } else {
-                let axes = model.axes.iter().filter(|axis| axis.link == id);
-                axes.map(|axis| (axis.at, 0.0)).collect()
+                model.axis_places(id).map(|place| (place, 0.0)).collect()
             }
         };
         let mut ground = EMPTY;
