@@ -4,6 +4,7 @@ use super::forces::Forces;
 use super::newton::{Newton, Rounds};
 use super::node::{BlockId, Op, Part, Slot, Value};
 use super::{BlockKind, ClosedForm, Dyad, Motion, Program, Sensitivity, Watch};
+use crate::bug::bug;
 use crate::model::{LinkId, Precision};
 use mech_core::journey::AtZero;
 use std::fmt::{self, Display, Formatter};
@@ -321,7 +322,8 @@ impl Program {
     }
 
     fn input(&self, number: usize) -> &str {
-        self.input_names().nth(number).map_or("?", String::as_str)
+        let name = self.input_names().nth(number);
+        name.unwrap_or_else(|| bug!("there is no input {number}"))
     }
 
     fn slot(&self, slot: Slot) -> String {
