@@ -9,7 +9,7 @@ use crate::program::{BlockId, Forces, Position, Program};
 use journey::Move;
 use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
-use run::{Given, Runner};
+use run::{MotionInputs, Runner};
 
 pub use sensitivity::sensitivities;
 
@@ -175,7 +175,7 @@ impl<'p, T: Real> Machine<'p, T> {
         rates: &'g [T],
         accelerations: &'g [T],
         loads: &'g [T],
-    ) -> Result<Given<'g, T>, Stop> {
+    ) -> Result<MotionInputs<'g, T>, Stop> {
         let count = self.runner.program.motors.len();
         if rates.len() != count || accelerations.len() != count {
             return Err(Stop::MotorCount);
@@ -191,7 +191,7 @@ impl<'p, T: Real> Machine<'p, T> {
         if loads.iter().any(|load| !load.is_finite()) {
             return Err(Stop::Overflow);
         }
-        Ok(Given {
+        Ok(MotionInputs {
             rates,
             accelerations,
             loads,

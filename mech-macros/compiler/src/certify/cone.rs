@@ -111,7 +111,7 @@ impl<'p> Cutter<'p> {
                 waiting.extend(self.program.node(value).op.operands());
             }
         }
-        let mut growing = Growing {
+        let mut growing = ConeBuilder {
             cone: Cone {
                 nodes: Vec::with_capacity(needed.len()),
                 variables: Vec::new(),
@@ -139,7 +139,7 @@ impl<'p> Cutter<'p> {
             let copy = growing.push(Node { op, ..node.clone() });
             growing.copies.insert(value, copy);
         }
-        let Growing {
+        let ConeBuilder {
             mut cone, copies, ..
         } = growing;
         cone.outputs = outputs.iter().map(|output| copies[output]).collect();
@@ -244,14 +244,14 @@ impl<'p> Cutter<'p> {
 }
 
 /// A cone that grows.
-struct Growing {
+struct ConeBuilder {
     cone: Cone,
     /// The nodes of the variables.
     inputs: Vec<Value>,
     copies: BTreeMap<Value, Value>,
 }
 
-impl Growing {
+impl ConeBuilder {
     fn push(&mut self, node: Node) -> Value {
         self.cone.nodes.push(node);
         Value::at(self.cone.nodes.len() - 1)

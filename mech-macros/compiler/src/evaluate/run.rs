@@ -13,7 +13,7 @@ use mech_core::motors::turned;
 
 /// The inputs of a program of rates or forces, besides the motors' values.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Given<'g, T> {
+pub(super) struct MotionInputs<'g, T> {
     pub(super) rates: &'g [T],
     pub(super) accelerations: &'g [T],
     pub(super) loads: &'g [T],
@@ -41,7 +41,7 @@ impl<'p> Runner<'p> {
         (motors, turns): (&[T], &[i32]),
     ) -> Result<Position<T>, Stop> {
         let zero = vec![T::ZERO; motors.len()];
-        let given = Given {
+        let given = MotionInputs {
             rates: &zero,
             accelerations: &zero,
             loads: &[],
@@ -54,7 +54,7 @@ impl<'p> Runner<'p> {
     pub(super) fn motion<T: Real>(
         &self,
         at: &Position<T>,
-        given: Given<'_, T>,
+        given: MotionInputs<'_, T>,
     ) -> Result<LinkRates<T>, Stop> {
         let (motion, values) = self.determined_motion(at, given)?;
         let get = |value: &Value| values[value.index()];
@@ -84,7 +84,7 @@ impl<'p> Runner<'p> {
     pub(super) fn forces<T: Real>(
         &self,
         at: &Position<T>,
-        given: Given<'_, T>,
+        given: MotionInputs<'_, T>,
     ) -> Result<Forces<T>, Stop> {
         let (motion, values) = self.determined_motion(at, given)?;
         let forces = motion.forces.as_ref().ok_or(Stop::Unasked)?;
@@ -100,7 +100,7 @@ impl<'p> Runner<'p> {
     fn determined_motion<T: Real>(
         &self,
         at: &Position<T>,
-        given: Given<'_, T>,
+        given: MotionInputs<'_, T>,
     ) -> Result<(&Motion, Vec<T>), Stop> {
         let motion = self.program.motion.as_ref().ok_or(Stop::Unasked)?;
         if given.loads.len() != motion.loads.len() {
@@ -113,7 +113,7 @@ impl<'p> Runner<'p> {
     pub(super) fn determined_values<T: Real>(
         &self,
         at: &Position<T>,
-        given: Given<'_, T>,
+        given: MotionInputs<'_, T>,
     ) -> Result<Vec<T>, Stop> {
         let values = self.values(at, (&at.motors, &at.turns), given);
         // What closed where it is and does not once more is at its limit.
@@ -146,7 +146,7 @@ impl<'p> Runner<'p> {
         &self,
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
-        given: Given<'_, T>,
+        given: MotionInputs<'_, T>,
     ) -> Result<Vec<T>, Stop> {
         let reduced = |(input, (&value, &turns)): (usize, (&T, &i32))| {
             let is_reduced = self.program.reduced.get(input) == Some(&true);

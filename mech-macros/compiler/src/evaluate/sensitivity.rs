@@ -1,7 +1,7 @@
 //! Sensitivities by interpretation.
 
 use super::Stop;
-use super::run::{Given, Runner};
+use super::run::{MotionInputs, Runner};
 use crate::program::{ParamRates, Position, Program, Value};
 use mech_core::Real;
 
@@ -14,7 +14,7 @@ pub fn sensitivities<T: Real>(
     at: &Position<T>,
 ) -> Result<Vec<ParamRates<T>>, Stop> {
     let sensitivity = program.sensitivity.as_ref().ok_or(Stop::Unasked)?;
-    let given = Given {
+    let given = MotionInputs {
         rates: &[],
         accelerations: &[],
         loads: &[],

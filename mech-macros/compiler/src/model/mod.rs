@@ -25,7 +25,7 @@ mod trace;
 
 pub use action::{Actions, Between, Damper, Load, LoadKind, Spring};
 pub use declaration::{Ends, NewJoint, NewKind};
-pub(crate) use drawing::{Drawn, FORWARD};
+pub(crate) use drawing::{DrawnAxis, FORWARD};
 pub use edit::Edit;
 pub use effects::Effects;
 pub use formula::{Arithmetic, Formula, FormulaArithmetic, Formulas, Now};

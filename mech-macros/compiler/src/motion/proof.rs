@@ -5,7 +5,7 @@ use crate::certify::cone::Cuts;
 use crate::certify::{Interval, Verdict, certify_counted, motors_of};
 use crate::evaluate;
 use crate::model::{AtChangePoints, JointId, Model, MotorId};
-use crate::motion::watching::{Domain, Read};
+use crate::motion::watching::{Domain, InputReads};
 use crate::plan::Plan;
 use crate::program::{
     AtZero, BlockId, Bound, Choice, ClosedForm, Growth, Program, Value, Watching, build_as,
@@ -199,7 +199,7 @@ fn ends(model: &Model) -> Vec<[f64; 2]> {
 
 /// The values of a motor that are proved: one that has no range may be anywhere. If it turns, so many turns are enough that
 /// everything it drives has turned as a whole.
-fn range(domain: &Domain<'_>, read: &Read, id: MotorId) -> Result<Interval, Diagnosis> {
+fn range(domain: &Domain<'_>, read: &InputReads, id: MotorId) -> Result<Interval, Diagnosis> {
     let input = id.index();
     let range = domain.of_input(input);
     if range.is_bounded() {

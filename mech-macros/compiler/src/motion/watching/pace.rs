@@ -55,7 +55,7 @@ struct Goal {
 
 /// What a cone of vectors is, over all its boxes: for each variable how fast goal, arms and lines change.
 #[derive(Clone, Debug, Default)]
-struct Swept {
+struct ConeRates {
     goal: Vec<f64>,
     arms: Vec<f64>,
     lines: Vec<f64>,
@@ -166,7 +166,7 @@ impl<'d> Paces<'d> {
         outputs.extend(vectors.iter().flatten());
         let cone = self.domain.cutter.cone(&outputs, &Cuts::ALONE);
         let (ranges, far) = self.ranges(&cone);
-        let swept = self.sweep(&cone, &ranges, &closed.dyad);
+        let swept = self.bound_rates(&cone, &ranges, &closed.dyad);
         let two_lines = matches!(closed.dyad, Dyad::TwoLines { .. });
         let mut goal = Goal {
             moves: Bound::still(inputs),
@@ -388,15 +388,15 @@ impl<'d> Paces<'d> {
     }
 
     /// Looks at vectors on boxes of their variables, wherever the loop may close.
-    fn sweep(&mut self, cone: &Cone, ranges: &[Interval], dyad: &Dyad<Value>) -> Swept {
+    fn bound_rates(&mut self, cone: &Cone, ranges: &[Interval], dyad: &Dyad<Value>) -> ConeRates {
         let [discriminant, tolerance] = [cone.outputs[0], cone.outputs[1]];
         let vectors: Vec<&[Value]> = cone.outputs[2..].chunks(2).collect();
         let count = cone.variables.len();
-        let mut swept = Swept {
+        let mut swept = ConeRates {
             goal: vec![0.0; count],
             arms: vec![0.0; count],
             lines: vec![0.0; count],
-            ..Swept::default()
+            ..ConeRates::default()
         };
         let lines = match dyad {
             Dyad::TwoCircles { .. } => vec![],
