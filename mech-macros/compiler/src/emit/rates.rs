@@ -47,22 +47,14 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     parts
 }
 
-/// The rates that a mechanism stores.
-pub(super) struct StoredRates {
-    /// The pattern of what a program of rates computes.
-    pub(super) pattern: TokenStream,
-    /// The statements that store it.
-    pub(super) store: TokenStream,
-}
-
-impl StoredRates {
-    pub(super) fn new(emitter: &Emitter<'_>) -> Self {
-        let (mut pattern, mut store) = (quote!(velocities), quote!(self.velocities = velocities;));
-        if emitter.model.effects.acceleration {
-            pattern = quote!((velocities, accelerations));
-            store.extend(quote!(self.accelerations = accelerations;));
-        }
-        Self { pattern, store }
+/// The pattern of what a program of rates computes, and the statements that store it.
+pub(super) fn stored_rates(emitter: &Emitter<'_>) -> [TokenStream; 2] {
+    let store = quote!(self.velocities = velocities;);
+    if emitter.model.effects.acceleration {
+        let store = quote!(#store self.accelerations = accelerations;);
+        [quote!((velocities, accelerations)), store]
+    } else {
+        [quote!(velocities), store]
     }
 }
 
@@ -74,7 +66,7 @@ pub(super) fn advance_at_rates(
 ) -> TokenStream {
     let effects = emitter.model.effects;
     let accelerations = effects.acceleration.then(|| quote!(, accelerations));
-    let StoredRates { pattern, store } = StoredRates::new(emitter);
+    let [pattern, store] = stored_rates(emitter);
     let store_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
     let record = record(emitter);
     let refusal = refusal(emitter);

@@ -4,7 +4,7 @@ use super::actions::bind_loads;
 use crate::emit::advance::{advance_with, forces_here, rates_at, record, refusal, strip_params};
 use crate::emit::emitter::Emitter;
 use crate::emit::parts::Parts;
-use crate::emit::rates::StoredRates;
+use crate::emit::rates::stored_rates;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -132,7 +132,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
 fn rates_after(emitter: &Emitter<'_>) -> Option<TokenStream> {
     let moving = emitter.compiled.moving.as_ref()?;
     let refusal = refusal(emitter);
-    let StoredRates { pattern, store } = StoredRates::new(emitter);
+    let [pattern, store] = stored_rates(emitter);
     let mut arguments = quote!(, simulated.rates);
     if emitter.model.effects.acceleration {
         arguments.extend(quote!(, simulated.accelerations));
