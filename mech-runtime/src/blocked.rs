@@ -229,12 +229,12 @@ macro_rules! single {
 single!(f32 f64);
 
 /// Numbers with their names: angles in radians and in degrees, rounded to a thousandth.
-struct Named<'a, T> {
+struct NamedNumbers<'a, T> {
     numbers: &'a [T],
     inputs: &'static [Input],
 }
 
-impl<T: Scalar> fmt::Display for Named<'_, T> {
+impl<T: Scalar> fmt::Display for NamedNumbers<'_, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.inputs.len() < self.numbers.len() {
             return write!(f, "{:?}", self.numbers);
@@ -260,7 +260,7 @@ impl<T: Scalar> fmt::Display for Named<'_, T> {
 impl<M: Values> fmt::Display for Blocked<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let place = self.place;
-        let reached = Named {
+        let reached = NamedNumbers {
             numbers: self.reached.numbers(),
             inputs: self.inputs,
         };

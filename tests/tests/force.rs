@@ -2,7 +2,7 @@
 //! Newton and Euler, and torques at rest must be the slope of the energy: on random mechanisms with random masses, springs, dampers
 //! and loads, and on those of the zoo.
 
-use mech_compiler::evaluate::{Machine, Moved, Stop};
+use mech_compiler::evaluate::{LinkRates, Machine, Stop};
 use mech_compiler::model::{
     Actions, AxisId, AxisKind, Between, Damper, Effects, JointKind, LinkId, Load, LoadKind, Mass,
     Model, Origin, Spring,
@@ -339,7 +339,7 @@ fn by_joints(
 }
 
 /// What springs, dampers and loads do to links.
-fn by_actions(model: &Model, (at, given): (&Position, &Given), moved: &Moved<f64>) -> Vec<Act> {
+fn by_actions(model: &Model, (at, given): (&Position, &Given), moved: &LinkRates<f64>) -> Vec<Act> {
     let mut acts: Vec<Act> = Vec::new();
     let velocity = |axis: AxisId| {
         let (point, link) = (place(model, at, axis), model.axis(axis).link);

@@ -263,7 +263,7 @@ fn every_pin_has_one_symbol_and_every_moving_one_an_arrow() {
         }
         let motors = symbols
             .iter()
-            .filter(|symbol| matches!(symbol, Symbol::Turned(_) | Symbol::Pushed { .. }));
+            .filter(|symbol| matches!(symbol, Symbol::RotaryMotor(_) | Symbol::LinearMotor { .. }));
         assert_eq!(motors.count(), model.motors.len(), "{name}");
         let slides = symbols
             .iter()

@@ -2,8 +2,9 @@
 //! differences of high order, on random mechanisms and on some that are compiled.
 
 use mech_compiler::compile;
-use mech_compiler::evaluate::{Followed, Machine, Stop, sensitivities};
+use mech_compiler::evaluate::{Machine, Stop, sensitivities};
 use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, Method, Model};
+use mech_compiler::program::ParamRates;
 use mech_compiler::program::{Position, Program};
 use mech_tests::{
     Dice, SOURCES, apart, direction, grow, in_own_frames, models, place, reach, scale, size, vary,
@@ -105,7 +106,7 @@ fn row(told: &Told, model: &Model, joints: &[JointId]) -> Vec<(f64, bool)> {
     links.chain(points).chain(joints).collect()
 }
 
-fn rates_in_a_row(followed: &Followed<f64>) -> Vec<f64> {
+fn rates_in_a_row(followed: &ParamRates<f64>) -> Vec<f64> {
     let links = followed.links.iter().flatten();
     let points = followed.points.iter().flatten();
     links

@@ -59,17 +59,22 @@ impl Cost {
             .sum()
     }
 
+    /// The number of each kind of operation, after the name of its field.
+    pub(crate) fn named_counts(&self) -> [(&'static str, u32); 7] {
+        [
+            ("additions", self.additions),
+            ("multiplications", self.multiplications),
+            ("divisions", self.divisions),
+            ("square_roots", self.square_roots),
+            ("sine_cosine_pairs", self.sine_cosine_pairs),
+            ("arctangents", self.arctangents),
+            ("selections", self.selections),
+        ]
+    }
+
     /// The number of each kind of operation.
     fn counts(&self) -> [u32; 7] {
-        [
-            self.additions,
-            self.multiplications,
-            self.divisions,
-            self.square_roots,
-            self.sine_cosine_pairs,
-            self.arctangents,
-            self.selections,
-        ]
+        self.named_counts().map(|(_, count)| count)
     }
 
     /// The cost with these numbers of operations.
@@ -116,7 +121,7 @@ impl Cost {
             | Op::Load(_)
             | Op::Linear(..) => {}
             // A remainder of whole numbers, and a part of a turn.
-            Op::Turned(..) => {
+            Op::PartOfTurns(..) => {
                 cost.multiplications = 1;
                 cost.divisions = 1;
             }
@@ -289,7 +294,7 @@ fn tests(program: &Program, block: &Block, iteration: Option<&Iteration>) -> Cos
     } else {
         Cost::default()
     };
-    let rounds = newton.contracting().map_or(0, |_| iteration.rounds);
+    let rounds = newton.contracting_step().map_or(0, |_| iteration.rounds);
     let contraction_and_det = Cost {
         multiplications: rounds,
         selections: 2 * rounds + 1,

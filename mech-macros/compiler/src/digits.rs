@@ -3,7 +3,7 @@
 use crate::bug::bug;
 
 /// A number with so many decimal places, without zeros at its end.
-pub(crate) fn rounded(value: f64, places: usize) -> f64 {
+pub(crate) fn round_to(value: f64, places: usize) -> f64 {
     // Zero added: there is no point in a negative one.
     read(&format!("{value:.places$}")) + 0.0
 }

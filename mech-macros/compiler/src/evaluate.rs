@@ -9,9 +9,9 @@ use crate::program::{BlockId, Forces, Position, Program};
 use journey::Move;
 use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
-use run::{Given, Runner};
+use run::{MotionInputs, Runner};
 
-pub use sensitivity::{Followed, sensitivities};
+pub use sensitivity::sensitivities;
 
 /// Why a mechanism did not go to a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ pub enum Stop {
 
 /// The rates of all links.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Moved<T> {
+pub struct LinkRates<T> {
     /// For each moving link its angular velocity, and the rates of x and y.
     pub velocities: Vec<[T; 3]>,
     /// For each moving link its angular acceleration, and the second rates of x and y, if the program computes them.
@@ -91,7 +91,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// # Errors
     /// The reason why it cannot go there; it then stays where it was.
     pub fn move_to(&mut self, motors: &[T]) -> Result<(), Stop> {
-        self.go(motors, &vec![0; motors.len()])
+        self.advance(motors, &vec![0; motors.len()])
             .map_err(|halt| halt.stop)
     }
 
@@ -108,7 +108,7 @@ impl<'p, T: Real> Machine<'p, T> {
         inputs.truncate(motors);
         inputs.extend_from_slice(params);
         let turns = self.position.turns.clone();
-        self.go(&inputs, &turns).map_err(|halt| halt.stop)
+        self.advance(&inputs, &turns).map_err(|halt| halt.stop)
     }
 
     /// The values of the params, in order of declaration.
@@ -128,7 +128,7 @@ impl<'p, T: Real> Machine<'p, T> {
             .into_iter()
             .map(|turns| turns.try_into().ok())
             .collect();
-        self.go(&motors, &turns.ok_or(Stop::Overflow)?)
+        self.advance(&motors, &turns.ok_or(Stop::Overflow)?)
             .map_err(|halt| halt.stop)
     }
 
@@ -137,7 +137,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// # Errors
     /// If there are too few or too many values, or one is not finite; it then stays where it was.
     pub fn move_toward(&mut self, motors: &[T]) -> Result<Option<Stop>, Stop> {
-        match self.go(motors, &vec![0; motors.len()]) {
+        match self.advance(motors, &vec![0; motors.len()]) {
             Ok(()) => Ok(None),
             Err(Halt {
                 stop: stop @ (Stop::MotorCount | Stop::NotFinite(_)),
@@ -155,7 +155,7 @@ impl<'p, T: Real> Machine<'p, T> {
     /// # Errors
     /// If a loop is at a dead point or a change point, where rates are not determined; if a rate is not finite; or if the
     /// program does not compute rates.
-    pub fn motion(&self, rates: &[T], accelerations: &[T]) -> Result<Moved<T>, Stop> {
+    pub fn motion(&self, rates: &[T], accelerations: &[T]) -> Result<LinkRates<T>, Stop> {
         let given = self.given(rates, accelerations, &[])?;
         self.runner.motion(&self.position, given)
     }
@@ -175,7 +175,7 @@ impl<'p, T: Real> Machine<'p, T> {
         rates: &'g [T],
         accelerations: &'g [T],
         loads: &'g [T],
-    ) -> Result<Given<'g, T>, Stop> {
+    ) -> Result<MotionInputs<'g, T>, Stop> {
         let count = self.runner.program.motors.len();
         if rates.len() != count || accelerations.len() != count {
             return Err(Stop::MotorCount);
@@ -191,7 +191,7 @@ impl<'p, T: Real> Machine<'p, T> {
         if loads.iter().any(|load| !load.is_finite()) {
             return Err(Stop::Overflow);
         }
-        Ok(Given {
+        Ok(MotionInputs {
             rates,
             accelerations,
             loads,
@@ -199,7 +199,7 @@ impl<'p, T: Real> Machine<'p, T> {
     }
 
     /// Exactly as the generated code's runtime does it.
-    fn go(&mut self, motors: &[T], turns: &[i32]) -> Result<(), Halt<Position<T>, Stop, T>> {
+    fn advance(&mut self, motors: &[T], turns: &[i32]) -> Result<(), Halt<Position<T>, Stop, T>> {
         let refuse = |stop| Halt {
             position: self.position.clone(),
             part: T::ZERO,

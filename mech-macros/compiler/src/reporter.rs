@@ -16,6 +16,7 @@ mod repairs;
 mod start;
 mod wording;
 
+use crate::bug::bug;
 use crate::model::{JointId, LinkId, Model, MotorId, Origin};
 use crate::repair::{self, Offers, Repair};
 use crate::structure::Diagnosis;
@@ -45,8 +46,10 @@ pub fn messages(
 #[must_use]
 pub fn text(diagnosis: &Diagnosis, model: &Model) -> String {
     let found = repair::offers(model, std::slice::from_ref(diagnosis));
-    let offers = found.into_iter().next().unwrap_or_default();
-    let messages = Words { model }.of(diagnosis, &offers);
+    let [offers] = &found[..] else {
+        bug!("one diagnosis has one list of offers");
+    };
+    let messages = Words { model }.of(diagnosis, offers);
     let texts: Vec<String> = messages.iter().map(|(_, text)| space_notes(text)).collect();
     texts.join("\n\n")
 }

@@ -59,11 +59,11 @@ pub fn reached_by_motors<T: Scalar, const ALL: usize, const MOTORS: usize>(
 }
 
 /// The sensitivities to a param: of links, points and joints.
-type Followed<T, const LINKS: usize, const POINTS: usize, const JOINTS: usize> =
+type ParamRates<T, const LINKS: usize, const POINTS: usize, const JOINTS: usize> =
     ([Velocity<T>; LINKS], [[T; 2]; POINTS], [T; JOINTS]);
 
 impl<T: Scalar, const LINKS: usize, const POINTS: usize, const JOINTS: usize, const PARAMS: usize>
-    Rates for [Followed<T, LINKS, POINTS, JOINTS>; PARAMS]
+    Rates for [ParamRates<T, LINKS, POINTS, JOINTS>; PARAMS]
 {
     fn is_finite(&self) -> bool {
         self.iter().all(|(links, points, joints)| {

@@ -74,9 +74,9 @@ pub enum Symbol<T> {
     /// A revolute joint; on the ground, a fixed pivot.
     Pivot(Spot<T>),
     /// A motor that turns.
-    Turned(Spot<T>),
+    RotaryMotor(Spot<T>),
     /// A motor that slides.
-    Pushed {
+    LinearMotor {
         /// The link that it moves.
         block: Spot<T>,
         /// The link with the guide, numbered as in [`Spot`].
@@ -131,7 +131,7 @@ impl<T: Scalar> Symbol<T> {
             | Self::Belt { .. }
             | Self::Rack { .. } => Kind::Link,
             Self::Slide { .. } | Self::Weld(_) | Self::Pivot(_) => Kind::Joint,
-            Self::Turned(_) | Self::Pushed { .. } => Kind::Motor,
+            Self::RotaryMotor(_) | Self::LinearMotor { .. } => Kind::Motor,
             Self::Line { .. } | Self::Point(_) => Kind::Axis,
         }
     }
@@ -200,8 +200,8 @@ impl<T: Scalar> Symbol<T> {
                 }
                 pen.eye(canvas, at, PIVOT);
             }
-            Self::Turned(spot) => turn(pen, canvas, spot.place(poses)?, true, 16.0),
-            Self::Pushed {
+            Self::RotaryMotor(spot) => turn(pen, canvas, spot.place(poses)?, true, 16.0),
+            Self::LinearMotor {
                 block,
                 guide,
                 along,

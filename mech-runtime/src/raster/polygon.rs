@@ -30,13 +30,13 @@ pub(super) fn fill<T: Scalar>(
 ) {
     let clip = surface.clip();
     match shape(corner, count, clip) {
-        Some(Seen {
+        Some(PolygonExtent {
             top,
             bottom,
             highest,
             is_simple: true,
         }) => between_chains(surface, corner, count, highest, top..bottom, color),
-        Some(Seen { top, bottom, .. }) => {
+        Some(PolygonExtent { top, bottom, .. }) => {
             let rows = Clip {
                 top,
                 bottom,
@@ -73,7 +73,7 @@ pub(super) fn fill_path<T: Scalar>(
 }
 
 /// The extent and the kind of a polygon, found before it is filled.
-struct Seen {
+struct PolygonExtent {
     /// The rows to be filled.
     top: usize,
     bottom: usize,
@@ -84,8 +84,12 @@ struct Seen {
 }
 
 /// Looks at all corners; nothing is to be filled if one is not finite, or if all are above or below.
-fn shape<T: Scalar>(corner: &impl Fn(usize) -> [T; 2], count: usize, clip: Clip) -> Option<Seen> {
-    let mut seen = Seen {
+fn shape<T: Scalar>(
+    corner: &impl Fn(usize) -> [T; 2],
+    count: usize,
+    clip: Clip,
+) -> Option<PolygonExtent> {
+    let mut seen = PolygonExtent {
         top: clip.bottom,
         bottom: clip.top,
         highest: 0,

@@ -201,7 +201,7 @@ fn a_weld_is_a_full_square() {
 #[test]
 fn a_motor_that_turns_is_a_curved_arrow() {
     assert_looks::<43, 33>(
-        draw(Symbol::Turned(on(1, [0.0, -5.0]))),
+        draw(Symbol::RotaryMotor(on(1, [0.0, -5.0]))),
         "
          ...........................................
          ...........................................
@@ -242,7 +242,7 @@ fn a_motor_that_turns_is_a_curved_arrow() {
 #[test]
 fn a_motor_that_slides_is_a_double_arrow() {
     assert_looks::<45, 39>(
-        draw(Symbol::Pushed {
+        draw(Symbol::LinearMotor {
             block: on(1, [0.0, 0.0]),
             guide: 0,
             along: [1.0, 0.0],

@@ -32,11 +32,11 @@ fn only_what_is_wanted_is_drawn() {
             ends: [[-9.0, 0.0], [9.0, 0.0]],
         },
         Symbol::Pivot(on(1, [0.0, 0.0])),
-        Symbol::Turned(on(1, [0.0, 0.0])),
+        Symbol::RotaryMotor(on(1, [0.0, 0.0])),
         Symbol::Point(on(1, [0.0, 0.0])),
         // No pose is known of this one.
         Symbol::Mark(on(2, [0.0, 0.0])),
-        Symbol::Pushed {
+        Symbol::LinearMotor {
             block: on(7, [0.0, 0.0]),
             guide: 0,
             along: [1.0, 0.0],
@@ -142,8 +142,8 @@ fn all_symbols() -> Vec<Symbol<f64>> {
         },
         Symbol::Weld(on(1, [0.0, 1.0])),
         Symbol::Pivot(on(0, [2.0, 2.0])),
-        Symbol::Turned(on(1, [0.0, 0.0])),
-        Symbol::Pushed {
+        Symbol::RotaryMotor(on(1, [0.0, 0.0])),
+        Symbol::LinearMotor {
             block: on(1, [0.0, 0.0]),
             guide: 0,
             along: [0.0, 1.0],
@@ -203,8 +203,8 @@ proptest! {
             Symbol::Pivot(on(0, [0.0, 0.0])),
             Symbol::Pivot(on(1, [0.0, 0.0])),
             Symbol::Weld(on(1, [0.0, 0.0])),
-            Symbol::Turned(on(1, [0.0, 0.0])),
-            Symbol::Pushed { block: on(1, [0.0, 0.0]), guide: 0, along: [0.6, 0.8] },
+            Symbol::RotaryMotor(on(1, [0.0, 0.0])),
+            Symbol::LinearMotor { block: on(1, [0.0, 0.0]), guide: 0, along: [0.6, 0.8] },
         ] {
             let (once, again) = (sizes(symbol, 1.0, 1.0), sizes(symbol, scale, size));
             prop_assert!((again / f64::from(size) - once).abs() < 1e-6 * once, "{symbol:?}: {once}, {again}");

@@ -17,11 +17,11 @@ const TIGHT: f64 = 1e-9;
 const SPREAD: f64 = 0.618_033_988_749_894_9;
 
 /// Values that are held where they are at the start.
-pub(super) type Held = Vec<(Value, f64)>;
+pub(super) type HeldValues = Vec<(Value, f64)>;
 
 /// The directions in which a loop is carried, at the start: if they have no part in its slack, it closes in one as in all others. What
 /// has a part must not be made from them.
-pub(super) fn held(cutter: &Cutter<'_>, closed: &ClosedForm) -> Held {
+pub(super) fn find_held(cutter: &Cutter<'_>, closed: &ClosedForm) -> HeldValues {
     let cone = cutter.cone(&[closed.discriminant, closed.tolerance], &Cuts::ALONE);
     let variables = cone.variables.iter().enumerate();
     let (mut with_part, mut without): (Vec<Vec<Value>>, Vec<Vec<Value>>) = (Vec::new(), Vec::new());
@@ -34,7 +34,7 @@ pub(super) fn held(cutter: &Cutter<'_>, closed: &ClosedForm) -> Held {
         }
     }
     while let Some(values) = with_part.pop() {
-        let made_from = made_from(cutter.program, values, &Held::new());
+        let made_from = made_from(cutter.program, values, &HeldValues::new());
         let (used, unused) = without
             .into_iter()
             .partition(|values| values.iter().any(|value| made_from.contains(value)));
@@ -57,7 +57,11 @@ fn values_of(cutter: &Cutter<'_>, variable: Variable) -> Vec<Value> {
 }
 
 /// Everything that these values are made from, themselves among it, but for what is held.
-pub(super) fn made_from(program: &Program, values: Vec<Value>, held: &Held) -> BTreeSet<Value> {
+pub(super) fn made_from(
+    program: &Program,
+    values: Vec<Value>,
+    held: &HeldValues,
+) -> BTreeSet<Value> {
     let mut made_from = BTreeSet::new();
     let mut waiting = values;
     while let Some(value) = waiting.pop() {

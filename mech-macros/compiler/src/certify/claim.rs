@@ -28,7 +28,7 @@ pub(super) fn tests(program: &Program) -> Vec<(BlockId, Test)> {
         hangs[index] = matches!(node.op, Op::Unknown(..) | Op::Solved(..) | Op::Dense(..))
             || node.op.operands().any(|operand| hangs[operand.index()]);
     }
-    let exposed = exposed(program, &keeps_direction(program));
+    let exposed = find_exposed(program, &keeps_direction(program));
     let divisors = program
         .ssa
         .nodes
@@ -75,7 +75,7 @@ pub(super) fn keeps_direction(program: &Program) -> Vec<bool> {
 }
 
 /// Which values reach anything that is asked for, and not only where the direction of the last position may stand in for them.
-fn exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
+fn find_exposed(program: &Program, keeps: &[bool]) -> Vec<bool> {
     let mut exposed = vec![false; program.ssa.nodes.len()];
     let margins = program.margins().map(|(_, closed)| closed.margin);
     for root in program

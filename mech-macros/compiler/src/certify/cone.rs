@@ -111,7 +111,7 @@ impl<'p> Cutter<'p> {
                 waiting.extend(self.program.node(value).op.operands());
             }
         }
-        let mut growing = Growing {
+        let mut growing = ConeBuilder {
             cone: Cone {
                 nodes: Vec::with_capacity(needed.len()),
                 variables: Vec::new(),
@@ -132,14 +132,14 @@ impl<'p> Cutter<'p> {
                 }
                 None => match node.op {
                     // Values are taken with all their turns in them.
-                    Op::Turns(_) | Op::Turned(..) => Op::Constant(Number::new(0.0)),
+                    Op::Turns(_) | Op::PartOfTurns(..) => Op::Constant(Number::new(0.0)),
                     op => op.map(|operand| growing.copies[&operand]),
                 },
             };
             let copy = growing.push(Node { op, ..node.clone() });
             growing.copies.insert(value, copy);
         }
-        let Growing {
+        let ConeBuilder {
             mut cone, copies, ..
         } = growing;
         cone.outputs = outputs.iter().map(|output| copies[output]).collect();
@@ -198,7 +198,7 @@ impl<'p> Cutter<'p> {
             )
         };
         match node.op {
-            Op::Constant(_) | Op::Turns(_) | Op::Turned(..) => Some(BTreeMap::new()),
+            Op::Constant(_) | Op::Turns(_) | Op::PartOfTurns(..) => Some(BTreeMap::new()),
             Op::Motor(input) => Some(BTreeMap::from([(input, 1.0)])),
             Op::Neg(a) => scaled(a, -1.0),
             Op::Add(a, b) => both(a, b, 1.0),
@@ -224,7 +224,7 @@ impl<'p> Cutter<'p> {
         let mut exact = None;
         while let Some(value) = waiting.pop() {
             match self.program.node(value).op {
-                Op::Turned(of, numerator, denominator) if of == input => {
+                Op::PartOfTurns(of, numerator, denominator) if of == input => {
                     // Of several parts of one motor only their sum tells.
                     if exact.replace((numerator, denominator)).is_some() {
                         return None;
@@ -244,14 +244,14 @@ impl<'p> Cutter<'p> {
 }
 
 /// A cone that grows.
-struct Growing {
+struct ConeBuilder {
     cone: Cone,
     /// The nodes of the variables.
     inputs: Vec<Value>,
     copies: BTreeMap<Value, Value>,
 }
 
-impl Growing {
+impl ConeBuilder {
     fn push(&mut self, node: Node) -> Value {
         self.cone.nodes.push(node);
         Value::at(self.cone.nodes.len() - 1)

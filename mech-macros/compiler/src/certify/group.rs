@@ -2,7 +2,7 @@
 //! the boom stands.
 
 use super::Interval;
-use super::carried::{Held, held, made_from};
+use super::carried::{HeldValues, find_held, made_from};
 use super::claim::{Test, tests};
 use super::cone::Cutter;
 use crate::program::{BlockId, Op, Program, Value};
@@ -14,7 +14,7 @@ pub(super) struct Group {
     /// By their numbers.
     pub(super) motors: Vec<usize>,
     /// What carries these loops stands still.
-    pub(super) held: Held,
+    pub(super) held: HeldValues,
     /// In the order in which they are found.
     pub(super) tests: Vec<(BlockId, Test)>,
 }
@@ -38,12 +38,12 @@ impl Group {
 pub(super) fn groups(program: &Program, free: &[BlockId]) -> Vec<Group> {
     let cutter = Cutter::new(program);
     let mut groups: Vec<Group> = Vec::new();
-    let mut loops: BTreeMap<BlockId, Held> = BTreeMap::new();
+    let mut loops: BTreeMap<BlockId, HeldValues> = BTreeMap::new();
     let tests = tests(program).into_iter();
     for (block, test) in tests.filter(|(block, _)| !free.contains(block)) {
         let held = loops.entry(block).or_insert_with(|| {
             let closed = program.closed_form(block);
-            closed.map_or_else(Held::new, |closed| held(&cutter, closed))
+            closed.map_or_else(HeldValues::new, |closed| find_held(&cutter, closed))
         });
         let motors = motors(program, test.values(), held);
         let same = |group: &&mut Group| group.motors == motors && group.held == *held;
@@ -64,11 +64,11 @@ pub(crate) fn motors_of(program: &Program, block: BlockId) -> Vec<usize> {
     let values = program.ssa.nodes.iter().enumerate();
     let own = values.filter(|(_, node)| node.block == block);
     let own = own.map(|(index, _)| Value::at(index)).collect();
-    motors(program, own, &Held::new())
+    motors(program, own, &HeldValues::new())
 }
 
 /// The motors of which some values are made, but for what is held.
-fn motors(program: &Program, values: Vec<Value>, held: &Held) -> Vec<usize> {
+fn motors(program: &Program, values: Vec<Value>, held: &HeldValues) -> Vec<usize> {
     let values = made_from(program, values, held).into_iter();
     let motors: BTreeSet<usize> = values
         .filter_map(|value| match program.node(value).op {

@@ -195,8 +195,8 @@ impl Interval {
         let mut extremum = (first - near(first)).ceil();
         let (from, to) = (at(self.low), at(self.high));
         let mut bounds = Self {
-            low: widened(from.min(to)).low,
-            high: widened(from.max(to)).high,
+            low: widen(from.min(to)).low,
+            high: widen(from.max(to)).high,
         };
         while extremum <= last + near(last) {
             if extremum % 2.0 == 0.0 {
@@ -232,8 +232,8 @@ impl Interval {
         let [a, b, c, d] = corners.map(angle);
         let Self { low, high } = a.hull(b).hull(c.hull(d));
         Self {
-            low: widened(low).low.max(-pi),
-            high: widened(high).high.min(pi),
+            low: widen(low).low.max(-pi),
+            high: widen(high).high.min(pi),
         }
     }
 
@@ -241,8 +241,8 @@ impl Interval {
     #[must_use]
     pub fn exp(self) -> Self {
         Self {
-            low: widened(libm::exp(self.low)).low.max(0.0),
-            high: widened(libm::exp(self.high)).high,
+            low: widen(libm::exp(self.low)).low.max(0.0),
+            high: widen(libm::exp(self.high)).high,
         }
     }
 
@@ -257,7 +257,7 @@ impl Interval {
 }
 
 /// A result of the library of mathematics, with what that may be wrong by: a little less than the last digit.
-fn widened(number: f64) -> Interval {
+fn widen(number: f64) -> Interval {
     Interval {
         low: number.next_down().next_down(),
         high: number.next_up().next_up(),

@@ -45,9 +45,9 @@ impl Line {
             (Some((wall, test)), _) => self.blocked(search, &walk, wall, test, to),
             (None, Some((near, far, test))) => {
                 let place = self.place(near, far);
-                search.undecided(test, place)
+                search.give_up(test, place)
             }
-            (None, None) => search.proved(),
+            (None, None) => search.conclude(),
         }
     }
 
@@ -60,7 +60,7 @@ impl Line {
         to: f64,
     ) -> Verdict {
         let Some(block) = search.tape.block(test) else {
-            return search.proved();
+            return search.conclude();
         };
         let limit = self.border(search, walk.reached, wall);
         let beyond = self.walk(search, wall, to, Ground::Blocked);

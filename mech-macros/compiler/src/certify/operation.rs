@@ -8,7 +8,7 @@ pub(super) fn natural(op: Op, get: impl Fn(Value) -> Interval) -> Option<Interva
     Some(match op {
         Op::Constant(number) => Interval::point(number.get()),
         // A range is one of values with all their turns in them: there are none besides.
-        Op::Turns(_) | Op::Turned(..) => Interval::ZERO,
+        Op::Turns(_) | Op::PartOfTurns(..) => Interval::ZERO,
         Op::Last(Slot::Pose(_, Part::Cos | Part::Sin)) => direction(),
         Op::Motor(_)
         | Op::Last(_)

@@ -89,10 +89,10 @@ impl<'p> Search<'p> {
         let hopeless =
             self.tape.is_too_large() || self.ranges.iter().any(|range| !range.is_bounded());
         let verdict = match self.tape.block(0) {
-            None => self.proved(),
+            None => self.conclude(),
             Some(block) if hopeless => {
                 let place = self.ranges.clone();
-                self.undecided_at(block, place)
+                self.give_up_at(block, place)
             }
             Some(_) => match self.motors[..] {
                 [motor] => self.one_motor(motor),
@@ -114,7 +114,7 @@ impl<'p> Search<'p> {
         }
         let down = line.verdict(self, start, range.low());
         match (up, down) {
-            (Verdict::Proved { .. }, Verdict::Proved { .. }) => self.proved(),
+            (Verdict::Proved { .. }, Verdict::Proved { .. }) => self.conclude(),
             (_, down @ Verdict::Blocked(_)) | (Verdict::Proved { .. }, down) => down,
             (up, _) => up,
         }
@@ -154,8 +154,8 @@ impl<'p> Search<'p> {
             }
         }
         match open {
-            Some((test, place)) => self.undecided(test, place),
-            None => self.proved(),
+            Some((test, place)) => self.give_up(test, place),
+            None => self.conclude(),
         }
     }
 
@@ -191,7 +191,7 @@ impl<'p> Search<'p> {
                     at,
                 })
             }
-            None => self.proved(),
+            None => self.conclude(),
         }
     }
 
@@ -200,7 +200,7 @@ impl<'p> Search<'p> {
         &self.motors
     }
 
-    fn undecided_at(&self, block: BlockId, place: Vec<Interval>) -> Verdict {
+    fn give_up_at(&self, block: BlockId, place: Vec<Interval>) -> Verdict {
         Verdict::Undecided {
             block,
             motors: self.motors.clone(),
@@ -208,17 +208,17 @@ impl<'p> Search<'p> {
         }
     }
 
-    pub(super) fn proved(&mut self) -> Verdict {
+    pub(super) fn conclude(&mut self) -> Verdict {
         self.touching.sort_unstable();
         self.touching.dedup();
         let touching = self.touching.clone();
         Verdict::Proved { touching }
     }
 
-    pub(super) fn undecided(&mut self, test: usize, place: Vec<Interval>) -> Verdict {
+    pub(super) fn give_up(&mut self, test: usize, place: Vec<Interval>) -> Verdict {
         match self.tape.block(test) {
-            Some(block) => self.undecided_at(block, place),
-            None => self.proved(),
+            Some(block) => self.give_up_at(block, place),
+            None => self.conclude(),
         }
     }
 

@@ -118,7 +118,7 @@ fn slope(op: Op, values: &[Interval], result: Interval, slopes: &[Interval]) -> 
         | Op::Constant(_)
         | Op::Motor(_)
         | Op::Turns(_)
-        | Op::Turned(..)
+        | Op::PartOfTurns(..)
         | Op::Last(_)
         | Op::Unknown(..)
         | Op::Solved(..)

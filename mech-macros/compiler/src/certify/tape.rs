@@ -276,9 +276,9 @@ impl<'p> Tape<'p> {
                 one(a, simple([sign, 0.0]))
             }
             Op::Sqrt(a) => one(a, root(operand(a).range)?),
-            Op::Mul(a, b) if a == b => one(a, self.squared(operand(a))),
-            Op::Mul(a, b) => two(a, b, self.multiplied(operand(a), operand(b))),
-            Op::Div(a, b) => two(a, b, self.divided(operand(a), operand(b))?),
+            Op::Mul(a, b) if a == b => one(a, self.square(operand(a))),
+            Op::Mul(a, b) => two(a, b, self.multiply(operand(a), operand(b))),
+            Op::Div(a, b) => two(a, b, self.divide(operand(a), operand(b))?),
             Op::Sin(a) | Op::Cos(a) => {
                 let angle = operand(a);
                 let middle = self.forms.middle(angle);
@@ -321,7 +321,7 @@ impl<'p> Tape<'p> {
             | Op::Constant(_)
             | Op::Motor(_)
             | Op::Turns(_)
-            | Op::Turned(..)
+            | Op::PartOfTurns(..)
             | Op::Last(_)
             | Op::Unknown(..)
             | Op::Solved(..)
@@ -333,7 +333,7 @@ impl<'p> Tape<'p> {
         })
     }
 
-    fn squared(&self, a: Operand) -> Linear {
+    fn square(&self, a: Operand) -> Linear {
         let middle = Interval::point(self.forms.middle(a));
         Linear {
             factors: [2.0 * middle.low(), 0.0],
@@ -341,7 +341,7 @@ impl<'p> Tape<'p> {
         }
     }
 
-    fn multiplied(&self, a: Operand, b: Operand) -> Linear {
+    fn multiply(&self, a: Operand, b: Operand) -> Linear {
         let (first, second) = (self.forms.middle(a), self.forms.middle(b));
         let (p, q) = (Interval::point(first), Interval::point(second));
         Linear {
@@ -351,7 +351,7 @@ impl<'p> Tape<'p> {
     }
 
     /// With any q, a / b is q + (a − q · b) / b, where a − q · b is small.
-    fn divided(&self, a: Operand, b: Operand) -> Option<Linear> {
+    fn divide(&self, a: Operand, b: Operand) -> Option<Linear> {
         let quotient = self.forms.middle(a) / self.forms.middle(b);
         let inverses = Interval::ONE / b.range;
         if !(quotient.is_finite() && inverses.is_bounded()) {

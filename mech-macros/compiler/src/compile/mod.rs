@@ -106,7 +106,7 @@ fn saved_cost(model: &Model, plan: &Plan, program: &Program, choices: &[Choice])
     };
     let whole = program::build_as(&everything, plan, choices);
     let saved = cost::of_program(&whole).without(cost::of_program(program));
-    let needed = program::needed(model, plan, &program.stored);
+    let needed = program::find_needed(model, plan, &program.stored);
     let all_needed = needed.steps.iter().all(|needed| *needed)
         && program.solved_loops().len() == plan.loops().count();
     (!all_needed || saved != Cost::default()).then_some(saved)

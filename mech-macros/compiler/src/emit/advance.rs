@@ -58,6 +58,11 @@ pub(super) fn rates_at(
     quote!(generated::rates_at(&#position, |last, motors| #module::step(last, motors #arguments)))
 }
 
+/// The forces that a derived program computes where the mechanism is, by the variables that are named as its parameters.
+pub(super) fn forces_here(derived: &Program) -> TokenStream {
+    rates_at(derived, &quote!(self.position), &arguments(derived))
+}
+
 /// The target of a move to the variable `motors`, with the params of a position.
 pub(super) struct Target {
     /// The statement before the move.

@@ -49,25 +49,7 @@ pub(super) fn extra_cost(
 
 /// A cost as an expression.
 pub(super) fn literal(cost: Cost) -> TokenStream {
-    let Cost {
-        additions,
-        multiplications,
-        divisions,
-        square_roots,
-        sine_cosine_pairs,
-        arctangents,
-        selections,
-    } = cost;
-    let fields = [
-        ("additions", additions),
-        ("multiplications", multiplications),
-        ("divisions", divisions),
-        ("square_roots", square_roots),
-        ("sine_cosine_pairs", sine_cosine_pairs),
-        ("arctangents", arctangents),
-        ("selections", selections),
-    ];
-    let fields = fields.map(|(name, count)| {
+    let fields = cost.named_counts().map(|(name, count)| {
         let (name, count) = (format_ident!("{name}"), Literal::u32_unsuffixed(count));
         quote!(#name: #count,)
     });

@@ -47,16 +47,20 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     };
     // The trait's own method paints what is at the start; `traces` has another.
     let mut shapes = model.links.iter().flat_map(|link| &link.shapes);
-    let trait_items = (model.traces.is_empty() && shapes.any(Shape::varies)).then(|| {
-        quote! {
-            fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
-                Self::draw(self, canvas);
-            }
+    let mut parts = Parts::methods(methods);
+    if model.traces.is_empty() && shapes.any(Shape::varies) {
+        parts.trait_items = trait_draw(emitter);
+    }
+    parts
+}
+
+/// The trait's `draw` of a mechanism whose own paints more than the shapes at the start.
+pub(super) fn trait_draw(emitter: &Emitter<'_>) -> TokenStream {
+    let scalar = &emitter.scalar;
+    quote! {
+        fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
+            Self::draw(self, canvas);
         }
-    });
-    Parts {
-        trait_items: trait_items.unwrap_or_default(),
-        ..Parts::methods(methods)
     }
 }
 

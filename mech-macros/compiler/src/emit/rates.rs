@@ -47,6 +47,17 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     parts
 }
 
+/// The pattern of what a program of rates computes, and the statements that store it.
+pub(super) fn stored_rates(emitter: &Emitter<'_>) -> [TokenStream; 2] {
+    let store = quote!(self.velocities = velocities;);
+    if emitter.model.effects.acceleration {
+        let store = quote!(#store self.accelerations = accelerations;);
+        [quote!((velocities, accelerations)), store]
+    } else {
+        [quote!(velocities), store]
+    }
+}
+
 /// The statements that move a mechanism to `target` at the rates that are given.
 pub(super) fn advance_at_rates(
     emitter: &Emitter<'_>,
@@ -54,28 +65,21 @@ pub(super) fn advance_at_rates(
     target: &TokenStream,
 ) -> TokenStream {
     let effects = emitter.model.effects;
-    let (mut given, mut found) = (quote!([rates]), quote!(velocities));
-    if effects.acceleration {
-        given = quote!([rates, accelerations]);
-        found = quote!((velocities, accelerations));
-    }
-    let store_accelerations = effects
-        .acceleration
-        .then(|| quote!(self.accelerations = accelerations;));
+    let accelerations = effects.acceleration.then(|| quote!(, accelerations));
+    let [pattern, store] = stored_rates(emitter);
     let store_rates = effects.dynamics.then(|| quote!(self.rates = rates;));
     let record = record(emitter);
     let refusal = refusal(emitter);
     let advance = advance_with(moving, &quote!(&mut self.position), target);
     let advance = strip_params(emitter, advance);
     quote! {
-        for rates in #given {
+        for rates in [rates #accelerations] {
             if let Result::Err(stop) = generated::finite(rates, known::MOVE_LIMITS.inputs) {
                 return Result::Err(#refusal);
             }
         }
-        let #found = #advance?;
-        self.velocities = velocities;
-        #store_accelerations
+        let #pattern = #advance?;
+        #store
         #store_rates
         #record
         Result::Ok(())

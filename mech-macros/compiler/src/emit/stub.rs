@@ -230,7 +230,10 @@ impl Stub<'_> {
             "param_count" => count(model.params.len()),
             "joint_count" => count(model.declared_joints().count()),
             "load_count" => count(model.actions.load_names().len()),
-            "trace_length" => count(part.map_or(0, |part| part.length)),
+            "trace_length" => match part {
+                Some(part) => count(part.length),
+                None => bug!("a method of no trace has a length"),
+            },
             "none" => quote!(#krate::generated::None),
             "Arrows" => quote!(#krate::overlay::Arrows),
             known if GENERATED.contains(&known) => quote!(#krate::generated::#word),

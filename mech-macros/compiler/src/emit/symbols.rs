@@ -55,20 +55,20 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
             let (guide, along, block) = (spot(guide), direction(along), spot(block));
             quote!(Slide { guide: #guide, along: #along, block: #block })
         }
-        Symbol::Pushed {
+        Symbol::LinearMotor {
             block,
             guide,
             along,
         } => {
             let (block, guide, along) =
                 (spot(block), link_number(emitter, guide), direction(along));
-            quote!(Pushed { block: #block, guide: #guide, along: #along })
+            quote!(LinearMotor { block: #block, guide: #guide, along: #along })
         }
         Symbol::Mark(at) => at_spot("Mark", at),
         Symbol::Point(at) => at_spot("Point", at),
         Symbol::Weld(at) => at_spot("Weld", at),
         Symbol::Pivot(at) => at_spot("Pivot", at),
-        Symbol::Turned(at) => at_spot("Turned", at),
+        Symbol::RotaryMotor(at) => at_spot("RotaryMotor", at),
     };
     quote!(Symbol::#symbol)
 }

@@ -1,5 +1,6 @@
 //! The fields and methods of traced points.
 
+use super::drawing::trait_draw;
 use super::emitter::Emitter;
 use super::parts::Parts;
 use super::shown::NamedPoint;
@@ -22,11 +23,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     }
     let scalar_path = emitter.scalar_path();
     let mut parts = Parts {
-        trait_items: quote! {
-            fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
-                Self::draw(self, canvas);
-            }
-        },
+        trait_items: trait_draw(emitter),
         ..Parts::default()
     };
     let mut clears = TokenStream::new();

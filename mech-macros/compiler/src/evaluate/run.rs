@@ -1,6 +1,6 @@
 //! One step of a program: all its operations, one after the other.
 
-use super::{Moved, Stop};
+use super::{LinkRates, Stop};
 use crate::bug::bug;
 use crate::program::{
     BlockId, BlockKind, ClosedForm, Forces, Motion, Newton, Op, Position, Program, RateMargin,
@@ -13,7 +13,7 @@ use mech_core::motors::turned;
 
 /// The inputs of a program of rates or forces, besides the motors' values.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Given<'g, T> {
+pub(super) struct MotionInputs<'g, T> {
     pub(super) rates: &'g [T],
     pub(super) accelerations: &'g [T],
     pub(super) loads: &'g [T],
@@ -41,7 +41,7 @@ impl<'p> Runner<'p> {
         (motors, turns): (&[T], &[i32]),
     ) -> Result<Position<T>, Stop> {
         let zero = vec![T::ZERO; motors.len()];
-        let given = Given {
+        let given = MotionInputs {
             rates: &zero,
             accelerations: &zero,
             loads: &[],
@@ -54,9 +54,9 @@ impl<'p> Runner<'p> {
     pub(super) fn motion<T: Real>(
         &self,
         at: &Position<T>,
-        given: Given<'_, T>,
-    ) -> Result<Moved<T>, Stop> {
-        let (motion, values) = self.beyond(at, given)?;
+        given: MotionInputs<'_, T>,
+    ) -> Result<LinkRates<T>, Stop> {
+        let (motion, values) = self.determined_motion(at, given)?;
         let get = |value: &Value| values[value.index()];
         let all = |rates: &Vec<[Value; 3]>| -> Vec<[T; 3]> {
             rates
@@ -64,7 +64,7 @@ impl<'p> Runner<'p> {
                 .map(|rates| rates.each_ref().map(get))
                 .collect()
         };
-        let moved = Moved {
+        let moved = LinkRates {
             velocities: all(&motion.velocities),
             accelerations: motion.accelerations.as_ref().map(all),
         };
@@ -84,9 +84,9 @@ impl<'p> Runner<'p> {
     pub(super) fn forces<T: Real>(
         &self,
         at: &Position<T>,
-        given: Given<'_, T>,
+        given: MotionInputs<'_, T>,
     ) -> Result<Forces<T>, Stop> {
-        let (motion, values) = self.beyond(at, given)?;
+        let (motion, values) = self.determined_motion(at, given)?;
         let forces = motion.forces.as_ref().ok_or(Stop::Unasked)?;
         let found = forces.map(|value: Value| values[value.index()]);
         if found.roots().iter().all(|number| number.is_finite()) {
@@ -97,10 +97,10 @@ impl<'p> Runner<'p> {
     }
 
     /// The motion that the program computes from a position, and all its values there.
-    fn beyond<T: Real>(
+    fn determined_motion<T: Real>(
         &self,
         at: &Position<T>,
-        given: Given<'_, T>,
+        given: MotionInputs<'_, T>,
     ) -> Result<(&Motion, Vec<T>), Stop> {
         let motion = self.program.motion.as_ref().ok_or(Stop::Unasked)?;
         if given.loads.len() != motion.loads.len() {
@@ -113,7 +113,7 @@ impl<'p> Runner<'p> {
     pub(super) fn determined_values<T: Real>(
         &self,
         at: &Position<T>,
-        given: Given<'_, T>,
+        given: MotionInputs<'_, T>,
     ) -> Result<Vec<T>, Stop> {
         let values = self.values(at, (&at.motors, &at.turns), given);
         // What closed where it is and does not once more is at its limit.
@@ -146,7 +146,7 @@ impl<'p> Runner<'p> {
         &self,
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
-        given: Given<'_, T>,
+        given: MotionInputs<'_, T>,
     ) -> Result<Vec<T>, Stop> {
         let reduced = |(input, (&value, &turns)): (usize, (&T, &i32))| {
             let is_reduced = self.program.reduced.get(input) == Some(&true);
@@ -184,7 +184,7 @@ impl<'p> Runner<'p> {
             values[value.index()] = match node.op {
                 Op::Motor(motor) => motors[motor],
                 Op::Turns(motor) => T::from_i32(turns[motor]),
-                Op::Turned(motor, numerator, denominator) => {
+                Op::PartOfTurns(motor, numerator, denominator) => {
                     turned(turns[motor], numerator, denominator)
                 }
                 Op::Last(slot) => last.at(slot),
@@ -297,7 +297,7 @@ impl<'p> Runner<'p> {
             if done {
                 break;
             }
-            if let Some(step) = newton.contracting()
+            if let Some(step) = newton.contracting_step()
                 && !contracts(&mut before, values[step.index()])
             {
                 break;

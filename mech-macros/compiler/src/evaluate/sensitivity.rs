@@ -1,20 +1,9 @@
 //! Sensitivities by interpretation.
 
 use super::Stop;
-use super::run::{Given, Runner};
-use crate::program::{Position, Program};
+use super::run::{MotionInputs, Runner};
+use crate::program::{ParamRates, Position, Program, Value};
 use mech_core::Real;
-
-/// The rates of everything if one param alone changes, at a rate of one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Followed<T> {
-    /// For each moving link its angular velocity, and the rates of x and y.
-    pub links: Vec<[T; 3]>,
-    /// For each exposed point the rates of its place.
-    pub points: Vec<[T; 2]>,
-    /// For each exposed joint the rate of its coordinate.
-    pub joints: Vec<T>,
-}
 
 /// The rates of everything with each param at a position, by the program that computes them.
 ///
@@ -23,36 +12,21 @@ pub struct Followed<T> {
 pub fn sensitivities<T: Real>(
     program: &Program,
     at: &Position<T>,
-) -> Result<Vec<Followed<T>>, Stop> {
+) -> Result<Vec<ParamRates<T>>, Stop> {
     let sensitivity = program.sensitivity.as_ref().ok_or(Stop::Unasked)?;
-    let given = Given {
+    let given = MotionInputs {
         rates: &[],
         accelerations: &[],
         loads: &[],
     };
     let values = Runner::new(program).determined_values(at, given)?;
-    let get = |value: &crate::program::Value| values[value.index()];
-    let of_params = sensitivity.of_params.iter().map(|rates| Followed {
-        links: rates
-            .links
-            .iter()
-            .map(|link| link.each_ref().map(get))
-            .collect(),
-        points: rates
-            .points
-            .iter()
-            .map(|point| point.each_ref().map(get))
-            .collect(),
-        joints: rates.joints.iter().map(get).collect(),
-    });
-    let of_params: Vec<Followed<T>> = of_params.collect();
-    let numbers = of_params.iter().flat_map(|followed| {
-        let links = followed.links.iter().flatten();
-        let points = followed.points.iter().flatten();
-        links.chain(points).chain(&followed.joints)
-    });
-    if numbers.into_iter().all(|number| number.is_finite()) {
-        Ok(of_params)
+    let rates = sensitivity.of_params.iter();
+    let rates: Vec<ParamRates<T>> = rates
+        .map(|rates| rates.map(|value: Value| values[value.index()]))
+        .collect();
+    let is_finite = |rates: &ParamRates<T>| rates.roots().all(Real::is_finite);
+    if rates.iter().all(is_finite) {
+        Ok(rates)
     } else {
         Err(Stop::Overflow)
     }

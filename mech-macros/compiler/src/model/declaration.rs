@@ -1,6 +1,6 @@
 //! Joints that are to be declared.
 
-use super::{AxisId, Drawn, Joint, JointKind, LinkId, Model, Origin};
+use super::{AxisId, DrawnAxis, Joint, JointKind, LinkId, Model, Origin};
 
 /// A joint as it is to be written.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,9 +59,9 @@ impl NewJoint {
             Ends::Points(points) => points,
             Ends::Drawn { links, at } => {
                 let axes = match self.kind {
-                    NewKind::Revolute | NewKind::Weld => [Drawn::point(at); 2],
-                    NewKind::Prismatic(along) => [Drawn::line(at, along); 2],
-                    NewKind::Slot(along) => [Drawn::point(at), Drawn::line(at, along)],
+                    NewKind::Revolute | NewKind::Weld => [DrawnAxis::point(at); 2],
+                    NewKind::Prismatic(along) => [DrawnAxis::line(at, along); 2],
+                    NewKind::Slot(along) => [DrawnAxis::point(at), DrawnAxis::line(at, along)],
                 };
                 let [first, second] = links;
                 [(first, axes[0]), (second, axes[1])].map(|(link, axis)| {

@@ -7,7 +7,7 @@ pub(crate) const FORWARD: [f64; 2] = [1.0, 0.0];
 
 /// Where the drawing puts an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Drawn {
+pub(crate) struct DrawnAxis {
     pub(crate) kind: AxisKind,
     pub(crate) at: [f64; 2],
     pub(crate) formulas: [Option<FormulaId>; 2],
@@ -15,7 +15,7 @@ pub(crate) struct Drawn {
     pub(crate) direction_formulas: [Option<FormulaId>; 2],
 }
 
-impl Drawn {
+impl DrawnAxis {
     /// An axis of rotation.
     pub(crate) fn point(at: [f64; 2]) -> Self {
         Self {
@@ -39,8 +39,8 @@ impl Drawn {
 
 impl Model {
     /// The axis that the drawing puts on a link. Joints on one spot share it.
-    pub(crate) fn drawn_axis(&mut self, link: LinkId, drawn: Drawn, origin: Origin) -> AxisId {
-        let Drawn {
+    pub(crate) fn drawn_axis(&mut self, link: LinkId, drawn: DrawnAxis, origin: Origin) -> AxisId {
+        let DrawnAxis {
             kind,
             at,
             formulas,

@@ -139,6 +139,16 @@ pub enum Quality {
     Smooth,
 }
 
+impl Link {
+    /// Points of its shapes, each with how far the shape reaches around it.
+    pub(crate) fn shape_points(&self) -> impl Iterator<Item = ([f64; 2], f64)> {
+        self.shapes.iter().flat_map(|shape| {
+            let (points, radius) = shape.kind.reach();
+            points.iter().map(move |&point| (point, radius))
+        })
+    }
+}
+
 impl ShapeKind {
     /// Some of its points, and how far it reaches around them.
     #[must_use]

@@ -25,7 +25,7 @@ mod trace;
 
 pub use action::{Actions, Between, Damper, Load, LoadKind, Spring};
 pub use declaration::{Ends, NewJoint, NewKind};
-pub(crate) use drawing::{Drawn, FORWARD};
+pub(crate) use drawing::{DrawnAxis, FORWARD};
 pub use edit::Edit;
 pub use effects::Effects;
 pub use formula::{Arithmetic, Formula, FormulaArithmetic, Formulas, Now};
@@ -201,11 +201,9 @@ impl Model {
     /// Whether every number in it is within the range of the scalar type.
     #[must_use]
     pub fn fits(&self) -> bool {
-        let shapes = self.links.iter().flat_map(|link| &link.shapes);
-        let in_shape = |shape: &Shape| {
-            let (points, reach) = shape.kind.reach();
-            let mut numbers = points.iter().flatten().chain([&reach]);
-            numbers.all(|&n| self.precision.holds(2.0 * n))
+        let mut shapes = self.links.iter().flat_map(Link::shape_points);
+        let in_shape = |([x, y], reach): ([f64; 2], f64)| {
+            [x, y, reach].iter().all(|n| self.precision.holds(2.0 * n))
         };
         let in_axis = |axis: &Axis| axis.at.iter().all(|&n| self.precision.holds(n));
         let in_start = |value: &StartValue| self.precision.holds(value.value);
@@ -222,13 +220,19 @@ impl Model {
             _ => true,
         };
         self.joints.iter().all(in_joint)
-            && shapes.into_iter().all(in_shape)
+            && shapes.all(in_shape)
             && self.axes.iter().all(in_axis)
             && self.start.values.iter().all(in_start)
             && self
                 .params
                 .values()
                 .all(|value| self.precision.holds(value))
+    }
+
+    /// The places of a link's axes in its frame.
+    pub(crate) fn axis_places(&self, link: LinkId) -> impl Iterator<Item = [f64; 2]> {
+        let axes = self.axes.iter().filter(move |axis| axis.link == link);
+        axes.map(|axis| axis.at)
     }
 
     /// How large it is: the greatest distance of an axis from the origin of its link.

@@ -155,7 +155,7 @@ mod tests {
     use super::{Moments, Point};
     use proptest::prelude::*;
 
-    fn closed(mut corners: Vec<Point>) -> Vec<Point> {
+    fn close_outline(mut corners: Vec<Point>) -> Vec<Point> {
         corners.extend(corners.first().copied());
         corners
     }
@@ -209,7 +209,7 @@ mod tests {
             let (sin, cos) = (f64::from(2 * point) * std::f64::consts::TAU / 5.0).sin_cos();
             [cos, sin]
         };
-        let star = closed((0..5).map(corner).collect());
+        let star = close_outline((0..5).map(corner).collect());
         let moments = Moments::of(&star);
         // Five points of a pentagram; the pentagon in the middle is crossed twice.
         let radius = f64::midpoint(3.0, -5.0_f64.sqrt());
@@ -224,9 +224,9 @@ mod tests {
     #[test]
     fn what_is_gone_round_twice_is_not_painted() {
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-        let twice = closed([square, square].concat());
+        let twice = close_outline([square, square].concat());
         assert_eq!(Moments::of(&twice), Moments::default());
-        let bow = closed(vec![[-1.0, -1.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0]]);
+        let bow = close_outline(vec![[-1.0, -1.0], [1.0, 1.0], [1.0, -1.0], [-1.0, 1.0]]);
         assert_eq!(Moments::of(&bow).area, 2.0);
     }
 
@@ -234,13 +234,13 @@ mod tests {
         #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
         #[test]
         fn polygons_count_what_is_painted(corners in prop::collection::vec(prop::array::uniform2(-2.0..2.0), 3..9)) {
-            let corners = closed(corners);
+            let corners = close_outline(corners);
             assert_near(Moments::of(&corners), sample(&corners, 400), 0.12)?;
         }
 
         #[test]
         fn polygons_on_a_grid_count_what_is_painted(corners in prop::collection::vec(prop::array::uniform2(-2..3_i32), 3..12)) {
-            let corners = closed(corners.into_iter().map(|corner| corner.map(f64::from)).collect());
+            let corners = close_outline(corners.into_iter().map(|corner| corner.map(f64::from)).collect());
             assert_near(Moments::of(&corners), sample(&corners, 400), 0.12)?;
         }
     }

@@ -201,7 +201,7 @@ struct Judge<'m> {
 impl<'m> Judge<'m> {
     fn new(model: &'m Model, plan: &'m Plan, exact: Vec<Choice>) -> Self {
         let model = with_all_kept(model, plan, &exact);
-        let reference = build_as(&model, plan, &unwatched(&exact));
+        let reference = build_as(&model, plan, &without_watching(&exact));
         Self {
             on_loops: Influence::on_loops(&reference, exact.len()),
             on_links: Influence::on_links(&reference, exact.len()),
@@ -252,7 +252,7 @@ impl<'m> Judge<'m> {
                 .filter(|_| self.is_stepped(number))
                 .chain([until_closed]);
             let candidate = |solver: Solver| {
-                let mut choices = unwatched(&self.exact);
+                let mut choices = without_watching(&self.exact);
                 choices[number].solver = solver;
                 let program = build_as(&self.model, self.plan, &choices);
                 Candidate {
@@ -294,7 +294,7 @@ impl<'m> Judge<'m> {
         let all = is_exact.iter().all(|exact| *exact);
         let mut rivals = Vec::new();
         if !all {
-            let program = build_as(&self.model, self.plan, &unwatched(choices));
+            let program = build_as(&self.model, self.plan, &without_watching(choices));
             rivals.push(Rival::new(program));
         }
         let rounding = match rounding {
@@ -370,7 +370,7 @@ fn changes(choice: &Choice) -> bool {
 
 /// The same, but nothing is watched except for change points, and nothing is predicted from steps before: that helps only as long
 /// as the steps are equal.
-fn unwatched(choices: &[Choice]) -> Vec<Choice> {
+fn without_watching(choices: &[Choice]) -> Vec<Choice> {
     let unwatched = |choice: &Choice| {
         let watching: Option<Watching> = choice.watching.clone().filter(|_| changes(choice));
         Choice {

@@ -5,7 +5,7 @@ use crate::certify::cone::Cuts;
 use crate::certify::{Interval, Verdict, certify_counted, motors_of};
 use crate::evaluate;
 use crate::model::{AtChangePoints, JointId, Model, MotorId};
-use crate::motion::watching::{Domain, Read};
+use crate::motion::watching::{Domain, InputReads};
 use crate::plan::Plan;
 use crate::program::{
     AtZero, BlockId, Bound, Choice, ClosedForm, Growth, Program, Value, Watching, build_as,
@@ -50,7 +50,7 @@ pub(crate) fn prove_ranges(
         };
         return Ok((program, choices));
     }
-    let touching = touching(model, plan, &choices, &program, ranged)?;
+    let touching = find_touching(model, plan, &choices, &program, ranged)?;
     let touches: Vec<usize> = touching
         .iter()
         .filter_map(|&block| program.closed_form(block))
@@ -86,7 +86,7 @@ pub(crate) fn prove_ranges(
 
 /// The loops that may come to within rounding of a dead point or change point, if all close wherever the motors are within their ranges.
 /// The first motor that has one is `ranged`.
-fn touching(
+fn find_touching(
     model: &Model,
     plan: &Plan,
     choices: &[Choice],
@@ -199,7 +199,7 @@ fn ends(model: &Model) -> Vec<[f64; 2]> {
 
 /// The values of a motor that are proved: one that has no range may be anywhere. If it turns, so many turns are enough that
 /// everything it drives has turned as a whole.
-fn range(domain: &Domain<'_>, read: &Read, id: MotorId) -> Result<Interval, Diagnosis> {
+fn range(domain: &Domain<'_>, read: &InputReads, id: MotorId) -> Result<Interval, Diagnosis> {
     let input = id.index();
     let range = domain.of_input(input);
     if range.is_bounded() {

@@ -15,7 +15,7 @@ pub(super) fn block(connections: &[Between], set: &[LinkId]) -> Option<Block> {
         .copied()
         .collect();
     leave_ends(&mut left);
-    let left = independent(&left);
+    let left = drop_redundant(&left);
     let first = left.iter().map(|between| between.a).min()?;
     let (tree, chords) = spanning_tree(&left, first);
     let rings: Vec<Vec<Connection>> = chords.iter().map(|chord| ring(&tree, *chord)).collect();
@@ -43,7 +43,7 @@ pub(super) fn redundant_block(connections: &[Between]) -> Option<Block> {
 }
 
 /// On a pin of several clusters all pairs are joined; all but one connection a cluster follow from the others.
-fn independent(connections: &[Between]) -> Vec<Between> {
+fn drop_redundant(connections: &[Between]) -> Vec<Between> {
     let mut kept: Vec<Between> = Vec::new();
     let mut on_pin: Vec<(usize, Vec<LinkId>)> = Vec::new();
     for &between in connections {

@@ -32,7 +32,7 @@ pub(crate) use equation::{Equation, Residuals, Solution};
 pub(crate) use halton::Halton;
 pub use linear_relations::Rational;
 pub(crate) use linear_relations::{float_of, fraction};
-pub use needed::Needed;
+pub use needed::PlanPart;
 pub(crate) use placement::Placement;
 pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
 pub(crate) use triad::{Leg, Triad};

@@ -7,7 +7,7 @@ use crate::model::{AxisId, JointKind, LinkId, Model};
 
 /// The part of a plan that some poses depend on.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Needed {
+pub struct PlanPart {
     /// For each step whether it is needed.
     pub steps: Vec<bool>,
     /// For each source of gears, belts and racks whether it is needed.
@@ -17,8 +17,8 @@ pub struct Needed {
 impl Plan {
     /// All of it.
     #[must_use]
-    pub fn whole(&self) -> Needed {
-        Needed {
+    pub fn whole(&self) -> PlanPart {
+        PlanPart {
             steps: vec![true; self.steps.len()],
             sources: vec![true; self.sources.len()],
         }
@@ -27,8 +27,8 @@ impl Plan {
     /// The steps that the poses of these links depend on: the plan is read backwards, and a step is needed if it places
     /// a link that is. What is not placed by a step keeps its pose in its cluster bit by bit, whether or not the step is made.
     #[must_use]
-    pub fn needed(&self, model: &Model, links: &[LinkId]) -> Needed {
-        let mut needed = Needed {
+    pub fn find_needed(&self, model: &Model, links: &[LinkId]) -> PlanPart {
+        let mut needed = PlanPart {
             steps: vec![false; self.steps.len()],
             sources: vec![false; self.sources.len()],
         };

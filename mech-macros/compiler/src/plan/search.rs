@@ -55,14 +55,14 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> L
         }
         sequence.advance();
         match newton(equation, now, size) {
-            Found::Solution(solution)
+            NewtonResult::Solution(solution)
                 if solutions.iter().all(|known| differ(known, &solution, size)) =>
             {
                 solutions.push(solution);
             }
-            Found::Solution(_) => {}
-            Found::Singular => dead = true,
-            Found::Nothing(gap) => least = least.min(gap),
+            NewtonResult::Solution(_) => {}
+            NewtonResult::Singular => dead = true,
+            NewtonResult::Nothing(gap) => least = least.min(gap),
         }
     }
     match (solutions.is_empty(), dead) {
@@ -72,7 +72,7 @@ pub(super) fn search(equation: &Equation<f64>, guess: Guess<'_>, size: f64) -> L
     }
 }
 
-enum Found {
+enum NewtonResult {
     Solution(Vec<Solution<f64>>),
     /// It closes where its equations are singular.
     Singular,
@@ -80,7 +80,7 @@ enum Found {
     Nothing(f64),
 }
 
-fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> Found {
+fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> NewtonResult {
     let unknowns = equation.unknowns.len();
     let mut missing = f64::INFINITY;
     for _ in 0..ROUNDS {
@@ -100,17 +100,17 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> F
         );
         if missing <= 1e-13 * size {
             return if least <= 1e-7 * most {
-                Found::Singular
+                NewtonResult::Singular
             } else {
-                Found::Solution(now)
+                NewtonResult::Solution(now)
             };
         }
         // Square or, where joints are redundant, as good as possible.
         let Ok(step) = matrix.svd(true, true).solve(&-gap, 1e-12 * most) else {
-            return Found::Nothing(missing);
+            return NewtonResult::Nothing(missing);
         };
         if step.iter().any(|value| !value.is_finite()) {
-            return Found::Nothing(missing);
+            return NewtonResult::Nothing(missing);
         }
         for (unknown, step) in now.iter_mut().zip(step.iter()) {
             match unknown {
@@ -124,7 +124,7 @@ fn newton(equation: &Equation<f64>, mut now: Vec<Solution<f64>>, size: f64) -> F
             }
         }
     }
-    Found::Nothing(missing)
+    NewtonResult::Nothing(missing)
 }
 
 /// Whether two solutions differ.

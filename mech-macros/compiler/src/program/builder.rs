@@ -34,7 +34,7 @@ pub(super) struct SsaBuilder {
 
 /// A number of the state.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Carried {
+pub(super) struct StateNumber {
     /// Its position in the state.
     pub(super) index: usize,
     /// Its value at the last position.
@@ -67,16 +67,16 @@ impl SsaBuilder {
     }
 
     /// Adds a number to the state, with its value at the start. Unless it is [updated](Self::update), it stays what it is.
-    pub(super) fn carry(&mut self, start: f64) -> Carried {
+    pub(super) fn carry(&mut self, start: f64) -> StateNumber {
         let index = self.state.len();
         self.start.state.push(start);
         let last = self.make(Op::Last(Slot::State(index)));
         self.state.push(last);
-        Carried { index, last }
+        StateNumber { index, last }
     }
 
     /// Adds a number to the state, which takes this value at every position.
-    pub(super) fn record(&mut self, value: Value) -> Carried {
+    pub(super) fn record(&mut self, value: Value) -> StateNumber {
         let carried = self.carry(self.at_start(value));
         self.update(carried.index, value);
         carried

@@ -4,6 +4,7 @@ use super::forces::Forces;
 use super::newton::{Newton, Rounds};
 use super::node::{BlockId, Op, Part, Slot, Value};
 use super::{BlockKind, ClosedForm, Dyad, Motion, Program, Sensitivity, Watch};
+use crate::bug::bug;
 use crate::model::{LinkId, Precision};
 use mech_core::journey::AtZero;
 use std::fmt::{self, Display, Formatter};
@@ -200,7 +201,7 @@ impl Program {
             limits.det,
             newton.floor(epsilon)
         )?;
-        if let Some(step) = newton.contracting() {
+        if let Some(step) = newton.contracting_step() {
             writeln!(f, "    step, squared: {}", self.operand(step))?;
         }
         match newton.extent {
@@ -321,7 +322,8 @@ impl Program {
     }
 
     fn input(&self, number: usize) -> &str {
-        self.input_names().nth(number).map_or("?", String::as_str)
+        let name = self.input_names().nth(number);
+        name.unwrap_or_else(|| bug!("there is no input {number}"))
     }
 
     fn slot(&self, slot: Slot) -> String {
@@ -352,7 +354,7 @@ impl Program {
             Op::Constant(number) => return format!("{:?}", number.get()),
             Op::Motor(input) => return format!("input {}", self.input(input)),
             Op::Turns(input) => return format!("turns {}", self.input(input)),
-            Op::Turned(input, over, under) => {
+            Op::PartOfTurns(input, over, under) => {
                 return format!("turned {over}/{under} {}", self.input(input));
             }
             Op::Last(slot) => return format!("last {}", self.slot(slot)),

@@ -10,7 +10,7 @@ const PART: usize = 256;
 
 /// Values that are bound together, by one `let`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Together {
+enum LetGroup {
     /// Sine and cosine of an angle.
     Sines(Value),
     /// The results of a linear system.
@@ -83,9 +83,9 @@ impl Program {
         {
             let node = self.node(value);
             let together = match node.op {
-                Op::Sin(angle) | Op::Cos(angle) => Together::Sines(angle),
-                Op::Linear(system, _) => Together::System(system),
-                _ => Together::Alone(value),
+                Op::Sin(angle) | Op::Cos(angle) => LetGroup::Sines(angle),
+                Op::Linear(system, _) => LetGroup::System(system),
+                _ => LetGroup::Alone(value),
             };
             parts[value.index()] = *known.entry(together).or_insert_with(|| {
                 let bound = &mut bound[node.block.index()];

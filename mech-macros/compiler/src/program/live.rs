@@ -39,7 +39,7 @@ pub(super) fn iteration(blocks: &[Block], block: BlockId) -> Vec<Value> {
                 .chain(columns.copied())
                 .chain([newton.det])
                 .chain(newton.extent)
-                .chain(newton.contracting())
+                .chain(newton.contracting_step())
                 .collect()
         }
     }

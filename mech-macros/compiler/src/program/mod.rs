@@ -24,7 +24,7 @@ mod watch;
 
 pub(crate) use crate::plan::Dyad;
 pub use crate::plan::{Bound, Growth};
-pub(crate) use build::needed;
+pub(crate) use build::find_needed;
 pub use build::{Output, build, build_as, derive};
 pub use choice::{Choice, Solver, Watching};
 pub use closed_form::ClosedForm;
@@ -34,9 +34,9 @@ pub use mech_core::journey::AtZero;
 pub use motion::{Motion, RateMargin, System};
 pub use newton::{Limits, Newton, Rounds, Scalar};
 pub use node::{BlockId, Node, Op, Part, Slot, Value};
-pub use sensitivity::{Rates, Sensitivity};
+pub use sensitivity::{ParamRates, Sensitivity};
 pub use state::{JointAngle, Place, StateLayout};
-pub use timing::{Timed, Timing, build_timing};
+pub use timing::{LawValues, Timing, build_timing};
 pub use watch::{Follow, Watch};
 
 use crate::model::{LinkId, Precision};

@@ -93,7 +93,7 @@ pub struct Limits {
 impl Newton {
     /// The square of its step, if each must be smaller than the one before: a single round has nothing to compare.
     #[must_use]
-    pub fn contracting(&self) -> Option<Value> {
+    pub fn contracting_step(&self) -> Option<Value> {
         self.step
             .filter(|_| !matches!(self.rounds, Rounds::Exactly(0 | 1)))
     }
@@ -114,7 +114,7 @@ impl Newton {
     /// iterated for want of a closed form stays so far from it that rounding, which shifts a root, leaves it on its branch.
     #[must_use]
     pub fn floor(&self, epsilon: f64) -> f64 {
-        match self.contracting() {
+        match self.contracting_step() {
             None => 64.0 * epsilon * self.limits.reach,
             Some(_) => 64.0 * epsilon.sqrt() * self.limits.det,
         }

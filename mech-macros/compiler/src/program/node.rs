@@ -80,7 +80,7 @@ pub enum Op {
     /// The whole turns that were given to a motor besides.
     Turns(usize),
     /// The angle in radians, less whole turns, that a part (numerator and denominator) of a motor's whole turns comes to.
-    Turned(usize, i64, i64),
+    PartOfTurns(usize, i64, i64),
     /// A number of the last position.
     Last(Slot),
     /// An unknown of a loop while it is being solved.
@@ -167,7 +167,7 @@ impl Op {
             Self::Constant(_)
             | Self::Motor(_)
             | Self::Turns(_)
-            | Self::Turned(..)
+            | Self::PartOfTurns(..)
             | Self::Last(_)
             | Self::Unknown(..)
             | Self::Solved(..)

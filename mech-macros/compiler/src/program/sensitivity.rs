@@ -13,35 +13,48 @@ pub struct Sensitivity {
     /// The joints that are shown.
     pub joints: Vec<JointId>,
     /// One for each param.
-    pub of_params: Vec<Rates>,
+    pub of_params: Vec<ParamRates<Value>>,
 }
 
-/// The rates of everything with one param.
+/// The rates of everything if one param alone changes, at a rate of one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rates {
+pub struct ParamRates<V> {
     /// For each moving link whose pose is kept its angular velocity, and the rates of x and y.
-    pub links: Vec<[Value; 3]>,
+    pub links: Vec<[V; 3]>,
     /// For each point the rates of its place in the scene, which may also move in its link.
-    pub points: Vec<[Value; 2]>,
+    pub points: Vec<[V; 2]>,
     /// For each joint the rate of its coordinate.
-    pub joints: Vec<Value>,
+    pub joints: Vec<V>,
+}
+
+impl<V: Copy> ParamRates<V> {
+    /// All values that they consist of.
+    pub fn roots(&self) -> impl Iterator<Item = V> + '_ {
+        let (links, points) = (self.links.iter().flatten(), self.points.iter().flatten());
+        links.chain(points).chain(&self.joints).copied()
+    }
+
+    /// The same of something else.
+    pub fn map<W>(&self, each: impl Fn(V) -> W) -> ParamRates<W> {
+        ParamRates {
+            links: self.links.iter().map(|link| link.map(&each)).collect(),
+            points: self.points.iter().map(|point| point.map(&each)).collect(),
+            joints: self.joints.iter().map(|&joint| each(joint)).collect(),
+        }
+    }
 }
 
 impl Sensitivity {
     /// All values that it consists of.
     pub fn roots(&self) -> impl Iterator<Item = Value> + '_ {
-        self.of_params.iter().flat_map(|rates| {
-            let links = rates.links.iter().flatten();
-            let points = rates.points.iter().flatten();
-            links.chain(points).chain(&rates.joints).copied()
-        })
+        self.of_params.iter().flat_map(ParamRates::roots)
     }
 }
 
 impl Program {
     /// For each value whether it depends on a param, through whatever is between.
     #[must_use]
-    pub fn dependent(&self) -> Vec<bool> {
+    pub fn depends_on_params(&self) -> Vec<bool> {
         let mut dependent: Vec<bool> = Vec::with_capacity(self.ssa.nodes.len());
         for node in &self.ssa.nodes {
             let depends = |value: Value| dependent[value.index()];
@@ -61,7 +74,7 @@ impl Program {
         if self.params.is_empty() {
             return Vec::new();
         }
-        let dependent = self.dependent();
+        let dependent = self.depends_on_params();
         let any = |values: Vec<Value>| values.iter().any(|value| dependent[value.index()]);
         let loops = self.block_ids().filter_map(|block| {
             let (values, number) = match &self.ssa.blocks[block.index()].kind {

@@ -13,14 +13,14 @@ pub struct Timing {
     /// The operations: one straight block.
     pub program: Program,
     /// The values of each of these motors, in the order of their declaration.
-    pub motors: Vec<Timed>,
+    pub motors: Vec<LawValues>,
     /// The values of all params, in the order of their declaration.
     pub params: Vec<Value>,
 }
 
 /// The values of a motor at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Timed {
+pub struct LawValues {
     /// The motor.
     pub motor: MotorId,
     /// Its value, in radians or scene units.
@@ -83,14 +83,14 @@ pub fn build_timing(model: &Model) -> Option<Timing> {
         let second = rate
             .filter(|_| effects.acceleration)
             .map(|rate| differentiate(rate, format!("{name}_acceleration")));
-        motors.push(Timed {
+        motors.push(LawValues {
             motor,
             value,
             rate,
             second,
         });
     }
-    let values = |timed: &Timed| [Some(timed.value), timed.rate, timed.second];
+    let values = |timed: &LawValues| [Some(timed.value), timed.rate, timed.second];
     let mut program = Program {
         name: model.name.clone(),
         ssa: ssa.ssa,

@@ -3,7 +3,7 @@
 use super::Repair;
 use super::declaration::{Declaration, NewNames, Purpose, drawn_joint, turns_freely};
 use super::sketch::{DrawnPin, LooseEnd, Sketch, distance, is_in_scene, unjoined_points};
-use crate::digits::rounded;
+use crate::digits::round_to;
 use crate::model::{AxisId, Ends, JointId, JointKind, LinkId, Model, NewJoint, NewKind};
 
 /// Ends that are no farther apart than this part of the size may be meant to be one.
@@ -205,7 +205,7 @@ fn handy(coordinate: f64, width: f64) -> f64 {
     const MOST: u8 = 12;
     let fine = |places: &u8| 10.0_f64.powi(-i32::from(*places)) <= 0.1 * width;
     let places = usize::from((0..MOST).find(fine).unwrap_or(MOST));
-    rounded(coordinate, places)
+    round_to(coordinate, places)
 }
 
 /// The links that hang on one joint, with that.

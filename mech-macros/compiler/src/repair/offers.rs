@@ -44,17 +44,13 @@ const PAIRS: usize = 6;
 #[must_use]
 pub fn offers(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Offers> {
     let mut trials = Trials::new(model);
-    diagnoses
-        .iter()
-        .enumerate()
-        .map(|(index, _)| for_one(&mut trials, diagnoses, index))
+    (0..diagnoses.len())
+        .map(|index| for_one(&mut trials, diagnoses, index))
         .collect()
 }
 
 fn for_one(trials: &mut Trials<'_>, all: &[Diagnosis], index: usize) -> Offers {
-    let Some(diagnosis) = all.get(index) else {
-        return Offers::default();
-    };
+    let diagnosis = &all[index];
     let one_is_enough = matches!(
         diagnosis,
         Diagnosis::DeadStart { .. }

@@ -101,7 +101,7 @@ pub(super) fn accuracy(model: &Model, prediction: &Prediction) -> String {
 /// The loops and joints that are not computed, because nothing that is shown depends on them.
 pub(super) fn omissions(model: &Model, plan: &Plan, program: &Program) -> String {
     let solved = program.solved_loops();
-    let needed = program::needed(model, plan, &program.stored);
+    let needed = program::find_needed(model, plan, &program.stored);
     let idle = (0..plan.loops().count()).filter(|number| !solved.contains(number));
     let loops: Vec<String> = idle.map(|number| (number + 1).to_string()).collect();
     let idle_arms = plan.steps.iter().zip(&needed.steps);

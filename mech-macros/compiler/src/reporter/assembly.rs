@@ -3,7 +3,7 @@
 use super::Words;
 use super::wording::{brief, places_enough};
 use crate::bug::bug;
-use crate::digits::rounded;
+use crate::digits::round_to;
 use crate::model::{JointId, LinkId, Origin, Start};
 use crate::repair::Offers;
 use crate::structure::{Diagnosis, LoopAssembly, OpenLoop};
@@ -85,7 +85,7 @@ impl Words<'_> {
         let places = places_enough(links.len(), angles);
         let clause = |(number, angles): (usize, &Vec<f64>)| {
             let parts = links.iter().zip(angles).map(|(link, angle)| {
-                let angle = rounded(angle.to_degrees(), places);
+                let angle = round_to(angle.to_degrees(), places);
                 format!("{} near {angle} deg;", self.model.link(*link).name)
             });
             let parts = parts.collect::<Vec<_>>().join(" ");
@@ -117,7 +117,7 @@ impl Words<'_> {
                 .iter()
                 .map(|assembly| vec![assembly.angle])
                 .collect();
-            let angle = rounded(assembly.angle.to_degrees(), places_enough(1, &angles));
+            let angle = round_to(assembly.angle.to_degrees(), places_enough(1, &angles));
             format!("{} near {angle} deg;", self.model.link(open.link).name)
         };
         let first = loops

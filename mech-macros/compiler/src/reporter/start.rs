@@ -3,7 +3,7 @@
 use super::Words;
 use super::wording::{brief, places_enough};
 use crate::bug::bug;
-use crate::digits::rounded;
+use crate::digits::round_to;
 use crate::kinematics::LinkFrames;
 use crate::model::{JointId, JointKind, LinkId, Model, Near, Origin};
 use crate::plan::{self, Plan};
@@ -46,7 +46,7 @@ impl Words<'_> {
                 let found = angles.iter().take(MOST).filter_map(|angles| {
                     let angles = angles
                         .iter()
-                        .map(|angle| rounded(angle.to_degrees(), places));
+                        .map(|angle| round_to(angle.to_degrees(), places));
                     let angles: Vec<f64> = angles.collect();
                     let value = coordinate_near(&free, joint, &links, &angles)?;
                     Some((value, angles))

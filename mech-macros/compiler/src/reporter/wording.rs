@@ -1,6 +1,6 @@
 //! Lists and numbers, as a reader wants them.
 
-use crate::digits::rounded;
+use crate::digits::round_to;
 
 /// An enumeration. Of very many, the last are only counted.
 pub(super) fn and(names: &[String]) -> String {
@@ -50,7 +50,7 @@ pub(super) fn places_enough(links: usize, angles: &[Vec<f64>]) -> usize {
 
 /// A number with as many digits as a reader wants.
 pub(super) fn brief(value: f64) -> String {
-    let rounded = rounded(value, 4);
+    let rounded = round_to(value, 4);
     if value != 0.0 && (rounded == 0.0 || value.abs() >= 1e9) {
         format!("{value:.1e}")
     } else {

@@ -61,7 +61,7 @@ struct Pivot {
 
 /// What became of a row that was added.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Added {
+pub(crate) enum RowKind {
     /// It says something new.
     Independent,
     /// It follows from these earlier rows (and names itself): the support of a left null vector.
@@ -91,13 +91,13 @@ impl Elimination {
     }
 
     /// Adds a row.
-    pub(crate) fn add(&mut self, row: Sparse) -> Added {
+    pub(crate) fn add(&mut self, row: Sparse) -> RowKind {
         let made_of = vec![(self.added, Element::ONE)];
         self.added += 1;
         match self.reduce(row, made_of) {
-            None => Added::Independent,
+            None => RowKind::Independent,
             Some(made_of) => {
-                Added::Dependent(made_of.into_iter().map(|(index, _)| index).collect())
+                RowKind::Dependent(made_of.into_iter().map(|(index, _)| index).collect())
             }
         }
     }

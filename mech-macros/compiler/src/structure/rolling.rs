@@ -136,7 +136,7 @@ fn rolling_on(model: &Model, pins: &[Pin], joint: JointId, carrier: LinkId) -> O
         }
         JointKind::Belt { a, b, ratio, .. } => {
             let (first, second) = factors(ratio);
-            [(wheel(a)?, first), (wheel(b)?, second.negated())]
+            [(wheel(a)?, first), (wheel(b)?, second.negate())]
         }
         JointKind::Rack {
             pinion,
@@ -167,7 +167,7 @@ fn factors(ratio: Ratio) -> (Factor, Factor) {
 }
 
 impl Factor {
-    fn negated(self) -> Self {
+    fn negate(self) -> Self {
         match self {
             Self::Whole(value) => Self::Whole(-value),
             Self::Float(value) => Self::Float(-value),

@@ -2,7 +2,7 @@
 
 use super::constraints::Constraints;
 use super::diagnosis::Diagnosis;
-use super::elimination::{Added, Elimination, Sparse};
+use super::elimination::{Elimination, RowKind, Sparse};
 use super::field::{Dice, Element};
 use super::graph::KinematicGraph;
 use super::pin::Pin;
@@ -47,7 +47,7 @@ impl<'m> Rank<'m> {
         for id in model.joint_ids() {
             for row in constraints.of_joint(id) {
                 joint_of_row.push(id);
-                if let Added::Dependent(rows) = joints.add(row) {
+                if let RowKind::Dependent(rows) = joints.add(row) {
                     for row in rows {
                         dependent[joint_of_row[row].index()] = true;
                     }
@@ -58,7 +58,7 @@ impl<'m> Rank<'m> {
         let mut idle = Vec::new();
         for id in model.motor_ids() {
             let row = constraints.rate_of_coordinate(model.motor(id).joint);
-            if let Added::Dependent(rows) = driven.add(row) {
+            if let RowKind::Dependent(rows) = driven.add(row) {
                 let among = rows
                     .iter()
                     .filter_map(|row| row.checked_sub(joint_of_row.len()))

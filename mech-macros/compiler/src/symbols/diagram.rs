@@ -197,13 +197,13 @@ impl Diagram<'_> {
     /// The symbols of the motors.
     fn motors(&self) -> Vec<Symbol> {
         let symbol = |joint: JointId| match self.model.joint(joint).kind {
-            JointKind::Revolute(a, b) => self.first_visible(&[a, b]).map(Symbol::Turned),
+            JointKind::Revolute(a, b) => self.first_visible(&[a, b]).map(Symbol::RotaryMotor),
             JointKind::Prismatic(..) => match self.slide(joint)? {
                 Symbol::Slide {
                     guide,
                     along,
                     block,
-                } => Some(Symbol::Pushed {
+                } => Some(Symbol::LinearMotor {
                     block,
                     guide: guide.link,
                     along,

@@ -95,9 +95,9 @@ pub enum Symbol {
     /// A revolute joint; on the ground, a fixed pivot.
     Pivot(Spot),
     /// A rotary motor.
-    Turned(Spot),
+    RotaryMotor(Spot),
     /// A linear motor.
-    Pushed {
+    LinearMotor {
         /// The place of the block that it moves.
         block: Spot,
         /// The link of the guide.

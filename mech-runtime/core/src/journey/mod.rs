@@ -12,7 +12,7 @@ mod piece;
 
 use crate::Real;
 pub use pace::is_clear;
-use pace::{TURN, first, is_passable, is_short, likely, next};
+use pace::{TURN, first, is_passable, is_short, lesser, likely, most_stretch};
 use piece::travel_piece;
 
 /// A loop that is watched. All numbers are for the whole move, from the start to the target.
@@ -184,7 +184,7 @@ fn travel_on<T: Real, J: Journey<T>>(
     mut done: T,
 ) -> Result<J::Position, Halt<J::Position, J::Stop, T>> {
     let most = T::ONE / journey.pieces();
-    let mut length = first(journey, most);
+    let (mut length, stretch) = (first(journey, most), most_stretch(journey));
     for _ in 0..MOST_PIECES {
         length = likely(journey, &position, length);
         let target = done + length;
@@ -222,7 +222,7 @@ fn travel_on<T: Real, J: Journey<T>>(
         if done >= T::ONE {
             return Ok(position);
         }
-        length = next(journey, part, most);
+        length = lesser(part * stretch, most);
     }
     Err(too_far(journey, position, done))
 }

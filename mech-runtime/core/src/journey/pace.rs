@@ -50,11 +50,10 @@ pub(super) fn first<T: Real, J: Journey<T>>(journey: &J, longest: T) -> T {
     })
 }
 
-/// The longest piece after one of this length.
-pub(super) fn next<T: Real, J: Journey<T>>(journey: &J, part: T, longest: T) -> T {
+/// How many times as long as a piece the next one may be.
+pub(super) fn most_stretch<T: Real, J: Journey<T>>(journey: &J) -> T {
     let is_guessed = guesses(journey).next().is_some();
-    let longer = if is_guessed { LONGER_GUESSED } else { LONGER };
-    lesser(part * T::from_f64(longer), longest)
+    T::from_f64(if is_guessed { LONGER_GUESSED } else { LONGER })
 }
 
 #[inline]

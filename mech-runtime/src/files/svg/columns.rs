@@ -11,14 +11,14 @@ pub(super) type Column<'a> = Vec<Option<&'a Seen>>;
 
 /// All things, from back to front. Figures of the same kind in the same order are taken to be the same thing.
 pub(super) fn columns(moments: &[Vec<Seen>]) -> Vec<Column<'_>> {
-    let mut things: Vec<Thing<'_>> = Vec::new();
+    let mut things: Vec<FigureTrack<'_>> = Vec::new();
     for (time, moment) in moments.iter().enumerate() {
         let matches = matches(&things, moment);
         let mut known = things.into_iter().enumerate().peekable();
         let mut merged = Vec::new();
         for (seen, found) in moment.iter().zip(matches) {
             let Some(found) = found else {
-                let mut thing = Thing {
+                let mut thing = FigureTrack {
                     last: seen,
                     seen: vec![None; time],
                 };
@@ -40,13 +40,13 @@ pub(super) fn columns(moments: &[Vec<Seen>]) -> Vec<Column<'_>> {
     things.into_iter().map(|thing| thing.seen).collect()
 }
 
-struct Thing<'a> {
+struct FigureTrack<'a> {
     /// The figure that was last seen.
     last: &'a Seen,
     seen: Column<'a>,
 }
 
-impl<'a> Thing<'a> {
+impl<'a> FigureTrack<'a> {
     fn see(&mut self, seen: Option<&'a Seen>) {
         self.last = seen.unwrap_or(self.last);
         self.seen.push(seen);
@@ -71,7 +71,7 @@ impl<'a> Thing<'a> {
 }
 
 /// For each figure the index of its thing, in rising order, with the greatest weight in all.
-fn matches(things: &[Thing<'_>], moment: &[Seen]) -> Vec<Option<usize>> {
+fn matches(things: &[FigureTrack<'_>], moment: &[Seen]) -> Vec<Option<usize>> {
     let are_all = things.len() == moment.len()
         && things
             .iter()

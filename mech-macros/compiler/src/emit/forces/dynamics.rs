@@ -1,10 +1,10 @@
 //! The methods that move a mechanism by forces.
 
 use super::actions::bind_loads;
-use crate::emit::advance::{advance_with, rates_at, record, refusal, strip_params};
+use crate::emit::advance::{advance_with, forces_here, rates_at, record, refusal, strip_params};
 use crate::emit::emitter::Emitter;
 use crate::emit::parts::Parts;
-use crate::emit::step::arguments;
+use crate::emit::rates::stored_rates;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -23,7 +23,7 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
         return Parts::default();
     };
     let advance = advance_with(inertia, &quote!(position), &quote!(motors));
-    let found = rates_at(inertia, &quote!(self.position), &arguments(inertia));
+    let found = forces_here(inertia);
     let turning = model
         .motor_ids()
         .map(|motor| emitter.turns(motor) && model.motor(motor).range.is_none());
@@ -132,18 +132,15 @@ pub(super) fn dynamics(emitter: &Emitter<'_>) -> Parts {
 fn rates_after(emitter: &Emitter<'_>) -> Option<TokenStream> {
     let moving = emitter.compiled.moving.as_ref()?;
     let refusal = refusal(emitter);
-    let (mut arguments, mut found, mut store) =
-        (quote!(, simulated.rates), quote!(velocities), None);
+    let [pattern, store] = stored_rates(emitter);
+    let mut arguments = quote!(, simulated.rates);
     if emitter.model.effects.acceleration {
         arguments.extend(quote!(, simulated.accelerations));
-        found = quote!((velocities, accelerations));
-        store = Some(quote!(self.accelerations = accelerations;));
     }
     let rates = rates_at(moving, &quote!(simulated.position), &arguments);
     Some(quote! {
         match #rates {
-            Result::Ok(#found) => {
-                self.velocities = velocities;
+            Result::Ok(#pattern) => {
                 #store
             }
             Result::Err(stop) => return Result::Err(#refusal),

@@ -2,11 +2,11 @@
 
 use super::actions::bind_loads;
 use crate::emit::advance::{
-    Target, advance_with, end, rates_at, refusal, refusal_by, strip_params,
+    Target, advance_with, end, forces_here, refusal, refusal_by, strip_params,
 };
 use crate::emit::emitter::Emitter;
 use crate::emit::parts::Parts;
-use crate::emit::step::{arguments, outcome_type};
+use crate::emit::step::outcome_type;
 use crate::emit::tokens::integer;
 use crate::model::{Load, LoadKind};
 use proc_macro2::TokenStream;
@@ -29,7 +29,7 @@ pub(super) fn holding(emitter: &Emitter<'_>) -> Parts {
     let refusal = refusal(emitter);
     let advance = advance_with(holding, &quote!(&mut #position), &value);
     let advance = strip_params(emitter, advance);
-    let found = rates_at(holding, &position, &arguments(holding));
+    let found = forces_here(holding);
     let methods = quote! {
         /// Moves there as `move_to` does, and gives the torques of the motors (the forces of those that slide) that hold it
         /// there at rest, in the order of their declaration: against gravity, springs and loads.
@@ -73,12 +73,7 @@ pub(super) fn forces(emitter: &Emitter<'_>) -> Parts {
         return Parts::default();
     };
     let (loads, kind) = (bind_loads(emitter), outcome_type(inverse_dynamics));
-    let found = rates_at(
-        inverse_dynamics,
-        &quote!(self.position),
-        &arguments(inverse_dynamics),
-    );
-    let refusal = refusal(emitter);
+    let (found, refusal) = (forces_here(inverse_dynamics), refusal(emitter));
     let mut methods = quote! {
         /// What it takes to move at these rates and second rates of the motors from where it is: the torques of the motors,
         /// the reaction in each joint, the transmission angles.

@@ -5,6 +5,7 @@ use super::flow::{Flow, is_given};
 use super::iteration::iteration;
 use super::scope::Scope;
 use super::uses::uses;
+use crate::bug::bug;
 use crate::emit::tokens::{integer, position, scalar};
 use crate::program::{BlockId, BlockKind, Op, Program};
 use proc_macro2::{Ident, TokenStream};
@@ -43,9 +44,9 @@ pub(super) fn statements(block: BlockId, flow: &Flow, scope: &mut Scope<'_>) -> 
 
 /// The `let` of the unknowns and the determinant of a linear system of the motion.
 fn linear(number: usize, scope: &mut Scope<'_>) -> TokenStream {
-    let mut systems = scope.program.motion.iter();
-    let Some(found) = systems.find_map(|motion| motion.systems.get(number)) else {
-        return TokenStream::new();
+    let motion = scope.program.motion.as_ref();
+    let Some(found) = motion.and_then(|motion| motion.systems.get(number)) else {
+        bug!("there is no linear system {number}");
     };
     let unknown = |index| Op::Linear(number, index);
     system(&found.columns, &found.right, unknown, scope)

@@ -22,7 +22,7 @@ pub(super) fn is_given(op: Op) -> bool {
         op,
         Op::Motor(_)
             | Op::Turns(_)
-            | Op::Turned(..)
+            | Op::PartOfTurns(..)
             | Op::Rate(_)
             | Op::Acceleration(_)
             | Op::Load(_)

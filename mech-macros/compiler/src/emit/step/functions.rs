@@ -1,6 +1,6 @@
 //! The step functions of positions, rates and forces.
 
-use super::inputs::{arguments, motors_type, parameters};
+use super::inputs::{arguments, step_parameters};
 use super::outcome::Outcome;
 use super::scope::Scope;
 use super::sines::{takes_sines, type_parameter};
@@ -42,7 +42,7 @@ impl Margins<'_> {
     }
 
     /// The margins as an array.
-    pub(super) fn array(&self) -> TokenStream {
+    fn array(&self) -> TokenStream {
         let values = &self.values;
         quote!([#(#values),*])
     }
@@ -54,9 +54,14 @@ impl Margins<'_> {
     }
 
     /// The statement by which `test` returns an error for the first loop whose margin is negative.
-    pub(super) fn check(&self, test: &TokenStream, margins: &TokenStream) -> TokenStream {
+    fn check(&self, test: &TokenStream, margins: &TokenStream) -> TokenStream {
         let places = &self.places;
         quote!(#test(#margins, [#(#places),*])?;)
+    }
+
+    /// The same where these margins are computed.
+    pub(super) fn check_here(&self, test: &TokenStream) -> TokenStream {
+        self.check(test, &self.array())
     }
 }
 
@@ -110,24 +115,18 @@ fn iterated_step(
     what: Option<&str>,
     program: &Program,
 ) -> TokenStream {
-    let StepParts {
-        last,
-        statements,
-        rate_margins,
-        ..
-    } = parts;
-    let (position, motors) = (position(program), motors_type(program));
-    let parameters = parameters(program);
+    let parameters = step_parameters(&parts.last, program);
+    let statements = &parts.statements;
     let what = what.map_or_else(String::new, |what| format!(", and {what}"));
     let doc = format!(" The position at these motor values, close to the last one{what}.");
     let determined = program
         .motion
         .is_some()
-        .then(|| rate_margins.check(&quote!(determined), &rate_margins.array()));
+        .then(|| parts.rate_margins.check_here(&quote!(determined)));
     let (kind, value) = (tuple(&results.kinds), tuple(&results.values));
     quote! {
         #[doc = #doc]
-        pub(super) fn step(#last: &#position, motors: #motors #parameters) -> Result<#kind, Stop> {
+        pub(super) fn step(#parameters) -> Result<#kind, Stop> {
             #statements
             #determined
             Ok(#value)
@@ -149,12 +148,8 @@ fn closed_step(
         rate_margins,
         ..
     } = parts;
-    let (scalar, position, motors) = (
-        scalar(program.precision),
-        position(program),
-        motors_type(program),
-    );
-    let (parameters, arguments) = (parameters(program), arguments(program));
+    let (scalar, arguments) = (scalar(program.precision), arguments(program));
+    let [own, parameters] = [last, &quote!(last)].map(|last| step_parameters(last, program));
     let (kind, found) = (tuple(&results.kinds), tuple(&results.names));
     results.push(margins.kind(&scalar), margins.array(), "margins");
     let closes = margins.check(&quote!(closes), &quote!(margins));
@@ -186,7 +181,7 @@ fn closed_step(
         quote! {
             /// The same, where all angles are within the range of the polynomials of sine and cosine.
             #[#inline]
-            pub(super) fn step_reduced(last: &#position, motors: #motors #parameters) -> Result<#kind, Stop> {
+            pub(super) fn step_reduced(#parameters) -> Result<#kind, Stop> {
                 #body
             }
         }
@@ -195,14 +190,14 @@ fn closed_step(
     quote! {
         #(#[doc = #position_docs])*
         #[inline(always)]
-        #access fn position #sines(#last: &#position, motors: #motors #parameters) -> (#(#kinds),*) {
+        #access fn position #sines(#own) -> (#(#kinds),*) {
             #statements
             (#(#values),*)
         }
 
         #(#[doc = #step_docs])*
         #[inline]
-        pub(super) fn step(last: &#position, motors: #motors #parameters) -> Result<#kind, Stop> {
+        pub(super) fn step(#parameters) -> Result<#kind, Stop> {
             #body
         }
 

@@ -2,7 +2,7 @@
 
 use super::scope::Scope;
 use super::stages::MOST_LETS;
-use crate::emit::tokens::{integer, scalar};
+use crate::emit::tokens::{integer, position, scalar};
 use crate::program::{Forces, Op, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -11,6 +11,13 @@ use quote::{format_ident, quote};
 pub(super) fn motors_type(program: &Program) -> TokenStream {
     let (scalar, count) = (scalar(program.precision), integer(program.inputs()));
     quote!(Motors<#scalar, #count>)
+}
+
+/// All parameters of a step. `last` is its name for the last position.
+pub(super) fn step_parameters(last: &TokenStream, program: &Program) -> TokenStream {
+    let (position, motors) = (position(program), motors_type(program));
+    let others = parameters(program);
+    quote!(#last: &#position, motors: #motors #others)
 }
 
 /// The parameters of a step beyond its motors, with a comma before each.
@@ -59,7 +66,7 @@ fn motors(scope: &mut Scope<'_>) -> TokenStream {
                 let motor = integer(motor);
                 quote!(<#scalar as Real>::from_i32(#motors.turns[#motor]))
             }
-            Op::Turned(motor, numerator, denominator) => {
+            Op::PartOfTurns(motor, numerator, denominator) => {
                 let motor = integer(motor);
                 let [numerator, denominator] =
                     [numerator, denominator].map(Literal::i64_unsuffixed);

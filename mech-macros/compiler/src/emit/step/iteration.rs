@@ -26,9 +26,9 @@ pub(super) fn iteration(block: BlockId, newton: &Newton, scope: &mut Scope<'_>) 
     let exits = scope.expressions(&exits);
     let exits = quote!((#(#exits),*));
     let first_step = newton
-        .contracting()
+        .contracting_step()
         .map(|_| quote!(let mut before = before_first();));
-    let contracts = newton.contracting().map(|step| {
+    let contracts = newton.contracting_step().map(|step| {
         let step = scope.expression(step);
         quote!(if !contracts(&mut before, #step) { break #exits; })
     });

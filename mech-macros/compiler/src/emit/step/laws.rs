@@ -11,7 +11,7 @@ use crate::emit::emitter::Emitter;
 use crate::emit::module;
 use crate::emit::tokens::integer;
 use crate::model::Precision;
-use crate::program::{Timed, Timing, Value};
+use crate::program::{LawValues, Timing, Value};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use std::collections::BTreeSet;
@@ -46,7 +46,7 @@ pub(in crate::emit) fn laws(emitter: &Emitter<'_>, timing: &Timing) -> TokenStre
     for timed in &timing.motors {
         body.extend(follow(emitter, timed, &scope));
     }
-    let rates = |part: fn(&Timed) -> Option<Value>| {
+    let rates = |part: fn(&LawValues) -> Option<Value>| {
         let rates = model.motor_ids().map(|motor| {
             let mut timed = timing.motors.iter();
             let timed = timed.find(|timed| timed.motor == motor);
@@ -114,7 +114,7 @@ fn part_functions(scope: &mut Scope<'_>, body: &mut TokenStream) -> TokenStream 
 }
 
 /// The statement that gives a motor the value of its law.
-fn follow(emitter: &Emitter<'_>, timed: &Timed, scope: &Scope<'_>) -> TokenStream {
+fn follow(emitter: &Emitter<'_>, timed: &LawValues, scope: &Scope<'_>) -> TokenStream {
     let (motor, program) = (timed.motor, emitter.program);
     let (index, name) = (integer(motor.index()), &program.motors[motor.index()]);
     let value = scope.expression(timed.value);

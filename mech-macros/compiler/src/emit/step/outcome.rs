@@ -32,19 +32,25 @@ impl Outcome {
     }
 }
 
+/// An array of the links' rates, each a struct of this name.
+pub(super) fn rates_of_links(
+    name: &TokenStream,
+    rates: &[[Value; 3]],
+    scope: &Scope<'_>,
+) -> TokenStream {
+    let rates = rates.iter().map(|rates| {
+        let [angular, x, y] = rates.map(|rate| scope.expression(rate));
+        quote!(#name { angular: #angular, x: #x, y: #y })
+    });
+    quote!([#(#rates),*])
+}
+
 fn rates(motion: &Motion, scope: &Scope<'_>) -> TokenStream {
-    let rates = |name: TokenStream, all: &[[Value; 3]]| {
-        let all = all.iter().map(|rates| {
-            let [angular, x, y] = rates.map(|rate| scope.expression(rate));
-            quote!(#name { angular: #angular, x: #x, y: #y })
-        });
-        quote!([#(#all),*])
-    };
-    let velocities = rates(quote!(Velocity), &motion.velocities);
+    let velocities = rates_of_links(&quote!(Velocity), &motion.velocities, scope);
     match &motion.accelerations {
         None => velocities,
         Some(accelerations) => {
-            let accelerations = rates(quote!(Acceleration), accelerations);
+            let accelerations = rates_of_links(&quote!(Acceleration), accelerations, scope);
             quote!((#velocities, #accelerations))
         }
     }

@@ -204,7 +204,7 @@ impl<'p> Scope<'p> {
             // These are always bound: they are parameters or variables.
             Op::Motor(_)
             | Op::Turns(_)
-            | Op::Turned(..)
+            | Op::PartOfTurns(..)
             | Op::Unknown(..)
             | Op::Solved(..)
             | Op::Dense(..)

@@ -1,7 +1,8 @@
 //! The functions that compute how everything changes with the params.
 
 use super::functions::StepParts;
-use super::inputs::motors_type;
+use super::inputs::step_parameters;
+use super::outcome::rates_of_links;
 use super::scope::Scope;
 use super::sines::type_parameter;
 use crate::emit::tokens::{integer, position, scalar};
@@ -16,24 +17,23 @@ pub(super) fn sensitivity_functions(
     scope: &Scope<'_>,
 ) -> TokenStream {
     let StepParts {
-        last,
         statements,
         margins,
         rate_margins,
         ..
     } = parts;
     let program = scope.program;
-    let (position, motors) = (position(program), motors_type(program));
+    let (position, parameters) = (position(program), step_parameters(&parts.last, program));
     let (kind, rates) = (rates_type(program, sensitivity), rates(sensitivity, scope));
-    let closes = (program.is_closed() && !margins.is_empty())
-        .then(|| margins.check(&quote!(closes), &margins.array()));
-    let determined = (!rate_margins.is_empty())
-        .then(|| rate_margins.check(&quote!(determined), &rate_margins.array()));
+    let closes =
+        (program.is_closed() && !margins.is_empty()).then(|| margins.check_here(&quote!(closes)));
+    let determined =
+        (!rate_margins.is_empty()).then(|| rate_margins.check_here(&quote!(determined)));
     let [sines, full_range] = type_parameter(program);
     quote! {
         /// For each param, the rates of all links, of points and of joints if it alone changes, where it is.
         #[inline]
-        fn rates_by_params #sines(#last: &#position, motors: #motors) -> Result<#kind, Stop> {
+        fn rates_by_params #sines(#parameters) -> Result<#kind, Stop> {
             #statements
             #closes
             #determined
@@ -51,16 +51,13 @@ pub(super) fn sensitivity_functions(
 /// For each param the rates of links, points and joints for a unit rate of the param alone.
 fn rates(sensitivity: &Sensitivity, scope: &Scope<'_>) -> TokenStream {
     let of_params = sensitivity.of_params.iter().map(|rates| {
-        let links = rates.links.iter().map(|link| {
-            let [angular, x, y] = link.map(|rate| scope.expression(rate));
-            quote!(Velocity { angular: #angular, x: #x, y: #y })
-        });
+        let links = rates_of_links(&quote!(Velocity), &rates.links, scope);
         let points = rates.points.iter().map(|point| {
             let [x, y] = point.map(|rate| scope.expression(rate));
             quote!([#x, #y])
         });
         let joints = scope.expressions(&rates.joints);
-        quote!(([#(#links),*], [#(#points),*], [#(#joints),*]))
+        quote!((#links, [#(#points),*], [#(#joints),*]))
     });
     quote!([#(#of_params),*])
 }

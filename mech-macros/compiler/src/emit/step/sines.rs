@@ -48,7 +48,7 @@ fn turns_by_params(program: &Program) -> bool {
     if program.params.is_empty() {
         return false;
     }
-    let dependent = program.dependent();
+    let dependent = program.depends_on_params();
     let is_dependent = |value: Value| match program.node(value).op {
         Op::Sin(angle) | Op::Cos(angle) => dependent[angle.index()],
         _ => false,

@@ -14,19 +14,13 @@ impl Extents {
         let corners = stored.iter().map(|&id| {
             let mut low = [f64::INFINITY; 2];
             let mut high = [f64::NEG_INFINITY; 2];
-            let mut reach = |point: [f64; 2]| {
+            // A circle is where its middle is.
+            let in_shapes = model.link(id).shape_points().map(|(point, _)| point);
+            for point in model.axis_places(id).chain(in_shapes) {
                 for index in 0..2 {
                     low[index] = low[index].min(point[index]);
                     high[index] = high[index].max(point[index]);
                 }
-            };
-            for axis in model.axes.iter().filter(|axis| axis.link == id) {
-                reach(axis.at);
-            }
-            for shape in &model.link(id).shapes {
-                // Where its middle is, there is a circle.
-                let (points, _) = shape.kind.reach();
-                points.iter().copied().for_each(&mut reach);
             }
             if low[0] > high[0] {
                 return [[0.0; 2]; 4];

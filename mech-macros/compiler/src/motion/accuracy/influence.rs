@@ -49,7 +49,7 @@ impl Influence {
             }
             let node = program.node(value);
             match node.op {
-                Op::Motor(motor) | Op::Turns(motor) | Op::Turned(motor, ..) => {
+                Op::Motor(motor) | Op::Turns(motor) | Op::PartOfTurns(motor, ..) => {
                     influence.motors[motor] = true;
                 }
                 _ => {}

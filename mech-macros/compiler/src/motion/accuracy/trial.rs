@@ -160,7 +160,7 @@ impl Trial<'_, '_> {
         let samples = turns * (self.affordable / turns).clamp(SAMPLES[0], SAMPLES[1]);
         let start = &self.exact.start;
         let mut machine = Machine::<f64>::new(self.exact);
-        self.around(machine.position(), 0..self.patterns.len());
+        self.try_around(machine.position(), 0..self.patterns.len());
         for sample in 1..=samples {
             #[expect(clippy::cast_precision_loss, reason = "a few thousand samples")]
             let part = sample as f64 / samples as f64;
@@ -168,7 +168,7 @@ impl Trial<'_, '_> {
             let before = machine.position().clone();
             if machine.move_to(&motors).is_ok() {
                 self.in_single(&before, machine.position());
-                self.around(machine.position(), 0..self.patterns.len());
+                self.try_around(machine.position(), 0..self.patterns.len());
             } else {
                 self.end(&mut machine, &motors);
                 return false;
@@ -222,7 +222,7 @@ impl Trial<'_, '_> {
                 paces[turned] = -paces[turned];
             }
             let count = self.patterns.len().max(1);
-            self.around(
+            self.try_around(
                 machine.position(),
                 [sample % count, (7 * sample + 3) % count].into_iter(),
             );
@@ -234,7 +234,7 @@ impl Trial<'_, '_> {
         let before = machine.position().clone();
         let _ = machine.move_toward(motors);
         let end = machine.position().clone();
-        self.around(&end, 0..self.patterns.len());
+        self.try_around(&end, 0..self.patterns.len());
         self.back_to(&end);
         let back: Vec<f64> = motors
             .iter()
@@ -256,7 +256,7 @@ impl Trial<'_, '_> {
     /// Goes there in single precision.
     fn in_single(&mut self, before: &Position<f64>, there: &Position<f64>) {
         self.found.reach = self.found.reach.max(self.extents.reach(there));
-        self.single.put_back(rounded(before));
+        self.single.put_back(to_single_precision(before));
         let motors: Vec<f32> = there
             .motors
             .iter()
@@ -271,7 +271,7 @@ impl Trial<'_, '_> {
     }
 
     /// Steps away from a position in some directions.
-    fn around(&mut self, position: &Position<f64>, directions: impl Iterator<Item = usize>) {
+    fn try_around(&mut self, position: &Position<f64>, directions: impl Iterator<Item = usize>) {
         if self.rivals.iter().all(|rival| rival.stopped) {
             return;
         }
@@ -279,7 +279,7 @@ impl Trial<'_, '_> {
             let mut positions = Vec::with_capacity(STEPS);
             self.machine.put_back(position.clone());
             for step in 1..=STEPS {
-                let motors = stepped(position, pattern, step);
+                let motors = step_motors(position, pattern, step);
                 if self.machine.move_to(&motors).is_err() {
                     // Where the whole motion is shorter than a step, it goes to its end.
                     if step == 1 && self.machine.move_toward(&motors).is_ok() {
@@ -299,7 +299,7 @@ impl Trial<'_, '_> {
     fn back_to(&mut self, position: &Position<f64>) {
         for pattern in &self.patterns {
             self.machine.put_back(position.clone());
-            let motors = stepped(position, pattern, 1);
+            let motors = step_motors(position, pattern, 1);
             // As far as it can, if that is less.
             if self.machine.move_toward(&motors).is_err() {
                 continue;
@@ -338,7 +338,7 @@ fn note(worst: &mut [f64], off: impl Iterator<Item = f64>) {
 }
 
 /// The motors after so many steps.
-fn stepped(position: &Position<f64>, pattern: &[f64], steps: usize) -> Vec<f64> {
+fn step_motors(position: &Position<f64>, pattern: &[f64], steps: usize) -> Vec<f64> {
     #[expect(clippy::cast_precision_loss, reason = "a few steps")]
     let steps = steps as f64;
     interpolate(&position.motors, pattern, steps)
@@ -350,7 +350,7 @@ fn representable(motors: Vec<f64>) -> Vec<f64> {
     motors.into_iter().map(nearest).collect()
 }
 
-fn rounded(position: &Position<f64>) -> Position<f32> {
+fn to_single_precision(position: &Position<f64>) -> Position<f32> {
     let number = |number: &f64| f32::from_f64(*number);
     Position {
         motors: position.motors.iter().map(number).collect(),

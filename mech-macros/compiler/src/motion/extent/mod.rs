@@ -7,7 +7,7 @@ use crate::model::{JointKind, Model, Motor};
 use crate::motion::sweep::{Sweep, interpolate, sweep_motors};
 use crate::plan::{Halton, Plan};
 use crate::program::{Position, Program};
-use seen::{EMPTY, SIDES, Seen, Sides};
+use seen::{EMPTY, SIDES, SeenPoints, Sides};
 use std::f64::consts::TAU;
 
 /// How many operations a sweep, the positions of all motors together, and the way outwards may cost, each.
@@ -38,7 +38,7 @@ pub(crate) fn extent(model: &Model, plan: &Plan, program: &Program) -> [[f64; 2]
 /// A mechanism that is moved, and the outermost that was seen of it.
 struct Survey<'a> {
     program: &'a Program,
-    seen: Seen,
+    seen: SeenPoints,
     machine: Machine<'a, f64>,
     /// The values of each motor that are tried.
     ranges: Vec<[f64; 2]>,
@@ -53,7 +53,7 @@ struct Survey<'a> {
 
 impl<'a> Survey<'a> {
     fn new(model: &Model, program: &'a Program) -> Self {
-        let seen = Seen::new(model, program);
+        let seen = SeenPoints::new(model, program);
         let live = program.live.iter().filter(|live| **live).count();
         let size = model.size();
         let range = |(motor, start): (&Motor, &f64)| match motor.range {

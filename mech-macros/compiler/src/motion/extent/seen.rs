@@ -13,27 +13,22 @@ pub(super) type Sides = [f64; 4];
 pub(super) const EMPTY: Sides = [f64::NEG_INFINITY; 4];
 
 /// The points that are seen: corners and centres of shapes, or joints and named points where there is no shape.
-pub(super) struct Seen {
+pub(super) struct SeenPoints {
     /// The box around what the ground carries.
     pub(super) ground: Sides,
     /// For each pose its points, and the radius of what is seen around each.
     moving: Vec<Vec<([f64; 2], f64)>>,
 }
 
-impl Seen {
+impl SeenPoints {
     pub(super) fn new(model: &Model, program: &Program) -> Self {
         let links = || std::iter::once(LinkId::GROUND).chain(program.stored.iter().copied());
         let has_shapes = links().any(|id| !model.link(id).shapes.is_empty());
         let points = |id: LinkId| -> Vec<([f64; 2], f64)> {
             if has_shapes {
-                let shapes = model.link(id).shapes.iter().flat_map(|shape| {
-                    let (points, radius) = shape.kind.reach();
-                    points.iter().map(move |&point| (point, radius))
-                });
-                shapes.collect()
+                model.link(id).shape_points().collect()
             } else {
-                let axes = model.axes.iter().filter(|axis| axis.link == id);
-                axes.map(|axis| (axis.at, 0.0)).collect()
+                model.axis_places(id).map(|place| (place, 0.0)).collect()
             }
         };
         let mut ground = EMPTY;

@@ -1,6 +1,6 @@
 //! What the variables of a cone can be: whole turns of what turns, declared ranges, what earlier loops were proved to find.
 
-use super::known::Known;
+use super::known::LoopProof;
 use crate::certify::Interval;
 use crate::certify::cone::{Cuts, Cutter, Variable};
 use crate::model::{JointKind, Model, MotorId};
@@ -19,7 +19,7 @@ pub(crate) struct Domain<'a> {
     /// The loops that a param has a part in.
     pub(super) varying: BTreeSet<usize>,
     /// What was found out about each loop, by its number.
-    pub(super) known: Vec<Known>,
+    pub(super) known: Vec<LoopProof>,
 }
 
 impl<'a> Domain<'a> {
@@ -28,7 +28,7 @@ impl<'a> Domain<'a> {
             model,
             cutter: Cutter::new(program),
             varying: program.dependent_loops().into_iter().collect(),
-            known: vec![Known::default(); loops],
+            known: vec![LoopProof::default(); loops],
         }
     }
 
@@ -43,7 +43,7 @@ impl<'a> Domain<'a> {
     }
 
     /// Whether anything of an input is read.
-    pub(crate) fn reads(&self, read: &Read, input: usize) -> bool {
+    pub(crate) fn reads(&self, read: &InputReads, input: usize) -> bool {
         let turns = |angle: &Value| {
             let parts = self.cutter.parts(*angle);
             parts.is_some_and(|parts| parts.contains_key(&input))
@@ -161,7 +161,7 @@ impl<'a> Domain<'a> {
     }
 
     /// How far a motor has to turn until everything that is read of it has turned as a whole.
-    pub(crate) fn period(&self, input: usize, read: &Read) -> Option<f64> {
+    pub(crate) fn period(&self, input: usize, read: &InputReads) -> Option<f64> {
         if read.inputs.contains(&input) {
             return None;
         }
@@ -185,8 +185,8 @@ impl<'a> Domain<'a> {
     }
 
     /// What is read of the inputs by these outputs.
-    pub(crate) fn read(&self, outputs: &[Value], cuts: &Cuts<'_>) -> Read {
-        let mut read = Read::default();
+    pub(crate) fn read(&self, outputs: &[Value], cuts: &Cuts<'_>) -> InputReads {
+        let mut read = InputReads::default();
         let mut seen: BTreeSet<Value> = BTreeSet::new();
         let mut waiting: Vec<Value> = outputs.to_vec();
         while let Some(value) = waiting.pop() {
@@ -209,7 +209,7 @@ impl<'a> Domain<'a> {
 
 /// What is read of the inputs.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Read {
+pub(crate) struct InputReads {
     /// Angles of which only sine and cosine are read.
     angles: BTreeSet<Value>,
     /// Inputs that are read otherwise.

@@ -1,7 +1,7 @@
 //! Which loops never come near a dead point or change point, whatever the motors do: proved one by one.
 
 use super::domain::Domain;
-use super::known::{Free, Known};
+use super::known::{Free, LoopProof};
 use crate::bug::bug;
 use crate::certify::Interval;
 use crate::certify::always::{Question, always_closes};
@@ -26,19 +26,19 @@ pub(super) fn prove(domain: &mut Domain<'_>) {
         if domain.varying.contains(&closed.number) {
             continue;
         }
-        let free = proved(domain, block, closed, &mut left);
-        domain.known[closed.number] = Known { free };
+        let free = prove_free(domain, block, closed, &mut left);
+        domain.known[closed.number] = LoopProof { free };
     }
 }
 
 /// What is known of a loop if it is free.
-fn proved(
+fn prove_free(
     domain: &Domain<'_>,
     block: BlockId,
     closed: &ClosedForm,
     left: &mut usize,
 ) -> Option<Free> {
-    let asked = Asked::new(domain, block, closed);
+    let asked = LoopQuery::new(domain, block, closed);
     let alone = Cuts {
         own: Some(closed.number),
         ..Cuts::ALONE
@@ -132,7 +132,7 @@ fn hangs_together(domain: &Domain<'_>, cone: &Cone, carriers: &[Carrier]) -> boo
 }
 
 /// What is asked about a loop.
-struct Asked<'c> {
+struct LoopQuery<'c> {
     block: BlockId,
     closed: &'c ClosedForm,
     /// Discriminant, floor, sine; the coordinates of its vectors; what it finds.
@@ -141,7 +141,7 @@ struct Asked<'c> {
     unknowns: Vec<(Solution<Value>, f64)>,
 }
 
-impl<'c> Asked<'c> {
+impl<'c> LoopQuery<'c> {
     fn new(domain: &Domain<'_>, block: BlockId, closed: &'c ClosedForm) -> Self {
         let solutions = (0..2).filter_map(|index| domain.solution(closed.number, index));
         let unknowns: Vec<(Solution<Value>, f64)> = solutions

@@ -4,7 +4,7 @@ use crate::certify::Interval;
 
 /// What was proved about a loop in closed form, if anything was.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Known {
+pub(crate) struct LoopProof {
     /// Where it always closes, and stays clear of its dead points and change points.
     pub(crate) free: Option<Free>,
 }
@@ -20,7 +20,7 @@ pub(crate) struct Free {
     pub(crate) least_distance_square: f64,
 }
 
-impl Known {
+impl LoopProof {
     /// All values of what the loop finds, by number, if they are known.
     pub(crate) fn range(&self, index: usize) -> Option<Interval> {
         let free = self.free.as_ref()?;

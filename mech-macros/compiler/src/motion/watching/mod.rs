@@ -16,7 +16,7 @@ mod touching;
 use crate::model::{AtChangePoints, Model};
 use crate::plan::{Bound, Plan, Turning};
 use crate::program::{AtZero, Choice, ClosedForm, Growth, Program, Solver, Watching, build_as};
-pub(crate) use domain::{Domain, Read};
+pub(crate) use domain::{Domain, InputReads};
 use pace::Paces;
 
 /// Below this square of the distance of pins, as a part of the product of lengths, rounding stretches links.

@@ -55,7 +55,7 @@ struct Goal {
 
 /// What a cone of vectors is, over all its boxes: for each variable how fast goal, arms and lines change.
 #[derive(Clone, Debug, Default)]
-struct Swept {
+struct ConeRates {
     goal: Vec<f64>,
     arms: Vec<f64>,
     lines: Vec<f64>,
@@ -142,7 +142,7 @@ impl<'d> Paces<'d> {
         &self.loops[&number]
     }
 
-    fn closed(&self, number: usize) -> Option<&'d ClosedForm> {
+    fn closed_form(&self, number: usize) -> Option<&'d ClosedForm> {
         let mut all = self.domain.cutter.program.closed_forms();
         all.find(|(_, closed)| closed.number == number)
             .map(|(_, closed)| closed)
@@ -150,7 +150,7 @@ impl<'d> Paces<'d> {
 
     fn found_goal(&mut self, number: usize) -> Goal {
         let inputs = self.inputs();
-        let Some(closed) = self.closed(number) else {
+        let Some(closed) = self.closed_form(number) else {
             return Goal {
                 moves: Bound::still(inputs),
                 turns: Bound::still(inputs),
@@ -166,7 +166,7 @@ impl<'d> Paces<'d> {
         outputs.extend(vectors.iter().flatten());
         let cone = self.domain.cutter.cone(&outputs, &Cuts::ALONE);
         let (ranges, far) = self.ranges(&cone);
-        let swept = self.swept(&cone, &ranges, &closed.dyad);
+        let swept = self.bound_rates(&cone, &ranges, &closed.dyad);
         let two_lines = matches!(closed.dyad, Dyad::TwoLines { .. });
         let mut goal = Goal {
             moves: Bound::still(inputs),
@@ -282,7 +282,7 @@ impl<'d> Paces<'d> {
                         }
                         _ => 0.0,
                     };
-                    let near = self.closed(number).filter(|closed| {
+                    let near = self.closed_form(number).filter(|closed| {
                         matches!(closed.dyad, Dyad::TwoLines { .. })
                             && self.domain.known[number].free.is_none()
                     });
@@ -314,7 +314,7 @@ impl<'d> Paces<'d> {
             self.domain.solution(number, index),
             Some(Solution::Direction(_))
         );
-        let Some(closed) = self.closed(number) else {
+        let Some(closed) = self.closed_form(number) else {
             let size = self.domain.model.size();
             let unit = if direction { ITERATED } else { ITERATED * size };
             bound.guessed = true;
@@ -388,15 +388,15 @@ impl<'d> Paces<'d> {
     }
 
     /// Looks at vectors on boxes of their variables, wherever the loop may close.
-    fn swept(&mut self, cone: &Cone, ranges: &[Interval], dyad: &Dyad<Value>) -> Swept {
+    fn bound_rates(&mut self, cone: &Cone, ranges: &[Interval], dyad: &Dyad<Value>) -> ConeRates {
         let [discriminant, tolerance] = [cone.outputs[0], cone.outputs[1]];
         let vectors: Vec<&[Value]> = cone.outputs[2..].chunks(2).collect();
         let count = cone.variables.len();
-        let mut swept = Swept {
+        let mut swept = ConeRates {
             goal: vec![0.0; count],
             arms: vec![0.0; count],
             lines: vec![0.0; count],
-            ..Swept::default()
+            ..ConeRates::default()
         };
         let lines = match dyad {
             Dyad::TwoCircles { .. } => vec![],

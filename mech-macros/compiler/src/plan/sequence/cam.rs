@@ -12,7 +12,7 @@ impl Search<'_> {
         // Of several the name decides which comes first, which no reordering changes.
         let name = |cam: &Cam| self.model.joint(cam.by).name.clone();
         let cams = self.model.cams();
-        let found = cams.filter_map(|(by, shaft, follower, _)| self.driven(by, shaft, follower));
+        let found = cams.filter_map(|(by, shaft, follower, _)| self.find_cam(by, shaft, follower));
         let Some(cam) = found.min_by_key(name) else {
             return false;
         };
@@ -30,7 +30,7 @@ impl Search<'_> {
     }
 
     /// The step in which a cam moves its follower, if its shaft is known and the follower is not.
-    fn driven(&self, by: JointId, shaft: JointId, follower: JointId) -> Option<Cam> {
+    fn find_cam(&self, by: JointId, shaft: JointId, follower: JointId) -> Option<Cam> {
         let (shaft, follower) = (
             self.declared_connection(shaft)?,
             self.declared_connection(follower)?,

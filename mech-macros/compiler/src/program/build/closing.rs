@@ -1,7 +1,7 @@
 //! A loop: the equation it must satisfy, its solution in closed form or by iteration, and its watch.
 
 use super::dyad::DyadLowering;
-use super::iteration::{Iterated, LoopIteration};
+use super::iteration::{IteratedLoop, LoopIteration};
 use super::last::last_unknown;
 use super::rates::SolvedLoop;
 use super::steps::PositionPass;
@@ -136,7 +136,7 @@ impl PositionPass<'_> {
             predictor: &mut self.predictor,
             site,
         };
-        let Iterated {
+        let IteratedLoop {
             mut newton,
             solution,
             side,

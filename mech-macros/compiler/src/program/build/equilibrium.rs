@@ -13,7 +13,7 @@ pub(super) type Pattern = Vec<Vec<usize>>;
 
 /// Equations with as many unknowns, to be solved together.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Together {
+pub(super) struct EquationSet {
     pub(super) equations: Vec<usize>,
     pub(super) unknowns: Vec<usize>,
 }
@@ -26,7 +26,7 @@ const PASSES: usize = 3;
 pub(super) fn choose_balances(
     alternatives: &[Vec<[Vec<usize>; 3]>],
     unknowns: usize,
-) -> Option<(Vec<usize>, Vec<Together>)> {
+) -> Option<(Vec<usize>, Vec<EquationSet>)> {
     let mut choices = vec![0; alternatives.len()];
     let pattern = |choices: &[usize]| -> Pattern {
         let chosen = alternatives.iter().zip(choices);
@@ -56,7 +56,7 @@ pub(super) fn choose_balances(
 }
 
 /// The work of solving these: the sum of the cubes of their sizes.
-fn work(blocks: &[Together]) -> usize {
+fn work(blocks: &[EquationSet]) -> usize {
     blocks
         .iter()
         .map(|block| block.equations.len().pow(3))
@@ -64,7 +64,7 @@ fn work(blocks: &[Together]) -> usize {
 }
 
 /// The blocks of a square system, in the order in which they are solved; none if it is not square or singular whatever its numbers.
-fn blocks(pattern: &Pattern, unknowns: usize) -> Option<Vec<Together>> {
+fn blocks(pattern: &Pattern, unknowns: usize) -> Option<Vec<EquationSet>> {
     if pattern.len() != unknowns {
         return None;
     }
@@ -91,7 +91,7 @@ fn blocks(pattern: &Pattern, unknowns: usize) -> Option<Vec<Together>> {
             .map(|&equation| of_equation[equation])
             .collect();
         unknowns.sort_unstable();
-        Together {
+        EquationSet {
             equations,
             unknowns,
         }

@@ -2,7 +2,7 @@
 //! motors.
 
 use super::Positions;
-use super::equilibrium::{Together, choose_balances};
+use super::equilibrium::{EquationSet, choose_balances};
 use super::lowering::Lowering;
 use super::rates::LoopRates;
 use super::reaction::{Along, Part, Place, Push, Unknown};
@@ -116,7 +116,7 @@ impl Lowering<'_> {
     /// Solves a few equations, with the unknowns that others have found.
     fn solve_block(
         &mut self,
-        block: &Together,
+        block: &EquationSet,
         rows: &[(&Vec<(usize, Value)>, Value)],
         found: &[Option<Value>],
         motion: &mut Motion,

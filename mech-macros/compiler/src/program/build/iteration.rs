@@ -58,7 +58,7 @@ pub(super) struct Lever {
 }
 
 /// A loop that is solved by iteration.
-pub(super) struct Iterated {
+pub(super) struct IteratedLoop {
     pub(super) newton: Newton,
     /// The unknowns after the last round.
     pub(super) solution: Vec<Solution<Value>>,
@@ -68,7 +68,7 @@ pub(super) struct Iterated {
 
 impl LoopIteration<'_> {
     /// Iterates on the unknowns of the loop's equation.
-    pub(super) fn iterate(&mut self, watches: &Watches) -> Iterated {
+    pub(super) fn iterate(&mut self, watches: &Watches) -> IteratedLoop {
         let equation = &self.site.equation;
         let unknowns = equation.unknowns.iter();
         let last = unknowns
@@ -180,7 +180,7 @@ impl LoopIteration<'_> {
         unknowns: Unknowns,
         system: System,
         side: Option<CoupledSide>,
-    ) -> Iterated {
+    ) -> IteratedLoop {
         let (steps, det) = self
             .ssa
             .solve_linear(self.site.block, &system.columns, &system.gap);
@@ -235,7 +235,7 @@ impl LoopIteration<'_> {
             linear,
             limits: Limits::default(),
         };
-        Iterated {
+        IteratedLoop {
             newton,
             solution,
             side,

@@ -37,7 +37,7 @@ use super::live::live;
 use super::node::Value;
 use super::{Block, BlockKind, Choice, Motion, Program, Rounds, Sensitivity};
 use crate::model::{LinkId, Model};
-use crate::plan::{Needed, Plan, Step};
+use crate::plan::{Plan, PlanPart, Step};
 use crate::structure::Structure;
 use cam::Follower;
 use lowering::Lowering;
@@ -137,10 +137,10 @@ pub enum Output<'s> {
 
 /// The steps that something that is shown depends on.
 #[must_use]
-pub(crate) fn needed(model: &Model, plan: &Plan, stored: &[LinkId]) -> Needed {
+pub(crate) fn find_needed(model: &Model, plan: &Plan, stored: &[LinkId]) -> PlanPart {
     match model.show {
         None => plan.whole(),
-        Some(_) => plan.needed(model, stored),
+        Some(_) => plan.find_needed(model, stored),
     }
 }
 
@@ -157,7 +157,7 @@ struct Target<'t> {
 impl Target<'_> {
     /// Lowers a plan to a program; poses are numbered among those of all links.
     fn lower(self, model: &Model, plan: &Plan, choices: &[Choice]) -> Program {
-        let needed = needed(model, plan, self.links);
+        let needed = find_needed(model, plan, self.links);
         let mut pass = PositionPass::new(model, plan);
         let (mut meshes, mut loops) = (0, 0);
         for (step, is_needed) in plan.steps.iter().zip(&needed.steps) {

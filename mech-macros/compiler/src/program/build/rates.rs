@@ -132,7 +132,7 @@ impl Lowering<'_> {
         for some in poses.chunks(MOST_LINKS) {
             self.ssa.block(name.to_owned(), "Velocities.".to_owned());
             for &[cos, sin, x, y] in some {
-                let turning = tangents.turning(&mut self.ssa, [cos, sin]);
+                let turning = tangents.angular_velocity(&mut self.ssa, [cos, sin]);
                 let [x, y] = tangents.of_vector(&mut self.ssa, [x, y]);
                 rates.push([turning, x, y]);
             }

@@ -8,7 +8,7 @@ use crate::model::{AxisId, JointId, JointKind};
 use crate::plan::{Algebra, Arithmetic};
 use crate::program::Motion;
 use crate::program::node::Value;
-use crate::program::sensitivity::{Rates, Sensitivity};
+use crate::program::sensitivity::{ParamRates, Sensitivity};
 
 impl Lowering<'_> {
     /// Derives the rates of everything with each param.
@@ -28,7 +28,7 @@ impl Lowering<'_> {
             let seed = Seed::Alone(motors + number);
             let (mut tangents, _) = self.all_rates(positions, seed, &mut motion);
             let links = self.link_rates(&format!("{}_rates", param.name), poses, &mut tangents);
-            of_params.push(Rates {
+            of_params.push(ParamRates {
                 links,
                 points: self.point_rates(&points, &mut tangents),
                 joints: self.joint_rates(&joints, &mut tangents),
@@ -61,7 +61,7 @@ impl Lowering<'_> {
             if turns {
                 let [a, b] = [a, b].map(|axis| {
                     let direction = self.placement.pose(self.link_of(axis)).direction;
-                    tangents.turning(&mut self.ssa, direction)
+                    tangents.angular_velocity(&mut self.ssa, direction)
                 });
                 return self.ssa.sub(b, a);
             }

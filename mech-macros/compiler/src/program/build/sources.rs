@@ -111,7 +111,7 @@ impl PositionPass<'_> {
         let turns = match (is_angle, part.numer().to_i64(), part.denom().to_i64()) {
             (true, Some(_), Some(1)) => return share,
             (true, Some(numerator), Some(denominator)) => {
-                let turns = ssa.make(Op::Turned(motor.index(), numerator, denominator));
+                let turns = ssa.make(Op::PartOfTurns(motor.index(), numerator, denominator));
                 ssa.name(turns, name)
             }
             _ => {

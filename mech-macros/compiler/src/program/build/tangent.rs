@@ -29,13 +29,13 @@ pub(in crate::program) struct Tangents {
     /// Looked up only, never iterated: the program does not depend on its order.
     rates: HashMap<Value, Value>,
     /// The angular velocities of directions, given by cosine and sine.
-    turning: HashMap<[Value; 2], Value>,
+    angular_velocities: HashMap<[Value; 2], Value>,
     /// Angles between two directions.
     angles: HashMap<Value, [[Value; 2]; 2]>,
 }
 
 /// A vector turned by a direction: one of its parts, the direction, the vector, and the other part.
-struct Turned {
+struct Rotation {
     direction: [Value; 2],
     vector: [Value; 2],
     is_x: bool,
@@ -49,7 +49,7 @@ impl Tangents {
             seed,
             motors,
             rates: HashMap::new(),
-            turning: HashMap::new(),
+            angular_velocities: HashMap::new(),
             angles: HashMap::new(),
         }
     }
@@ -79,7 +79,7 @@ impl Tangents {
 
     /// Notes the angular velocity of a direction that a loop solves.
     pub(super) fn set_turning(&mut self, ssa: &mut SsaBuilder, direction: [Value; 2], rate: Value) {
-        self.turning.insert(direction, rate);
+        self.angular_velocities.insert(direction, rate);
         let [cos, sin] = direction;
         let (along, back) = (ssa.mul(rate, cos), ssa.mul(rate, sin));
         let back = ssa.neg(back);
@@ -92,8 +92,8 @@ impl Tangents {
         if let Some(&known) = self.rates.get(&value) {
             return known;
         }
-        let rate = match self.as_turned(ssa, value) {
-            Some(turned) => self.of_turned_vector(ssa, &turned),
+        let rate = match self.find_rotation(ssa, value) {
+            Some(rotation) => self.of_rotation(ssa, &rotation),
             None => self.of_operation(ssa, value),
         };
         self.rates.insert(value, rate);
@@ -191,14 +191,15 @@ impl Tangents {
             }
             Op::Atan2(sin, cos) => match self.angles.get(&value).copied() {
                 Some([from, to]) => {
-                    let [from, to] = [from, to].map(|direction| self.turning(ssa, direction));
+                    let [from, to] =
+                        [from, to].map(|direction| self.angular_velocity(ssa, direction));
                     ssa.sub(to, from)
                 }
                 None => self.of_direction(ssa, [cos, sin]),
             },
             Op::Constant(_)
             | Op::Turns(_)
-            | Op::Turned(..)
+            | Op::PartOfTurns(..)
             | Op::Last(_)
             | Op::Round(_)
             | Op::Rate(_)
@@ -211,14 +212,14 @@ impl Tangents {
         }
     }
 
-    fn of_turned_vector(&mut self, ssa: &mut SsaBuilder, turned: &Turned) -> Value {
-        let Turned {
+    fn of_rotation(&mut self, ssa: &mut SsaBuilder, rotation: &Rotation) -> Value {
+        let Rotation {
             direction: [cos, sin],
             vector,
             is_x,
             other,
-        } = *turned;
-        let speed = self.turning(ssa, [cos, sin]);
+        } = *rotation;
+        let speed = self.angular_velocity(ssa, [cos, sin]);
         let across = ssa.mul(speed, other);
         let [p, q] = self.of_vector(ssa, vector);
         if is_x {
@@ -233,21 +234,25 @@ impl Tangents {
     }
 
     /// The angular velocity of a direction.
-    pub(super) fn turning(&mut self, ssa: &mut SsaBuilder, direction: [Value; 2]) -> Value {
-        if let Some(&known) = self.turning.get(&direction) {
+    pub(super) fn angular_velocity(
+        &mut self,
+        ssa: &mut SsaBuilder,
+        direction: [Value; 2],
+    ) -> Value {
+        if let Some(&known) = self.angular_velocities.get(&direction) {
             return known;
         }
         let [cos, sin] = direction;
         let speed = match (ssa.op(cos), ssa.op(sin)) {
             (Op::Cos(a), Op::Sin(b)) if a == b => self.of(ssa, a),
             (_, Op::Neg(back)) if self.is_direction(ssa, [cos, back]) => {
-                let speed = self.turning(ssa, [cos, back]);
+                let speed = self.angular_velocity(ssa, [cos, back]);
                 ssa.neg(speed)
             }
-            _ => match self.as_turned(ssa, cos) {
-                Some(turned) if turned.is_x && turned.other == sin => {
-                    let outer = self.turning(ssa, turned.direction);
-                    let inner = self.turning(ssa, turned.vector);
+            _ => match self.find_rotation(ssa, cos) {
+                Some(rotation) if rotation.is_x && rotation.other == sin => {
+                    let outer = self.angular_velocity(ssa, rotation.direction);
+                    let inner = self.angular_velocity(ssa, rotation.vector);
                     ssa.add(outer, inner)
                 }
                 _ => {
@@ -256,7 +261,7 @@ impl Tangents {
                 }
             },
         };
-        self.turning.insert(direction, speed);
+        self.angular_velocities.insert(direction, speed);
         speed
     }
 
@@ -276,11 +281,11 @@ impl Tangents {
             [Op::Cos(a), Op::Sin(b)] => a == b,
             _ => false,
         };
-        motor || self.turning.contains_key(&direction)
+        motor || self.angular_velocities.contains_key(&direction)
     }
 
     /// A value as a part of a vector that is turned by a direction, if it is made so.
-    fn as_turned(&self, ssa: &SsaBuilder, value: Value) -> Option<Turned> {
+    fn find_rotation(&self, ssa: &SsaBuilder, value: Value) -> Option<Rotation> {
         let (first, second, is_x) = match ssa.op(value) {
             Op::Sub(a, b) => (a, b, true),
             Op::Add(a, b) => (a, b, false),
@@ -319,7 +324,7 @@ impl Tangents {
                 ssa.find(Op::Sub(a, b))
             };
             if let Some(other) = other {
-                return Some(Turned {
+                return Some(Rotation {
                     direction,
                     vector,
                     is_x,

@@ -2,7 +2,7 @@
 //! these.
 
 use super::closing::LoopSite;
-use super::iteration::{Iterated, LoopIteration, System};
+use super::iteration::{IteratedLoop, LoopIteration, System};
 use super::last::{LastUnknown, last_unknown};
 use super::steps::PositionPass;
 use crate::model::{JointId, LinkId, Model};
@@ -264,7 +264,7 @@ impl PositionPass<'_> {
 
 impl LoopIteration<'_> {
     /// Iterates on the unknown angles and displacements.
-    pub(super) fn iterate_tied(&mut self, tied: &Tied) -> Iterated {
+    pub(super) fn iterate_tied(&mut self, tied: &Tied) -> IteratedLoop {
         let equation = &self.site.equation;
         let mut last = Vec::new();
         let mut angles = Vec::new();

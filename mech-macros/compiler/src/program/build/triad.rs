@@ -2,7 +2,7 @@
 //!
 //! Each leg says how far its pin on the middle link is from its pin on what is known; its own direction follows.
 
-use super::iteration::{Iterated, Lever, LoopIteration, System};
+use super::iteration::{IteratedLoop, Lever, LoopIteration, System};
 use super::last::{LastUnknown, last_pose};
 use crate::plan::{Algebra, Arithmetic, Equation, Leg, Placement, Solution, Triad, Unknown};
 use crate::program::builder::SsaBuilder;
@@ -10,7 +10,7 @@ use crate::program::node::Value;
 
 impl LoopIteration<'_> {
     /// Iterates on the pose of the middle link: a direction and the place of its origin.
-    pub(super) fn iterate_triad(&mut self, triad: &Triad) -> Iterated {
+    pub(super) fn iterate_triad(&mut self, triad: &Triad) -> IteratedLoop {
         let name = &self.model.link(triad.middle).name;
         let frame = last_pose(self.ssa, self.model, self.site.base).inverse(self.ssa);
         let last = last_pose(self.ssa, self.model, triad.middle);

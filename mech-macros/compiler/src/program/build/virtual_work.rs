@@ -83,7 +83,7 @@ impl Lowering<'_> {
                 }
                 Wrench::Torque { link, torque } => {
                     let direction = self.placement.pose(link).direction;
-                    let turning = tangents.turning(&mut self.ssa, direction);
+                    let turning = tangents.angular_velocity(&mut self.ssa, direction);
                     self.ssa.mul(torque, turning)
                 }
             };
@@ -109,7 +109,7 @@ impl Lowering<'_> {
         let acceleration = tangents.of_vector(ssa, velocity);
         let weight = ssa.constant(-mass.mass);
         let force = ssa.scale(weight, acceleration);
-        let turning = tangents.turning(ssa, direction);
+        let turning = tangents.angular_velocity(ssa, direction);
         let change = tangents.of(ssa, turning);
         let inertia = ssa.constant(-mass.inertia);
         let torque = ssa.mul(inertia, change);
@@ -133,7 +133,7 @@ impl Lowering<'_> {
                 .iter_mut()
                 .map(|tangents| {
                     let velocity = tangents.of_vector(ssa, body.center);
-                    (velocity, tangents.turning(ssa, body.direction))
+                    (velocity, tangents.angular_velocity(ssa, body.direction))
                 })
                 .collect();
             let [mass, inertia] =
@@ -182,7 +182,7 @@ impl Lowering<'_> {
                 }
                 LoadKind::Torque(link) => {
                     let direction = self.placement.pose(link).direction;
-                    velocity_ratios.push(tangents.turning(&mut self.ssa, direction));
+                    velocity_ratios.push(tangents.angular_velocity(&mut self.ssa, direction));
                 }
             }
         }

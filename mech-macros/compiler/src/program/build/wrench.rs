@@ -200,7 +200,7 @@ impl Lowering<'_> {
                 let (a, b) = self.model.ends(joint);
                 let [from, to] = [a, b].map(|link| {
                     let direction = self.placement.pose(link).direction;
-                    tangents.turning(&mut self.ssa, direction)
+                    tangents.angular_velocity(&mut self.ssa, direction)
                 });
                 let rate = self.ssa.sub(to, from);
                 let torque = self.ssa.mul(damping, rate);

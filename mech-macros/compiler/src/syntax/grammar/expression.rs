@@ -16,12 +16,12 @@ const DEPTH: usize = 64;
 
 /// What a function takes.
 #[derive(Clone, Copy)]
-enum Called {
+enum Callee {
     One(Function),
     Both(BinaryFunction),
 }
 
-impl Called {
+impl Callee {
     /// The function of this name.
     fn named(name: &Ident) -> Option<Self> {
         let one = Function::ALL.into_iter();
@@ -316,14 +316,14 @@ fn without_path(input: ParseStream, first: &Ident) -> Read<()> {
 }
 
 fn call(input: ParseStream, ident: &Ident, depth: usize) -> Read<Expr> {
-    let Some(called) = Called::named(ident) else {
+    let Some(called) = Callee::named(ident) else {
         return Err(unknown_function(input, ident, depth));
     };
     let (kind, place) = in_parens(input, "`(`", |input| {
         let first = sum(input, depth)?;
         Ok(match called {
-            Called::One(function) => ExprKind::Call(function, Box::new(first)),
-            Called::Both(function) => {
+            Callee::One(function) => ExprKind::Call(function, Box::new(first)),
+            Callee::Both(function) => {
                 symbol(input, ",")?;
                 let second = sum(input, depth)?;
                 take(input, ",");

@@ -383,7 +383,7 @@ impl Lowering {
 impl Lowering {
     /// The methods that forces add must not be called as others are.
     pub(super) fn claim_force_methods(&mut self) {
-        let Acting {
+        let ActionPlaces {
             force, dynamics, ..
         } = self.acting;
         let picture = force.filter(|_| self.model.effects.overlay);
@@ -401,7 +401,7 @@ impl Lowering {
 
 /// Where gravity and effects stand, for messages.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Acting {
+pub(super) struct ActionPlaces {
     pub(super) gravity: Option<Place>,
     pub(super) force: Option<Place>,
     pub(super) dynamics: Option<Place>,

@@ -2,7 +2,7 @@
 
 use super::Lowering;
 use super::param::Spot;
-use crate::model::{AxisId, AxisKind, Drawn, FORWARD, LinkId, Origin};
+use crate::model::{AxisId, AxisKind, DrawnAxis, FORWARD, LinkId, Origin};
 use crate::syntax::Place;
 use crate::syntax::ast::{Clause, End, Joint, JointBody, JointWord, Pair};
 
@@ -26,13 +26,13 @@ impl Lowering {
         Some([(a, kinds[0]), (b, kinds[1])].map(|(link, kind)| {
             self.model.links[link.index()].drawn |= link != LinkId::GROUND;
             let drawn = match kind {
-                AxisKind::Point => Drawn::point(at),
-                AxisKind::Line => Drawn {
+                AxisKind::Point => DrawnAxis::point(at),
+                AxisKind::Line => DrawnAxis {
                     direction_formulas,
-                    ..Drawn::line(at, direction)
+                    ..DrawnAxis::line(at, direction)
                 },
             };
-            let drawn = Drawn { formulas, ..drawn };
+            let drawn = DrawnAxis { formulas, ..drawn };
             self.model.drawn_axis(link, drawn, origin)
         }))
     }
@@ -78,6 +78,6 @@ impl Lowering {
     /// The axis at the origin of a link's frame.
     pub(super) fn frame_axis(&mut self, link: LinkId, origin: Origin) -> AxisId {
         self.model
-            .drawn_axis(link, Drawn::point([0.0, 0.0]), origin)
+            .drawn_axis(link, DrawnAxis::point([0.0, 0.0]), origin)
     }
 }

@@ -1,7 +1,7 @@
 //! Joints: their names, and those between axes.
 
 use super::Lowering;
-use super::name::{Named, word_for};
+use super::name::{Referent, word_for};
 use crate::model::{self, AxisId, AxisKind, JointId, JointKind, LinkId, Origin};
 use crate::syntax::Place;
 use crate::syntax::ast::{End, Joint, JointBody, JointWord};
@@ -13,9 +13,9 @@ impl Lowering {
     /// Enters the name of a joint; its axes follow when all links are known.
     pub(super) fn declare_joint(&mut self, joint: &Joint) {
         if self.claim(&joint.name, "joint") {
-            self.names.enter(&joint.name, Named::Joint(None));
+            self.names.enter(&joint.name, Referent::Joint(None));
         } else {
-            self.names.enter(&joint.name, Named::Broken);
+            self.names.enter(&joint.name, Referent::Broken);
             self.nameless.push(self.report.statement());
         }
         match &joint.body {
@@ -135,7 +135,7 @@ impl Lowering {
 
     /// Whether an end is a point or a line, without a word if it is neither.
     fn kind_of(&self, end: &End) -> Option<AxisKind> {
-        let Named::Link(link) = self.names.look_up(&end.link)? else {
+        let Referent::Link(link) = self.names.look_up(&end.link)? else {
             return None;
         };
         let axis = self.axis_of(link, &end.axis.as_ref()?.to_string())?;

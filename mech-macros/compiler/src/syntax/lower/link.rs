@@ -1,7 +1,7 @@
 //! Links, and what is fixed to them.
 
 use super::Lowering;
-use super::name::{Named, word_for};
+use super::name::{Referent, word_for};
 use super::param::Spot;
 use crate::bug::bug;
 use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind};
@@ -39,14 +39,14 @@ impl Lowering {
             self.model
                 .links
                 .push(model::Link::new(&link.name.to_string(), origin));
-            self.names.enter(&link.name, Named::Link(id));
+            self.names.enter(&link.name, Referent::Link(id));
             self.lower_items(id, &link.items);
             return;
         }
         // What the second of a name has, the first has not; but that is not the trouble.
         match self.names.look_up(&link.name) {
-            Some(Named::Link(first)) => self.names.lose_axis(first, None),
-            _ => self.names.enter(&link.name, Named::Broken),
+            Some(Referent::Link(first)) => self.names.lose_axis(first, None),
+            _ => self.names.enter(&link.name, Referent::Broken),
         }
         self.pass_on_items(&link.items);
     }

@@ -24,10 +24,10 @@ mod trace;
 mod value;
 mod weld;
 
-use self::action::Acting;
+use self::action::ActionPlaces;
 use self::constant::Constants;
-use self::motor::Ranged;
-use self::name::{Named, Names};
+use self::motor::WrittenRange;
+use self::name::{Names, Referent};
 use self::report::Report;
 use super::ast::{Statement, Text};
 use super::{Parsed, Place, Places};
@@ -77,9 +77,9 @@ struct Lowering {
     /// The statements that there may be only one of, as far as they have come.
     singles: Vec<&'static str>,
     /// The ranges of the motors that have one.
-    ranges: Vec<Ranged>,
+    ranges: Vec<WrittenRange>,
     /// Where gravity and the effects of forces stand.
-    acting: Acting,
+    acting: ActionPlaces,
     /// The names of the cams.
     cams: Vec<String>,
     /// The joints whose motors follow laws, and the numbers of these motors' statements.
@@ -103,7 +103,7 @@ impl Lowering {
         let mut names = Names::default();
         names.enter(
             &Ident::new("ground", Span::call_site()),
-            Named::Link(LinkId::GROUND),
+            Referent::Link(LinkId::GROUND),
         );
         let constants = Constants::of(&text.statements);
         Self {
@@ -117,7 +117,7 @@ impl Lowering {
             nameless: Vec::new(),
             singles: Vec::new(),
             ranges: Vec::new(),
-            acting: Acting::default(),
+            acting: ActionPlaces::default(),
             cams: Vec::new(),
             lawful: Vec::new(),
             has_params: false,
@@ -160,7 +160,7 @@ impl Lowering {
                 broken
                     .name
                     .iter()
-                    .for_each(|name| self.names.enter(name, Named::Broken));
+                    .for_each(|name| self.names.enter(name, Referent::Broken));
             }
             _ => {}
         }

@@ -13,7 +13,7 @@ use proc_macro2::Ident;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A range as it was written, for messages about the start.
-pub(super) struct Ranged {
+pub(super) struct WrittenRange {
     joint: JointId,
     range: Range,
     written: String,
@@ -35,7 +35,7 @@ impl Lowering {
             if let JointKind::Revolute(..) = self.model.joint(joint).kind {
                 self.ask_about_degrees(ends, range);
             }
-            self.ranges.push(Ranged {
+            self.ranges.push(WrittenRange {
                 joint,
                 range,
                 written: format!("{low} ..= {high}"),
@@ -156,7 +156,7 @@ impl Lowering {
             if listed.any(|start| start.joint == ranged.joint) || within(0.0, ranged.range) {
                 continue;
             }
-            let Ranged { joint, written, .. } = ranged;
+            let WrittenRange { joint, written, .. } = ranged;
             let name = &self.model.joint(*joint).name;
             let text = if self.is_drawn(*joint) {
                 self.outside_as_drawn(ranged)
@@ -172,7 +172,7 @@ impl Lowering {
         }
     }
 
-    fn outside_as_drawn(&self, ranged: &Ranged) -> String {
+    fn outside_as_drawn(&self, ranged: &WrittenRange) -> String {
         let name = &self.model.joint(ranged.joint).name;
         format!(
             "motor `{name}` starts at 0, where it is drawn, outside its range; widen `{}` so that it holds 0",

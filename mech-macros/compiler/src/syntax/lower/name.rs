@@ -8,7 +8,7 @@ use proc_macro2::Ident;
 
 /// What a name of the text stands for.
 #[derive(Clone, Copy)]
-pub(super) enum Named {
+pub(super) enum Referent {
     /// A link.
     Link(LinkId),
     /// A joint; without an id, one that is left out of the model because of an error.
@@ -20,7 +20,7 @@ pub(super) enum Named {
 /// What has taken a name.
 struct Entry {
     name: String,
-    named: Named,
+    named: Referent,
     /// Whether a link and a joint claim it: whoever means the second is not to blame.
     shared: bool,
 }
@@ -36,7 +36,7 @@ pub(super) struct Names {
 }
 
 impl Names {
-    fn get(&self, name: &str) -> Option<Named> {
+    fn get(&self, name: &str) -> Option<Referent> {
         self.entries
             .iter()
             .find(|entry| entry.name == name)
@@ -58,14 +58,14 @@ impl Names {
     }
 
     /// What this name stands for, if anything.
-    pub(super) fn look_up(&self, name: &Ident) -> Option<Named> {
+    pub(super) fn look_up(&self, name: &Ident) -> Option<Referent> {
         self.get(&name.to_string())
     }
 
     /// Enters a name, unless it stands for something already.
-    pub(super) fn enter(&mut self, name: &Ident, named: Named) {
+    pub(super) fn enter(&mut self, name: &Ident, named: Referent) {
         match self.entries.iter_mut().find(|entry| name == &entry.name) {
-            Some(entry) if matches!(entry.named, Named::Broken) => entry.named = named,
+            Some(entry) if matches!(entry.named, Referent::Broken) => entry.named = named,
             Some(_) => {}
             None => self.entries.push(Entry {
                 name: name.to_string(),
@@ -79,7 +79,7 @@ impl Names {
     pub(super) fn joint_is(&mut self, name: &Ident, id: JointId) {
         let mut entries = self.entries.iter_mut();
         if let Some(entry) = entries.find(|entry| name == &entry.name) {
-            entry.named = Named::Joint(Some(id));
+            entry.named = Referent::Joint(Some(id));
         }
     }
 
@@ -99,7 +99,7 @@ impl Names {
         let links = self
             .entries
             .iter()
-            .filter(|entry| matches!(entry.named, Named::Link(_)));
+            .filter(|entry| matches!(entry.named, Referent::Link(_)));
         links.map(|entry| entry.name.as_str()).collect()
     }
 
@@ -107,7 +107,7 @@ impl Names {
         let joints = self
             .entries
             .iter()
-            .filter(|entry| matches!(entry.named, Named::Joint(_)));
+            .filter(|entry| matches!(entry.named, Referent::Joint(_)));
         joints.map(|entry| entry.name.as_str()).collect()
     }
 }
@@ -131,9 +131,9 @@ impl Lowering {
             return false;
         }
         let earlier = match self.names.get(&text) {
-            Some(Named::Link(_)) => "link",
-            Some(Named::Joint(_)) => "joint",
-            Some(Named::Broken) | None => {
+            Some(Referent::Link(_)) => "link",
+            Some(Referent::Joint(_)) => "joint",
+            Some(Referent::Broken) | None => {
                 return self.claim_method(text.clone(), format!("{what} `{text}`"), place);
             }
         };
@@ -188,10 +188,10 @@ impl Lowering {
     pub(super) fn find_link(&mut self, name: &Ident) -> Option<LinkId> {
         let text = name.to_string();
         let trouble = match self.names.get(&text) {
-            Some(Named::Link(id)) => return Some(id),
-            Some(Named::Broken) => return None,
-            Some(Named::Joint(_)) if self.names.is_shared(name) => return None,
-            Some(Named::Joint(_)) => {
+            Some(Referent::Link(id)) => return Some(id),
+            Some(Referent::Broken) => return None,
+            Some(Referent::Joint(_)) if self.names.is_shared(name) => return None,
+            Some(Referent::Joint(_)) => {
                 let links = self.names.links();
                 format!(
                     "`{text}` is a joint; this must be a link, one of {}",
@@ -211,10 +211,10 @@ impl Lowering {
     pub(super) fn find_joint(&mut self, name: &Ident) -> Option<JointId> {
         let text = name.to_string();
         let trouble = match self.names.get(&text) {
-            Some(Named::Joint(id)) => return id,
-            Some(Named::Broken) => return None,
-            Some(Named::Link(_)) if self.names.is_shared(name) => return None,
-            Some(Named::Link(id)) => self.not_a_joint(id),
+            Some(Referent::Joint(id)) => return id,
+            Some(Referent::Broken) => return None,
+            Some(Referent::Link(_)) if self.names.is_shared(name) => return None,
+            Some(Referent::Link(id)) => self.not_a_joint(id),
             None => match self.point_called(&text) {
                 Some(link) => format!(
                     "`{text}` is a point of link `{}`, not a joint: a joint joins two links{}",

@@ -31,14 +31,14 @@ impl Lowering {
         let [a, b] = [links[0]?, links[1]?];
         self.check_apart(joint, body, [a, b])?;
         Some(match size? {
-            Rolled::Rack(radius) => JointKind::Rack {
+            RollingSize::Rack(radius) => JointKind::Rack {
                 pinion: a,
                 bar: b,
                 radius,
                 on,
             },
-            Rolled::Belt(ratio) => JointKind::Belt { a, b, ratio, on },
-            Rolled::Gear(ratio) => JointKind::Gear { a, b, ratio, on },
+            RollingSize::Belt(ratio) => JointKind::Belt { a, b, ratio, on },
+            RollingSize::Gear(ratio) => JointKind::Gear { a, b, ratio, on },
         })
     }
 
@@ -90,16 +90,16 @@ impl Lowering {
         None
     }
 
-    fn rolling_size(&mut self, kind: JointWord, size: &Size) -> Option<Rolled> {
+    fn rolling_size(&mut self, kind: JointWord, size: &Size) -> Option<RollingSize> {
         let why = "what rolls keeps its ratio, so that it counts whole turns exactly (a `cam` may have a ratio in its law)";
         self.with_fixed_numbers(why, |lowering| lowering.size_of(kind, size))
     }
 
-    fn size_of(&mut self, kind: JointWord, size: &Size) -> Option<Rolled> {
+    fn size_of(&mut self, kind: JointWord, size: &Size) -> Option<RollingSize> {
         match (kind, size) {
-            (_, Size::Radius(radius)) => self.pinion_radius(radius).map(Rolled::Rack),
-            (JointWord::Belt, Size::Ratio(parts)) => self.belt_ratio(parts).map(Rolled::Belt),
-            (_, Size::Ratio(parts)) => self.gear_ratio(parts).map(Rolled::Gear),
+            (_, Size::Radius(radius)) => self.pinion_radius(radius).map(RollingSize::Rack),
+            (JointWord::Belt, Size::Ratio(parts)) => self.belt_ratio(parts).map(RollingSize::Belt),
+            (_, Size::Ratio(parts)) => self.gear_ratio(parts).map(RollingSize::Gear),
         }
     }
 
@@ -215,7 +215,7 @@ impl Lowering {
 }
 
 /// How large what rolls is, in each kind of joint.
-enum Rolled {
+enum RollingSize {
     Gear(Ratio),
     Belt(Ratio),
     /// The radius of the pinion.

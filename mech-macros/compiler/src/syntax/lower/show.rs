@@ -1,7 +1,7 @@
 //! What is asked for.
 
 use super::Lowering;
-use super::name::Named;
+use super::name::Referent;
 use crate::model::{AxisKind, LinkId, Shown};
 use crate::syntax::Place;
 use crate::syntax::ast::End;
@@ -43,12 +43,12 @@ impl Lowering {
     /// What is to be shown, if it can be.
     fn find_shown(&mut self, end: &End) -> Option<Shown> {
         match (self.names.look_up(&end.link), &end.axis) {
-            (Some(Named::Broken), _) => None,
+            (Some(Referent::Broken), _) => None,
             (None, None) => {
                 self.refuse_unknown(&end.link);
                 None
             }
-            (Some(Named::Joint(joint)), None) => {
+            (Some(Referent::Joint(joint)), None) => {
                 let joint = joint?;
                 if let Some(text) = self.no_coordinate(&end.link, joint, "show") {
                     self.report.error(end.place(), text);

@@ -1,7 +1,7 @@
 //! How the mechanism is assembled.
 
 use super::Lowering;
-use super::name::Named;
+use super::name::Referent;
 use super::rolling;
 use crate::model::{JointId, JointKind, LinkId, Near, StartValue};
 use crate::syntax::Place;
@@ -23,8 +23,8 @@ impl Lowering {
     fn start_clause(&mut self, clause: &StartClause) {
         let named = self.names.look_up(&clause.name);
         match (named, clause.near) {
-            (Some(Named::Link(id)), true) => self.near(clause, id),
-            (Some(Named::Joint(Some(id))), false) => self.start_value(clause, id),
+            (Some(Referent::Link(id)), true) => self.near(clause, id),
+            (Some(Referent::Joint(Some(id))), false) => self.start_value(clause, id),
             (named, _) => {
                 self.value(&clause.value);
                 self.misfit(clause, named);
@@ -33,20 +33,20 @@ impl Lowering {
     }
 
     /// Complains about a name of the wrong kind.
-    fn misfit(&mut self, clause: &StartClause, named: Option<Named>) {
+    fn misfit(&mut self, clause: &StartClause, named: Option<Referent>) {
         let name = &clause.name;
         if self.names.is_shared(name) {
             return;
         }
         let text = match named {
-            Some(Named::Link(_)) => {
+            Some(Referent::Link(_)) => {
                 format!(
                     "`{name}` is a link; write `{name} near {}` to choose the assembly nearest to an angle",
                     clause.value
                 )
             }
-            Some(Named::Joint(Some(joint))) if clause.near => self.near_a_joint(clause, joint),
-            Some(Named::Joint(_) | Named::Broken) => return,
+            Some(Referent::Joint(Some(joint))) if clause.near => self.near_a_joint(clause, joint),
+            Some(Referent::Joint(_) | Referent::Broken) => return,
             None if clause.near => {
                 self.find_link(name);
                 return;

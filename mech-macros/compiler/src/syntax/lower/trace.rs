@@ -1,7 +1,7 @@
 //! The points whose paths are recorded.
 
 use super::Lowering;
-use super::name::Named;
+use super::name::Referent;
 use crate::model::{AxisId, AxisKind, LinkId, Trace};
 use crate::syntax::Place;
 use crate::syntax::ast::{self, End};
@@ -62,12 +62,12 @@ impl Lowering {
     /// Complains about a trace of something that is not a point.
     fn tell_no_point(&mut self, end: &End) {
         match self.names.look_up(&end.link) {
-            Some(Named::Broken) => {}
-            Some(Named::Joint(_)) => {
+            Some(Referent::Broken) => {}
+            Some(Referent::Joint(_)) => {
                 let text = format!("`{end}` is a joint; a trace is of a point: `link.point`");
                 self.report.error(end.place(), text);
             }
-            Some(Named::Link(link)) => {
+            Some(Referent::Link(link)) => {
                 let remedy = self.one_of_its_points(link);
                 let text = format!("`{end}` is a link; a trace is of a point{remedy}");
                 self.report.error(end.place(), text);

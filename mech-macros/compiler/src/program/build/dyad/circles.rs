@@ -1,13 +1,13 @@
 //! Two circles that cut each other.
 
-use super::{DyadLowering, FAR_APART, Found, TOLERANCE, Vector};
+use super::{DyadLowering, DyadResults, FAR_APART, TOLERANCE, Vector};
 use crate::plan::{Algebra, Arithmetic, Solution, TwoCircles};
 use crate::program::build::size::Size;
 use crate::program::node::{Op, Value};
 
 impl DyadLowering<'_> {
     /// u·a + v·b = goal.
-    pub(super) fn two_circles(&mut self, goal: Vector, arms: [Vector; 2]) -> Found {
+    pub(super) fn two_circles(&mut self, goal: Vector, arms: [Vector; 2]) -> DyadResults {
         let last = self.last_direction();
         let tip = self.ssa.rotate(last, arms[0]);
         let turn = self.ssa.cross(goal, tip);
@@ -56,7 +56,7 @@ impl DyadLowering<'_> {
             Size::Fixed(size) => Size::Fixed(size * size / wide),
             Size::Varying(_) => Size::Varying(self.ssa.div(circles.outer, product)),
         };
-        Found {
+        DyadResults {
             solution,
             discriminant: circles.discriminant,
             tolerance,

@@ -1,13 +1,18 @@
 //! Lines that cut a circle or each other.
 
-use super::{DyadLowering, FAR_APART, Found, Vector};
+use super::{DyadLowering, DyadResults, FAR_APART, Vector};
 use crate::plan::{Algebra, Arithmetic, CircleAndLine, Line, Solution, TurningLine, TwoLines};
 use crate::program::build::size::Size;
 use crate::program::node::Op;
 
 impl DyadLowering<'_> {
     /// u·arm + t·along = goal, with `along` of length one and known.
-    pub(super) fn circle_and_line(&mut self, goal: Vector, arm: Vector, along: Vector) -> Found {
+    pub(super) fn circle_and_line(
+        &mut self,
+        goal: Vector,
+        arm: Vector,
+        along: Vector,
+    ) -> DyadResults {
         let line = Line::new(self.ssa, goal, along);
         self.ssa.name(line.foot, "foot");
         self.ssa.name(line.height, "height");
@@ -32,7 +37,7 @@ impl DyadLowering<'_> {
         };
         let rounding_square = self.rounding_square(shift, rounded);
         let normalises = self.choice.watching.is_some() || far;
-        Found {
+        DyadResults {
             solution: self.normalise(solution, normalises),
             discriminant: circle.discriminant,
             tolerance,
@@ -43,7 +48,7 @@ impl DyadLowering<'_> {
     }
 
     /// u·(arm + t·along) = goal: the line turns with the arm.
-    pub(super) fn turning_line(&mut self, goal: Vector, arm: Vector, along: Vector) -> Found {
+    pub(super) fn turning_line(&mut self, goal: Vector, arm: Vector, along: Vector) -> DyadResults {
         let line = Line::new(self.ssa, arm, along);
         let last = self.last_displacement();
         let beyond = self.ssa.add(last, line.foot);
@@ -75,7 +80,7 @@ impl DyadLowering<'_> {
             let last = self.last[0];
             solution[0] = self.unless_pins_meet(turning.square, size, solution[0], last);
         }
-        Found {
+        DyadResults {
             solution,
             discriminant: turning.discriminant,
             tolerance,
@@ -86,7 +91,7 @@ impl DyadLowering<'_> {
     }
 
     /// s·a + t·b = goal.
-    pub(super) fn two_lines(&mut self, goal: Vector, lines: [Vector; 2]) -> Found {
+    pub(super) fn two_lines(&mut self, goal: Vector, lines: [Vector; 2]) -> DyadResults {
         let TwoLines {
             det,
             numerators,
@@ -96,7 +101,7 @@ impl DyadLowering<'_> {
         if !self.choice.changes_branch() {
             let positive = self.ssa.at_start(det) > 0.0;
             let discriminant = if positive { det } else { self.ssa.neg(det) };
-            return Found {
+            return DyadResults {
                 solution: displacements.map(Solution::Slide),
                 discriminant,
                 tolerance,
@@ -128,7 +133,7 @@ impl DyadLowering<'_> {
         let on_each_other = self.ssa.sub(near, beside);
         let one = self.ssa.constant(1.0);
         let closes = self.ssa.make(Op::Choose(apart, one, on_each_other));
-        Found {
+        DyadResults {
             solution,
             discriminant: self.ssa.abs(det),
             tolerance,

@@ -28,7 +28,7 @@ pub(super) struct DyadLowering<'a> {
 }
 
 /// The results of a closed form.
-struct Found {
+struct DyadResults {
     solution: [Solution<Value>; 2],
     discriminant: Value,
     tolerance: Value,
