@@ -178,7 +178,7 @@ impl Judge<'_> {
             .for_each(|(part, slope)| all.add(row, b, part, slope));
     }
 
-    /// What rolls has gone the same way on both.
+    /// What rolls has gone equally far on both.
     fn rolls(&self, all: &mut Equations, links: &[Placed], rolling: &Rolling) {
         let factors = rolling.ends.map(|(_, factor)| number(factor));
         let largest = factors[0].abs().max(factors[1].abs());

@@ -1,4 +1,4 @@
-//! What is shown alone leaps as it does in the whole mechanism, although fewer loops are watched on its way.
+//! What is shown alone leaps as it does in the whole mechanism, although fewer loops are watched in a move.
 
 use super::comparing::{MOST_STEPS, compared, off, rounding, shortened};
 use super::drawing::{Drawing, coupled, sequential};
