@@ -14,7 +14,7 @@ mod source;
 mod text;
 mod varied;
 
-pub use cam::{add_cam, law};
+pub use cam::{add_cam, law, model_of_law};
 pub use cases::{cases, seeds};
 pub use chain::{chain, chain_text};
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
