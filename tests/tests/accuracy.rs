@@ -144,7 +144,7 @@ fn in_its_precision(
     }
 }
 
-/// The most exact way to move it.
+/// The most exact move.
 fn exact(model: &Model) -> Option<Program> {
     let exact = Model {
         method: None,

@@ -1,4 +1,4 @@
-//! A mechanism that can be assembled in several ways: one statement settles it, and each of its loops can be turned over by itself.
+//! A mechanism that has several assemblies: one statement settles it, and each of its loops can be turned over by itself.
 
 use mech_compiler::model::{JointId, JointKind, Model, Near, Origin};
 use mech_compiler::structure::{Diagnosis, LoopAssembly, OpenLoop};
@@ -112,7 +112,7 @@ fn coordinate(model: &Model, compiled: &Compiled, joint: JointId) -> f64 {
     }
 }
 
-/// The mechanism with the first way of each loop, but another of one.
+/// The mechanism with the first assembly of each loop, but another of one.
 fn chosen(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> Model {
     let mut chosen = model.clone();
     for (number, open) in loops.iter().enumerate() {
@@ -150,7 +150,7 @@ fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
         for (number, assembly) in choices {
             let model = chosen(&free, loops, Some((number, assembly)));
             let Ok(compiled) = compile(&model) else {
-                // Slides may have two ways of one direction: no clause settles these.
+                // Slides may have two assemblies in one direction: no clause settles these.
                 open += 1;
                 continue;
             };

@@ -1,4 +1,4 @@
-//! What is told of a move that does not succeed: names, units and where.
+//! What is reported of a move that does not succeed: names, units and where.
 
 use mech_runtime::{Blocked, BlockedOf, Cause, Mechanism, Place, Reached, mechanism};
 use std::f64::consts::PI;
@@ -83,7 +83,7 @@ fn motors_are_places() {
 }
 
 /// Any mechanism's error can be shown and boxed.
-fn shown<M: Mechanism>(blocked: Blocked<M::Motors>) -> String
+fn display<M: Mechanism>(blocked: Blocked<M::Motors>) -> String
 where
     M::Motors: 'static,
 {
@@ -96,7 +96,7 @@ fn code_for_any_mechanism_prints_it() {
     let mut short = Short::new();
     let blocked = short.move_to([f64::NAN, 0.0]).expect_err("no number");
     assert_eq!(
-        shown::<Short>(blocked),
+        display::<Short>(blocked),
         "the value for `turn` is not a finite number"
     );
 }

@@ -43,20 +43,20 @@ fn wander(machine: &mut Machine<'_, f64>, program: &Program, dice: &mut Dice) {
     let _ = machine.move_toward(&motors);
 }
 
-/// Where everything is that may be told: the angle, x and y of each link, the places of points, the coordinates of joints.
-struct Told {
+/// Where everything is that a mechanism reports: the angle, x and y of each link, the places of points, the coordinates of joints.
+struct Places {
     links: Vec<[f64; 3]>,
     points: Vec<[f64; 2]>,
     joints: Vec<f64>,
 }
 
 /// By the definitions, from poses and params alone.
-fn told(
+fn places(
     model: &Model,
     program: &Program,
     at: &Position<f64>,
     what: &(Vec<AxisId>, Vec<JointId>),
-) -> Told {
+) -> Places {
     let params = &at.motors[program.motors.len()..];
     let poses = with_ground(model, &at.poses);
     let scene = |id: AxisId| {
@@ -78,7 +78,7 @@ fn told(
         }
         _ => 0.0,
     };
-    Told {
+    Places {
         links: at
             .poses
             .iter()
@@ -89,15 +89,19 @@ fn told(
     }
 }
 
-/// All numbers in a row; of angles it is told that they are.
-fn row(told: &Told, model: &Model, joints: &[JointId]) -> Vec<(f64, bool)> {
-    let links = told
+/// All numbers in a row; of each, whether it is an angle.
+fn row(places: &Places, model: &Model, joints: &[JointId]) -> Vec<(f64, bool)> {
+    let links = places
         .links
         .iter()
         .flat_map(|[angle, x, y]| [(*angle, true), (*x, false), (*y, false)]);
-    let points = told.points.iter().flatten().map(|&number| (number, false));
+    let points = places
+        .points
+        .iter()
+        .flatten()
+        .map(|&number| (number, false));
     let turns = |joint: &JointId| matches!(model.joint(*joint).kind, JointKind::Revolute(..));
-    let joints = told
+    let joints = places
         .joints
         .iter()
         .zip(joints)
@@ -169,8 +173,8 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
                     let mut machine = Machine::new(program);
                     machine.put_back(at.clone());
                     machine.set_params(&params).ok()?;
-                    let told = told(model, program, machine.position(), &what);
-                    Some(row(&told, model, &what.1))
+                    let places = places(model, program, machine.position(), &what);
+                    Some(row(&places, model, &what.1))
                 });
                 let [Some(a), Some(b), Some(c), Some(d), Some(e)] = found else {
                     return None;
@@ -178,7 +182,7 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
                 Some([a, b, c, d, e])
             };
             let (Some(fine), Some(coarse)) = (five(STEP), five(2.0 * STEP)) else {
-                // It is too near a limit to be changed both ways.
+                // It is too near a limit to be changed in both directions.
                 seen.blocked += 1;
                 continue;
             };
@@ -219,7 +223,7 @@ fn sensitivities_of_random_mechanisms_are_those_of_their_positions() {
     assert!(seen.borrow().compared > 20 * usize::try_from(cases()).unwrap_or(0));
 }
 
-/// A mechanism goes the same ways as one in which the params are numbers, closes as well, and comes back to where it was.
+/// A mechanism moves as one in which the params are numbers, closes as well, and comes back to where it was.
 #[test]
 fn params_are_numbers_that_may_be_changed() {
     let (mut moved, mut changed, mut blocked) = (0, 0, 0);

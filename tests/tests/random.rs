@@ -57,7 +57,7 @@ fn it_starts_as_it_was_drawn() {
 }
 
 #[test]
-fn in_own_frames_it_is_assembled_the_same_way() {
+fn in_own_frames_it_has_the_same_assembly() {
     let [all, others] = [0, 0].map(Cell::new);
     // So many that a rate of one in a thousand shows.
     for_all(2_000, &samples(1..=8), |Sample { grown, mut dice }| {

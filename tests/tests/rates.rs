@@ -92,7 +92,7 @@ fn compare(model: &Model, dice: &mut Dice, places: usize, seen: &mut Seen) {
         let fine = five(&compiled.program, &at, given, STEP);
         let coarse = five(&compiled.program, &at, given, 2.0 * STEP);
         let (Some(fine), Some(coarse)) = (fine, coarse) else {
-            // It is too near a limit to be moved both ways.
+            // It is too near a limit to be moved in both directions.
             continue;
         };
         let accelerations = moved.accelerations.expect("accelerations were asked for");

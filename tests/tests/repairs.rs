@@ -73,7 +73,7 @@ fn assert_mended(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Offers> {
         }
         for repair in &offers.partial {
             match outcome(std::slice::from_ref(repair), model) {
-                Outcome::Other(rest) => assert!(rest.len() < diagnoses.len(), "{repair:?}"),
+                Outcome::Other(left) => assert!(left.len() < diagnoses.len(), "{repair:?}"),
                 _ => panic!("{repair:?} is enough"),
             }
         }
@@ -206,8 +206,8 @@ fn a_brace_too_many_is_found_and_can_be_removed() {
         assert!(wrong.iter().all(is_held), "{wrong:?}");
         let found = assert_mended(&model, &wrong);
         let removed = Repair::RemoveLink(link);
-        let told = found.iter().any(|offers| offers.single.contains(&removed));
-        assert!(told, "remove the brace: {wrong:?} {found:?}");
+        let is_offered = found.iter().any(|offers| offers.single.contains(&removed));
+        assert!(is_offered, "remove the brace: {wrong:?} {found:?}");
     });
 }
 
@@ -328,9 +328,9 @@ fn of_a_large_mechanism_not_all_repairs_are_tried() {
     let found = assert_mended(&model, &wrong);
     assert_eq!(found[0].search, Search::Bounded);
     assert!(!found[0].single.is_empty());
-    let told = reporter::messages(&wrong, &found, &model, &Places::default());
+    let messages = reporter::messages(&wrong, &found, &model, &Places::default());
     assert!(
-        told[0]
+        messages[0]
             .text
             .ends_with("note: not all possible changes were tried")
     );

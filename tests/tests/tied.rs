@@ -1,4 +1,4 @@
-//! Loops in which rolling ties directions and ways: joints close, and what rolls keeps its ratio, to rounding.
+//! Loops in which rolling ties directions and displacements: joints close, and what rolls keeps its ratio, to rounding.
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::{Machine, Stop};
@@ -15,7 +15,7 @@ fn cases() -> u64 {
     mech_tests::cases(200)
 }
 
-/// The way of a slide.
+/// The displacement of a slide.
 fn displacement(model: &Model, poses: &[[f64; 4]], slide: JointId) -> f64 {
     let JointKind::Prismatic(from, to) = model.joint(slide).kind else {
         panic!("a rack's bar slides");
@@ -142,7 +142,7 @@ fn a_rack_between_two_unknowns() {
     assert!(hold(&parsed.model, &mut Dice::new(1)) > 20);
 }
 
-/// Two racks on one wheel that is in no ring: their ways are tied to each other.
+/// Two racks on one wheel that is in no ring: their displacements are tied to each other.
 #[test]
 fn two_racks_on_a_wheel_beside_the_loop() {
     let text = "struct M;
@@ -185,7 +185,7 @@ fn turning_as_one(corners: [[f64; 2]; 3], teeth: (i32, i32)) -> Model {
     parsed.model
 }
 
-/// By how much the fourth link turns at most while the motor goes these ways; which were refused. It cannot stand at a change point
+/// By how much the fourth link turns at most while the motor makes these moves; which were refused. It cannot stand at a change point
 /// itself: then it goes a little farther.
 fn strays<T: Real>(model: &Model, displacements: &[f64]) -> (f64, Vec<Stop>) {
     let compiled = compile(model).unwrap_or_else(|wrong| panic!("{wrong:?}"));

@@ -1,6 +1,6 @@
-//! One mechanism, many ways to compute it.
+//! One mechanism, by many methods.
 
-/// Declares a mechanism in both precisions and by each of the methods listed, and a test of each way for each check.
+/// Declares a mechanism in both precisions and by each of the methods listed, and a test of each for each check.
 macro_rules! variants {
     ($(#[$about:meta])* $name:ident by $methods:tt $body:tt $checks:tt $(and by $more:tt $others:tt)*) => {
         $(#[$about])*

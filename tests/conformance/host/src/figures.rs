@@ -139,7 +139,7 @@ impl Figures {
         lines
     }
 
-    /// Tests that what is promised is kept.
+    /// Tests that the figures are as promised.
     pub(crate) fn keep_promises(&self) -> Result<(), Error> {
         let row = |image| {
             self.row(Board::CortexM4F, image)
