@@ -10,15 +10,7 @@ const LIMIT: f64 = 0.935_085_041_393_594_5;
 
 variants! {
     /// Ground 4, crank 1, coupler 2, rocker 1.5.
-    short_four_bar by [exact] {
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2, 0); }
-        link rocker { point d = (0, 0); point c = (1.5, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    short_four_bar by [exact] four_bar [4, 1, 2, 1.5] {
         motor ja;
         start { ja = 0 deg; rocker near 120 deg; }
     } {
@@ -42,15 +34,7 @@ variants! {
 
 variants! {
     /// The same with four rounds of iteration: it may refuse, but where it is it closes.
-    short_four_bar_in_four_rounds by [newton_4] {
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2, 0); }
-        link rocker { point d = (0, 0); point c = (1.5, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    short_four_bar_in_four_rounds by [newton_4] four_bar [4, 1, 2, 1.5] {
         motor ja;
         start { ja = 0 deg; rocker near 120 deg; }
     } {
