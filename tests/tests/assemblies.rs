@@ -3,7 +3,7 @@
 use mech_compiler::model::{JointId, JointKind, Model, Near, Origin};
 use mech_compiler::structure::{Diagnosis, LoopAssembly, OpenLoop};
 use mech_compiler::{Compiled, compile, reporter};
-use mech_tests::{Dice, grow, in_own_frames, model};
+use mech_tests::{Sample, for_all, in_own_frames, model, samples};
 
 /// Legs of two loops each, in frames of their own, that one crank moves through gears.
 fn legs(count: usize) -> String {
@@ -51,7 +51,7 @@ fn quoted(line: &str) -> Vec<&str> {
 }
 
 #[test]
-fn what_is_told_is_enough() {
+fn what_is_offered_is_enough() {
     for count in [1, 2, 6] {
         let text = legs(count);
         let messages = message(&text);
@@ -130,19 +130,16 @@ fn chosen(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> M
 }
 
 #[test]
-fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
+fn each_loop_of_a_random_mechanism_is_named_by_its_joint() {
     let (mut compared, mut open) = (0, 0);
-    for seed in 0..300 {
-        let mut dice = Dice::new(seed);
-        let additions = 2 + dice.below(5);
-        let drawn = grow(&mut dice, additions).model;
-        let (mut free, _) = in_own_frames(&drawn, &mut dice);
+    for_all(300, &samples(2..=6), |Sample { grown, mut dice }| {
+        let (mut free, _) = in_own_frames(&grown.model, &mut dice);
         free.start.near.clear();
         let Err(wrong) = compile(&free) else {
-            continue;
+            return;
         };
         let [Diagnosis::SeveralAssemblies { loops, .. }] = &wrong[..] else {
-            continue;
+            return;
         };
         let choices = loops.iter().enumerate().flat_map(|(number, open)| {
             (0..open.assemblies.len()).map(move |assembly| (number, assembly))
@@ -168,13 +165,10 @@ fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
                 JointKind::Revolute(..) => (0.5 * (is - expected)).sin().abs(),
                 _ => (is - expected).abs(),
             };
-            assert!(
-                off < 1e-6,
-                "seed {seed}, loop {number}: {is}, expected {expected}"
-            );
+            assert!(off < 1e-6, "loop {number}: {is}, expected {expected}");
             compared += 1;
         }
-    }
+    });
     assert!(compared > 200, "only {compared} assemblies");
     assert!(
         20 * open < compared,

@@ -30,7 +30,7 @@ fn limit(rod: f64) -> f64 {
 }
 
 #[test]
-fn the_values_reached_are_told_with_names_and_units() {
+fn the_values_reached_are_reported_with_names_and_units() {
     let mut short = Short::new();
     let blocked: BlockedOf<Short> = short.move_to([PI / 2.0, 0.0]).expect_err("it is too short");
     assert_eq!(blocked.cause, Cause::Open);
@@ -48,7 +48,7 @@ fn the_values_reached_are_told_with_names_and_units() {
 }
 
 #[test]
-fn a_limit_is_told_as_an_error_is() {
+fn a_limit_is_reported_as_an_error_is() {
     let mut short = Short::new();
     match short.move_toward([PI / 2.0, 1.0]) {
         Ok(Reached::Limit(blocked)) => {
@@ -60,7 +60,7 @@ fn a_limit_is_told_as_an_error_is() {
 }
 
 #[test]
-fn params_are_told_by_their_own_names() {
+fn params_are_reported_by_their_own_names() {
     let mut short = Short::new();
     let blocked: Blocked<f64> = short.set_rod(0.1).expect_err("it is too short");
     assert!((limit(blocked.reached) - 10_f64.to_radians()).abs() < 1e-9);

@@ -4,7 +4,6 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{Axis, AxisId, JointId, JointKind, LinkId, Model, MotorId};
 use mech_tests::{Dice, Sample, coupled_samples, for_all, model, samples};
-use std::cell::Cell;
 use std::collections::BTreeSet;
 
 /// The same mechanism, declared in another order.
@@ -148,7 +147,7 @@ fn moves(model: &Model, dice: &mut Dice) -> Vec<Vec<f64>> {
 
 #[test]
 fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
-    let compiled = Cell::new(0);
+    let mut compiled = 0;
     for_all(
         600,
         &coupled_samples(1..=4),
@@ -160,7 +159,7 @@ fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
             if found.is_err() {
                 return;
             }
-            compiled.set(compiled.get() + 1);
+            compiled += 1;
             let moves = moves(&model, &mut dice);
             let (one, another) = (motion(&model, &moves), motion(&other, &moves));
             assert_eq!(one.len(), another.len());
@@ -170,7 +169,7 @@ fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
             }
         },
     );
-    println!("{} compiled", compiled.get());
+    println!("{compiled} compiled");
 }
 
 /// A platform on three legs, of which one drives a wheel that carries a chain.

@@ -6,14 +6,13 @@ use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, LinkId, M
 use mech_compiler::structure::{Factor, Rolling, RollingEnd};
 use mech_compiler::syntax::parse;
 use mech_runtime::Real;
-use mech_tests::{Dice, grow_coupled, size, with_ground, worst_gap};
+use mech_tests::{Dice, Sample, cases, coupled_samples, for_all, size, with_ground, worst_gap};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::f64::consts::TAU;
 
-fn cases() -> u64 {
-    mech_tests::cases(200)
-}
+/// How many random mechanisms a test tries.
+const CASES: u64 = 200;
 
 /// The displacement of a slide.
 fn displacement(model: &Model, poses: &[[f64; 4]], slide: JointId) -> f64 {
@@ -79,7 +78,7 @@ fn off(
 }
 
 /// Moves a mechanism about and holds it to its joints and to what rolls in it. Gives how often it was looked at.
-fn hold(model: &Model, dice: &mut Dice) -> usize {
+fn hold(model: &Model, dice: &mut Dice) -> u64 {
     let compiled = compile(model).unwrap_or_else(|wrong| panic!("{wrong:?}"));
     let mut machine = Machine::<f64>::new(&compiled.program);
     let all = |machine: &Machine<f64>| with_ground(model, &machine.position().poses);
@@ -115,14 +114,15 @@ fn hold(model: &Model, dice: &mut Dice) -> usize {
 #[test]
 fn what_rolls_in_random_loops_keeps_its_ratio() {
     let mut looked = 0;
-    for seed in mech_tests::seeds(cases()) {
-        let mut dice = Dice::new(seed);
-        let additions = 1 + dice.below(3);
-        let model = grow_coupled(&mut dice, additions).model;
-        looked += hold(&model, &mut dice);
-    }
+    for_all(
+        CASES,
+        &coupled_samples(1..=3),
+        |Sample { grown, mut dice }| {
+            looked += hold(&grown.model, &mut dice);
+        },
+    );
     println!("{looked} positions");
-    assert!(looked > 10 * usize::try_from(cases()).unwrap_or(0));
+    assert!(looked > 10 * cases(CASES));
 }
 
 /// The pinion is on the ground, the bar and its guide are both in the loop.

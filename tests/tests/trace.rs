@@ -40,7 +40,7 @@ fn places<const N: usize>(trace: &Trace<f64, N>) -> Vec<Point2<f64>> {
 }
 
 #[test]
-fn every_way_of_moving_leaves_a_trace_and_none_that_fails() {
+fn every_method_that_moves_leaves_a_trace_and_none_that_fails() {
     let mut four_bar = FourBar::new();
     assert!(
         four_bar.coupler_tip_trace().is_empty(),

@@ -136,7 +136,7 @@ fn it_moves_under_forces_as_a_mechanism_with_these_numbers() {
 }
 
 #[test]
-fn what_is_wrong_with_forces_is_told_of_motors() {
+fn what_is_wrong_with_forces_is_reported_of_motors() {
     let mut small = Small::new();
     let blocked = small.hold_at([f32::NAN]).expect_err("not a number");
     let Blocked {

@@ -13,7 +13,6 @@ use mech_compiler::{Compiled, compile};
 use mech_tests::{Dice, SOURCES, Sample, coupled_samples, for_all, models, reach, samples, size};
 use proptest::prelude::*;
 use random_actions::load_up;
-use std::cell::RefCell;
 
 #[derive(Debug, Default)]
 struct Seen {
@@ -249,7 +248,7 @@ fn slopes(
 
 #[test]
 fn forces_in_random_mechanisms_obey_newton_and_euler_and_virtual_work() {
-    let seen = RefCell::new(Seen::default());
+    let mut seen = Seen::default();
     let mechanisms = prop_oneof![3 => samples(1..=7), 1 => coupled_samples(0..=3)];
     for_all(
         200,
@@ -259,10 +258,9 @@ fn forces_in_random_mechanisms_obey_newton_and_euler_and_virtual_work() {
              mut dice,
          }| {
             load_up(&mut grown.model, &mut dice);
-            check(&grown.model, &mut dice, 4, &mut seen.borrow_mut());
+            check(&grown.model, &mut dice, 4, &mut seen);
         },
     );
-    let seen = seen.into_inner();
     println!("{seen:?}");
     let cases = usize::try_from(mech_tests::cases(200)).expect("not so many");
     assert!(seen.places > cases, "{seen:?}");

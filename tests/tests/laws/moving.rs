@@ -5,7 +5,6 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{LawId, Method, Model, Precision};
 use mech_tests::{Dice, Sample, cases, differences, for_all, samples, size};
-use std::cell::Cell;
 
 /// A mechanism whose motors all follow smooth laws from where they start.
 fn with_laws(mut model: Model, dice: &mut Dice) -> Model {
@@ -30,12 +29,12 @@ fn with_laws(mut model: Model, dice: &mut Dice) -> Model {
 
 #[test]
 fn velocities_in_time_are_those_of_positions_in_time() {
-    let compared = Cell::new(0);
+    let mut compared = 0;
     for_all(200, &samples(1..=6), |Sample { grown, mut dice }| {
-        compared.set(compared.get() + compare(grown.model, &mut dice));
+        compared += compare(grown.model, &mut dice);
     });
-    println!("{} compared", compared.get());
-    assert!(compared.get() > 10 * cases(200));
+    println!("{compared} compared");
+    assert!(compared > 10 * cases(200));
 }
 
 /// Compares velocities and accelerations with differences of positions in time; gives how many were compared.

@@ -162,7 +162,7 @@ mechanism! {
 }
 
 #[test]
-fn energy_is_kept_through_half_turns() {
+fn energy_stays_the_same_through_half_turns() {
     let mut coiled = Coiled::new();
     coiled.set_rates([6.0]).expect("a number");
     let start: f64 = coiled.energy().expect("regular").iter().sum();

@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn promises_are_kept() {
+    fn promises_hold() {
         assert!(figures(2047, 399).keep_promises().is_ok());
         assert!(figures(2048, 250).keep_promises().is_err());
         assert!(figures(1900, 400).keep_promises().is_err());
