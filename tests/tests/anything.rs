@@ -52,7 +52,7 @@ impl fmt::Debug for Declared {
 }
 
 /// Up to six links and thirteen joints, which are left out where a test fails without them.
-fn declared() -> impl Strategy<Value = Declared> {
+fn declarations() -> impl Strategy<Value = Declared> {
     (dice(), vec(dice(), 1..=13)).prop_map(|(mut dice, joints)| Declared {
         model: anything(&mut dice, &joints),
         dice,
@@ -245,12 +245,12 @@ fn no_slip(compiled: &Compiled) {
 
 #[test]
 fn anything_at_all() {
-    try_all(&declared());
+    try_all(&declarations());
 }
 
 #[test]
 fn anything_with_cams() {
-    try_all(&declared().prop_map(
+    try_all(&declarations().prop_map(
         |Declared {
              mut model,
              mut dice,

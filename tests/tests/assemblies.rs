@@ -46,7 +46,7 @@ fn message(text: &str) -> String {
 }
 
 /// Everything in backticks of a line.
-fn quoted(line: &str) -> Vec<&str> {
+fn quotes(line: &str) -> Vec<&str> {
     line.split('`').skip(1).step_by(2).collect()
 }
 
@@ -59,7 +59,7 @@ fn what_is_offered_is_enough() {
             .lines()
             .find(|line| line.starts_with("help: "))
             .expect("help");
-        let start = quoted(first)[0].to_owned();
+        let start = quotes(first)[0].to_owned();
         let all = start.matches(" near ").count();
         assert_eq!(all, 2 * count, "a loop has no clause\n{messages}");
         assert!(
@@ -71,7 +71,7 @@ fn what_is_offered_is_enough() {
         let mut turned = 0;
         for line in others {
             let (_, instead) = line.split_once("; instead ").expect("the other one");
-            let clause = quoted(instead)[0];
+            let clause = quotes(instead)[0];
             let link = clause.split(" near ").next().expect("a link");
             let clauses = start.trim_start_matches("start { ").trim_end_matches(" }");
             let clauses = clauses.split_inclusive(';').map(str::trim);
@@ -113,7 +113,7 @@ fn coordinate(model: &Model, compiled: &Compiled, joint: JointId) -> f64 {
 }
 
 /// The mechanism with the first assembly of each loop, but another of one.
-fn chosen(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> Model {
+fn choose(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> Model {
     let mut chosen = model.clone();
     for (number, open) in loops.iter().enumerate() {
         let assembly = other.map_or(
@@ -145,7 +145,7 @@ fn each_loop_of_a_random_mechanism_is_named_by_its_joint() {
             (0..open.assemblies.len()).map(move |assembly| (number, assembly))
         });
         for (number, assembly) in choices {
-            let model = chosen(&free, loops, Some((number, assembly)));
+            let model = choose(&free, loops, Some((number, assembly)));
             let Ok(compiled) = compile(&model) else {
                 // Slides may have two assemblies in one direction: no clause settles these.
                 open += 1;

@@ -99,7 +99,7 @@ fn velocities_and_accelerations() {
 }
 
 /// The lines that are there with effects and not without.
-fn added(effects: &str) -> String {
+fn lines_added_by(effects: &str) -> String {
     let without = expansion(&four_bar(""));
     let lines: Vec<&str> = without.lines().collect();
     let all = expansion(&four_bar(effects));
@@ -109,12 +109,12 @@ fn added(effects: &str) -> String {
 
 #[test]
 fn what_a_trace_adds() {
-    insta::assert_snapshot!(added("effects { trace coupler.c 256; }"));
+    insta::assert_snapshot!(lines_added_by("effects { trace coupler.c 256; }"));
 }
 
 #[test]
 fn what_an_overlay_adds() {
-    insta::assert_snapshot!(added("effects { overlay; }"));
+    insta::assert_snapshot!(lines_added_by("effects { overlay; }"));
 }
 
 #[test]

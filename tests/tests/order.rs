@@ -7,7 +7,7 @@ use mech_tests::{Dice, Sample, coupled_samples, for_all, model, samples};
 use std::collections::BTreeSet;
 
 /// The same mechanism, declared in another order.
-fn shuffled(model: &Model, dice: &mut Dice) -> Model {
+fn shuffle(model: &Model, dice: &mut Dice) -> Model {
     // Dies come after all links that are declared.
     let declared = 1 + model.declared_links().count();
     let mut links = permutation(declared, dice, true);
@@ -108,7 +108,7 @@ fn outcome(model: &Model) -> Result<BTreeSet<(BTreeSet<String>, usize)>, String>
 #[test]
 fn shuffled_declarations_make_the_same_mechanism() {
     for_all(300, &samples(1..=8), |Sample { grown, mut dice }| {
-        let other = shuffled(&grown.model, &mut dice);
+        let other = shuffle(&grown.model, &mut dice);
         assert_eq!(outcome(&grown.model), outcome(&other));
     });
 }
@@ -153,7 +153,7 @@ fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
         &coupled_samples(1..=4),
         |Sample { grown, mut dice }| {
             let model = grown.model;
-            let other = shuffled(&model, &mut dice);
+            let other = shuffle(&model, &mut dice);
             let found = outcome(&model);
             assert_eq!(found, outcome(&other));
             if found.is_err() {
@@ -231,7 +231,7 @@ fn shuffled_declarations_of_what_is_broken_have_the_same_verdict() {
                 }
             }
         }
-        let other = shuffled(&model, &mut dice);
+        let other = shuffle(&model, &mut dice);
         let (one, another) = (outcome(&model), outcome(&other));
         assert!(one.is_err(), "something is missing");
         assert_eq!(one, another);

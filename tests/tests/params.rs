@@ -19,7 +19,7 @@ const STEP: f64 = 1e-3;
 const CASES: u64 = 200;
 
 /// A random mechanism with params.
-fn varied(Sample { grown, mut dice }: Sample) -> (Model, Dice) {
+fn with_random_params(Sample { grown, mut dice }: Sample) -> (Model, Dice) {
     let mut model = grown.model;
     let params = 1 + dice.below(2);
     vary(&mut model, &mut dice, params);
@@ -213,7 +213,7 @@ fn sensitivities_of_random_mechanisms_are_those_of_their_positions() {
         ..ProptestConfig::with_cases(cases)
     };
     proptest!(config, |(sample in samples(1..=8))| {
-        let (model, mut dice) = varied(sample);
+        let (model, mut dice) = with_random_params(sample);
         compare(&model, &mut dice, &mut seen.borrow_mut())?;
     });
     println!("{seen:?}");
@@ -226,7 +226,7 @@ fn params_are_numbers_that_may_be_changed() {
     let (mut moved, mut changed, mut blocked) = (0, 0, 0);
     let mut worst = [0.0_f64; 3];
     for_all(CASES, &samples(1..=8), |sample| {
-        let (model, mut dice) = varied(sample);
+        let (model, mut dice) = with_random_params(sample);
         let (Ok(with), Ok(without)) = (
             compile(&model),
             compile(&with_params(
@@ -297,7 +297,7 @@ fn what_is_set_might_have_been_declared() {
     let mut compared = 0;
     let mut worst = 0.0_f64;
     for_all(CASES, &samples(1..=8), |sample| {
-        let (drawn, mut dice) = varied(sample);
+        let (drawn, mut dice) = with_random_params(sample);
         let mut model = {
             let mut plain = drawn.clone();
             plain.params = mech_compiler::model::Params::default();
@@ -409,7 +409,7 @@ fn params_go_with_every_method() {
     let passing = [AtChangePoints::KeepBranch, AtChangePoints::Stop];
     let (mut changed, mut worst) = (0, 0.0_f64);
     for_all(CASES, &samples(1..=8), |sample| {
-        let (mut model, mut dice) = varied(sample);
+        let (mut model, mut dice) = with_random_params(sample);
         match dice.below(4) {
             3 => {
                 model.method = None;

@@ -20,7 +20,7 @@ variants! {
         it_is_blocked_beyond_and_tells_the_limit: beyond;
         it_comes_back_from_its_dead_point_on_its_own_side: back;
         it_goes_to_and_fro_between_its_dead_points: to_and_fro;
-        no_link_is_stretched_there: unstretched;
+        no_link_is_stretched_there: check_lengths;
     } and by [newton] {
         it_comes_as_near_as_one_likes_to_its_dead_point: nearer_and_nearer;
         it_comes_there_from_the_start_in_one_leap: in_one_leap;
@@ -28,7 +28,7 @@ variants! {
         it_is_blocked_beyond_and_tells_the_limit: beyond;
         it_comes_back_from_its_dead_point_on_its_own_side: back;
         it_goes_to_and_fro_between_its_dead_points: to_and_fro;
-        no_link_is_stretched_there: unstretched;
+        no_link_is_stretched_there: check_lengths;
     }
 }
 
@@ -123,7 +123,7 @@ fn to_and_fro<M: Mechanism>(mut bed: Bed<M>) {
     }
 }
 
-fn unstretched<M: Mechanism>(mut bed: Bed<M>) {
+fn check_lengths<M: Mechanism>(mut bed: Bed<M>) {
     for distance in distances() {
         bed.must(&[LIMIT - distance]);
         let stretch = bed.stretch();

@@ -20,10 +20,10 @@ variants! {
         start { ja = 0 deg; arm near 40 deg; }
     } {
         it_ends_where_the_pin_is_at_the_height_of_the_guide: arm_ends;
-        no_link_is_stretched_there: |bed| unstretched(bed, -3.0);
+        no_link_is_stretched_there: |bed| check_lengths(bed, -3.0);
     } and by [newton] {
         it_ends_where_the_pin_is_at_the_height_of_the_guide: arm_ends;
-        no_link_is_stretched_there: |bed| unstretched(bed, -2.0);
+        no_link_is_stretched_there: |bed| check_lengths(bed, -2.0);
     }
 }
 
@@ -139,7 +139,7 @@ fn six_bar_ends<M: Mechanism>(bed: Bed<M>) {
 }
 
 /// At its limit a link is as long as anywhere else.
-fn unstretched<M: Mechanism>(mut bed: Bed<M>, target: f64) {
+fn check_lengths<M: Mechanism>(mut bed: Bed<M>, target: f64) {
     assert!(bed.toward(&[target]).is_some());
     let stretch = bed.stretch();
     assert!(stretch <= 16.0, "a link is stretched by {stretch:.0} eps");

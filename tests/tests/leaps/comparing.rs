@@ -1,6 +1,6 @@
 //! One leap against its own small steps, and the judge between them.
 
-use super::closure::broken;
+use super::closure::fault;
 use super::judge::{Judge, Verdict};
 use super::reading::{Subject, bits};
 use mech_compiler::evaluate::{Machine, Stop};
@@ -271,12 +271,7 @@ fn small_steps(subject: &Subject, start: &Position<f64>, to: &[f64]) -> f64 {
 }
 
 /// The target of a move, or as much of it as takes no more than this many small steps.
-pub(crate) fn shortened(
-    subject: &Subject,
-    start: &Position<f64>,
-    to: &[f64],
-    most: f64,
-) -> Vec<f64> {
+pub(crate) fn shorten(subject: &Subject, start: &Position<f64>, to: &[f64], most: f64) -> Vec<f64> {
     if length(&start.motors, to) == 0.0 {
         return to.to_vec();
     }
@@ -289,7 +284,12 @@ pub(crate) fn shortened(
 }
 
 /// What the judge finds on this move.
-fn judged(subject: &Subject, start: &Position<f64>, to: &[f64], fineness: f64) -> Option<Judged> {
+fn judge_move(
+    subject: &Subject,
+    start: &Position<f64>,
+    to: &[f64],
+    fineness: f64,
+) -> Option<Judged> {
     let rollings = &subject.compiled.structure.rollings;
     let mut judge = Judge::new(&subject.model, rollings, start);
     match judge.follow(to, fineness) {
@@ -329,7 +329,7 @@ fn agree(subject: &Subject, a: &Judged, b: &Judged, distance: f64) -> bool {
 }
 
 /// A leap from a position, and all that is promised about it. Gives where small steps led, if they can be believed.
-pub(crate) fn compared(
+pub(crate) fn compare(
     subject: &Subject,
     start: &Position<f64>,
     to: &[f64],
@@ -361,7 +361,7 @@ pub(crate) fn compared(
         }
     }
     let leap = in_a_leap(subject, start, to);
-    if let Some(text) = broken(subject, &leap.at) {
+    if let Some(text) = fault(subject, &leap.at) {
         find(Kind::Open, text);
     }
     let count = small_steps(subject, start, to);
@@ -369,12 +369,12 @@ pub(crate) fn compared(
         find(Kind::Undecided, format!("{count} steps take too long"));
         return (findings, None);
     };
-    if let Some(text) = broken(subject, &steps.at) {
+    if let Some(text) = fault(subject, &steps.at) {
         find(Kind::Open, format!("in {count} steps: {text}"));
     }
     if let Some((part, Stop::TooFar)) = steps.stop {
         // However small the steps are, too far: only the judge can tell.
-        let farther = match judged(subject, start, to, 1.0) {
+        let farther = match judge_move(subject, start, to, 1.0) {
             Some((None, _)) => Some(1.0),
             Some((Some(judged), _)) => Some(judged),
             None => None,
@@ -398,10 +398,10 @@ pub(crate) fn compared(
         return (findings, None);
     };
     let stable = difference(subject, &steps, &finer, distance).is_none();
-    let verdict = judged(subject, start, to, 1.0).filter(|verdict| {
+    let verdict = judge_move(subject, start, to, 1.0).filter(|verdict| {
         // Where nothing else is sure, it has to agree with itself.
         stable
-            || judged(subject, start, to, 3.0)
+            || judge_move(subject, start, to, 3.0)
                 .is_some_and(|finer| agree(subject, verdict, &finer, distance))
     });
     let by_judge = |outcome: &Outcome| {

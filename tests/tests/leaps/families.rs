@@ -1,6 +1,6 @@
 //! Families of mechanisms, by name, in which leaps went wrong once or easily could.
 
-use super::comparing::{Finding, Kind, compared, shortened};
+use super::comparing::{Finding, Kind, compare, shorten};
 use super::reading::Subject;
 use mech_compiler::evaluate::Machine;
 use mech_tests::{Dice, for_all};
@@ -13,7 +13,7 @@ fn wrong(
     from: &Position,
     to: &[f64],
 ) -> (impl Iterator<Item = String> + use<>, Option<Position>) {
-    let (found, end) = compared(subject, from, &shortened(subject, from, to, 20_000.0));
+    let (found, end) = compare(subject, from, &shorten(subject, from, to, 20_000.0));
     let counts = |finding: &Finding| finding.kind != Kind::Undecided;
     let line = |finding: Finding| format!("{:?}: {}", finding.kind, finding.text);
     (found.into_iter().filter(counts).map(line), end)

@@ -63,7 +63,7 @@ const TURN: f64 = 0.05;
 const SHORTEST: f64 = 1e-11;
 
 /// An angle less whole turns.
-pub(crate) fn wrapped(angle: f64) -> f64 {
+pub(crate) fn wrap(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
@@ -131,7 +131,7 @@ impl<'m> Judge<'m> {
         let off = |turns: i32| {
             let off = follower - law.at(raw + TAU * f64::from(turns), &[]);
             if self.is_angle(cam.follower) {
-                wrapped(off)
+                wrap(off)
             } else {
                 off
             }
@@ -150,7 +150,7 @@ impl<'m> Judge<'m> {
     }
 
     /// Newton's method from a guess: where it ends, and how far that is from the guess.
-    fn corrected(&self, guess: &[Placed], motors: &[f64]) -> Option<(Vec<Placed>, f64)> {
+    fn correct(&self, guess: &[Placed], motors: &[f64]) -> Option<(Vec<Placed>, f64)> {
         let mut links = guess.to_vec();
         let unknowns = 3 * (links.len() - 1);
         for round in 0..8 {
@@ -268,7 +268,7 @@ impl<'m> Judge<'m> {
                     self.links.iter().zip(before).map(on).collect()
                 }
             };
-            let found = self.corrected(&guess, &motors).filter(|(links, off)| {
+            let found = self.correct(&guess, &motors).filter(|(links, off)| {
                 let gone = self.apart(&self.links, links);
                 // The first step has nothing to predict from.
                 let well = *off <= 0.1 * gone + 1e-9 || last.is_none() && gone < 0.01;

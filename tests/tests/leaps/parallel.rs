@@ -2,7 +2,7 @@
 //! some by name.
 
 use super::families::{assert_leaps, assert_leaps_in_a_row, none, targets, wrong_in_steps};
-use super::judge::wrapped;
+use super::judge::wrap;
 use super::reading::Subject;
 use mech_compiler::evaluate::Machine;
 use proptest::prelude::*;
@@ -119,7 +119,7 @@ fn stay_parallel(text: &str, moves: &[f64]) {
             .unwrap_or_else(|stop| panic!("{stop:?} to {to}\n{text}"));
         let cranks = machine.position().poses.iter().step_by(2);
         for (number, [cos, sin, ..]) in cranks.enumerate() {
-            let off = wrapped(sin.atan2(*cos) - to);
+            let off = wrap(sin.atan2(*cos) - to);
             assert!(
                 off.abs() < 1e-5,
                 "crank {number} is off by {off} at {to}\n{text}"

@@ -1,6 +1,6 @@
 //! What was proved to be free is: every position within the declared ranges is reached, closed, and where the judge has it.
 
-use super::closure::broken;
+use super::closure::fault;
 use super::drawing::{Drawn, sequential};
 use super::judge::{Judge, Verdict};
 use super::random::runner;
@@ -17,7 +17,7 @@ const POSITIONS: u32 = 200;
 const JUDGED: u32 = 12;
 
 /// A mechanism that was proved: the same text with ranges on some of its motors, narrower and narrower until it compiles.
-fn ranged(drawn: &Drawn, dice: &mut Dice) -> Option<Subject> {
+fn with_ranges(drawn: &Drawn, dice: &mut Dice) -> Option<Subject> {
     let all: Vec<bool> = drawn
         .motors
         .iter()
@@ -73,7 +73,7 @@ fn unsound(subject: &Subject, seed: u64) -> Option<String> {
             }
             return Some(format!("from {:?} to {to:?}: {stop:?}", start.motors));
         }
-        if let Some(text) = broken(subject, machine.position()) {
+        if let Some(text) = fault(subject, machine.position()) {
             return Some(format!("from {:?} to {to:?}: {text}", start.motors));
         }
         if judged {
@@ -121,7 +121,7 @@ fn what_is_proved_is_free_everywhere() {
             .current()
             .drawn();
         let mut dice = Dice::new(seed);
-        let Some(subject) = ranged(&drawn, &mut dice) else {
+        let Some(subject) = with_ranges(&drawn, &mut dice) else {
             continue;
         };
         proved += 1;

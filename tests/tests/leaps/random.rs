@@ -1,6 +1,6 @@
 //! Random mechanisms in random moves.
 
-use super::comparing::{Finding, Kind, MOST_STEPS, compared, shortened};
+use super::comparing::{Finding, Kind, MOST_STEPS, compare, shorten};
 use super::drawing::{Drawing, Drawn, coupled, sequential};
 use super::reading::Subject;
 use super::tally::Tally;
@@ -48,8 +48,8 @@ fn findings(subject: &Subject, drawn: &Drawn, seed: u64, wanted: Option<Kind>) -
     let mut all = Vec::new();
     for _ in 0..MOVES {
         let to = target(&mut dice, drawn, subject, &at.motors);
-        let to = shortened(subject, &at, &to, MOST_STEPS);
-        let (found, end) = compared(subject, &at, &to);
+        let to = shorten(subject, &at, &to, MOST_STEPS);
+        let (found, end) = compare(subject, &at, &to);
         all.extend(found);
         if wanted.is_some_and(|kind| all.iter().any(|one| one.kind == kind)) {
             break;

@@ -59,7 +59,7 @@ pub(crate) fn written_out(message: &str) -> Vec<String> {
 }
 
 /// The text of a mechanism after what is written out was done.
-pub(crate) fn mended(text: &str, advice: &str) -> String {
+pub(crate) fn mend(text: &str, advice: &str) -> String {
     let quoted: Vec<&str> = advice[advice.find(": ").expect("a colon")..]
         .split('`')
         .skip(1)

@@ -1,6 +1,6 @@
 //! Whatever joint of a drawing is forgotten, or missed by a little: it is offered, where it was.
 
-use super::advice::{alternatives, mended, messages, written_out};
+use super::advice::{alternatives, mend, messages, written_out};
 use mech_compiler::compile;
 use mech_compiler::syntax::parse;
 use proptest::prelude::*;
@@ -66,7 +66,7 @@ proptest! {
         prop_assert!(first.contains(&wanted), "no {wanted} in {messages:#?}\n{broken}");
         prop_assert_eq!(forgotten == 2, first.contains("which are drawn 0.05 apart there"));
         for advice in messages.iter().flat_map(|message| written_out(message)) {
-            let text = mended(&broken, &advice);
+            let text = mend(&broken, &advice);
             prop_assert!(compiles(&text), "{advice}\n{text}");
         }
     }

@@ -4,7 +4,7 @@
 mod advice;
 mod forgotten;
 
-use advice::{mended, messages};
+use advice::{mend, messages};
 
 /// A mechanism as it is drawn: points with their places, links by the letters of their points, what is pinned to the ground, and
 /// what else there is.
@@ -108,7 +108,7 @@ fn assert_advised(drawing: &Drawing, styles: &[Style], wanted: &str) {
                 "too much help\n{message}"
             );
             for advice in advice::written_out(message) {
-                let text = mended(&text, &advice);
+                let text = mend(&text, &advice);
                 let left = messages(&text);
                 let alone = message.contains("for this alone");
                 assert!(

@@ -116,7 +116,7 @@ impl<'s> Tried<'s> {
 
     /// Names for all roles, of those that are possible: the `number`th mechanism has other names in every role than all others. Those
     /// that cannot be together with others stand alone.
-    fn packed(&self, fit: &[Vec<&str>], number: usize) -> Vec<Line> {
+    fn pack(&self, fit: &[Vec<&str>], number: usize) -> Vec<Line> {
         let (mut given, mut lines): (Vec<(Role, &str)>, Vec<Line>) = (Vec::new(), Vec::new());
         for (index, (&role, names)) in self.subject.roles().iter().zip(fit).enumerate() {
             let Some(name) = names.get((number + 37 * index) % names.len().max(1)) else {
@@ -203,7 +203,7 @@ fn whatever_a_mechanism_has_may_be_called_like_anything_in_generated_code_or_is_
         let most = fit.iter().map(Vec::len).max().unwrap_or_default();
         let wanted = cases().min(most);
         for number in (0..wanted).map(|case| case * most / wanted) {
-            lines.extend(tried.packed(&fit, number));
+            lines.extend(tried.pack(&fit, number));
         }
     }
     let [fit, refused] = pairs;
