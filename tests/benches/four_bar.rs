@@ -68,7 +68,7 @@ impl ByHand {
     }
 }
 
-/// Turned by a small angle without trigonometry, length kept.
+/// Turned by a small angle without trigonometry: its length stays.
 fn turned(c: f64, s: f64, angle: f64) -> (f64, f64) {
     let t = 0.5 * angle;
     let factor = 2.0 / (1.0 + t * t);

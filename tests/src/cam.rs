@@ -5,17 +5,26 @@ use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Law, LawId, Link, LinkId, Model, Origin,
 };
 
-/// A law by its text, in `t`.
+/// A mechanism of one motor, which has this law in `t`.
 ///
 /// # Panics
 /// If the text is no law that has a value at zero.
 #[must_use]
-pub fn law(text: &str) -> Law {
-    let text = format!(
+pub fn model_of_law(text: &str) -> Model {
+    model(&format!(
         "struct M; ground {{ point o = (0, 0); }} link crank {{ point o = (0, 0); }}
         joint a = revolute(ground.o, crank.o); motor a = {text};"
-    );
-    model(&text).laws.into_iter().next().expect("a law")
+    ))
+}
+
+/// A law by its text, in `t`.
+///
+/// # Panics
+/// As [`model_of_law`].
+#[must_use]
+pub fn law(text: &str) -> Law {
+    let laws = model_of_law(text).laws;
+    laws.into_iter().next().expect("a law")
 }
 
 /// Puts a link on an end of some joint of a mechanism as drawn, with a cam by which it follows that joint: the cam, if the

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 /// Where an axis is in the scene, and where it points. `poses` are the cosine, sine, x and y of every link, the ground
 /// first.
-fn placed(model: &Model, poses: &[[f64; 4]], id: AxisId) -> ([f64; 2], [f64; 2]) {
+fn locate(model: &Model, poses: &[[f64; 4]], id: AxisId) -> ([f64; 2], [f64; 2]) {
     let axis = model.axis(id);
     let [cos, sin, x, y] = poses[axis.link.index()];
     let turned = |[a, b]: [f64; 2]| [cos * a - sin * b, sin * a + cos * b];
@@ -19,17 +19,17 @@ fn placed(model: &Model, poses: &[[f64; 4]], id: AxisId) -> ([f64; 2], [f64; 2])
 pub fn worst_gap(model: &Model, poses: &[[f64; 4]]) -> f64 {
     let gap = |kind: &JointKind| match *kind {
         JointKind::Revolute(a, b) => {
-            let (([a, b], _), ([c, d], _)) = (placed(model, poses, a), placed(model, poses, b));
+            let (([a, b], _), ([c, d], _)) = (locate(model, poses, a), locate(model, poses, b));
             (c - a).hypot(d - b)
         }
         JointKind::Prismatic(a, b) => {
-            let ((from, along), (to, other)) = (placed(model, poses, a), placed(model, poses, b));
+            let ((from, along), (to, other)) = (locate(model, poses, a), locate(model, poses, b));
             let across = along[0] * (to[1] - from[1]) - along[1] * (to[0] - from[0]);
             let askew = along[0] * other[1] - along[1] * other[0];
             across.abs().max(askew.abs())
         }
         JointKind::Weld(a, b) => {
-            let ((from, along), (to, other)) = (placed(model, poses, a), placed(model, poses, b));
+            let ((from, along), (to, other)) = (locate(model, poses, a), locate(model, poses, b));
             let askew = along[0] * other[1] - along[1] * other[0];
             (to[0] - from[0]).hypot(to[1] - from[1]).max(askew.abs())
         }
@@ -74,11 +74,11 @@ fn off_cam(model: &Model, poses: &[[f64; 4]], joints: [JointId; 2], law: &Law) -
 fn coordinate(model: &Model, poses: &[[f64; 4]], id: JointId) -> (f64, bool) {
     match model.joint(id).kind {
         JointKind::Revolute(a, b) => {
-            let ((_, [c, s]), (_, [d, t])) = (placed(model, poses, a), placed(model, poses, b));
+            let ((_, [c, s]), (_, [d, t])) = (locate(model, poses, a), locate(model, poses, b));
             ((c * t - s * d).atan2(c * d + s * t), true)
         }
         JointKind::Prismatic(a, b) => {
-            let ((from, along), (to, _)) = (placed(model, poses, a), placed(model, poses, b));
+            let ((from, along), (to, _)) = (locate(model, poses, a), locate(model, poses, b));
             let slide = along[0] * (to[0] - from[0]) + along[1] * (to[1] - from[1]);
             (slide, false)
         }
@@ -102,8 +102,8 @@ pub fn with_ground(model: &Model, declared: &[[f64; 4]]) -> Vec<[f64; 4]> {
     let mut poses = vec![[1.0, 0.0, 0.0, 0.0]];
     poses.extend_from_slice(declared);
     for (pin, guide) in model.links.iter().filter_map(|link| link.die) {
-        let ([x, y], _) = placed(model, &poses, pin);
-        let (_, [cos, sin]) = placed(model, &poses, guide);
+        let ([x, y], _) = locate(model, &poses, pin);
+        let (_, [cos, sin]) = locate(model, &poses, guide);
         poses.push([cos, sin, x, y]);
     }
     poses

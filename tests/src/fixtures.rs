@@ -37,3 +37,20 @@ macro_rules! four_bar {
         }
     };
 }
+
+/// The statements of a four-bar with these lengths: ground, crank, coupler and rocker, joined by `ja` to `jd`.
+#[must_use]
+pub fn four_bar_text([ground, crank, coupler, rocker]: [f64; 4]) -> String {
+    format!(
+        "struct FourBar;
+        ground {{ point a = (0, 0); point d = ({ground}, 0); }}
+        link crank {{ point a = (0, 0); point b = ({crank}, 0); }}
+        link coupler {{ point b = (0, 0); point c = ({coupler}, 0); }}
+        link rocker {{ point d = (0, 0); point c = ({rocker}, 0); }}
+        joint ja = revolute(ground.a, crank.a);
+        joint jb = revolute(crank.b, coupler.b);
+        joint jc = revolute(coupler.c, rocker.c);
+        joint jd = revolute(ground.d, rocker.d);
+        motor ja; "
+    )
+}

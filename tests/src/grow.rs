@@ -295,7 +295,7 @@ impl Grown {
         self.loops += 1;
     }
 
-    /// Joints whose removal disconnects the mechanism, found by the slow and obvious way.
+    /// Joints whose removal disconnects the mechanism, found by the slow and obvious method.
     fn count_arms(&mut self) {
         let parts = |without: usize| {
             let mut group: Vec<usize> = (0..self.model.links.len()).collect();

@@ -14,12 +14,12 @@ mod source;
 mod text;
 mod varied;
 
-pub use cam::{add_cam, law};
+pub use cam::{add_cam, law, model_of_law};
 pub use cases::{cases, seeds};
 pub use chain::{chain, chain_text};
 pub use closure::{size, with_ground, worst_gap, worst_stretch};
 pub use dice::Dice;
-pub use fixtures::SOURCES;
+pub use fixtures::{SOURCES, four_bar_text};
 pub use grow::{Grown, grow, grow_coupled, grow_coupled_from, grow_from, in_own_frames};
 pub use measure::{apart, differences, in_f64, lengths, reach};
 pub use rustc::rustc;

@@ -5,6 +5,7 @@ use crate::{Dice, Grown, cases, grow_coupled_from, grow_from, text};
 use proptest::collection::{SizeRange, vec};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
+use std::cell::RefCell;
 use std::fmt;
 
 /// A random mechanism.
@@ -46,15 +47,16 @@ pub fn coupled_samples(additions: impl Into<SizeRange>) -> impl Strategy<Value =
 ///
 /// # Panics
 /// If the test fails: with the smallest value that was found for which it does.
-pub fn for_all<S: Strategy>(usual: u64, strategy: &S, test: impl Fn(S::Value)) {
+pub fn for_all<S: Strategy>(usual: u64, strategy: &S, test: impl FnMut(S::Value)) {
     let config = Config {
         cases: u32::try_from(cases(usual)).expect("not so many"),
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(crate::seeds(0).start),
         ..Config::default()
     };
+    let test = RefCell::new(test);
     let result = TestRunner::new(config).run(strategy, |value| {
-        test(value);
+        test.borrow_mut()(value);
         Ok(())
     });
     if let Err(failure) = result {

@@ -124,8 +124,8 @@ fn depending(model: &mut Model, dice: &mut Dice, param: ParamId, at: f64) -> For
             (sum, libm::cos(value) + 1.0 / value)
         }
     };
-    let rest = formula(Formula::constant(part - at));
-    formula(Formula::Sub(made, rest))
+    let offset = formula(Formula::constant(part - at));
+    formula(Formula::Sub(made, offset))
 }
 
 /// Where an axis is in its link with these params.

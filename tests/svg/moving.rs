@@ -98,7 +98,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// Its trace is shorter than its way.
+    /// Its trace is shorter than its path.
     struct Traced;
     ground { circle (0, 0) radius 0.3 on plane 0 color 1; }
     link crank;
@@ -112,7 +112,7 @@ mechanism! {
     effects { trace coupler.tip 40 color 5; }
 }
 
-/// A trace that changes its form is the whole way of its point, behind what is in front of it.
+/// A trace that changes its form is the whole path of its point, behind what is in front of it.
 #[test]
 fn traces() {
     let sheet = Sheet::new(320, 240).look_at(View::new([2.0, 2.0], 60.0));
@@ -126,14 +126,14 @@ fn traces() {
     assert_eq!(colors.collect::<Vec<_>>(), ["#9a9084", "none", "#3f74b0"]);
 
     let (node, transform) = &seen[1];
-    let way = numbers(node, "points");
-    let way = way
+    let path = numbers(node, "points");
+    let path = path
         .as_chunks::<2>()
         .0
         .iter()
         .map(|point| carried(*transform, *point));
-    let way: Vec<_> = way.collect();
-    assert_eq!(way.first(), way.last());
+    let path: Vec<_> = path.collect();
+    assert_eq!(path.first(), path.last());
     let mut mechanism = Traced::new();
     for degrees in 0..720 {
         mechanism
@@ -141,11 +141,11 @@ fn traces() {
             .expect("it turns");
         let tip = mechanism.coupler_tip();
         let tip = [160.0 + 60.0 * (tip.x - 2.0), 120.0 - 60.0 * (tip.y - 2.0)];
-        let distances = way.windows(2).map(|pair| distance(tip, pair));
+        let distances = path.windows(2).map(|pair| distance(tip, pair));
         let nearest = distances.fold(f64::INFINITY, f64::min);
         assert!(nearest < 0.1, "{nearest} pixels at {degrees}");
     }
-    let length: f64 = way
+    let length: f64 = path
         .windows(2)
         .map(|pair| distance(pair[0], &[pair[1], pair[1]]))
         .sum();
@@ -161,7 +161,7 @@ fn distance(point: [f64; 2], line: &[[f64; 2]]) -> f64 {
 }
 
 #[test]
-fn what_blocks_is_told() {
+fn what_blocks_is_reported() {
     let sheet = Sheet::new(64, 48);
     let beyond = |phase: f64| [phase * f64::INFINITY];
     let error = animate::<CrankRocker>(&sheet, Duration::from_secs(1), beyond);

@@ -9,7 +9,7 @@ type Key = (f64, [f64; 3]);
 /// All that moves in a document.
 pub(crate) struct Player<'a> {
     document: &'a Document<'a>,
-    ways: HashMap<&'a str, Vec<Key>>,
+    tracks: HashMap<&'a str, Vec<Key>>,
     pub(crate) period: f64,
 }
 
@@ -25,25 +25,25 @@ impl<'a> Player<'a> {
                     "@media (prefers-reduced-motion:reduce){.move{animation:none!important}}"
                 )
         );
-        let mut ways = HashMap::new();
+        let mut tracks = HashMap::new();
         let mut period = f64::NAN;
         for line in style.lines() {
-            if let Some(rest) = line.strip_prefix(".move{animation:linear ") {
-                period = rest
+            if let Some(remainder) = line.strip_prefix(".move{animation:linear ") {
+                period = remainder
                     .strip_suffix("s infinite}")
                     .expect("a period")
                     .parse()
                     .expect("a number");
-            } else if let Some((name, rest)) = line
+            } else if let Some((name, remainder)) = line
                 .strip_prefix("@keyframes track")
-                .and_then(|rest| rest.split_once('{'))
+                .and_then(|remainder| remainder.split_once('{'))
             {
-                ways.insert(name, keys(rest.strip_suffix('}').expect("an end")));
+                tracks.insert(name, keys(remainder.strip_suffix('}').expect("an end")));
             }
         }
         Self {
             document,
-            ways,
+            tracks,
             period,
         }
     }
@@ -62,9 +62,9 @@ impl<'a> Player<'a> {
                 .unwrap_or_default()
                 .split(' ')
                 .collect();
-            let way = classes.iter().find_map(|class| class.strip_prefix("track"));
-            let transform = match way {
-                Some(way) => at(&self.ways[way], phase),
+            let track = classes.iter().find_map(|class| class.strip_prefix("track"));
+            let transform = match track {
+                Some(track) => at(&self.tracks[track], phase),
                 None => group
                     .attribute("transform")
                     .map_or([1.0, 0.0, 0.0, 1.0, 0.0, 0.0], matrix),
@@ -105,8 +105,8 @@ impl<'a> Player<'a> {
 
 fn keys(mut text: &str) -> Vec<Key> {
     let mut keys = Vec::new();
-    while let Some((time, rest)) = text.split_once('{') {
-        let (transform, rest) = rest.split_once('}').expect("an end");
+    while let Some((time, remainder)) = text.split_once('{') {
+        let (transform, remainder) = remainder.split_once('}').expect("an end");
         let time = if time == "to" {
             100.0
         } else {
@@ -134,14 +134,14 @@ fn keys(mut text: &str) -> Vec<Key> {
                 .expect("a number")
         });
         keys.push((time / 100.0, [x, y, turn]));
-        text = rest;
+        text = remainder;
     }
     assert_eq!((keys[0].0, keys[keys.len() - 1].0), (0.0, 1.0));
     assert!(keys.is_sorted_by(|one, next| one.0 < next.0));
     keys
 }
 
-/// The transform on a straight way from key to key.
+/// The transform on a straight line from key to key.
 fn at(keys: &[Key], phase: f64) -> [f64; 6] {
     let next = keys
         .partition_point(|(time, _)| *time <= phase)

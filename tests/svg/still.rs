@@ -13,7 +13,7 @@ const SIDE: usize = 64;
 const FINE: usize = 8;
 const LARGE: usize = SIDE * FINE;
 
-/// What is seen of an SVG, eight times as large: so no line is thinner than a pixel, which the other renderer treats in a way of
+/// What is seen of an SVG, eight times as large: so no line is thinner than a pixel, which the other renderer treats in a manner of
 /// its own.
 fn rendered(svg: &str) -> Vec<[u8; 3]> {
     let tree = usvg::Tree::from_str(svg, &usvg::Options::default()).expect("an SVG");

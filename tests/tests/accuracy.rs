@@ -60,7 +60,7 @@ fn off<T: Real>(spots: &[Vec<[f64; 2]>], is: &[[T; 4]], should: &[[f64; 4]]) -> 
 }
 
 /// The greatest error on some walks at the declared steps, and whether it stopped where the exact program moves on.
-fn measured<T: Real>(
+fn measure<T: Real>(
     model: &Model,
     program: &Program,
     exact: &Program,
@@ -139,12 +139,12 @@ fn in_its_precision(
     dice: &mut Dice,
 ) -> (f64, bool) {
     match model.precision {
-        Precision::F32 => measured::<f32>(model, program, exact, dice),
-        Precision::F64 => measured::<f64>(model, program, exact, dice),
+        Precision::F32 => measure::<f32>(model, program, exact, dice),
+        Precision::F64 => measure::<f64>(model, program, exact, dice),
     }
 }
 
-/// The most exact way to move it.
+/// The most exact move.
 fn exact(model: &Model) -> Option<Program> {
     let exact = Model {
         method: None,

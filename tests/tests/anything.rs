@@ -10,7 +10,6 @@ use mech_compiler::{Compiled, compile, reporter};
 use mech_tests::{Dice, dice, for_all, law, reach, text, with_ground, worst_gap};
 use proptest::collection::vec;
 use proptest::prelude::Strategy;
-use std::cell::Cell;
 use std::f64::consts::TAU;
 use std::fmt;
 
@@ -53,7 +52,7 @@ impl fmt::Debug for Declared {
 }
 
 /// Up to six links and thirteen joints, which are left out where a test fails without them.
-fn declared() -> impl Strategy<Value = Declared> {
+fn declarations() -> impl Strategy<Value = Declared> {
     (dice(), vec(dice(), 1..=13)).prop_map(|(mut dice, joints)| Declared {
         model: anything(&mut dice, &joints),
         dice,
@@ -246,12 +245,12 @@ fn no_slip(compiled: &Compiled) {
 
 #[test]
 fn anything_at_all() {
-    try_all(&declared());
+    try_all(&declarations());
 }
 
 #[test]
 fn anything_with_cams() {
-    try_all(&declared().prop_map(
+    try_all(&declarations().prop_map(
         |Declared {
              mut model,
              mut dice,
@@ -263,9 +262,9 @@ fn anything_with_cams() {
 }
 
 fn try_all(declared: &impl Strategy<Value = Declared>) {
-    let [all, accepted, moved] = [0, 0, 0].map(Cell::new);
+    let [mut all, mut accepted, mut moved] = [0, 0, 0];
     for_all(2_000, declared, |Declared { model, mut dice }| {
-        all.set(all.get() + 1);
+        all += 1;
         let compiled = match compile(&model) {
             Ok(compiled) => compiled,
             Err(diagnoses) => {
@@ -276,7 +275,7 @@ fn try_all(declared: &impl Strategy<Value = Declared>) {
                 return;
             }
         };
-        accepted.set(accepted.get() + 1);
+        accepted += 1;
         no_slip(&compiled);
         let mut machine = Machine::<f64>::new(&compiled.program);
         for _ in 0..10 {
@@ -291,7 +290,7 @@ fn try_all(declared: &impl Strategy<Value = Declared>) {
                 assert_eq!(machine.position(), &before);
                 continue;
             }
-            moved.set(moved.get() + 1);
+            moved += 1;
             let poses = with_ground(&model, &machine.position().poses);
             assert!(poses.iter().flatten().all(|number| number.is_finite()));
             let reach = reach(&poses).max(10.0);
@@ -299,7 +298,6 @@ fn try_all(declared: &impl Strategy<Value = Declared>) {
             assert!(gap < 1e-11 * reach, "gap {gap:e}");
         }
     });
-    let [all, accepted, moved] = [all, accepted, moved].map(Cell::into_inner);
     println!("{accepted} of {all} accepted, {moved} moves");
     assert!(
         accepted > all / 100 && moved > accepted,

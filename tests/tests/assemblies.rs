@@ -1,9 +1,9 @@
-//! A mechanism that can be assembled in several ways: one statement settles it, and each of its loops can be turned over by itself.
+//! A mechanism that has several assemblies: one statement settles it, and each of its loops can be turned over by itself.
 
 use mech_compiler::model::{JointId, JointKind, Model, Near, Origin};
 use mech_compiler::structure::{Diagnosis, LoopAssembly, OpenLoop};
 use mech_compiler::{Compiled, compile, reporter};
-use mech_tests::{Dice, grow, in_own_frames, model};
+use mech_tests::{Sample, for_all, in_own_frames, model, samples};
 
 /// Legs of two loops each, in frames of their own, that one crank moves through gears.
 fn legs(count: usize) -> String {
@@ -46,12 +46,12 @@ fn message(text: &str) -> String {
 }
 
 /// Everything in backticks of a line.
-fn quoted(line: &str) -> Vec<&str> {
+fn quotes(line: &str) -> Vec<&str> {
     line.split('`').skip(1).step_by(2).collect()
 }
 
 #[test]
-fn what_is_told_is_enough() {
+fn what_is_offered_is_enough() {
     for count in [1, 2, 6] {
         let text = legs(count);
         let messages = message(&text);
@@ -59,7 +59,7 @@ fn what_is_told_is_enough() {
             .lines()
             .find(|line| line.starts_with("help: "))
             .expect("help");
-        let start = quoted(first)[0].to_owned();
+        let start = quotes(first)[0].to_owned();
         let all = start.matches(" near ").count();
         assert_eq!(all, 2 * count, "a loop has no clause\n{messages}");
         assert!(
@@ -71,7 +71,7 @@ fn what_is_told_is_enough() {
         let mut turned = 0;
         for line in others {
             let (_, instead) = line.split_once("; instead ").expect("the other one");
-            let clause = quoted(instead)[0];
+            let clause = quotes(instead)[0];
             let link = clause.split(" near ").next().expect("a link");
             let clauses = start.trim_start_matches("start { ").trim_end_matches(" }");
             let clauses = clauses.split_inclusive(';').map(str::trim);
@@ -112,8 +112,8 @@ fn coordinate(model: &Model, compiled: &Compiled, joint: JointId) -> f64 {
     }
 }
 
-/// The mechanism with the first way of each loop, but another of one.
-fn chosen(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> Model {
+/// The mechanism with the first assembly of each loop, but another of one.
+fn choose(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> Model {
     let mut chosen = model.clone();
     for (number, open) in loops.iter().enumerate() {
         let assembly = other.map_or(
@@ -130,27 +130,24 @@ fn chosen(model: &Model, loops: &[OpenLoop], other: Option<(usize, usize)>) -> M
 }
 
 #[test]
-fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
+fn each_loop_of_a_random_mechanism_is_named_by_its_joint() {
     let (mut compared, mut open) = (0, 0);
-    for seed in 0..300 {
-        let mut dice = Dice::new(seed);
-        let additions = 2 + dice.below(5);
-        let drawn = grow(&mut dice, additions).model;
-        let (mut free, _) = in_own_frames(&drawn, &mut dice);
+    for_all(300, &samples(2..=6), |Sample { grown, mut dice }| {
+        let (mut free, _) = in_own_frames(&grown.model, &mut dice);
         free.start.near.clear();
         let Err(wrong) = compile(&free) else {
-            continue;
+            return;
         };
         let [Diagnosis::SeveralAssemblies { loops, .. }] = &wrong[..] else {
-            continue;
+            return;
         };
         let choices = loops.iter().enumerate().flat_map(|(number, open)| {
             (0..open.assemblies.len()).map(move |assembly| (number, assembly))
         });
         for (number, assembly) in choices {
-            let model = chosen(&free, loops, Some((number, assembly)));
+            let model = choose(&free, loops, Some((number, assembly)));
             let Ok(compiled) = compile(&model) else {
-                // Slides may have two ways of one direction: no clause settles these.
+                // Slides may have two assemblies in one direction: no clause settles these.
                 open += 1;
                 continue;
             };
@@ -168,13 +165,10 @@ fn each_loop_of_a_random_mechanism_is_told_by_its_joint() {
                 JointKind::Revolute(..) => (0.5 * (is - expected)).sin().abs(),
                 _ => (is - expected).abs(),
             };
-            assert!(
-                off < 1e-6,
-                "seed {seed}, loop {number}: {is}, expected {expected}"
-            );
+            assert!(off < 1e-6, "loop {number}: {is}, expected {expected}");
             compared += 1;
         }
-    }
+    });
     assert!(compared > 200, "only {compared} assemblies");
     assert!(
         20 * open < compared,

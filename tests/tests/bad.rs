@@ -116,7 +116,7 @@ fn is_somewhere<T: Scalar>(poses: &[Pose<T>]) {
     }
 }
 
-/// Tests that everything that was told is a number.
+/// Tests that everything that was reported is a number.
 #[track_caller]
 fn are_numbers(value: &impl Debug) {
     let text = format!("{value:?}");

@@ -1,4 +1,4 @@
-//! What is told of a move that does not succeed: names, units and where.
+//! What is reported of a move that does not succeed: names, units and where.
 
 use mech_runtime::{Blocked, BlockedOf, Cause, Mechanism, Place, Reached, mechanism};
 use std::f64::consts::PI;
@@ -30,7 +30,7 @@ fn limit(rod: f64) -> f64 {
 }
 
 #[test]
-fn the_values_reached_are_told_with_names_and_units() {
+fn the_values_reached_are_reported_with_names_and_units() {
     let mut short = Short::new();
     let blocked: BlockedOf<Short> = short.move_to([PI / 2.0, 0.0]).expect_err("it is too short");
     assert_eq!(blocked.cause, Cause::Open);
@@ -48,7 +48,7 @@ fn the_values_reached_are_told_with_names_and_units() {
 }
 
 #[test]
-fn a_limit_is_told_as_an_error_is() {
+fn a_limit_is_reported_as_an_error_is() {
     let mut short = Short::new();
     match short.move_toward([PI / 2.0, 1.0]) {
         Ok(Reached::Limit(blocked)) => {
@@ -60,7 +60,7 @@ fn a_limit_is_told_as_an_error_is() {
 }
 
 #[test]
-fn params_are_told_by_their_own_names() {
+fn params_are_reported_by_their_own_names() {
     let mut short = Short::new();
     let blocked: Blocked<f64> = short.set_rod(0.1).expect_err("it is too short");
     assert!((limit(blocked.reached) - 10_f64.to_radians()).abs() < 1e-9);
@@ -83,7 +83,7 @@ fn motors_are_places() {
 }
 
 /// Any mechanism's error can be shown and boxed.
-fn shown<M: Mechanism>(blocked: Blocked<M::Motors>) -> String
+fn display<M: Mechanism>(blocked: Blocked<M::Motors>) -> String
 where
     M::Motors: 'static,
 {
@@ -96,7 +96,7 @@ fn code_for_any_mechanism_prints_it() {
     let mut short = Short::new();
     let blocked = short.move_to([f64::NAN, 0.0]).expect_err("no number");
     assert_eq!(
-        shown::<Short>(blocked),
+        display::<Short>(blocked),
         "the value for `turn` is not a finite number"
     );
 }

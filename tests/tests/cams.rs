@@ -6,7 +6,7 @@ use mech_compiler::model::Shown;
 use mech_compiler::program::build;
 use mech_compiler::structure::{Diagnosis, RangeTrouble};
 use mech_runtime::{Cause, Phase};
-use mech_tests::{Dice, add_cam, grow, model, reach, with_ground, worst_gap};
+use mech_tests::{Sample, add_cam, cases, for_all, model, reach, samples, with_ground, worst_gap};
 use std::f64::consts::{PI, TAU};
 
 mod generated {
@@ -94,7 +94,7 @@ mod generated {
     }
 
     mechanism! {
-        /// A rack on a follower, which counts the turns of a pinion from its way, and a cam in time.
+        /// A rack on a follower, which counts the turns of a pinion from its displacement, and a cam in time.
         pub struct Counting;
         ground { point o = (0, 0); line rail = (0, 0) -> (1, 0); point p = (0, 3); }
         link disk { point o = (0, 0); }
@@ -110,14 +110,11 @@ mod generated {
     }
 }
 
-/// First and second differences of fourth order of a function round a place.
+/// First and second differences of a function round a place.
 fn differences(at: impl Fn(f64) -> f64, place: f64) -> [f64; 2] {
     const STEP: f64 = 1e-3;
-    let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|number| at(place + number * STEP));
-    [
-        (a - 8.0 * b + 8.0 * d - e) / (12.0 * STEP),
-        (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * STEP * STEP),
-    ]
+    let five = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|number| at(place + number * STEP));
+    mech_tests::differences(five, STEP)
 }
 
 #[test]
@@ -195,7 +192,7 @@ fn a_million_turns_do_not_matter() {
     let double = PI + 0.25;
     let off = screw.t() - (double - TAU);
     assert!(off.abs() < 1e-14, "{off:e}");
-    // The wave of the nut is as exact as its way is: sixteen digits of a million turns.
+    // The wave of the nut is as exact as its displacement is: sixteen digits of a million turns.
     assert!((screw.w() - angle.sin() / 2.0).abs() < 1e-8);
     let mut lifter = generated::Lifter::new();
     lifter.turn_to([turned]).expect("it turns");
@@ -252,34 +249,34 @@ const PARTS: &str = "struct M;
     joint s = revolute(ground.o, disk.o);
     joint f = revolute(ground.p, lever.p);";
 
-fn diagnosed(rest: &str) -> Vec<Diagnosis> {
-    compile(&model(&format!("{PARTS} {rest}"))).expect_err("it is wrong")
+fn diagnoses(statements: &str) -> Vec<Diagnosis> {
+    compile(&model(&format!("{PARTS} {statements}"))).expect_err("it is wrong")
 }
 
 #[test]
-fn what_cannot_be_followed_is_told() {
-    let backwards = diagnosed("joint c = cam(s, f, 0.1 * sin(q)); motor f;");
+fn what_cannot_be_followed_is_diagnosed() {
+    let backwards = diagnoses("joint c = cam(s, f, 0.1 * sin(q)); motor f;");
     assert!(
         matches!(backwards[..], [Diagnosis::CamNotDriven { .. }]),
         "{backwards:?}"
     );
-    let nowhere = diagnosed("joint c = cam(s, f, 1 / q); motor s;");
+    let nowhere = diagnoses("joint c = cam(s, f, 1 / q); motor s;");
     assert!(
         matches!(nowhere[..], [Diagnosis::CamWithoutValue { .. }]),
         "{nowhere:?}"
     );
-    let started = diagnosed("joint c = cam(s, f, q); motor s; start { f = 1; }");
+    let started = diagnoses("joint c = cam(s, f, q); motor s; start { f = 1; }");
     assert!(
         matches!(started[..], [Diagnosis::StartNotFree { .. }]),
         "{started:?}"
     );
-    let ranged = diagnosed("joint c = cam(s, f, q); motor s in -1 ..= 1;");
+    let ranged = diagnoses("joint c = cam(s, f, q); motor s in -1 ..= 1;");
     let trouble = RangeTrouble::Cam(mech_compiler::model::JointId::new(2));
     assert!(
         matches!(&ranged[..], [Diagnosis::Range { trouble: found, .. }] if *found == trouble),
         "{ranged:?}"
     );
-    let twice = diagnosed("joint c = cam(s, f, q); joint d = cam(s, f, sin(q)); motor s;");
+    let twice = diagnoses("joint c = cam(s, f, q); joint d = cam(s, f, sin(q)); motor s;");
     assert!(
         matches!(
             twice[..],
@@ -287,12 +284,12 @@ fn what_cannot_be_followed_is_told() {
         ),
         "{twice:?}"
     );
-    let free = diagnosed("joint c = cam(s, f, q);");
+    let free = diagnoses("joint c = cam(s, f, q);");
     assert!(
         matches!(free[..], [Diagnosis::NoMotor { freedom: 1, .. }]),
         "{free:?}"
     );
-    let both = diagnosed("joint c = cam(s, f, q); motor s; motor f;");
+    let both = diagnoses("joint c = cam(s, f, q); motor s; motor f;");
     assert!(
         matches!(both[..], [Diagnosis::TooManyMotors { .. }]),
         "{both:?}"
@@ -303,7 +300,7 @@ fn what_cannot_be_followed_is_told() {
 fn a_law_that_does_not_vary_holds_its_follower() {
     let held = format!("{PARTS} joint c = cam(s, f, 0.5); motor s;");
     assert!(compile(&model(&held)).is_ok());
-    let driven = diagnosed("joint c = cam(s, f, 0.5); motor f;");
+    let driven = diagnoses("joint c = cam(s, f, 0.5); motor f;");
     assert!(
         driven.iter().any(|one| matches!(
             one,
@@ -313,29 +310,26 @@ fn a_law_that_does_not_vary_holds_its_follower() {
     );
 }
 
-fn cases() -> u64 {
-    mech_tests::cases(200)
-}
+/// How many mechanisms the test tries.
+const CASES: u64 = 200;
 
 /// Random mechanisms with random cams: each follower is where its law has it, and what is shown alone moves as in the whole.
 #[test]
 fn random_followers_are_where_their_laws_have_them() {
     let (mut compiled, mut moved) = (0, 0);
-    for seed in mech_tests::seeds(cases()) {
-        let mut dice = Dice::new(seed);
-        let additions = 1 + dice.below(6);
-        let mut model = grow(&mut dice, additions).model;
+    for_all(CASES, &samples(1..=6), |Sample { grown, mut dice }| {
+        let mut model = grown.model;
         let cams: Vec<_> = (0..=dice.below(3))
             .filter_map(|_| add_cam(&mut model, &mut dice))
             .collect();
-        let Some(&last) = cams.last() else { continue };
-        let whole = compile(&model).unwrap_or_else(|wrong| panic!("seed {seed}: {wrong:?}"));
+        let Some(&last) = cams.last() else { return };
+        let whole = compile(&model).unwrap_or_else(|wrong| panic!("{wrong:?}"));
         compiled += 1;
         let link = model.ends(last).1;
         let mut part = model.clone();
         part.show = Some(vec![Shown::Link(link)]);
-        assert!(compile(&part).is_ok(), "seed {seed}: a part is coherent");
-        // Every loop solved in the same way, whatever is left out.
+        assert!(compile(&part).is_ok(), "a part is coherent");
+        // Every loop solved by the same steps, whatever is left out.
         let [whole, part] = [&model, &part].map(|one| build(one, &whole.plan));
         let [place, own] = [&whole, &part].map(|one| one.place_of(link).expect("it is shown"));
         let mut machine = Machine::<f64>::new(&whole);
@@ -354,15 +348,11 @@ fn random_followers_are_where_their_laws_have_them() {
             let poses = with_ground(&model, &machine.position().poses);
             let reach = reach(&poses).max(10.0);
             let gap = worst_gap(&model, &poses);
-            assert!(gap < 1e-11 * reach, "seed {seed}: {gap:e}");
+            assert!(gap < 1e-11 * reach, "{gap:e}");
             alone.move_to(&motors).expect("less is in the way");
-            assert_eq!(
-                machine.position().poses[place],
-                alone.position().poses[own],
-                "seed {seed}"
-            );
+            assert_eq!(machine.position().poses[place], alone.position().poses[own]);
         }
-    }
+    });
     println!("{compiled} compiled, {moved} moves");
-    assert!(compiled > cases() / 3 && moved > 3 * cases());
+    assert!(compiled > cases(CASES) / 3 && moved > 3 * cases(CASES));
 }

@@ -322,7 +322,7 @@ mechanism! {
 
 /// What has come to rest stays there, however long it is waited for: its forces cancel each other but for rounding.
 #[test]
-fn what_rests_goes_on_to_rest() {
+fn what_stands_still_stays() {
     for time in [0.001, 0.002, 0.005, 0.0071, 0.01] {
         for method in [
             GaussLegendre::Order2,

@@ -37,7 +37,7 @@ fn what_is_quoted_is_built() {
     while let Some(line) = lines.next() {
         if matches!(line, "```rust" | "```toml") {
             let from = previous.strip_prefix(FROM);
-            let file = from.and_then(|rest| rest.strip_suffix(" -->"));
+            let file = from.and_then(|line| line.strip_suffix(" -->"));
             let quoted: Vec<_> = lines.by_ref().take_while(|line| *line != "```").collect();
             // What goes into a project of somebody's own is nowhere here.
             let Some(file) = file else {
@@ -61,7 +61,7 @@ fn what_is_linked_is_there() {
     let links = page
         .split("](")
         .skip(1)
-        .filter_map(|rest| rest.split(')').next());
+        .filter_map(|link| link.split(')').next());
     for link in links.filter(|link| !link.starts_with("http") && !link.starts_with('#')) {
         let file = link.split('#').next().unwrap_or_default();
         assert!(repository().join("docs").join(file).exists(), "{link}");

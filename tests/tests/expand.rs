@@ -1,6 +1,7 @@
 //! What people see who look at the generated code. Renew with `INSTA_UPDATE=always cargo test -p mech-tests --test compiler expand`,
 //! and read it.
 
+use mech_tests::four_bar_text;
 use proc_macro2::TokenStream;
 
 fn expansion(text: &str) -> String {
@@ -86,46 +87,39 @@ fn a_mechanism_with_errors() {
 }
 
 /// The four-bar of which effects are shown.
-const FOUR_BAR: &str = "struct FourBar;
-    ground { point a = (0, 0); point d = (4, 0); }
-    link crank { point a = (0, 0); point b = (1, 0); }
-    link coupler { point b = (0, 0); point c = (3.5, 0); }
-    link rocker { point d = (0, 0); point c = (3, 0); }
-    joint ja = revolute(ground.a, crank.a);
-    joint jb = revolute(crank.b, coupler.b);
-    joint jc = revolute(coupler.c, rocker.c);
-    joint jd = revolute(ground.d, rocker.d);
-    motor ja;
-    start { coupler near 50 deg; }";
+fn four_bar(effects: &str) -> String {
+    let start = format!("start {{ coupler near 50 deg; }} {effects}");
+    four_bar_text([4.0, 1.0, 3.5, 3.0]) + &start
+}
 
 #[test]
 fn velocities_and_accelerations() {
-    let text = format!("{FOUR_BAR} effects {{ velocity; acceleration; }}");
+    let text = four_bar("effects { velocity; acceleration; }");
     insta::assert_snapshot!(module(&expansion(&text), "rates"));
 }
 
 /// The lines that are there with effects and not without.
-fn added(effects: &str) -> String {
-    let without = expansion(FOUR_BAR);
+fn lines_added_by(effects: &str) -> String {
+    let without = expansion(&four_bar(""));
     let lines: Vec<&str> = without.lines().collect();
-    let all = expansion(&format!("{FOUR_BAR} {effects}"));
+    let all = expansion(&four_bar(effects));
     let added = all.lines().filter(|line| !lines.contains(line));
     added.collect::<Vec<_>>().join("\n")
 }
 
 #[test]
 fn what_a_trace_adds() {
-    insta::assert_snapshot!(added("effects { trace coupler.c 256; }"));
+    insta::assert_snapshot!(lines_added_by("effects { trace coupler.c 256; }"));
 }
 
 #[test]
 fn what_an_overlay_adds() {
-    insta::assert_snapshot!(added("effects { overlay; }"));
+    insta::assert_snapshot!(lines_added_by("effects { overlay; }"));
 }
 
 #[test]
 fn a_param_and_what_follows_it() {
-    let varied = FOUR_BAR
+    let varied = four_bar("")
         .replacen(';', "; param rod = 3.5; const HALF = rod / 2;", 1)
         .replace("(3.5, 0);", "(rod, 0); point tip = (HALF, 1);");
     insta::assert_snapshot!(expansion(&format!(
@@ -136,9 +130,7 @@ fn a_param_and_what_follows_it() {
 /// What nobody asked for costs nothing: the step to a position is the same, token for token, whatever effects there are.
 #[test]
 fn the_step_to_a_position_never_knew_of_effects() {
-    let step = |effects: &str| {
-        module(&expansion(&format!("{FOUR_BAR} {effects}")), "positions").to_owned()
-    };
+    let step = |effects: &str| module(&expansion(&four_bar(effects)), "positions").to_owned();
     let alone = step("");
     assert!(alone.contains("fn step_reduced("));
     let all = [
@@ -154,22 +146,23 @@ fn the_step_to_a_position_never_knew_of_effects() {
     }
     // Only a torsional spring at a joint that no motor drives has something carried: the angle of that joint.
     let sprung = "spring s = torsional(jd) stiffness 2; effects { force; }";
-    assert!(solving(&format!("{FOUR_BAR} {sprung}")).contains("jd_angle"));
+    assert!(solving(&four_bar(sprung)).contains("jd_angle"));
     // What acts costs nothing as long as nobody asks what it does.
-    let heavy = FOUR_BAR.replace("point b = (1, 0);", "point b = (1, 0); mass 2 at (0.5, 0);");
-    assert_ne!(heavy, FOUR_BAR);
+    let plain = four_bar("");
+    let heavy = plain.replace("point b = (1, 0);", "point b = (1, 0); mass 2 at (0.5, 0);");
+    assert_ne!(heavy, plain);
     assert_eq!(
         expansion(&format!(
             "{heavy} gravity (0, -9.81); spring s = torsional(jd) stiffness 2;"
         )),
-        expansion(FOUR_BAR)
+        expansion(&plain)
     );
 }
 
 #[test]
 fn what_torques_at_rest_add() {
-    let all = expansion(&format!(
-        "{FOUR_BAR} load push = force(coupler.c); effects {{ force; }}"
+    let all = expansion(&four_bar(
+        "load push = force(coupler.c); effects { force; }",
     ));
     let all = module(&all, "holding");
     let from = all.find("            /// The position at these motor values, what holds it there");

@@ -1,4 +1,4 @@
-//! Random mechanisms in random motion: nothing that a motor is told makes a mechanism panic, come apart, bend a link or change
+//! Random mechanisms in random motion: no value of a motor makes a mechanism panic, come apart, bend a link or change
 //! its branch unseen.
 //!
 //! A case is one mechanism and one segment of its motion: `MECH_CASES=1000000` for a million of them.
@@ -18,8 +18,8 @@ const SEGMENTS: u64 = 40;
 const ROUNDING: f64 = 64.0;
 /// A limit is found to this many units of rounding: 1e-12 in double precision.
 const LIMIT: f64 = 4500.0;
-/// More failures than this are not told.
-const TOLD: usize = 100;
+/// More failures than this are not reported.
+const MOST_REPORTED: usize = 100;
 
 const METHODS: [Method; 5] = [
     Method::Exact,
@@ -33,7 +33,7 @@ fn cases() -> u64 {
     mech_tests::cases(1_000)
 }
 
-/// One way to compute a random mechanism.
+/// A random mechanism and its method.
 struct Subject {
     model: Model,
     program: Program,
@@ -87,12 +87,12 @@ fn bits<T: Real>(position: &Position<T>) -> Vec<u64> {
 }
 
 /// Every link is as long as it was declared.
-fn unstretched<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(), String> {
+fn check_lengths<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(), String> {
     let poses = with_ground(&subject.model, &poses(position));
     let stretch = worst_stretch(&poses);
     // A linear step turns to first order: what it promises for gaps, it promises for lengths.
     let most = match subject.model.method {
-        Some(Method::Linear) => promised::<T>(Method::Linear),
+        Some(Method::Linear) => largest_gap::<T>(Method::Linear),
         _ => 16.0 * T::EPSILON,
     };
     if stretch > most {
@@ -112,7 +112,7 @@ enum Wanted {
     /// Links as long as they were declared.
     Lengths,
     /// In one leap it comes where it comes in small steps.
-    SameWay,
+    SameEnd,
 }
 
 /// What a segment does.
@@ -128,7 +128,7 @@ enum Segment {
 }
 
 /// What a method promises about the gaps it leaves, as a part of the size.
-fn promised<T: Real>(method: Method) -> f64 {
+fn largest_gap<T: Real>(method: Method) -> f64 {
     match method {
         Method::Linear => 1e-2,
         _ => ROUNDING * T::EPSILON,
@@ -145,7 +145,7 @@ fn extent(subject: &Subject, poses: &[[f64; 4]]) -> f64 {
 }
 
 /// The mechanism is whole: finite and closed.
-fn whole<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(), String> {
+fn check_whole<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(), String> {
     let poses = with_ground(&subject.model, &poses(position));
     if poses.iter().flatten().any(|number| !number.is_finite()) {
         return Err("a pose is not finite".to_owned());
@@ -157,7 +157,7 @@ fn whole<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(), Strin
     let gap = worst_gap(&subject.model, &poses);
     let method = subject.model.method.unwrap_or_default();
     // In each coordinate.
-    if gap > SQRT_2 * promised::<T>(method) * size {
+    if gap > SQRT_2 * largest_gap::<T>(method) * size {
         return Err(format!(
             "a gap of {gap:e}: {:.1} eps of the size {size}",
             gap / size / T::EPSILON
@@ -167,7 +167,7 @@ fn whole<T: Real>(subject: &Subject, position: &Position<T>) -> Result<(), Strin
 }
 
 /// Values for the motors.
-fn told<T: Real>(dice: &mut Dice, segment: Segment, now: &[T], before: &[T]) -> Vec<T> {
+fn target<T: Real>(dice: &mut Dice, segment: Segment, now: &[T], before: &[T]) -> Vec<T> {
     const EXTREMES: [f64; 10] = [
         0.0,
         -0.0,
@@ -203,7 +203,7 @@ fn told<T: Real>(dice: &mut Dice, segment: Segment, now: &[T], before: &[T]) -> 
     motors
 }
 
-/// Goes to these values in small steps; tells whether it came there.
+/// Goes to these values in small steps; says whether it came there.
 fn in_small_steps<T: Real>(machine: &mut Machine<T>, motors: &[T]) -> Result<(), (u32, Stop)> {
     let start = machine.position().motors.clone();
     let displacement = start
@@ -249,7 +249,7 @@ fn sensitivity<T: Real>(program: &Program, at: &Position<T>) -> f64 {
 }
 
 /// In one leap it comes where it comes in small steps.
-fn same_way<T: Real>(
+fn same_end<T: Real>(
     subject: &Subject,
     start: &Position<T>,
     end: &Position<T>,
@@ -290,7 +290,7 @@ fn same_way<T: Real>(
     Ok(())
 }
 
-/// The values are on the straight way between two others.
+/// The values are on the straight line between two others.
 fn between<T: Real>(from: &[T], values: &[T], to: &[T]) -> bool {
     from.iter()
         .zip(values)
@@ -299,10 +299,10 @@ fn between<T: Real>(from: &[T], values: &[T], to: &[T]) -> bool {
 }
 
 /// Moves a mechanism through its segments.
-fn moved<T: Real>(
+fn move_in_segments<T: Real>(
     subject: &mut Subject,
     wanted: Wanted,
-    tell: &mut impl FnMut(u64, Segment, String),
+    report: &mut impl FnMut(u64, Segment, String),
 ) {
     let program = subject.program.clone();
     let mut machine = Machine::<T>::new(&program);
@@ -318,17 +318,17 @@ fn moved<T: Real>(
             _ => Segment::NotFinite,
         };
         let start = machine.position().clone();
-        let motors = told(&mut subject.dice, segment, &start.motors, &before);
+        let motors = target(&mut subject.dice, segment, &start.motors, &before);
         let finite = motors.iter().all(|motor| motor.is_finite());
         let fail = &mut |text: String| {
             let text = format!("{text}; from {:?} to {motors:?}", start.motors);
-            tell(number, segment, text);
+            report(number, segment, text);
         };
         if let Segment::Toward = segment {
             match machine.move_toward(&motors) {
                 Ok(_) if !between(&start.motors, &machine.position().motors, &motors) => {
                     fail(format!(
-                        "it is told to go towards a place and goes to {:?}",
+                        "it is sent towards a place and goes to {:?}",
                         machine.position().motors
                     ));
                 }
@@ -343,7 +343,7 @@ fn moved<T: Real>(
                 (Ok(()), false) => fail("it goes to what is not finite".to_owned()),
                 (Err(Stop::NotFinite(_)), true) => fail("finite values are refused".to_owned()),
                 (Ok(()), true) if machine.position().motors != motors => {
-                    fail("its motors are not where they were told".to_owned());
+                    fail("its motors are not where they were sent".to_owned());
                 }
                 (Err(_), _) if bits(machine.position()) != bits(&start) => {
                     fail("a refused move changes it".to_owned());
@@ -358,10 +358,10 @@ fn moved<T: Real>(
         );
         if bits(&end) != bits(&start) {
             let found = match wanted {
-                Wanted::Sound => whole(subject, &end),
-                Wanted::Lengths => unstretched(subject, &end),
-                Wanted::SameWay if leapt => same_way(subject, &start, &end),
-                Wanted::SameWay => Ok(()),
+                Wanted::Sound => check_whole(subject, &end),
+                Wanted::Lengths => check_lengths(subject, &end),
+                Wanted::SameEnd if leapt => same_end(subject, &start, &end),
+                Wanted::SameEnd => Ok(()),
             };
             if let Err(text) = found {
                 fail(text);
@@ -387,14 +387,14 @@ fn failures(precision: Precision, only: &[Method], wanted: Wanted) -> Vec<String
             continue;
         };
         let change_points = subject.model.change_points;
-        let mut tell = |number: u64, segment: Segment, text: String| {
+        let mut report = |number: u64, segment: Segment, text: String| {
             failures.push(format!(
                 "seed {seed}, {method:?}, {change_points:?}, {number} {segment:?}: {text}"
             ));
         };
         let panicked = catch_unwind(AssertUnwindSafe(|| match precision {
-            Precision::F32 => moved::<f32>(&mut subject, wanted, &mut tell),
-            Precision::F64 => moved::<f64>(&mut subject, wanted, &mut tell),
+            Precision::F32 => move_in_segments::<f32>(&mut subject, wanted, &mut report),
+            Precision::F64 => move_in_segments::<f64>(&mut subject, wanted, &mut report),
         }));
         if panicked.is_err() {
             failures.push(format!("seed {seed}, {method:?}: it panics"));
@@ -409,7 +409,7 @@ fn assert_none(only: &[Method], wanted: Wanted) {
     failures_of_both.extend(failures(Precision::F32, only, wanted));
     let first: Vec<&str> = failures_of_both
         .iter()
-        .take(TOLD)
+        .take(MOST_REPORTED)
         .map(String::as_str)
         .collect();
     assert!(
@@ -421,22 +421,22 @@ fn assert_none(only: &[Method], wanted: Wanted) {
 }
 
 #[test]
-fn in_closed_form_it_stays_whole_wherever_it_is_told_to_go() {
+fn in_closed_form_it_stays_whole_wherever_it_is_sent() {
     assert_none(&[Method::Exact], Wanted::Sound);
 }
 
 #[test]
-fn by_newton_it_stays_whole_wherever_it_is_told_to_go() {
+fn by_newton_it_stays_whole_wherever_it_is_sent() {
     assert_none(&[Method::Newton], Wanted::Sound);
 }
 
 #[test]
-fn in_four_rounds_it_stays_whole_wherever_it_is_told_to_go() {
+fn in_four_rounds_it_stays_whole_wherever_it_is_sent() {
     assert_none(&[Method::NewtonSteps(4)], Wanted::Sound);
 }
 
 #[test]
-fn by_linear_steps_it_stays_whole_wherever_it_is_told_to_go() {
+fn by_linear_steps_it_stays_whole_wherever_it_is_sent() {
     assert_none(&[Method::Linear], Wanted::Sound);
 }
 
@@ -457,10 +457,10 @@ fn by_linear_steps_no_link_is_stretched_by_more_than_a_hundredth() {
 
 #[test]
 fn in_closed_form_a_leap_ends_where_small_steps_do() {
-    assert_none(&[Method::Exact], Wanted::SameWay);
+    assert_none(&[Method::Exact], Wanted::SameEnd);
 }
 
 #[test]
 fn by_newton_a_leap_ends_where_small_steps_do() {
-    assert_none(&[Method::Newton], Wanted::SameWay);
+    assert_none(&[Method::Newton], Wanted::SameEnd);
 }

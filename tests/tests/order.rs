@@ -4,11 +4,10 @@ use mech_compiler::compile;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{Axis, AxisId, JointId, JointKind, LinkId, Model, MotorId};
 use mech_tests::{Dice, Sample, coupled_samples, for_all, model, samples};
-use std::cell::Cell;
 use std::collections::BTreeSet;
 
 /// The same mechanism, declared in another order.
-fn shuffled(model: &Model, dice: &mut Dice) -> Model {
+fn shuffle(model: &Model, dice: &mut Dice) -> Model {
     // Dies come after all links that are declared.
     let declared = 1 + model.declared_links().count();
     let mut links = permutation(declared, dice, true);
@@ -109,7 +108,7 @@ fn outcome(model: &Model) -> Result<BTreeSet<(BTreeSet<String>, usize)>, String>
 #[test]
 fn shuffled_declarations_make_the_same_mechanism() {
     for_all(300, &samples(1..=8), |Sample { grown, mut dice }| {
-        let other = shuffled(&grown.model, &mut dice);
+        let other = shuffle(&grown.model, &mut dice);
         assert_eq!(outcome(&grown.model), outcome(&other));
     });
 }
@@ -148,19 +147,19 @@ fn moves(model: &Model, dice: &mut Dice) -> Vec<Vec<f64>> {
 
 #[test]
 fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
-    let compiled = Cell::new(0);
+    let mut compiled = 0;
     for_all(
         600,
         &coupled_samples(1..=4),
         |Sample { grown, mut dice }| {
             let model = grown.model;
-            let other = shuffled(&model, &mut dice);
+            let other = shuffle(&model, &mut dice);
             let found = outcome(&model);
             assert_eq!(found, outcome(&other));
             if found.is_err() {
                 return;
             }
-            compiled.set(compiled.get() + 1);
+            compiled += 1;
             let moves = moves(&model, &mut dice);
             let (one, another) = (motion(&model, &moves), motion(&other, &moves));
             assert_eq!(one.len(), another.len());
@@ -170,7 +169,7 @@ fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
             }
         },
     );
-    println!("{} compiled", compiled.get());
+    println!("{compiled} compiled");
 }
 
 /// A platform on three legs, of which one drives a wheel that carries a chain.
@@ -232,7 +231,7 @@ fn shuffled_declarations_of_what_is_broken_have_the_same_verdict() {
                 }
             }
         }
-        let other = shuffled(&model, &mut dice);
+        let other = shuffle(&model, &mut dice);
         let (one, another) = (outcome(&model), outcome(&other));
         assert!(one.is_err(), "something is missing");
         assert_eq!(one, another);

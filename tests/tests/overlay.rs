@@ -163,8 +163,8 @@ fn what_rolls_in_a_diagram_does_not_slip() {
                 )
             })
             .collect();
-        let mut rest = &rolling[..];
-        while let Some((first, after)) = rest.split_first() {
+        let mut remaining = &rolling[..];
+        while let Some((first, after)) = remaining.split_first() {
             match (first, after) {
                 (
                     Symbol::Wheel { .. },
@@ -176,7 +176,7 @@ fn what_rolls_in_a_diagram_does_not_slip() {
                 ) => {
                     belts_run(name, &moment, *centers, *radii);
                     belts += 1;
-                    rest = more;
+                    remaining = more;
                 }
                 (
                     Symbol::Wheel { center, radius },
@@ -190,7 +190,7 @@ fn what_rolls_in_a_diagram_does_not_slip() {
                 ) => {
                     gears_mesh(name, &moment, [(*center, *radius), (*other, *size)]);
                     gears += 1;
-                    rest = more;
+                    remaining = more;
                 }
                 (
                     Symbol::Wheel { .. },
@@ -211,9 +211,9 @@ fn what_rolls_in_a_diagram_does_not_slip() {
                         (*bar, model.axis(*along).direction),
                     );
                     racks += 1;
-                    rest = more;
+                    remaining = more;
                 }
-                _ => panic!("{name}: {rest:?}"),
+                _ => panic!("{name}: {remaining:?}"),
             }
         }
     }
@@ -432,9 +432,9 @@ fn what_is_not_shown_is_not_in_the_diagram() {
     part.draw_velocities(&mut arrows, &Arrows::new(1.0, 2));
     assert_eq!(arrows.tips().len(), 1, "the coupler's points are not known");
     part.move_to([0.8]).expect("it turns");
-    let mut rest = Recorder::default();
-    part.draw_velocities(&mut rest, &Arrows::new(1.0, 2));
-    assert!(rest.polygons.is_empty(), "it rests");
+    let mut still = Recorder::default();
+    part.draw_velocities(&mut still, &Arrows::new(1.0, 2));
+    assert!(still.polygons.is_empty(), "it stands still");
 }
 
 #[test]

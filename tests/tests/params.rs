@@ -7,8 +7,8 @@ use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, Method, M
 use mech_compiler::program::ParamRates;
 use mech_compiler::program::{Position, Program};
 use mech_tests::{
-    Dice, SOURCES, apart, direction, grow, in_own_frames, models, place, reach, scale, size, vary,
-    with_ground, with_params, worst_gap, worst_stretch,
+    Dice, SOURCES, Sample, apart, cases, direction, for_all, in_own_frames, models, place, reach,
+    samples, scale, size, vary, with_ground, with_params, worst_gap, worst_stretch,
 };
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -16,20 +16,16 @@ use std::f64::consts::TAU;
 /// A step of a param.
 const STEP: f64 = 1e-3;
 
-/// How many random mechanisms.
-fn cases() -> u32 {
-    u32::try_from(mech_tests::cases(200)).expect("not so many")
-}
+/// How many random mechanisms a test tries.
+const CASES: u64 = 200;
 
 /// A random mechanism with params.
-fn varied(seed: u64) -> (Model, Dice) {
-    let mut dice = Dice::new(seed);
-    let additions = 1 + dice.below(8);
-    let mut model = grow(&mut dice, additions).model;
+fn with_random_params(Sample { grown, mut dice }: Sample) -> (Model, Dice) {
+    let mut model = grown.model;
     let params = 1 + dice.below(2);
     vary(&mut model, &mut dice, params);
     model.effects.sensitivity = true;
-    if seed.is_multiple_of(3) {
+    if dice.once_in(3) {
         model.method = Some(Method::Newton);
     }
     (model, dice)
@@ -44,20 +40,20 @@ fn wander(machine: &mut Machine<'_, f64>, program: &Program, dice: &mut Dice) {
     let _ = machine.move_toward(&motors);
 }
 
-/// Where everything is that may be told: the angle, x and y of each link, the places of points, the coordinates of joints.
-struct Told {
+/// Where everything is that a mechanism reports: the angle, x and y of each link, the places of points, the coordinates of joints.
+struct Places {
     links: Vec<[f64; 3]>,
     points: Vec<[f64; 2]>,
     joints: Vec<f64>,
 }
 
 /// By the definitions, from poses and params alone.
-fn told(
+fn places(
     model: &Model,
     program: &Program,
     at: &Position<f64>,
     what: &(Vec<AxisId>, Vec<JointId>),
-) -> Told {
+) -> Places {
     let params = &at.motors[program.motors.len()..];
     let poses = with_ground(model, &at.poses);
     let scene = |id: AxisId| {
@@ -79,7 +75,7 @@ fn told(
         }
         _ => 0.0,
     };
-    Told {
+    Places {
         links: at
             .poses
             .iter()
@@ -90,15 +86,19 @@ fn told(
     }
 }
 
-/// All numbers in a row; of angles it is told that they are.
-fn row(told: &Told, model: &Model, joints: &[JointId]) -> Vec<(f64, bool)> {
-    let links = told
+/// All numbers in a row; of each, whether it is an angle.
+fn row(places: &Places, model: &Model, joints: &[JointId]) -> Vec<(f64, bool)> {
+    let links = places
         .links
         .iter()
         .flat_map(|[angle, x, y]| [(*angle, true), (*x, false), (*y, false)]);
-    let points = told.points.iter().flatten().map(|&number| (number, false));
+    let points = places
+        .points
+        .iter()
+        .flatten()
+        .map(|&number| (number, false));
     let turns = |joint: &JointId| matches!(model.joint(*joint).kind, JointKind::Revolute(..));
-    let joints = told
+    let joints = places
         .joints
         .iter()
         .zip(joints)
@@ -133,7 +133,7 @@ fn difference(f: [(f64, bool); 5], step: f64) -> f64 {
 /// What was compared.
 #[derive(Debug, Default)]
 struct Seen {
-    compared: usize,
+    compared: u64,
     singular: usize,
     blocked: usize,
     /// The greatest error, as a part of what the differences explain.
@@ -170,8 +170,8 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
                     let mut machine = Machine::new(program);
                     machine.put_back(at.clone());
                     machine.set_params(&params).ok()?;
-                    let told = told(model, program, machine.position(), &what);
-                    Some(row(&told, model, &what.1))
+                    let places = places(model, program, machine.position(), &what);
+                    Some(row(&places, model, &what.1))
                 });
                 let [Some(a), Some(b), Some(c), Some(d), Some(e)] = found else {
                     return None;
@@ -179,7 +179,7 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
                 Some([a, b, c, d, e])
             };
             let (Some(fine), Some(coarse)) = (five(STEP), five(2.0 * STEP)) else {
-                // It is too near a limit to be changed both ways.
+                // It is too near a limit to be changed in both directions.
                 seen.blocked += 1;
                 continue;
             };
@@ -207,26 +207,27 @@ fn compare(model: &Model, dice: &mut Dice, seen: &mut Seen) -> Result<(), TestCa
 #[test]
 fn sensitivities_of_random_mechanisms_are_those_of_their_positions() {
     let seen = std::cell::RefCell::new(Seen::default());
+    let cases = u32::try_from(cases(CASES)).expect("not so many");
     let config = ProptestConfig {
-        max_global_rejects: 10 * cases(),
+        max_global_rejects: 10 * cases,
         failure_persistence: None,
-        ..ProptestConfig::with_cases(cases())
+        ..ProptestConfig::with_cases(cases)
     };
-    proptest!(config, |(seed in any::<u64>())| {
-        let (model, mut dice) = varied(seed);
+    proptest!(config, |(sample in samples(1..=8))| {
+        let (model, mut dice) = with_random_params(sample);
         compare(&model, &mut dice, &mut seen.borrow_mut())?;
     });
     println!("{seen:?}");
-    assert!(seen.borrow().compared > 20 * usize::try_from(cases()).unwrap_or(0));
+    assert!(seen.borrow().compared > 20 * u64::from(cases));
 }
 
-/// A mechanism goes the same ways as one in which the params are numbers, closes as well, and comes back to where it was.
+/// A mechanism moves as one in which the params are numbers, closes as well, and comes back to where it was.
 #[test]
 fn params_are_numbers_that_may_be_changed() {
     let (mut moved, mut changed, mut blocked) = (0, 0, 0);
     let mut worst = [0.0_f64; 3];
-    for seed in mech_tests::seeds(u64::from(cases())) {
-        let (model, mut dice) = varied(seed);
+    for_all(CASES, &samples(1..=8), |sample| {
+        let (model, mut dice) = with_random_params(sample);
         let (Ok(with), Ok(without)) = (
             compile(&model),
             compile(&with_params(
@@ -234,7 +235,7 @@ fn params_are_numbers_that_may_be_changed() {
                 &model.params.values().collect::<Vec<_>>(),
             )),
         ) else {
-            continue;
+            return;
         };
         let (mut own, mut other) = (
             Machine::<f64>::new(&with.program),
@@ -250,7 +251,7 @@ fn params_are_numbers_that_may_be_changed() {
                 break;
             }
             if let Err(stop) = own.move_to(&motors) {
-                panic!("{seed}: {stop:?} where a number is none in the way");
+                panic!("{stop:?} where a number is none in the way");
             }
             let extent = size(&model) + reach(&own.position().poses);
             worst[0] = worst[0].max(apart(&own.position().poses, &other.position().poses) / extent);
@@ -265,7 +266,7 @@ fn params_are_numbers_that_may_be_changed() {
         if own.set_params(&wanted).is_err() {
             assert_eq!(*own.position(), before, "what fails leaves it as it was");
             blocked += 1;
-            continue;
+            return;
         }
         let there = with_params(&model, &wanted);
         let poses = with_ground(&there, &own.position().poses);
@@ -277,12 +278,12 @@ fn params_are_numbers_that_may_be_changed() {
             worst[2] = worst[2].max(apart(&own.position().poses, &before.poses) / extent);
             changed += 1;
         }
-    }
+    });
     println!(
         "{moved} moves, {changed} changes, {blocked} blocked; apart, open and not back: {worst:?}"
     );
     assert!(
-        moved > cases() && changed > cases() / 2,
+        moved > cases(CASES) && changed > cases(CASES) / 2,
         "{moved} {changed}"
     );
     assert!(
@@ -296,8 +297,8 @@ fn params_are_numbers_that_may_be_changed() {
 fn what_is_set_might_have_been_declared() {
     let mut compared = 0;
     let mut worst = 0.0_f64;
-    for seed in mech_tests::seeds(u64::from(cases())) {
-        let (drawn, mut dice) = varied(seed);
+    for_all(CASES, &samples(1..=8), |sample| {
+        let (drawn, mut dice) = with_random_params(sample);
         let mut model = {
             let mut plain = drawn.clone();
             plain.params = mech_compiler::model::Params::default();
@@ -310,31 +311,31 @@ fn what_is_set_might_have_been_declared() {
         };
         // What rolls on while a param changes does not begin where it would have begun.
         if model.joints.iter().any(|joint| joint.kind.rolls()) {
-            continue;
+            return;
         }
         vary(&mut model, &mut dice, 1);
         let Ok(compiled) = compile(&model) else {
-            continue;
+            return;
         };
         let wanted = [model.params.all()[0].value * dice.between(0.95, 1.05)];
         let mut machine = Machine::<f64>::new(&compiled.program);
         let Ok(declared) = compile(&with_params(&model, &wanted)) else {
-            continue;
+            return;
         };
         if machine.set_params(&wanted).is_err() {
-            continue;
+            return;
         }
         let other = Machine::<f64>::new(&declared.program);
         let off = apart(&machine.position().poses, &other.position().poses);
         // Another assembly may be nearer to the one that is described.
         if off > 0.5 {
-            continue;
+            return;
         }
         worst = worst.max(off / size(&model));
         compared += 1;
-    }
+    });
     println!("{compared} compared, {worst:e} apart");
-    assert!(compared > cases() / 4, "{compared}");
+    assert!(compared > cases(CASES) / 4, "{compared}");
     assert!(worst < 1e-11, "{worst:e}");
 }
 
@@ -343,10 +344,8 @@ fn what_is_set_might_have_been_declared() {
 fn tolerances_follow_the_size() {
     let mut compared = 0;
     let mut worst = [0.0_f64; 2];
-    for seed in mech_tests::seeds(u64::from(cases())) {
-        let mut dice = Dice::new(seed);
-        let additions = 1 + dice.below(8);
-        let mut model = grow(&mut dice, additions).model;
+    for_all(CASES, &samples(1..=8), |Sample { grown, mut dice }| {
+        let mut model = grown.model;
         let turns = |model: &Model| {
             let joints = model
                 .motors
@@ -357,18 +356,18 @@ fn tolerances_follow_the_size() {
                 .all(|kind| matches!(kind, JointKind::Revolute(..)))
         };
         if !turns(&model) {
-            continue;
+            return;
         }
         scale(&mut model);
         let Ok(compiled) = compile(&model) else {
-            continue;
+            return;
         };
         for factor in [0.1, 0.5, 2.0, 10.0] {
             let mut own = Machine::<f64>::new(&compiled.program);
             let mut large = Machine::<f64>::new(&compiled.program);
             large
                 .set_params(&[factor])
-                .unwrap_or_else(|stop| panic!("{seed}, {factor}: {stop:?}"));
+                .unwrap_or_else(|stop| panic!("{factor}: {stop:?}"));
             let there = with_params(&model, &[factor]);
             for _ in 0..8 {
                 let motors: Vec<f64> = own.position().motors[..model.motors.len()]
@@ -378,7 +377,7 @@ fn tolerances_follow_the_size() {
                 let outcomes = [own.move_toward(&motors), large.move_toward(&motors)];
                 assert!(outcomes.iter().all(Result::is_ok), "{outcomes:?}");
                 let stopped = outcomes.map(|outcome| outcome.is_ok_and(|stop| stop.is_some()));
-                assert_eq!(stopped[0], stopped[1], "{seed}, {factor}");
+                assert_eq!(stopped[0], stopped[1], "{factor}");
                 if stopped[0] {
                     // At a limit rounding is magnified.
                     break;
@@ -398,9 +397,9 @@ fn tolerances_follow_the_size() {
                 compared += 1;
             }
         }
-    }
+    });
     println!("{compared} compared; open and apart: {worst:?}");
-    assert!(compared > cases(), "{compared}");
+    assert!(compared > cases(CASES), "{compared}");
     assert!(worst[0] < 1e-13 && worst[1] < 1e-9, "{worst:?}");
 }
 
@@ -410,8 +409,8 @@ fn params_go_with_every_method() {
     let methods = [Method::Linear, Method::NewtonSteps(2), Method::Newton];
     let passing = [AtChangePoints::KeepBranch, AtChangePoints::Stop];
     let (mut changed, mut worst) = (0, 0.0_f64);
-    for seed in mech_tests::seeds(u64::from(cases())) {
-        let (mut model, mut dice) = varied(seed);
+    for_all(CASES, &samples(1..=8), |sample| {
+        let (mut model, mut dice) = with_random_params(sample);
         match dice.below(4) {
             3 => {
                 model.method = None;
@@ -429,7 +428,7 @@ fn params_go_with_every_method() {
             model.change_points = *dice.pick(&passing);
         }
         let Ok(compiled) = compile(&model) else {
-            continue;
+            return;
         };
         let mut machine = Machine::<f64>::new(&compiled.program);
         for round in 0..12 {
@@ -451,9 +450,9 @@ fn params_go_with_every_method() {
             let extent = size(&there) + reach(&poses);
             worst = worst.max(worst_gap(&there, &poses) / extent);
         }
-    }
+    });
     println!("{changed} changes, open by {worst:e}");
-    assert!(changed > 4 * cases(), "{changed}");
+    assert!(changed > 4 * cases(CASES), "{changed}");
     // What one linear step of a small move leaves open.
     assert!(worst < 1e-4, "{worst:e}");
 }

@@ -151,7 +151,7 @@ fn what_a_proved_loop_makes_fast_is_not_leapt_over() {
     }
 }
 
-/// A loop is carried by what the loops before it are made from: what carries it has a part in it by way of these.
+/// A loop is carried by what the loops before it are made from: what carries it has a part in it through these.
 #[test]
 fn what_carries_a_loop_may_have_a_part_in_it() {
     let text = "

@@ -18,7 +18,7 @@ fn for_coherent(test: impl Fn(Model, Dice)) {
     });
 }
 
-fn rejected(model: &Model) -> Vec<Diagnosis> {
+fn diagnose(model: &Model) -> Vec<Diagnosis> {
     match compile(model) {
         Ok(_) => panic!("accepted"),
         Err(diagnoses) => {
@@ -73,7 +73,7 @@ fn assert_mended(model: &Model, diagnoses: &[Diagnosis]) -> Vec<Offers> {
         }
         for repair in &offers.partial {
             match outcome(std::slice::from_ref(repair), model) {
-                Outcome::Other(rest) => assert!(rest.len() < diagnoses.len(), "{repair:?}"),
+                Outcome::Other(left) => assert!(left.len() < diagnoses.len(), "{repair:?}"),
                 _ => panic!("{repair:?} is enough"),
             }
         }
@@ -199,15 +199,15 @@ fn brace_two(model: &mut Model, dice: &mut Dice) -> LinkId {
 fn a_brace_too_many_is_found_and_can_be_removed() {
     for_coherent(|mut model, mut dice| {
         let link = brace_two(&mut model, &mut dice);
-        let wrong = rejected(&model);
+        let wrong = diagnose(&model);
         if ties_wheels(&wrong) {
             return;
         }
         assert!(wrong.iter().all(is_held), "{wrong:?}");
         let found = assert_mended(&model, &wrong);
         let removed = Repair::RemoveLink(link);
-        let told = found.iter().any(|offers| offers.single.contains(&removed));
-        assert!(told, "remove the brace: {wrong:?} {found:?}");
+        let is_offered = found.iter().any(|offers| offers.single.contains(&removed));
+        assert!(is_offered, "remove the brace: {wrong:?} {found:?}");
     });
 }
 
@@ -217,7 +217,7 @@ fn a_missing_motor_is_found_and_can_be_put_back() {
         let motor = MotorId::new(dice.below(whole.motors.len()));
         let joint = whole.motor(motor).joint;
         let model = whole.with_edit(|edit| edit.remove_motor(motor));
-        let wrong = rejected(&model);
+        let wrong = diagnose(&model);
         match &wrong[..] {
             [Diagnosis::NoMotor { freedom: 1, .. }] => {
                 assert!(model.motors.is_empty());
@@ -248,7 +248,7 @@ fn a_motor_too_many_is_found_and_can_be_removed() {
         model
             .motors
             .push(Motor::new(*dice.pick(&free), Origin::default()));
-        let wrong = rejected(&model);
+        let wrong = diagnose(&model);
         let right = |diagnosis: &Diagnosis| {
             matches!(
                 diagnosis,
@@ -267,7 +267,7 @@ fn a_missing_joint_is_found() {
     for_coherent(|whole, mut dice| {
         let joint = JointId::new(dice.below(whole.joints.len()));
         let model = whole.with_edit(|edit| edit.remove_joint(joint));
-        let wrong = rejected(&model);
+        let wrong = diagnose(&model);
         let right = |diagnosis: &Diagnosis| {
             matches!(
                 diagnosis,
@@ -305,7 +305,7 @@ fn two_braces_too_many_are_found_and_can_be_removed() {
         for (index, joint) in model.joints.iter_mut().rev().take(2).enumerate() {
             joint.name = format!("b{index}");
         }
-        let wrong = rejected(&model);
+        let wrong = diagnose(&model);
         if ties_wheels(&wrong) {
             return;
         }
@@ -324,13 +324,13 @@ fn of_a_large_mechanism_not_all_repairs_are_tried() {
     let mut model = chain(150);
     let joint = model.joint_ids().nth(6).expect("a long chain");
     model.motors.push(Motor::new(joint, Origin::default()));
-    let wrong = rejected(&model);
+    let wrong = diagnose(&model);
     let found = assert_mended(&model, &wrong);
     assert_eq!(found[0].search, Search::Bounded);
     assert!(!found[0].single.is_empty());
-    let told = reporter::messages(&wrong, &found, &model, &Places::default());
+    let messages = reporter::messages(&wrong, &found, &model, &Places::default());
     assert!(
-        told[0]
+        messages[0]
             .text
             .ends_with("note: not all possible changes were tried")
     );
@@ -352,7 +352,7 @@ fn repairs_are_tried_without_proofs_of_ranges() {
     };
     let [free, ranged] = ["", "in -170 deg ..= 170 deg"].map(with_range);
     let [free, ranged] = [free, ranged].map(|model| {
-        let wrong = rejected(&model);
+        let wrong = diagnose(&model);
         offers(&model, &wrong)
     });
     assert_eq!(free, ranged);
@@ -371,7 +371,7 @@ fn one_choice_of_several_motors_is_offered_beside_something_else() {
         joint mesh = gear(crank, wheel, 30 : 17);
         motor a;";
     let model = mech_tests::model(text);
-    let diagnoses = rejected(&model);
+    let diagnoses = diagnose(&model);
     let found = assert_mended(&model, &diagnoses);
     let adds = |repair: &&Repair| matches!(repair, Repair::AddMotors(_));
     let added: Vec<usize> = found
@@ -393,7 +393,7 @@ fn wheels_on_one_shaft_may_go() {
             joint mesh = gear(a, b, 20 : 40); {beside} motor p;"
         );
         let model = mech_tests::model(&text);
-        let diagnoses = rejected(&model);
+        let diagnoses = diagnose(&model);
         let found = assert_mended(&model, &diagnoses);
         assert!(found.iter().all(|offers| !offers.is_empty()), "{text}");
     }

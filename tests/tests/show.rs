@@ -114,7 +114,7 @@ impl Carried {
 }
 
 /// The loops of the whole program whose solution is reached from the pose of a link, backwards.
-fn reached(program: &Program, link: LinkId) -> BTreeSet<usize> {
+fn dependencies(program: &Program, link: LinkId) -> BTreeSet<usize> {
     let place = program.place_of(link).expect("the whole keeps all");
     let mut waiting: Vec<Value> = program.poses[place].to_vec();
     let mut seen = vec![false; program.ssa.nodes.len()];
@@ -161,8 +161,8 @@ fn exactly_the_loops_are_solved_that_what_is_shown_depends_on() {
             let whole = build(&model, &plan);
             let solved = loops(&program);
             let what = format!("seed {seed} {method:?}");
-            assert_eq!(solved, reached(&whole, link), "{what}");
-            // The other way, which does not see that a direction is known however far its link slides.
+            assert_eq!(solved, dependencies(&whole, link), "{what}");
+            // The other method, which does not see that a direction is known however far its link slides.
             let carried = Carried::through(&model, &plan).loops(&program.stored);
             assert!(solved.is_subset(&carried), "{what}");
             assert!(program.place_of(link).is_some(), "{what}");
@@ -293,7 +293,7 @@ fn in_part_it_says_what_is_left_out() {
 #[test]
 fn an_iteration_begins_where_the_last_position_was() {
     let compiled = compile(&model(HEADS[1], "show block;")).expect("it is coherent");
-    // The loop's unknowns are the direction of the rod, and the way of the block.
+    // The loop's unknowns are the direction of the rod, and the displacement of the block.
     assert_eq!(compiled.program.links, ["rod", "block"]);
 }
 

@@ -1,4 +1,4 @@
-//! What rolls keeps its exact ratio; what is coupled, redundant or slotted is where another way of looking says.
+//! What rolls keeps its exact ratio; what is coupled, redundant or slotted is where another method says.
 
 use super::zoo::{self, rolling, special};
 use mech_compiler::plan::{Mesh, Rational, Step};
@@ -93,11 +93,11 @@ fn racks_move_by_their_radius() {
     for value in [0.3, -2.0, 10.0] {
         racks.move_to([value]).unwrap();
         assert!((racks.lower_mark().x - 1.0 - value).abs() < 1e-14);
-        // The upper rack is on the other side of the pinion: it goes the other way.
+        // The upper rack is on the other side of the pinion: it goes in the other direction.
         assert!((racks.upper_mark().x - 1.0 + value).abs() < 1e-13);
         assert!((racks.low() - value).abs() < 1e-14 && (racks.up() - value).abs() < 1e-13);
         wheel.move_to([value]).unwrap();
-        // Rolling without slip: the wheel has turned back by way / radius.
+        // Rolling without slip: the wheel has turned back by displacement / radius.
         let off = wheel.wheel().rotation.angle() + value;
         assert!((off - TAU * (off / TAU).round()).abs() < 1e-13);
     }

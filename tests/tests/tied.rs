@@ -1,4 +1,4 @@
-//! Loops in which rolling ties directions and ways: joints close, and what rolls keeps its ratio, to rounding.
+//! Loops in which rolling ties directions and displacements: joints close, and what rolls keeps its ratio, to rounding.
 
 use mech_compiler::compile;
 use mech_compiler::evaluate::{Machine, Stop};
@@ -6,16 +6,15 @@ use mech_compiler::model::{AtChangePoints, AxisId, JointId, JointKind, LinkId, M
 use mech_compiler::structure::{Factor, Rolling, RollingEnd};
 use mech_compiler::syntax::parse;
 use mech_runtime::Real;
-use mech_tests::{Dice, grow_coupled, size, with_ground, worst_gap};
+use mech_tests::{Dice, Sample, cases, coupled_samples, for_all, size, with_ground, worst_gap};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::f64::consts::TAU;
 
-fn cases() -> u64 {
-    mech_tests::cases(200)
-}
+/// How many random mechanisms a test tries.
+const CASES: u64 = 200;
 
-/// The way of a slide.
+/// The displacement of a slide.
 fn displacement(model: &Model, poses: &[[f64; 4]], slide: JointId) -> f64 {
     let JointKind::Prismatic(from, to) = model.joint(slide).kind else {
         panic!("a rack's bar slides");
@@ -79,7 +78,7 @@ fn off(
 }
 
 /// Moves a mechanism about and holds it to its joints and to what rolls in it. Gives how often it was looked at.
-fn hold(model: &Model, dice: &mut Dice) -> usize {
+fn hold(model: &Model, dice: &mut Dice) -> u64 {
     let compiled = compile(model).unwrap_or_else(|wrong| panic!("{wrong:?}"));
     let mut machine = Machine::<f64>::new(&compiled.program);
     let all = |machine: &Machine<f64>| with_ground(model, &machine.position().poses);
@@ -115,14 +114,15 @@ fn hold(model: &Model, dice: &mut Dice) -> usize {
 #[test]
 fn what_rolls_in_random_loops_keeps_its_ratio() {
     let mut looked = 0;
-    for seed in mech_tests::seeds(cases()) {
-        let mut dice = Dice::new(seed);
-        let additions = 1 + dice.below(3);
-        let model = grow_coupled(&mut dice, additions).model;
-        looked += hold(&model, &mut dice);
-    }
+    for_all(
+        CASES,
+        &coupled_samples(1..=3),
+        |Sample { grown, mut dice }| {
+            looked += hold(&grown.model, &mut dice);
+        },
+    );
     println!("{looked} positions");
-    assert!(looked > 10 * usize::try_from(cases()).unwrap_or(0));
+    assert!(looked > 10 * cases(CASES));
 }
 
 /// The pinion is on the ground, the bar and its guide are both in the loop.
@@ -142,7 +142,7 @@ fn a_rack_between_two_unknowns() {
     assert!(hold(&parsed.model, &mut Dice::new(1)) > 20);
 }
 
-/// Two racks on one wheel that is in no ring: their ways are tied to each other.
+/// Two racks on one wheel that is in no ring: their displacements are tied to each other.
 #[test]
 fn two_racks_on_a_wheel_beside_the_loop() {
     let text = "struct M;
@@ -185,7 +185,7 @@ fn turning_as_one(corners: [[f64; 2]; 3], teeth: (i32, i32)) -> Model {
     parsed.model
 }
 
-/// By how much the fourth link turns at most while the motor goes these ways; which were refused. It cannot stand at a change point
+/// By how much the fourth link turns at most while the motor makes these moves; which were refused. It cannot stand at a change point
 /// itself: then it goes a little farther.
 fn strays<T: Real>(model: &Model, displacements: &[f64]) -> (f64, Vec<Stop>) {
     let compiled = compile(model).unwrap_or_else(|wrong| panic!("{wrong:?}"));

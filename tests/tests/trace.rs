@@ -1,4 +1,4 @@
-//! Traces: the path of a point is where it was told to be after each move that succeeded, and nothing else.
+//! Traces: the path of a point is where it was reported to be after each move that succeeded, and nothing else.
 
 use mech_runtime::{
     Canvas, Frame, Mechanism, Outline, Phase, Point2, Pose, Reached, Trace, View, mechanism,
@@ -6,7 +6,7 @@ use mech_runtime::{
 use proptest::prelude::*;
 
 mechanism! {
-    /// A crank-rocker whose coupler draws a curve, with every way of moving there is.
+    /// A crank-rocker whose coupler draws a curve, with every method that moves it.
     struct FourBar;
     ground { polygon [(-1, -1), (5, -1), (5, 5), (-1, 5)] on plane 0 color 1; }
     link crank { point pin = (0.8, 0.6); }
@@ -40,7 +40,7 @@ fn places<const N: usize>(trace: &Trace<f64, N>) -> Vec<Point2<f64>> {
 }
 
 #[test]
-fn every_way_of_moving_leaves_a_trace_and_none_that_fails() {
+fn every_method_that_moves_leaves_a_trace_and_none_that_fails() {
     let mut four_bar = FourBar::new();
     assert!(
         four_bar.coupler_tip_trace().is_empty(),

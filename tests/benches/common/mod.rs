@@ -19,12 +19,12 @@ pub(crate) enum Threshold {
 
 impl Threshold {
     fn words(self, ratio: f64) -> String {
-        let (text, kept) = match self {
+        let (text, is_shown) = match self {
             Self::AtMost(limit) => (format!("at most {limit:.2}"), ratio <= limit),
             Self::AtLeast(limit) => (format!("at least {limit:.2}"), ratio >= limit),
             Self::None => return "no threshold".to_owned(),
         };
-        if kept {
+        if is_shown {
             text
         } else {
             format!("{text}: MISSED")

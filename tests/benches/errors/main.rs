@@ -1,4 +1,4 @@
-//! How long it takes until an error is told, as a user has it: built by cargo's own profile for debugging, which does not optimise
+//! How long it takes until an error is reported, as a user has it: built by cargo's own profile for debugging, which does not optimise
 //! macros. `cargo bench -p mech-tests --bench errors`
 
 mod cases;
@@ -50,7 +50,7 @@ fn main() {
     assert!(slow.is_empty(), "reported too late: {slow:?}");
 }
 
-/// The milliseconds until each error is told.
+/// The milliseconds until each error is reported.
 fn measured(root: &Path, texts: &[std::path::PathBuf]) -> Vec<f64> {
     let ours = Path::new(env!("CARGO_MANIFEST_DIR"))
         .parent()

@@ -60,7 +60,7 @@ fn agree(loops: usize) {
     let compiled = mech_compiler::compile(&chain(loops)).expect("it moves");
     let (mut machine, mut dense) = (Machine::<f64>::new(&compiled.program), Dense::chain(loops));
     let start = machine.position().motors[0];
-    let rest = machine.position().poses.clone();
+    let start = machine.position().poses.clone();
     for degree in 0..6 {
         let angle = f64::from(degree).to_radians();
         machine.move_to(&[start + angle]).expect("it moves");
@@ -70,12 +70,12 @@ fn agree(loops: usize) {
             .position()
             .poses
             .iter()
-            .zip(&rest)
+            .zip(&start)
             .skip(1)
-            .map(|(pose, rest)| {
+            .map(|(pose, start)| {
                 [
-                    pose[0] * rest[0] + pose[1] * rest[1],
-                    pose[1] * rest[0] - pose[0] * rest[1],
+                    pose[0] * start[0] + pose[1] * start[1],
+                    pose[1] * start[0] - pose[0] * start[1],
                 ]
             });
         for (ours, theirs) in turned.zip(dense.turned()) {

@@ -5,7 +5,7 @@ use mech_compiler::model::JointKind;
 use mech_tests::chain;
 use nalgebra::{DMatrix, DVector};
 
-/// A way round: vectors, each fixed to a link that is driven or has an unknown direction, and one fixed to the ground.
+/// A closed polygon: vectors, each fixed to a link that is driven or has an unknown direction, and one fixed to the ground.
 struct Loop {
     driven: Vec<[f64; 2]>,
     unknown: Vec<(usize, [f64; 2])>,

@@ -129,14 +129,14 @@ fn it_moves_under_forces_as_a_mechanism_with_these_numbers() {
         near(kinetic, expected[0], 100.0);
         near(potential, expected[1], 100.0);
     }
-    assert_eq!(changed.params(), PARAMS, "params rest");
+    assert_eq!(changed.params(), PARAMS, "params stay");
     // Whoever changes the mechanism stops it.
     changed.set_rod_length(3.3).expect("it closes");
     assert_eq!(changed.rates(), [0.0]);
 }
 
 #[test]
-fn what_is_wrong_with_forces_is_told_of_motors() {
+fn what_is_wrong_with_forces_is_reported_of_motors() {
     let mut small = Small::new();
     let blocked = small.hold_at([f32::NAN]).expect_err("not a number");
     let Blocked {
@@ -356,7 +356,7 @@ fn every_function_goes_with_params() {
                 "{found:?} {x} {y}"
             );
         }
-        // Whole numbers stay, and what is left of whole times grows with what it is a rest of.
+        // Whole numbers stay, and what is left of whole times grows with what it is a remainder of.
         let [by_p, by_q] = computed.a_d_sensitivity().expect("regular");
         assert!((by_p.x, by_q.x) == (0.0, 0.0), "{by_p:?} {by_q:?}");
         assert!((by_p.y + (5.0 * q / p).floor()).abs() < 1e-12 && (by_q.y - 5.0).abs() < 1e-12);

@@ -12,15 +12,7 @@ const STEPS: [f64; 11] = [
 const TURNS: f64 = 100.0;
 
 variants! {
-    parallelogram by [exact newton] {
-        ground { point a = (0, 0); point d = (2, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2, 0); }
-        link rocker { point d = (0, 0); point c = (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    parallelogram by [exact newton] four_bar [2, 1, 2, 1] {
         motor ja;
         start { ja = 60 deg; rocker near 60 deg; }
         at change points go on;
@@ -33,15 +25,7 @@ variants! {
 }
 
 variants! {
-    antiparallelogram by [exact newton] {
-        ground { point a = (0, 0); point d = (2, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2, 0); }
-        link rocker { point d = (0, 0); point c = (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    antiparallelogram by [exact newton] four_bar [2, 1, 2, 1] {
         motor ja;
         start { ja = 60 deg; rocker near -60 deg; }
     } {
@@ -53,15 +37,7 @@ variants! {
 }
 
 variants! {
-    kite by [exact newton] {
-        ground { point a = (0, 0); point d = (1, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2, 0); }
-        link rocker { point d = (0, 0); point c = (2, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    kite by [exact newton] four_bar [1, 1, 2, 2] {
         motor ja;
         start { ja = 60 deg; rocker near 45 deg; }
     } {
@@ -76,15 +52,7 @@ variants! {
 }
 
 variants! {
-    square by [exact newton] {
-        ground { point a = (0, 0); point d = (1, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (1, 0); }
-        link rocker { point d = (0, 0); point c = (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    square by [exact newton] four_bar [1, 1, 1, 1] {
         motor ja;
         start { ja = 60 deg; rocker near 60 deg; }
     } {

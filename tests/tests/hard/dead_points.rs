@@ -10,15 +10,7 @@ const LIMIT: f64 = 0.935_085_041_393_594_5;
 
 variants! {
     /// Ground 4, crank 1, coupler 2, rocker 1.5.
-    short_four_bar by [exact] {
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2, 0); }
-        link rocker { point d = (0, 0); point c = (1.5, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    short_four_bar by [exact] four_bar [4, 1, 2, 1.5] {
         motor ja;
         start { ja = 0 deg; rocker near 120 deg; }
     } {
@@ -28,7 +20,7 @@ variants! {
         it_is_blocked_beyond_and_tells_the_limit: beyond;
         it_comes_back_from_its_dead_point_on_its_own_side: back;
         it_goes_to_and_fro_between_its_dead_points: to_and_fro;
-        no_link_is_stretched_there: unstretched;
+        no_link_is_stretched_there: check_lengths;
     } and by [newton] {
         it_comes_as_near_as_one_likes_to_its_dead_point: nearer_and_nearer;
         it_comes_there_from_the_start_in_one_leap: in_one_leap;
@@ -36,21 +28,13 @@ variants! {
         it_is_blocked_beyond_and_tells_the_limit: beyond;
         it_comes_back_from_its_dead_point_on_its_own_side: back;
         it_goes_to_and_fro_between_its_dead_points: to_and_fro;
-        no_link_is_stretched_there: unstretched;
+        no_link_is_stretched_there: check_lengths;
     }
 }
 
 variants! {
     /// The same with four rounds of iteration: it may refuse, but where it is it closes.
-    short_four_bar_in_four_rounds by [newton_4] {
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2, 0); }
-        link rocker { point d = (0, 0); point c = (1.5, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    short_four_bar_in_four_rounds by [newton_4] four_bar [4, 1, 2, 1.5] {
         motor ja;
         start { ja = 0 deg; rocker near 120 deg; }
     } {
@@ -139,7 +123,7 @@ fn to_and_fro<M: Mechanism>(mut bed: Bed<M>) {
     }
 }
 
-fn unstretched<M: Mechanism>(mut bed: Bed<M>) {
+fn check_lengths<M: Mechanism>(mut bed: Bed<M>) {
     for distance in distances() {
         bed.must(&[LIMIT - distance]);
         let stretch = bed.stretch();

@@ -11,15 +11,7 @@ use std::f64::consts::PI;
 const LENGTHS: [f64; 4] = [2.0, 1.0, 2.0, 1.0];
 
 variants! {
-    branch_keeper by [exact newton] {
-        ground { point a = (0, 0); point d = (2, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2, 0); }
-        link rocker { point d = (0, 0); point c = (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    branch_keeper by [exact newton] four_bar [2, 1, 2, 1] {
         motor ja;
         start { ja = 60 deg; rocker near 60 deg; }
         at change points keep branch;

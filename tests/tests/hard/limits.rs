@@ -20,24 +20,16 @@ variants! {
         start { ja = 0 deg; arm near 40 deg; }
     } {
         it_ends_where_the_pin_is_at_the_height_of_the_guide: arm_ends;
-        no_link_is_stretched_there: |bed| unstretched(bed, -3.0);
+        no_link_is_stretched_there: |bed| check_lengths(bed, -3.0);
     } and by [newton] {
         it_ends_where_the_pin_is_at_the_height_of_the_guide: arm_ends;
-        no_link_is_stretched_there: |bed| unstretched(bed, -2.0);
+        no_link_is_stretched_there: |bed| check_lengths(bed, -2.0);
     }
 }
 
 variants! {
     /// A double rocker: ground 5, crank 3, coupler 3.5, rocker 2.
-    double_rocker by [exact] {
-        ground { point a = (0, 0); point d = (5, 0); }
-        link crank { point a = (0, 0); point b = (3, 0); }
-        link coupler { point b = (0, 0); point c = (3.5, 0); }
-        link rocker { point d = (0, 0); point c = (2, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    double_rocker by [exact] four_bar [5, 3, 3.5, 2] {
         motor ja;
         start { ja = 40 deg; rocker near 120 deg; }
     } {
@@ -63,15 +55,7 @@ fn double_rocker_ends<M: Mechanism>(bed: Bed<M>) {
 
 variants! {
     /// An offset slider-crank whose rod is too short: 2 sin t is at most 0.5 + 1.5 and at least 0.5 − 1.5.
-    offset_rocker by [exact] {
-        ground { point a = (0, 0); line way = (0, 0.25) -> (1, 0); }
-        link crank { point a = (0, 0); point b = (2, 0); }
-        link rod { point b = (0, 0); point c = (1.5, 0); }
-        link block { point c = (0, 0); line way = (0, 0) -> (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, rod.b);
-        joint jc = revolute(rod.c, block.c);
-        joint x = prismatic(ground.way, block.way);
+    offset_rocker by [exact] slider_crank [2, 1.5, 0.25] {
         motor ja;
         start { rod near 0 deg; }
     } {
@@ -91,15 +75,7 @@ fn offset_rocker_ends<M: Mechanism>(bed: Bed<M>) {
 
 variants! {
     /// A slider-crank whose block a motor pushes, offset by 0.5: it ends stretched and folded.
-    pushed by [exact newton] {
-        ground { point a = (0, 0); line way = (0, 0.5) -> (1, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link rod { point b = (0, 0); point c = (3, 0); }
-        link block { point c = (0, 0); line way = (0, 0) -> (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, rod.b);
-        joint jc = revolute(rod.c, block.c);
-        joint x = prismatic(ground.way, block.way);
+    pushed by [exact newton] slider_crank [1, 3, 0.5] {
         motor x;
         start { x = 3; crank near 80 deg; }
     } {
@@ -163,7 +139,7 @@ fn six_bar_ends<M: Mechanism>(bed: Bed<M>) {
 }
 
 /// At its limit a link is as long as anywhere else.
-fn unstretched<M: Mechanism>(mut bed: Bed<M>, target: f64) {
+fn check_lengths<M: Mechanism>(mut bed: Bed<M>, target: f64) {
     assert!(bed.toward(&[target]).is_some());
     let stretch = bed.stretch();
     assert!(stretch <= 16.0, "a link is stretched by {stretch:.0} eps");

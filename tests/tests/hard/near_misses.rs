@@ -7,15 +7,7 @@ use mech_runtime::Mechanism;
 macro_rules! slider_cranks {
     ($($name:ident $length:literal $methods:tt;)*) => { $(
         variants! {
-            $name by $methods {
-                ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
-                link crank { point a = (0, 0); point b = (1, 0); }
-                link rod { point b = (0, 0); point c = ($length, 0); }
-                link block { point c = (0, 0); line way = (0, 0) -> (1, 0); }
-                joint ja = revolute(ground.a, crank.a);
-                joint jb = revolute(crank.b, rod.b);
-                joint jc = revolute(rod.c, block.c);
-                joint x = prismatic(ground.way, block.way);
+            $name by $methods slider_crank [1, $length, 0] {
                 motor ja;
                 start { ja = 0 deg; rod near 0 deg; }
             } {
@@ -34,15 +26,7 @@ slider_cranks! {
 macro_rules! gaps {
     ($($name:ident $gap:literal $methods:tt;)*) => { $(
         variants! {
-            $name by $methods {
-                ground { point a = (0, 0); point d = (4, 0); }
-                link crank { point a = (0, 0); point b = (1, 0); }
-                link coupler { point b = (0, 0); point c = (2.5 + $gap / 2, 0); }
-                link rocker { point d = (0, 0); point c = (2.5 + $gap / 2, 0); }
-                joint ja = revolute(ground.a, crank.a);
-                joint jb = revolute(crank.b, coupler.b);
-                joint jc = revolute(coupler.c, rocker.c);
-                joint jd = revolute(ground.d, rocker.d);
+            $name by $methods four_bar [4, 1, (2.5 + $gap / 2), (2.5 + $gap / 2)] {
                 motor ja;
                 start { coupler near 50 deg; }
             } {

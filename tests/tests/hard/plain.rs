@@ -21,15 +21,7 @@ const ROWS: [(f64, [f64; 2]); 9] = [
 ];
 
 variants! {
-    plain_four_bar by [exact newton newton_4] {
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (3.5, 0); }
-        link rocker { point d = (0, 0); point c = (3, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    plain_four_bar by [exact newton newton_4] four_bar [4, 1, 3.5, 3] {
         motor ja;
         start { coupler near 50 deg; }
     } {
@@ -39,15 +31,7 @@ variants! {
 }
 
 variants! {
-    plain_four_bar_step_by_step by [linear] {
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (3.5, 0); }
-        link rocker { point d = (0, 0); point c = (3, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    plain_four_bar_step_by_step by [linear] four_bar [4, 1, 3.5, 3] {
         motor ja;
         start { coupler near 50 deg; }
     } {
@@ -56,15 +40,7 @@ variants! {
 }
 
 variants! {
-    nearly_folded_four_bar by [exact newton] {
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2.55, 0); }
-        link rocker { point d = (0, 0); point c = (2.55, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    nearly_folded_four_bar by [exact newton] four_bar [4, 1, 2.55, 2.55] {
         motor ja;
         start { coupler near 50 deg; }
     } {
@@ -73,15 +49,7 @@ variants! {
 }
 
 variants! {
-    nearly_folded_four_bar_in_four_rounds by [newton_4] {
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2.55, 0); }
-        link rocker { point d = (0, 0); point c = (2.55, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    nearly_folded_four_bar_in_four_rounds by [newton_4] four_bar [4, 1, 2.55, 2.55] {
         motor ja;
         start { coupler near 50 deg; }
     } {

@@ -7,15 +7,7 @@ use mech_runtime::Mechanism;
 macro_rules! ratios {
     ($($name:ident $long:literal $methods:tt;)*) => { $(
         variants! {
-            $name by $methods {
-                ground { point a = (0, 0); point d = ($long, 0); }
-                link crank { point a = (0, 0); point b = (1, 0); }
-                link coupler { point b = (0, 0); point c = ($long, 0); }
-                link rocker { point d = (0, 0); point c = (1.2, 0); }
-                joint ja = revolute(ground.a, crank.a);
-                joint jb = revolute(crank.b, coupler.b);
-                joint jc = revolute(coupler.c, rocker.c);
-                joint jd = revolute(ground.d, rocker.d);
+            $name by $methods four_bar [$long, 1, $long, 1.2] {
                 motor ja;
                 start { ja = 60 deg; rocker near 65 deg; }
             } {
@@ -36,15 +28,7 @@ ratios! {
 }
 
 variants! {
-    crank_of_a_millionth by [exact newton newton_4] {
-        ground { point a = (0, 0); point d = (4, 0); }
-        link crank { point a = (0, 0); point b = (1e-6, 0); }
-        link coupler { point b = (0, 0); point c = (3.5, 0); }
-        link rocker { point d = (0, 0); point c = (3, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
+    crank_of_a_millionth by [exact newton newton_4] four_bar [4, 1e-6, 3.5, 3] {
         motor ja;
         start { coupler near 50 deg; }
     } {

@@ -6,15 +6,7 @@ use mech_runtime::{Cause, Mechanism};
 use std::f64::consts::FRAC_PI_6;
 
 variants! {
-    centric_slider_crank by [exact newton newton_4] {
-        ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link rod { point b = (0, 0); point c = (3, 0); }
-        link block { point c = (0, 0); line way = (0, 0) -> (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, rod.b);
-        joint jc = revolute(rod.c, block.c);
-        joint x = prismatic(ground.way, block.way);
+    centric_slider_crank by [exact newton newton_4] slider_crank [1, 3, 0] {
         motor ja;
         start { rod near 0 deg; }
     } {
@@ -23,15 +15,7 @@ variants! {
 }
 
 variants! {
-    offset_slider_crank by [exact newton newton_4] {
-        ground { point a = (0, 0); line way = (0, 0.5) -> (1, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link rod { point b = (0, 0); point c = (3, 0); }
-        link block { point c = (0, 0); line way = (0, 0) -> (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, rod.b);
-        joint jc = revolute(rod.c, block.c);
-        joint x = prismatic(ground.way, block.way);
+    offset_slider_crank by [exact newton newton_4] slider_crank [1, 3, 0.5] {
         motor ja;
         start { rod near 0 deg; }
     } {
@@ -40,15 +24,7 @@ variants! {
 }
 
 variants! {
-    slider_crank_with_a_short_rod by [exact] {
-        ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link rod { point b = (0, 0); point c = (0.5, 0); }
-        link block { point c = (0, 0); line way = (0, 0) -> (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, rod.b);
-        joint jc = revolute(rod.c, block.c);
-        joint x = prismatic(ground.way, block.way);
+    slider_crank_with_a_short_rod by [exact] slider_crank [1, 0.5, 0] {
         motor ja;
         start { rod near 0 deg; }
     } {
@@ -59,15 +35,7 @@ variants! {
 }
 
 variants! {
-    engine by [exact newton] {
-        ground { point a = (0, 0); line way = (0, 0) -> (1, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link rod { point b = (0, 0); point c = (3, 0); }
-        link block { point c = (0, 0); line way = (0, 0) -> (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, rod.b);
-        joint jc = revolute(rod.c, block.c);
-        joint x = prismatic(ground.way, block.way);
+    engine by [exact newton] slider_crank [1, 3, 0] {
         motor x;
         start { x = 3; crank near 80 deg; }
     } {

@@ -54,7 +54,7 @@ variants! {
         joint y = prismatic(ground, follower) at (2, 2) along (0, 1);
         motor x;
     } {
-        a_wedge_lifts_by_half_its_way: wedge;
+        a_wedge_lifts_by_half_its_displacement: wedge;
     }
 }
 

@@ -1,6 +1,7 @@
 //! Starts that are themselves singular.
 
 use mech_compiler::{compile, reporter, syntax};
+use mech_tests::four_bar_text;
 
 #[track_caller]
 fn assert_compiles(text: &str) {
@@ -14,40 +15,22 @@ fn assert_compiles(text: &str) {
     }
 }
 
+/// A parallelogram that starts with its crank at this angle.
+fn parallelogram(degrees: f64) -> String {
+    let start = format!("start {{ ja = {degrees} deg; rocker near {degrees} deg; }}");
+    four_bar_text([2.0, 1.0, 2.0, 1.0]) + &start
+}
+
 /// A `mechanism!` that does not compile cannot stand in a test: hence the text.
 #[test]
 fn a_parallelogram_may_start_where_it_is_flat() {
-    assert_compiles(
-        "struct Flat;
-        ground { point a = (0, 0); point d = (2, 0); }
-        link crank { point a = (0, 0); point b = (1, 0); }
-        link coupler { point b = (0, 0); point c = (2, 0); }
-        link rocker { point d = (0, 0); point c = (1, 0); }
-        joint ja = revolute(ground.a, crank.a);
-        joint jb = revolute(crank.b, coupler.b);
-        joint jc = revolute(coupler.c, rocker.c);
-        joint jd = revolute(ground.d, rocker.d);
-        motor ja;
-        start { ja = 0 deg; rocker near 0 deg; }",
-    );
+    assert_compiles(&parallelogram(0.0));
 }
 
 #[test]
 fn the_same_parallelogram_may_start_anywhere_else() {
     for degrees in [1e-3, 1.0, 89.0, 91.0, 179.0, -60.0] {
-        assert_compiles(&format!(
-            "struct Nearly;
-            ground {{ point a = (0, 0); point d = (2, 0); }}
-            link crank {{ point a = (0, 0); point b = (1, 0); }}
-            link coupler {{ point b = (0, 0); point c = (2, 0); }}
-            link rocker {{ point d = (0, 0); point c = (1, 0); }}
-            joint ja = revolute(ground.a, crank.a);
-            joint jb = revolute(crank.b, coupler.b);
-            joint jc = revolute(coupler.c, rocker.c);
-            joint jd = revolute(ground.d, rocker.d);
-            motor ja;
-            start {{ ja = {degrees} deg; rocker near {degrees} deg; }}"
-        ));
+        assert_compiles(&parallelogram(degrees));
     }
 }
 

@@ -91,9 +91,9 @@ fn angle(phase: Phase, numerator: i128, denominator: i128) -> f64 {
     let units = (i128::from(phase.turns()) << 64) + i128::from(phase.fraction());
     let whole = denominator << 64;
     // Within a turn before it becomes a float: 2^-53 of a turn of the wheel.
-    let rest = (units * numerator).rem_euclid(whole);
+    let remainder = (units * numerator).rem_euclid(whole);
     #[expect(clippy::cast_precision_loss, reason = "an angle in double precision")]
-    let part = rest as f64 / whole as f64;
+    let part = remainder as f64 / whole as f64;
     TAU * part
 }
 

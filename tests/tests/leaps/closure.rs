@@ -1,6 +1,6 @@
 //! Whether every joint holds by its definition, what rolls and what follows a cam among them.
 
-use super::judge::wrapped;
+use super::judge::wrap;
 use super::reading::Subject;
 use mech_compiler::model::{JointId, JointKind};
 use mech_compiler::program::Position;
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 const CLOSED: f64 = 1e-9;
 
 /// What does not hold at a position.
-pub(crate) fn broken(subject: &Subject, at: &Position<f64>) -> Option<String> {
+pub(crate) fn fault(subject: &Subject, at: &Position<f64>) -> Option<String> {
     let poses = subject.poses(at);
     let numbers = poses.iter().flatten().chain(&at.motors).chain(&at.state);
     if numbers.into_iter().any(|number| !number.is_finite()) {
@@ -49,7 +49,7 @@ pub(crate) fn broken(subject: &Subject, at: &Position<f64>) -> Option<String> {
             subject.model.joint(motor.joint).kind,
             JointKind::Prismatic(..)
         );
-        let gone = if slides { gone / extent } else { wrapped(gone) };
+        let gone = if slides { gone / extent } else { wrap(gone) };
         off = off.max(gone.abs() / (1.0 + value.abs()));
     }
     (off > CLOSED).then(|| format!("a motor is off by {off:e}"))

@@ -1,6 +1,6 @@
 //! One leap against its own small steps, and the judge between them.
 
-use super::closure::broken;
+use super::closure::fault;
 use super::judge::{Judge, Verdict};
 use super::reading::{Subject, bits};
 use mech_compiler::evaluate::{Machine, Stop};
@@ -30,43 +30,43 @@ pub(crate) enum Kind {
     Open,
     /// A refused move changes something.
     Changed,
-    /// Where it stopped on its way towards a place, it goes farther when it is told again.
+    /// Where it stopped before its target, it goes farther when it is sent there again.
     GoesFarther,
     /// Finer steps and the judge do not settle it: not counted.
     Undecided,
 }
 
-/// What was found on one way.
+/// What was found on one move.
 #[derive(Clone, Debug)]
 pub(crate) struct Finding {
     pub(crate) kind: Kind,
     pub(crate) text: String,
 }
 
-/// How a way was gone.
+/// Where a move ended.
 #[derive(Clone, Debug)]
-pub(crate) struct Gone {
+pub(crate) struct Outcome {
     pub(crate) at: Position<f64>,
-    /// The part of the way, and why no more of it.
+    /// The part of the move, and why no more of it.
     pub(crate) stop: Option<(f64, Stop)>,
 }
 
-/// The same place, as a part of the size and of the way.
+/// The same place, as a part of the size and of the move.
 const SAME: f64 = 1e-6;
-/// No random way is compared that takes more steps than this.
+/// No random move is compared that takes more steps than this.
 pub(crate) const MOST_STEPS: f64 = 8_000.0;
 
-/// Nobody waits longer for the steps of one way: where each of them takes a second, nothing is decided.
+/// Nobody waits longer for the steps of one move: where each of them takes a second, nothing is decided.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// The part of a way that was gone.
+/// The part of a move that was made.
 fn part(from: &[f64], to: &[f64], at: &[f64]) -> f64 {
     let longest = from
         .iter()
         .zip(to)
         .zip(at)
         .map(|((from, to), at)| (to - from, at - from));
-    let (distance, gone) = longest.fold((0.0_f64, 0.0), |most: (f64, f64), one| {
+    let (distance, covered) = longest.fold((0.0_f64, 0.0), |most: (f64, f64), one| {
         if one.0.abs() > most.0.abs() {
             one
         } else {
@@ -76,11 +76,11 @@ fn part(from: &[f64], to: &[f64], at: &[f64]) -> f64 {
     if distance == 0.0 {
         1.0
     } else {
-        gone / distance
+        covered / distance
     }
 }
 
-/// At which part of a way the judge stops, if it does, and where that is.
+/// At which part of a move the judge stops, if it does, and where that is.
 type Judged = (Option<f64>, Vec<[f64; 4]>);
 
 /// The greatest motion of a motor.
@@ -100,14 +100,14 @@ fn between(from: &[f64], to: &[f64], part: f64) -> Vec<f64> {
 }
 
 /// In one move.
-pub(crate) fn in_a_leap(subject: &Subject, start: &Position<f64>, to: &[f64]) -> Gone {
+pub(crate) fn in_a_leap(subject: &Subject, start: &Position<f64>, to: &[f64]) -> Outcome {
     let mut machine = Machine::new(&subject.compiled.program);
     machine.put_back(start.clone());
     let stop = machine.move_to(to).err().map(|stop| {
         let _ = machine.move_toward(to);
         (part(&start.motors, to, &machine.position().motors), stop)
     });
-    Gone {
+    Outcome {
         at: machine.position().clone(),
         stop,
     }
@@ -119,7 +119,7 @@ pub(crate) fn in_steps(
     start: &Position<f64>,
     to: &[f64],
     steps: f64,
-) -> Option<Gone> {
+) -> Option<Outcome> {
     let begin = Instant::now();
     let mut machine = Machine::new(&subject.compiled.program);
     machine.put_back(start.clone());
@@ -140,7 +140,7 @@ pub(crate) fn in_steps(
         }
         step += 1.0;
     }
-    Some(Gone {
+    Some(Outcome {
         at: machine.position().clone(),
         stop,
     })
@@ -192,14 +192,19 @@ pub(crate) fn rounding(subject: &Subject, at: &Position<f64>) -> f64 {
     (1e4 * f64::EPSILON * most * values).clamp(SAME, 1e-2)
 }
 
-/// The same stop, whatever the loop that is told: several may be at their ends together.
+/// The same stop, whatever the loop that is named: several may be at their ends together.
 fn same_reason(a: Stop, b: Stop) -> bool {
     let closes = |stop| matches!(stop, Stop::Open(_) | Stop::DeadPoint(_));
     closes(a) && closes(b) || std::mem::discriminant(&a) == std::mem::discriminant(&b)
 }
 
 /// How `a` differs from `b`, which is believed.
-fn difference(subject: &Subject, a: &Gone, b: &Gone, distance: f64) -> Option<(Kind, String)> {
+fn difference(
+    subject: &Subject,
+    a: &Outcome,
+    b: &Outcome,
+    distance: f64,
+) -> Option<(Kind, String)> {
     let same = (SAME * (1.0 + distance)).max(1e-9) / distance;
     match (a.stop, b.stop) {
         (None, None) => {
@@ -219,18 +224,18 @@ fn difference(subject: &Subject, a: &Gone, b: &Gone, distance: f64) -> Option<(K
         (None, Some((part, _))) | (Some((part, _)), None) if 1.0 - part <= same => None,
         (None, Some((part, stop))) => Some((
             Kind::LeapPasses,
-            format!("steps stop at {part:.9} of the way, {stop:?}"),
+            format!("steps stop at {part:.9} of the move, {stop:?}"),
         )),
         (Some((part, Stop::TooFar)), None) => {
-            Some((Kind::TooFar, format!("TooFar at {part:.9} of the way")))
+            Some((Kind::TooFar, format!("TooFar at {part:.9} of the move")))
         }
         (Some((part, stop)), None) => Some((
             Kind::LeapStops,
-            format!("the leap stops at {part:.9} of the way, {stop:?}"),
+            format!("the leap stops at {part:.9} of the move, {stop:?}"),
         )),
         (Some((first, why)), Some((second, reason))) => {
             let verdict_text = format!(
-                "the leap stops at {first:.9} of the way, {why:?}, steps at {second:.9}, {reason:?}"
+                "the leap stops at {first:.9} of the move, {why:?}, steps at {second:.9}, {reason:?}"
             );
             if (first - second).abs() > same {
                 let kind = if why == Stop::TooFar {
@@ -248,7 +253,7 @@ fn difference(subject: &Subject, a: &Gone, b: &Gone, distance: f64) -> Option<(K
     }
 }
 
-/// How many steps are small: none turns a link by much where the way begins.
+/// How many steps are small: none turns a link by much where the move begins.
 fn small_steps(subject: &Subject, start: &Position<f64>, to: &[f64]) -> f64 {
     let distance = length(&start.motors, to);
     let poses = subject.poses(start);
@@ -265,13 +270,8 @@ fn small_steps(subject: &Subject, start: &Position<f64>, to: &[f64]) -> f64 {
     (speed * distance / 0.05).max(1000.0).round()
 }
 
-/// The target of a way, or as much of it as takes no more than this many small steps.
-pub(crate) fn shortened(
-    subject: &Subject,
-    start: &Position<f64>,
-    to: &[f64],
-    most: f64,
-) -> Vec<f64> {
+/// The target of a move, or as much of it as takes no more than this many small steps.
+pub(crate) fn shorten(subject: &Subject, start: &Position<f64>, to: &[f64], most: f64) -> Vec<f64> {
     if length(&start.motors, to) == 0.0 {
         return to.to_vec();
     }
@@ -283,8 +283,13 @@ pub(crate) fn shortened(
     }
 }
 
-/// What the judge finds on this way, as if it had gone it.
-fn judged(subject: &Subject, start: &Position<f64>, to: &[f64], fineness: f64) -> Option<Judged> {
+/// What the judge finds on this move.
+fn judge_move(
+    subject: &Subject,
+    start: &Position<f64>,
+    to: &[f64],
+    fineness: f64,
+) -> Option<Judged> {
     let rollings = &subject.compiled.structure.rollings;
     let mut judge = Judge::new(&subject.model, rollings, start);
     match judge.follow(to, fineness) {
@@ -294,17 +299,17 @@ fn judged(subject: &Subject, start: &Position<f64>, to: &[f64], fineness: f64) -
     }
 }
 
-/// Whether the judge agrees with how a way was gone.
-fn agrees(subject: &Subject, verdict: &Judged, gone: &Gone, distance: f64) -> bool {
+/// Whether the judge agrees with where a move ended.
+fn agrees(subject: &Subject, verdict: &Judged, outcome: &Outcome, distance: f64) -> bool {
     let same = (1e-5 * (1.0 + distance)).max(1e-9) / distance;
-    match (verdict.0, gone.stop) {
+    match (verdict.0, outcome.stop) {
         (None, None) => {
-            let poses = subject.poses(&gone.at);
+            let poses = subject.poses(&outcome.at);
             apart(
                 subject,
                 &verdict.1,
                 &poses,
-                rounding(subject, &gone.at).max(1e-5),
+                rounding(subject, &outcome.at).max(1e-5),
             )
             .is_none()
         }
@@ -324,7 +329,7 @@ fn agree(subject: &Subject, a: &Judged, b: &Judged, distance: f64) -> bool {
 }
 
 /// A leap from a position, and all that is promised about it. Gives where small steps led, if they can be believed.
-pub(crate) fn compared(
+pub(crate) fn compare(
     subject: &Subject,
     start: &Position<f64>,
     to: &[f64],
@@ -356,7 +361,7 @@ pub(crate) fn compared(
         }
     }
     let leap = in_a_leap(subject, start, to);
-    if let Some(text) = broken(subject, &leap.at) {
+    if let Some(text) = fault(subject, &leap.at) {
         find(Kind::Open, text);
     }
     let count = small_steps(subject, start, to);
@@ -364,12 +369,12 @@ pub(crate) fn compared(
         find(Kind::Undecided, format!("{count} steps take too long"));
         return (findings, None);
     };
-    if let Some(text) = broken(subject, &steps.at) {
+    if let Some(text) = fault(subject, &steps.at) {
         find(Kind::Open, format!("in {count} steps: {text}"));
     }
     if let Some((part, Stop::TooFar)) = steps.stop {
         // However small the steps are, too far: only the judge can tell.
-        let farther = match judged(subject, start, to, 1.0) {
+        let farther = match judge_move(subject, start, to, 1.0) {
             Some((None, _)) => Some(1.0),
             Some((Some(judged), _)) => Some(judged),
             None => None,
@@ -393,16 +398,16 @@ pub(crate) fn compared(
         return (findings, None);
     };
     let stable = difference(subject, &steps, &finer, distance).is_none();
-    let verdict = judged(subject, start, to, 1.0).filter(|verdict| {
+    let verdict = judge_move(subject, start, to, 1.0).filter(|verdict| {
         // Where nothing else is sure, it has to agree with itself.
         stable
-            || judged(subject, start, to, 3.0)
+            || judge_move(subject, start, to, 3.0)
                 .is_some_and(|finer| agree(subject, verdict, &finer, distance))
     });
-    let by_judge = |gone: &Gone| {
+    let by_judge = |outcome: &Outcome| {
         verdict
             .as_ref()
-            .map(|verdict| agrees(subject, verdict, gone, distance))
+            .map(|verdict| agrees(subject, verdict, outcome, distance))
     };
     let (for_leap, for_finer) = (by_judge(&leap), by_judge(&finer));
     let verdict_text = match &verdict {
@@ -431,19 +436,19 @@ pub(crate) fn compared(
     (findings, believed)
 }
 
-/// Where a way ended; if that is at a limit, a little before it.
+/// Where a move ended; if that is at a limit, a little before it.
 fn before_the_end(
     subject: &Subject,
     start: &Position<f64>,
     to: &[f64],
-    gone: Gone,
+    outcome: Outcome,
     steps: f64,
 ) -> Option<Position<f64>> {
-    match gone.stop {
-        None => Some(gone.at),
+    match outcome.stop {
+        None => Some(outcome.at),
         Some((part, _)) => {
             let short = between(&start.motors, to, 0.97 * part);
-            in_steps(subject, start, &short, steps).map(|gone| gone.at)
+            in_steps(subject, start, &short, steps).map(|outcome| outcome.at)
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The equations of the judge: every joint straight from its definition.
 
-use super::judge::{Cam, Judge, Placed, wrapped};
+use super::judge::{Cam, Judge, Placed, wrap};
 use mech_compiler::model::{AxisId, JointId, JointKind, LinkId};
 use mech_compiler::structure::{Factor, Rolling, RollingEnd};
 
-fn turned([.., angle]: Placed, [a, b]: [f64; 2]) -> [f64; 2] {
+fn rotate([.., angle]: Placed, [a, b]: [f64; 2]) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     [cos * a - sin * b, sin * a + cos * b]
 }
@@ -54,7 +54,7 @@ impl Judge<'_> {
     fn axis(&self, links: &[Placed], id: AxisId) -> (LinkId, [f64; 2], [f64; 2]) {
         let axis = self.model.axis(id);
         let at = links[axis.link.index()];
-        (axis.link, turned(at, axis.at), turned(at, axis.direction))
+        (axis.link, rotate(at, axis.at), rotate(at, axis.direction))
     }
 
     /// The raw coordinate of a joint: an angle is that between the unwrapped angles of its links.
@@ -178,7 +178,7 @@ impl Judge<'_> {
             .for_each(|(part, slope)| all.add(row, b, part, slope));
     }
 
-    /// What rolls has gone the same way on both.
+    /// What rolls has gone equally far on both.
     fn rolls(&self, all: &mut Equations, links: &[Placed], rolling: &Rolling) {
         let factors = rolling.ends.map(|(_, factor)| number(factor));
         let largest = factors[0].abs().max(factors[1].abs());
@@ -220,7 +220,7 @@ impl Judge<'_> {
         let at = shaft.value + turns;
         let off = follower.value - law.at(at, &[]);
         let off = if self.is_angle(cam.follower) {
-            wrapped(off)
+            wrap(off)
         } else {
             off
         };

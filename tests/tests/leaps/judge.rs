@@ -1,5 +1,5 @@
 //! An independent judge of where a mechanism goes: the poses of all links are unknowns, every joint is an equation straight from
-//! its definition, and the way is followed by Newton's method with secant prediction. It shares nothing with the compiler but the
+//! its definition, and the move is followed by Newton's method with secant prediction. It shares nothing with the compiler but the
 //! model.
 
 use mech_compiler::model::{JointId, JointKind, LawId, Model};
@@ -17,7 +17,7 @@ pub(crate) type Placed = [f64; 3];
 pub(crate) enum Verdict {
     /// It came there.
     Arrives,
-    /// The mechanism cannot go on from this part of the way.
+    /// The mechanism cannot go on from this part of the move.
     Stops(f64),
     /// Too many steps would be needed.
     GivesUp,
@@ -55,15 +55,15 @@ pub(crate) struct Judge<'m> {
     pub(crate) size: f64,
 }
 
-/// No more steps than this on one way.
+/// No more steps than this on one move.
 const MOST_STEPS: u32 = 40_000;
 /// A step turns no link by more than this, and moves none by more than this part of the size.
 const TURN: f64 = 0.05;
-/// Shorter steps than this part of the way, or of a unit, are not tried.
+/// Shorter steps than this part of the move, or of a unit, are not tried.
 const SHORTEST: f64 = 1e-11;
 
 /// An angle less whole turns.
-pub(crate) fn wrapped(angle: f64) -> f64 {
+pub(crate) fn wrap(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
@@ -131,7 +131,7 @@ impl<'m> Judge<'m> {
         let off = |turns: i32| {
             let off = follower - law.at(raw + TAU * f64::from(turns), &[]);
             if self.is_angle(cam.follower) {
-                wrapped(off)
+                wrap(off)
             } else {
                 off
             }
@@ -150,7 +150,7 @@ impl<'m> Judge<'m> {
     }
 
     /// Newton's method from a guess: where it ends, and how far that is from the guess.
-    fn corrected(&self, guess: &[Placed], motors: &[f64]) -> Option<(Vec<Placed>, f64)> {
+    fn correct(&self, guess: &[Placed], motors: &[f64]) -> Option<(Vec<Placed>, f64)> {
         let mut links = guess.to_vec();
         let unknowns = 3 * (links.len() - 1);
         for round in 0..8 {
@@ -230,7 +230,7 @@ impl<'m> Judge<'m> {
         probe(0.1).min(probe(0.57))
     }
 
-    /// Follows the straight way to these motor values. `fineness` divides its steps.
+    /// Follows the straight move to these motor values. `fineness` divides its steps.
     pub(crate) fn follow(&mut self, to: &[f64], fineness: f64) -> Verdict {
         let from = self.motors.clone();
         let distance = from
@@ -268,7 +268,7 @@ impl<'m> Judge<'m> {
                     self.links.iter().zip(before).map(on).collect()
                 }
             };
-            let found = self.corrected(&guess, &motors).filter(|(links, off)| {
+            let found = self.correct(&guess, &motors).filter(|(links, off)| {
                 let gone = self.apart(&self.links, links);
                 // The first step has nothing to predict from.
                 let well = *off <= 0.1 * gone + 1e-9 || last.is_none() && gone < 0.01;

@@ -5,6 +5,7 @@
 
 mod closure;
 mod comparing;
+mod coupled;
 mod drawing;
 mod equations;
 mod families;

@@ -1,4 +1,4 @@
-//! The text of a drawing under way.
+//! The text of a drawing, part by part.
 
 use super::drawing::{Addition, Kind};
 use std::fmt::Write as _;
@@ -31,7 +31,7 @@ const DIRECTIONS: [[f64; 2]; 6] = [
     [0.0, -1.0],
 ];
 
-/// The text under way.
+/// The text so far.
 pub(crate) struct Page {
     pub(crate) lattice: f64,
     pub(crate) links: usize,

@@ -1,10 +1,12 @@
-//! Rows of parallelograms whose change points coincide or nearly do: all cranks stay parallel, however far a move goes.
+//! Parallelograms stay parallelograms, however far a move goes: random rows of them whose change points coincide or nearly do, and
+//! some by name.
 
-use super::judge::wrapped;
+use super::families::{assert_leaps, assert_leaps_in_a_row, none, targets, wrong_in_steps};
+use super::judge::wrap;
 use super::reading::Subject;
 use mech_compiler::evaluate::Machine;
 use proptest::prelude::*;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write as _;
 
 /// One parallelogram: from the crank before it to the next.
@@ -108,7 +110,7 @@ fn text(cells: &[Cell], method: &str) -> String {
 
 /// Moves a row and looks at all its cranks.
 fn stay_parallel(text: &str, moves: &[f64]) {
-    let subject = Subject::read(text).unwrap_or_else(|wrong| panic!("{wrong}\n{text}"));
+    let subject = Subject::of(text);
     let mut machine = Machine::<f64>::new(&subject.compiled.program);
     for by in moves {
         let to = machine.position().motors[0] + by;
@@ -117,7 +119,7 @@ fn stay_parallel(text: &str, moves: &[f64]) {
             .unwrap_or_else(|stop| panic!("{stop:?} to {to}\n{text}"));
         let cranks = machine.position().poses.iter().step_by(2);
         for (number, [cos, sin, ..]) in cranks.enumerate() {
-            let off = wrapped(sin.atan2(*cos) - to);
+            let off = wrap(sin.atan2(*cos) - to);
             assert!(
                 off.abs() < 1e-5,
                 "crank {number} is off by {off} at {to}\n{text}"
@@ -145,5 +147,114 @@ proptest! {
     #[test]
     fn all_cranks_stay_parallel_by_iteration(cells in row(), moves in moves()) {
         stay_parallel(&text(&cells, "method newton;"), &moves);
+    }
+}
+
+/// A parallelogram drawn with rounded places, nearly a rhombus: where it lies folded, rounding of its lengths is more than that of the
+/// short distance of its pins.
+#[test]
+fn a_parallelogram_that_is_nearly_a_rhombus() {
+    let subject = Subject::of(include_str!("texts/near-rhombus.txt"));
+    let targets: Vec<Vec<f64>> = (1..60).map(|step| vec![2.5 * f64::from(step)]).collect();
+    assert_leaps(&subject, &targets);
+    let mut machine = Machine::<f64>::new(&subject.compiled.program);
+    for step in 1..=600 {
+        let target = [5.0 * f64::from(step)];
+        machine.move_to(&target).expect("it goes round");
+        let [cos, ..] = machine.position().poses[1];
+        assert!(cos > 0.999, "its coupler has turned at {target:?}");
+    }
+}
+
+/// The coupler of a parallelogram does not turn, however far the crank does.
+#[test]
+fn a_parallelogram_behind_gears_stays_one() {
+    for (ratio, speed) in [
+        ("1 : 40", 0.025),
+        ("17 : 40", 0.425),
+        ("7 : 1", 7.0),
+        ("1 : 3", 1.0 / 3.0),
+        ("100 : 1", 100.0),
+    ] {
+        let subject = Subject::with(include_str!("texts/worm-parallelogram.txt"), "RATIO", ratio);
+        for step in [0.1, 1.0, 5.0, 30.0, 200.0] {
+            let step: f64 = step / speed * 0.025;
+            let mut machine = Machine::<f64>::new(&subject.compiled.program);
+            let mut at = 0.0;
+            while at < 20.0 / speed {
+                at += step;
+                let to = machine.move_to(&[at]);
+                let [cos, sin, ..] = subject.poses(machine.position())[3];
+                assert!(
+                    to.is_ok() && sin.abs() < 1e-6 && cos > 0.0,
+                    "{ratio}: at {at} in steps of {step}: {to:?}, its coupler has turned to {:.4}",
+                    sin.atan2(cos)
+                );
+            }
+        }
+    }
+}
+
+/// A bar on three equal cranks, one of which is redundant, in line or not: whatever they do, the bar does not turn. At a quarter
+/// of a turn cranks and bar are in line.
+#[test]
+fn a_parallelogram_with_a_redundant_crank() {
+    for (x, y) in [(4, 0), (2, 0), (2, -1), (1, 2), (20, -30)] {
+        let subject = Subject::of(&format!(
+            "struct M;
+            link first; link second; link third; link bar;
+            joint a = revolute(ground, first) at (0, 0);
+            joint b = revolute(ground, second) at (3, 0);
+            joint c = revolute(ground, third) at ({x}, {y});
+            joint d = revolute(first, bar) at (0, 1);
+            joint e = revolute(second, bar) at (3, 1);
+            joint f = revolute(third, bar) at ({x}, {});
+            motor a; allow redundant;",
+            y + 1
+        ));
+        let off = |machine: &Machine<'_, f64>| {
+            let sine = machine.position().motors[0].sin();
+            let poses = subject.poses(machine.position());
+            let sines = [sine, sine, sine, 0.0].into_iter().zip(&poses[1..]);
+            let off = sines.map(|(sine, pose)| (pose[1] - sine).abs());
+            off.fold(0.0, f64::max)
+        };
+        let mut found = Vec::new();
+        for far in [
+            0.3, 1.0, 1.5, FRAC_PI_2, 1.7, 2.5, 7.0, -0.3, -1.5, -FRAC_PI_2, -1.7, -2.2,
+        ] {
+            for steps in [1, 7, 50] {
+                found.extend(wrong_in_steps(&subject, far, steps, off));
+            }
+        }
+        none(&subject, &found);
+    }
+}
+
+/// Two parallelograms in a row hold a platform that a third leg holds too, parallel to them at the start.
+#[test]
+fn two_parallelograms_with_a_leg() {
+    // Whether its second motor is one too many is left to others.
+    if let Ok(subject) = Subject::read(include_str!("texts/twopar.txt")) {
+        assert_leaps_in_a_row(&subject, &targets(&subject, 4, 15, &[2.0, 2.0]));
+    }
+}
+
+/// A crank swings one side of a parallelogram until it is flat for a moment, and back. Whatever the steps, it stays a parallelogram: the
+/// side that faces the one that only slides does not turn.
+#[test]
+fn a_parallelogram_that_is_flat_for_a_moment() {
+    let subject = Subject::of(include_str!("texts/touch.txt"));
+    for to in [4.3, 4.44, 5.0, 3.9] {
+        for steps in [1_u32, 2, 10, 100, 1000, 10_000] {
+            let mut machine = Machine::<f64>::new(&subject.compiled.program);
+            for step in 1..=steps {
+                let past = 4.45 * f64::from(step) / f64::from(steps);
+                machine.move_to(&[past]).expect("it turns");
+            }
+            machine.move_to(&[to]).expect("it turns");
+            let sine = subject.poses(machine.position())[4][1];
+            assert!(sine.abs() < 1e-9, "to {to} in {steps} steps: {sine}");
+        }
     }
 }

@@ -1,8 +1,7 @@
 //! What was proved to be free is: every position within the declared ranges is reached, closed, and where the judge has it.
 
-use super::closure::broken;
+use super::closure::fault;
 use super::drawing::{Drawn, sequential};
-use super::families::with;
 use super::judge::{Judge, Verdict};
 use super::random::runner;
 use super::reading::Subject;
@@ -18,7 +17,7 @@ const POSITIONS: u32 = 200;
 const JUDGED: u32 = 12;
 
 /// A mechanism that was proved: the same text with ranges on some of its motors, narrower and narrower until it compiles.
-fn ranged(drawn: &Drawn, dice: &mut Dice) -> Option<Subject> {
+fn with_ranges(drawn: &Drawn, dice: &mut Dice) -> Option<Subject> {
     let all: Vec<bool> = drawn
         .motors
         .iter()
@@ -74,11 +73,11 @@ fn unsound(subject: &Subject, seed: u64) -> Option<String> {
             }
             return Some(format!("from {:?} to {to:?}: {stop:?}", start.motors));
         }
-        if let Some(text) = broken(subject, machine.position()) {
+        if let Some(text) = fault(subject, machine.position()) {
             return Some(format!("from {:?} to {to:?}: {text}", start.motors));
         }
         if judged {
-            // Beside a change point coarse steps may lose the way.
+            // Beside a change point coarse steps may lose the branch.
             let agrees = |fineness| agrees(subject, &start, &machine, &to, fineness);
             if let Err(text) = agrees(1.0).or_else(|_| agrees(8.0)) {
                 return Some(format!("from {:?} to {to:?}: {text}", start.motors));
@@ -122,7 +121,7 @@ fn what_is_proved_is_free_everywhere() {
             .current()
             .drawn();
         let mut dice = Dice::new(seed);
-        let Some(subject) = ranged(&drawn, &mut dice) else {
+        let Some(subject) = with_ranges(&drawn, &mut dice) else {
             continue;
         };
         proved += 1;
@@ -164,7 +163,7 @@ fn behind_a_motor_without_a_range() {
         &ratios[..]
     };
     for ratio in ratios {
-        let subject = with(&crank, "RATIO", ratio).text;
+        let subject = Subject::with(&crank, "RATIO", ratio).text;
         let subject = Subject::read(&subject.replace("20 deg", "25 deg"))
             .expect("a crank that turns all the way round");
         wrong.extend(unsound(&subject, 1).map(|text| format!("a crank behind {ratio}: {text}")));
@@ -193,8 +192,8 @@ fn behind_a_rack_whose_pinion_has_no_range() {
 
 /// However far, a crank points where its motor says.
 #[test]
-fn arms_as_far_as_they_are_told() {
-    let subject = with(include_str!("texts/arm.txt"), "\0", "");
+fn arms_turn_as_far_as_their_motors() {
+    let subject = Subject::of(include_str!("texts/arm.txt"));
     assert!(matches!(
         subject.model.joints[0].kind,
         JointKind::Revolute(..)
@@ -206,7 +205,7 @@ fn arms_as_far_as_they_are_told() {
         let off = (cos - libm::cos(far)).hypot(sin - libm::sin(far));
         assert!(off < 1e-12, "to {far}: off by {off:e}");
     }
-    let subject = with(include_str!("texts/whitworth.txt"), "\0", "");
+    let subject = Subject::of(include_str!("texts/whitworth.txt"));
     let wrong = unsound(&subject, 1);
     assert!(wrong.is_none(), "{wrong:?}");
 }

@@ -1,6 +1,6 @@
-//! Random mechanisms on random ways.
+//! Random mechanisms in random moves.
 
-use super::comparing::{Finding, Kind, MOST_STEPS, compared, shortened};
+use super::comparing::{Finding, Kind, MOST_STEPS, compare, shorten};
 use super::drawing::{Drawing, Drawn, coupled, sequential};
 use super::reading::Subject;
 use super::tally::Tally;
@@ -9,7 +9,7 @@ use mech_tests::{Dice, cases, seeds};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
-/// Ways that one mechanism goes.
+/// Moves that one mechanism makes.
 const MOVES: u64 = 5;
 /// More tries than this to make an example smaller are not made; none where nobody asked for long runs.
 const SHRINKS: usize = 30;
@@ -38,7 +38,7 @@ pub(crate) fn target(dice: &mut Dice, drawn: &Drawn, subject: &Subject, at: &[f6
     to
 }
 
-/// What is found on the ways of one mechanism: the same for the same seed.
+/// What is found in the moves of one mechanism: the same for the same seed.
 fn findings(subject: &Subject, drawn: &Drawn, seed: u64, wanted: Option<Kind>) -> Vec<Finding> {
     let mut dice = Dice::new(seed);
     let start = Machine::<f64>::new(&subject.compiled.program)
@@ -48,8 +48,8 @@ fn findings(subject: &Subject, drawn: &Drawn, seed: u64, wanted: Option<Kind>) -
     let mut all = Vec::new();
     for _ in 0..MOVES {
         let to = target(&mut dice, drawn, subject, &at.motors);
-        let to = shortened(subject, &at, &to, MOST_STEPS);
-        let (found, end) = compared(subject, &at, &to);
+        let to = shorten(subject, &at, &to, MOST_STEPS);
+        let (found, end) = compare(subject, &at, &to);
         all.extend(found);
         if wanted.is_some_and(|kind| all.iter().any(|one| one.kind == kind)) {
             break;

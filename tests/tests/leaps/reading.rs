@@ -43,6 +43,16 @@ impl Subject {
         })
     }
 
+    /// The mechanism of a text that is right.
+    pub(crate) fn of(text: &str) -> Self {
+        Self::read(text).unwrap_or_else(|why| panic!("{why}\n{text}"))
+    }
+
+    /// The mechanism of a text in which a word stands for a number or a ratio.
+    pub(crate) fn with(text: &str, word: &str, value: &str) -> Self {
+        Self::of(&text.replace(word, value))
+    }
+
     /// The poses of all links, the ground first.
     pub(crate) fn poses(&self, at: &Position<f64>) -> Vec<[f64; 4]> {
         with_ground(&self.model, &at.poses)

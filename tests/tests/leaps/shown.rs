@@ -1,6 +1,6 @@
-//! What is shown alone leaps as it does in the whole mechanism, although fewer loops are watched on its way.
+//! What is shown alone leaps as it does in the whole mechanism, although fewer loops are watched in a move.
 
-use super::comparing::{MOST_STEPS, compared, off, rounding, shortened};
+use super::comparing::{MOST_STEPS, compare, off, rounding, shorten};
 use super::drawing::{Drawing, coupled, sequential};
 use super::random::{runner, target};
 use super::reading::Subject;
@@ -31,7 +31,7 @@ fn wrong(seed: u64, drawing: &Drawing) -> (Vec<String>, u64) {
     for _ in 0..LEAPS {
         let start = machine.position().clone();
         let to = target(&mut dice, &drawn, &whole, &start.motors);
-        let to = shortened(&whole, &start, &to, MOST_STEPS);
+        let to = shorten(&whole, &start, &to, MOST_STEPS);
         if machine.move_to(&to).is_err() {
             (machine, shown) = (begin.clone(), begin_shown.clone());
             continue;
@@ -47,7 +47,7 @@ fn wrong(seed: u64, drawing: &Drawing) -> (Vec<String>, u64) {
         };
         if let Some(why) = why {
             // Where the whole is wrong, that is another matter.
-            if compared(&whole, &start, &to).0.is_empty() {
+            if compare(&whole, &start, &to).0.is_empty() {
                 all.push(format!(
                     "seed {seed}, from {:?} to {to:?}: {why}\n{text}",
                     start.motors

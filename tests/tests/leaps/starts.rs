@@ -1,7 +1,6 @@
-//! What compiles, moves: from its start each motor goes a little at least one way, or stops both ways at a real limit.
+//! What compiles, moves: from its start each motor goes a little in one direction at least, or stops in both at a real limit.
 
 use super::drawing::{Drawing, coupled, sequential};
-use super::families::of;
 use super::judge::{Judge, Verdict};
 use super::random::runner;
 use super::reading::Subject;
@@ -98,8 +97,8 @@ fn coupled_mechanisms_that_compile_move() {
 
 #[test]
 fn a_strut_moves() {
-    assert_none(&stuck(&of(include_str!("texts/strut.txt"))));
-    let subject = of(include_str!("texts/strut.txt"));
+    assert_none(&stuck(&Subject::of(include_str!("texts/strut.txt"))));
+    let subject = Subject::of(include_str!("texts/strut.txt"));
     let mut machine = Machine::<f64>::new(&subject.compiled.program);
     let start = subject.compiled.program.start.motors.clone();
     let to = [start[0] + 0.05, start[1]];
@@ -122,7 +121,7 @@ fn named_mechanisms_move() {
     let wrong: Vec<String> = texts
         .into_iter()
         .flat_map(|text| {
-            stuck(&of(text))
+            stuck(&Subject::of(text))
                 .into_iter()
                 .map(move |why| format!("{why}\n{text}"))
         })

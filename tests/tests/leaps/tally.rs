@@ -3,8 +3,8 @@
 use super::comparing::{Finding, Kind};
 use std::collections::BTreeMap;
 
-/// More examples than these of a kind are not told.
-const TOLD: usize = 3;
+/// More examples than these of a kind are not reported.
+const MOST_EXAMPLES: usize = 3;
 
 /// What was found in many mechanisms.
 #[derive(Default)]
@@ -20,7 +20,7 @@ impl Tally {
     pub(crate) fn wants(&self, kind: Kind) -> bool {
         self.kinds
             .get(&kind)
-            .is_none_or(|(_, told)| told.len() < TOLD)
+            .is_none_or(|(_, examples)| examples.len() < MOST_EXAMPLES)
     }
 
     /// Counts it.
@@ -49,7 +49,7 @@ impl Tally {
                 text += &format!("--- {kind:?}: {example}\n");
             }
         }
-        for why in self.refused.iter().take(TOLD) {
+        for why in self.refused.iter().take(MOST_EXAMPLES) {
             text += &format!("--- refused: {why}\n");
         }
         text

@@ -6,17 +6,17 @@ use mech_compiler::{compile, repair, reporter};
 /// What the compiler says of a text, from the text itself to the mechanism.
 pub(crate) fn messages(text: &str) -> Vec<String> {
     let parsed = parse(text.parse().expect("tokens"));
-    let mut told: Vec<String> = parsed
+    let mut all: Vec<String> = parsed
         .errors
         .iter()
         .map(|error| error.text.clone())
         .collect();
     if let Err(diagnoses) = compile(&parsed.model) {
         let offers = repair::offers(&parsed.model, &diagnoses);
-        let all = reporter::messages(&diagnoses, &offers, &parsed.model, &parsed.places);
-        told.extend(all.into_iter().map(|message| message.text));
+        let reported = reporter::messages(&diagnoses, &offers, &parsed.model, &parsed.places);
+        all.extend(reported.into_iter().map(|message| message.text));
     }
-    told
+    all
 }
 
 /// The lines of help, without the words that join them.
@@ -29,7 +29,7 @@ fn help(message: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Each thing that could be done, in the order in which it is told.
+/// Each thing that could be done, in the order in which it is offered.
 pub(crate) fn alternatives(message: &str) -> Vec<String> {
     let mut all = Vec::new();
     for phrase in help(message).flat_map(|line| line.split(", or ")) {
@@ -59,16 +59,16 @@ pub(crate) fn written_out(message: &str) -> Vec<String> {
 }
 
 /// The text of a mechanism after what is written out was done.
-pub(crate) fn mended(text: &str, advice: &str) -> String {
+pub(crate) fn mend(text: &str, advice: &str) -> String {
     let quoted: Vec<&str> = advice[advice.find(": ").expect("a colon")..]
         .split('`')
         .skip(1)
         .step_by(2)
         .collect();
     let added = advice.contains(": add `");
-    let gone = quoted.iter().skip(usize::from(added));
+    let replaced = quoted.iter().skip(usize::from(added));
     let name = |statement: &str| statement.split_whitespace().nth(1).map(str::to_owned);
-    let left = gone
+    let left = replaced
         .filter_map(|statement| name(statement))
         .fold(text.to_owned(), |text, joint| without(&text, &joint));
     left + quoted.first().expect("a statement") + "\n"

@@ -1,11 +1,11 @@
 //! Whatever joint of a drawing is forgotten, or missed by a little: it is offered, where it was.
 
-use super::advice::{alternatives, mended, messages, written_out};
+use super::advice::{alternatives, mend, messages, written_out};
 use mech_compiler::compile;
 use mech_compiler::syntax::parse;
 use proptest::prelude::*;
 
-/// A four-bar whose ends are told; one joint is left out, and one end is beside its place.
+/// A four-bar whose ends are given; one joint is left out, and one end is beside its place.
 fn text(pins: [[f64; 2]; 4], left_out: Option<usize>, beside: [f64; 2]) -> String {
     let place = |[x, y]: [f64; 2]| format!("({x:?}, {y:?})");
     let [a, b, c, d] = pins.map(place);
@@ -16,9 +16,9 @@ fn text(pins: [[f64; 2]; 4], left_out: Option<usize>, beside: [f64; 2]) -> Strin
         format!("joint c = revolute(coupler, rocker) at {c};"),
         format!("joint d = revolute(ground, rocker) at {d};"),
     ];
-    let kept = joints.iter().enumerate();
-    let kept = kept.filter(|(number, _)| Some(*number) != left_out);
-    let kept: Vec<&str> = kept.map(|(_, joint)| joint.as_str()).collect();
+    let left = joints.iter().enumerate();
+    let left = left.filter(|(number, _)| Some(*number) != left_out);
+    let left: Vec<&str> = left.map(|(_, joint)| joint.as_str()).collect();
     format!(
         "struct FourBar;
         link crank {{ point pb = {b}; }}
@@ -26,7 +26,7 @@ fn text(pins: [[f64; 2]; 4], left_out: Option<usize>, beside: [f64; 2]) -> Strin
         link rocker {{ bar [{end}, {d}] width 0.1; }}
         {}
         motor a;\n",
-        kept.join("\n        ")
+        left.join("\n        ")
     )
 }
 
@@ -58,15 +58,15 @@ proptest! {
         prop_assume!(compiles(&text(pins, None, [0.0; 2])));
         let beside = if forgotten == 2 { [0.05 * angle.cos(), 0.05 * angle.sin()] } else { [0.0; 2] };
         let broken = text(pins, Some(forgotten), beside);
-        let told = messages(&broken);
+        let messages = messages(&broken);
         let links = ["", "crank, coupler", "coupler, rocker", "ground, rocker"][forgotten];
         let [x, y] = pins[forgotten];
         let wanted = format!("revolute({links}) at ({x}, {y});");
-        let first = told.iter().flat_map(|message| alternatives(message)).next().unwrap_or_default();
-        prop_assert!(first.contains(&wanted), "no {wanted} in {told:#?}\n{broken}");
+        let first = messages.iter().flat_map(|message| alternatives(message)).next().unwrap_or_default();
+        prop_assert!(first.contains(&wanted), "no {wanted} in {messages:#?}\n{broken}");
         prop_assert_eq!(forgotten == 2, first.contains("which are drawn 0.05 apart there"));
-        for advice in told.iter().flat_map(|message| written_out(message)) {
-            let text = mended(&broken, &advice);
+        for advice in messages.iter().flat_map(|message| written_out(message)) {
+            let text = mend(&broken, &advice);
             prop_assert!(compiles(&text), "{advice}\n{text}");
         }
     }

@@ -4,18 +4,20 @@
 mod advice;
 mod forgotten;
 
-use advice::{mended, messages};
+use advice::{mend, messages};
 
 /// A mechanism as it is drawn: points with their places, links by the letters of their points, what is pinned to the ground, and
 /// what else there is.
 struct Drawing {
     points: &'static [(char, f64, f64)],
+    /// More points, where a drawing is another with these.
+    extra: &'static [(char, f64, f64)],
     links: &'static [&'static str],
     grounded: &'static str,
-    rest: &'static str,
+    others: &'static str,
 }
 
-/// How the ends of links are told.
+/// How the ends of links are given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Style {
     /// As points with names.
@@ -30,7 +32,7 @@ const STYLES: [Style; 3] = [Style::Points, Style::Bars, Style::Bare];
 
 impl Drawing {
     fn place(&self, letter: char) -> String {
-        let mut points = self.points.iter();
+        let mut points = self.points.iter().chain(self.extra);
         let (_, x, y) = points.find(|point| point.0 == letter).expect("a point");
         format!("({x}, {y})")
     }
@@ -79,9 +81,10 @@ impl Drawing {
 
     fn text(&self, style: Style) -> String {
         let links = self.links.iter().map(|link| self.link(link, style));
-        let joints = self.points.iter().map(|point| self.joints(point.0));
+        let joints = self.points.iter().chain(self.extra);
+        let joints = joints.map(|point| self.joints(point.0));
         let parts: String = links.chain(joints).collect();
-        format!("struct Drawn;\n{parts}{}\n", self.rest)
+        format!("struct Drawn;\n{parts}{}\n", self.others)
     }
 }
 
@@ -89,23 +92,23 @@ impl Drawing {
 fn assert_advised(drawing: &Drawing, styles: &[Style], wanted: &str) {
     for &style in styles {
         let text = drawing.text(style);
-        let told = messages(&text);
-        let first: Vec<Vec<String>> = told
+        let reported = messages(&text);
+        let first: Vec<Vec<String>> = reported
             .iter()
             .map(|message| advice::alternatives(message).into_iter().take(2).collect())
             .collect();
         assert!(
             first.iter().flatten().any(|advice| advice == wanted),
             "{style:?}: no `{wanted}` in {first:#?}\n{text}{}",
-            told.join("\n")
+            reported.join("\n")
         );
-        for message in &told {
+        for message in &reported {
             assert!(
                 message.matches("help: ").count() <= 4,
                 "too much help\n{message}"
             );
             for advice in advice::written_out(message) {
-                let text = mended(&text, &advice);
+                let text = mend(&text, &advice);
                 let left = messages(&text);
                 let alone = message.contains("for this alone");
                 assert!(
@@ -118,27 +121,43 @@ fn assert_advised(drawing: &Drawing, styles: &[Style], wanted: &str) {
     }
 }
 
-const FOUR_BAR: [(char, f64, f64); 4] = [
-    ('A', 0.0, 0.0),
-    ('B', 0.5, 1.0),
-    ('C', 3.0, 2.0),
-    ('D', 4.0, 0.0),
-];
+/// Tests that messages about a text contain these phrases.
+#[track_caller]
+fn assert_says(text: &str, phrases: &[&str]) {
+    let all = messages(text).join("\n");
+    for phrase in phrases {
+        assert!(all.contains(phrase), "no `{phrase}` in {all}");
+    }
+}
 
-const UPRIGHT: [(char, f64, f64); 4] = [
-    ('A', 0.0, 0.0),
-    ('B', 1.0, 2.0),
-    ('C', 4.0, 3.0),
-    ('D', 4.0, 0.0),
-];
+const FOUR_BAR: Drawing = Drawing {
+    points: &[
+        ('A', 0.0, 0.0),
+        ('B', 0.5, 1.0),
+        ('C', 3.0, 2.0),
+        ('D', 4.0, 0.0),
+    ],
+    extra: &[],
+    links: &["AB", "BC", "CD"],
+    grounded: "AD",
+    others: "motor a;",
+};
+
+const UPRIGHT: Drawing = Drawing {
+    points: &[
+        ('A', 0.0, 0.0),
+        ('B', 1.0, 2.0),
+        ('C', 4.0, 3.0),
+        ('D', 4.0, 0.0),
+    ],
+    ..FOUR_BAR
+};
 
 #[test]
 fn an_ungrounded_pivot() {
     let drawing = Drawing {
-        points: &UPRIGHT,
-        links: &["AB", "BC", "CD"],
         grounded: "A",
-        rest: "motor a;",
+        ..UPRIGHT
     };
     let wanted = "pin `cd` to the ground: add `joint d = revolute(ground, cd) at (4, 0);`";
     assert_advised(&drawing, &[Style::Points], wanted);
@@ -149,10 +168,8 @@ fn an_ungrounded_pivot() {
 #[test]
 fn a_brace() {
     let drawing = Drawing {
-        points: &UPRIGHT,
         links: &["AB", "BC", "CD", "BD"],
-        grounded: "AD",
-        rest: "motor a;",
+        ..UPRIGHT
     };
     assert_advised(&drawing, &STYLES, "remove `link bd`");
 }
@@ -163,7 +180,7 @@ fn a_crank_grounded_at_both_ends() {
         points: &[('A', 0.0, 0.0), ('B', 1.0, 1.0), ('C', 3.0, 1.5)],
         links: &["AB", "BC"],
         grounded: "AB",
-        rest: "motor a;",
+        ..FOUR_BAR
     };
     let wanted = "join these links to each other, not to the ground: write `joint b2 = revolute(ab, bc) at (1, 1);` without `joint b`";
     assert_advised(&drawing, &STYLES, wanted);
@@ -173,11 +190,11 @@ fn a_crank_grounded_at_both_ends() {
         joint b = revolute(ab, bc) at (1, 1);
         joint b2 = revolute(ground, ab) at (1, 1);
         motor a;";
-    let told = messages(text);
-    let first = told.iter().map(|message| advice::alternatives(message));
+    let messages = messages(text);
+    let first = messages.iter().map(|message| advice::alternatives(message));
     assert!(
         first.flatten().any(|advice| advice == "remove `joint b2`"),
-        "{told:#?}"
+        "{messages:#?}"
     );
 }
 
@@ -191,9 +208,8 @@ fn a_rocker_that_drives_from_its_limit() {
             ('C', 3.5, 1.936),
             ('D', 3.0, 0.0),
         ],
-        links: &["AB", "BC", "CD"],
-        grounded: "AD",
-        rest: "motor d;",
+        others: "motor d;",
+        ..FOUR_BAR
     };
     assert_advised(&drawing, &STYLES, "move the motor from `d` to `a`");
 }
@@ -204,7 +220,8 @@ fn a_slider_welded_to_its_rod() {
         points: &[('A', 0.0, 0.0), ('B', 1.0, 1.0), ('C', 4.0, 0.0)],
         links: &["AB", "BC"],
         grounded: "A",
-        rest: "joint c = prismatic(ground, bc) at (4, 0) along (1, 0); motor a;",
+        others: "joint c = prismatic(ground, bc) at (4, 0) along (1, 0); motor a;",
+        ..FOUR_BAR
     };
     let wanted = "let `bc` turn: write `joint c = slot(bc, ground) at (4, 0) along (1, 0);`";
     assert_advised(&drawing, &STYLES, wanted);
@@ -213,16 +230,9 @@ fn a_slider_welded_to_its_rod() {
 #[test]
 fn a_rocker_dropped_beside_the_coupler_s_pin() {
     let drawing = Drawing {
-        points: &[
-            ('A', 0.0, 0.0),
-            ('B', 0.5, 1.0),
-            ('C', 3.0, 2.0),
-            ('D', 4.0, 0.0),
-            ('E', 3.08, 1.94),
-        ],
+        extra: &[('E', 3.08, 1.94)],
         links: &["AB", "BC", "DE"],
-        grounded: "AD",
-        rest: "motor a;",
+        ..FOUR_BAR
     };
     let wanted = "join `bc` and `de`, which are drawn 0.1 apart there: add `joint c = revolute(bc, de) at (3, 2);`";
     assert_advised(&drawing, &[Style::Points], wanted);
@@ -236,16 +246,9 @@ fn a_rocker_dropped_beside_the_coupler_s_pin() {
 #[test]
 fn a_link_that_hangs_from_a_pivot() {
     let drawing = Drawing {
-        points: &[
-            ('A', 0.0, 0.0),
-            ('B', 0.5, 1.0),
-            ('C', 3.0, 2.0),
-            ('D', 4.0, 0.0),
-            ('E', 5.0, 1.2),
-        ],
+        extra: &[('E', 5.0, 1.2)],
         links: &["AB", "BC", "CD", "DE"],
-        grounded: "AD",
-        rest: "motor a;",
+        ..FOUR_BAR
     };
     assert_advised(&drawing, &STYLES, "remove `link de`");
     assert_advised(&drawing, &STYLES, "add `motor d2;`");
@@ -254,10 +257,8 @@ fn a_link_that_hangs_from_a_pivot() {
 #[test]
 fn two_motors_for_one_freedom() {
     let drawing = Drawing {
-        points: &FOUR_BAR,
-        links: &["AB", "BC", "CD"],
-        grounded: "AD",
-        rest: "motor a; motor d;",
+        others: "motor a; motor d;",
+        ..FOUR_BAR
     };
     assert_advised(&drawing, &STYLES, "remove `motor d;`");
 }
@@ -265,17 +266,9 @@ fn two_motors_for_one_freedom() {
 #[test]
 fn a_stray_link() {
     let drawing = Drawing {
-        points: &[
-            ('A', 0.0, 0.0),
-            ('B', 0.5, 1.0),
-            ('C', 3.0, 2.0),
-            ('D', 4.0, 0.0),
-            ('E', 6.0, 1.0),
-            ('F', 7.0, 2.0),
-        ],
+        extra: &[('E', 6.0, 1.0), ('F', 7.0, 2.0)],
         links: &["AB", "BC", "CD", "EF"],
-        grounded: "AD",
-        rest: "motor a;",
+        ..FOUR_BAR
     };
     assert_advised(&drawing, &STYLES, "remove `link ef`");
 }
@@ -283,10 +276,8 @@ fn a_stray_link() {
 #[test]
 fn the_frame_drawn_as_a_bar() {
     let mut drawing = Drawing {
-        points: &FOUR_BAR,
         links: &["AB", "BC", "CD", "AD"],
-        grounded: "AD",
-        rest: "motor a;",
+        ..FOUR_BAR
     };
     assert_advised(&drawing, &STYLES, "make one link of the two");
     // Without the ground, it is the frame.
@@ -299,36 +290,22 @@ fn the_frame_drawn_as_a_bar() {
 #[test]
 fn a_motor_on_a_point_of_one_link() {
     let drawing = Drawing {
-        points: &[
-            ('A', 0.0, 0.0),
-            ('B', 0.5, 1.0),
-            ('C', 3.0, 2.0),
-            ('D', 4.0, 0.0),
-            ('E', 2.0, 2.4),
-        ],
+        extra: &[('E', 2.0, 2.4)],
         links: &["AB", "BCE", "CD"],
-        grounded: "AD",
-        rest: "motor e;",
+        others: "motor e;",
+        ..FOUR_BAR
     };
-    let told = messages(&drawing.text(Style::Points)).join("\n");
     let why = "`e` is a point of link `bce`, not a joint: a joint joins two links";
-    assert!(told.contains(why), "{told}");
-    assert!(told.contains("help: add `motor a;`"), "{told}");
+    assert_says(&drawing.text(Style::Points), &[why, "help: add `motor a;`"]);
 }
 
 #[test]
 fn a_link_that_hangs_and_no_motor() {
     let drawing = Drawing {
-        points: &[
-            ('A', 0.0, 0.0),
-            ('B', 0.5, 1.0),
-            ('C', 3.0, 2.0),
-            ('D', 4.0, 0.0),
-            ('E', 2.0, 3.0),
-        ],
+        extra: &[('E', 2.0, 3.0)],
         links: &["AB", "BC", "CD", "CE"],
-        grounded: "AD",
-        rest: "",
+        others: "",
+        ..FOUR_BAR
     };
     assert_advised(&drawing, &STYLES, "remove `link ce` and add `motor a;`");
 }
@@ -345,7 +322,8 @@ fn two_links_that_hang_on_a_plate() {
         ],
         links: &["AB", "BDF", "FG"],
         grounded: "D",
-        rest: "motor d;",
+        others: "motor d;",
+        ..FOUR_BAR
     };
     assert_advised(&drawing, &STYLES, "add `motor b;` and `motor f;`");
     assert_advised(&drawing, &STYLES, "remove `link ab` and `link fg`");
@@ -358,7 +336,8 @@ fn a_rod_that_is_not_joined_to_its_block() {
         points: &[('A', 0.0, 0.0), ('B', 1.0, 1.0), ('C', 4.0, 0.0)],
         links: &["AB", "BC"],
         grounded: "A",
-        rest: "link block; joint x = prismatic(ground, block) at (4, 0) along (1, 0); motor a;",
+        others: "link block; joint x = prismatic(ground, block) at (4, 0) along (1, 0); motor a;",
+        ..FOUR_BAR
     };
     let wanted = "join `bc` and `block`: add `joint pin = revolute(bc, block) at (4, 0);`";
     assert_advised(&drawing, &[Style::Bars, Style::Bare], wanted);
@@ -375,35 +354,29 @@ fn a_coupler_whose_joints_are_forgotten() {
         joint a = revolute(ground, ab) at (0, 0);
         joint d = revolute(ground, cd) at (4, 0);
         motor a;";
-    let told = messages(text).join("\n");
     let wanted = "together: join `ab` and `bc`: add `joint b = revolute(ab, bc) at (1, 2);` and join `cd` and `bc`: add `joint c = revolute(cd, bc) at (4, 3);`";
-    assert!(told.contains(wanted), "{told}");
+    assert_says(text, &[wanted]);
 }
 
 #[test]
 fn a_missing_coupler() {
     let drawing = Drawing {
-        points: &UPRIGHT,
         links: &["AB", "CD"],
-        grounded: "AD",
-        rest: "motor a;",
+        ..UPRIGHT
     };
-    let told = messages(&drawing.text(Style::Points)).join("\n");
     let wanted = "connect `ab` and `cd`: add `link bar; joint b = revolute(ab, bar) at (1, 2); joint c = revolute(cd, bar) at (4, 3);`";
-    assert!(told.contains(wanted), "{told}");
+    assert_says(&drawing.text(Style::Points), &[wanted]);
 }
 
 #[test]
 fn nothing_is_pinned_to_the_ground() {
     let drawing = Drawing {
-        points: &UPRIGHT,
-        links: &["AB", "BC", "CD"],
         grounded: "",
-        rest: "motor b;",
+        others: "motor b;",
+        ..UPRIGHT
     };
-    let told = messages(&drawing.text(Style::Points)).join("\n");
     let wanted = "together: pin `ab` to the ground: add `joint a = revolute(ground, ab) at (0, 0);` and pin `cd` to the ground: add `joint d = revolute(ground, cd) at (4, 0);`";
-    assert!(told.contains(wanted), "{told}");
+    assert_says(&drawing.text(Style::Points), &[wanted]);
 }
 
 #[test]
@@ -417,11 +390,9 @@ fn one_bent_link_drawn_as_two_bars() {
             ('D', 4.0, 0.0),
         ],
         links: &["AB", "BM", "MC", "CD"],
-        grounded: "AD",
-        rest: "motor a;",
+        ..UPRIGHT
     };
-    let told = messages(&drawing.text(Style::Points)).join("\n");
     let wanted =
         "make one bent link of `bm` and `mc`: write `joint m = weld(bm, mc) at (2.5, 2.5);`";
-    assert!(told.contains(wanted), "{told}");
+    assert_says(&drawing.text(Style::Points), &[wanted]);
 }

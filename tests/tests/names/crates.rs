@@ -58,12 +58,12 @@ fn check(name: &str, lines: &[Line]) -> Vec<String> {
         .expect("the compiler runs");
     let said = String::from_utf8_lossy(&output.stderr);
     let mut wrong = Vec::new();
-    let mut told = vec![false; lines.len()];
+    let mut reported = vec![false; lines.len()];
     for error in said.lines().filter(|line| line.contains(": error")) {
         let place = error
             .split(".rs:")
             .nth(1)
-            .and_then(|rest| rest.split(':').next());
+            .and_then(|place| place.split(':').next());
         let number = place.and_then(|number| number.parse::<usize>().ok());
         let Some(line) = number.and_then(|number| lines.get(number.checked_sub(1)?)) else {
             wrong.push(error.to_owned());
@@ -74,13 +74,13 @@ fn check(name: &str, lines: &[Line]) -> Vec<String> {
             error.ends_with(&format!(": error: {first}"))
         });
         if is_expected {
-            told[number.unwrap_or_default() - 1] = true;
+            reported[number.unwrap_or_default() - 1] = true;
         } else {
             wrong.push(format!("{}: {error}", line.what));
         }
     }
-    for (line, told) in lines.iter().zip(told) {
-        if !line.errors.is_empty() && !told {
+    for (line, reported) in lines.iter().zip(reported) {
+        if !line.errors.is_empty() && !reported {
             wrong.push(format!("{}: nothing is said", line.what));
         }
     }

@@ -116,7 +116,7 @@ impl<'s> Tried<'s> {
 
     /// Names for all roles, of those that are possible: the `number`th mechanism has other names in every role than all others. Those
     /// that cannot be together with others stand alone.
-    fn packed(&self, fit: &[Vec<&str>], number: usize) -> Vec<Line> {
+    fn pack(&self, fit: &[Vec<&str>], number: usize) -> Vec<Line> {
         let (mut given, mut lines): (Vec<(Role, &str)>, Vec<Line>) = (Vec::new(), Vec::new());
         for (index, (&role, names)) in self.subject.roles().iter().zip(fit).enumerate() {
             let Some(name) = names.get((number + 37 * index) % names.len().max(1)) else {
@@ -148,10 +148,10 @@ fn a_keyword_is_refused_at_its_place() {
         for &role in subject.roles() {
             for name in KEYWORDS {
                 let messages = tried.refusal(&[(role, name)]);
-                let told = messages
+                let is_reported = messages
                     .iter()
                     .any(|message| message.contains(&format!("`{name}`")));
-                assert!(told, "{role:?} `{name}`: {messages:?}");
+                assert!(is_reported, "{role:?} `{name}`: {messages:?}");
             }
         }
     }
@@ -180,13 +180,13 @@ fn whatever_a_mechanism_has_may_be_called_like_anything_in_generated_code_or_is_
             let mut fits = Vec::new();
             let mut refused = 0;
             for name in some_of(&names, index, 10 * cases()) {
-                let told = tried.refusal(&[(role, name)]);
-                if told.is_empty() {
+                let refusal = tried.refusal(&[(role, name)]);
+                if refusal.is_empty() {
                     fits.push(name);
                     continue;
                 }
-                let is_about = told.iter().any(|message| message.contains(name));
-                assert!(is_about, "{role:?} `{name}`: {told:?}");
+                let is_about = refusal.iter().any(|message| message.contains(name));
+                assert!(is_about, "{role:?} `{name}`: {refusal:?}");
                 refused += 1;
                 if refused > cases() {
                     continue;
@@ -203,7 +203,7 @@ fn whatever_a_mechanism_has_may_be_called_like_anything_in_generated_code_or_is_
         let most = fit.iter().map(Vec::len).max().unwrap_or_default();
         let wanted = cases().min(most);
         for number in (0..wanted).map(|case| case * most / wanted) {
-            lines.extend(tried.packed(&fit, number));
+            lines.extend(tried.pack(&fit, number));
         }
     }
     let [fit, refused] = pairs;

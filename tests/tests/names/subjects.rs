@@ -1,4 +1,4 @@
-//! Mechanisms in which anything may have any name. Between them they have all effects and ways of solving, and one is wrong.
+//! Mechanisms in which anything may have any name. Between them they have all effects and methods, and one is wrong.
 
 /// What a name is for.
 #[derive(Clone, Copy, Debug, PartialEq)]

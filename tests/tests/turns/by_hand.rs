@@ -28,7 +28,7 @@ pub(super) fn near(principal: f64, last: f64) -> f64 {
     principal + TAU * ((last - principal) / TAU).round()
 }
 
-/// The first part of a move by so much: all motors keep the proportion of their ways.
+/// The first part of a move by so much: all motors keep the proportion of their displacements.
 pub(super) fn part(from: &[f64], displacement: &[f64], part: f64) -> Vec<f64> {
     let both = from.iter().zip(displacement);
     both.map(|(from, displacement)| from + displacement * part)

@@ -28,16 +28,16 @@ fn follow(model: &Model, moves: &[Vec<f64>], step: f64, about: &str) {
         }
         for (joint, angle) in joints.iter().zip(&slow.angles) {
             let state = program.angle_state(*joint).expect("it is carried");
-            let told = machine.position().state[state];
+            let reported = machine.position().state[state];
             let name = &model.joint(*joint).name;
             assert!(
-                (told - angle).abs() < 1e-6 * (1.0 + angle.abs()),
-                "{name} is told to be at {told}, by hand {angle}\n{about}\n{moves:?}"
+                (reported - angle).abs() < 1e-6 * (1.0 + angle.abs()),
+                "{name} is reported to be at {reported}, by hand {angle}\n{about}\n{moves:?}"
             );
-            let exact = near(principal(model, *joint, machine.position()), told);
+            let exact = near(principal(model, *joint, machine.position()), reported);
             assert!(
-                (told - exact).abs() < 1e-9 * (1.0 + told.abs()),
-                "{name} is told to be at {told}, but looks like {exact}\n{about}\n{moves:?}"
+                (reported - exact).abs() < 1e-9 * (1.0 + reported.abs()),
+                "{name} is reported to be at {reported}, but looks like {exact}\n{about}\n{moves:?}"
             );
         }
     }
@@ -106,7 +106,7 @@ mechanism! {
 }
 
 #[test]
-fn the_methods_of_joints_count_turns_both_ways() {
+fn the_methods_of_joints_count_turns_in_both_directions() {
     let mut drag = Drag::new();
     let start = drag.motors()[0];
     let first = [drag.c(), drag.d(), drag.w()];

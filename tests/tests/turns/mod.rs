@@ -1,4 +1,4 @@
-//! Coordinates over any number of turns: they go on where they are, whatever way a mechanism takes. They are followed here by hand,
+//! Coordinates over any number of turns: they go on where they are, whatever path a mechanism takes. They are followed here by hand,
 //! in small steps.
 
 mod by_hand;

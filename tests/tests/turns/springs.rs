@@ -42,10 +42,10 @@ fn follow(text: &str, moves: &[Vec<f64>], step: f64) {
             }
         };
         let by_hand = |angle: f64| spring.stiffness / 2.0 * (angle - spring.rest).powi(2);
-        let (told, expected) = (potential(machine.position()), by_hand(angle));
+        let (reported, expected) = (potential(machine.position()), by_hand(angle));
         assert!(
-            (told - expected).abs() <= 1e-8 * (1.0 + expected),
-            "energy {told}, by hand {expected} at {angle}\n{text}\n{moves:?}"
+            (reported - expected).abs() <= 1e-8 * (1.0 + expected),
+            "energy {reported}, by hand {expected} at {angle}\n{text}\n{moves:?}"
         );
         let mut held = Machine::<f64>::new(holding);
         held.put_back(machine.position().clone());
@@ -162,7 +162,7 @@ mechanism! {
 }
 
 #[test]
-fn energy_is_kept_through_half_turns() {
+fn energy_stays_the_same_through_half_turns() {
     let mut coiled = Coiled::new();
     coiled.set_rates([6.0]).expect("a number");
     let start: f64 = coiled.energy().expect("regular").iter().sum();
@@ -181,7 +181,7 @@ fn energy_is_kept_through_half_turns() {
 }
 
 #[test]
-fn coordinates_with_springs_count_turns_both_ways() {
+fn coordinates_with_springs_count_turns_in_both_directions() {
     let mut coiled = Coiled::new();
     let start = coiled.motors()[0];
     let first = [coiled.d(), coiled.w()];

@@ -388,7 +388,7 @@ pub(super) enum Effect {
     /// `velocity;`
     Plain(Ident),
     /// `trace a.b 256;`
-    Trace(Trace),
+    Trace(Box<Trace>),
 }
 
 /// `trace link.point length on plane n color c;`

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 /// What can go wrong.
 #[derive(Debug)]
 pub(crate) enum Error {
-    /// Called in another way than it should be.
+    /// Called with other arguments than it should be.
     Usage,
     /// A file that cannot be read or written.
     File { path: PathBuf, source: io::Error },

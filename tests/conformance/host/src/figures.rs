@@ -139,7 +139,7 @@ impl Figures {
         lines
     }
 
-    /// Tests that what is promised is kept.
+    /// Tests that the figures are as promised.
     pub(crate) fn keep_promises(&self) -> Result<(), Error> {
         let row = |image| {
             self.row(Board::CortexM4F, image)
@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn promises_are_kept() {
+    fn promises_hold() {
         assert!(figures(2047, 399).keep_promises().is_ok());
         assert!(figures(2048, 250).keep_promises().is_err());
         assert!(figures(1900, 400).keep_promises().is_err());

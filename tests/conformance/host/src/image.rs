@@ -8,11 +8,11 @@ use std::path::Path;
 /// The flash that an image takes: code, constants and what variables begin with, in bytes.
 pub(crate) fn flash(path: &Path) -> Result<u64, Error> {
     read(path, |file| {
-        let kept = file.sections().filter(|section| {
+        let stored = file.sections().filter(|section| {
             use SectionKind::{Data, ReadOnlyData, ReadOnlyString, Text};
             matches!(section.kind(), Text | ReadOnlyData | ReadOnlyString | Data)
         });
-        kept.map(|section| section.size()).sum()
+        stored.map(|section| section.size()).sum()
     })
 }
 

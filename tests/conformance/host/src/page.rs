@@ -19,8 +19,8 @@ pub(crate) fn write(docs: &Path, all: &[Figures]) -> Result<(), Error> {
     let path = docs.join("embedded.md");
     let page = get(&path)?;
     let errors = get(&docs.join("accuracy.csv"))?;
-    let parts = page.split_once(MARKS[0]).and_then(|(before, rest)| {
-        let (_, after) = rest.split_once(MARKS[1])?;
+    let parts = page.split_once(MARKS[0]).and_then(|(before, others)| {
+        let (_, after) = others.split_once(MARKS[1])?;
         Some((before, after))
     });
     let (before, after) = parts.ok_or_else(|| Error::Line {

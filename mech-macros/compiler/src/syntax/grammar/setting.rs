@@ -134,7 +134,7 @@ fn effect(input: ParseStream) -> Read<Effect> {
     let begin = input.cursor();
     to_semicolon(input, &[], |input| {
         if take_word(input, "trace").is_some() {
-            return trace(input).map(Effect::Trace);
+            return trace(input).map(|trace| Effect::Trace(Box::new(trace)));
         }
         let effect = name(input, "the name of an effect")?;
         // No number stands here: a word is the next effect.

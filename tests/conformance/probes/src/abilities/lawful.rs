@@ -14,7 +14,7 @@ in_both_precisions! {
             motor s = t * sqrt(1 + t) / (2 - t) + max(0, min(t, abs(tan(t))));
             effects { velocity; acceleration; }
         }
-        /// Without rates, and one motor that goes its own way.
+        /// Without rates, and one motor without a law.
         Swaying {
             link crank; link rod; link block; link arm;
             joint a = revolute(ground, crank) at (0, 0);
