@@ -273,7 +273,7 @@ fn connect(model: &Model, ends: &[LooseEnd; 2]) -> Repair {
     })
 }
 
-/// The links that these joints join could be one bent link. Those at the end of a chain are tried first.
+/// The links that these joints join could be one bent link. Those at the end of a chain are tried first, then those that bend least.
 pub(super) fn welds(model: &Model, joints: &[JointId]) -> Vec<Repair> {
     let leaves = leaves(model);
     let mut inner: Vec<JointId> = joints
@@ -284,7 +284,11 @@ pub(super) fn welds(model: &Model, joints: &[JointId]) -> Vec<Repair> {
             a != LinkId::GROUND && b != LinkId::GROUND && turns_freely(model, joint)
         })
         .collect();
-    inner.sort_by_key(|joint| leaves.iter().all(|(_, held)| held != joint));
+    inner.sort_by(|a, b| {
+        let is_inside = |joint: &JointId| leaves.iter().all(|(_, held)| held != joint);
+        let first = is_inside(a).cmp(&is_inside(b));
+        first.then(bend(model, *a).total_cmp(&bend(model, *b)))
+    });
     let weld = |joint: JointId| {
         let (links, at) = drawn_joint(model, joint)?;
         Some(rewrite(
@@ -297,6 +301,26 @@ pub(super) fn welds(model: &Model, joints: &[JointId]) -> Vec<Repair> {
         ))
     };
     inner.into_iter().filter_map(weld).take(WELDS).collect()
+}
+
+/// How much two links bend where a joint joins them: from 0, if they are drawn in one line, to 2.
+fn bend(model: &Model, joint: JointId) -> f64 {
+    const MOST: f64 = 2.0;
+    let Some((links, at)) = drawn_joint(model, joint) else {
+        return MOST;
+    };
+    // A link leads to the middle of its other joints.
+    let arms = links.map(|link| {
+        let others = model.joint_ids().filter(|&other| other != joint);
+        let drawn = others.filter_map(|other| drawn_joint(model, other));
+        let own = drawn.filter(|(links, _)| links.contains(&link));
+        own.fold([0.0, 0.0], |[x, y], (_, [u, v])| {
+            [x + (u - at[0]), y + (v - at[1])]
+        })
+    });
+    let [[a, b], [c, d]] = arms;
+    let cosine = (a * c + b * d) / (a.hypot(b) * c.hypot(d));
+    if cosine.is_nan() { MOST } else { 1.0 + cosine }
 }
 
 /// The slots among these joints whose pins could keep their direction.
