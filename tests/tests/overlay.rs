@@ -331,6 +331,20 @@ mechanism! {
     effects { velocity; overlay; }
 }
 
+mechanism! {
+    /// With a spring and a damper between the same points, and both about a joint.
+    struct Suspension;
+    ground { point seat = (1, 1); }
+    link arm { point strut = (1, 0); mass 2 at (1, 0); }
+    joint a = revolute(ground, arm) at (0, 0);
+    motor a;
+    spring coil = linear(arm.strut, ground.seat) stiffness 100 rest 1;
+    damper oil = linear(ground.seat, arm.strut) damping 3;
+    spring twist = torsional(a) stiffness 2 rest 0;
+    damper brake = torsional(a) damping 1;
+    effects { force; overlay; }
+}
+
 /// Notes what is painted.
 #[derive(Default)]
 struct Recorder {
@@ -435,6 +449,45 @@ fn what_is_not_shown_is_not_in_the_diagram() {
     let mut still = Recorder::default();
     part.draw_velocities(&mut still, &Arrows::new(1.0, 2));
     assert!(still.polygons.is_empty(), "it stands still");
+}
+
+#[test]
+fn springs_and_dampers_end_at_their_points_and_lie_side_by_side() {
+    let mut suspension = Suspension::new();
+    for angle in [0.0, 0.3, -0.4] {
+        suspension.move_to([angle]).expect("it turns");
+        let mut recorder = Recorder::default();
+        suspension.draw_overlay(&mut recorder, &Overlay::new().motors(false));
+        let strut = suspension.arm_strut();
+        let ([x, y], [u, v]) = ([strut.x, strut.y], [1.0 - strut.x, 1.0 - strut.y]);
+        let length = u.hypot(v);
+        // Ahead of the strut and to the left of the line to the seat, in pixels.
+        let seen = |at: &Vector| {
+            let (dx, dy) = (1_000.0 * (at[0] - x), 1_000.0 * (at[1] - y));
+            [(dx * u + dy * v) / length, (dy * u - dx * v) / length]
+        };
+        let places: Vec<Vector> = recorder.polygons.iter().flatten().map(seen).collect();
+        let between = |at: &&Vector| (10.0..1_000.0 * length - 10.0).contains(&at[0]);
+        let beside: Vec<f64> = places.iter().filter(between).map(|at| at[1]).collect();
+        let (left, right) = (
+            beside
+                .iter()
+                .filter(|side| (2.0..15.0).contains(*side))
+                .count(),
+            beside
+                .iter()
+                .filter(|side| (-15.0..-2.0).contains(*side))
+                .count(),
+        );
+        assert!(
+            left > 20 && right > 8,
+            "a zigzag {left}, a cylinder {right}"
+        );
+        for end in [0.0, 1_000.0 * length] {
+            let touching = places.iter().filter(|at| (at[0] - end).hypot(at[1]) < 1.5);
+            assert!(touching.count() >= 2, "a spring and a damper at {end}");
+        }
+    }
 }
 
 #[test]

@@ -35,6 +35,8 @@
 //! | block on a line | a prismatic joint between moving links; with a circle in it, a pin in a slot |
 //! | thin circles that touch, each with a tick | the pitch circles of gears; of a belt, with its strands; of a pinion, with the rack's pitch line |
 //! | full square | a weld |
+//! | zigzag, cylinder with a piston | a spring, a damper; side by side between the same points |
+//! | spiral, the same cylinder bent about a joint | a torsional spring, a torsional damper |
 //! | curved arrow, double arrow | a motor that turns, one that slides |
 //! | line, triangle, polygon | a link |
 //! | full dot | a named point of a link without a joint |
@@ -42,6 +44,7 @@
 //! | arrow | a velocity, an acceleration, a force |
 
 mod arrow;
+mod elastic;
 mod pen;
 mod symbol;
 

@@ -1,6 +1,7 @@
 //! The symbols of a mechanism.
 
 use super::arrow::{head, turn};
+use super::elastic;
 use super::pen::{self, BOLD, MEDIUM, Pen, THIN};
 use crate::pose::pose_of;
 use crate::{Canvas, Pose, Real, Scalar};
@@ -73,6 +74,24 @@ pub enum Symbol<T> {
     Weld(Spot<T>),
     /// A revolute joint; on the ground, a fixed pivot.
     Pivot(Spot<T>),
+    /// A spring between two points.
+    Spring {
+        /// Its ends.
+        ends: [Spot<T>; 2],
+        /// How many pixels to the left of the line between them it is drawn.
+        beside: f32,
+    },
+    /// A damper between two points.
+    Damper {
+        /// Its ends.
+        ends: [Spot<T>; 2],
+        /// How many pixels to the left of the line between them it is drawn.
+        beside: f32,
+    },
+    /// A torsional spring at a joint.
+    TorsionSpring(Spot<T>),
+    /// A torsional damper at a joint.
+    TorsionDamper(Spot<T>),
     /// A motor that turns.
     RotaryMotor(Spot<T>),
     /// A motor that slides.
@@ -130,7 +149,13 @@ impl<T: Scalar> Symbol<T> {
             | Self::Wheel { .. }
             | Self::Belt { .. }
             | Self::Rack { .. } => Kind::Link,
-            Self::Slide { .. } | Self::Weld(_) | Self::Pivot(_) => Kind::Joint,
+            Self::Slide { .. }
+            | Self::Weld(_)
+            | Self::Pivot(_)
+            | Self::Spring { .. }
+            | Self::Damper { .. }
+            | Self::TorsionSpring(_)
+            | Self::TorsionDamper(_) => Kind::Joint,
             Self::RotaryMotor(_) | Self::LinearMotor { .. } => Kind::Motor,
             Self::Line { .. } | Self::Point(_) => Kind::Axis,
         }
@@ -200,6 +225,16 @@ impl<T: Scalar> Symbol<T> {
                 }
                 pen.eye(canvas, at, PIVOT);
             }
+            Self::Spring {
+                ends: [a, b],
+                beside,
+            } => elastic::spring(pen, canvas, [a.place(poses)?, b.place(poses)?], beside),
+            Self::Damper {
+                ends: [a, b],
+                beside,
+            } => elastic::damper(pen, canvas, [a.place(poses)?, b.place(poses)?], beside),
+            Self::TorsionSpring(spot) => elastic::torsion_spring(pen, canvas, spot.place(poses)?),
+            Self::TorsionDamper(spot) => elastic::torsion_damper(pen, canvas, spot.place(poses)?),
             Self::RotaryMotor(spot) => turn(pen, canvas, spot.place(poses)?, true, 16.0),
             Self::LinearMotor {
                 block,

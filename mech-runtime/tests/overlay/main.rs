@@ -1,6 +1,7 @@
 //! Symbols and arrows: what they look like, and what is true of all of them.
 
 mod diagrams;
+mod elastic;
 mod pictures;
 mod properties;
 

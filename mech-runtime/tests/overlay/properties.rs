@@ -141,6 +141,16 @@ fn all_symbols() -> Vec<Symbol<f64>> {
             block: on(0, [2.0, 1.0]),
         },
         Symbol::Weld(on(1, [0.0, 1.0])),
+        Symbol::Spring {
+            ends: [on(0, [0.0, 0.0]), on(1, [3.0, 0.5])],
+            beside: 8.0,
+        },
+        Symbol::Damper {
+            ends: [on(1, [3.0, 0.5]), on(0, [0.0, 0.0])],
+            beside: 0.0,
+        },
+        Symbol::TorsionSpring(on(1, [0.0, 1.0])),
+        Symbol::TorsionDamper(on(1, [0.0, 1.0])),
         Symbol::Pivot(on(0, [2.0, 2.0])),
         Symbol::RotaryMotor(on(1, [0.0, 0.0])),
         Symbol::LinearMotor {

@@ -4,7 +4,7 @@ use super::emitter::Emitter;
 use super::tokens::integer;
 use crate::bug::bug;
 use crate::model::LinkId;
-use crate::symbols::{Spot, Symbol};
+use crate::symbols::{Side, Spot, Symbol};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -16,6 +16,11 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
     let at_spot = |name: &str, at| {
         let (name, spot) = (format_ident!("{name}"), spot(at));
         quote!(#name(#spot))
+    };
+    let between = |name: &str, ends: [Spot; 2], side| {
+        let (name, [a, b]) = (format_ident!("{name}"), ends.map(spot));
+        let beside = Literal::f32_unsuffixed(pixels(side));
+        quote!(#name { ends: [#a, #b], beside: #beside })
     };
     let symbol = match *symbol {
         Symbol::Bar { link, ends } => {
@@ -64,6 +69,10 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
                 (spot(block), link_number(emitter, guide), direction(along));
             quote!(LinearMotor { block: #block, guide: #guide, along: #along })
         }
+        Symbol::Spring { ends, side } => between("Spring", ends, side),
+        Symbol::Damper { ends, side } => between("Damper", ends, side),
+        Symbol::TorsionSpring(at) => at_spot("TorsionSpring", at),
+        Symbol::TorsionDamper(at) => at_spot("TorsionDamper", at),
         Symbol::Mark(at) => at_spot("Mark", at),
         Symbol::Point(at) => at_spot("Point", at),
         Symbol::Weld(at) => at_spot("Weld", at),
@@ -71,6 +80,15 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
         Symbol::RotaryMotor(at) => at_spot("RotaryMotor", at),
     };
     quote!(Symbol::#symbol)
+}
+
+/// How many pixels to the left of the line between its ends a spring or damper is drawn.
+fn pixels(side: Side) -> f32 {
+    match side {
+        Side::Middle => 0.0,
+        Side::Left => 8.0,
+        Side::Right => -8.0,
+    }
 }
 
 /// A place on a link.

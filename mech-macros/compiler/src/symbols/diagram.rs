@@ -28,6 +28,7 @@ pub fn symbols(
         JointKind::Weld(a, b) => diagram.first_visible(&[a, b]).map(Symbol::Weld),
         _ => None,
     }));
+    all.extend(diagram.elastic());
     let pivots = structure.pins.iter().filter_map(|pin| diagram.pivot(pin));
     all.extend(pivots.map(Symbol::Pivot));
     all.extend(diagram.marks());

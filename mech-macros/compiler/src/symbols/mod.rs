@@ -1,6 +1,7 @@
 //! The diagram of a mechanism: its joints, links, motors and axes as a textbook draws them.
 
 mod diagram;
+mod elastic;
 mod rolling;
 
 use crate::model::{AxisId, LinkId, Model};
@@ -33,6 +34,17 @@ impl Spot {
         let formulas = |spot: &Self| model.axis(spot.axis).formulas;
         self.link == other.link && self.at == other.at && formulas(self) == formulas(other)
     }
+}
+
+/// Where a spring or damper is drawn, seen from its first end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// On the line between its ends.
+    Middle,
+    /// To the left: a damper lies between the same points.
+    Left,
+    /// To the right: a spring lies between the same points.
+    Right,
 }
 
 /// An element of a diagram.
@@ -94,6 +106,24 @@ pub enum Symbol {
     Weld(Spot),
     /// A revolute joint; on the ground, a fixed pivot.
     Pivot(Spot),
+    /// A spring between two points.
+    Spring {
+        /// Its ends.
+        ends: [Spot; 2],
+        /// On which side of the line between them it is drawn.
+        side: Side,
+    },
+    /// A damper between two points.
+    Damper {
+        /// Its ends.
+        ends: [Spot; 2],
+        /// On which side of the line between them it is drawn.
+        side: Side,
+    },
+    /// A torsional spring.
+    TorsionSpring(Spot),
+    /// A torsional damper.
+    TorsionDamper(Spot),
     /// A rotary motor.
     RotaryMotor(Spot),
     /// A linear motor.
