@@ -109,7 +109,7 @@ impl Cost {
         let mut cost = Self::default();
         match op {
             Op::Constant(_)
-            | Op::Motor(_)
+            | Op::Input(_)
             | Op::Turns(_)
             | Op::Last(_)
             | Op::Unknown(..)

@@ -3,7 +3,7 @@
 //! A program of many loops is proved loop by loop: what earlier loops find is taken to be anything at all, unless that is too
 //! little. So a proof costs no more in a long chain than in a short one.
 
-use crate::model::Number;
+use crate::model::{InputId, Number};
 use crate::plan::Solution;
 use crate::program::{ClosedForm, Node, Op, Program, Value};
 use std::collections::{BTreeMap, BTreeSet};
@@ -163,7 +163,7 @@ impl<'p> Cutter<'p> {
         match self.program.node(value).op {
             Op::Sin(angle) if !(cuts.into)(angle) => Some((Variable::Angle(angle), Share::Sin)),
             Op::Cos(angle) if !(cuts.into)(angle) => Some((Variable::Angle(angle), Share::Cos)),
-            Op::Motor(input) => Some((Variable::Input(input), Share::Displacement)),
+            Op::Input(input) => Some((Variable::Input(input.index()), Share::Displacement)),
             _ => None,
         }
     }
@@ -199,7 +199,7 @@ impl<'p> Cutter<'p> {
         };
         match node.op {
             Op::Constant(_) | Op::Turns(_) | Op::PartOfTurns(..) => Some(BTreeMap::new()),
-            Op::Motor(input) => Some(BTreeMap::from([(input, 1.0)])),
+            Op::Input(input) => Some(BTreeMap::from([(input.index(), 1.0)])),
             Op::Neg(a) => scaled(a, -1.0),
             Op::Add(a, b) => both(a, b, 1.0),
             Op::Sub(a, b) => both(a, b, -1.0),
@@ -224,13 +224,13 @@ impl<'p> Cutter<'p> {
         let mut exact = None;
         while let Some(value) = waiting.pop() {
             match self.program.node(value).op {
-                Op::PartOfTurns(of, numerator, denominator) if of == input => {
+                Op::PartOfTurns(of, numerator, denominator) if of.index() == input => {
                     // Of several parts of one motor only their sum tells.
                     if exact.replace((numerator, denominator)).is_some() {
                         return None;
                     }
                 }
-                Op::Turns(of) if of == input => return None,
+                Op::Turns(of) if of.index() == input => return None,
                 op => waiting.extend(op.operands()),
             }
         }
@@ -267,7 +267,7 @@ impl ConeBuilder {
         if let Some(known) = known {
             return self.inputs[known];
         }
-        let op = Op::Motor(self.cone.variables.len());
+        let op = Op::Input(InputId::new(self.cone.variables.len()));
         let node = self.push(Node { op, ..like.clone() });
         self.cone.variables.push(variable);
         self.inputs.push(node);

@@ -72,7 +72,7 @@ fn motors(program: &Program, values: Vec<Value>, held: &HeldValues) -> Vec<usize
     let values = made_from(program, values, held).into_iter();
     let motors: BTreeSet<usize> = values
         .filter_map(|value| match program.node(value).op {
-            Op::Motor(motor) => Some(motor),
+            Op::Input(input) => Some(input.index()),
             _ => None,
         })
         .collect();

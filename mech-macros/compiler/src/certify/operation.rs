@@ -10,7 +10,7 @@ pub(super) fn natural(op: Op, get: impl Fn(Value) -> Interval) -> Option<Interva
         // A range is one of values with all their turns in them: there are none besides.
         Op::Turns(_) | Op::PartOfTurns(..) => Interval::ZERO,
         Op::Last(Slot::Pose(_, Part::Cos | Part::Sin)) => direction(),
-        Op::Motor(_)
+        Op::Input(_)
         | Op::Last(_)
         | Op::Unknown(..)
         | Op::Solved(..)

@@ -28,13 +28,13 @@ impl<'c> Slopes<'c> {
     pub(crate) fn run(&mut self, place: &[Interval]) {
         for (index, node) in self.cone.nodes.iter().enumerate() {
             self.values[index] = match node.op {
-                Op::Motor(variable) => place[variable],
+                Op::Input(variable) => place[variable.index()],
                 // Of what comes from outside nothing is known.
                 op => natural(op, |value| self.values[value.index()]).unwrap_or(Interval::ENTIRE),
             };
             for (variable, slopes) in self.rates.iter_mut().enumerate() {
                 slopes[index] = match node.op {
-                    Op::Motor(own) if own == variable => Interval::ONE,
+                    Op::Input(own) if own.index() == variable => Interval::ONE,
                     op => slope(op, &self.values, self.values[index], slopes),
                 };
             }
@@ -116,7 +116,7 @@ fn slope(op: Op, values: &[Interval], result: Interval, slopes: &[Interval]) -> 
         // Between whole numbers nothing changes; what goes over to the next is followed elsewhere.
         Op::Round(_)
         | Op::Constant(_)
-        | Op::Motor(_)
+        | Op::Input(_)
         | Op::Turns(_)
         | Op::PartOfTurns(..)
         | Op::Last(_)

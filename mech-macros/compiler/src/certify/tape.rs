@@ -143,7 +143,7 @@ impl<'p> Tape<'p> {
         for value in needed.filter(|value| !self.held[value.index()]) {
             let op = nodes[value.index()].op;
             let moving =
-                matches!(op, Op::Motor(_)) || op.operands().any(|operand| moves[operand.index()]);
+                matches!(op, Op::Input(_)) || op.operands().any(|operand| moves[operand.index()]);
             moves[value.index()] = moving;
             if moving {
                 self.steps[value.index()] = Some(self.moving.len());
@@ -204,7 +204,8 @@ impl<'p> Tape<'p> {
             let value = self.moving[step];
             let op = self.nodes[value.index()].op;
             let (by_value, by_middle) = match op {
-                Op::Motor(motor) => {
+                Op::Input(input) => {
+                    let motor = input.index();
                     let range = range[motor];
                     self.forms.motor(step, motor, range);
                     (range, Interval::point(self.centre[motor]))
@@ -319,7 +320,7 @@ impl<'p> Tape<'p> {
             | Op::Exp(_)
             | Op::Time
             | Op::Constant(_)
-            | Op::Motor(_)
+            | Op::Input(_)
             | Op::Turns(_)
             | Op::PartOfTurns(..)
             | Op::Last(_)

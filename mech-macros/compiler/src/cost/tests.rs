@@ -2,7 +2,7 @@
 
 use super::{Cost, of_blocks, of_loops, of_program};
 use crate::compile;
-use crate::model::{Method, Model, Number, Precision, Target};
+use crate::model::{InputId, Method, Model, Number, Precision, Target};
 use crate::program::{Block, BlockId, BlockKind, Node, Op, Program, Value};
 use crate::syntax::parse;
 
@@ -50,7 +50,7 @@ fn made(operations: &[fn(&[Value]) -> Op]) -> Program {
 #[test]
 fn each_operation_is_counted_once() {
     let program = made(&[
-        |_| Op::Motor(0),
+        |_| Op::Input(InputId::new(0)),
         |_| Op::Constant(Number::new(2.0)),
         |v| Op::Sin(v[0]),
         |v| Op::Cos(v[0]),
@@ -85,7 +85,11 @@ fn each_operation_is_counted_once() {
 
 #[test]
 fn what_nothing_needs_costs_nothing() {
-    let mut program = made(&[|_| Op::Motor(0), |v| Op::Cos(v[0]), |v| Op::Sin(v[0])]);
+    let mut program = made(&[
+        |_| Op::Input(InputId::new(0)),
+        |v| Op::Cos(v[0]),
+        |v| Op::Sin(v[0]),
+    ]);
     program.live = vec![true, true, false];
     assert_eq!(of_program(&program).sine_cosine_pairs, 1);
     program.live = vec![true, false, false];

@@ -182,14 +182,14 @@ impl<'p> Runner<'p> {
                 self.iterate(block, newton, &mut values)?;
             }
             values[value.index()] = match node.op {
-                Op::Motor(motor) => motors[motor],
-                Op::Turns(motor) => T::from_i32(turns[motor]),
+                Op::Input(input) => motors[input.index()],
+                Op::Turns(motor) => T::from_i32(turns[motor.index()]),
                 Op::PartOfTurns(motor, numerator, denominator) => {
-                    turned(turns[motor], numerator, denominator)
+                    turned(turns[motor.index()], numerator, denominator)
                 }
                 Op::Last(slot) => last.at(slot),
-                Op::Rate(motor) => given.rates[motor],
-                Op::Acceleration(motor) => given.accelerations[motor],
+                Op::Rate(motor) => given.rates[motor.index()],
+                Op::Acceleration(motor) => given.accelerations[motor.index()],
                 // Positions do not depend on loads, and are found without.
                 Op::Load(number) => given.loads.get(number).copied().unwrap_or(T::ZERO),
                 Op::Linear(system, index) => self.linear(system, index, &values),

@@ -15,7 +15,7 @@ impl Timing {
         }
         for value in program.live_values() {
             let op = program.node(value).op;
-            if matches!(op, Op::Motor(_)) {
+            if matches!(op, Op::Input(_)) {
                 // A param, which is known.
                 continue;
             }

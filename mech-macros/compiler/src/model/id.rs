@@ -66,3 +66,27 @@ impl LinkId {
 /// Where something was declared: an opaque number that whoever made the model can map back to a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Origin(pub u32);
+id! {
+    /// What is given to a mechanism: a motor's value, by the number of the motor, or a param's. Params come after all motors.
+    InputId
+}
+
+impl InputId {
+    /// The input of a motor.
+    #[must_use]
+    pub fn of_motor(motor: MotorId) -> Self {
+        Self(motor.0)
+    }
+
+    /// The input of a param of a mechanism with so many motors.
+    #[must_use]
+    pub fn of_param(param: ParamId, motors: usize) -> Self {
+        Self::new(motors + param.index())
+    }
+
+    /// The motor, in a mechanism with so many; none if it is a param.
+    #[must_use]
+    pub fn motor(self, motors: usize) -> Option<MotorId> {
+        (self.index() < motors).then_some(MotorId(self.0))
+    }
+}

@@ -32,7 +32,7 @@ pub use formula::{Arithmetic, Formula, FormulaArithmetic, Formulas, Now};
 pub(crate) use function::function_names;
 pub use function::{BinaryFunction, Function};
 pub(crate) use id::in_32_bits;
-pub use id::{AxisId, FormulaId, JointId, LawId, LinkId, MotorId, Origin, ParamId};
+pub use id::{AxisId, FormulaId, InputId, JointId, LawId, LinkId, MotorId, Origin, ParamId};
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use law::Law;
 pub use link::{Axis, AxisKind, Link, Quality, Shape, ShapeKind};

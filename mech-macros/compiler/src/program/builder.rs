@@ -141,7 +141,7 @@ impl SsaBuilder {
         let at_start = op.at_start(&self.start, |value| self.at_start[value.index()]);
         self.at_start.push(at_start);
         let varies = match op {
-            Op::Motor(input) => input >= self.motors,
+            Op::Input(input) => input.motor(self.motors).is_none(),
             op => op.operands().any(|operand| self.varies(operand)),
         };
         self.varies.push(varies);

@@ -5,7 +5,7 @@ use super::newton::{Newton, Rounds};
 use super::node::{BlockId, Op, Part, Slot, Value};
 use super::{BlockKind, ClosedForm, Dyad, Motion, Program, Sensitivity, Watch};
 use crate::bug::bug;
-use crate::model::{LinkId, Precision};
+use crate::model::{InputId, LinkId, Precision};
 use mech_core::journey::AtZero;
 use std::fmt::{self, Display, Formatter};
 
@@ -115,7 +115,7 @@ impl Program {
         for &value in values {
             let node = self.node(value);
             let line = format!("{indent}v{} = {}", value.index(), self.operation(node.op));
-            let says_it = matches!(node.op, Op::Motor(_) | Op::Unknown(..) | Op::Solved(..));
+            let says_it = matches!(node.op, Op::Input(_) | Op::Unknown(..) | Op::Solved(..));
             match &node.name {
                 Some(name) if !says_it => writeln!(f, "{line:<44} // {name}")?,
                 _ => writeln!(f, "{line}")?,
@@ -321,9 +321,9 @@ impl Program {
         }
     }
 
-    fn input(&self, number: usize) -> &str {
-        let name = self.input_names().nth(number);
-        name.unwrap_or_else(|| bug!("there is no input {number}"))
+    fn input(&self, input: InputId) -> &str {
+        let name = self.input_names().nth(input.index());
+        name.unwrap_or_else(|| bug!("there is no input {}", input.index()))
     }
 
     fn slot(&self, slot: Slot) -> String {
@@ -352,7 +352,7 @@ impl Program {
     fn operation(&self, op: Op) -> String {
         let name = match op {
             Op::Constant(number) => return format!("{:?}", number.get()),
-            Op::Motor(input) => return format!("input {}", self.input(input)),
+            Op::Input(input) => return format!("input {}", self.input(input)),
             Op::Turns(input) => return format!("turns {}", self.input(input)),
             Op::PartOfTurns(input, over, under) => {
                 return format!("turned {over}/{under} {}", self.input(input));
@@ -364,8 +364,12 @@ impl Program {
             Op::Solved(block, number) => return format!("solved {}", self.unknown(block, number)),
             Op::Dense(_, number) => return format!("step {number} of the columns' system"),
             Op::Time => return "time".to_owned(),
-            Op::Rate(input) => return format!("rate {}", self.input(input)),
-            Op::Acceleration(input) => return format!("acceleration {}", self.input(input)),
+            Op::Rate(motor) => {
+                return format!("rate {}", self.input(InputId::of_motor(motor)));
+            }
+            Op::Acceleration(motor) => {
+                return format!("acceleration {}", self.input(InputId::of_motor(motor)));
+            }
             Op::Load(number) => return format!("load {number}"),
             Op::Linear(system, number) => {
                 return format!("solution {number} of linear system {system}");

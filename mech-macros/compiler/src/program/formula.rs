@@ -3,7 +3,7 @@
 use super::builder::SsaBuilder;
 use super::node::{Op, Value};
 use crate::bug::bug;
-use crate::model::{BinaryFunction, FormulaArithmetic, Function, Law, Model, ParamId};
+use crate::model::{BinaryFunction, FormulaArithmetic, Function, InputId, Law, Model, ParamId};
 use crate::plan::{Algebra, Arithmetic};
 
 impl SsaBuilder {
@@ -44,7 +44,7 @@ impl FormulaArithmetic for SsaBuilder {
 
     /// Params are given after the motors.
     fn param(&mut self, param: ParamId) -> Value {
-        self.make(Op::Motor(self.motors + param.index()))
+        self.make(Op::Input(InputId::of_param(param, self.motors)))
     }
 
     fn of(&mut self, function: Function, a: Value) -> Value {

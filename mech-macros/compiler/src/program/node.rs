@@ -1,6 +1,6 @@
 //! Values and the operations that make them.
 
-use crate::model::{Number, in_32_bits};
+use crate::model::{InputId, MotorId, Number, in_32_bits};
 
 /// A scalar: the result of one node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -75,12 +75,12 @@ impl Part {
 pub enum Op {
     /// A constant.
     Constant(Number),
-    /// The value given to a motor, by its number, less whole turns.
-    Motor(usize),
+    /// A motor's value, less whole turns, or a param's.
+    Input(InputId),
     /// The whole turns that were given to a motor besides.
-    Turns(usize),
+    Turns(InputId),
     /// The angle in radians, less whole turns, that a part (numerator and denominator) of a motor's whole turns comes to.
-    PartOfTurns(usize, i64, i64),
+    PartOfTurns(InputId, i64, i64),
     /// A number of the last position.
     Last(Slot),
     /// An unknown of a loop while it is being solved.
@@ -92,9 +92,9 @@ pub enum Op {
     /// The time, of which the laws of motors are functions.
     Time,
     /// The rate given to a motor, by its number.
-    Rate(usize),
+    Rate(MotorId),
     /// The second rate given to a motor, by its number.
-    Acceleration(usize),
+    Acceleration(MotorId),
     /// A number of a load, by its position among those of all loads.
     Load(usize),
     /// A result of a linear system of the motion, by its number: the unknowns, and after these the determinant.
@@ -165,7 +165,7 @@ impl Op {
             Self::Round(a) => Self::Round(other(a)),
             Self::Exp(a) => Self::Exp(other(a)),
             Self::Constant(_)
-            | Self::Motor(_)
+            | Self::Input(_)
             | Self::Turns(_)
             | Self::PartOfTurns(..)
             | Self::Last(_)

@@ -38,7 +38,7 @@ impl Op {
     /// The result of the operation at the start, where nothing has turned, moves or acts, and no step is missing.
     pub(super) fn at_start(self, start: &Position<f64>, get: impl Fn(Value) -> f64) -> f64 {
         match self {
-            Self::Motor(motor) => start.motors[motor],
+            Self::Input(input) => start.motors[input.index()],
             Self::Last(slot) => start.at(slot),
             // All else that comes from outside is zero.
             op => op.apply(get).unwrap_or(0.0),

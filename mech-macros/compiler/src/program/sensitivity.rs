@@ -59,7 +59,7 @@ impl Program {
         for node in &self.ssa.nodes {
             let depends = |value: Value| dependent[value.index()];
             let is = match node.op {
-                Op::Motor(input) => input >= self.motors.len(),
+                Op::Input(input) => input.motor(self.motors.len()).is_none(),
                 Op::Solved(block, _) => iteration(&self.ssa.blocks, block).into_iter().any(depends),
                 op => op.operands().any(depends),
             };

@@ -20,7 +20,7 @@ pub(super) struct Flow {
 pub(super) fn is_given(op: Op) -> bool {
     matches!(
         op,
-        Op::Motor(_)
+        Op::Input(_)
             | Op::Turns(_)
             | Op::PartOfTurns(..)
             | Op::Rate(_)

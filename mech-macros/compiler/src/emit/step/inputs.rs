@@ -3,6 +3,7 @@
 use super::scope::Scope;
 use super::stages::MOST_LETS;
 use crate::emit::tokens::{integer, position, scalar};
+use crate::model::{InputId, MotorId};
 use crate::program::{Forces, Op, Program};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -46,10 +47,11 @@ pub(super) fn inputs(scope: &mut Scope<'_>) -> TokenStream {
 fn motors(scope: &mut Scope<'_>) -> TokenStream {
     let program = scope.program;
     let scalar = scalar(program.precision);
-    let variable = |(motor, name): (usize, &String)| match scope.value_of(Op::Motor(motor)) {
-        Some(value) => scope.bind(value),
-        None => scope.fresh(&format!("_{name}")),
-    };
+    let variable =
+        |(motor, name): (usize, &String)| match scope.value_of(Op::Input(InputId::new(motor))) {
+            Some(value) => scope.bind(value),
+            None => scope.fresh(&format!("_{name}")),
+        };
     let variables: Vec<Ident> = program.input_names().enumerate().map(variable).collect();
     let mut tokens = TokenStream::new();
     let mut motors = format_ident!("motors");
@@ -63,11 +65,11 @@ fn motors(scope: &mut Scope<'_>) -> TokenStream {
     for value in program.live_values() {
         turns.push(match program.node(value).op {
             Op::Turns(motor) => {
-                let motor = integer(motor);
+                let motor = integer(motor.index());
                 quote!(<#scalar as Real>::from_i32(#motors.turns[#motor]))
             }
             Op::PartOfTurns(motor, numerator, denominator) => {
-                let motor = integer(motor);
+                let motor = integer(motor.index());
                 let [numerator, denominator] =
                     [numerator, denominator].map(Literal::i64_unsuffixed);
                 quote!(turned::<#scalar>(#motors.turns[#motor], #numerator, #denominator))
@@ -108,10 +110,16 @@ fn arrays(program: &Program) -> Vec<Array> {
         let names = program.motors.iter();
         names.map(|name| format!("{name}_{what}")).collect()
     };
-    let rates = || array("rates", of_motors("rate"), Op::Rate);
+    let rates = || {
+        array("rates", of_motors("rate"), |motor| {
+            Op::Rate(MotorId::new(motor))
+        })
+    };
     let accelerations = || {
         let names = of_motors("acceleration");
-        array("accelerations", names, Op::Acceleration)
+        array("accelerations", names, |motor| {
+            Op::Acceleration(MotorId::new(motor))
+        })
     };
     let mut arrays = match &motion.forces {
         None if motion.accelerations.is_none() => vec![rates()],

@@ -202,7 +202,7 @@ impl<'p> Scope<'p> {
             Op::Exp(a) => call(quote!(exp), &[a]),
             Op::Max(a, b) => call(quote!(max), &[a, b]),
             // These are always bound: they are parameters or variables.
-            Op::Motor(_)
+            Op::Input(_)
             | Op::Turns(_)
             | Op::PartOfTurns(..)
             | Op::Unknown(..)

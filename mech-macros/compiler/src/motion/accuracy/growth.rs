@@ -32,10 +32,10 @@ pub(super) fn growing(model: &Model, program: &Program) -> Option<MotorId> {
     let mut blocks = vec![None; program.ssa.blocks.len()];
     for node in &program.ssa.nodes {
         let growth = match node.op {
-            Op::Motor(motor) if program.reduced.get(motor) != Some(&true) => {
-                of_motor(motor, &endless)
+            Op::Input(input) if program.reduced.get(input.index()) != Some(&true) => {
+                of_motor(input.index(), &endless)
             }
-            Op::Turns(motor) => of_motor(motor, &endless),
+            Op::Turns(input) => of_motor(input.index(), &endless),
             Op::Round(_) => Growth {
                 size: winding,
                 error: None,

@@ -49,8 +49,8 @@ impl Influence {
             }
             let node = program.node(value);
             match node.op {
-                Op::Motor(motor) | Op::Turns(motor) | Op::PartOfTurns(motor, ..) => {
-                    influence.motors[motor] = true;
+                Op::Input(input) | Op::Turns(input) | Op::PartOfTurns(input, ..) => {
+                    influence.motors[input.index()] = true;
                 }
                 _ => {}
             }

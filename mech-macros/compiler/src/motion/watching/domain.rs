@@ -197,8 +197,8 @@ impl<'a> Domain<'a> {
                 Op::Sin(angle) | Op::Cos(angle) if self.cutter.parts(angle).is_some() => {
                     read.angles.insert(angle);
                 }
-                Op::Motor(input) => {
-                    read.inputs.insert(input);
+                Op::Input(input) => {
+                    read.inputs.insert(input.index());
                 }
                 op => waiting.extend(op.operands()),
             }

@@ -2,7 +2,7 @@
 
 use super::lowering::Lowering;
 use super::watching::Watches;
-use crate::model::{AxisId, JointId, JointKind, Model};
+use crate::model::{AxisId, InputId, JointId, JointKind, Model};
 use crate::plan::{Arithmetic, Connection, Turning};
 use crate::program::JointAngle;
 use crate::program::node::{Op, Value};
@@ -86,8 +86,8 @@ impl Lowering<'_> {
     /// The coordinate of a joint with a torsional spring, over any number of turns.
     pub(super) fn sprung_coordinate(&mut self, joint: JointId) -> Option<Value> {
         if let Some(motor) = self.model.motor_of(joint) {
-            let value = self.ssa.make(Op::Motor(motor.index()));
-            let turns = self.ssa.make(Op::Turns(motor.index()));
+            let value = self.ssa.make(Op::Input(InputId::of_motor(motor)));
+            let turns = self.ssa.make(Op::Turns(InputId::of_motor(motor)));
             let turn = self.ssa.constant(TAU);
             let whole = self.ssa.mul(turn, turns);
             return Some(self.ssa.add(value, whole));

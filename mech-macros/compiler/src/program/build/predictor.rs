@@ -6,7 +6,7 @@
 //! the differences are forgotten.
 
 use super::last::LastUnknown;
-use crate::model::{JointKind, Model};
+use crate::model::{InputId, JointKind, Model};
 use crate::plan::{Algebra, Arithmetic, Solution};
 use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
@@ -116,11 +116,11 @@ impl Predictor {
         }
         let mut now: Option<Value> = None;
         for (input, &turns) in self.inputs.iter().enumerate() {
-            let value = ssa.make(Op::Motor(input));
+            let value = ssa.make(Op::Input(InputId::new(input)));
             let before = ssa.record(value).last;
             let mut step = ssa.sub(value, before);
             if turns {
-                let turns = ssa.make(Op::Turns(input));
+                let turns = ssa.make(Op::Turns(InputId::new(input)));
                 let before = ssa.record(turns).last;
                 let turns = ssa.sub(turns, before);
                 let turn = ssa.constant(TAU);

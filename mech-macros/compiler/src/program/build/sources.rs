@@ -3,7 +3,7 @@
 use super::lowering::Lowering;
 use super::steps::PositionPass;
 use super::watching::Watches;
-use crate::model::{JointKind, LinkId};
+use crate::model::{InputId, JointKind, LinkId};
 use crate::plan::{Arithmetic, Plan, Rational, Source, Turning, float_of};
 use crate::program::node::{Op, Value};
 use num_traits::ToPrimitive;
@@ -52,7 +52,7 @@ impl Sources {
         let value = match plan.sources[number] {
             Source::Motor(motor) => {
                 let name = &model.joint(model.motor(motor).joint).name;
-                let value = lowering.ssa.make(Op::Motor(motor.index()));
+                let value = lowering.ssa.make(Op::Input(InputId::of_motor(motor)));
                 lowering.ssa.name(value, name)
             }
             Source::Angle { from, to } => {
@@ -111,11 +111,15 @@ impl PositionPass<'_> {
         let turns = match (is_angle, part.numer().to_i64(), part.denom().to_i64()) {
             (true, Some(_), Some(1)) => return share,
             (true, Some(numerator), Some(denominator)) => {
-                let turns = ssa.make(Op::PartOfTurns(motor.index(), numerator, denominator));
+                let turns = ssa.make(Op::PartOfTurns(
+                    InputId::of_motor(motor),
+                    numerator,
+                    denominator,
+                ));
                 ssa.name(turns, name)
             }
             _ => {
-                let turns = ssa.make(Op::Turns(motor.index()));
+                let turns = ssa.make(Op::Turns(InputId::of_motor(motor)));
                 let turns = ssa.name(turns, name);
                 let turn = ssa.constant(TAU);
                 let turns = ssa.mul(turn, turns);

@@ -7,7 +7,7 @@ use super::predictor::Predictor;
 use super::rates::SolvedLoop;
 use super::sources::Sources;
 use super::watching::Watches;
-use crate::model::Model;
+use crate::model::{InputId, Model};
 use crate::plan::{
     Algebra, Arithmetic, Connection, ConnectionKind, Drive, Mesh, Plan, Rational, Solution, Source,
     Step, float_of,
@@ -49,7 +49,7 @@ impl<'m> PositionPass<'m> {
         let name = &self.lowering.model.joint(drive.connection.joint).name;
         let ssa = &mut self.lowering.ssa;
         ssa.block(format!("drive_{name}"), format!("Motor `{name}`."));
-        let motor = ssa.make(Op::Motor(drive.motor.index()));
+        let motor = ssa.make(Op::Input(InputId::of_motor(drive.motor)));
         ssa.name(motor, name);
         self.lowering.place(drive.connection, motor, name);
     }

@@ -4,6 +4,7 @@
 //! linear system, and are known here beforehand. Where something turns, its rate is the angular velocity times what is across
 //! it: cheaper than the rule of products, and exact.
 
+use crate::model::InputId;
 use crate::plan::{Algebra, Arithmetic};
 use crate::program::builder::SsaBuilder;
 use crate::program::node::{Op, Value};
@@ -55,11 +56,13 @@ impl Tangents {
     }
 
     /// The rate of a motor or param.
-    fn of_given(&self, ssa: &mut SsaBuilder, given: usize) -> Value {
+    fn of_given(&self, ssa: &mut SsaBuilder, given: InputId) -> Value {
         match self.seed {
-            Seed::Given | Seed::Coasting if given < self.motors => ssa.make(Op::Rate(given)),
-            Seed::Given | Seed::Coasting => ssa.constant(0.0),
-            Seed::Alone(other) => ssa.constant(if given == other { 1.0 } else { 0.0 }),
+            Seed::Given | Seed::Coasting => match given.motor(self.motors) {
+                Some(motor) => ssa.make(Op::Rate(motor)),
+                None => ssa.constant(0.0),
+            },
+            Seed::Alone(other) => ssa.constant(if given.index() == other { 1.0 } else { 0.0 }),
         }
     }
 
@@ -124,7 +127,7 @@ impl Tangents {
     fn of_operation(&mut self, ssa: &mut SsaBuilder, value: Value) -> Value {
         let zero = ssa.constant(0.0);
         match ssa.op(value) {
-            Op::Motor(given) => self.of_given(ssa, given),
+            Op::Input(given) => self.of_given(ssa, given),
             Op::Rate(motor) if self.seed == Seed::Given => ssa.make(Op::Acceleration(motor)),
             Op::Time => ssa.constant(1.0),
             Op::Neg(a) => {

@@ -5,7 +5,7 @@ use super::Positions;
 use super::lowering::Lowering;
 use super::tangent::{Seed, Tangents};
 use super::wrench::{Body, Wrench};
-use crate::model::LoadKind;
+use crate::model::{LoadKind, MotorId};
 use crate::plan::{Algebra, Arithmetic};
 use crate::program::node::{Op, Value};
 use crate::program::{Forces, Inertia, Motion};
@@ -157,7 +157,7 @@ impl Lowering<'_> {
     fn kinetic_energy(&mut self, matrix: &[Vec<Value>]) -> Value {
         let ssa = &mut self.ssa;
         let rates: Vec<Value> = (0..matrix.len())
-            .map(|motor| ssa.make(Op::Rate(motor)))
+            .map(|motor| ssa.make(Op::Rate(MotorId::new(motor))))
             .collect();
         let mut twice = ssa.constant(0.0);
         for (row, &rate) in matrix.iter().zip(&rates) {

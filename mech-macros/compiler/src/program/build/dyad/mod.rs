@@ -5,6 +5,7 @@ mod lines;
 
 use super::size::Size;
 use crate::bug::bug;
+use crate::model::InputId;
 use crate::plan::{Algebra, Arithmetic, Dyad, Solution};
 use crate::program::builder::SsaBuilder;
 use crate::program::choice::Choice;
@@ -151,7 +152,7 @@ impl DyadLowering<'_> {
     fn roundings(&mut self) -> Value {
         let mut turned = self.ssa.constant(0.0);
         for motor in 0..self.ssa.motors {
-            let value = self.ssa.make(Op::Motor(motor));
+            let value = self.ssa.make(Op::Input(InputId::new(motor)));
             let value = self.ssa.abs(value);
             turned = self.ssa.add(turned, value);
         }
