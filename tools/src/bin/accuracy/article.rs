@@ -38,7 +38,8 @@ pub(crate) fn article(measurements: &[Measurement], effort: Effort) -> String {
              larger a mark, the longer the motor's step. The marks of one method hang on a line. The grey steps are the frontier \
              at each step of the motor, darkest for the longest: what lies right of it or above it is beaten by something that \
              is named on it. Loops that are coupled have no closed form: there `exact` is `newton`, and their marks are in one \
-             place.\n\n";
+             place. How fast they come to a dead point is guessed. So a step of more than a degree is divided into pieces, and one \
+             of 5 degrees costs some five times as much as one of a degree.\n\n";
     text += "## What is worth its price\n\n\
              What is not beaten at a step of the motor: nanoseconds a position, error, and in brackets error by size. All errors and \
              times are in the [table](accuracy.csv).\n\n";
