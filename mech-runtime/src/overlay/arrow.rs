@@ -50,15 +50,16 @@ pub fn arrow<T: Scalar>(
     color: u8,
 ) {
     let pen = Pen::new(canvas, usable(size), color, Palette::EYE);
-    let [x, y] = [tip[0] - tail[0], tip[1] - tail[1]];
-    let length = Real::sqrt(x * x + y * y);
-    if !(Real::is_finite(length) && length > T::ZERO && pen.in_pixels(length) > 1.0) {
+    let Some((from, length)) = Spot::between([tail, tip]) else {
+        return;
+    };
+    let pixels = pen.in_pixels(length);
+    if pixels.is_nan() || pixels <= 1.0 {
         return;
     }
-    let along = [x / length, y / length];
-    let spot = Spot { at: tip, along };
+    let spot = Spot { at: tip, ..from };
     // A head longer than the arrow would point from behind.
-    let share = (pen.in_pixels(length) / HEAD[0]).min(1.0);
+    let share = (pixels / HEAD[0]).min(1.0);
     let neck = spot.offset(-pen.pixels(0.8 * share * HEAD[0]), T::ZERO);
     pen.line(canvas, [tail, neck], BOLD);
     head(&pen, canvas, spot, share);

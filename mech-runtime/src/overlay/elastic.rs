@@ -14,30 +14,10 @@ const PISTON: f32 = 3.5;
 /// The radius of a spiral spring's inner half turn, and by how much each next one is larger.
 const SPIRAL: [f32; 2] = [7.0, 3.0];
 
-/// A polyline, in pixels from a spot.
-fn path<T: Scalar>(
-    pen: &Pen<T>,
-    canvas: &mut impl Canvas<T>,
-    spot: Spot<T>,
-    places: impl IntoIterator<Item = [f32; 2]>,
-) {
-    let mut last = None;
-    for place in places {
-        if let Some(last) = last.replace(place) {
-            pen.stroke(canvas, spot, [last, place], MEDIUM);
-        }
-    }
-}
-
-/// The first of two places, looking at the other, and the distance in pixels; none if that is no number, or zero.
-fn between<T: Scalar>(pen: &Pen<T>, [from, to]: [[T; 2]; 2]) -> Option<(Spot<T>, f32)> {
-    let [x, y] = [to[0] - from[0], to[1] - from[1]];
-    let length = Real::sqrt(x * x + y * y);
+/// The first of two places, looking at the other, and their distance in pixels; none if that is no number, or zero.
+fn between<T: Scalar>(pen: &Pen<T>, ends: [[T; 2]; 2]) -> Option<(Spot<T>, f32)> {
+    let (spot, length) = Spot::between(ends)?;
     let pixels = pen.in_pixels(length);
-    let spot = Spot {
-        at: from,
-        along: [x / length, y / length],
-    };
     (pixels.is_finite() && pixels > 0.0).then_some((spot, pixels))
 }
 
@@ -63,7 +43,7 @@ pub(super) fn spring<T: Scalar>(
     });
     let first = [[0.0, 0.0], [lead, beside]].into_iter();
     let last = [[length - lead, beside], [length, 0.0]];
-    path(pen, canvas, spot, first.chain(peaks).chain(last));
+    pen.path(canvas, spot, first.chain(peaks).chain(last));
 }
 
 /// A cylinder and its piston between two places, so many pixels to the left of the line between them.
@@ -80,26 +60,18 @@ pub(super) fn damper<T: Scalar>(
     let [half, width] = [CYLINDER[0].min(0.25 * length), CYLINDER[1]];
     let (open, closed) = (middle - half, middle + half);
     let [left, right] = [beside + width, beside - width];
-    path(
-        pen,
-        canvas,
-        spot,
-        [[0.0, 0.0], [lead, beside], [middle, beside]],
-    );
-    path(
-        pen,
+    pen.path(canvas, spot, [[0.0, 0.0], [lead, beside], [middle, beside]]);
+    pen.path(
         canvas,
         spot,
         [[middle, beside - PISTON], [middle, beside + PISTON]],
     );
-    path(
-        pen,
+    pen.path(
         canvas,
         spot,
         [[open, left], [closed, left], [closed, right], [open, right]],
     );
-    path(
-        pen,
+    pen.path(
         canvas,
         spot,
         [[closed, beside], [length - lead, beside], [length, 0.0]],
@@ -119,7 +91,7 @@ pub(super) fn torsion_spring<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T
         pen.arc(canvas, place(center), place(end), half_turn, MEDIUM);
         end = center + (center - end);
     }
-    path(pen, canvas, spot, [[end, 0.0], [end + 4.0, 0.0]]);
+    pen.path(canvas, spot, [[end, 0.0], [end + 4.0, 0.0]]);
 }
 
 /// A cylinder and its piston, bent about a pin.
@@ -147,6 +119,6 @@ pub(super) fn torsion_damper<T: Scalar>(pen: &Pen<T>, canvas: &mut impl Canvas<T
             away(direction, RADIUS + half),
         ]
     };
-    path(pen, canvas, spot, across(END, HALF));
-    path(pen, canvas, spot, across(MIDDLE, 0.6 * HALF));
+    pen.path(canvas, spot, across(END, HALF));
+    pen.path(canvas, spot, across(MIDDLE, 0.6 * HALF));
 }

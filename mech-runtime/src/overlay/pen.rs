@@ -1,7 +1,7 @@
 //! Lines and figures whose sizes are in pixels.
 
 use crate::raster::line;
-use crate::{Canvas, Outline, Pose, Scalar};
+use crate::{Canvas, Outline, Pose, Real, Scalar};
 
 /// The widths of lines, in pixels.
 pub(super) const BOLD: f32 = 2.0;
@@ -31,6 +31,14 @@ impl<T: Scalar> Spot<T> {
     pub(super) fn upright(at: [T; 2]) -> Self {
         let along = [T::ONE, T::ZERO];
         Self { at, along }
+    }
+
+    /// The first of two places, looking at the other, and their distance in scene units; none if that is no number, or zero.
+    pub(super) fn between([from, to]: [[T; 2]; 2]) -> Option<(Self, T)> {
+        let [x, y] = [to[0] - from[0], to[1] - from[1]];
+        let length = Real::sqrt(x * x + y * y);
+        let along = [x / length, y / length];
+        (Real::is_finite(length) && length > T::ZERO).then_some((Self { at: from, along }, length))
     }
 
     /// The place at a distance ahead and to the left.
@@ -101,10 +109,24 @@ impl<T: Scalar> Pen<T> {
         corners: [[f32; 2]; N],
     ) {
         self.fill(canvas, spot, corners, self.paper);
-        let mut last = corners.last().copied();
-        for corner in corners {
-            if let Some(last) = last.replace(corner) {
-                self.stroke(canvas, spot, [last, corner], MEDIUM);
+        self.path(
+            canvas,
+            spot,
+            corners.last().copied().into_iter().chain(corners),
+        );
+    }
+
+    /// A line from place to place, in pixels from a spot.
+    pub(super) fn path(
+        &self,
+        canvas: &mut impl Canvas<T>,
+        spot: Spot<T>,
+        places: impl IntoIterator<Item = [f32; 2]>,
+    ) {
+        let mut last = None;
+        for place in places {
+            if let Some(last) = last.replace(place) {
+                self.stroke(canvas, spot, [last, place], MEDIUM);
             }
         }
     }

@@ -57,18 +57,14 @@ id! {
     /// A formula of a [`Model`](super::Model).
     FormulaId
 }
+id! {
+    /// What is given to a mechanism: a motor's value, by the number of the motor, or a param's. Params come after all motors.
+    InputId
+}
 
 impl LinkId {
     /// The fixed link, which every mechanism has.
     pub const GROUND: Self = Self(0);
-}
-
-/// Where something was declared: an opaque number that whoever made the model can map back to a place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-pub struct Origin(pub u32);
-id! {
-    /// What is given to a mechanism: a motor's value, by the number of the motor, or a param's. Params come after all motors.
-    InputId
 }
 
 impl InputId {
@@ -90,3 +86,7 @@ impl InputId {
         (self.index() < motors).then_some(MotorId(self.0))
     }
 }
+
+/// Where something was declared: an opaque number that whoever made the model can map back to a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct Origin(pub u32);
