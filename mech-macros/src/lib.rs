@@ -8,3 +8,9 @@ use proc_macro::TokenStream;
 pub fn mechanism(input: TokenStream) -> TokenStream {
     mech_compiler::expand(input.into()).into()
 }
+
+/// Keeps a part for mechanisms elsewhere. Called by `mech_runtime::mechanism_part!`.
+#[proc_macro]
+pub fn mechanism_part(input: TokenStream) -> TokenStream {
+    mech_compiler::expand_part(input.into()).into()
+}

@@ -8,6 +8,7 @@
 //! | [`laws`] | numbers, functions, and motors that follow a law of time |
 //! | [`pictures`] | shapes, pictures, traces and diagrams |
 //! | [`forces`] | velocities, masses, springs, loads, and motion under forces |
+//! | [`parts`] | a mechanism used in another, once or many times |
 //! | [`params`] | numbers that can be changed at run time, and sensitivities |
 //!
 //! These modules hold documentation only.
@@ -29,6 +30,9 @@ pub mod moves {}
 
 #[doc = include_str!("language/params.md")]
 pub mod params {}
+
+#[doc = include_str!("language/parts.md")]
+pub mod parts {}
 
 #[doc = include_str!("language/pictures.md")]
 pub mod pictures {}

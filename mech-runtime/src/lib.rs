@@ -28,6 +28,7 @@ mod joint;
 pub mod language;
 mod mechanism;
 pub mod overlay;
+pub mod parts;
 mod pose;
 mod range;
 pub mod raster;
@@ -58,6 +59,36 @@ pub use trace::Trace;
 
 #[doc(hidden)]
 pub use mech_macros::mechanism as expand_mechanism;
+/// Declares a part that mechanisms in other files and crates can use: `use path::to::Leg;` in a mechanism imports it.
+///
+/// A part without `pub` can be used in its own module, one with `pub` everywhere. [`language::parts`] describes parts.
+///
+/// ```
+/// mod legs {
+///     mech_runtime::mechanism_part! {
+///         /// A rod on a crank.
+///         pub(crate) Rod(length = 1) {
+///             port crank { point pin = (0, 0); }
+///             link rod { point pin = (0, 0); point tip = (length, 0); }
+///             joint pin = revolute(crank.pin, rod.pin);
+///         }
+///     }
+/// }
+///
+/// mech_runtime::mechanism! {
+///     struct TwoRods;
+///     use crate::legs::Rod;
+///     use first: Rod(length = 2) { crank = ground };
+///     use second: Rod { crank = first.rod at (2, 0) };
+///     motor first.pin;
+///     motor second.pin;
+/// }
+/// # fn main() {
+/// let tip = TwoRods::new().second().rod_tip();
+/// assert_eq!([tip.x, tip.y], [3.0, 0.0]);
+/// # }
+/// ```
+pub use mech_macros::mechanism_part;
 
 /// Declares a planar mechanism: a struct that moves, or a compile error that says what to change.
 ///
@@ -110,6 +141,7 @@ pub use mech_macros::mechanism as expand_mechanism;
 /// | `struct NAME;`, `struct NAME: f32;` | |
 /// | `const NAME = …;`, `param NAME = …;` | [`laws`](language::laws), [`params`](language::params) |
 /// | `ground { … }`, `link NAME;`, `link NAME { … }`, `show …;` | [`links`](language::links) |
+/// | `part NAME(…) { port …; … }`, `use NAME: PART { … };`, `use path::PART;` | [`parts`](language::parts) |
 /// | `joint NAME = …;`, `continuous …;`, `allow redundant;`, `allow coupled;` | [`joints`](language::joints) |
 /// | `motor NAME;`, `motor NAME in … by …;`, `motor NAME = LAW;` | [`moves`](language::moves), [`laws`](language::laws) |
 /// | `start { … }` | [`links`](language::links) |

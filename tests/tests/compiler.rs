@@ -13,6 +13,7 @@ mod motion;
 mod names;
 mod order;
 mod params;
+mod parts;
 mod random;
 mod ranges;
 mod rates;

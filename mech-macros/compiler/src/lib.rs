@@ -31,4 +31,4 @@ pub mod syntax;
 
 pub use compile::compile;
 pub use compiled::{Compiled, ForcePrograms};
-pub use expand::expand;
+pub use expand::{expand, expand_part};

@@ -89,3 +89,17 @@ pub fn paint<T: Scalar>(shapes: &[Shape<T>], poses: &[Pose<T>], canvas: &mut imp
         }
     }
 }
+
+/// The number of an instance of a part.
+///
+/// # Panics
+/// If there are not so many.
+#[track_caller]
+#[must_use]
+pub fn instance_number(name: &str, k: usize, count: usize) -> usize {
+    assert!(
+        k < count,
+        "`{name}` has {count} instances; there is no `{name}({k})`"
+    );
+    k
+}

@@ -5,6 +5,7 @@ use super::known::known_module;
 use super::parts::Parts;
 use super::step::step;
 use super::tokens::integer;
+use super::views::{Site, Views, views};
 use super::{
     accessors, costs, drawing, forces, joints, many, moves, overlay, params, phases, ranges, rates,
     sensitivity, timing, traces,
@@ -30,11 +31,20 @@ pub(crate) fn items(
         trait_items,
         modules,
     } = parts(emitter);
+    let this = alias(&header.name);
+    let site = Site {
+        krate,
+        visibility: &header.visibility,
+        this: &this,
+    };
+    let Views {
+        methods,
+        items: views,
+    } = views(&site, &parsed.model, methods);
     let costs = costs::emit(emitter);
     let (cost_tables, cost_methods) = (costs.known, costs.methods);
     let known = known_module(emitter, &quote!(#cost_tables #tables));
     let (attributes, visibility, name) = (&header.attributes, &header.visibility, &header.name);
-    let this = alias(name);
     let (implementation, tracing) = (
         implementation(emitter, &this, &trait_items),
         traces::implementation(emitter, &this),
@@ -109,6 +119,8 @@ pub(crate) fn items(
             #implementation
 
             #tracing
+
+            #views
 
             #step
 

@@ -33,6 +33,7 @@ mod symbols;
 mod timing;
 mod tokens;
 mod traces;
+mod views;
 
 pub(crate) use items::items;
 pub(crate) use stub::stub;

@@ -3,7 +3,7 @@
 use super::advance::{advance, with_end};
 use super::emitter::Emitter;
 use super::parts::Parts;
-use super::tokens::integer;
+use super::tokens::{integer, setter};
 use quote::quote;
 
 /// `PARAMS`, `params` and `set_params`, and two methods for each param; nothing without params.
@@ -52,7 +52,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     for (number, param) in model.params.all().iter().enumerate() {
         let (name, index) = (&param.name, index(number));
         let getter = emitter.ident(name, param.origin);
-        let setter = emitter.ident(&format!("set_{name}"), param.origin);
+        let setter = emitter.ident(&setter(name), param.origin);
         let doc = format!(" The present value of param `{name}`.");
         let value = quote!(self.position.motors.values[#index]);
         methods.extend(emitter.constant_accessor(&getter, &doc, scalar, &value));

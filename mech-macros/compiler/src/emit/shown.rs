@@ -22,7 +22,7 @@ impl<'m> NamedPoint<'m> {
         Self {
             axis,
             link: point.link,
-            link_name: &model.link(point.link).name,
+            link_name: model.owner_of(point),
             name: point.own_name(),
             origin: point.origin,
         }

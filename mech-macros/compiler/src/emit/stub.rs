@@ -2,7 +2,8 @@
 
 use super::drawing::picture;
 use super::shown::{NamedPoint, shown_links, shown_points};
-use super::tokens::{integer, scalar, user_ident};
+use super::tokens::{integer, scalar, setter, user_ident};
+use super::views::{Site, Views, views};
 use crate::api::{Item, Subject, TABLE};
 use crate::bug::bug;
 use crate::model::{Between, JointId, LoadKind, Origin};
@@ -50,8 +51,16 @@ pub(crate) fn stub(krate: &TokenStream, header: &Header, parsed: &Parsed) -> Tok
         header,
         parsed,
     };
-    let methods = stub.items(Item::method);
-    let methods = without_duplicates(quote!(impl #name { #methods }));
+    let site = Site {
+        krate,
+        visibility,
+        this: name,
+    };
+    let methods = without_duplicates(&stub.items(Item::method));
+    let Views {
+        methods,
+        items: views,
+    } = views(&site, &parsed.model, methods);
     let trait_items = stub.items(Item::trait_item);
     quote! {
         #(#attributes)*
@@ -62,7 +71,11 @@ pub(crate) fn stub(krate: &TokenStream, header: &Header, parsed: &Parsed) -> Tok
         const _: () = {
             use #krate::generated::parameters::*;
 
-            #methods
+            impl #name {
+                #methods
+            }
+
+            #views
 
             impl #krate::generated::Default for #name {
                 fn default() -> Self {
@@ -77,10 +90,10 @@ pub(crate) fn stub(krate: &TokenStream, header: &Header, parsed: &Parsed) -> Tok
     }
 }
 
-/// The items of an implementation, the first of each name. Parts of the same name are reported elsewhere.
-fn without_duplicates(methods: TokenStream) -> TokenStream {
-    let Ok(mut methods) = syn::parse2::<ItemImpl>(methods.clone()) else {
-        return methods;
+/// Associated items, the first of each name. Parts of the same name are reported elsewhere.
+fn without_duplicates(items: &TokenStream) -> TokenStream {
+    let Ok(mut methods) = syn::parse2::<ItemImpl>(quote!(impl Mechanism { #items })) else {
+        return items.clone();
     };
     let mut names: Vec<Ident> = Vec::new();
     methods.items.retain(|item| {
@@ -93,7 +106,8 @@ fn without_duplicates(methods: TokenStream) -> TokenStream {
         names.push(name.clone());
         is_new
     });
-    methods.into_token_stream()
+    let items = methods.items;
+    quote!(#(#items)*)
 }
 
 /// A part of a mechanism that has items of its own.
@@ -240,7 +254,10 @@ impl Stub<'_> {
             known if RUNTIME.contains(&known) => quote!(#krate::#word),
             _ => match part {
                 Some(Part { name, origin, .. }) if is_pattern(&text) => {
-                    let method = text.replacen("name", name, 1);
+                    let method = match text.as_str() {
+                        "set_name" => setter(name),
+                        text => text.replacen("name", name, 1),
+                    };
                     user_ident(&method, &self.parsed.places, *origin).into_token_stream()
                 }
                 _ => word.into_token_stream(),

@@ -55,11 +55,39 @@ pub(super) fn option(value: Option<TokenStream>) -> TokenStream {
     }
 }
 
-/// An identifier with the span of the user's declaration.
+/// An identifier with the span of the user's declaration. What belongs to an instance of a part has a hidden one.
 pub(super) fn user_ident(name: &str, places: &Places, origin: Origin) -> Ident {
+    if name.contains('.') {
+        let mut ident = format_ident!("{}", hidden_method(name));
+        // Lints are not to judge it: it is not the user's.
+        ident.set_span(Span::mixed_site().located_at(places.get(origin).start));
+        return ident;
+    }
     let mut ident = format_ident!("{name}");
     ident.set_span(places.get(origin).start);
     ident
+}
+
+/// The name of the method for a path: `left[2].foot_tip` becomes `__left_2__foot_tip`. No name in a path has two underscores in a row or
+/// one at its end, so no two paths become the same.
+pub(super) fn hidden_method(path: &str) -> String {
+    format!(
+        "__{}",
+        path.replace('[', "_").replace(']', "").replace('.', "__")
+    )
+}
+
+/// The name of the method that sets something, which may be in an instance of a part.
+pub(super) fn setter(name: &str) -> String {
+    match name.rsplit_once('.') {
+        Some((instance, name)) => format!("{instance}.set_{name}"),
+        None => format!("set_{name}"),
+    }
+}
+
+/// A name with a path as a name for people: `left[2].foot` becomes `left_2_foot`.
+pub(super) fn without_path(name: &str) -> String {
+    name.replace(['[', '.'], "_").replace(']', "")
 }
 
 /// An identifier of the generated code that the user's code cannot see.

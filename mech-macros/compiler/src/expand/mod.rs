@@ -1,9 +1,13 @@
 //! The entry of the macro: tokens to tokens.
 
 mod guard;
+mod import;
 #[cfg(test)]
 mod tests;
 
+pub use import::expand_part;
+
+use self::import::Import;
 use crate::compile::compile;
 use crate::syntax::{self, Message, Place};
 use crate::{emit, repair, reporter};
@@ -14,6 +18,9 @@ use quote::quote;
 #[must_use]
 pub fn expand(input: TokenStream) -> TokenStream {
     let (krate, body) = split_crate_path(input);
+    if let Some(import) = Import::first(&body) {
+        return import.call(&krate);
+    }
     guard::guard(
         &body,
         || analyse_and_emit(&krate, body.clone()),

@@ -61,6 +61,7 @@ impl Model {
         self.axes.push(Axis {
             link,
             name: None,
+            port: None,
             origin,
             kind,
             at,

@@ -82,6 +82,7 @@ impl Edit {
                 let line = AxisId::new(self.model.axes.len());
                 self.model.axes.push(Axis {
                     name: None,
+                    port: None,
                     origin,
                     kind: AxisKind::Line,
                     direction: along,

@@ -43,6 +43,8 @@ pub struct Axis {
     pub link: LinkId,
     /// Its name in that link; an axis made by a joint placed in the drawing has none.
     pub name: Option<String>,
+    /// The path of the port, `left[2].frame`, if a part fixed it to a link that it was lent.
+    pub port: Option<String>,
     /// Where its name was declared, or the joint that made it.
     pub origin: Origin,
     /// Rotation or sliding.

@@ -11,6 +11,7 @@ mod effects;
 mod formula;
 mod function;
 mod id;
+mod instance;
 mod joint;
 mod law;
 mod link;
@@ -33,6 +34,7 @@ pub(crate) use function::function_names;
 pub use function::{BinaryFunction, Function};
 pub(crate) use id::in_32_bits;
 pub use id::{AxisId, FormulaId, InputId, JointId, LawId, LinkId, MotorId, Origin, ParamId};
+pub use instance::Instance;
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use law::Law;
 pub use link::{Axis, AxisKind, Link, Quality, Shape, ShapeKind};
@@ -157,6 +159,8 @@ pub struct Model {
     pub actions: Actions,
     /// The points whose paths are recorded.
     pub traces: Vec<Trace>,
+    /// The instances of parts, each after the one that it is in.
+    pub instances: Vec<Instance>,
 }
 
 /// What is let pass that is otherwise an error.
@@ -195,6 +199,7 @@ impl Model {
             effects: Effects::default(),
             actions: Actions::default(),
             traces: Vec::new(),
+            instances: Vec::new(),
         }
     }
 
@@ -252,6 +257,13 @@ impl Model {
     #[must_use]
     pub fn axis(&self, id: AxisId) -> &Axis {
         &self.axes[id.index()]
+    }
+
+    /// The name under which an axis belongs to a link: that of the port, if a part fixed it to a link that it was lent.
+    #[must_use]
+    pub fn owner_of<'m>(&'m self, axis: &'m Axis) -> &'m str {
+        let port = axis.port.as_deref();
+        port.unwrap_or_else(|| &self.link(axis.link).name)
     }
 
     /// The joint with this id.
@@ -348,6 +360,7 @@ impl Model {
             self.axes.push(Axis {
                 link: die,
                 name: None,
+                port: None,
                 origin,
                 kind,
                 at,

@@ -1,6 +1,7 @@
 //! The results of the analysis as plain text, for the terminal, the documentation and the gallery.
 
 mod effects;
+mod instances;
 mod loops;
 mod rolling;
 
@@ -10,6 +11,7 @@ use crate::model::{Joint, JointId, JointKind, LinkId, Model};
 use crate::plan::Step;
 use crate::structure::Structure;
 use effects::{force_lines, trace_line};
+use instances::{is_described, joint_names, part_lines};
 use loops::{accuracy, loop_line, method, method_line, needs_line, omissions};
 use rolling::{cam_line, mesh_line, rolling_line};
 use std::fmt::Write;
@@ -69,7 +71,13 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
             writeln!(text, "  cam       {}", cam_line(model, cam))?;
         }
     }
+    for line in part_lines(model, plan, loops) {
+        writeln!(text, "  part      {line}")?;
+    }
     for (index, closing) in plan.loops().enumerate() {
+        if is_described(model, closing) {
+            continue;
+        }
         writeln!(
             text,
             "  loop {:<4} {}",
@@ -150,13 +158,7 @@ fn joints(model: &Model, ids: &[JointId]) -> String {
     if ids.is_empty() {
         return "none".to_owned();
     }
-    let mut names: Vec<&str> = ids
-        .iter()
-        .map(|&id| model.joint(id).name.as_str())
-        .collect();
-    // A slot is two joints of one name.
-    names.dedup();
-    names.join(" ")
+    joint_names(model, ids).join(" ")
 }
 
 /// A noun with names after it, in the plural if there are several; none if there are none.

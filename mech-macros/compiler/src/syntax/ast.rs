@@ -8,6 +8,9 @@ use crate::model::{AtChangePoints, BinaryFunction, Function, Precision};
 use proc_macro2::{Ident, Span};
 use std::fmt;
 
+pub(super) use super::name::{Index, Name, Segment};
+pub(super) use super::part::{Part, Port, PortBinding, Use};
+
 /// A part of the text, or what is wrong with it.
 pub(super) type Read<T> = Result<T, Message>;
 
@@ -66,7 +69,13 @@ pub(super) enum Statement {
     /// `show a, b.c;`
     Show { keyword: Span, what: Vec<End> },
     /// `continuous a, b;`
-    Continuous { keyword: Span, joints: Vec<Ident> },
+    Continuous { keyword: Span, joints: Vec<Name> },
+    /// `part Leg(size = 1) { ... }`
+    Part(Box<Part>),
+    /// `port frame { ... }`
+    Port(Port),
+    /// `use left[6]: Leg(size = 2) { frame = ground };`
+    Use(Box<Use>),
     /// `allow redundant;`
     Allow(Ident),
     /// Something that could not be read.
@@ -215,7 +224,7 @@ pub(super) enum BetweenEnds {
     /// `linear(a.p, b.q)`
     Points([End; 2]),
     /// `torsional(joint)`
-    Joint(Ident),
+    Joint(Name),
 }
 
 /// `load push = force(rod.small_end);`
@@ -231,7 +240,7 @@ pub(super) enum LoadOn {
     /// `force(link.point)`
     Force(End),
     /// `torque(link)`
-    Torque(Ident),
+    Torque(Name),
 }
 
 /// The outline of a shape.
@@ -309,10 +318,10 @@ pub(super) struct Clause<T> {
     pub value: T,
 }
 
-/// A link, or something fixed to it: `crank` or `crank.pin`.
+/// A link, or something fixed to it: `crank`, `crank.pin` or `left[2].crank.pin`.
 pub(super) struct End {
     /// The link (in `show` and in cams, possibly a joint).
-    pub link: Ident,
+    pub link: Name,
     /// The point or line.
     pub axis: Option<Ident>,
 }
@@ -320,10 +329,10 @@ pub(super) struct End {
 impl End {
     /// From the link's name to the axis's.
     pub(super) fn place(&self) -> Place {
-        let last = self.axis.as_ref().unwrap_or(&self.link);
-        Place {
-            start: self.link.span(),
-            end: last.span(),
+        let link = self.link.place();
+        match &self.axis {
+            Some(axis) => link.to(Place::at(axis.span())),
+            None => link,
         }
     }
 }
@@ -342,7 +351,7 @@ pub(super) struct Rolling {
     /// Its sizes.
     pub size: Size,
     /// The link after `on`, which carries both parts.
-    pub carrier: Option<Ident>,
+    pub carrier: Option<Name>,
 }
 
 /// The sizes of what rolls.
@@ -356,7 +365,7 @@ pub(super) enum Size {
 /// `motor joint = law in low ..= high by step;`
 pub(super) struct Motor {
     /// The joint it drives.
-    pub joint: Ident,
+    pub joint: Name,
     /// The law after `=`, a function of the time `t`.
     pub law: Option<Expr>,
     /// The range after `in`.
@@ -376,7 +385,7 @@ pub(super) struct Start {
 /// `joint = value;` or `link near angle;`
 pub(super) struct StartClause {
     /// The joint or link.
-    pub name: Ident,
+    pub name: Name,
     /// Whether the word `near` stands in the middle.
     pub near: bool,
     /// The coordinate or angle.

@@ -4,6 +4,8 @@ mod ast;
 mod color;
 mod grammar;
 mod lower;
+mod name;
+mod part;
 mod place;
 mod spelling;
 #[cfg(test)]

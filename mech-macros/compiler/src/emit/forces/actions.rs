@@ -4,7 +4,7 @@ use crate::emit::advance::refusal_by;
 use crate::emit::emitter::Emitter;
 use crate::emit::parts::Parts;
 use crate::emit::shown::NamedPoint;
-use crate::emit::tokens::integer;
+use crate::emit::tokens::{integer, setter};
 use crate::model::{Between, Load, LoadKind};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -44,7 +44,7 @@ fn load(emitter: &Emitter<'_>, first: usize, load: &Load) -> TokenStream {
     let name = &load.name;
     let refusal = refusal_by(emitter, &quote!(generated::not_finite(#name)));
     let getter = emitter.ident(name, load.origin);
-    let setter = emitter.ident(&format!("set_{name}"), load.origin);
+    let setter = emitter.ident(&setter(name), load.origin);
     let [index, next] = [first, first + 1].map(integer);
     let (kind, value, is_finite, what) = match load.kind {
         LoadKind::Torque(link) => (

@@ -2,7 +2,7 @@
 
 use crate::bug::bug;
 use crate::emit::module;
-use crate::emit::tokens::{hidden_ident, integer, number};
+use crate::emit::tokens::{hidden_ident, integer, number, without_path};
 use crate::program::{Op, Part, Program, Slot, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -49,7 +49,7 @@ impl<'p> Scope<'p> {
 
     /// A name that nothing else in this function has.
     pub(super) fn fresh(&mut self, wanted: &str) -> Ident {
-        let name = free_name(wanted, |name| self.taken.contains(name));
+        let name = free_name(&without_path(wanted), |name| self.taken.contains(name));
         let ident = hidden_ident(&name);
         self.taken.insert(name);
         ident
@@ -62,7 +62,7 @@ impl<'p> Scope<'p> {
         wanted: &str,
     ) -> Ident {
         let is_taken = |name: &str| self.taken.contains(name) || functions.contains(name);
-        let name = free_name(wanted, is_taken);
+        let name = free_name(&without_path(wanted), is_taken);
         let ident = hidden_ident(&name);
         self.taken.insert(name.clone());
         functions.insert(name);

@@ -22,6 +22,7 @@ fn axis(model: &mut Model, dice: &mut Dice, kind: AxisKind) -> AxisId {
     model.axes.push(Axis {
         link: LinkId::new(dice.below(6)),
         name: (dice.below(2) == 0).then(|| format!("x{number}")),
+        port: None,
         origin: Origin::default(),
         kind,
         at: [1.0, 2.0],

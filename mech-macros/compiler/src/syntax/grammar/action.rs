@@ -1,11 +1,11 @@
 //! What acts on links: `gravity`, `spring`, `damper`, `load`.
 
 use super::expression::{expression, one_of, pair};
-use super::joint::end;
+use super::path::{end, path};
 use super::recover::to_semicolon;
 use super::setting::read_setting;
 use super::statement::{BEGINNINGS, read_declared};
-use super::tokens::{in_parens, name, symbol, take, take_word, word};
+use super::tokens::{in_parens, symbol, take, take_word, word};
 use crate::syntax::ast::{BetweenEnds, Elastic, ElasticBody, Load, LoadOn, Read, Statement};
 use proc_macro2::Span;
 use syn::parse::ParseStream;
@@ -78,7 +78,7 @@ fn body(input: ParseStream, strength: &str) -> Read<(BetweenEnds, crate::syntax:
             take(input, ",");
             Ok(BetweenEnds::Points([first, second]))
         }
-        Kind::Torsional => Ok(BetweenEnds::Joint(name(input, "the name of a joint")?)),
+        Kind::Torsional => Ok(BetweenEnds::Joint(path(input, "the name of a joint")?)),
     })?;
     word(input, strength)?;
     Ok((between, expression(input)?))
@@ -97,7 +97,7 @@ fn on(input: ParseStream) -> Read<LoadOn> {
     let (_, kind) = one_of(input, "`force` or `torque`", &LOADS)?;
     let (on, _) = in_parens(input, "`(`", |input| match kind {
         On::Point => end(input).map(LoadOn::Force),
-        On::Link => name(input, "the name of a link").map(LoadOn::Torque),
+        On::Link => path(input, "the name of a link").map(LoadOn::Torque),
     })?;
     Ok(on)
 }

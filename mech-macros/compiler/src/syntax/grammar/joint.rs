@@ -1,14 +1,14 @@
 //! `joint name = kind(first, second, size) at (x, y) along (dx, dy);`
 
 use super::expression::{direction, expression, one_of, pair, read_labelled};
+use super::path::{end, path};
 use super::recover::{at_beginning, to_semicolon};
 use super::statement::{BEGINNINGS, read_declared};
-use super::tokens::{comes_word, expected_message, in_parens, name, symbol, take, take_word};
+use super::tokens::{comes_word, expected_message, in_parens, symbol, take, take_word};
 use crate::syntax::ast::{
-    Clause, End, Expr, Joint, JointBody, JointWord, Read, Rolling, Size, Statement,
+    Clause, End, Expr, Joint, JointBody, JointWord, Name, Read, Rolling, Size, Statement,
 };
 use crate::syntax::{Message, Place};
-use proc_macro2::Ident;
 use syn::parse::ParseStream;
 
 const WORDS: [(&str, JointWord); 8] = [
@@ -91,15 +91,6 @@ fn parts(input: ParseStream, kind: JointWord) -> Read<Parts> {
     Ok(([first, second], (rolling, law)))
 }
 
-/// Reads `link` or `link.axis`.
-pub(super) fn end(input: ParseStream) -> Read<End> {
-    let link = name(input, "the name of a link")?;
-    let axis = take(input, ".")
-        .map(|_| name(input, "the name of a point or line"))
-        .transpose()?;
-    Ok(End { link, axis })
-}
-
 /// A comma, and what is missing after it if there is none.
 fn comma(input: ParseStream, next: &str) -> Read<()> {
     match take(input, ",") {
@@ -151,9 +142,9 @@ fn two_links(input: ParseStream, kind: JointWord, first: &End) -> Read<()> {
     Err(Message::new(third.place(), text))
 }
 
-fn carrier(input: ParseStream) -> Read<Option<Ident>> {
+fn carrier(input: ParseStream) -> Read<Option<Name>> {
     take_word(input, "on")
-        .map(|_| name(input, "the name of a link"))
+        .map(|_| path(input, "the name of a link"))
         .transpose()
 }
 
@@ -162,7 +153,7 @@ fn carrier_outside(input: ParseStream) -> Read<()> {
     let Some(keyword) = take_word(input, "on") else {
         return Ok(());
     };
-    let link = name(input, "the name of a link")?;
+    let link = path(input, "the name of a link")?;
     let text =
         format!("the carrier is named within the brackets; write `on {link})` for `) on {link}`");
     Err(Message::new(

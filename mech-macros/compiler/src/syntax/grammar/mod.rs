@@ -9,6 +9,8 @@ mod item;
 mod joint;
 mod method;
 mod misplaced;
+mod part;
+mod path;
 mod recover;
 mod setting;
 mod statement;

@@ -2,14 +2,14 @@
 
 use super::ending::after_last;
 use super::expression::expression;
-use super::joint::end;
+use super::path::{end, path};
 use super::recover::{or_skip, to_semicolon};
 use super::statement::BEGINNINGS;
 use super::tokens::{any_word, comes, expected_message, in_braces, name, symbol, take, take_word};
 use super::trace::trace;
-use crate::syntax::ast::{Broken, Effect, Expr, Motor, Read, Start, StartClause, Statement};
+use crate::syntax::ast::{Broken, Effect, Expr, Motor, Name, Read, Start, StartClause, Statement};
 use crate::syntax::{Message, Place};
-use proc_macro2::{Ident, Span};
+use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::token;
 
@@ -32,7 +32,7 @@ pub(super) fn law_comes(input: ParseStream) -> bool {
 /// Reads `name = law in low ..= high by step;`.
 pub(super) fn motor(input: ParseStream) -> Statement {
     read_setting(input, |input| {
-        let joint = name(input, "the name of a joint")?;
+        let joint = path(input, "the name of a joint")?;
         one_motor(input, &joint)?;
         let law = take(input, "=").map(|_| expression(input)).transpose()?;
         let range = take_word(input, "in").map(|_| range(input)).transpose()?;
@@ -50,16 +50,17 @@ pub(super) fn motor(input: ParseStream) -> Statement {
 }
 
 /// Complains about several joints in one `motor`.
-fn one_motor(input: ParseStream, first: &Ident) -> Read<()> {
-    let mut names = vec![first.clone()];
+fn one_motor(input: ParseStream, first: &Name) -> Read<()> {
+    let mut others = Vec::new();
     while take(input, ",").is_some() {
-        names.push(name(input, "the name of a joint")?);
+        others.push(path(input, "the name of a joint")?);
     }
-    let [_, .., last] = &names[..] else {
+    let Some(last) = others.last() else {
         return Ok(());
     };
-    let place = Place::at(first.span()).to(Place::at(last.span()));
-    let statements: Vec<_> = names.iter().map(|name| format!("motor {name};")).collect();
+    let place = first.place().to(last.place());
+    let names = std::iter::once(first).chain(&others);
+    let statements: Vec<_> = names.map(|name| format!("motor {name};")).collect();
     let text = format!(
         "each motor has its own statement; write `{}`",
         statements.join(" ")
@@ -97,7 +98,7 @@ pub(super) fn start(input: ParseStream, keyword: Span) -> Statement {
 
 fn clause(input: ParseStream) -> Read<StartClause> {
     to_semicolon(input, &[], |input| {
-        let name = name(input, "the name of a joint or a link")?;
+        let name = path(input, "the name of a joint or a link")?;
         let near = take_word(input, "near").is_some();
         if !near && take(input, "=").is_none() {
             return Err(expected_message(
@@ -157,7 +158,7 @@ pub(super) fn show(input: ParseStream, keyword: Span) -> Statement {
 /// Reads `a, b;`.
 pub(super) fn continuous(input: ParseStream, keyword: Span) -> Statement {
     read_setting(input, |input| {
-        let joints = read_list(input, |input| name(input, "the name of a joint"))?;
+        let joints = read_list(input, |input| path(input, "the name of a joint"))?;
         Ok(Statement::Continuous { keyword, joints })
     })
 }

@@ -7,7 +7,7 @@ use super::recover::{at_beginning, or_skip, skip, to_semicolon};
 use super::tokens::{
     any_word, comes_word, expected_message, message_of, name, symbol, take, take_tree,
 };
-use super::{action, item, joint, method, misplaced, setting};
+use super::{action, item, joint, method, misplaced, part, setting};
 use crate::syntax::ast::{Broken, Constant, Ground, Item, Link, Read, Statement, Text};
 use crate::syntax::{Message, Place, spelling};
 use proc_macro2::{Ident, Span};
@@ -16,7 +16,7 @@ use syn::parse::ParseStream;
 use syn::{Attribute, token};
 
 /// The words that a statement may begin with.
-pub(super) const BEGINNINGS: [&str; 21] = [
+pub(super) const BEGINNINGS: [&str; 24] = [
     "const",
     "param",
     "ground",
@@ -37,6 +37,9 @@ pub(super) const BEGINNINGS: [&str; 21] = [
     "spring",
     "damper",
     "load",
+    "part",
+    "port",
+    "use",
     NOT_YET,
 ];
 
@@ -69,8 +72,9 @@ pub(super) fn text(input: ParseStream) -> Text {
             text.header = text.header.or(header);
             headed = true;
         } else {
-            text.statements
-                .extend(stray(&attributes).map(broken_statement));
+            let is_documented = comes_word(input, "part");
+            let stray = stray(&attributes, is_documented);
+            text.statements.extend(stray.map(broken_statement));
             if !input.is_empty() {
                 text.motors += usize::from(comes_word(input, "motor"));
                 text.has_laws |= setting::law_comes(input);
@@ -119,16 +123,17 @@ fn attributes(input: ParseStream) -> Read<Vec<Attribute>> {
     })
 }
 
-/// Attributes and doc comments that stand before something else than the `struct` line.
-fn stray(attributes: &[Attribute]) -> Option<Message> {
-    let attribute = attributes.first()?;
+/// Attributes and doc comments that stand before something else than the `struct` line; a part may have doc comments.
+fn stray(attributes: &[Attribute], is_documented: bool) -> Option<Message> {
+    let is_stray = |attribute: &&Attribute| !(is_documented && attribute.path().is_ident("doc"));
+    let attribute = attributes.iter().find(is_stray)?;
     let text =
         "only the `struct` line takes attributes and doc comments; write this as a `//` comment";
     Some(Message::new(Place::of(attribute), text))
 }
 
 /// Reads a statement; takes at least one token.
-fn statement(input: ParseStream) -> Statement {
+pub(super) fn statement(input: ParseStream) -> Statement {
     let otherwise = expected_message(input, "a statement");
     let Some(keyword) = any_word(input) else {
         // One token at least, or a stray keyword after it would be waited for forever.
@@ -159,6 +164,10 @@ fn statement(input: ParseStream) -> Statement {
         "damper" => action::damper(input),
         "load" => action::load(input),
         "allow" => setting::allow(input),
+        "part" => part::part(input),
+        "port" => part::port(input),
+        "use" if part::is_of_rust(input) => left_behind(input, unknown_statement(&keyword)),
+        "use" => part::used(input),
         NOT_YET => left_behind(input, not_yet(&keyword)),
         _ => left_behind(input, unknown_statement(&keyword)),
     }
@@ -257,7 +266,7 @@ fn link(input: ParseStream) -> Statement {
 }
 
 /// `{ ... }` or `;`
-fn body(input: ParseStream, begin: Cursor) -> Read<Vec<Item>> {
+pub(super) fn body(input: ParseStream, begin: Cursor) -> Read<Vec<Item>> {
     if take(input, ";").is_some() {
         return Ok(Vec::new());
     }

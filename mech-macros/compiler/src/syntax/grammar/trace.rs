@@ -2,7 +2,7 @@
 
 use super::expression::expression;
 use super::item::look;
-use super::joint::end;
+use super::path::end;
 use super::tokens::{comes, expected_message};
 use crate::syntax::ast::{Read, Trace};
 use syn::parse::ParseStream;

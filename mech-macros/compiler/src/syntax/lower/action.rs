@@ -1,6 +1,7 @@
 //! Masses, and what acts on them.
 
 use super::Lowering;
+use super::name::Body;
 use crate::api::Owner;
 use crate::model::{
     AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Mass, Shape,
@@ -8,9 +9,9 @@ use crate::model::{
 };
 use crate::syntax::Place;
 use crate::syntax::ast::{
-    BetweenEnds, Elastic, ElasticBody, End, Expr, LoadOn, Matter, MatterKind, Pair,
+    BetweenEnds, Elastic, ElasticBody, End, Expr, LoadOn, Matter, MatterKind, Name, Pair,
 };
-use proc_macro2::{Ident, Span};
+use proc_macro2::Span;
 
 /// What the mass of a link is made from, once all its shapes are known.
 pub(super) enum Massive {
@@ -22,7 +23,7 @@ impl Lowering {
     /// The mass of a link; `earlier` is what was said of it before.
     pub(super) fn lower_matter(
         &mut self,
-        link: LinkId,
+        link: Body,
         matter: &Matter,
         earlier: &mut Option<Massive>,
     ) {
@@ -35,12 +36,12 @@ impl Lowering {
                 .positive(density, "a density")
                 .map(|density| Massive::Density(density, place)),
         };
-        if link == LinkId::GROUND {
+        if link.id == LinkId::GROUND {
             let text = "the ground does not move, whatever its mass; leave this out";
             return self.report.error(place, text);
         }
-        if earlier.is_some() {
-            let name = &self.model.link(link).name;
+        if earlier.is_some() || self.model.link(link.id).mass.is_some() {
+            let name = self.name_of(link);
             let text = format!("`{name}` has a mass already; remove one of the two");
             return self.report.error(place, text);
         }
@@ -48,13 +49,19 @@ impl Lowering {
     }
 
     fn mass(&mut self, mass: &Expr, at: Option<&Pair>, inertia: Option<&Expr>) -> Option<Mass> {
-        let mass = self.not_negative(mass, "a mass");
+        let weight = self.not_negative(mass, "a mass");
+        let similarity = self.similarity;
         let center = at.map_or(Some([0.0, 0.0]), |at| self.pair(at));
+        let center = center.and_then(|center| {
+            let place = at.map_or(mass.place, |at| at.place);
+            self.transform((center, [None; 2]), &similarity, place)
+        });
+        let center = center.map(|(center, _)| center);
         let inertia = inertia.map_or(Some(0.0), |inertia| {
             self.not_negative(inertia, "a moment of inertia")
         });
         Some(Mass {
-            mass: mass?,
+            mass: weight?,
             center: center?,
             inertia: inertia?,
         })
@@ -121,10 +128,15 @@ impl Lowering {
             }
             Some(rest) => self.value(rest),
         };
+        let (scale, sense) = (self.start_scale(), self.similarity.sense());
+        let rest = rest.map(|rest| match between {
+            Between::Points(..) => scale * rest,
+            Between::Joint(_) => sense * rest,
+        });
         let origin = self.note(&spring.name);
         if let Some(rest) = rest {
             self.model.actions.springs.push(Spring {
-                name: spring.name.to_string(),
+                name: self.key_of(&spring.name),
                 origin,
                 between,
                 stiffness: strength,
@@ -135,9 +147,9 @@ impl Lowering {
 
     /// Keeps the name of a spring that is wrong: its method is not to be missed elsewhere. Nothing is made of a mechanism with errors.
     fn keep_spring(&mut self, spring: &Elastic) {
-        let name = spring.name.to_string();
+        let name = self.key_of(&spring.name);
         let mut known = self.model.actions.springs.iter();
-        let is_own = self.owns_method(&name, &format!("spring `{name}`"));
+        let is_own = self.owns_method(&name, &format!("spring `{}`", spring.name));
         if !is_own || known.any(|known| known.name == name) {
             return;
         }
@@ -163,7 +175,7 @@ impl Lowering {
         };
         let origin = self.note(&damper.name);
         self.model.actions.dampers.push(Damper {
-            name: damper.name.to_string(),
+            name: self.key_of(&damper.name),
             origin,
             between,
             damping,
@@ -232,7 +244,7 @@ impl Lowering {
     }
 
     /// The joint of this name, if it turns.
-    fn find_turning(&mut self, name: &Ident, what: &str) -> Option<JointId> {
+    fn find_turning(&mut self, name: &Name, what: &str) -> Option<JointId> {
         let joint = self.find_joint(name)?;
         if let JointKind::Revolute(..) = self.model.joint(joint).kind {
             return Some(joint);
@@ -240,13 +252,13 @@ impl Lowering {
         let text = format!(
             "joint `{name}` is not a revolute; a {what} at a joint turns its links, one between points is `linear(a.p, b.q)`"
         );
-        self.report.error(Place::at(name.span()), text);
+        self.report.error(name.place(), text);
         None
     }
 
     /// The point at which something is fixed.
     fn end_point(&mut self, end: &End, what: &str) -> Option<AxisId> {
-        let link = self.find_link(&end.link)?;
+        let link = self.find_body(&end.link)?;
         let Some(name) = &end.axis else {
             let points = self.axes_of(link, Some(AxisKind::Point));
             let text = match points.first() {
@@ -284,7 +296,7 @@ impl Lowering {
                 LoadOn::Force(_) => LoadKind::Force(AxisId::new(0)),
                 LoadOn::Torque(_) => LoadKind::Torque(LinkId::GROUND),
             };
-            let (name, origin) = (load.name.to_string(), self.note(&load.name));
+            let (name, origin) = (self.key_of(&load.name), self.note(&load.name));
             if kept {
                 self.model.actions.loads.push(Load { name, origin, kind });
             }
@@ -299,9 +311,9 @@ impl Lowering {
             return self.report.error(Place::at(load.name.span()), text);
         }
         if kept {
-            let name = load.name.to_string();
+            let name = self.key_of(&load.name);
             self.claim_method(
-                format!("set_{name}"),
+                format!("{}set_{}", self.scopes.here().prefix, load.name),
                 format!("load `{name}`"),
                 Place::at(load.name.span()),
             );

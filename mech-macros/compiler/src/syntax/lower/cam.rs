@@ -1,6 +1,7 @@
 //! Cams: a law between two joints.
 
 use super::Lowering;
+use super::param::Quantity;
 use super::{law, rolling};
 use crate::model::{JointId, JointKind, LinkId};
 use crate::syntax::Place;
@@ -10,8 +11,9 @@ impl Lowering {
     /// A cam, if it can be understood.
     pub(super) fn cam(&mut self, joint: &Joint, body: &JointBody) -> Option<JointKind> {
         let ends = body.ends.each_ref().map(|end| self.cam_end(end));
+        let factors = ends.map(|joint| self.factor_of(joint));
         let law = body.law.as_ref();
-        let law = law.and_then(|law| self.law(law, law::COORDINATE));
+        let law = law.and_then(|law| self.scaled_law(law, law::COORDINATE, factors));
         for keyword in body.clauses() {
             let text = "a `cam` has no place of its own; its shaft and its follower are where their joints are";
             self.report.error(Place::at(keyword), text);
@@ -47,7 +49,7 @@ impl Lowering {
             self.report.error(end.place(), text);
             return None;
         }
-        let name = end.link.to_string();
+        let name = self.key(&end.link)?;
         let (joint, word) = if self.cams.contains(&name) {
             (None, Some("cam"))
         } else {
@@ -62,6 +64,15 @@ impl Lowering {
             return None;
         }
         joint
+    }
+
+    /// How many times the coordinate that a part gives a joint is that which the joint has.
+    fn factor_of(&self, joint: Option<JointId>) -> Quantity {
+        match joint.map(|joint| self.model.joint(joint).kind) {
+            Some(JointKind::Prismatic(..)) => self.similarity.scale,
+            Some(_) => Quantity::fixed(self.similarity.sense()),
+            None => Quantity::fixed(1.0),
+        }
     }
 
     /// What a joint is called that cannot be the shaft or the follower of a cam.

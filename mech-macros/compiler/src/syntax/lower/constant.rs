@@ -11,6 +11,12 @@ use proc_macro2::Ident;
 /// Names of the language that no constant or param may take, beside those of the functions.
 const BUILT_IN: [&str; 2] = ["PI", "deg"];
 
+/// What the number of an instance is called where a part is used several times.
+pub(super) const INSTANCE: &str = "k";
+
+/// What a number of a part is called in messages.
+const NUMBER: &str = "number";
+
 /// What the variables of laws are called.
 const VARIABLES: [&str; 2] = [TIME, COORDINATE];
 
@@ -20,11 +26,13 @@ pub(super) struct Constants {
     entries: Vec<Entry>,
     /// The variable of the law that is being read.
     variable: Option<&'static str>,
+    /// The number of the instance whose use is being read.
+    instance: Option<usize>,
 }
 
 struct Entry {
     name: String,
-    /// The number of the statement that declares it.
+    /// The number of the statement that declares it; 0 for what was there before.
     statement: usize,
     /// None before it is computed, or if it could not be: then whoever uses it is not to blame.
     value: Option<Quantity>,
@@ -68,6 +76,38 @@ impl Constants {
         }
     }
 
+    /// Gives a number of a part its value; false if there is one of its name.
+    pub(super) fn give(
+        &mut self,
+        name: &Ident,
+        value: Option<Quantity>,
+        integer: Option<i64>,
+    ) -> bool {
+        let is_new = self
+            .entries
+            .iter()
+            .all(|entry| name != &entry.name || entry.statement != 0);
+        self.entries.retain(|entry| name != &entry.name);
+        self.entries.push(Entry {
+            name: name.to_string(),
+            statement: 0,
+            value,
+            integer,
+            word: NUMBER,
+        });
+        is_new
+    }
+
+    /// Says which instance of a use is being read, if there are several.
+    pub(super) fn set_instance(&mut self, instance: Option<usize>) {
+        self.instance = instance;
+    }
+
+    /// The number of the instance, if that is what this stands for.
+    fn instance(&self, name: &str) -> Option<usize> {
+        self.instance.filter(|_| name == INSTANCE)
+    }
+
     fn find(&self, name: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.name == name)
     }
@@ -89,6 +129,9 @@ impl Constants {
 
     /// The integer that this stands for, if it is computed from integers alone.
     pub(super) fn integer(&self, name: &Ident) -> Option<i64> {
+        if let Some(instance) = self.instance(&name.to_string()) {
+            return i64::try_from(instance).ok();
+        }
         self.find(&name.to_string()).and_then(|entry| entry.integer)
     }
 
@@ -131,7 +174,8 @@ impl Constants {
                 entry.value = value;
                 return true;
             }
-            Some(entry) if entry.statement != 0 => match (entry.word, what) {
+            Some(entry) if entry.statement != 0 || entry.word == NUMBER => match (entry.word, what)
+            {
                 ("constant", "constant") => {
                     format!("there is a constant `{text}` already; choose another name")
                 }
@@ -159,6 +203,13 @@ impl Constants {
     pub(super) fn value(&self, name: &Ident, report: &mut Report) -> Option<Quantity> {
         let text = name.to_string();
         let here = report.statement();
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "there are not so many instances"
+        )]
+        if let Some(instance) = self.instance(&text) {
+            return Some(Quantity::fixed(instance as f64));
+        }
         let trouble = match self.find(&text) {
             Some(entry) if entry.statement < here => return entry.value,
             Some(entry) if entry.statement == here => {
@@ -203,6 +254,7 @@ impl Constants {
             .map(|entry| entry.name.as_str())
             .chain(["PI"])
             .chain(self.variable)
+            .chain(self.instance.map(|_| INSTANCE))
             .collect()
     }
 }

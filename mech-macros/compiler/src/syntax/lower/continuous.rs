@@ -2,11 +2,11 @@
 
 use super::Lowering;
 use crate::model::{JointId, JointKind};
-use crate::syntax::Place;
-use proc_macro2::{Ident, Span};
+use crate::syntax::ast::Name;
+use proc_macro2::Span;
 
 impl Lowering {
-    pub(super) fn lower_continuous(&mut self, keyword: Span, joints: &[Ident]) {
+    pub(super) fn lower_continuous(&mut self, keyword: Span, joints: &[Name]) {
         self.single(keyword, "continuous", "put all joints into the first");
         for name in joints {
             self.report.next_item();
@@ -14,7 +14,7 @@ impl Lowering {
                 continue;
             };
             if let Some(text) = self.cannot_go_on(name, joint) {
-                self.report.error(Place::at(name.span()), text);
+                self.report.error(name.place(), text);
             } else {
                 self.model.continuous.push(joint);
             }
@@ -24,7 +24,7 @@ impl Lowering {
 
     /// What to say about a joint whose coordinate cannot go on over whole turns, or does already. A motor may be on it: what it is
     /// given goes on, too, and the motor may be moved.
-    fn cannot_go_on(&self, name: &Ident, joint: JointId) -> Option<String> {
+    fn cannot_go_on(&self, name: &Name, joint: JointId) -> Option<String> {
         if let Some(text) = self.no_coordinate(name, joint, "ask for") {
             return Some(text);
         }

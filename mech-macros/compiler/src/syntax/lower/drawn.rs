@@ -1,6 +1,7 @@
 //! Joints placed in the drawing, and the unnamed axes that they make.
 
 use super::Lowering;
+use super::name::Body;
 use super::param::Spot;
 use crate::model::{AxisId, AxisKind, DrawnAxis, FORWARD, LinkId, Origin};
 use crate::syntax::Place;
@@ -17,13 +18,17 @@ impl Lowering {
         origin: Origin,
     ) -> Option<[AxisId; 2]> {
         let links = body.ends.each_ref().map(|end| self.drawn_link(end));
-        let at = self.spot(&at.value);
+        let (place, at) = (at.value.place, self.spot(&at.value));
         let direction = self.drawn_direction(body, kinds);
-        let links = [links[0]?, links[1]?];
-        self.check_apart(joint, body, links)?;
-        let ((at, formulas), (direction, direction_formulas)) = (at?, direction?);
-        let [a, b] = links;
-        Some([(a, kinds[0]), (b, kinds[1])].map(|(link, kind)| {
+        let [a, b] = [links[0]?, links[1]?];
+        self.check_apart(joint, body, [a.id, b.id])?;
+        let (at, direction) = (at?, direction?);
+        let mut axis = |body: Body, kind| {
+            let link = body.id;
+            // In a drawing the frames of all links are one, those of ports and of the part's own.
+            let frame = body.port.map_or(self.similarity, |_| self.frame_of(body));
+            let (at, formulas) = self.transform(at, &frame, place)?;
+            let (direction, direction_formulas) = self.transform_direction(direction, &frame);
             self.model.links[link.index()].drawn |= link != LinkId::GROUND;
             let drawn = match kind {
                 AxisKind::Point => DrawnAxis::point(at),
@@ -33,12 +38,13 @@ impl Lowering {
                 },
             };
             let drawn = DrawnAxis { formulas, ..drawn };
-            self.model.drawn_axis(link, drawn, origin)
-        }))
+            Some(self.model.drawn_axis(link, drawn, origin))
+        };
+        Some([axis(a, kinds[0])?, axis(b, kinds[1])?])
     }
 
-    fn drawn_link(&mut self, end: &End) -> Option<LinkId> {
-        let link = self.find_link(&end.link)?;
+    fn drawn_link(&mut self, end: &End) -> Option<Body> {
+        let link = self.find_body(&end.link)?;
         let Some(axis) = &end.axis else {
             return Some(link);
         };

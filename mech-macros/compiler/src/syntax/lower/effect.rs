@@ -24,7 +24,9 @@ impl Lowering {
         for effect in effects {
             self.report.next_item();
             match effect {
-                Ok(Effect::Trace(trace)) => self.lower_trace(trace),
+                Ok(Effect::Trace(trace)) => {
+                    self.for_every(&trace.point.link, |lowering| lowering.lower_trace(trace));
+                }
                 Ok(Effect::Plain(effect)) if listed.contains(&effect) => {
                     let text = format!("`{effect}` is listed already; remove one of the two");
                     self.report.error(Place::at(effect.span()), text);
@@ -131,7 +133,7 @@ impl Lowering {
         let points = model.axes.iter().filter_map(|axis| {
             let name = axis.name.as_deref()?;
             let is_exposed = axis.kind == AxisKind::Point && axis.link != LinkId::GROUND;
-            let link = &model.link(axis.link).name;
+            let link = model.owner_of(axis);
             let owner = format!("point `{link}.{name}`");
             is_exposed.then(|| (format!("{link}_{name}"), owner, axis.origin, "velocity"))
         });

@@ -1,7 +1,7 @@
 //! Joints: their names, and those between axes.
 
 use super::Lowering;
-use super::name::{Referent, word_for};
+use super::name::{Body, Referent, word_for};
 use crate::model::{self, AxisId, AxisKind, JointId, JointKind, LinkId, Origin};
 use crate::syntax::Place;
 use crate::syntax::ast::{End, Joint, JointBody, JointWord};
@@ -13,13 +13,15 @@ impl Lowering {
     /// Enters the name of a joint; its axes follow when all links are known.
     pub(super) fn declare_joint(&mut self, joint: &Joint) {
         if self.claim(&joint.name, "joint") {
-            self.names.enter(&joint.name, Referent::Joint(None));
+            let key = self.key_of(&joint.name);
+            self.names.enter(key, Referent::Joint(None));
         } else {
-            self.names.enter(&joint.name, Referent::Broken);
-            self.nameless.push(self.report.statement());
+            let key = self.key_of(&joint.name);
+            self.names.enter(key, Referent::Broken);
+            self.nameless.push(self.statement());
         }
         match &joint.body {
-            Ok(body) if body.kind == JointWord::Cam => self.cams.push(joint.name.to_string()),
+            Ok(body) if body.kind == JointWord::Cam => self.cams.push(self.key_of(&joint.name)),
             Ok(_) => {}
             Err(error) => self.report.pass_on(error.clone()),
         }
@@ -35,7 +37,7 @@ impl Lowering {
             return;
         }
         if let Some(id) = self.enter_joint(joint, body) {
-            self.names.joint_is(&joint.name, id);
+            self.names.joint_is(&self.key_of(&joint.name), id);
         }
     }
 
@@ -45,14 +47,14 @@ impl Lowering {
             && body.kind == JointWord::Cam
             && let Some(id) = self.enter_joint(joint, body)
         {
-            self.names.joint_is(&joint.name, id);
+            self.names.joint_is(&self.key_of(&joint.name), id);
         }
     }
 
     fn enter_joint(&mut self, joint: &Joint, body: &JointBody) -> Option<JointId> {
-        let named = !self.nameless.contains(&self.report.statement());
+        let named = !self.nameless.contains(&self.statement());
         let origin = self.note(&joint.name);
-        let name = joint.name.to_string();
+        let name = self.key_of(&joint.name);
         let kind = match body.kind {
             JointWord::Revolute => {
                 let [a, b] = self.axes(joint, body, [AxisKind::Point; 2], origin)?;
@@ -134,8 +136,8 @@ impl Lowering {
     }
 
     /// Whether an end is a point or a line, without a word if it is neither.
-    fn kind_of(&self, end: &End) -> Option<AxisKind> {
-        let Referent::Link(link) = self.names.look_up(&end.link)? else {
+    fn kind_of(&mut self, end: &End) -> Option<AxisKind> {
+        let Referent::Link(link) = self.look_up(&end.link)? else {
             return None;
         };
         let axis = self.axis_of(link, &end.axis.as_ref()?.to_string())?;
@@ -158,7 +160,7 @@ impl Lowering {
         kind: AxisKind,
         found: [Option<AxisKind>; 2],
     ) -> Option<AxisId> {
-        let link = self.find_link(&end.link)?;
+        let link = self.find_body(&end.link)?;
         let Some(name) = &end.axis else {
             self.want_axis(body, end, link, kind);
             return None;
@@ -180,7 +182,7 @@ impl Lowering {
     }
 
     /// Complains about a link where one of its axes should be.
-    fn want_axis(&mut self, body: &JointBody, end: &End, link: LinkId, kind: AxisKind) {
+    fn want_axis(&mut self, body: &JointBody, end: &End, link: Body, kind: AxisKind) {
         let (word, wanted, name) = (&body.word, word_for(kind), &end.link);
         let [first, second] = body.ends.each_ref().map(|end| &end.link);
         let drawn = "place a joint of two links with";
@@ -197,7 +199,7 @@ impl Lowering {
             "`{word}` joins {}, but `{name}` is a link; name one of its {wanted}s, {example}, or {other}",
             operands_of(body.kind)
         );
-        self.report.error(Place::at(name.span()), text);
+        self.report.error(name.place(), text);
     }
 
     /// A joint must be between two different links.

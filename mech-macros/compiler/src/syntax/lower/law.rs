@@ -2,6 +2,7 @@
 
 use super::Lowering;
 use super::param::Quantity;
+use super::report::StatementPlace;
 use super::value::format_number;
 use crate::bug::bug;
 use crate::model::{Formula, Formulas, JointId, Law, LawId, StartValue};
@@ -24,12 +25,31 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 impl Lowering {
     /// An expression as a function of this variable.
     pub(super) fn law(&mut self, expr: &Expr, variable: &'static str) -> Option<LawId> {
+        self.scaled_law(expr, variable, [Quantity::fixed(1.0); 2])
+    }
+
+    /// An expression as a function of this variable, where the part that declares it is scaled or mirrored: by these factors the variable
+    /// and the result follow from those of the part.
+    pub(super) fn scaled_law(
+        &mut self,
+        expr: &Expr,
+        variable: &'static str,
+        [input, output]: [Quantity; 2],
+    ) -> Option<LawId> {
         let origin = self.places.note(expr.place);
-        self.constants.set_variable(Some(variable));
+        self.scopes
+            .here_mut()
+            .constants
+            .set_variable(Some(variable));
         self.law = Some(Formulas::default());
+        self.law_input = input;
         let quantity = self.quantity(expr);
+        let quantity = quantity.map(|quantity| {
+            let output = self.in_this_law(output);
+            self.product(quantity, output)
+        });
         let formulas = self.law.take();
-        self.constants.set_variable(None);
+        self.scopes.here_mut().constants.set_variable(None);
         let (quantity, mut formulas) = (quantity?, formulas?);
         let constant = || quantity.value.map(Formula::constant);
         let value = quantity
@@ -68,17 +88,19 @@ impl Lowering {
 
     /// The variable of the law that is read.
     pub(super) fn variable(&mut self, name: &Ident, place: Place) -> Option<Quantity> {
-        if self.constants.has(&name.to_string()) {
+        if self.constants().has(&name.to_string()) {
             let text = format!(
                 "`{name}` is the variable of this law, and a constant too; give the constant another name"
             );
             self.report.error(place, text);
             return None;
         }
-        Some(Quantity {
+        let variable = Quantity {
             value: None,
             formula: Some(self.formulas().add(Formula::Variable)),
-        })
+        };
+        let input = self.in_this_law(self.law_input);
+        Some(self.quotient(variable, input))
     }
 
     /// Lets every motor with a law start where that has it when the time is zero.
@@ -95,7 +117,8 @@ impl Lowering {
             let joint = motor.joint;
             let name = self.model.joint(joint).name.clone();
             let place = self.places.get(origin);
-            self.report.enter(self.statement_of(joint));
+            let statement = StatementPlace::of_mechanism(self.statement_of(joint));
+            self.report.enter(statement, None);
             if !value.is_finite() {
                 let text = format!(
                     "motor `{name}` starts where its law has it when the time is 0, but `{written}` has no value there; \

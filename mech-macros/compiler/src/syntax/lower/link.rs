@@ -1,8 +1,8 @@
 //! Links, and what is fixed to them.
 
 use super::Lowering;
-use super::name::{Referent, word_for};
-use super::param::Spot;
+use super::name::{Body, Referent, word_for};
+use super::param::{Length, Quantity, Spot};
 use crate::bug::bug;
 use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind};
 use crate::syntax::ast::{
@@ -29,24 +29,28 @@ impl Lowering {
         {
             link.origin = self.places.note(Place::at(ground.keyword));
         }
-        self.lower_items(LinkId::GROUND, &ground.items);
+        self.lower_items(LinkId::GROUND.into(), &ground.items);
     }
 
     pub(super) fn declare_link(&mut self, link: &Link) {
         if self.claim(&link.name, "link") {
             let id = LinkId::new(self.model.links.len());
             let origin = self.note(&link.name);
-            self.model
-                .links
-                .push(model::Link::new(&link.name.to_string(), origin));
-            self.names.enter(&link.name, Referent::Link(id));
-            self.lower_items(id, &link.items);
+            let key = self.key_of(&link.name);
+            self.model.links.push(model::Link::new(&key, origin));
+            self.link_scopes.push(self.scopes.current());
+            self.names.enter(key, Referent::Link(id.into()));
+            // What belongs to a part comes to its place when its ports are lent.
+            if self.scopes.here().part.is_none() {
+                self.lower_items(id.into(), &link.items);
+            }
             return;
         }
         // What the second of a name has, the first has not; but that is not the trouble.
-        match self.names.look_up(&link.name) {
+        let key = self.key_of(&link.name);
+        match self.names.get(&key) {
             Some(Referent::Link(first)) => self.names.lose_axis(first, None),
-            _ => self.names.enter(&link.name, Referent::Broken),
+            _ => self.names.enter(key, Referent::Broken),
         }
         self.pass_on_items(&link.items);
     }
@@ -63,7 +67,8 @@ impl Lowering {
         }
     }
 
-    fn lower_items(&mut self, link: LinkId, items: &Read<Vec<Item>>) {
+    /// Enters what is fixed to a link.
+    pub(super) fn lower_items(&mut self, link: Body, items: &Read<Vec<Item>>) {
         let items = match items {
             Ok(items) => items,
             Err(error) => {
@@ -77,7 +82,7 @@ impl Lowering {
             match item {
                 Item::Matter(matter) => self.lower_matter(link, matter, &mut massive),
                 Item::Axis(axis) => self.lower_axis(link, axis),
-                Item::Shape(shape) => self.lower_shape(link, shape),
+                Item::Shape(shape) => self.lower_shape(link.id, shape),
                 Item::Broken(broken) => {
                     self.report.pass_on(broken.error.clone());
                     broken
@@ -87,11 +92,11 @@ impl Lowering {
                 }
             }
         }
-        self.weigh(link, massive);
+        self.weigh(link.id, massive);
     }
 
     /// Enters an axis, also one whose numbers are wrong: its name is known, and it is not to be missed elsewhere.
-    fn lower_axis(&mut self, link: LinkId, axis: &Axis) {
+    fn lower_axis(&mut self, link: Body, axis: &Axis) {
         let kept = self.claim_axis(link, axis);
         let (at, direction) = match &axis.value {
             Ok(value) => self.axis_value(axis.kind, value),
@@ -106,10 +111,14 @@ impl Lowering {
         let origin = self.note(&axis.name);
         // An error was reported: any value will do.
         let (at, formulas) = at.unwrap_or_default();
-        let (direction, direction_formulas) = direction.unwrap_or((FORWARD, [None; 2]));
+        let direction = direction.unwrap_or((FORWARD, [None; 2]));
+        let similarity = self.similarity;
+        let (direction, direction_formulas) = self.transform_direction(direction, &similarity);
+        let port = link.port.map(|port| self.ports[port].path.clone());
         self.model.axes.push(model::Axis {
-            link,
+            link: link.id,
             name: Some(axis.name.to_string()),
+            port,
             origin,
             kind: axis.kind,
             at,
@@ -121,6 +130,14 @@ impl Lowering {
 
     /// The place and the direction of an axis, both turned if it says so.
     fn axis_value(&mut self, kind: AxisKind, value: &AxisValue) -> (Option<Spot>, Option<Spot>) {
+        let (at, direction) = self.untransformed(kind, value);
+        let similarity = self.similarity;
+        let at = at.and_then(|at| self.transform(at, &similarity, value.at.place));
+        (at, direction)
+    }
+
+    /// The same before what the scope does to it.
+    fn untransformed(&mut self, kind: AxisKind, value: &AxisValue) -> (Option<Spot>, Option<Spot>) {
         let at = self.spot(&value.at);
         let direction = value.direction.as_ref();
         let direction = direction.and_then(|direction| match kind {
@@ -144,11 +161,11 @@ impl Lowering {
     }
 
     /// Takes the name of an axis: whether it can have it.
-    fn claim_axis(&mut self, link: LinkId, axis: &Axis) -> bool {
+    fn claim_axis(&mut self, link: Body, axis: &Axis) -> bool {
         let text = axis.name.to_string();
         if let Some(earlier) = self.axis_of(link, &text) {
             let earlier = word_for(self.model.axis(earlier).kind);
-            let link = &self.model.link(link).name;
+            let link = self.name_of(link);
             let message = format!("`{link}` has a {earlier} `{text}` already; choose another name");
             self.report.error(Place::at(axis.name.span()), message);
             return false;
@@ -201,7 +218,7 @@ impl Lowering {
     pub(super) fn color(&mut self, color: &Color) -> Option<u8> {
         let Color { value, shade } = color;
         if let ExprKind::Constant(name) = &value.kind
-            && !self.constants.has(&name.to_string())
+            && !self.constants().has(&name.to_string())
         {
             let entry = color::named(&name.to_string(), shade.map(|(shade, _)| shade));
             return match entry {
@@ -222,16 +239,16 @@ impl Lowering {
     }
 
     fn circle(&mut self, center: &Pair, radius: &Expr) -> Option<Drawing> {
-        let center = self.spot(center);
-        let radius = self.length(radius, "a radius");
+        let center = self.fixed_spot(center);
+        let radius = self.fixed_length(radius, "a radius");
         let ((center, [x, y]), (radius, reach)) = (center?, radius?);
         Some((ShapeKind::Circle { center, radius }, vec![x, y, reach]))
     }
 
     fn ring(&mut self, center: &Pair, radius: &Expr, hole: &Expr) -> Option<Drawing> {
-        let center = self.spot(center);
-        let radius = self.length(radius, "a radius");
-        let inner = self.length(hole, "the radius of a hole");
+        let center = self.fixed_spot(center);
+        let radius = self.fixed_length(radius, "a radius");
+        let inner = self.fixed_length(hole, "the radius of a hole");
         let ((radius, reach), (inner, within)) = (radius?, inner?);
         if inner >= radius {
             let text =
@@ -250,7 +267,7 @@ impl Lowering {
 
     fn bar(&mut self, pins: &[Pair], place: Place, width: &Expr) -> Option<Drawing> {
         let found = self.spots(pins);
-        let width = self.length(width, "a width");
+        let width = self.fixed_length(width, "a width");
         if pins.len() < 2 {
             let text = format!("a bar has at least two pins, not {}", pins.len());
             self.report.error(place, text);
@@ -275,9 +292,26 @@ impl Lowering {
         Some((ShapeKind::Polygon(corners), formulas))
     }
 
+    /// A place in a link.
+    fn fixed_spot(&mut self, pair: &Pair) -> Option<Spot> {
+        let (spot, similarity) = (self.spot(pair)?, self.similarity);
+        self.transform(spot, &similarity, pair.place)
+    }
+
+    /// A length on a link, greater than zero.
+    fn fixed_length(&mut self, expr: &Expr, what: &str) -> Option<Length> {
+        let (value, formula) = self.length(expr, what)?;
+        let length = Quantity {
+            value: Some(value),
+            formula,
+        };
+        let scaled = self.product(length, self.similarity.scale);
+        Some((scaled.value?, scaled.formula))
+    }
+
     /// Some places in a link, and how all of their numbers are computed. All are looked at, so that all of their errors are reported.
     fn spots(&mut self, pairs: &[Pair]) -> Option<Spots> {
-        let spots: Vec<Option<Spot>> = pairs.iter().map(|pair| self.spot(pair)).collect();
+        let spots: Vec<Option<Spot>> = pairs.iter().map(|pair| self.fixed_spot(pair)).collect();
         let spots: Vec<Spot> = spots.into_iter().collect::<Option<_>>()?;
         let (points, formulas): (_, Vec<_>) = spots.into_iter().unzip();
         Some((points, formulas.concat()))

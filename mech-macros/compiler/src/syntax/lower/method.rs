@@ -49,7 +49,8 @@ impl Lowering {
 
     /// Either a method is declared, or an accuracy that chooses one.
     fn check_choice(&mut self, keyword: Span, word: &'static str, other: &'static str) {
-        if self.singles.contains(&other) && !self.singles.contains(&word) {
+        let singles = &self.scopes.here().singles;
+        if singles.contains(&other) && !singles.contains(&word) {
             let text = "`accuracy` chooses the method, so there cannot be both; remove `accuracy` or `method`";
             self.report.error(Place::at(keyword), text);
         }

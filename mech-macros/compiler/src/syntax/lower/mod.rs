@@ -14,11 +14,15 @@ mod method;
 mod motor;
 mod name;
 mod param;
+mod part;
+mod path;
 mod quality;
 mod report;
 mod rolling;
+mod scope;
 mod setting;
 mod show;
+mod similarity;
 mod start;
 mod trace;
 mod value;
@@ -28,21 +32,28 @@ use self::action::ActionPlaces;
 use self::constant::Constants;
 use self::motor::WrittenRange;
 use self::name::{Names, Referent};
+use self::param::Quantity;
+use self::part::{LentLink, Located, PartOutline};
 use self::report::Report;
+use self::scope::Scopes;
+use self::similarity::Similarity;
 use super::ast::{Statement, Text};
 use super::{Parsed, Place, Places};
 use crate::model::{Formulas, JointId, LinkId, Model, Origin};
 use proc_macro2::{Ident, Span};
 
 /// Makes the model of a text.
-pub(super) fn lower(text: Text) -> Parsed {
+pub(super) fn lower(mut text: Text) -> Parsed {
+    path::find_uses(&mut text);
     let mut lowering = Lowering::new(&text);
-    lowering.pass(&text.statements, Lowering::declare);
-    lowering.pass(&text.statements, Lowering::join);
-    lowering.pass(&text.statements, Lowering::join_joints);
-    lowering.pass(&text.statements, Lowering::set);
-    lowering.pass(&text.statements, Lowering::begin);
-    lowering.pass(&text.statements, Lowering::carry);
+    let statements = lowering.expand(&text);
+    lowering.pass(&statements, Lowering::lend);
+    lowering.pass(&statements, Lowering::join);
+    lowering.pass(&statements, Lowering::join_joints);
+    lowering.pass(&statements, Lowering::set);
+    lowering.pass(&statements, Lowering::begin);
+    lowering.pass(&statements, Lowering::carry);
+    lowering.scopes.enter(0);
     lowering.start_by_laws();
     lowering.check_unlisted();
     lowering.check_effects();
@@ -66,16 +77,26 @@ struct Lowering {
     model: Model,
     places: Places,
     report: Report,
-    constants: Constants,
+    /// What is local to the mechanism, and to each instance of a part.
+    scopes: Scopes,
+    /// What the numbers of the link, joint or start that is read undergo.
+    similarity: Similarity,
+    parts: Vec<PartOutline>,
+    /// The links that are lent to parts.
+    ports: Vec<LentLink>,
+    /// The scope of each link, except of the dies of slots.
+    link_scopes: Vec<usize>,
+    /// Which instances `[*]` stands for, from the outermost inwards.
+    every: Vec<usize>,
     /// What the law that is being read is made from.
     law: Option<Formulas>,
+    /// By what the variable of that law is divided, where a part is scaled or mirrored.
+    law_input: Quantity,
     /// Why the numbers that are being read may not depend on params, if there is a reason of their own.
     why_fixed: Option<&'static str>,
     names: Names,
-    /// The numbers of statements whose joint cannot have its name, and is left out.
-    nameless: Vec<usize>,
-    /// The statements that there may be only one of, as far as they have come.
-    singles: Vec<&'static str>,
+    /// The statements whose joint cannot have its name, and is left out: scopes, and numbers there.
+    nameless: Vec<(usize, usize)>,
     /// The ranges of the motors that have one.
     ranges: Vec<WrittenRange>,
     /// Where gravity and the effects of forces stand.
@@ -101,21 +122,23 @@ impl Lowering {
             model.precision = *precision;
         }
         let mut names = Names::default();
-        names.enter(
-            &Ident::new("ground", Span::call_site()),
-            Referent::Link(LinkId::GROUND),
-        );
+        names.enter("ground".to_owned(), Referent::Link(LinkId::GROUND.into()));
         let constants = Constants::of(&text.statements);
         Self {
             model,
             places,
             report: Report::default(),
-            constants,
+            scopes: Scopes::new(constants),
+            similarity: Similarity::IDENTITY,
+            parts: Vec::new(),
+            ports: Vec::new(),
+            link_scopes: vec![0],
+            every: Vec::new(),
             law: None,
+            law_input: Quantity::fixed(1.0),
             why_fixed: None,
             names,
             nameless: Vec::new(),
-            singles: Vec::new(),
             ranges: Vec::new(),
             acting: ActionPlaces::default(),
             cams: Vec::new(),
@@ -124,12 +147,22 @@ impl Lowering {
         }
     }
 
-    /// Goes through the text once.
-    fn pass(&mut self, statements: &[Statement], visit: fn(&mut Self, &Statement)) {
-        for (number, statement) in (1..).zip(statements) {
-            self.report.enter(number);
-            visit(self, statement);
+    /// Goes once through the text, and through each part as often as there are instances.
+    fn pass(&mut self, statements: &[Located], visit: fn(&mut Self, &Statement)) {
+        for located in statements {
+            self.enter(located.scope, located.place);
+            visit(self, located.statement);
         }
+    }
+
+    /// The numbers of the mechanism or the instance that is read.
+    fn constants(&self) -> &Constants {
+        &self.scopes.here().constants
+    }
+
+    /// The scope and the number of the statement that is read.
+    fn statement(&self) -> (usize, usize) {
+        (self.scopes.current(), self.report.statement())
     }
 
     /// First: everything that has a name.
@@ -143,12 +176,16 @@ impl Lowering {
                         None
                     }
                 };
-                let is_declared =
-                    self.constants
-                        .declare(&constant.name, value, "constant", &mut self.report);
+                let is_declared = self.scopes.here_mut().constants.declare(
+                    &constant.name,
+                    value,
+                    "constant",
+                    &mut self.report,
+                );
                 if let (true, Ok(expr)) = (is_declared, &constant.value) {
                     let integer = self.integer(expr);
-                    self.constants.set_integer(&constant.name, integer);
+                    let constants = &mut self.scopes.here_mut().constants;
+                    constants.set_integer(&constant.name, integer);
                 }
             }
             Statement::Param(param) => self.declare_param(param),
@@ -157,10 +194,9 @@ impl Lowering {
             Statement::Joint(joint) => self.declare_joint(joint),
             Statement::Broken(broken) => {
                 self.report.pass_on(broken.error.clone());
-                broken
-                    .name
-                    .iter()
-                    .for_each(|name| self.names.enter(name, Referent::Broken));
+                if let Some(name) = &broken.name {
+                    self.names.enter(self.key_of(name), Referent::Broken);
+                }
             }
             _ => {}
         }
@@ -217,13 +253,17 @@ impl Lowering {
 
     /// Complains about a statement of which there is one already.
     fn single(&mut self, keyword: Span, word: &'static str, remedy: &str) {
-        if self.singles.contains(&word) {
+        let (what, singles) = match &self.scopes.here().part {
+            None => ("mechanism", &self.scopes.here().singles),
+            Some(_) => ("part", &self.scopes.here().singles),
+        };
+        if singles.contains(&word) {
             self.report.error(
                 Place::at(keyword),
-                format!("a mechanism has one `{word}`; {remedy}"),
+                format!("a {what} has one `{word}`; {remedy}"),
             );
         } else {
-            self.singles.push(word);
+            self.scopes.here_mut().singles.push(word);
         }
     }
 

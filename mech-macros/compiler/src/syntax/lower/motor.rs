@@ -2,12 +2,11 @@
 
 use super::Lowering;
 use super::law;
+use super::report::StatementPlace;
 use super::rolling;
 use super::value::format_number;
 use crate::model::{self, JointId, JointKind, Range};
-use crate::syntax::Place;
-use crate::syntax::ast::{Expr, Motor};
-use proc_macro2::Ident;
+use crate::syntax::ast::{Expr, Motor, Name};
 
 /// The greatest relative difference between two numbers that are equal but were computed differently.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -42,7 +41,7 @@ impl Lowering {
                 statement: self.report.statement(),
             });
         }
-        let origin = self.note(&motor.joint);
+        let origin = self.note(&motor.joint.name);
         self.model.motors.push(model::Motor {
             joint,
             origin,
@@ -56,7 +55,7 @@ impl Lowering {
     }
 
     /// The joint of this name, if a motor can drive it.
-    fn find_driven(&mut self, name: &Ident) -> Option<JointId> {
+    fn find_driven(&mut self, name: &Name) -> Option<JointId> {
         let joint = self.find_joint(name)?;
         let kind = self.model.joint(joint).kind;
         let text = if let Some(word) = rolling::word_for(kind) {
@@ -73,7 +72,7 @@ impl Lowering {
         } else {
             return Some(joint);
         };
-        self.report.error(Place::at(name.span()), text);
+        self.report.error(name.place(), text);
         None
     }
 
@@ -113,7 +112,7 @@ impl Lowering {
     }
 
     /// Complains about a value at which a joint starts, if its motor does not go there.
-    pub(super) fn check_in_range(&mut self, name: &Ident, joint: JointId, start: (f64, &Expr)) {
+    pub(super) fn check_in_range(&mut self, name: &Name, joint: JointId, start: (f64, &Expr)) {
         let (value, expr) = start;
         let ranged = self.ranges.iter().find(|ranged| ranged.joint == joint);
         let Some(ranged) = ranged.filter(|ranged| !within(value, ranged.range)) else {
@@ -166,7 +165,8 @@ impl Lowering {
                      write `{name} = ...;` in `start` with a value within `{written}`, or widen the range"
                 )
             };
-            self.report.enter(ranged.statement);
+            self.report
+                .enter(StatementPlace::of_mechanism(ranged.statement), None);
             self.report
                 .error(self.places.get(ranged.range.origin), text);
         }

@@ -34,9 +34,11 @@ pub(super) type Length = (f64, Option<FormulaId>);
 
 impl Lowering {
     pub(super) fn declare_param(&mut self, param: &Constant) {
-        let is_new = self
-            .constants
-            .declare(&param.name, None, "param", &mut self.report);
+        let is_new =
+            self.scopes
+                .here_mut()
+                .constants
+                .declare(&param.name, None, "param", &mut self.report);
         let claimed = is_new && self.claim(&param.name, "param") && self.claim_setters(&param.name);
         let value = match &param.value {
             Ok(expr) => self.value(expr),
@@ -48,13 +50,15 @@ impl Lowering {
         if let (true, Some(value)) = (claimed, value) {
             let origin = self.note(&param.name);
             let id = self.model.params.add(Param {
-                name: param.name.to_string(),
+                name: self.key_of(&param.name),
                 origin,
                 value,
             });
             let formula = Some(self.model.params.formula(Formula::Param(id)));
             let value = Some(value);
-            self.constants
+            self.scopes
+                .here_mut()
+                .constants
                 .assign(&param.name, Quantity { value, formula });
         }
     }
@@ -71,7 +75,11 @@ impl Lowering {
             }
         }
         let owner = format!("changing param `{name}`");
-        self.claim_method(format!("set_{name}"), owner, place)
+        self.claim_method(
+            format!("{}set_{name}", self.scopes.here().prefix),
+            owner,
+            place,
+        )
     }
 
     /// The value of a number that may not depend on a param.
@@ -114,7 +122,7 @@ impl Lowering {
         let Some(name) = self.first_dependent(expr) else {
             return;
         };
-        let what = match self.constants.word_for(name) {
+        let what = match self.constants().word_for(name) {
             "param" => format!("`{name}` is a param: it may change while the mechanism runs"),
             _ => {
                 format!("`{name}` is computed from a param: it may change while the mechanism runs")
@@ -130,7 +138,7 @@ impl Lowering {
     /// The first name in an expression that stands for something that depends on a param.
     fn first_dependent<'e>(&self, expr: &'e Expr) -> Option<&'e Ident> {
         match &expr.kind {
-            ExprKind::Constant(name) => self.constants.depends(name).then_some(name),
+            ExprKind::Constant(name) => self.constants().depends(name).then_some(name),
             ExprKind::Negative(inner) | ExprKind::Degrees(inner) | ExprKind::Call(_, inner) => {
                 self.first_dependent(inner)
             }

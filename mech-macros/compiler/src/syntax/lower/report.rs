@@ -1,21 +1,45 @@
 //! Messages, put into the order of the text.
 
-use crate::syntax::{Message, Place};
+use crate::syntax::{Message, Place, spelling};
 
-/// Where in the text something stands: the number of its statement, and of the item in that statement.
-type Position = (usize, usize);
+/// Where a statement stands: its number among those of the mechanism, and among those of the part in it, if it is in a part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct StatementPlace {
+    pub(super) outer: usize,
+    pub(super) inner: Option<usize>,
+}
+
+impl StatementPlace {
+    /// The statement of this number that stands in no part.
+    pub(super) fn of_mechanism(outer: usize) -> Self {
+        Self { outer, inner: None }
+    }
+}
+
+/// A statement, and the number of the item in it.
+type Position = (StatementPlace, usize);
+
+/// A message as it came.
+struct Entry {
+    position: Position,
+    /// The instance of a part about which it is: `left[2]`.
+    instance: Option<String>,
+    message: Message,
+}
 
 /// The messages so far. Several passes read the text, so messages are sorted before they are shown.
 #[derive(Default)]
 pub(super) struct Report {
     position: Position,
-    messages: Vec<(Position, Message)>,
+    instance: Option<String>,
+    entries: Vec<Entry>,
 }
 
 impl Report {
-    /// From now on, messages are about this statement.
-    pub(super) fn enter(&mut self, statement: usize) {
+    /// From now on, messages are about this statement, in this instance of a part.
+    pub(super) fn enter(&mut self, statement: StatementPlace, instance: Option<String>) {
         self.position = (statement, 0);
+        self.instance = instance;
     }
 
     /// From now on, messages are about the next item of the statement.
@@ -23,9 +47,20 @@ impl Report {
         self.position.1 += 1;
     }
 
-    /// The number of the statement that messages are about.
+    /// The number of the statement that messages are about, among those of the mechanism or of the part.
     pub(super) fn statement(&self) -> usize {
+        let StatementPlace { outer, inner } = self.position.0;
+        inner.unwrap_or(outer)
+    }
+
+    /// The statement that messages are about.
+    pub(super) fn place(&self) -> StatementPlace {
         self.position.0
+    }
+
+    /// How many messages there are.
+    pub(super) fn len(&self) -> usize {
+        self.entries.len()
     }
 
     /// Tells something about a place.
@@ -34,21 +69,56 @@ impl Report {
     }
 
     /// Passes on a message of the grammar's.
-    pub(super) fn pass_on(&mut self, message: Message) {
-        self.messages.push((self.position, message));
+    pub(super) fn pass_on(&mut self, mut message: Message) {
+        // In a part its own names are written without the path of the instance.
+        if let Some(instance) = &self.instance {
+            message.text = message.text.replace(&format!("`{instance}."), "`");
+        }
+        self.entries.push(Entry {
+            position: self.position,
+            instance: self.instance.clone(),
+            message,
+        });
     }
 
     /// Whether nothing is wrong so far.
     pub(super) fn is_empty(&self) -> bool {
-        self.messages.is_empty()
+        self.entries.is_empty()
     }
 
-    /// All messages in the order of the text.
+    /// Whether this was said of the item that messages are about.
+    pub(super) fn has(&self, text: &str) -> bool {
+        let mut entries = self.entries.iter();
+        entries.any(|entry| entry.position == self.position && entry.message.text == text)
+    }
+
+    /// All messages in the order of the text; what is wrong with several instances of a part once.
     pub(super) fn finish(mut self) -> Vec<Message> {
-        self.messages.sort_by_key(|(position, _)| *position);
-        self.messages
-            .into_iter()
-            .map(|(_, message)| message)
-            .collect()
+        self.entries.sort_by_key(|entry| entry.position);
+        let mut messages: Vec<(Entry, Vec<String>)> = Vec::new();
+        for mut entry in self.entries {
+            let Some(instance) = entry.instance.take() else {
+                messages.push((entry, Vec::new()));
+                continue;
+            };
+            // Of one instance the same may be said twice, about two places.
+            let same = messages.iter_mut().find(|(earlier, instances)| {
+                let said = earlier.position == entry.position
+                    && earlier.message.text == entry.message.text;
+                said && !instances.is_empty() && !instances.contains(&instance)
+            });
+            match same {
+                Some((_, instances)) => instances.push(instance),
+                None => messages.push((entry, vec![instance])),
+            }
+        }
+        let named = messages.into_iter().map(|(mut entry, instances)| {
+            if !instances.is_empty() {
+                let instances: Vec<&str> = instances.iter().map(String::as_str).collect();
+                entry.message.text += &format!("\n\nnote: in {}", spelling::list(&instances));
+            }
+            entry.message
+        });
+        named.collect()
     }
 }

@@ -3,8 +3,7 @@
 use super::Lowering;
 use crate::model::{JointId, JointKind, LinkId, Ratio};
 use crate::syntax::Place;
-use crate::syntax::ast::{End, Expr, ExprKind, Joint, JointBody, JointWord, Size};
-use proc_macro2::Ident;
+use crate::syntax::ast::{End, Expr, ExprKind, Joint, JointBody, JointWord, Name, Size};
 
 /// What a joint without a coordinate is called, one that rolls or a cam; nothing for other joints.
 pub(super) fn word_for(kind: JointKind) -> Option<&'static str> {
@@ -72,7 +71,7 @@ impl Lowering {
     fn carrier(
         &mut self,
         kind: JointWord,
-        name: &Ident,
+        name: &Name,
         parts: [Option<LinkId>; 2],
     ) -> Option<LinkId> {
         let carrier = self.find_link(name)?;
@@ -86,7 +85,7 @@ impl Lowering {
         let text = format!(
             "`{name}` cannot carry itself; name the link that carries {carried}, or leave `on {name}` out"
         );
-        self.report.error(Place::at(name.span()), text);
+        self.report.error(name.place(), text);
         None
     }
 
@@ -105,6 +104,12 @@ impl Lowering {
 
     fn pinion_radius(&mut self, part: &Expr) -> Option<f64> {
         let radius = self.value(part)?;
+        if self.similarity.scale.formula.is_some() {
+            let text = "a param scales this part, but what rolls keeps its ratio, so that it counts whole turns exactly; use a `const` as its scale";
+            self.report.error(part.place, text);
+            return None;
+        }
+        let radius = self.similarity.sense() * self.start_scale() * radius;
         if radius == 0.0 {
             let text = "a pinion cannot be of size zero; give its pitch radius, negative if the bar is on its other side";
             self.report.error(part.place, text);

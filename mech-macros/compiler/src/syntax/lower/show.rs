@@ -1,10 +1,10 @@
 //! What is asked for.
 
 use super::Lowering;
-use super::name::Referent;
+use super::name::{Body, Referent};
 use crate::model::{AxisKind, LinkId, Shown};
 use crate::syntax::Place;
-use crate::syntax::ast::End;
+use crate::syntax::ast::{End, Name};
 use proc_macro2::{Ident, Span};
 
 impl Lowering {
@@ -42,7 +42,7 @@ impl Lowering {
 
     /// What is to be shown, if it can be.
     fn find_shown(&mut self, end: &End) -> Option<Shown> {
-        match (self.names.look_up(&end.link), &end.axis) {
+        match (self.look_up(&end.link), &end.axis) {
             (Some(Referent::Broken), _) => None,
             (None, None) => {
                 self.refuse_unknown(&end.link);
@@ -57,10 +57,11 @@ impl Lowering {
                 Some(Shown::Joint(joint))
             }
             (_, axis) => {
-                let link = self.find_link(&end.link)?;
+                let body = self.find_body(&end.link)?;
+                let link = body.id;
                 let shown = match axis {
                     None => Shown::Link(link),
-                    Some(axis) => self.shown_point(link, &end.link, axis)?,
+                    Some(axis) => self.shown_point(body, &end.link, axis)?,
                 };
                 if link == LinkId::GROUND {
                     let text = format!(
@@ -74,10 +75,10 @@ impl Lowering {
         }
     }
 
-    fn shown_point(&mut self, link: LinkId, link_name: &Ident, name: &Ident) -> Option<Shown> {
+    fn shown_point(&mut self, link: Body, link_name: &Name, name: &Ident) -> Option<Shown> {
         let axis = self.find_axis(link, name, Some(AxisKind::Point))?;
         if self.model.axis(axis).kind == AxisKind::Line {
-            let remedy = match link {
+            let remedy = match link.id {
                 LinkId::GROUND => "leave this out".to_owned(),
                 _ => format!("show its link, `{link_name}`"),
             };

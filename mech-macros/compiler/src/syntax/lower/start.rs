@@ -5,8 +5,7 @@ use super::name::Referent;
 use super::rolling;
 use crate::model::{JointId, JointKind, LinkId, Near, StartValue};
 use crate::syntax::Place;
-use crate::syntax::ast::{Start, StartClause};
-use proc_macro2::Ident;
+use crate::syntax::ast::{Name, Start, StartClause};
 
 impl Lowering {
     pub(super) fn lower_start(&mut self, start: &Start) {
@@ -21,9 +20,9 @@ impl Lowering {
     }
 
     fn start_clause(&mut self, clause: &StartClause) {
-        let named = self.names.look_up(&clause.name);
+        let named = self.look_up(&clause.name);
         match (named, clause.near) {
-            (Some(Referent::Link(id)), true) => self.near(clause, id),
+            (Some(Referent::Link(body)), true) => self.near(clause, body.id),
             (Some(Referent::Joint(Some(id))), false) => self.start_value(clause, id),
             (named, _) => {
                 self.value(&clause.value);
@@ -35,7 +34,7 @@ impl Lowering {
     /// Complains about a name of the wrong kind.
     fn misfit(&mut self, clause: &StartClause, named: Option<Referent>) {
         let name = &clause.name;
-        if self.names.is_shared(name) {
+        if self.is_shared(name) {
             return;
         }
         let text = match named {
@@ -47,6 +46,10 @@ impl Lowering {
             }
             Some(Referent::Joint(Some(joint))) if clause.near => self.near_a_joint(clause, joint),
             Some(Referent::Joint(_) | Referent::Broken) => return,
+            Some(Referent::Use) => {
+                self.find_body(name);
+                return;
+            }
             None if clause.near => {
                 self.find_link(name);
                 return;
@@ -56,7 +59,7 @@ impl Lowering {
                 return;
             }
         };
-        self.report.error(Place::at(name.span()), text);
+        self.report.error(name.place(), text);
     }
 
     /// What to write for `near` with a joint: its coordinate, if that can be given, or else the angle of a link.
@@ -95,15 +98,16 @@ impl Lowering {
         let name = &clause.name;
         if link == LinkId::GROUND {
             self.report
-                .error(Place::at(name.span()), "`ground` is fixed; leave this out");
+                .error(name.place(), "`ground` is fixed; leave this out");
         } else if self.model.start.near.iter().any(|near| near.link == link) {
             let text =
                 format!("there is a `near` for link `{name}` already; remove one of the two");
-            self.report.error(Place::at(name.span()), text);
+            self.report.error(name.place(), text);
         } else if let Some(angle) = angle
             && !self.is_degrees_perhaps(&clause.value, angle)
         {
             let origin = self.places.note(place(clause));
+            let angle = self.similarity.sense() * angle + self.scopes.here().angle;
             self.model.start.near.push(Near {
                 link,
                 angle,
@@ -125,6 +129,7 @@ impl Lowering {
             return;
         }
         self.check_in_range(&clause.name, joint, (value, &clause.value));
+        let value = self.own_coordinate(joint, value);
         let origin = self.places.note(place(clause));
         self.model.start.values.push(StartValue {
             joint,
@@ -141,7 +146,7 @@ impl Lowering {
         value: f64,
     ) -> Option<(Place, String)> {
         let name = &clause.name;
-        let place = Place::at(name.span());
+        let place = name.place();
         if let Some(text) = self.no_coordinate(name, joint, "give") {
             return Some((place, text));
         }
@@ -167,7 +172,7 @@ impl Lowering {
     }
 
     /// What to say about a joint that has no coordinate that somebody could give or show.
-    pub(super) fn no_coordinate(&self, name: &Ident, joint: JointId, verb: &str) -> Option<String> {
+    pub(super) fn no_coordinate(&self, name: &Name, joint: JointId, verb: &str) -> Option<String> {
         let kind = self.model.joint(joint).kind;
         let (word, remedy) = match (rolling::word_for(kind), kind) {
             (Some(word), JointKind::Rack { .. }) => (
@@ -205,5 +210,5 @@ impl Lowering {
 }
 
 fn place(clause: &StartClause) -> Place {
-    Place::at(clause.name.span()).to(clause.value.place)
+    clause.name.place().to(clause.value.place)
 }

@@ -1,7 +1,7 @@
 //! The points whose paths are recorded.
 
 use super::Lowering;
-use super::name::Referent;
+use super::name::{Body, Referent};
 use crate::model::{AxisId, AxisKind, LinkId, Trace};
 use crate::syntax::Place;
 use crate::syntax::ast::{self, End};
@@ -41,10 +41,11 @@ impl Lowering {
             self.tell_no_point(end);
             return None;
         };
-        let link = self.find_link(&end.link)?;
-        let point = self.find_axis(link, name, Some(AxisKind::Point))?;
+        let body = self.find_body(&end.link)?;
+        let link = body.id;
+        let point = self.find_axis(body, name, Some(AxisKind::Point))?;
         let text = if self.model.axis(point).kind == AxisKind::Line {
-            let remedy = self.one_of_its_points(link);
+            let remedy = self.one_of_its_points(body);
             let text = format!("`{end}` is a line; a trace is of a point{remedy}");
             self.report.error(Place::at(name.span()), text);
             return None;
@@ -61,8 +62,11 @@ impl Lowering {
 
     /// Complains about a trace of something that is not a point.
     fn tell_no_point(&mut self, end: &End) {
-        match self.names.look_up(&end.link) {
+        match self.look_up(&end.link) {
             Some(Referent::Broken) => {}
+            Some(Referent::Use) => {
+                self.find_body(&end.link);
+            }
             Some(Referent::Joint(_)) => {
                 let text = format!("`{end}` is a joint; a trace is of a point: `link.point`");
                 self.report.error(end.place(), text);
@@ -77,11 +81,11 @@ impl Lowering {
     }
 
     /// What of a link could be traced.
-    fn one_of_its_points(&self, link: LinkId) -> String {
-        let name = &self.model.link(link).name;
+    fn one_of_its_points(&self, link: Body) -> String {
+        let name = self.name_of(link);
         match self.axes_of(link, Some(AxisKind::Point)).first() {
-            Some(point) if link != LinkId::GROUND => format!(", such as `{name}.{point}`"),
-            _ if link == LinkId::GROUND => " of a moving link".to_owned(),
+            Some(point) if link.id != LinkId::GROUND => format!(", such as `{name}.{point}`"),
+            _ if link.id == LinkId::GROUND => " of a moving link".to_owned(),
             _ => format!("; declare one in `{name}`"),
         }
     }
@@ -90,7 +94,7 @@ impl Lowering {
     pub(super) fn claim_trace_methods(&mut self) {
         for trace in self.model.traces.clone() {
             let axis = self.model.axis(trace.point);
-            let link = &self.model.link(axis.link).name;
+            let link = self.model.owner_of(axis);
             let point = axis.own_name();
             let method = format!("{link}_{point}_trace");
             let owner = format!("the trace of `{link}.{point}`");

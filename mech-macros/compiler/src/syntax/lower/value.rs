@@ -17,11 +17,11 @@ impl Lowering {
                 self.literal(digits, expr.place).map(Quantity::fixed)
             }
             ExprKind::Pi => Some(Quantity::fixed(PI)),
-            ExprKind::Constant(name) if self.constants.is_variable(name) => {
+            ExprKind::Constant(name) if self.constants().is_variable(name) => {
                 self.variable(name, expr.place)
             }
             ExprKind::Constant(name) => {
-                let known = self.constants.value(name, &mut self.report)?;
+                let known = self.scopes.here().constants.value(name, &mut self.report)?;
                 Some(self.in_this_law(known))
             }
             ExprKind::Negative(inner) => {
@@ -69,7 +69,7 @@ impl Lowering {
         };
         match &expr.kind {
             ExprKind::Integer(digits) => digits.parse().ok(),
-            ExprKind::Constant(name) => self.constants.integer(name),
+            ExprKind::Constant(name) => self.constants().integer(name),
             ExprKind::Negative(inner) => self.integer(inner)?.checked_neg(),
             ExprKind::Sum(terms) => chain(terms, |sum, term, is_less| {
                 if is_less {
@@ -94,7 +94,10 @@ impl Lowering {
     }
 
     /// Numbers as formulas; none if none of them depends on anything.
-    fn as_formulas<const N: usize>(&mut self, all: [Quantity; N]) -> Option<[FormulaId; N]> {
+    pub(super) fn as_formulas<const N: usize>(
+        &mut self,
+        all: [Quantity; N],
+    ) -> Option<[FormulaId; N]> {
         if all.iter().all(|quantity| quantity.formula.is_none()) {
             return None;
         }
@@ -388,7 +391,7 @@ pub(super) fn format_number(value: f64) -> String {
     }
 }
 
-fn finite(value: f64, place: Place, report: &mut Report) -> Option<f64> {
+pub(super) fn finite(value: f64, place: Place, report: &mut Report) -> Option<f64> {
     if value.is_finite() {
         return Some(value);
     }

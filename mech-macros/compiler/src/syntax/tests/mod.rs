@@ -11,6 +11,7 @@ mod motor;
 mod name;
 mod offer;
 mod param;
+mod part;
 mod recovery;
 mod robust;
 mod rolling;

@@ -107,8 +107,8 @@ fn a_carrier_is_another_link() {
         &["`d` is a joint; this must be a link, one of `ground`, `crank`, `rod`, `bare`"],
     );
     joint(
-        "belt(crank, rod, 1 : 2 on bare«.»p)",
-        &["expected `)`, found `.`"],
+        "belt(crank, rod, 1 : 2 on «bare».p)",
+        &["`bare` is a link, not a use of a part"],
     );
     joint(
         "gear(crank, rod, 1 : 2 on«)»",

@@ -52,6 +52,7 @@ fn a_slot_is_drawn() {
     let drawn = |link, kind, direction| Axis {
         link: LinkId::new(link),
         name: None,
+        port: None,
         origin: model.joints[0].origin,
         kind,
         at: [1.0, 2.0],

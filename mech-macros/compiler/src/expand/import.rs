@@ -1,0 +1,138 @@
+//! Parts from elsewhere: `mechanism_part!` keeps the tokens of a part in a macro, which `use path::Part;` in a mechanism calls back.
+//!
+//! So a part crosses files and crates without any of them being read by the compiler of mechanisms.
+
+use super::compile_errors;
+use crate::syntax::{self, Message, Place};
+use proc_macro2::{Delimiter, Ident, Spacing, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+
+/// An import in the text of a mechanism, and the remainder of the text.
+pub(super) struct Import {
+    path: TokenStream,
+    others: TokenStream,
+}
+
+impl Import {
+    /// The first `use path::Part;` of a text, if there is one.
+    pub(super) fn first(text: &TokenStream) -> Option<Self> {
+        let trees: Vec<TokenTree> = text.clone().into_iter().collect();
+        let starts = trees.iter().enumerate().filter(|(index, tree)| {
+            let begins = index
+                .checked_sub(1)
+                .is_none_or(|before| ends(&trees[before]));
+            begins && matches!(tree, TokenTree::Ident(word) if word == "use")
+        });
+        let (start, length) = starts
+            .filter_map(|(start, _)| Some((start, length_of_path(&trees[start + 1..])?)))
+            .next()?;
+        let path = trees[start + 1..=start + length].iter().cloned().collect();
+        let mut others = trees;
+        others.drain(start..start + length + 2);
+        Some(Self {
+            path,
+            others: others.into_iter().collect(),
+        })
+    }
+
+    /// The call of the macro that adds the part.
+    pub(super) fn call(&self, krate: &TokenStream) -> TokenStream {
+        let Self { path, others } = self;
+        quote!(#path! { { #krate } #others })
+    }
+}
+
+/// Whether a statement ends with this token.
+fn ends(tree: &TokenTree) -> bool {
+    match tree {
+        TokenTree::Punct(mark) => mark.as_char() == ';',
+        TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+        _ => false,
+    }
+}
+
+/// How many tokens the path of Rust has that stands before a `;`. A single word is one, too: a macro in scope.
+fn length_of_path(trees: &[TokenTree]) -> Option<usize> {
+    let length = trees.iter().position(|tree| match tree {
+        TokenTree::Punct(mark) => mark.as_char() != ':' && mark.as_char() != '$',
+        TokenTree::Ident(_) => false,
+        _ => true,
+    })?;
+    let is_end = matches!(&trees[length], TokenTree::Punct(mark) if mark.as_char() == ';');
+    // One colon alone stands in the use of a part.
+    let is_use = trees[..length].iter().enumerate().any(|(index, tree)| {
+        let follows = index > 0 && is_joint(&trees[index - 1]);
+        matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ':')
+            && !is_joint(tree)
+            && !follows
+    });
+    (is_end && length > 0 && !is_use).then_some(length)
+}
+
+fn is_joint(tree: &TokenTree) -> bool {
+    matches!(tree, TokenTree::Punct(mark) if mark.spacing() == Spacing::Joint)
+}
+
+/// Expands the body of a `mechanism_part!`: attributes, a visibility, and a part without the word `part`.
+#[must_use]
+pub fn expand_part(input: TokenStream) -> TokenStream {
+    let mut trees: Vec<TokenTree> = input.clone().into_iter().collect();
+    let mut is_public = false;
+    let mut visibility = TokenStream::new();
+    // Documentation first.
+    let mut attributes = TokenStream::new();
+    while matches!(trees.first(), Some(TokenTree::Punct(mark)) if mark.as_char() == '#') {
+        attributes.extend(trees.drain(..2.min(trees.len())));
+    }
+    if matches!(trees.first(), Some(TokenTree::Ident(word)) if word == "pub") {
+        visibility.extend(trees.drain(..1));
+        is_public = true;
+        if matches!(trees.first(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis)
+        {
+            visibility.extend(trees.drain(..1));
+            is_public = false;
+        }
+    }
+    let Some(TokenTree::Ident(name)) = trees.first().cloned() else {
+        let text = "expected the name of a part, as `pub Leg(size = 1) { ... }`";
+        return compile_errors(&[Message::new(Place::of(&input), text)]);
+    };
+    let body: TokenStream = trees.into_iter().collect();
+    let errors = errors_of(&body);
+    if !errors.is_empty() {
+        return compile_errors(&errors);
+    }
+    keep(&name, &attributes, (&visibility, is_public), &body)
+}
+
+/// What could not be read of a part.
+fn errors_of(body: &TokenStream) -> Vec<Message> {
+    syntax::parse(quote!(struct Part; part #body)).errors
+}
+
+/// The macro that adds the part to the text of a mechanism.
+fn keep(
+    name: &Ident,
+    attributes: &TokenStream,
+    (visibility, is_public): (&TokenStream, bool),
+    body: &TokenStream,
+) -> TokenStream {
+    let kept = format_ident!("__part_{name}", span = name.span());
+    let export = is_public.then(|| quote!(#[doc(hidden)] #[macro_export]));
+    let visibility = if visibility.is_empty() {
+        None
+    } else {
+        Some(visibility)
+    };
+    quote! {
+        #export
+        macro_rules! #kept {
+            ({ $($krate:tt)* } $($text:tt)*) => {
+                $($krate)*::expand_mechanism! { $($krate)*; $($text)* part #body }
+            };
+        }
+        #attributes
+        #[allow(unused_imports, reason = "nobody has to use a part")]
+        #visibility use #kept as #name;
+    }
+}

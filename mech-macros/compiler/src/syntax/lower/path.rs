@@ -1,0 +1,252 @@
+//! Paths to what is within uses of parts.
+
+use super::Lowering;
+use super::name::Referent;
+use super::scope::UsedPart;
+use crate::syntax::ast::{BetweenEnds, Effect, End, Index, LoadOn, Name, Segment, Statement, Text};
+use crate::syntax::{Place, spelling};
+
+/// The uses of the mechanism and of each part: their names, and the names of what they use.
+struct UseTable(Vec<(Option<String>, Vec<(String, String)>)>);
+
+impl UseTable {
+    fn of(text: &Text) -> Self {
+        let uses = |body: &[Statement]| {
+            let uses = body.iter().filter_map(|statement| match statement {
+                Statement::Use(used) => Some((used.name.to_string(), used.part.to_string())),
+                _ => None,
+            });
+            uses.collect()
+        };
+        let parts = text
+            .statements
+            .iter()
+            .filter_map(|statement| match statement {
+                Statement::Part(part) => {
+                    let body = part.body.as_deref().unwrap_or_default();
+                    Some((Some(part.name.to_string()), uses(body)))
+                }
+                _ => None,
+            });
+        Self(
+            std::iter::once((None, uses(&text.statements)))
+                .chain(parts)
+                .collect(),
+        )
+    }
+
+    /// The part that a use of this name uses, in the mechanism or in a part.
+    fn part(&self, scope: Option<&str>, name: &str) -> Option<&str> {
+        let (_, uses) = self.0.iter().find(|(known, _)| known.as_deref() == scope)?;
+        let (_, part) = uses.iter().find(|(known, _)| known == name)?;
+        Some(part)
+    }
+
+    /// Whether this is a use in the scope to which the path leads.
+    fn is_use(&self, scope: Option<&str>, name: &Name) -> bool {
+        let mut scope = scope;
+        for segment in &name.uses {
+            scope = self.part(scope, &segment.name.to_string());
+            if scope.is_none() {
+                return false;
+            }
+        }
+        self.part(scope, &name.name.to_string()).is_some()
+    }
+}
+
+/// Finds out where the word before the last is a use of a part: then the last is no axis, but a link or a joint.
+pub(super) fn find_uses(text: &mut Text) {
+    let table = UseTable::of(text);
+    for statement in &mut text.statements {
+        if let Statement::Part(part) = statement {
+            let scope = part.name.to_string();
+            for statement in part.body.iter_mut().flatten() {
+                correct(statement, &table, Some(&scope));
+            }
+        } else {
+            correct(statement, &table, None);
+        }
+    }
+}
+
+fn correct(statement: &mut Statement, table: &UseTable, scope: Option<&str>) {
+    for end in ends(statement) {
+        if end.axis.is_some() && table.is_use(scope, &end.link) {
+            let link = end.axis.take();
+            let used = link.map(|link| std::mem::replace(&mut end.link.name, link));
+            end.link
+                .uses
+                .extend(used.map(|name| Segment { name, index: None }));
+        }
+    }
+}
+
+/// Everything in a statement that may be a link or an axis.
+fn ends(statement: &mut Statement) -> Vec<&mut End> {
+    match statement {
+        Statement::Joint(joint) => match &mut joint.body {
+            Ok(body) => body.ends.iter_mut().collect(),
+            Err(_) => Vec::new(),
+        },
+        Statement::Spring(elastic) | Statement::Damper(elastic) => match &mut elastic.body {
+            Ok(body) => match &mut body.between {
+                BetweenEnds::Points(ends) => ends.iter_mut().collect(),
+                BetweenEnds::Joint(_) => Vec::new(),
+            },
+            Err(_) => Vec::new(),
+        },
+        Statement::Load(load) => match &mut load.on {
+            Ok(LoadOn::Force(end)) => vec![end],
+            _ => Vec::new(),
+        },
+        Statement::Show { what, .. } => what.iter_mut().collect(),
+        Statement::Effects { effects, .. } => {
+            let traces = effects.iter_mut().filter_map(|effect| match effect {
+                Ok(Effect::Trace(trace)) => Some(&mut trace.point),
+                _ => None,
+            });
+            traces.collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+impl Lowering {
+    /// A name with the path to its scope; reported if a use on the way is not there.
+    pub(super) fn key(&mut self, name: &Name) -> Option<String> {
+        let mut scope = self.scopes.current();
+        let mut every = self.every.clone().into_iter();
+        for segment in &name.uses {
+            let used = self.used(scope, segment)?;
+            let instance = match &segment.index {
+                Some(Index::Every(place)) => match every.next() {
+                    Some(instance) => instance,
+                    None => {
+                        let text = "`[*]` stands for every instance in `show` and `trace` alone; write a number";
+                        return self.refuse(*place, text.to_owned());
+                    }
+                },
+                Some(Index::At(index)) => self.instance(&used, index)?,
+                None => 0,
+            };
+            scope = used.instances[instance];
+        }
+        Some(format!("{}{}", self.scopes.get(scope).prefix, name.name))
+    }
+
+    /// The use that is named in a path.
+    fn used(&mut self, scope: usize, segment: &Segment) -> Option<UsedPart> {
+        let name = &segment.name;
+        let uses = &self.scopes.get(scope).uses;
+        let place = Place::at(name.span());
+        let Some(used) = uses.iter().find(|used| name == &used.name).cloned() else {
+            let key = format!("{}{name}", self.scopes.get(scope).prefix);
+            if self.names.is_broken(&key) {
+                return None;
+            }
+            let text = match self.names.get(&key) {
+                Some(Referent::Link(_)) => format!("`{name}` is a link, not a use of a part"),
+                Some(Referent::Joint(_)) => format!("`{name}` is a joint, not a use of a part"),
+                _ => {
+                    let known: Vec<&str> = uses.iter().map(|used| used.name.as_str()).collect();
+                    let remedy = spelling::remedy(&name.to_string(), &known);
+                    format!("`{name}` is not a use of a part{remedy}")
+                }
+            };
+            return self.refuse(place, text);
+        };
+        match (&segment.index, used.is_array) {
+            (None, true) => {
+                let text = format!(
+                    "`{name}` has {} instances; name one of them, as `{name}[0]`",
+                    used.instances.len()
+                );
+                self.refuse(place, text)
+            }
+            (Some(_), false) => {
+                let text = format!("`{name}` is a single instance; write it without brackets");
+                self.refuse(place, text)
+            }
+            _ => Some(used),
+        }
+    }
+
+    /// The number of an instance in brackets.
+    fn instance(&mut self, used: &UsedPart, index: &crate::syntax::ast::Expr) -> Option<usize> {
+        let value = self.value(index)?;
+        let count = used.instances.len();
+        let mut all = 0..count;
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "there are not so many instances"
+        )]
+        let found = all.find(|&instance| instance as f64 == value);
+        if found.is_some() {
+            return found;
+        }
+        let text = format!(
+            "`{}` has {count} instances, from `{0}[0]` to `{0}[{}]`; there is no `{0}[{index}]`",
+            used.name,
+            count - 1
+        );
+        self.refuse(index.place, text)
+    }
+
+    /// Reports something, if that was not said of this item before: names are looked up more than once.
+    fn refuse<T>(&mut self, place: Place, text: String) -> Option<T> {
+        if !self.report.has(&text) {
+            self.report.error(place, text);
+        }
+        None
+    }
+
+    /// Reads something once for all instances that `[*]` stands for in a path.
+    pub(super) fn for_every(&mut self, name: &Name, mut read: impl FnMut(&mut Self)) {
+        let mut choices = Vec::new();
+        self.choose(
+            self.scopes.current(),
+            &name.uses,
+            &mut Vec::new(),
+            &mut choices,
+        );
+        for every in choices {
+            self.every = every;
+            read(self);
+        }
+        self.every.clear();
+    }
+
+    /// The choices of instances for each `[*]` in the remainder of a path; one of nothing if it has none.
+    fn choose(
+        &mut self,
+        scope: usize,
+        uses: &[Segment],
+        chosen: &mut Vec<usize>,
+        choices: &mut Vec<Vec<usize>>,
+    ) {
+        let is_every = |segment: &Segment| matches!(segment.index, Some(Index::Every(_)));
+        let Some((segment, remainder)) = uses.split_first().filter(|_| uses.iter().any(is_every))
+        else {
+            return choices.push(chosen.clone());
+        };
+        let Some(used) = self.used(scope, segment) else {
+            return;
+        };
+        match &segment.index {
+            Some(Index::Every(_)) => {
+                for (number, &instance) in used.instances.iter().enumerate() {
+                    chosen.push(number);
+                    self.choose(instance, remainder, chosen, choices);
+                    chosen.pop();
+                }
+            }
+            Some(Index::At(index)) => {
+                if let Some(instance) = self.instance(&used, index) {
+                    self.choose(used.instances[instance], remainder, chosen, choices);
+                }
+            }
+            None => self.choose(used.instances[0], remainder, chosen, choices),
+        }
+    }
+}
