@@ -245,7 +245,7 @@ fn nothing_in_the_gallery_is_worse_than_predicted() {
 }
 
 fn cases() -> u64 {
-    mech_tests::cases(10)
+    mech_tests::cases(5)
 }
 
 #[test]

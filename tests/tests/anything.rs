@@ -263,7 +263,7 @@ fn anything_with_cams() {
 
 fn try_all(declared: &impl Strategy<Value = Declared>) {
     let [mut all, mut accepted, mut moved] = [0, 0, 0];
-    for_all(2_000, declared, |Declared { model, mut dice }| {
+    for_all(500, declared, |Declared { model, mut dice }| {
         all += 1;
         let compiled = match compile(&model) {
             Ok(compiled) => compiled,

@@ -107,7 +107,7 @@ fn outcome(model: &Model) -> Result<BTreeSet<(BTreeSet<String>, usize)>, String>
 
 #[test]
 fn shuffled_declarations_make_the_same_mechanism() {
-    for_all(300, &samples(1..=8), |Sample { grown, mut dice }| {
+    for_all(100, &samples(1..=8), |Sample { grown, mut dice }| {
         let other = shuffle(&grown.model, &mut dice);
         assert_eq!(outcome(&grown.model), outcome(&other));
     });
@@ -149,7 +149,7 @@ fn moves(model: &Model, dice: &mut Dice) -> Vec<Vec<f64>> {
 fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
     let mut compiled = 0;
     for_all(
-        600,
+        150,
         &coupled_samples(1..=4),
         |Sample { grown, mut dice }| {
             let model = grown.model;
@@ -208,7 +208,7 @@ fn a_chain_behind_a_platform_is_solved_after_it() {
 
 #[test]
 fn shuffled_declarations_of_what_is_broken_have_the_same_verdict() {
-    for_all(300, &samples(2..=7), |Sample { grown, mut dice }| {
+    for_all(100, &samples(2..=7), |Sample { grown, mut dice }| {
         let mut model = grown.model;
         // A joint too few, so that something stays free; or no motor.
         if dice.once_in(2) || model.joints.iter().any(|joint| joint.kind.rolls()) {

@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 const STEP: f64 = 1e-3;
 
 /// How many random mechanisms a test tries.
-const CASES: u64 = 200;
+const CASES: u64 = 60;
 
 /// A random mechanism with params.
 fn with_random_params(Sample { grown, mut dice }: Sample) -> (Model, Dice) {

@@ -10,7 +10,7 @@ use mech_tests::{
 };
 
 /// How many mechanisms a test tries.
-const CASES: u64 = 300;
+const CASES: u64 = 100;
 
 fn messages(diagnoses: &[Diagnosis], model: &Model) -> String {
     let texts = diagnoses
@@ -58,8 +58,8 @@ fn it_starts_as_it_was_drawn() {
 #[test]
 fn in_own_frames_it_has_the_same_assembly() {
     let [mut all, mut others] = [0, 0];
-    // So many that a rate of one in a thousand shows.
-    for_all(2_000, &samples(1..=8), |Sample { grown, mut dice }| {
+    // None of these; where there are more, so many that a rate of one in a thousand shows.
+    for_all(CASES, &samples(1..=8), |Sample { grown, mut dice }| {
         all += 1;
         let (model, poses) = in_own_frames(&grown.model, &mut dice);
         let compiled = match compile(&model) {

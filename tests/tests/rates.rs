@@ -14,7 +14,7 @@ use mech_tests::{
 const STEP: f64 = 1e-3;
 
 /// How many mechanisms a test tries.
-const CASES: u64 = 200;
+const CASES: u64 = 60;
 
 /// What was compared.
 #[derive(Debug, Default)]

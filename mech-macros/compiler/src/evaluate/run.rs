@@ -24,13 +24,24 @@ pub(super) struct MotionInputs<'g, T> {
 pub(super) struct Runner<'p> {
     pub(super) program: &'p Program,
     live: Vec<Value>,
+    /// What each block computes anew in every round of its iteration.
+    rounds: Vec<Vec<Value>>,
 }
 
 impl<'p> Runner<'p> {
     pub(super) fn new(program: &'p Program) -> Self {
+        let live: Vec<Value> = program.live_values().collect();
+        let mut rounds = vec![Vec::new(); program.ssa.blocks.len()];
+        for &value in &live {
+            let node = program.node(value);
+            if node.iterated && !matches!(node.op, Op::Unknown(..)) {
+                rounds[node.block.index()].push(value);
+            }
+        }
         Self {
             program,
-            live: program.live_values().collect(),
+            live,
+            rounds,
         }
     }
 
@@ -257,15 +268,6 @@ impl<'p> Runner<'p> {
         for scalar in &newton.scalars {
             values[scalar.now.index()] = values[scalar.first.index()];
         }
-        let body: Vec<Value> = self
-            .live
-            .iter()
-            .copied()
-            .filter(|&value| {
-                let node = self.program.node(value);
-                node.block == block && node.iterated && !matches!(node.op, Op::Unknown(..))
-            })
-            .collect();
         let within = |values: &[T], part: f64| {
             let fixed = newton.limits.size;
             let limit = match newton.extent {
@@ -279,7 +281,7 @@ impl<'p> Runner<'p> {
         let mut before = before_first();
         loop {
             let mut dense = None;
-            for &value in &body {
+            for &value in &self.rounds[block.index()] {
                 let op = self.program.node(value).op;
                 if let Op::Dense(_, index) = op {
                     let solve = || solve_system(&newton.columns, &newton.gap, values);
