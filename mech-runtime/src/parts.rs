@@ -128,7 +128,7 @@ mechanism_part! {
         joint heel = revolute(thigh.heel, tendon.heel);
         joint calf = revolute(tendon.calf, foot.calf);
         joint sole = revolute(shin.ankle, foot.ankle);
-        start { thigh near 70 deg; shin near -74 deg; tendon near -67 deg; }
+        start { thigh near 106 deg; shin near -36 deg; tendon near -94 deg; }
     }
 }
 
@@ -151,7 +151,7 @@ mechanism_part! {
         joint upper = revolute(frame.upper, upper_rocker.pivot);
         joint hip = revolute(upper_rocker.hip, leg.hip);
         joint knee = revolute(rod.knee, leg.knee);
-        start { lower_rocker near 90 deg; upper_rocker near 180 deg; leg near -150 deg; }
+        start { lower_rocker near 124 deg; upper_rocker near 90 deg; leg near -16 deg; }
     }
 }
 

@@ -57,6 +57,7 @@ pub fn add_cam(model: &mut Model, dice: &mut Dice) -> Option<JointId> {
         model.axes.push(Axis {
             link,
             name: None,
+            port: None,
             origin: Origin::default(),
             kind,
             at,

@@ -48,6 +48,7 @@ fn revolute(model: &mut Model, a: LinkId, b: LinkId, at: [f64; 2]) {
         model.axes.push(Axis {
             link,
             name: None,
+            port: None,
             origin,
             kind,
             at,

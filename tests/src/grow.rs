@@ -108,6 +108,7 @@ impl Grown {
         self.model.axes.push(Axis {
             link,
             name: None,
+            port: None,
             origin: Origin::default(),
             kind,
             at,

@@ -29,6 +29,7 @@ fn axis(
     model.axes.push(Axis {
         link,
         name: None,
+        port: None,
         origin: Origin::default(),
         kind,
         at,

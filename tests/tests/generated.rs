@@ -11,6 +11,7 @@ mod joints;
 mod laws;
 mod mesh;
 mod overlay;
+mod parts_library;
 mod pictures;
 mod reference;
 mod shapes;

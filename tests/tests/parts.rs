@@ -1,9 +1,8 @@
 //! A part is what its statements are where they are typed out: mirrored, scaled, turned and moved as its use says.
 
-use mech_compiler::compile;
-use mech_compiler::compiled::Compiled;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointKind, Model};
+use mech_compiler::{Compiled, compile};
 use mech_tests::{Dice, Sample, for_all, model, samples, text};
 
 /// What the use of a part does to its drawing.
@@ -46,8 +45,8 @@ impl Placement {
 }
 
 /// The mechanism as a part that is used, once or several times; motors and what is allowed stay outside.
-fn as_part(typed_out: &Model, how: &str, at: &str, count: usize) -> String {
-    let mut text = text(typed_out).replace("ground", "frame");
+fn as_part(typed_out: &str, how: &str, at: &str, count: usize) -> String {
+    let mut text = typed_out.replace("ground", "frame");
     let mut outside = String::new();
     let mut body = String::from("port frame;\n");
     text = text.split_off(text.find('\n').expect("the first line is the struct's") + 1);
@@ -63,8 +62,7 @@ fn as_part(typed_out: &Model, how: &str, at: &str, count: usize) -> String {
         }
     }
     format!(
-        "struct {};\npart Whole {{\n{body}}}\nuse used[{count}]: Whole{how} {{ frame = ground{at} }};\n{outside}",
-        typed_out.name
+        "struct Grown;\npart Whole {{\n{body}}}\nuse used[{count}]: Whole{how} {{ frame = ground{at} }};\n{outside}"
     )
 }
 
@@ -76,8 +74,9 @@ fn compiled(model: &Model) -> Option<Compiled> {
 fn a_part_is_what_is_typed_out_to_the_bit() {
     for_all(150, &samples(1..=8), |Sample { grown, mut dice }| {
         // A text gives no links frames of their own.
-        let typed_out = model(&text(&grown.model));
-        let used = model(&as_part(&typed_out, "", "", 1));
+        let written = text(&grown.model);
+        let typed_out = model(&written);
+        let used = model(&as_part(&written, "", "", 1));
         let (Some(one), Some(other)) = (compiled(&typed_out), compiled(&used)) else {
             panic!("a part of what is coherent is coherent");
         };
@@ -100,10 +99,11 @@ fn a_part_is_what_is_typed_out_to_the_bit() {
 #[test]
 fn a_use_mirrors_scales_turns_and_moves_every_motion() {
     for_all(150, &samples(1..=6), |Sample { grown, mut dice }| {
-        let typed_out = model(&text(&grown.model));
+        let written = text(&grown.model);
+        let typed_out = model(&written);
         let placement = Placement::random(&mut dice);
         let (how, at) = placement.written();
-        let used = model(&as_part(&typed_out, &how, &at, 1));
+        let used = model(&as_part(&written, &how, &at, 1));
         let one = compiled(&typed_out).expect("it grew coherent");
         let other = compiled(&used).unwrap_or_else(|| panic!("{placement:?}"));
         let mut plain = Machine::<f64>::new(&one.program);
@@ -148,8 +148,9 @@ fn apply(pose: &[f64; 4], [x, y]: [f64; 2]) -> [f64; 2] {
 #[test]
 fn instances_do_not_disturb_each_other() {
     for_all(60, &samples(1..=5), |Sample { grown, mut dice }| {
-        let typed_out = model(&text(&grown.model));
-        let used = model(&as_part(&typed_out, "", "", 3));
+        let written = text(&grown.model);
+        let typed_out = model(&written);
+        let used = model(&as_part(&written, "", "", 3));
         let one = compiled(&typed_out).expect("it grew coherent");
         let other = compiled(&used).expect("three of it are coherent");
         let (links, count) = (one.program.poses.len(), typed_out.motors.len());

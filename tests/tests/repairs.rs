@@ -167,6 +167,7 @@ fn brace(model: &mut Model, dice: &mut Dice, [a, b]: [LinkId; 2]) -> LinkId {
             model.axes.push(Axis {
                 link,
                 name: None,
+                port: None,
                 origin: Origin::default(),
                 kind: AxisKind::Point,
                 at,

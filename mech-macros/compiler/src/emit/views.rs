@@ -9,7 +9,8 @@ use crate::model::Model;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{
-    Attribute, Expr, ExprLit, FnArg, ImplItem, ImplItemFn, ItemImpl, Lit, Meta, Pat, Visibility,
+    Attribute, Expr, ExprLit, FnArg, ImplItem, ImplItemFn, ItemImpl, Lit, Meta, Pat, ReturnType,
+    Type, Visibility,
 };
 
 /// The methods of a mechanism, and the views that they return.
@@ -175,7 +176,7 @@ fn view(
         let all = shared(kind, owned);
         let all = all
             .iter()
-            .filter(|all| takes_mutable(&all[0].method) == changes);
+            .filter(|all| takes_mutable(&all.first.method) == changes);
         all.map(|all| method(site, model, all)).collect()
     });
     let inner = kind.inner(kinds);
@@ -225,20 +226,33 @@ fn mutable(kind: &Kind) -> Ident {
     format_ident!("{}Mut", kind.name)
 }
 
-/// The methods that all instances of a kind have, in their order.
-fn shared<'o>(kind: &Kind, owned: &'o [Owned]) -> Vec<Vec<&'o Owned>> {
-    let (Some(first), count) = (kind.instances.first(), kind.instances.len()) else {
-        return Vec::new();
-    };
-    let firsts = owned.iter().filter(|one| one.instance == *first);
-    let all = firsts.map(|first| {
-        let same = |instance: &usize| {
-            let mut owned = owned.iter();
-            owned.find(|one| one.instance == *instance && one.local == first.local)
-        };
-        kind.instances.iter().filter_map(same).collect::<Vec<_>>()
-    });
-    all.filter(|all| all.len() == count).collect()
+/// A method of a view: for each instance of the kind, that which it calls, if it has one.
+struct Shared<'o> {
+    local: &'o str,
+    /// That of the first instance that has one.
+    first: &'o Owned,
+    all: Vec<Option<&'o Owned>>,
+}
+
+/// The methods that instances of a kind have.
+fn shared<'o>(kind: &Kind, owned: &'o [Owned]) -> Vec<Shared<'o>> {
+    let mut methods: Vec<Shared<'o>> = Vec::new();
+    for (number, instance) in kind.instances.iter().enumerate() {
+        for one in owned.iter().filter(|one| one.instance == *instance) {
+            if let Some(known) = methods.iter_mut().find(|known| known.local == one.local) {
+                known.all[number] = Some(one);
+                continue;
+            }
+            let mut all = vec![None; kind.instances.len()];
+            all[number] = Some(one);
+            methods.push(Shared {
+                local: &one.local,
+                first: one,
+                all,
+            });
+        }
+    }
+    methods
 }
 
 fn takes_mutable(method: &ImplItemFn) -> bool {
@@ -246,13 +260,17 @@ fn takes_mutable(method: &ImplItemFn) -> bool {
     matches!(receiver, Some(syn::ReceiverKind::Reference(_, _, Some(_))))
 }
 
-/// A method of a view: that of its instance.
-fn method(site: &Site<'_>, model: &Model, all: &[&Owned]) -> TokenStream {
-    let first = all[0];
+/// A method of a view: that of its instance. What only some instances have, such as a trace, is optional.
+fn method(site: &Site<'_>, model: &Model, shared: &Shared<'_>) -> TokenStream {
+    let krate = site.krate;
+    let first = shared.first;
     let mut signature = first.method.sig.clone();
-    signature.ident = Ident::new(&first.local, Span::call_site());
-    signature.ident.set_span(first.method.sig.ident.span());
+    signature.ident = Ident::new(shared.local, first.method.sig.ident.span());
     signature.constness = None;
+    let is_optional = shared.all.iter().any(Option::is_none);
+    if let (true, ReturnType::Type(_, kind)) = (is_optional, &mut signature.output) {
+        **kind = Type::Verbatim(quote!(#krate::generated::Option<#kind>));
+    }
     let arguments = signature.inputs.iter().filter_map(|input| match input {
         FnArg::Typed(typed) => match &*typed.pat {
             Pat::Ident(name) => Some(name.ident.clone()),
@@ -262,14 +280,19 @@ fn method(site: &Site<'_>, model: &Model, all: &[&Owned]) -> TokenStream {
     });
     let arguments: Vec<Ident> = arguments.collect();
     let path = &model.instances[first.instance].path;
-    let attributes = first
-        .method
-        .attrs
-        .iter()
-        .map(|attribute| in_view(attribute, path));
-    let calls = all.iter().map(|one| {
-        let method = &one.method.sig.ident;
-        quote!(self.mechanism.#method(#(#arguments),*))
+    let attributes = first.method.attrs.iter();
+    let attributes = attributes.map(|attribute| in_view(attribute, path));
+    let calls = shared.all.iter().map(|one| match one {
+        None => quote!(#krate::generated::Option::None),
+        Some(one) => {
+            let method = &one.method.sig.ident;
+            let call = quote!(self.mechanism.#method(#(#arguments),*));
+            if is_optional {
+                quote!(#krate::generated::Option::Some(#call))
+            } else {
+                call
+            }
+        }
     });
     let choice = choose(calls.collect());
     let visibility = site.visibility;
@@ -307,7 +330,7 @@ fn in_view(attribute: &Attribute, path: &str) -> TokenStream {
 /// Whether anything of an instance can be changed, or of one in it.
 fn has_changes(kind: &Kind, kinds: &[Kind], owned: &[Owned]) -> bool {
     let mut methods = shared(kind, owned).into_iter();
-    methods.any(|all| takes_mutable(&all[0].method))
+    methods.any(|all| takes_mutable(&all.first.method))
         || kind
             .inner(kinds)
             .any(|inner| has_changes(inner, kinds, owned))

@@ -319,7 +319,7 @@ impl Lowering {
 }
 
 /// What could not be read of an item.
-fn error_of(item: &Item) -> Option<&crate::syntax::Message> {
+pub(super) fn error_of(item: &Item) -> Option<&crate::syntax::Message> {
     match item {
         Item::Axis(axis) => axis.value.as_ref().err(),
         Item::Shape(_) | Item::Matter(_) => None,

@@ -2,6 +2,7 @@
 
 use super::Lowering;
 use super::constant::{Constants, INSTANCE};
+use super::link::error_of;
 use super::name::{Body, Referent};
 use super::param::Quantity;
 use super::report::StatementPlace;
@@ -9,8 +10,8 @@ use super::scope::UsedPart;
 use super::similarity::Similarity;
 use crate::bug::bug;
 use crate::model::{Instance, JointId, JointKind, LinkId};
-use crate::syntax::ast::{Effect, Part, Port, PortBinding, Statement, Text, Use};
-use crate::syntax::{Place, spelling};
+use crate::syntax::ast::{Effect, Link, Part, Port, PortBinding, Statement, Text, Use};
+use crate::syntax::{Message, Place, spelling};
 
 /// The value of a number of a part, and the same as an integer if it is computed from integers alone.
 type Given = (Option<Quantity>, Option<i64>);
@@ -118,8 +119,8 @@ impl Lowering {
                         inner: Some(inner),
                     },
                 );
-                if let Statement::Broken(broken) = statement {
-                    self.report.pass_on(broken.error.clone());
+                for error in unread(statement) {
+                    self.report.pass_on(error.clone());
                 }
             }
         }
@@ -594,6 +595,31 @@ impl Lowering {
             bug!("a scale has no value at the start");
         };
         scale
+    }
+}
+
+/// What could not be read of a statement.
+fn unread(statement: &Statement) -> Vec<&Message> {
+    match statement {
+        Statement::Broken(broken) => vec![&broken.error],
+        Statement::Link(Link { items, .. }) | Statement::Port(Port { items, .. }) => match items {
+            Ok(items) => items.iter().filter_map(error_of).collect(),
+            Err(error) => vec![error],
+        },
+        Statement::Joint(joint) => joint.body.as_ref().err().into_iter().collect(),
+        Statement::Constant(constant) | Statement::Param(constant) => {
+            constant.value.as_ref().err().into_iter().collect()
+        }
+        Statement::Spring(elastic) | Statement::Damper(elastic) => {
+            elastic.body.as_ref().err().into_iter().collect()
+        }
+        Statement::Load(load) => load.on.as_ref().err().into_iter().collect(),
+        Statement::Start(start) => start
+            .clauses
+            .iter()
+            .filter_map(|clause| clause.as_ref().err())
+            .collect(),
+        _ => Vec::new(),
     }
 }
 
