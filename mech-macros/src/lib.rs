@@ -12,5 +12,5 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
 /// Keeps a part for mechanisms elsewhere. Called by `mech_runtime::mechanism_part!`.
 #[proc_macro]
 pub fn mechanism_part(input: TokenStream) -> TokenStream {
-    mech_compiler::expand_part(input.into()).into()
+    mech_compiler::expand_part(&input.into()).into()
 }

@@ -17,15 +17,14 @@ impl Import {
     /// The first `use path::Part;` of a text, if there is one.
     pub(super) fn first(text: &TokenStream) -> Option<Self> {
         let trees: Vec<TokenTree> = text.clone().into_iter().collect();
-        let starts = trees.iter().enumerate().filter(|(index, tree)| {
+        let mut starts = trees.iter().enumerate().filter(|(index, tree)| {
             let begins = index
                 .checked_sub(1)
                 .is_none_or(|before| ends(&trees[before]));
             begins && matches!(tree, TokenTree::Ident(word) if word == "use")
         });
-        let (start, length) = starts
-            .filter_map(|(start, _)| Some((start, length_of_path(&trees[start + 1..])?)))
-            .next()?;
+        let (start, length) =
+            starts.find_map(|(start, _)| Some((start, length_of_path(&trees[start + 1..])?)))?;
         let path = trees[start + 1..=start + length].iter().cloned().collect();
         let mut others = trees;
         others.drain(start..start + length + 2);
@@ -75,7 +74,7 @@ fn is_joint(tree: &TokenTree) -> bool {
 
 /// Expands the body of a `mechanism_part!`: attributes, a visibility, and a part without the word `part`.
 #[must_use]
-pub fn expand_part(input: TokenStream) -> TokenStream {
+pub fn expand_part(input: &TokenStream) -> TokenStream {
     let mut trees: Vec<TokenTree> = input.clone().into_iter().collect();
     let mut is_public = false;
     let mut visibility = TokenStream::new();
@@ -95,7 +94,7 @@ pub fn expand_part(input: TokenStream) -> TokenStream {
     }
     let Some(TokenTree::Ident(name)) = trees.first().cloned() else {
         let text = "expected the name of a part, as `pub Leg(size = 1) { ... }`";
-        return compile_errors(&[Message::new(Place::of(&input), text)]);
+        return compile_errors(&[Message::new(Place::of(input), text)]);
     };
     let body: TokenStream = trees.into_iter().collect();
     let errors = errors_of(&body);

@@ -42,7 +42,7 @@ pub(super) fn part_lines(model: &Model, plan: &Plan, loops: &[SolvedLoop]) -> Ve
         let numbers = instances.iter().flat_map(|&instance| of(instance));
         let solved =
             numbers.filter_map(|number| loops.iter().find(|solved| solved.number == number));
-        let mut methods: Vec<String> = solved.map(|solved| solved.method.to_string()).collect();
+        let mut methods: Vec<String> = solved.map(|solved| solved.method.clone()).collect();
         methods.sort_unstable();
         methods.dedup();
         let methods = methods.iter().map(|method| format!(", {method}"));

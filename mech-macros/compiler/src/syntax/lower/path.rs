@@ -6,8 +6,16 @@ use super::scope::UsedPart;
 use crate::syntax::ast::{BetweenEnds, Effect, End, Index, LoadOn, Name, Segment, Statement, Text};
 use crate::syntax::{Place, spelling};
 
-/// The uses of the mechanism and of each part: their names, and the names of what they use.
-struct UseTable(Vec<(Option<String>, Vec<(String, String)>)>);
+/// The uses of the mechanism and of each part.
+struct UseTable(Vec<Uses>);
+
+/// The uses of the mechanism or of one part.
+struct Uses {
+    /// The name of the part; none for the mechanism.
+    by: Option<String>,
+    /// The name of each use, and that of the part it uses.
+    parts: Vec<(String, String)>,
+}
 
 impl UseTable {
     fn of(text: &Text) -> Self {
@@ -24,21 +32,24 @@ impl UseTable {
             .filter_map(|statement| match statement {
                 Statement::Part(part) => {
                     let body = part.body.as_deref().unwrap_or_default();
-                    Some((Some(part.name.to_string()), uses(body)))
+                    Some(Uses {
+                        by: Some(part.name.to_string()),
+                        parts: uses(body),
+                    })
                 }
                 _ => None,
             });
-        Self(
-            std::iter::once((None, uses(&text.statements)))
-                .chain(parts)
-                .collect(),
-        )
+        let whole = Uses {
+            by: None,
+            parts: uses(&text.statements),
+        };
+        Self(std::iter::once(whole).chain(parts).collect())
     }
 
     /// The part that a use of this name uses, in the mechanism or in a part.
     fn part(&self, scope: Option<&str>, name: &str) -> Option<&str> {
-        let (_, uses) = self.0.iter().find(|(known, _)| known.as_deref() == scope)?;
-        let (_, part) = uses.iter().find(|(known, _)| known == name)?;
+        let uses = self.0.iter().find(|uses| uses.by.as_deref() == scope)?;
+        let (_, part) = uses.parts.iter().find(|(known, _)| known == name)?;
         Some(part)
     }
 
@@ -120,13 +131,13 @@ impl Lowering {
         for segment in &name.uses {
             let used = self.used(scope, segment)?;
             let instance = match &segment.index {
-                Some(Index::Every(place)) => match every.next() {
-                    Some(instance) => instance,
-                    None => {
+                Some(Index::Every(place)) => {
+                    let Some(instance) = every.next() else {
                         let text = "`[*]` stands for every instance in `show` and `trace` alone; write a number";
                         return self.refuse(*place, text.to_owned());
-                    }
-                },
+                    };
+                    instance
+                }
                 Some(Index::At(index)) => self.instance(&used, index)?,
                 None => 0,
             };
