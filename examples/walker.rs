@@ -2,7 +2,7 @@
 //!
 //! Run it with `cargo run --example walker`, then open `target/walker.png`.
 
-use mech_runtime::{HeapSmooth, Mechanism, Overlay, mechanism};
+use mech_runtime::{HeapSmooth, Overlay, mechanism};
 use std::error::Error;
 use std::fs;
 

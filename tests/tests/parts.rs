@@ -83,9 +83,9 @@ fn a_part_is_what_is_typed_out_to_the_bit() {
         let mut machines = [&one, &other].map(|compiled| Machine::<f64>::new(&compiled.program));
         let mut motors = vec![0.0; typed_out.motors.len()];
         for _ in 0..5 {
-            motors
-                .iter_mut()
-                .for_each(|motor| *motor += dice.between(-0.05, 0.05));
+            for motor in &mut motors {
+                *motor += dice.between(-0.05, 0.05);
+            }
             let [first, second] = &mut machines;
             assert_eq!(
                 first.move_to(&motors).is_ok(),
@@ -110,9 +110,9 @@ fn a_use_mirrors_scales_turns_and_moves_every_motion() {
         let mut placed = Machine::<f64>::new(&other.program);
         let mut motors = vec![0.0; typed_out.motors.len()];
         for _ in 0..5 {
-            motors
-                .iter_mut()
-                .for_each(|motor| *motor += dice.between(-0.02, 0.02));
+            for motor in &mut motors {
+                *motor += dice.between(-0.02, 0.02);
+            }
             let theirs =
                 typed_out.motors.iter().zip(&motors).map(|(motor, value)| {
                     match typed_out.joint(motor.joint).kind {

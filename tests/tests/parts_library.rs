@@ -302,7 +302,7 @@ fn views_reach_everything() {
             .hand(1)
             .finger(k)
             .bone_tip_trace()
-            .map(|trace| trace.len())
+            .map(mech_runtime::Trace::len)
     });
     assert_eq!(traces, [None, Some(1)]);
     assert_eq!(Hands::MOTORS[3], "hand[0].finger[1].root");
