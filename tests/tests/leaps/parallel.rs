@@ -150,6 +150,25 @@ proptest! {
     }
 }
 
+/// The second change point comes so soon behind the first that a line to it would begin before the first.
+#[test]
+fn two_change_points_that_nearly_coincide() {
+    let cell = |crank, flat| Cell {
+        lengths: [crank, 0.5],
+        direction: 0.0,
+        flat,
+        folded: false,
+    };
+    let cells = [
+        cell(0.308_820_570_723_256_2, 0.947_346_924_228_682_7),
+        cell(0.5, 0.947_329_735_481_967),
+    ];
+    stay_parallel(
+        &text(&cells, ""),
+        &[-5.260_746_027_353_87, -0.502_763_240_083_480_7],
+    );
+}
+
 /// A parallelogram drawn with rounded places, nearly a rhombus: where it lies folded, rounding of its lengths is more than that of the
 /// short distance of its pins.
 #[test]

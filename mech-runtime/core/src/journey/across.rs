@@ -172,7 +172,11 @@ pub(super) fn beyond_cluster<T: Real, J: Journey<T>>(
             before: (&before, begun),
             last: (&last, last_part),
         };
-        line.beyond(journey, (from, done), lesser(part + offset, T::ONE), index)
+        let end = lesser(part + offset, T::ONE);
+        // A line that began before a zero that was passed may not come to this one.
+        line.crosses(journey, index, end)
+            .then(|| line.beyond(journey, (from, done), end, index))
+            .flatten()
     })
 }
 
@@ -253,6 +257,11 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         b + (b - a) * ((end - part) / (part - begun))
     }
 
+    /// Whether the sine of a loop changes its sign on the way there.
+    fn crosses<J: Journey<T, Position = P>>(&self, journey: &J, index: usize, end: T) -> bool {
+        self.sine(journey, index, end) * journey.sine(self.last.0, index) < T::ZERO
+    }
+
     /// Whether a sine is where everything goes straight on to.
     fn meets<J: Journey<T, Position = P>>(
         &self,
@@ -291,8 +300,7 @@ impl<P: Clone, T: Real> Line<'_, P, T> {
         let mut beyond = journey.beyond(self.before.0, last);
         let mut stops = false;
         let turns = |index| {
-            journey.watch(index).at_zero != AtZero::Stay
-                && self.sine(journey, index, end) * journey.sine(last, index) < T::ZERO
+            journey.watch(index).at_zero != AtZero::Stay && self.crosses(journey, index, end)
         };
         for index in (0..journey.watches()).filter(|index| turns(*index)) {
             journey.turn_over(&mut beyond, index);
