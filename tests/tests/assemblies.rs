@@ -163,6 +163,10 @@ fn each_loop_of_a_random_mechanism_is_named_by_its_joint() {
                 coordinate: expected,
                 ..
             } = assemblies[assembly];
+            let mut reversed = model.clone();
+            reversed.start.near.reverse();
+            let same = compile(&reversed).expect("the order of clauses is free");
+            assert_eq!(same.plan.start, compiled.plan.start);
             let is = coordinate(&model, &compiled, joint);
             let off = match model.joint(joint).kind {
                 JointKind::Revolute(..) => (0.5 * (is - expected)).sin().abs(),

@@ -77,18 +77,9 @@ pub(super) fn assemble(
                 .collect::<Result<_, _>>()?,
         };
         drafts = keep_as_drawn(model, drafts)?;
-        wishes.retain(|wish| {
-            let ready = drafts.iter().all(|draft| {
-                draft
-                    .placement
-                    .clusters
-                    .are_joined(wish.link, LinkId::GROUND)
-            });
-            if ready {
-                keep_nearest(&mut drafts, *wish);
-            }
-            !ready
-        });
+        let is_ready = |wish: &Near| is_placed(&drafts, wish.link);
+        let ready = wishes.extract_if(.., |wish| is_ready(wish)).collect();
+        follow_wishes(&mut drafts, ready);
         if drafts.len() > MOST {
             many = true;
             keep_alike(&mut drafts);
@@ -305,6 +296,33 @@ fn size(model: &Model) -> f64 {
     })
 }
 
+/// Whether the pose of a link is known in all drafts.
+fn is_placed(drafts: &[Draft<'_>], link: LinkId) -> bool {
+    let mut clusters = drafts.iter().map(|draft| &draft.placement.clusters);
+    clusters.all(|clusters| clusters.are_joined(link, LinkId::GROUND))
+}
+
+/// Keeps the drafts that the wishes ask for, in whatever order these stand. The link with the fewest directions comes first: those of
+/// the others may follow from its own.
+fn follow_wishes(drafts: &mut Vec<Draft<'_>>, mut wishes: Vec<Near>) {
+    let key =
+        |drafts: &[Draft<'_>], wish: &Near| (directions(drafts, wish.link), wish.link.index());
+    while let Some(next) = (0..wishes.len()).min_by_key(|&number| key(drafts, &wishes[number])) {
+        keep_nearest(drafts, wishes.swap_remove(next));
+    }
+}
+
+/// The number of directions a link has in the drafts.
+fn directions(drafts: &[Draft<'_>], link: LinkId) -> usize {
+    let mut angles: Vec<f64> = Vec::new();
+    for angle in drafts.iter().map(|draft| angle(draft, link)) {
+        if angles.iter().all(|&other| turn(angle, other) >= APART) {
+            angles.push(angle);
+        }
+    }
+    angles.len()
+}
+
 /// Keeps the drafts in which this link points nearest to where it is wanted.
 fn keep_nearest(drafts: &mut Vec<Draft<'_>>, wish: Near) {
     let away = |draft: &Draft<'_>| {
@@ -363,11 +381,7 @@ fn turn(a: f64, b: f64) -> f64 {
 
 /// The links by whose angles the assemblies differ, and these angles.
 fn several(model: &Model, steps: &[Step], drafts: &[Draft<'_>], many: bool) -> Diagnosis {
-    let placed = |link: &LinkId| {
-        drafts
-            .iter()
-            .all(|draft| draft.placement.clusters.are_joined(*link, LinkId::GROUND))
-    };
+    let placed = |link: &LinkId| is_placed(drafts, *link);
     let same = |a: &Draft<'_>, b: &Draft<'_>, link| turn(angle(a, link), angle(b, link)) < APART;
     let mut links: Vec<LinkId> = Vec::new();
     for link in model.declared_links().filter(placed) {
