@@ -6,7 +6,8 @@
 //! | [`joints`] | joints, their coordinates, gears, belts, racks and cams |
 //! | [`moves`] | methods, accuracy, moves, and ranges that are proved |
 //! | [`laws`] | numbers, functions, and motors that follow a law of time |
-//! | [`pictures`] | shapes, pictures, traces and diagrams |
+//! | [`looks`] | bodies without drawing, diagrams, and declared shapes |
+//! | [`pictures`] | pictures, traces and diagrams |
 //! | [`forces`] | velocities, masses, springs, loads, and motion under forces |
 //! | [`parts`] | a mechanism used in another, once or many times |
 //! | [`params`] | numbers that can be changed at run time, and sensitivities |
@@ -24,6 +25,9 @@ pub mod laws {}
 
 #[doc = include_str!("language/links.md")]
 pub mod links {}
+
+#[doc = include_str!("language/looks.md")]
+pub mod looks {}
 
 #[doc = include_str!("language/moves.md")]
 pub mod moves {}

@@ -146,7 +146,8 @@ pub use mech_macros::mechanism_part;
 /// | `motor NAME;`, `motor NAME in … by …;`, `motor NAME = LAW;` | [`moves`](language::moves), [`laws`](language::laws) |
 /// | `start { … }` | [`links`](language::links) |
 /// | `method …;`, `accuracy …;`, `cost …;`, `at change points …;` | [`moves`](language::moves) |
-/// | `circle`, `ring`, `polygon` and `bar` in a link, `quality smooth;` | [`pictures`](language::pictures) |
+/// | `look machine;`, `circle`, `ring`, `polygon`, `bar`, `gear`, `stand`, `rail`, `spring` and `text` in a link | [`looks`](language::looks) |
+/// | `quality smooth;` | [`pictures`](language::pictures) |
 /// | `mass` and `density` in a link, `gravity`, `spring`, `damper`, `load` | [`forces`](language::forces) |
 /// | `effects { velocity; acceleration; force; dynamics; … }` | [`forces`](language::forces) |
 /// | `effects { trace …; overlay; … }` | [`pictures`](language::pictures) |

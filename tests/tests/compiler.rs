@@ -8,6 +8,7 @@ mod embedded_page;
 mod expand;
 mod force;
 mod large;
+mod looks;
 mod mistakes;
 mod motion;
 mod names;

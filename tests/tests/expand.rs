@@ -148,7 +148,7 @@ fn the_step_to_a_position_never_knew_of_effects() {
     let sprung = "spring s = torsional(jd) stiffness 2; effects { force; }";
     assert!(solving(&four_bar(sprung)).contains("jd_angle"));
     // What acts costs nothing as long as nobody asks what it does.
-    let plain = four_bar("");
+    let plain = four_bar("look none;");
     let heavy = plain.replace("point b = (1, 0);", "point b = (1, 0); mass 2 at (0.5, 0);");
     assert_ne!(heavy, plain);
     assert_eq!(

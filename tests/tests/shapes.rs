@@ -19,6 +19,7 @@ mechanism! {
 mechanism! {
     struct SoftCrank: f32;
     quality smooth;
+    look none;
     link crank;
     joint a = revolute(ground, crank) at (1, 2);
     joint b = revolute(crank, rod) at (3, 2);

@@ -38,6 +38,20 @@ const ROOMS: &[(&str, &[&str])] = &[
         &["cost", "motion", "plan", "program", "structure"],
     ),
     (
+        "looks",
+        &[
+            "bug",
+            "compiled",
+            "evaluate",
+            "model",
+            "motion",
+            "plan",
+            "program",
+            "structure",
+            "symbols",
+        ],
+    ),
+    (
         "report",
         &[
             "bug",
@@ -86,8 +100,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     (
         "emit",
         &[
-            "api", "bug", "compiled", "cost", "model", "motion", "plan", "program", "symbols",
-            "syntax",
+            "api", "bug", "compiled", "cost", "looks", "model", "motion", "plan", "program",
+            "symbols", "syntax",
         ],
     ),
     (

@@ -22,10 +22,28 @@ pub const NAMED: [(&str, u8); 18] = [
     ("steel", 17),
 ];
 
-const GROUND: u8 = 1;
+/// The background.
+pub const PAPER: u8 = 0;
+/// The ground.
+pub const GROUND: u8 = 1;
+/// Pins and lines.
+pub const INK: u8 = 14;
+/// The hole in a pin.
+pub const EYE: u8 = 15;
+/// Plain metal.
+pub const STEEL: u8 = 17;
+
 const FIRST_MAIN: u8 = 2;
 const LAST_MAIN: u8 = 13;
-const STEEL: u8 = 17;
+
+/// The main colour with a number, for links: after the last comes the first again.
+#[must_use]
+pub const fn main(number: u8) -> u8 {
+    FIRST_MAIN + number % MAIN_COUNT
+}
+
+/// How many main colours there are.
+pub const MAIN_COUNT: u8 = LAST_MAIN - FIRST_MAIN + 1;
 
 /// The entry of a darker main colour, ground or steel. Any other entry stays the same.
 #[must_use]

@@ -13,6 +13,7 @@ extern crate std;
 pub mod colors;
 pub mod contraction;
 pub mod dense;
+pub mod font;
 pub mod journey;
 mod kernel;
 pub mod motors;

@@ -13,6 +13,7 @@ pub mod parameters;
 mod params;
 mod position;
 mod rates;
+mod wheel;
 
 pub use crate::blocked::Input;
 pub use crate::overlay::{Arrows, Overlay, Spot, Symbol};
@@ -43,6 +44,7 @@ pub use params::{
 };
 pub use position::{Motors, Position, finite};
 pub use rates::{Rates, advance_with, rates_at};
+pub use wheel::{ring, rounded_f32, rounded_f64, wheel};
 
 // Generated code takes the language's own items from here, because their names may mean something else where it stands.
 pub use core::clone::Clone;
@@ -88,6 +90,17 @@ pub fn paint<T: Scalar>(shapes: &[Shape<T>], poses: &[Pose<T>], canvas: &mut imp
             canvas.fill(shape.outline, pose, shape.color);
         }
     }
+}
+
+/// Paints symbols over shapes. A pixel of theirs is so large in scene units.
+pub fn paint_symbols<T: Scalar>(
+    symbols: &[Symbol<T>],
+    poses: &[Pose<T>],
+    pixel: T,
+    canvas: &mut impl Canvas<T>,
+) {
+    let size = (pixel * canvas.scale()).to_f32();
+    Overlay::new().size(size).draw(symbols, poses, canvas);
 }
 
 /// The number of an instance of a part.

@@ -34,6 +34,7 @@
 //! | block on a hatched rail | a prismatic joint on the ground |
 //! | block on a line | a prismatic joint between moving links; with a circle in it, a pin in a slot |
 //! | thin circles that touch, each with a tick | the pitch circles of gears; of a belt, with its strands; of a pinion, with the rack's pitch line |
+//! | thin circle beside its shaft, wedge | a cam that turns, one that slides |
 //! | full square | a weld |
 //! | zigzag, cylinder with a piston | a spring, a damper; side by side between the same points |
 //! | spiral, the same cylinder bent about a joint | a torsional spring, a torsional damper |

@@ -92,6 +92,15 @@ pub enum Symbol<T> {
     TorsionSpring(Spot<T>),
     /// A torsional damper at a joint.
     TorsionDamper(Spot<T>),
+    /// A cam that turns, at its shaft.
+    Cam(Spot<T>),
+    /// A cam that slides.
+    Wedge {
+        /// Its place.
+        at: Spot<T>,
+        /// The direction in which it slides, in its link's frame.
+        along: [T; 2],
+    },
     /// A motor that turns.
     RotaryMotor(Spot<T>),
     /// A motor that slides.
@@ -118,6 +127,9 @@ pub(super) enum Kind {
 const PIVOT: f32 = 4.7;
 /// A fixed pivot's stand: how high it is, and half as wide; half the width of its base.
 const STAND: [f32; 3] = [14.0, 8.0, 13.0];
+/// A cam: how far its centre is from its shaft, and its radius; a wedge: half its length and half its height.
+const CAM: [f32; 2] = [6.0, 14.0];
+const WEDGE: [f32; 2] = [16.0, 7.0];
 /// A block: half its length and half its height.
 const BLOCK: [f32; 2] = [13.0, 7.0];
 /// Half the length of a rail.
@@ -148,7 +160,9 @@ impl<T: Scalar> Symbol<T> {
             | Self::Mark(_)
             | Self::Wheel { .. }
             | Self::Belt { .. }
-            | Self::Rack { .. } => Kind::Link,
+            | Self::Rack { .. }
+            | Self::Cam(_)
+            | Self::Wedge { .. } => Kind::Link,
             Self::Slide { .. }
             | Self::Weld(_)
             | Self::Pivot(_)
@@ -235,6 +249,18 @@ impl<T: Scalar> Symbol<T> {
             } => elastic::damper(pen, canvas, [a.place(poses)?, b.place(poses)?], beside),
             Self::TorsionSpring(spot) => elastic::torsion_spring(pen, canvas, spot.place(poses)?),
             Self::TorsionDamper(spot) => elastic::torsion_damper(pen, canvas, spot.place(poses)?),
+            Self::Cam(spot) => {
+                let spot = spot.with([T::ONE, T::ZERO], poses)?;
+                let center = spot.offset(pen.pixels(CAM[0]), T::ZERO);
+                let start = spot.offset(pen.pixels(CAM[0] + CAM[1]), T::ZERO);
+                pen.arc(canvas, center, start, <T as Real>::TURN, MEDIUM);
+            }
+            Self::Wedge { at, along } => {
+                let spot = at.with(along, poses)?;
+                let [half, height] = WEDGE;
+                let corners = [[-half, -height], [half, -height], [half, height]];
+                pen.path(canvas, spot, corners.into_iter().chain([[-half, -height]]));
+            }
             Self::RotaryMotor(spot) => turn(pen, canvas, spot.place(poses)?, true, 16.0),
             Self::LinearMotor {
                 block,

@@ -26,6 +26,7 @@ mechanism! {
 
     motor d;
     start { rod near 0 deg; }
+    look none;
     effects { acceleration; overlay; }
 }
 

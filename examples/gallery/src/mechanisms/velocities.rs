@@ -27,6 +27,7 @@ mechanism! {
 
     motor a;
     start { coupler near 50 deg; }
+    look none;
     effects { acceleration; overlay; trace coupler.tracer 720 color RED; }
 }
 

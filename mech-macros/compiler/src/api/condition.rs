@@ -25,6 +25,8 @@ pub(crate) enum Condition {
     OverlayOfForce,
     OverlayOfLoads,
     Traces,
+    /// More is painted than the shapes as they are at the start.
+    PaintsMore,
     Params,
     Sensitivity,
     Laws,
@@ -58,6 +60,7 @@ impl Condition {
             Self::OverlayOfForce => effects.overlay && effects.force,
             Self::OverlayOfLoads => effects.overlay && effects.force && has_forces(),
             Self::Traces => !model.traces.is_empty(),
+            Self::PaintsMore => model.paints_more(),
             Self::Params => !model.params.is_empty(),
             Self::Sensitivity => effects.sensitivity && !model.params.is_empty(),
             Self::Laws => has_laws,

@@ -95,7 +95,7 @@ pub(crate) const TABLE: &[Item] = &[
     item(Of::Trait, When::Always, "fn move_to(&mut self, motors: [scalar; motor_count]) -> Result<(), Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Trait, When::Always, "fn move_toward(&mut self, motors: [scalar; motor_count]) -> Result<Reached<[scalar; motor_count]>, Blocked<[scalar; motor_count]>> { loop {} }"),
     item(Of::Trait, When::Always, "fn poses(&self) -> &[Pose<scalar>] { &[] }"),
-    item(Of::Trait, When::Traces, "fn draw(&self, canvas: &mut impl Canvas<scalar>) {}"),
+    item(Of::Trait, When::PaintsMore, "fn draw(&self, canvas: &mut impl Canvas<scalar>) {}"),
     item(Of::Trait, When::Always, "type Joints = [Option<scalar>; joint_count];"),
     item(Of::Trait, When::Always, "const JOINTS: &'static [JointInfo<scalar>] = &[];"),
 ];

@@ -1,11 +1,13 @@
 //! The methods that return and paint what is seen.
 
 use super::emitter::Emitter;
+use super::overlay;
 use super::parts::Parts;
-use super::shapes::{Painted, painting_order};
+use super::shapes::{behind, fill};
 use super::tokens::integer;
 use super::traces::trace_ident;
-use crate::model::{Model, Quality, Shape, Trace};
+use crate::looks::Symbols;
+use crate::model::{Model, Quality, Trace};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::ops::Range;
@@ -45,17 +47,19 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
                     #painting
                 }
     };
-    // The trait's own method paints what is at the start; `traces` has another.
-    let mut shapes = model.links.iter().flat_map(|link| &link.shapes);
-    let mut parts = Parts::methods(methods);
-    if model.traces.is_empty() && shapes.any(Shape::varies) {
+    let mut parts = Parts {
+        known: symbols_table(emitter),
+        ..Parts::methods(methods)
+    };
+    // The trait's own method paints what is at the start.
+    if model.paints_more() {
         parts.trait_items = trait_draw(emitter);
     }
     parts
 }
 
 /// The trait's `draw` of a mechanism whose own paints more than the shapes at the start.
-pub(super) fn trait_draw(emitter: &Emitter<'_>) -> TokenStream {
+fn trait_draw(emitter: &Emitter<'_>) -> TokenStream {
     let scalar = &emitter.scalar;
     quote! {
         fn draw(&self, canvas: &mut impl Canvas<#scalar>) {
@@ -92,10 +96,10 @@ fn picture_doc(model: &Model) -> TokenStream {
 
 /// The statements that paint all shapes and traces, from the plane farthest from the eye to the nearest.
 fn painting(emitter: &Emitter<'_>) -> TokenStream {
-    let shapes = painting_order(emitter);
+    let shapes = &emitter.looks.painted;
     let traces = emitter.model.traces.iter();
     let mut traces: Vec<(usize, &Trace)> = traces
-        .map(|trace| (shapes_behind(trace, &shapes), trace))
+        .map(|trace| (behind(shapes, trace.plane), trace))
         .collect();
     traces.sort_by_key(|(behind, _)| *behind);
     let mut traces = traces.into_iter().peekable();
@@ -103,7 +107,9 @@ fn painting(emitter: &Emitter<'_>) -> TokenStream {
     // From this shape on nothing is painted yet: as many as possible are painted at once.
     let mut first = 0;
     for number in 0..=shapes.len() {
-        let fill = shapes.get(number).and_then(Painted::fill);
+        let fill = shapes
+            .get(number)
+            .and_then(|painted| fill(emitter, painted));
         let is_next = |(behind, _): &(usize, &Trace)| *behind == number;
         let ends = number == shapes.len() || fill.is_some() || traces.peek().is_some_and(is_next);
         if ends && first < number {
@@ -120,10 +126,40 @@ fn painting(emitter: &Emitter<'_>) -> TokenStream {
             first = number + 1;
         }
     }
-    if shapes.is_empty() {
+    tokens.extend(symbols(emitter));
+    if tokens.is_empty() {
         tokens.extend(paint(0..0, 0));
     }
     tokens
+}
+
+/// The table of the symbols that are painted over the shapes, unless the overlay has it; nothing if there are none.
+fn symbols_table(emitter: &Emitter<'_>) -> TokenStream {
+    match &emitter.looks.symbols {
+        Some(Symbols::Elastic { symbols, .. }) => {
+            overlay::elastic_table(emitter, symbols).constant(emitter)
+        }
+        Some(Symbols::Diagram) if !emitter.model.effects.overlay => {
+            overlay::symbols_table(emitter).constant(emitter)
+        }
+        _ => TokenStream::new(),
+    }
+}
+
+/// The statement that paints symbols over all shapes; nothing if there are none.
+fn symbols(emitter: &Emitter<'_>) -> TokenStream {
+    match &emitter.looks.symbols {
+        None => TokenStream::new(),
+        Some(Symbols::Diagram) => {
+            let table = overlay::symbols_table(emitter).path(emitter);
+            quote!(Overlay::draw(&Overlay::new().links(true), #table, &self.position.poses, canvas);)
+        }
+        Some(Symbols::Elastic { symbols, unit }) => {
+            let table = overlay::elastic_table(emitter, symbols).path(emitter);
+            let unit = emitter.number(*unit);
+            quote!(generated::paint_symbols(#table, &self.position.poses, #unit, canvas);)
+        }
+    }
 }
 
 /// The statement that paints some of all shapes as they are at the start.
@@ -135,14 +171,4 @@ fn paint(some: Range<usize>, all: usize) -> TokenStream {
         (_, false) => quote!(known::SHAPES.get(#from..#to).unwrap_or_default()),
     };
     quote!(generated::paint(#shapes, &self.position.poses, canvas);)
-}
-
-/// The number of shapes that are painted before a trace.
-fn shapes_behind(trace: &Trace, shapes: &[Painted]) -> usize {
-    let is_behind = |shape: &&Painted| match trace.plane {
-        Some(plane) => shape.plane < plane || (shape.plane == plane && shape.link == 0),
-        // Behind all links: the first of their shapes is the limit.
-        None => shape.link == 0,
-    };
-    shapes.iter().take_while(is_behind).count()
 }

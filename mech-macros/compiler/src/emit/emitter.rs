@@ -2,6 +2,7 @@
 
 use super::tokens::{integer, number, scalar, user_ident};
 use crate::compiled::Compiled;
+use crate::looks::{Looks, looks};
 use crate::model::{AxisId, FormulaId, JointKind, LinkId, Model, MotorId, Origin};
 use crate::program::Program;
 use crate::syntax::{Header, Parsed, Places};
@@ -17,6 +18,7 @@ pub(super) struct Emitter<'a> {
     places: &'a Places,
     pub(super) model: &'a Model,
     pub(super) compiled: &'a Compiled,
+    pub(super) looks: Looks,
     pub(super) program: &'a Program,
     /// The scalar type.
     pub(super) scalar: TokenStream,
@@ -50,6 +52,7 @@ impl<'a> Emitter<'a> {
             places: &parsed.places,
             model: &parsed.model,
             compiled,
+            looks: looks(&parsed.model, compiled),
             program,
             links: integer(program.links.len()),
             params: integer(program.params.len()),

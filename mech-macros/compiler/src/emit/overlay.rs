@@ -31,15 +31,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
 /// `draw_overlay`.
 fn diagram(emitter: &Emitter<'_>) -> Parts {
     let (visibility, scalar) = (emitter.visibility, &emitter.scalar);
-    let has_pose = |link| emitter.has_pose(link);
-    let symbols = symbols::symbols(emitter.model, &emitter.compiled.structure, has_pose);
-    let symbols = symbols.iter().map(|symbol| self::symbol(emitter, symbol));
-    let table = Table {
-        name: "SYMBOLS",
-        doc: " What is drawn of joints, links, motors and axes.",
-        kind: quote!(&[Symbol<#scalar>]),
-        value: quote!(&[#(#symbols),*]),
-    };
+    let table = symbols_table(emitter);
     let symbols = table.path(emitter);
     Parts {
         known: table.constant(emitter),
@@ -51,6 +43,20 @@ fn diagram(emitter: &Emitter<'_>) -> Parts {
         },
         ..Parts::default()
     }
+}
+
+/// The symbols of the whole diagram.
+pub(super) fn symbols_table(emitter: &Emitter<'_>) -> Table {
+    let has_pose = |link| emitter.has_pose(link);
+    let symbols = symbols::symbols(emitter.model, &emitter.compiled.structure, has_pose);
+    let doc = " What is drawn of joints, links, motors and axes.";
+    Table::of_symbols(emitter, ("SYMBOLS", doc), &symbols)
+}
+
+/// The symbols of springs and dampers.
+pub(super) fn elastic_table(emitter: &Emitter<'_>, symbols: &[symbols::Symbol]) -> Table {
+    let doc = " Springs and dampers, which are drawn over all shapes.";
+    Table::of_symbols(emitter, ("ELASTIC", doc), symbols)
 }
 
 /// `draw_velocities` and `draw_accelerations`.
@@ -149,7 +155,7 @@ fn joint_spot(emitter: &Emitter<'_>, joint: JointId) -> Option<Spot> {
 }
 
 /// A table of what is drawn: a constant, or an expression in a method where params move places.
-struct Table {
+pub(super) struct Table {
     name: &'static str,
     doc: &'static str,
     kind: TokenStream,
@@ -157,8 +163,23 @@ struct Table {
 }
 
 impl Table {
+    fn of_symbols(
+        emitter: &Emitter<'_>,
+        (name, doc): (&'static str, &'static str),
+        symbols: &[symbols::Symbol],
+    ) -> Self {
+        let symbols = symbols.iter().map(|symbol| self::symbol(emitter, symbol));
+        let scalar = &emitter.scalar;
+        Self {
+            name,
+            doc,
+            kind: quote!(&[Symbol<#scalar>]),
+            value: quote!(&[#(#symbols),*]),
+        }
+    }
+
     /// The constant; nothing if there is none.
-    fn constant(&self, emitter: &Emitter<'_>) -> TokenStream {
+    pub(super) fn constant(&self, emitter: &Emitter<'_>) -> TokenStream {
         if varies(emitter) {
             return TokenStream::new();
         }
@@ -176,7 +197,7 @@ impl Table {
     }
 
     /// The table in a method.
-    fn path(&self, emitter: &Emitter<'_>) -> TokenStream {
+    pub(super) fn path(&self, emitter: &Emitter<'_>) -> TokenStream {
         if varies(emitter) {
             return self.value.clone();
         }

@@ -1,145 +1,177 @@
-//! The shapes, in the order in which they are painted.
+//! The outlines that are painted, in the order in which they are painted.
 
 use super::emitter::Emitter;
 use super::tokens::integer;
-use crate::model::{FormulaId, LinkId, Shape, ShapeKind};
+use crate::bug::bug;
+use crate::looks::{Measure, Outline, Painted, Toothed};
+use crate::model::LinkId;
 use crate::motion::extent::extent;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
+use std::f64::consts::TAU;
 
-/// One outline of a shape.
-pub(super) struct Painted {
-    /// The number of its link: 0 is the ground.
-    pub(super) link: usize,
-    pub(super) plane: i32,
-    /// At the start.
-    outline: TokenStream,
-    /// Now, an expression in a method, if params change it.
-    changed: Option<TokenStream>,
-    color: TokenStream,
+/// The statement that paints an outline as params have it; none if they do not change it.
+pub(super) fn fill(emitter: &Emitter<'_>, painted: &Painted) -> Option<TokenStream> {
+    if !painted.outline.varies() {
+        return None;
+    }
+    let now = |measure: Measure| {
+        if measure.formula.is_none() {
+            return emitter.number(measure.at_start());
+        }
+        let share = emitter.number(measure.share);
+        let value = emitter.present(measure.value, measure.formula);
+        quote!(#share * #value)
+    };
+    let outline = outline(emitter, &painted.outline, now);
+    let (pose, color) = (emitter.pose(painted.link), color(painted));
+    Some(quote!(Canvas::fill(canvas, #outline, #pose, #color);))
 }
 
-impl Painted {
-    /// The statement that paints it as params have it; none if they do not change it.
-    pub(super) fn fill(&self) -> Option<TokenStream> {
-        let (outline, color) = (self.changed.as_ref()?, &self.color);
-        let pose = match self.link.checked_sub(1) {
-            None => quote!(Pose::identity()),
-            Some(index) => {
-                let index = integer(index);
-                quote!(self.position.poses[#index])
-            }
-        };
-        Some(quote!(Canvas::fill(canvas, #outline, #pose, #color);))
+fn color(painted: &Painted) -> Literal {
+    Literal::u8_unsuffixed(painted.color)
+}
+
+/// An outline, whose numbers `measure` writes.
+fn outline(
+    emitter: &Emitter<'_>,
+    outline: &Outline,
+    measure: impl Fn(Measure) -> TokenStream,
+) -> TokenStream {
+    let point = |place: &[Measure; 2]| {
+        let [x, y] = place.map(&measure);
+        quote!([#x, #y])
+    };
+    let points = |places: &[[Measure; 2]]| {
+        let points = places.iter().map(point);
+        quote!(&[#(#points),*])
+    };
+    match outline {
+        Outline::Circle { center, radius } => {
+            let (center, radius) = (point(center), measure(*radius));
+            quote!(Outline::Circle { center: #center, radius: #radius })
+        }
+        Outline::Ring {
+            center,
+            radius,
+            hole,
+        } => {
+            let (center, radius, hole) = (point(center), measure(*radius), measure(*hole));
+            quote!(Outline::Ring { center: #center, radius: #radius, hole: #hole })
+        }
+        Outline::Polygon(corners) => {
+            let corners = points(corners);
+            quote!(Outline::Polygon(#corners))
+        }
+        Outline::Line {
+            points: places,
+            width,
+        } => {
+            let (points, width) = (points(places), measure(*width));
+            quote!(Outline::Line { points: #points, width: #width })
+        }
+        Outline::Arc {
+            center,
+            start,
+            angle,
+            width,
+        } => {
+            let [center, start] = [*center, *start].map(|pair| emitter.pair(pair));
+            let [angle, width] = [*angle, *width].map(|value| emitter.number(value));
+            quote!(Outline::Arc { center: #center, start: #start, angle: #angle, width: #width })
+        }
+        Outline::Toothed(wheel) => {
+            let name = wheel_name(emitter, wheel);
+            quote!(Outline::Polygon(&#name))
+        }
     }
 }
 
-/// The outlines of the ground and of all links whose poses are known, from the plane farthest from the eye to the nearest; within a
-/// plane as declared, the ground's first.
-pub(super) fn painting_order(emitter: &Emitter<'_>) -> Vec<Painted> {
-    let stored = emitter.program.stored.iter().copied();
-    let links = std::iter::once(LinkId::GROUND).chain(stored);
-    let all = links.enumerate().flat_map(|(link, id)| {
-        let shapes = emitter.model.link(id).shapes.iter();
-        shapes.flat_map(move |shape| outlines(emitter, link, shape))
-    });
-    let mut all: Vec<Painted> = all.collect();
-    all.sort_by_key(|painted| painted.plane);
+/// The wheels with teeth, each once.
+fn wheels<'a>(emitter: &'a Emitter<'_>) -> Vec<&'a Toothed> {
+    let mut all: Vec<&Toothed> = Vec::new();
+    for painted in &emitter.looks.painted {
+        if let Outline::Toothed(wheel) = &painted.outline
+            && !all.contains(&wheel)
+        {
+            all.push(wheel);
+        }
+    }
     all
 }
 
-/// The outlines of a shape, from back to front.
-fn outlines(emitter: &Emitter<'_>, link: usize, shape: &Shape) -> Vec<Painted> {
-    let at_start = |share: f64, value: f64, _| emitter.number(share * value);
-    let now = |share: f64, value: f64, formula: Option<FormulaId>| {
-        if formula.is_none() {
-            return at_start(share, value, None);
-        }
-        let (share, value) = (emitter.number(share), emitter.present(value, formula));
-        quote!(#share * #value)
+/// The name of the constant with the corners of a wheel.
+fn wheel_name(emitter: &Emitter<'_>, wheel: &Toothed) -> TokenStream {
+    let mut wheels = wheels(emitter).into_iter();
+    let Some(number) = wheels.position(|known| known == wheel) else {
+        bug!("a wheel that is painted has no constant");
     };
-    let changed = shape.varies().then(|| colored_outlines(shape, now));
-    let mut changed = changed.into_iter().flatten();
-    let outlines = colored_outlines(shape, at_start).into_iter();
-    let painted = outlines.map(|(outline, color)| Painted {
-        link,
-        plane: shape.plane,
-        outline,
-        changed: changed.next().map(|(outline, _)| outline),
-        color,
-    });
-    painted.collect()
+    let name = format_ident!("WHEEL_{number}");
+    quote!(#name)
 }
 
-/// Outlines and their colours. `scaled` gives so many times a number of the shape, of which it also takes the formula.
-fn colored_outlines(
-    shape: &Shape,
-    scaled: impl Fn(f64, f64, Option<FormulaId>) -> TokenStream,
-) -> Vec<(TokenStream, TokenStream)> {
-    let (values, count) = (shape.kind.numbers(), shape.kind.reach().0.len());
-    let n = |index: usize, share: f64| scaled(share, values[index], shape.formulas[index]);
-    let point = |index: usize| {
-        let [x, y] = [0, 1].map(|part| n(2 * index + part, 1.0));
+/// The constant with the corners of a wheel: its first tooth, repeated.
+fn wheel_constant(emitter: &Emitter<'_>, number: usize, wheel: &Toothed) -> TokenStream {
+    let (name, scalar) = (format_ident!("WHEEL_{number}"), &emitter.scalar);
+    let pair = |[x, y]: [f64; 2]| {
+        let [x, y] = [x, y].map(Literal::f64_unsuffixed);
         quote!([#x, #y])
     };
-    let points = || {
-        let points = (0..count).map(point);
-        quote!(&[#(#points),*])
-    };
-    let length = |index: usize, share: f64| n(2 * count + index, share);
-    let circle = |center: usize, share: f64| {
-        let (center, radius) = (point(center), length(0, share));
-        quote!(Outline::Circle { center: #center, radius: #radius })
-    };
-    let color = Literal::u8_unsuffixed(shape.color);
-    let outline = match shape.kind {
-        ShapeKind::Circle { .. } => circle(0, 1.0),
-        ShapeKind::Ring { .. } => {
-            let (center, radius, hole) = (point(0), length(0, 1.0), length(1, 1.0));
-            quote!(Outline::Ring { center: #center, radius: #radius, hole: #hole })
-        }
-        ShapeKind::Polygon(_) => {
-            let corners = points();
-            quote!(Outline::Polygon(#corners))
-        }
-        ShapeKind::Bar { .. } => {
-            let line = |share: f64| {
-                let (points, width) = (points(), length(0, share));
-                quote!(Outline::Line { points: #points, width: #width })
-            };
-            // As `mech_runtime::raster::bar` draws it.
-            let mut all = vec![
-                (line(1.0), quote!(Palette::darker(#color))),
-                (line(0.76), quote!(#color)),
-            ];
-            for pin in 0..count {
-                all.push((circle(pin, 0.28), quote!(Palette::INK)));
-                all.push((circle(pin, 0.14), quote!(Palette::EYE)));
-            }
-            return all;
+    let count = wheel.tooth.len() * usize::try_from(wheel.count).unwrap_or(0);
+    let (center, tooth) = (pair(wheel.center), wheel.tooth.iter().copied().map(pair));
+    let (sin, cos) = (TAU / f64::from(wheel.count)).sin_cos();
+    let turn = pair([cos, sin]);
+    let corners = match wheel.rim {
+        None => quote!(wheel(#center, [#(#tooth),*], #turn)),
+        Some(rim) => {
+            let rim = Literal::f64_unsuffixed(rim);
+            quote!(ring(#center, [#(#tooth),*], #turn, #rim))
         }
     };
-    vec![(outline, quote!(#color))]
+    let count = integer(if wheel.rim.is_some() {
+        2 * count + 2
+    } else {
+        count
+    });
+    let rounded = format_ident!("rounded_{}", scalar.to_string());
+    quote!(const #name: [[#scalar; 2]; #count] = #rounded(#corners);)
 }
 
 /// The constants `SHAPES` and `EXTENT`, the box around all of them wherever they move.
 pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
-    let entries = painting_order(emitter).into_iter().map(|painted| {
-        let Painted {
-            link,
-            outline,
-            color,
-            ..
-        } = painted;
-        let link = integer(link);
+    let painted = &emitter.looks.painted;
+    let entries = painted.iter().map(|painted| {
+        let Some(link) = emitter.link_number(painted.link) else {
+            bug!("a link that is painted has no pose");
+        };
+        let at_start = |measure: Measure| emitter.number(measure.at_start());
+        let (link, color) = (integer(link), color(painted));
+        let outline = outline(emitter, &painted.outline, at_start);
         quote!(Shape { link: #link, outline: #outline, color: #color })
     });
+    let wheels = wheels(emitter).into_iter().enumerate();
+    let wheels = wheels.map(|(number, wheel)| wheel_constant(emitter, number, wheel));
     let (scalar, program) = (&emitter.scalar, emitter.program);
-    let corners = extent(emitter.model, &emitter.compiled.plan, program);
+    let reaches = emitter.looks.reaches(emitter.model);
+    let corners = extent(emitter.model, &emitter.compiled.plan, program, &reaches);
     let corners = corners.map(|corner| emitter.pair(corner));
     quote! {
+        #(#wheels)*
+
         pub(super) const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];
 
         pub(super) const EXTENT: [[#scalar; 2]; 2] = [#(#corners),*];
     }
+}
+
+/// The number of shapes that are painted before a trace: those of planes farther from the eye, and the ground's of its own; without a
+/// plane, those before the first of a moving link.
+pub(super) fn behind(painted: &[Painted], plane: Option<i32>) -> usize {
+    let is_behind = |shape: &&Painted| {
+        let is_ground = shape.link == LinkId::GROUND;
+        plane.map_or(is_ground, |plane| {
+            shape.plane < plane || (shape.plane == plane && is_ground)
+        })
+    };
+    painted.iter().take_while(is_behind).count()
 }

@@ -73,6 +73,11 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
         Symbol::Damper { ends, side } => between("Damper", ends, side),
         Symbol::TorsionSpring(at) => at_spot("TorsionSpring", at),
         Symbol::TorsionDamper(at) => at_spot("TorsionDamper", at),
+        Symbol::Cam(at) => at_spot("Cam", at),
+        Symbol::Wedge { at, along } => {
+            let (at, along) = (spot(at), direction(along));
+            quote!(Wedge { at: #at, along: #along })
+        }
         Symbol::Mark(at) => at_spot("Mark", at),
         Symbol::Point(at) => at_spot("Point", at),
         Symbol::Weld(at) => at_spot("Weld", at),

@@ -1,6 +1,5 @@
 //! The fields and methods of traced points.
 
-use super::drawing::trait_draw;
 use super::emitter::Emitter;
 use super::parts::Parts;
 use super::shown::NamedPoint;
@@ -22,10 +21,7 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         return Parts::default();
     }
     let scalar_path = emitter.scalar_path();
-    let mut parts = Parts {
-        trait_items: trait_draw(emitter),
-        ..Parts::default()
-    };
+    let mut parts = Parts::default();
     let mut clears = TokenStream::new();
     for trace in &model.traces {
         let NamedPoint {

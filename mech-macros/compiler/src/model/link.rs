@@ -1,6 +1,6 @@
 //! Links, and what is rigidly fixed to them.
 
-use super::{AxisId, FormulaId, LinkId, Mass, Origin};
+use super::{AxisId, Figure, FormulaId, LinkId, Mass, Origin};
 use crate::bug::bug;
 
 /// A rigid body that moves in planes parallel to the screen.
@@ -129,6 +129,8 @@ pub enum ShapeKind {
     },
     /// A filled simple polygon of at least three corners.
     Polygon(Vec<[f64; 2]>),
+    /// What depends on no param, and of which lengths and directions that are not given follow from the mechanism.
+    Figure(Figure),
 }
 
 /// What a picture looks like that a mechanism makes for itself.
@@ -161,6 +163,7 @@ impl ShapeKind {
             }
             Self::Bar { pins, width } => (pins, width / 2.0),
             Self::Polygon(corners) => (corners, 0.0),
+            Self::Figure(figure) => figure.reach(),
         }
     }
 
@@ -173,6 +176,7 @@ impl ShapeKind {
             Self::Ring { radius, hole, .. } => vec![radius, hole],
             Self::Bar { width, .. } => vec![width],
             Self::Polygon(_) => Vec::new(),
+            Self::Figure(_) => return Vec::new(),
         };
         points.iter().flatten().copied().chain(lengths).collect()
     }

@@ -1,7 +1,7 @@
 //! How mass is distributed in a link.
 
 use super::polygon::Moments;
-use super::{Shape, ShapeKind};
+use super::{Figure, Shape, ShapeKind};
 
 /// The mass of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,6 +85,20 @@ impl Mass {
             }
             ShapeKind::Bar { pins, width } => Self::of_bar(pins, *width),
             ShapeKind::Polygon(corners) => Self::of_polygon(corners),
+            ShapeKind::Figure(Figure::Gear {
+                center,
+                radius: Some(radius),
+                ..
+            }) => Self::of_area(&ShapeKind::Circle {
+                center: *center,
+                radius: *radius,
+            }),
+            // A drawing of what weighs nothing.
+            ShapeKind::Figure(_) => Self {
+                mass: 0.0,
+                center: [0.0; 2],
+                inertia: 0.0,
+            },
         }
     }
 

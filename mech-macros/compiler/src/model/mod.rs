@@ -8,6 +8,7 @@ mod declaration;
 mod drawing;
 mod edit;
 mod effects;
+mod figure;
 mod formula;
 mod function;
 mod id;
@@ -15,6 +16,7 @@ mod instance;
 mod joint;
 mod law;
 mod link;
+mod look;
 mod mass;
 mod number;
 mod param;
@@ -29,6 +31,7 @@ pub use declaration::{Ends, NewJoint, NewKind};
 pub(crate) use drawing::{DrawnAxis, FORWARD};
 pub use edit::Edit;
 pub use effects::Effects;
+pub use figure::Figure;
 pub use formula::{Arithmetic, Formula, FormulaArithmetic, Formulas, Now};
 pub(crate) use function::function_names;
 pub use function::{BinaryFunction, Function};
@@ -38,6 +41,8 @@ pub use instance::Instance;
 pub use joint::{Joint, JointKind, Motor, Range, Ratio};
 pub use law::Law;
 pub use link::{Axis, AxisKind, Link, Quality, Shape, ShapeKind};
+pub use look::Look;
+pub(crate) use look::color_of;
 pub use mass::Mass;
 pub use number::Number;
 pub use param::{Param, Params};
@@ -147,6 +152,8 @@ pub struct Model {
     pub change_points: AtChangePoints,
     /// What the pictures look like that it makes for itself.
     pub quality: Quality,
+    /// What it looks like, if that was said.
+    pub look: Option<Look>,
     /// What is asked for: what nothing of it depends on is not computed. Without, everything is.
     pub show: Option<Vec<Shown>>,
     /// The revolute joints whose coordinates are to go on over whole turns.
@@ -193,6 +200,7 @@ impl Model {
             target: Target::default(),
             change_points: AtChangePoints::default(),
             quality: Quality::default(),
+            look: None,
             show: None,
             continuous: Vec::new(),
             allow: Allowances::default(),

@@ -4,5 +4,5 @@
 pub mod accuracy;
 pub(crate) mod extent;
 pub(crate) mod proof;
-mod sweep;
+pub(crate) mod sweep;
 pub(crate) mod watching;

@@ -13,15 +13,15 @@ const TURNS_OF_SLIDE: usize = 2;
 
 /// A straight displacement of all motors from the start.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Sweep {
+pub(crate) struct Sweep {
     /// The displacement of each motor, and after these of each param, in radians or scene units.
-    pub(super) displacements: Vec<f64>,
+    pub(crate) displacements: Vec<f64>,
     /// How many turns the fastest link makes: so many times the samples of a single turn are taken.
-    pub(super) turns: usize,
+    pub(crate) turns: usize,
 }
 
 /// The values of the motors after a part of their displacements from the start.
-pub(super) fn interpolate(start: &[f64], displacements: &[f64], part: f64) -> Vec<f64> {
+pub(crate) fn interpolate(start: &[f64], displacements: &[f64], part: f64) -> Vec<f64> {
     let pairs = start.iter().zip(displacements);
     pairs
         .map(|(start, displacement)| start + displacement * part)
@@ -30,7 +30,7 @@ pub(super) fn interpolate(start: &[f64], displacements: &[f64], part: f64) -> Ve
 
 /// Makes all sweeps, of at most so many turns of a motor: behind gears it takes several until everything has turned. `run` moves the
 /// mechanism along a sweep and returns whether it reached the end: a motor that can turn all the way round need not turn back.
-pub(super) fn sweep_motors(
+pub(crate) fn sweep_motors(
     model: &Model,
     plan: &Plan,
     most_turns: i64,

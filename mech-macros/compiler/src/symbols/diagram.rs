@@ -29,11 +29,31 @@ pub fn symbols(
         _ => None,
     }));
     all.extend(diagram.elastic());
+    all.extend(
+        model
+            .cams()
+            .filter_map(|(_, shaft, follower, _)| diagram.cam(shaft, follower)),
+    );
     let pivots = structure.pins.iter().filter_map(|pin| diagram.pivot(pin));
     all.extend(pivots.map(Symbol::Pivot));
     all.extend(diagram.marks());
     all.extend(diagram.motors());
     all
+}
+
+/// The symbols of springs and dampers only.
+#[must_use]
+pub(crate) fn elastic_symbols(
+    model: &Model,
+    structure: &Structure,
+    has_pose: impl Fn(LinkId) -> bool,
+) -> Vec<Symbol> {
+    let diagram = Diagram {
+        model,
+        structure,
+        has_pose: &has_pose,
+    };
+    diagram.elastic()
 }
 
 /// The points whose velocities are drawn: named points and revolute joints on links for which `has_pose` holds. Each is there once, and
@@ -113,6 +133,20 @@ impl Diagram<'_> {
             guide: at,
             along: guide,
             block,
+        })
+    }
+
+    /// The symbol of a cam, on the link of its shaft that is not its carrier.
+    fn cam(&self, shaft: JointId, follower: JointId) -> Option<Symbol> {
+        let carrier = self.model.carrier_of_cam(shaft, follower)?;
+        let axes = self.model.joint(shaft).kind.axes()?;
+        let own = axes
+            .into_iter()
+            .find(|&axis| self.model.axis(axis).link != carrier)?;
+        let at = self.first_visible(&[own])?;
+        Some(match self.model.axis(own).kind {
+            AxisKind::Point => Symbol::Cam(at),
+            AxisKind::Line => Symbol::Wedge { at, along: own },
         })
     }
 

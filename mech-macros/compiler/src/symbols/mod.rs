@@ -5,6 +5,7 @@ mod elastic;
 mod rolling;
 
 use crate::model::{AxisId, LinkId, Model};
+pub(crate) use diagram::elastic_symbols;
 pub use diagram::{moving_points, symbols};
 
 /// A place on a link.
@@ -33,6 +34,17 @@ impl Spot {
     fn coincides_with(&self, other: &Self, model: &Model) -> bool {
         let formulas = |spot: &Self| model.axis(spot.axis).formulas;
         self.link == other.link && self.at == other.at && formulas(self) == formulas(other)
+    }
+}
+
+impl Symbol {
+    /// The places between or about which a spring or damper is drawn; none of other symbols.
+    pub(crate) fn spots(&self) -> Vec<Spot> {
+        match *self {
+            Self::Spring { ends, .. } | Self::Damper { ends, .. } => ends.to_vec(),
+            Self::TorsionSpring(at) | Self::TorsionDamper(at) => vec![at],
+            _ => Vec::new(),
+        }
     }
 }
 
@@ -124,6 +136,15 @@ pub enum Symbol {
     TorsionSpring(Spot),
     /// A torsional damper.
     TorsionDamper(Spot),
+    /// A cam that turns, at its shaft.
+    Cam(Spot),
+    /// A cam that slides.
+    Wedge {
+        /// Its place.
+        at: Spot,
+        /// The line along which it slides.
+        along: AxisId,
+    },
     /// A rotary motor.
     RotaryMotor(Spot),
     /// A linear motor.

@@ -51,6 +51,8 @@ pub(super) enum Statement {
     Cost { keyword: Span, word: Ident },
     /// `quality smooth;`
     Quality { keyword: Span, word: Ident },
+    /// `look diagram;`
+    Look { keyword: Span, word: Ident },
     /// `at change points stop;`
     ChangePoints { keyword: Span, what: AtChangePoints },
     /// `effects { ... }`
@@ -260,6 +262,38 @@ pub(super) enum Outline {
         pins: Vec<Pair>,
         place: Place,
         width: Expr,
+    },
+    /// `gear (x, y) radius r teeth n turned a`
+    Gear {
+        center: Pair,
+        radius: Option<Expr>,
+        teeth: Expr,
+        turned: Option<Expr>,
+    },
+    /// `stand (x, y) height h turned a`
+    Stand {
+        at: Pair,
+        height: Option<Expr>,
+        turned: Option<Expr>,
+    },
+    /// `rail [(x, y), (x, y)] width w`
+    Rail {
+        ends: Vec<Pair>,
+        place: Place,
+        width: Option<Expr>,
+    },
+    /// `spring [(x, y), (x, y)] width w`
+    Spring {
+        ends: Vec<Pair>,
+        place: Place,
+        width: Expr,
+    },
+    /// `text (x, y) "what it says" height h turned a`
+    Text {
+        at: Pair,
+        text: syn::LitStr,
+        height: Expr,
+        turned: Option<Expr>,
     },
 }
 

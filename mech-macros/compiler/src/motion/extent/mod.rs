@@ -7,6 +7,7 @@ use crate::model::{JointKind, Model, Motor};
 use crate::motion::sweep::{Sweep, interpolate, sweep_motors};
 use crate::plan::{Halton, Plan};
 use crate::program::{Position, Program};
+pub(crate) use seen::Reach;
 use seen::{EMPTY, SIDES, SeenPoints, Sides};
 use std::f64::consts::TAU;
 
@@ -24,9 +25,14 @@ const ROUNDS: usize = 16;
 const FIRST_STEP: f64 = 1.0 / 48.0;
 
 /// The upright box around all that was seen wherever the mechanism was moved to: lower left and upper right corner. What is seen are
-/// shapes, or joints and named points if there is no shape; if there is nothing, the box is the origin.
-pub(crate) fn extent(model: &Model, plan: &Plan, program: &Program) -> [[f64; 2]; 2] {
-    let mut survey = Survey::new(model, program);
+/// the shapes of each link, or joints and named points if there is no shape; if there is nothing, the box is the origin.
+pub(crate) fn extent(
+    model: &Model,
+    plan: &Plan,
+    program: &Program,
+    shapes: &[Vec<Reach>],
+) -> [[f64; 2]; 2] {
+    let mut survey = Survey::new(model, program, shapes);
     sweep_motors(model, plan, MOST_TURNS, |sweep| survey.follow(sweep));
     if model.motors.len() > 1 {
         survey.visit_combinations();
@@ -52,8 +58,8 @@ struct Survey<'a> {
 }
 
 impl<'a> Survey<'a> {
-    fn new(model: &Model, program: &'a Program) -> Self {
-        let seen = SeenPoints::new(model, program);
+    fn new(model: &Model, program: &'a Program, shapes: &[Vec<Reach>]) -> Self {
+        let seen = SeenPoints::new(model, program, shapes);
         let live = program.live.iter().filter(|live| **live).count();
         let size = model.size();
         let range = |(motor, start): (&Motor, &f64)| match motor.range {

@@ -3,6 +3,9 @@
 use crate::model::{LinkId, Model};
 use crate::program::Program;
 
+/// A point of a shape, in the frame of its link, and how far the shape reaches around it.
+pub(crate) type Reach = ([f64; 2], f64);
+
 /// The left, lower, right and upper side of a box.
 pub(super) const SIDES: [usize; 4] = [0, 1, 2, 3];
 
@@ -17,16 +20,15 @@ pub(super) struct SeenPoints {
     /// The box around what the ground carries.
     pub(super) ground: Sides,
     /// For each pose its points, and the radius of what is seen around each.
-    moving: Vec<Vec<([f64; 2], f64)>>,
+    moving: Vec<Vec<Reach>>,
 }
 
 impl SeenPoints {
-    pub(super) fn new(model: &Model, program: &Program) -> Self {
-        let links = || std::iter::once(LinkId::GROUND).chain(program.stored.iter().copied());
-        let has_shapes = links().any(|id| !model.link(id).shapes.is_empty());
-        let points = |id: LinkId| -> Vec<([f64; 2], f64)> {
+    pub(super) fn new(model: &Model, program: &Program, shapes: &[Vec<Reach>]) -> Self {
+        let has_shapes = shapes.iter().any(|points| !points.is_empty());
+        let points = |id: LinkId| -> Vec<Reach> {
             if has_shapes {
-                model.link(id).shape_points().collect()
+                shapes[id.index()].clone()
             } else {
                 model.axis_places(id).map(|place| (place, 0.0)).collect()
             }

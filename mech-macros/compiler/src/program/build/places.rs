@@ -1,7 +1,7 @@
 //! Numbers of axes and shapes that depend on params: a position carries what accessors, springs, the overlay and `draw` read.
 
 use super::lowering::Lowering;
-use crate::model::{AxisId, Between, JointKind};
+use crate::model::{AxisId, Between, JointKind, Look};
 use crate::program::Place;
 
 impl Lowering<'_> {
@@ -36,8 +36,8 @@ impl Lowering<'_> {
             Between::Points(a, b) if model.effects.needs_actions() => Some([a, b]),
             _ => None,
         });
-        // The overlay draws whatever there is.
-        let all = if model.effects.overlay {
+        // Bodies and diagrams are drawn from whatever there is.
+        let all = if model.effects.overlay || model.look() != Look::Shapes {
             model.axes.len()
         } else {
             0

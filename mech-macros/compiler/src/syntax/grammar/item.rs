@@ -2,6 +2,7 @@
 
 use super::ending::missing_after;
 use super::expression::{direction, expression, pair, read_labelled};
+use super::figure;
 use super::misplaced;
 use super::recover::{at_beginning, or_skip, skip, to_semicolon};
 use super::tokens::{
@@ -19,8 +20,9 @@ use syn::LitStr;
 use syn::parse::ParseStream;
 
 /// The words that an item may begin with.
-pub(super) const BEGINNINGS: [&str; 8] = [
-    "point", "line", "circle", "ring", "polygon", "bar", "mass", "density",
+pub(super) const BEGINNINGS: [&str; 13] = [
+    "point", "line", "circle", "ring", "polygon", "bar", "gear", "stand", "rail", "spring", "text",
+    "mass", "density",
 ];
 
 /// Reads `{ ... }`.
@@ -47,6 +49,13 @@ fn item(input: ParseStream) -> Item {
         "ring" => shape(input, keyword.span(), ring),
         "polygon" => shape(input, keyword.span(), polygon),
         "bar" => shape(input, keyword.span(), bar),
+        "gear" => shape(input, keyword.span(), figure::gear),
+        "stand" => shape(input, keyword.span(), figure::stand),
+        "rail" => shape(input, keyword.span(), figure::rail),
+        // With a name it is the spring between two links.
+        "spring" if input.peek(syn::Ident) => unknown_item(input, &keyword),
+        "spring" => shape(input, keyword.span(), figure::spring),
+        "text" => shape(input, keyword.span(), figure::text),
         "mass" => matter(input, keyword.span(), mass),
         "density" => matter(input, keyword.span(), density),
         _ => unknown_item(input, &keyword),
@@ -230,7 +239,7 @@ fn polygon(input: ParseStream) -> Read<Outline> {
     Ok(Outline::Polygon { corners, place })
 }
 
-fn corners(input: ParseStream) -> Read<Vec<Pair>> {
+pub(super) fn corners(input: ParseStream) -> Read<Vec<Pair>> {
     let mut corners = Vec::new();
     while !input.is_empty() {
         corners.push(pair(input)?);

@@ -3,6 +3,7 @@
 mod action;
 mod ending;
 mod expression;
+mod figure;
 mod foreign;
 mod header;
 mod item;

@@ -181,6 +181,15 @@ pub(super) fn allow(input: ParseStream) -> Statement {
     })
 }
 
+/// Reads `diagram;`.
+pub(super) fn look(input: ParseStream, keyword: Span) -> Statement {
+    read_setting(input, |input| {
+        let expected = "`machine`, `diagram` or `none`";
+        let word = any_word(input).ok_or_else(|| expected_message(input, expected))?;
+        Ok(Statement::Look { keyword, word })
+    })
+}
+
 /// Reads `smooth;`.
 pub(super) fn quality(input: ParseStream, keyword: Span) -> Statement {
     read_setting(input, |input| {

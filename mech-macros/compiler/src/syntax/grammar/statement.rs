@@ -16,7 +16,7 @@ use syn::parse::ParseStream;
 use syn::{Attribute, token};
 
 /// The words that a statement may begin with.
-pub(super) const BEGINNINGS: [&str; 24] = [
+pub(super) const BEGINNINGS: [&str; 25] = [
     "const",
     "param",
     "ground",
@@ -33,6 +33,7 @@ pub(super) const BEGINNINGS: [&str; 24] = [
     "show",
     "continuous",
     "quality",
+    "look",
     "gravity",
     "spring",
     "damper",
@@ -159,6 +160,7 @@ pub(super) fn statement(input: ParseStream) -> Statement {
         "show" => setting::show(input, keyword.span()),
         "continuous" => setting::continuous(input, keyword.span()),
         "quality" => setting::quality(input, keyword.span()),
+        "look" => setting::look(input, keyword.span()),
         "gravity" => action::gravity(input, keyword.span()),
         "spring" => action::spring(input),
         "damper" => action::damper(input),

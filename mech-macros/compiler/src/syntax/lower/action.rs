@@ -4,8 +4,8 @@ use super::Lowering;
 use super::name::Body;
 use crate::api::Owner;
 use crate::model::{
-    AxisId, AxisKind, Between, Damper, JointId, JointKind, LinkId, Load, LoadKind, Mass, Shape,
-    Spring,
+    AxisId, AxisKind, Between, Damper, Figure, JointId, JointKind, LinkId, Load, LoadKind, Mass,
+    Shape, ShapeKind, Spring,
 };
 use crate::syntax::Place;
 use crate::syntax::ast::{
@@ -100,6 +100,16 @@ impl Lowering {
                     let text = format!(
                         "the shapes of `{name}` depend on a param, but a mass may not; give its `mass`"
                     );
+                    return self.report.error(place, text);
+                }
+                let has_unknown = known.iter().any(|shape| {
+                    matches!(
+                        &shape.kind,
+                        ShapeKind::Figure(Figure::Gear { radius: None, .. })
+                    )
+                });
+                if has_unknown {
+                    let text = "a gear without `radius` has no area yet; give its `radius`, or the `mass` of the link";
                     return self.report.error(place, text);
                 }
                 Mass::of_shapes(known, density)

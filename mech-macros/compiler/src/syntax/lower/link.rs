@@ -3,18 +3,11 @@
 use super::Lowering;
 use super::name::{Body, Referent, word_for};
 use super::param::{Length, Quantity, Spot};
-use crate::bug::bug;
-use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind};
+use crate::model::{self, AxisKind, FORWARD, FormulaId, LinkId, ShapeKind, color_of};
 use crate::syntax::ast::{
     Axis, AxisValue, Color, Expr, ExprKind, Ground, Item, Link, Outline, Pair, Read, Shape,
 };
 use crate::syntax::{Place, color};
-
-/// Where shapes go that do not say: the ground has the first colour after the background, and each link the next.
-const GROUND_COLOR: u8 = 1;
-/// So many main colours for links the palette has; where they begin, and where their lighter and darker kinds do.
-const MAIN_COLORS: usize = 12;
-const FIRST_COLORS: [u8; 3] = [2, 34, 18];
 
 /// Places in a link, and how each of their numbers is computed that depends on a param.
 type Spots = (Vec<[f64; 2]>, Vec<Option<FormulaId>>);
@@ -187,6 +180,14 @@ impl Lowering {
             } => self.ring(center, radius, hole),
             Outline::Polygon { corners, place } => self.polygon(corners, *place),
             Outline::Bar { pins, place, width } => self.bar(pins, *place, width),
+            figure => {
+                let why =
+                    "`circle`, `ring`, `polygon` and `bar` may depend on one, this shape may not";
+                let keyword = Place::at(shape.keyword);
+                let figure =
+                    self.with_fixed_numbers(why, |lowering| lowering.figure(link, figure, keyword));
+                figure.map(|figure| (figure, Vec::new()))
+            }
         };
         let plane = match &shape.plane {
             Some(plane) => self.plane(plane),
@@ -325,18 +326,4 @@ pub(super) fn error_of(item: &Item) -> Option<&crate::syntax::Message> {
         Item::Shape(_) | Item::Matter(_) => None,
         Item::Broken(broken) => Some(&broken.error),
     }
-}
-
-/// The colour of a link's shapes that name none: round the main colours of the palette, then their lighter and their darker kinds, and
-/// so on. Ink, hatching and steel are no colours of links.
-fn color_of(link: LinkId) -> u8 {
-    let Some(earlier) = link.index().checked_sub(1) else {
-        return GROUND_COLOR;
-    };
-    let (round, place) = (earlier / MAIN_COLORS, earlier % MAIN_COLORS);
-    let first = FIRST_COLORS[round % FIRST_COLORS.len()];
-    let Ok(place) = u8::try_from(place) else {
-        bug!("color {place} is beyond the palette");
-    };
-    first + place
 }

@@ -7,6 +7,7 @@ mod constant;
 mod continuous;
 mod drawn;
 mod effect;
+mod figure;
 mod joint;
 mod law;
 mod link;
@@ -30,6 +31,7 @@ mod weld;
 
 use self::action::ActionPlaces;
 use self::constant::Constants;
+use self::figure::Unsized;
 use self::motor::WrittenRange;
 use self::name::{Names, Referent};
 use self::param::Quantity;
@@ -57,6 +59,7 @@ pub(super) fn lower(mut text: Text) -> Parsed {
     lowering.start_by_laws();
     lowering.check_unlisted();
     lowering.check_effects();
+    lowering.check_gears();
     lowering.check_actions();
     lowering.claim_rate_methods();
     lowering.claim_force_methods();
@@ -107,6 +110,8 @@ struct Lowering {
     lawful: Vec<(JointId, usize)>,
     /// Whether the text declares params, readable or not.
     has_params: bool,
+    /// The gears whose radii follow from what they mesh with.
+    unsized_gears: Vec<Unsized>,
 }
 
 impl Lowering {
@@ -144,6 +149,7 @@ impl Lowering {
             cams: Vec::new(),
             lawful: Vec::new(),
             has_params: false,
+            unsized_gears: Vec::new(),
         }
     }
 
@@ -224,6 +230,7 @@ impl Lowering {
             Statement::Accuracy { keyword, value } => self.lower_accuracy(*keyword, value),
             Statement::Cost { keyword, word } => self.lower_cost(*keyword, word),
             Statement::Quality { keyword, word } => self.lower_quality(*keyword, word),
+            Statement::Look { keyword, word } => self.lower_look(*keyword, word),
             Statement::ChangePoints { keyword, what } => self.lower_change_points(*keyword, *what),
             Statement::Effects { keyword, effects } => self.lower_effects(*keyword, effects),
             Statement::Allow(word) => self.lower_allow(word),

@@ -183,6 +183,7 @@ impl Lowering {
             Statement::Accuracy { keyword, .. } => whole(*keyword, "accuracy"),
             Statement::Cost { keyword, .. } => whole(*keyword, "cost"),
             Statement::Quality { keyword, .. } => whole(*keyword, "quality"),
+            Statement::Look { keyword, .. } => whole(*keyword, "look"),
             Statement::ChangePoints { keyword, .. } => whole(*keyword, "at change points"),
             Statement::Gravity { keyword, .. } => whole(*keyword, "gravity"),
             Statement::Show { keyword, .. } => whole(*keyword, "show"),

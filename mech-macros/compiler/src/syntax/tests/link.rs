@@ -134,6 +134,81 @@ fn a_quality_is_one_of_two() {
 }
 
 #[test]
+fn a_look_is_one_of_three() {
+    assert_messages(
+        "look «diagramm»;",
+        &["unknown look `diagramm`; did you mean `diagram`?"],
+    );
+    assert_messages(
+        "look none; «look» machine;",
+        &["a mechanism has one `look`; remove one of the two"],
+    );
+    assert_messages(
+        "look«;»",
+        &["expected `machine`, `diagram` or `none`, found `;`"],
+    );
+}
+
+#[test]
+fn a_gear_has_teeth_and_a_size() {
+    assert_messages("link a { gear (0, 0) radius 1 teeth 20; }", &[]);
+    assert_messages(
+        "link a { gear (0, 0) radius 1«;» }",
+        &["expected `teeth`, found `;`"],
+    );
+    assert_messages(
+        "link a { gear (0, 0) radius 1 teeth «2»; }",
+        &["a number of teeth is a whole number from 3 to 2000, not 2"],
+    );
+    assert_messages(
+        "link a { «gear» (0, 0) teeth 20; }",
+        &[
+            "`a` has no mesh with 20 teeth that would give this gear its size; write `radius r` before `teeth 20`",
+        ],
+    );
+    assert_messages(
+        "link a { gear (0, 0) teeth 20; } link b { gear (0, 0) teeth 30; } joint g = gear(a, b, 20 : 30);",
+        &[],
+    );
+    assert_messages(
+        "link a { gear (0, 0) radius 1 teeth 20 turned «90»; }",
+        &[
+            "`90` is an angle in radians, more than a turn; write `90 deg`\n\nhelp: or give the number a name with `const`, if radians are meant",
+        ],
+    );
+    assert_messages(
+        "param r = 1; link a { gear (0, 0) radius «r» teeth 20; }",
+        &[
+            "`r` is a param: it may change while the mechanism runs; `circle`, `ring`, `polygon` and `bar` may depend on one, this shape may not; use a `const` here",
+        ],
+    );
+}
+
+#[test]
+fn other_parts_of_a_machine_can_be_drawn() {
+    assert_messages(
+        "ground { stand (0, 0); stand (1, 0) height 2 turned 90 deg color teal; rail [(0, 0), (1, 0)]; spring [(0, 0), (1, 0)] width 0.2; text (0, 0) \"up\" height 1; }",
+        &[],
+    );
+    assert_messages(
+        "ground { rail «[(0, 0), (1, 0), (2, 0)]»; }",
+        &["a rail has two ends, not 3"],
+    );
+    assert_messages(
+        "ground { spring «[(0, 1), (0, 1)]» width 1; }",
+        &["both ends of this spring are in one place"],
+    );
+    assert_messages(
+        "ground { text (0, 0) «up» height 1; }",
+        &["expected a text in quotes, found `up`"],
+    );
+    assert_messages(
+        "ground { «spring» s = linear(a.p, b.q) stiffness 1; }",
+        &["`spring` is a statement of its own; write it after the braces of the link"],
+    );
+}
+
+#[test]
 fn a_polygon_has_three_corners() {
     assert_messages(
         "link a { polygon «[(0, 0), (1, 0),]»; }",
@@ -192,7 +267,7 @@ fn other_items_are_unknown() {
     assert_messages(
         "link a { «square» (0, 0); }",
         &[
-            "unknown item `square`; what is fixed to a link begins with one of `point`, `line`, `circle`, `ring`, `polygon`, `bar`, `mass`, `density`",
+            "unknown item `square`; what is fixed to a link begins with one of `point`, `line`, `circle`, `ring`, `polygon`, `bar`, `gear`, `stand`, `rail`, `spring`, `text`, `mass`, …",
         ],
     );
     assert_messages(

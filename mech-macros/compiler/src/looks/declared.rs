@@ -1,0 +1,68 @@
+//! The outlines of declared shapes.
+
+use super::outline::{Measure, Outline, Painted, Place};
+use crate::bug::bug;
+use crate::model::{LinkId, Shape, ShapeKind};
+use mech_core::colors::{EYE, INK, darker};
+
+/// A bar's face, and the pins and eyes on it, as parts of its width.
+const FACE: f64 = 0.76;
+const PIN: f64 = 0.28;
+const HOLE: f64 = 0.14;
+
+/// The outlines of a shape, from back to front.
+pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
+    let values = shape.kind.numbers();
+    let measure = |index: usize| Measure::new(values[index], shape.formulas[index]);
+    let count = shape.kind.reach().0.len();
+    let point = |index: usize| [measure(2 * index), measure(2 * index + 1)];
+    let points = || (0..count).map(point).collect();
+    let length = |index: usize| measure(2 * count + index);
+    let paint = |outline, color| Painted {
+        link,
+        plane: shape.plane,
+        outline,
+        color,
+    };
+    let outline = match shape.kind {
+        ShapeKind::Circle { .. } => Outline::Circle {
+            center: point(0),
+            radius: length(0),
+        },
+        ShapeKind::Ring { .. } => Outline::Ring {
+            center: point(0),
+            radius: length(0),
+            hole: length(1),
+        },
+        ShapeKind::Polygon(_) => Outline::Polygon(points()),
+        ShapeKind::Figure(_) => {
+            bug!("a figure is painted before it is known how the mechanism moves")
+        }
+        ShapeKind::Bar { .. } => {
+            let all = bar(points(), length(0), shape.color).into_iter();
+            return all.map(|(outline, color)| paint(outline, color)).collect();
+        }
+    };
+    vec![paint(outline, shape.color)]
+}
+
+/// A bar with a dark edge and an eye at each pin, as `mech_runtime::raster::bar` draws it: outlines and their colours, from back to
+/// front.
+pub(super) fn bar(pins: Vec<Place>, width: Measure, color: u8) -> Vec<(Outline, u8)> {
+    let line = |share: f64| Outline::Line {
+        points: pins.clone(),
+        width: width.times(share),
+    };
+    let mut all = vec![(line(1.0), darker(color)), (line(FACE), color)];
+    all.extend(pins.iter().flat_map(|pin| eye(*pin, width)));
+    all
+}
+
+/// The pin of a bar of this width.
+pub(super) fn eye(center: Place, width: Measure) -> [(Outline, u8); 2] {
+    let circle = |share: f64| Outline::Circle {
+        center,
+        radius: width.times(share),
+    };
+    [(circle(PIN), INK), (circle(HOLE), EYE)]
+}

@@ -1,0 +1,130 @@
+//! Declared shapes that stand for a part of a machine.
+
+use super::ground;
+use super::lettering::lettering;
+use super::outline::{Measure, Outline, Painted, fixed};
+use super::rolling;
+use super::scene::Scene;
+use super::tooth::Side;
+use super::wheel::{Wheel, Wheels};
+use crate::model::{Figure, LinkId, Shape};
+use nalgebra::{Point2, Rotation2, Vector2};
+
+/// Coils of a drawn spring, and its wire as a part of its width.
+const COILS: u32 = 6;
+const WIRE: f64 = 0.2;
+/// A radius that is so near to another is the same.
+const SAME: f64 = 1e-6;
+
+/// The outlines of a figure, from back to front.
+pub(super) fn outlines(
+    scene: &Scene<'_>,
+    wheels: &Wheels,
+    link: LinkId,
+    shape: &Shape,
+    figure: &Figure,
+) -> Vec<Painted> {
+    let outlines = match figure {
+        Figure::Gear {
+            center,
+            radius,
+            teeth,
+            turned,
+        } => gear(
+            scene,
+            wheels,
+            link,
+            (*center, *radius, *teeth, *turned),
+            shape.color,
+        ),
+        Figure::Stand { at, height, turned } => {
+            let usual = ground::HEIGHT * scene.width;
+            let height = height.unwrap_or(usual);
+            let down = Rotation2::new(*turned) * Vector2::new(0.0, -1.0);
+            let width = scene.width * height / usual;
+            ground::stand(fixed(*at), down, [width, height], shape.color)
+        }
+        Figure::Rail { ends, width } => {
+            let [from, to] = ends.map(Point2::from);
+            let along = (to - from).normalize();
+            let width = width.map_or(scene.width, |width| width / ground::RAIL);
+            vec![ground::rail(
+                [from, to],
+                Vector2::new(along.y, -along.x),
+                0.0,
+                (width, shape.color),
+            )]
+        }
+        Figure::Spring { ends, width } => {
+            vec![(spring(ends.map(Point2::from), *width), shape.color)]
+        }
+        Figure::Text {
+            at,
+            height,
+            turned,
+            text,
+        } => lettering(*at, *height, *turned, text)
+            .into_iter()
+            .map(|outline| (outline, shape.color))
+            .collect(),
+    };
+    let painted = outlines.into_iter().map(|(outline, color)| Painted {
+        link,
+        plane: shape.plane,
+        outline,
+        color,
+    });
+    painted.collect()
+}
+
+/// A gear: what is not given of it is that of the wheel of this link that has as many teeth.
+fn gear(
+    scene: &Scene<'_>,
+    wheels: &Wheels,
+    link: LinkId,
+    (center, radius, teeth, turned): ([f64; 2], Option<f64>, u32, Option<f64>),
+    color: u8,
+) -> Vec<(Outline, u8)> {
+    let mut own = wheels.on(link).filter(|wheel| {
+        let same = |radius: f64| (radius - wheel.radius).abs() < SAME * wheel.radius;
+        wheel.side == Side::Outside && radius.is_none_or(same)
+    });
+    let exact = |wheel: &&Wheel| wheel.teeth == Some(teeth);
+    let first = own.next();
+    let meshing = first.into_iter().chain(own).find(exact).or(first);
+    let Some(radius) = radius.or(meshing.map(|wheel| wheel.radius)) else {
+        return Vec::new();
+    };
+    let meshing_phase = meshing.filter(exact).map_or(0.0, |wheel| wheel.phase);
+    let wheel = Wheel {
+        link,
+        center: Point2::from(center),
+        radius,
+        teeth: Some(teeth),
+        side: Side::Outside,
+        phase: turned.unwrap_or(meshing_phase),
+    };
+    rolling::wheel(scene, &wheel, color)
+}
+
+/// A zigzag from end to end.
+fn spring([from, to]: [Point2<f64>; 2], width: f64) -> Outline {
+    let along = to - from;
+    let across = Vector2::new(-along.y, along.x).normalize() * (0.5 * width);
+    let lead = 0.12;
+    let steps = 2 * COILS;
+    let place = |part: f64, side: f64| {
+        let place = from + along * part + across * side;
+        fixed([place.x, place.y])
+    };
+    let peaks = (0..steps).map(|number| {
+        let part = lead + (1.0 - 2.0 * lead) * (f64::from(number) + 0.5) / f64::from(steps);
+        place(part, if number % 2 == 0 { 1.0 } else { -1.0 })
+    });
+    let first = [place(0.0, 0.0), place(lead, 0.0)].into_iter();
+    let last = [place(1.0 - lead, 0.0), place(1.0, 0.0)];
+    Outline::Line {
+        points: first.chain(peaks).chain(last).collect(),
+        width: Measure::fixed(WIRE * width),
+    }
+}

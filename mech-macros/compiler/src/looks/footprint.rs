@@ -1,0 +1,66 @@
+//! The room that a link takes in its plane.
+
+use super::hull::{depth, distance_to};
+use nalgebra::Point2;
+
+/// What a link covers, in its own frame.
+#[derive(Clone, Default)]
+pub(super) struct Footprint {
+    /// Bars: their middle lines, and half their width.
+    bars: Vec<([Point2<f64>; 2], f64)>,
+    /// The corners of a plate, counter-clockwise, and how far it reaches beyond them.
+    plate: Option<(Vec<Point2<f64>>, f64)>,
+    /// Discs: their centres and radii.
+    discs: Vec<(Point2<f64>, f64)>,
+}
+
+impl Footprint {
+    pub(super) fn add_bar(&mut self, ends: [Point2<f64>; 2], width: f64) {
+        self.bars.push((ends, 0.5 * width));
+    }
+
+    pub(super) fn add_plate(&mut self, corners: Vec<Point2<f64>>, width: f64) {
+        self.plate = Some((corners, 0.5 * width));
+    }
+
+    pub(super) fn add_disc(&mut self, center: Point2<f64>, radius: f64) {
+        self.discs.push((center, radius));
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.bars.is_empty() && self.plate.is_none() && self.discs.is_empty()
+    }
+
+    /// Whether a disc touches what is covered.
+    pub(super) fn touches(&self, center: Point2<f64>, radius: f64) -> bool {
+        let mut bars = self.bars.iter();
+        let mut discs = self.discs.iter();
+        bars.any(|(ends, half)| distance_to(*ends, center) < half + radius)
+            || discs.any(|(other, reach)| (center - other).norm() < reach + radius)
+            || self.plate.as_ref().is_some_and(|(corners, beyond)| {
+                let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+                depth(corners, center) > 0.0
+                    || edges
+                        .map(|(a, b)| distance_to([*a, *b], center))
+                        .any(|away| away < beyond + radius)
+            })
+    }
+
+    /// The radius of a circle around the link's origin that holds everything.
+    pub(super) fn reach(&self) -> f64 {
+        let bars = self
+            .bars
+            .iter()
+            .flat_map(|(ends, half)| ends.map(|end| end.coords.norm() + half));
+        let discs = self
+            .discs
+            .iter()
+            .map(|(center, radius)| center.coords.norm() + radius);
+        let plate = self.plate.iter().flat_map(|(corners, beyond)| {
+            corners
+                .iter()
+                .map(move |corner| corner.coords.norm() + beyond)
+        });
+        bars.chain(discs).chain(plate).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,112 @@
+//! What a mechanism looks like: declared shapes, and bodies for links that declare none.
+//!
+//! `machine` gives every link a body that is made from what it carries. All outlines are constants of the generated code; only springs
+//! and dampers are painted anew in each position.
+
+mod body;
+mod cam;
+mod color;
+mod cylinder;
+mod declared;
+mod figure;
+mod footprint;
+mod ground;
+mod hull;
+mod lettering;
+mod machine;
+mod outline;
+mod planes;
+mod rolling;
+mod scene;
+mod survey;
+mod tooth;
+mod wheel;
+
+use crate::compiled::Compiled;
+use crate::model::{LinkId, Look, Model, Shape, ShapeKind};
+use crate::symbols::Symbol;
+pub use outline::{Measure, Outline, Painted, Place, Toothed};
+use scene::Scene;
+use wheel::Wheels;
+
+/// So many pixels a spring or damper reaches beyond its ends.
+const BESIDE_PIXELS: f64 = 18.0;
+
+/// What is painted of a mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Looks {
+    /// The outlines of the ground and of all links whose poses are known, from the plane farthest from the eye to the nearest. Within
+    /// a plane the ground's come first, then those of each link, in the order of declaration.
+    pub painted: Vec<Painted>,
+    /// What is painted over them anew in each position: symbols of a size in scene units.
+    pub symbols: Option<Symbols>,
+}
+
+/// Symbols that are painted over all outlines.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Symbols {
+    /// The whole diagram, with lines and symbols of a size in pixels.
+    Diagram,
+    /// Springs and dampers.
+    Elastic {
+        /// The symbols.
+        symbols: Vec<Symbol>,
+        /// How large a pixel of theirs is, in scene units.
+        unit: f64,
+    },
+}
+
+impl Looks {
+    /// For each link some points of what is seen of it at the start, each with how far that reaches around it.
+    pub(crate) fn reaches(&self, model: &Model) -> Vec<Vec<([f64; 2], f64)>> {
+        let mut all = vec![Vec::new(); model.links.len()];
+        for painted in &self.painted {
+            all[painted.link.index()].extend(painted.points());
+        }
+        if let Some(Symbols::Elastic { symbols, unit }) = &self.symbols {
+            for spot in symbols.iter().flat_map(Symbol::spots) {
+                all[spot.link.index()].push((spot.at, BESIDE_PIXELS * unit));
+            }
+        }
+        all
+    }
+}
+
+/// What a coherent mechanism looks like.
+#[must_use]
+pub fn looks(model: &Model, compiled: &Compiled) -> Looks {
+    let look = model.look();
+    let links = std::iter::once(LinkId::GROUND).chain(compiled.program.stored.iter().copied());
+    let shapes = links.flat_map(|link| {
+        let shapes = model.link(link).shapes.iter();
+        shapes.map(move |shape| (link, shape))
+    });
+    let shapes: Vec<(LinkId, &Shape)> = shapes.collect();
+    let has_figures = shapes
+        .iter()
+        .any(|(_, shape)| matches!(shape.kind, ShapeKind::Figure(_)));
+    // What depends on how the mechanism moves.
+    let scene = (look == Look::Machine || has_figures).then(|| Scene::new(model, compiled));
+    let scene = scene.as_ref().map(|scene| (scene, Wheels::new(scene)));
+    let outlines = shapes
+        .into_iter()
+        .flat_map(|(link, shape)| match (&shape.kind, &scene) {
+            (ShapeKind::Figure(figure), Some((scene, wheels))) => {
+                figure::outlines(scene, wheels, link, shape, figure)
+            }
+            _ => declared::outlines(link, shape),
+        });
+    let mut painted: Vec<Painted> = outlines.collect();
+    let mut symbols = None;
+    if look == Look::Diagram {
+        symbols = Some(Symbols::Diagram);
+    }
+    if let (Look::Machine, Some((scene, wheels))) = (look, &scene) {
+        let (bodies, springs) = machine::machine(scene, wheels);
+        painted.extend(bodies);
+        symbols = springs;
+    }
+    // Stable: within a plane the order of links and of their declarations stays.
+    painted.sort_by_key(|painted| (painted.plane, painted.link));
+    Looks { painted, symbols }
+}

@@ -1,0 +1,267 @@
+//! Outlines as constants of the generated code, or as expressions where params change them.
+
+use crate::model::{Axis, FormulaId, LinkId};
+
+/// A number of an outline: a share of another, which may depend on params.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measure {
+    /// What it is a share of, at the start.
+    pub value: f64,
+    /// How that is computed, if it depends on params.
+    pub formula: Option<FormulaId>,
+    /// The share.
+    pub share: f64,
+}
+
+/// A place in the frame of a link, in scene units.
+pub type Place = [Measure; 2];
+
+impl Measure {
+    /// A number that does not change.
+    pub(super) fn fixed(value: f64) -> Self {
+        Self::new(value, None)
+    }
+
+    /// A number that may depend on params.
+    pub(super) fn new(value: f64, formula: Option<FormulaId>) -> Self {
+        let share = 1.0;
+        Self {
+            value,
+            formula,
+            share,
+        }
+    }
+
+    /// So many times this number.
+    pub(super) fn times(self, share: f64) -> Self {
+        let share = self.share * share;
+        Self { share, ..self }
+    }
+
+    /// The number at the start.
+    #[must_use]
+    pub fn at_start(self) -> f64 {
+        self.share * self.value
+    }
+}
+
+/// A place that does not change.
+pub(super) fn fixed(place: [f64; 2]) -> Place {
+    place.map(Measure::fixed)
+}
+
+/// The place of an axis.
+pub(super) fn place_of(axis: &Axis) -> Place {
+    let [x, y] = [0, 1].map(|part| Measure::new(axis.at[part], axis.formulas[part]));
+    [x, y]
+}
+
+/// What is filled, in the frame of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outline {
+    /// A disc.
+    Circle {
+        /// Its centre.
+        center: Place,
+        /// Its radius.
+        radius: Measure,
+    },
+    /// A disc with a hole of the same centre.
+    Ring {
+        /// Its centre.
+        center: Place,
+        /// Its radius.
+        radius: Measure,
+        /// The radius of its hole.
+        hole: Measure,
+    },
+    /// A polygon, by the even-odd rule.
+    Polygon(Vec<Place>),
+    /// A thick line with round ends and joins.
+    Line {
+        /// Its corners.
+        points: Vec<Place>,
+        /// Its width.
+        width: Measure,
+    },
+    /// A thick arc with round ends.
+    Arc {
+        /// Its centre.
+        center: [f64; 2],
+        /// The start of its middle line.
+        start: [f64; 2],
+        /// Its angle, in radians, counter-clockwise.
+        angle: f64,
+        /// Its width.
+        width: f64,
+    },
+    /// A toothed wheel.
+    Toothed(Toothed),
+}
+
+/// The outline of a toothed wheel: one tooth, repeated around a centre.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Toothed {
+    /// Its centre.
+    pub center: [f64; 2],
+    /// The corners of the first tooth, counter-clockwise around the centre, and as seen from it.
+    pub tooth: Vec<[f64; 2]>,
+    /// How many teeth.
+    pub count: u32,
+    /// The radius of the ring that has its teeth inside; none of a wheel.
+    pub rim: Option<f64>,
+}
+
+impl Toothed {
+    /// The corners of all teeth.
+    #[must_use]
+    pub fn corners(&self) -> Vec<[f64; 2]> {
+        let pitch = std::f64::consts::TAU / f64::from(self.count);
+        let teeth = (0..self.count).flat_map(|number| {
+            let (sin, cos) = (f64::from(number) * pitch).sin_cos();
+            let [x, y] = self.center;
+            self.tooth
+                .iter()
+                .map(move |[u, v]| [x + cos * u - sin * v, y + sin * u + cos * v])
+        });
+        teeth.collect()
+    }
+
+    /// The radius of a circle around all of it.
+    fn reach(&self) -> f64 {
+        let corners = self.tooth.iter().map(|[x, y]| x.hypot(*y));
+        corners.chain(self.rim).fold(0.0, f64::max)
+    }
+}
+
+impl Outline {
+    /// All its numbers that may depend on params.
+    fn measures(&self) -> Vec<Measure> {
+        match self {
+            Self::Circle { center, radius } => [&center[..], &[*radius]].concat(),
+            Self::Ring {
+                center,
+                radius,
+                hole,
+            } => [&center[..], &[*radius, *hole]].concat(),
+            Self::Polygon(corners) => corners.concat(),
+            Self::Line { points, width } => [&points.concat()[..], &[*width]].concat(),
+            Self::Arc { .. } | Self::Toothed(_) => Vec::new(),
+        }
+    }
+
+    /// The same with all numbers that do not vary rounded, and no shares of them: short numbers are easier to read.
+    pub(super) fn rounded(self, grid: Grid) -> Self {
+        let number = |measure: Measure| match measure.formula {
+            None => Measure::fixed(grid.round(measure.at_start())),
+            Some(_) => measure,
+        };
+        let place = |place: Place| place.map(number);
+        let places = |places: Vec<Place>| places.into_iter().map(place).collect();
+        match self {
+            Self::Circle { center, radius } => Self::Circle {
+                center: place(center),
+                radius: number(radius),
+            },
+            Self::Ring {
+                center,
+                radius,
+                hole,
+            } => Self::Ring {
+                center: place(center),
+                radius: number(radius),
+                hole: number(hole),
+            },
+            Self::Polygon(corners) => Self::Polygon(places(corners)),
+            Self::Line { points, width } => Self::Line {
+                points: places(points),
+                width: number(width),
+            },
+            Self::Arc {
+                center,
+                start,
+                angle,
+                width,
+            } => Self::Arc {
+                center: center.map(|part| grid.round(part)),
+                start: start.map(|part| grid.round(part)),
+                angle,
+                width: grid.round(width),
+            },
+            // Teeth have to fit.
+            Self::Toothed(wheel) => Self::Toothed(wheel),
+        }
+    }
+
+    /// Whether it depends on a param.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        self.measures().iter().any(|one| one.formula.is_some())
+    }
+
+    /// Some of its points at the start, and how far it reaches around them.
+    fn reach(&self) -> (Vec<[f64; 2]>, f64) {
+        let start = |place: &Place| place.map(Measure::at_start);
+        match self {
+            Self::Circle { center, radius } | Self::Ring { center, radius, .. } => {
+                (vec![start(center)], radius.at_start())
+            }
+            Self::Polygon(corners) => (corners.iter().map(start).collect(), 0.0),
+            Self::Line { points, width } => (
+                points.iter().map(start).collect(),
+                width.times(0.5).at_start(),
+            ),
+            Self::Arc {
+                center,
+                start,
+                width,
+                ..
+            } => {
+                let radius = (start[0] - center[0]).hypot(start[1] - center[1]);
+                (vec![*center], radius + 0.5 * width)
+            }
+            Self::Toothed(wheel) => (vec![wheel.center], wheel.reach()),
+        }
+    }
+}
+
+/// Numbers with so many digits that nobody sees what was rounded off.
+#[derive(Clone, Copy)]
+pub(super) struct Grid {
+    /// How many numbers there are from one whole number to the next: a power of ten.
+    fineness: f64,
+}
+
+impl Grid {
+    /// So fine that a ten-thousandth of this length is seen.
+    pub(super) fn for_width(width: f64) -> Self {
+        let fineness = 10.0_f64.powf(4.0 - width.log10().floor());
+        Self { fineness }
+    }
+
+    fn round(self, value: f64) -> f64 {
+        let rounded = (value * self.fineness).round() / self.fineness;
+        if rounded.is_finite() { rounded } else { value }
+    }
+}
+
+/// An outline that is painted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Painted {
+    /// The link that it is fixed to; the ground too.
+    pub link: LinkId,
+    /// The plane it lies in: greater is nearer to the eye.
+    pub plane: i32,
+    /// What is filled.
+    pub outline: Outline,
+    /// Its entry in the palette.
+    pub color: u8,
+}
+
+impl Painted {
+    /// Some of its points at the start, each with how far it reaches around it.
+    pub(crate) fn points(&self) -> impl Iterator<Item = ([f64; 2], f64)> {
+        let (points, reach) = self.outline.reach();
+        points.into_iter().map(move |point| (point, reach))
+    }
+}

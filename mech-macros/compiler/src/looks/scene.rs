@@ -1,0 +1,183 @@
+//! What is known of a mechanism when its links are given bodies.
+
+use super::outline::{Place, place_of};
+use super::survey::Survey;
+use crate::compiled::Compiled;
+use crate::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
+use crate::structure::Structure;
+use nalgebra::{Point2, distance};
+
+/// The width of a bar, as parts of the whole mechanism and of the shortest link.
+const OF_WHOLE: [f64; 2] = [0.02, 0.055];
+const OF_SHORTEST: f64 = 0.4;
+/// Places of a link that are nearer to each other than this part of their distance from its origin are one.
+const NEAR: f64 = 1e-9;
+
+/// A mechanism, how it moves, and how thick its bars are.
+pub(super) struct Scene<'a> {
+    pub(super) model: &'a Model,
+    pub(super) structure: &'a Structure,
+    pub(super) survey: Survey,
+    /// The width of a bar, in scene units.
+    pub(super) width: f64,
+    /// For each link what is fixed to it.
+    mounts: Vec<Vec<Mount>>,
+    slides: Vec<Slide>,
+    /// For each link the numbers of the slides that it has a part in.
+    slides_of: Vec<Vec<usize>>,
+}
+
+/// A place of a link at which something is fixed.
+#[derive(Clone, Copy)]
+pub(super) struct Mount {
+    pub(super) at: Point2<f64>,
+    pub(super) place: Place,
+    /// Whether something turns about it, or is welded to it; else it is only a named point.
+    pub(super) is_joint: bool,
+}
+
+/// A prismatic joint: which link has the guide, and which one slides along it.
+#[derive(Clone, Copy)]
+pub(super) struct Slide {
+    /// The line of the guide.
+    pub(super) guide: AxisId,
+    /// The line of what slides; of a slot, of its hidden die.
+    pub(super) block: AxisId,
+    /// The pin that slides in it, if it is a slot.
+    pub(super) pin: Option<AxisId>,
+}
+
+impl<'a> Scene<'a> {
+    pub(super) fn new(model: &'a Model, compiled: &'a Compiled) -> Self {
+        let survey = Survey::new(model, &compiled.plan, &compiled.program);
+        let structure = &compiled.structure;
+        let slides: Vec<Slide> = model
+            .joint_ids()
+            .filter_map(|id| slide(model, id))
+            .collect();
+        let mut scene = Self {
+            model,
+            structure,
+            width: 0.0,
+            survey,
+            mounts: mounts(model, structure),
+            slides_of: vec![Vec::new(); model.links.len()],
+            slides,
+        };
+        for (number, slide) in scene.slides.iter().enumerate() {
+            for link in scene.ends(*slide) {
+                scene.slides_of[link.index()].push(number);
+            }
+        }
+        scene.width = scene.bar_width();
+        scene
+    }
+
+    /// The width of bars: not too thick for the shortest link, and not too thin beside the whole.
+    fn bar_width(&self) -> f64 {
+        let size = self.survey.size(self.model).unwrap_or(1.0);
+        let lengths = self.model.declared_links().flat_map(|link| {
+            let joints = self.mounts(link).iter().filter(|mount| mount.is_joint);
+            let joints: Vec<Point2<f64>> = joints.map(|mount| mount.at).collect();
+            let pairs =
+                (1..joints.len()).map(|number| distance(&joints[number - 1], &joints[number]));
+            pairs.collect::<Vec<f64>>()
+        });
+        let shortest = lengths.fold(f64::INFINITY, f64::min);
+        let [low, high] = OF_WHOLE.map(|part| part * size);
+        (OF_SHORTEST * shortest).clamp(low, high)
+    }
+
+    /// Whether a link is shown and has no shapes of its own.
+    pub(super) fn gets_body(&self, link: LinkId) -> bool {
+        let is_known = self.survey.at_start(link).is_some();
+        let own = self.model.link(link);
+        is_known && own.shapes.is_empty() && own.die.is_none()
+    }
+
+    /// The links that get bodies, the ground aside.
+    pub(super) fn bodies(&self) -> impl Iterator<Item = LinkId> {
+        let links = self.model.declared_links();
+        links.filter(|&link| self.gets_body(link))
+    }
+
+    /// The pins of a link, what is welded to it, and its named points, each place once.
+    pub(super) fn mounts(&self, link: LinkId) -> &[Mount] {
+        &self.mounts[link.index()]
+    }
+
+    /// All prismatic joints and slots.
+    pub(super) fn slides(&self) -> impl Iterator<Item = Slide> {
+        self.slides.iter().copied()
+    }
+
+    /// Those that have a link at an end.
+    pub(super) fn slides_of(&self, link: LinkId) -> impl Iterator<Item = Slide> {
+        let own = self.slides_of[link.index()].iter();
+        own.map(|&number| self.slides[number])
+    }
+
+    /// The link with the guide of a slide, and the link that slides; of a slot, that of its pin.
+    pub(super) fn ends(&self, slide: Slide) -> [LinkId; 2] {
+        let other = slide.pin.unwrap_or(slide.block);
+        [slide.guide, other].map(|axis| self.model.axis(axis).link)
+    }
+
+    /// How far along its guide the block of a slide comes, seen from the guide's origin.
+    pub(super) fn travel(&self, slide: Slide) -> Option<[f64; 2]> {
+        let block = slide.pin.unwrap_or(slide.block);
+        self.survey.range(|frames| {
+            let place = frames.place(self.model, block)?;
+            frames.along(self.model, slide.guide, place)
+        })
+    }
+}
+
+/// What is fixed to each link: pins and welds, then named points.
+fn mounts(model: &Model, structure: &Structure) -> Vec<Vec<Mount>> {
+    let pins = structure.pins.iter().flat_map(|pin| &pin.members);
+    let pins = pins.map(|member| member.1);
+    let welds = model.joints.iter().flat_map(|joint| match joint.kind {
+        JointKind::Weld(a, b) => vec![a, b],
+        _ => Vec::new(),
+    });
+    let points = (0..model.axes.len()).map(AxisId::new).filter(|&axis| {
+        let axis = model.axis(axis);
+        axis.kind == AxisKind::Point && axis.name.is_some()
+    });
+    let all = pins.chain(welds).map(|axis| (axis, true));
+    let mut mounts: Vec<Vec<Mount>> = vec![Vec::new(); model.links.len()];
+    for (axis, is_joint) in all.chain(points.map(|axis| (axis, false))) {
+        let axis = model.axis(axis);
+        let at = Point2::from(axis.at);
+        let own = &mut mounts[axis.link.index()];
+        let is_near = |known: &Mount| distance(&known.at, &at) <= NEAR * at.coords.norm();
+        if !own.iter().any(is_near) {
+            own.push(Mount {
+                at,
+                place: place_of(axis),
+                is_joint,
+            });
+        }
+    }
+    mounts
+}
+
+/// The slide that a joint is, if it is one.
+fn slide(model: &Model, joint: JointId) -> Option<Slide> {
+    let JointKind::Prismatic(a, b) = model.joint(joint).kind else {
+        return None;
+    };
+    // The ground has the guide, whichever link is declared first.
+    let (guide, block) = if model.axis(b).link == LinkId::GROUND {
+        (b, a)
+    } else {
+        (a, b)
+    };
+    let die = model.link(model.axis(block).link).die;
+    Some(Slide {
+        guide,
+        block,
+        pin: die.map(|(pin, _)| pin),
+    })
+}

@@ -1,0 +1,441 @@
+//! What a mechanism without shapes looks like: teeth mesh, no link crosses a pin of others, and every colour is seen on its ground.
+
+use i_overlay::core::fill_rule::FillRule;
+use i_overlay::core::overlay_rule::OverlayRule;
+use i_overlay::float::single::SingleFloatOverlay;
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{LinkId, Model};
+use mech_compiler::structure::Pin;
+use mech_compiler::{Compiled, Looks, Measure, Outline, Painted, compile, looks};
+use mech_runtime::Palette;
+use mech_tests::{Sample, cases, for_all, model, samples};
+use nalgebra::{Complex, Isometry2, Point2, Translation2, UnitComplex};
+use proptest::prelude::*;
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+
+/// The colours of eyes and belts.
+const MARKS: [u8; 2] = [Palette::INK, Palette::EYE];
+
+fn compiled(text: &str) -> (Model, Compiled, Looks) {
+    let model = model(text);
+    let compiled = compile(&model).unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}"));
+    let looks = looks(&model, &compiled);
+    (model, compiled, looks)
+}
+
+/// The frame of a link where a machine is; none if it is not known.
+fn frame(compiled: &Compiled, poses: &[[f64; 4]], link: LinkId) -> Option<Isometry2<f64>> {
+    if link == LinkId::GROUND {
+        return Some(Isometry2::identity());
+    }
+    let [cos, sin, x, y] = poses[compiled.program.place_of(link)?];
+    let rotation = UnitComplex::new_normalize(Complex::new(cos, sin));
+    Some(Isometry2::from_parts(Translation2::new(x, y), rotation))
+}
+
+/// The corners of everything toothed, in the scene: of a rack, its polygon with the most corners.
+fn toothed(looks: &Looks, compiled: &Compiled, poses: &[[f64; 4]]) -> Vec<Vec<[f64; 2]>> {
+    let outlines = looks.painted.iter().filter_map(|painted| {
+        let corners = match &painted.outline {
+            Outline::Toothed(wheel) if wheel.rim.is_some() => {
+                // What is outside of the ring's gaps, as a band around them.
+                let mut corners = wheel.corners();
+                corners.push(corners[0]);
+                let rim = wheel.rim.expect("a ring");
+                let around = (0..=360).map(|degree| {
+                    let (sin, cos) = f64::from(degree).to_radians().sin_cos();
+                    [wheel.center[0] + rim * cos, wheel.center[1] + rim * sin]
+                });
+                corners.extend(around);
+                corners
+            }
+            Outline::Toothed(wheel) => wheel.corners(),
+            Outline::Polygon(corners) if corners.len() > 40 && painted.link != LinkId::GROUND => {
+                corners
+                    .iter()
+                    .map(|place| place.map(Measure::at_start))
+                    .collect()
+            }
+            _ => return None,
+        };
+        let frame = frame(compiled, poses, painted.link)?;
+        let corners = corners.into_iter().map(|[x, y]| {
+            let place = frame * Point2::new(x, y);
+            [place.x, place.y]
+        });
+        Some(corners.collect())
+    });
+    outlines.collect()
+}
+
+/// The area of what two polygons have in common.
+fn common_area(one: &[[f64; 2]], other: &[[f64; 2]]) -> f64 {
+    let common = one.overlay(&other, OverlayRule::Intersect, FillRule::EvenOdd);
+    let area = |ring: &Vec<[f64; 2]>| {
+        let next = ring.iter().cycle().skip(1);
+        let twice: f64 = ring
+            .iter()
+            .zip(next)
+            .map(|(a, b)| a[0] * b[1] - b[0] * a[1])
+            .sum();
+        0.5 * twice
+    };
+    common.iter().flatten().map(area).sum::<f64>().abs()
+}
+
+/// Turns the only motor, and looks at what meshing teeth have in common: not more than rounding, beside the area of a tooth.
+fn do_not_overlap(text: &str, turns: &[f64]) {
+    let (_, compiled, looks) = compiled(text);
+    let module = module(&looks);
+    let mut machine = Machine::<f64>::new(&compiled.program);
+    for turn in turns {
+        machine.move_to(&[*turn]).expect("gears turn");
+        let all = toothed(&looks, &compiled, &machine.position().poses);
+        assert_eq!(all.len(), 2, "{text}");
+        let small = usize::from(reach(&all[0]) > reach(&all[1]));
+        let area = common_area(&all[0], &all[1]);
+        assert!(
+            area < 1e-6 * module * module,
+            "teeth overlap by {area} at {turn}: {}\n{text}",
+            area / module / module
+        );
+        // They do touch: a little larger, they overlap.
+        let nearer = larger(&all[small], 1.0 + 0.35 * module / reach(&all[small]));
+        assert!(
+            common_area(&nearer, &all[1 - small]) > 0.0,
+            "teeth do not mesh\n{text}"
+        );
+    }
+}
+
+/// The module of the teeth: the pitch diameter by their number. A tooth reaches seven tenths of it beyond the pitch circle.
+fn module(looks: &Looks) -> f64 {
+    let wheels = looks
+        .painted
+        .iter()
+        .filter_map(|painted| match &painted.outline {
+            Outline::Toothed(wheel) if wheel.rim.is_none() => Some(wheel),
+            _ => None,
+        });
+    let modules = wheels.map(|wheel| {
+        let reach = wheel.tooth.iter().map(|corner| corner[0].hypot(corner[1]));
+        2.0 * reach.fold(0.0, f64::max) / (f64::from(wheel.count) + 1.4)
+    });
+    modules.fold(f64::INFINITY, f64::min)
+}
+
+fn middle(corners: &[[f64; 2]]) -> [f64; 2] {
+    #[expect(clippy::cast_precision_loss, reason = "a few thousand corners")]
+    let share = 1.0 / corners.len() as f64;
+    corners.iter().fold([0.0; 2], |sum, corner| {
+        [sum[0] + share * corner[0], sum[1] + share * corner[1]]
+    })
+}
+
+fn reach(corners: &[[f64; 2]]) -> f64 {
+    let [x, y] = middle(corners);
+    let away = corners
+        .iter()
+        .map(|corner| (corner[0] - x).hypot(corner[1] - y));
+    away.fold(0.0, f64::max)
+}
+
+fn larger(corners: &[[f64; 2]], times: f64) -> Vec<[f64; 2]> {
+    let [x, y] = middle(corners);
+    let moved = corners
+        .iter()
+        .map(|corner| [x + times * (corner[0] - x), y + times * (corner[1] - y)]);
+    moved.collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(u32::try_from(cases(60)).expect("not so many")))]
+
+    #[test]
+    fn meshing_teeth_do_not_overlap(
+        teeth in [9..90_i32, 9..90_i32],
+        [x, y] in [-5.0..5.0, -5.0..5.0],
+        start in -3.0..3.0,
+        turns in prop::collection::vec(-9.0..9.0, 4),
+    ) {
+        let apart = f64::hypot(x, y).max(0.01);
+        let [a, b] = teeth;
+        let text = format!(
+            "struct Gears; ground {{ point a = (0, 0); point b = ({x}, {y}); }} link one {{ point o = (0, 0); }} link two {{ point o = (0, 0); }} \
+             joint a = revolute(ground.a, one.o); joint b = revolute(ground.b, two.o); joint g = gear(one, two, {a} : {b}); \
+             motor a; start {{ a = {start}; b = 0.3; }}"
+        );
+        if apart > 0.01 {
+            do_not_overlap(&text, &turns);
+        }
+    }
+
+    #[test]
+    fn nor_do_those_in_a_ring(
+        teeth in 12..40_i32,
+        more in 12..60_i32,
+        start in -3.0..3.0,
+        turns in prop::collection::vec(-9.0..9.0, 4),
+    ) {
+        let ring = teeth + more;
+        let text = format!(
+            "struct Ring; ground {{ point a = (1, 0); point b = (0, 0); }} link one {{ point o = (0, 0); }} link two {{ point o = (0, 0); }} \
+             joint a = revolute(ground.a, one.o); joint b = revolute(ground.b, two.o); joint g = gear(one, two, {teeth} : -{ring}); \
+             motor a; start {{ a = {start}; b = 0.3; }}"
+        );
+        do_not_overlap(&text, &turns);
+    }
+
+    #[test]
+    fn nor_do_those_of_a_rack(
+        radius in prop_oneof![0.5..3.0, -3.0..-0.5],
+        [along, offset] in [-3.0..3.0, -1.0..1.0],
+        start in -3.0..3.0,
+        turns in prop::collection::vec(-3.0..3.0, 4),
+    ) {
+        let (sin, cos) = f64::sin_cos(along);
+        let text = format!(
+            "struct Rack; ground {{ point o = (0, 0); line l = ({}, {}) -> ({cos}, {sin}); }} link pinion {{ point o = (0, 0); }} \
+             link bar {{ line l = ({offset}, 0.7) -> (1, 0); }} \
+             joint a = revolute(ground.o, pinion.o); joint s = prismatic(ground.l, bar.l); joint r = rack(pinion, bar, radius {radius}); \
+             motor a in -3.5 ..= 3.5; start {{ a = {start}; }}",
+            sin * 2.0, -cos * 2.0
+        );
+        do_not_overlap(&text, &turns);
+    }
+}
+
+/// Whether an outline of a link's body covers a place on the link.
+fn covers(painted: &Painted, place: Point2<f64>) -> bool {
+    match &painted.outline {
+        Outline::Line { points, width } => {
+            let points: Vec<Point2<f64>> = points
+                .iter()
+                .map(|point| Point2::from(point.map(Measure::at_start)))
+                .collect();
+            points.windows(2).any(|ends| {
+                let along = ends[1] - ends[0];
+                let part = (place - ends[0]).dot(&along) / along.norm_squared();
+                let foot = ends[0] + along * part.clamp(0.0, 1.0);
+                (place - foot).norm() < 0.5 * width.at_start()
+            })
+        }
+        Outline::Polygon(corners) => {
+            let corners: Vec<[f64; 2]> = corners
+                .iter()
+                .map(|corner| corner.map(Measure::at_start))
+                .collect();
+            let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+            let crossed = edges.filter(|([x, y], [u, v])| {
+                let spans = (*y > place.y) != (*v > place.y);
+                spans && place.x < x + (place.y - y) / (v - y) * (u - x)
+            });
+            crossed.count() % 2 == 1
+        }
+        Outline::Circle { center, radius } => {
+            let center = Point2::from(center.map(Measure::at_start));
+            (place - center).norm() < radius.at_start()
+        }
+        Outline::Toothed(wheel) if wheel.rim.is_none() => {
+            let root = wheel.tooth.iter().map(|corner| corner[0].hypot(corner[1]));
+            (place - Point2::from(wheel.center)).norm() < root.fold(f64::INFINITY, f64::min)
+        }
+        _ => false,
+    }
+}
+
+/// For each position, and each link that covers a pin that it does not carry there: the link, and the links on the pin.
+fn crossings(
+    model: &Model,
+    compiled: &Compiled,
+    looks: &Looks,
+    positions: &[Vec<[f64; 4]>],
+) -> BTreeSet<(LinkId, usize)> {
+    let mut found = BTreeSet::new();
+    for poses in positions {
+        for (number, pin) in compiled.structure.pins.iter().enumerate() {
+            let place = pin.members.iter().find_map(|&(link, axis)| {
+                Some(frame(compiled, poses, link)? * Point2::from(model.axis(axis).at))
+            });
+            let Some(place) = place else { continue };
+            for painted in &looks.painted {
+                let is_on = |member: LinkId| {
+                    let die = model.link(member).die;
+                    let slot = die.map(|(_, line)| model.axis(line).link);
+                    member == painted.link || slot == Some(painted.link)
+                };
+                let is_other = !pin.members.iter().any(|member| is_on(member.0))
+                    && painted.link != LinkId::GROUND;
+                let Some(frame) = frame(compiled, poses, painted.link) else {
+                    continue;
+                };
+                if is_other && covers(painted, frame.inverse() * place) {
+                    found.insert((painted.link, number));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Whether a link in such an order is between the links of a pin that it crosses.
+fn is_between(model: &Model, link: LinkId, pin: &Pin, plane: impl Fn(LinkId) -> usize) -> bool {
+    let planes = || {
+        let members = pin.members.iter().map(|member| member.0);
+        members
+            .filter(|member| *member != LinkId::GROUND && model.link(*member).die.is_none())
+            .map(&plane)
+    };
+    let back = if pin.axis_of(LinkId::GROUND).is_some() {
+        Some(0)
+    } else {
+        planes().min()
+    };
+    let own = plane(link);
+    back.zip(planes().max())
+        .is_some_and(|(back, front)| own > back && own < front)
+}
+
+/// All orders of some things.
+fn orders(count: usize) -> Vec<Vec<usize>> {
+    let mut all = vec![Vec::new()];
+    for next in 0..count {
+        all = all
+            .into_iter()
+            .flat_map(|order: Vec<usize>| {
+                (0..=order.len()).map(move |place| {
+                    let mut order = order.clone();
+                    order.insert(place, next);
+                    order
+                })
+            })
+            .collect();
+    }
+    all
+}
+
+/// Where there is an order of planes in which no bar crosses a pin that it does not carry, the bodies have such an order: every order of
+/// a small mechanism is tried.
+#[test]
+fn no_bar_crosses_a_pin_that_it_does_not_carry() {
+    let (mut crossed, mut solvable) = (0, 0);
+    for_all(100, &samples(1..=3), |Sample { mut grown, .. }| {
+        for link in &mut grown.model.links {
+            link.shapes.clear();
+        }
+        let model = grown.model;
+        let Ok(compiled) = compile(&model) else {
+            return;
+        };
+        let links: Vec<LinkId> = model.declared_links().collect();
+        if links.len() > 7 {
+            return;
+        }
+        let looks = looks(&model, &compiled);
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        let here = machine.position().clone();
+        let mut positions = vec![here.poses.clone()];
+        for sense in [1.0, -1.0] {
+            machine.put_back(here.clone());
+            let mut steps = (1..=36).map(|step| sense * TAU * f64::from(step) / 36.0);
+            let came = steps.all(|by| {
+                let turned: Vec<f64> = here.motors.iter().map(|value| value + by).collect();
+                let came = matches!(machine.move_toward(&turned), Ok(None));
+                positions.push(machine.position().poses.clone());
+                came
+            });
+            if came {
+                break;
+            }
+        }
+        let crossings = crossings(&model, &compiled, &looks, &positions);
+        let is_free = |plane: &dyn Fn(LinkId) -> usize| {
+            let pins = &compiled.structure.pins;
+            crossings
+                .iter()
+                .all(|&(link, pin)| !is_between(&model, link, &pins[pin], plane))
+        };
+        let has_order = orders(links.len()).iter().any(|order| {
+            is_free(&|link| {
+                let place = order.iter().position(|&number| links[number] == link);
+                place.map_or(usize::MAX, |place| place + 1)
+            })
+        });
+        let plane = |link: LinkId| {
+            let mut own = looks
+                .painted
+                .iter()
+                .filter(|painted| painted.link == link && !MARKS.contains(&painted.color));
+            own.next().map_or(0, |painted| {
+                usize::try_from(painted.plane).expect("planes are in front of the ground")
+            })
+        };
+        if !crossings.is_empty() {
+            crossed += 1;
+        }
+        if has_order {
+            solvable += 1;
+            assert!(
+                is_free(&plane),
+                "a bar crosses a pin\n{}",
+                mech_tests::text(&model)
+            );
+        }
+    });
+    assert!(crossed > 5 && solvable > 20, "{crossed} {solvable}");
+}
+
+/// The difference of two colours, as the eye weighs it, of 255.
+fn contrast(one: [u8; 3], other: [u8; 3]) -> f64 {
+    let parts = [0, 1, 2].map(|part| (f64::from(one[part]) - f64::from(other[part])).powi(2));
+    (0.30 * parts[0] + 0.59 * parts[1] + 0.11 * parts[2]).sqrt()
+}
+
+/// Forty links, each with a body: no colour is that of the background, of ink or of an eye, by day and at night.
+#[test]
+fn every_color_is_seen() {
+    let mut text = String::from("struct Many; ");
+    for number in 0..40 {
+        let end = number + 1;
+        text += &format!(
+            "link l{number}; joint j{number} = revolute(ground, l{number}) at ({number}, 0); "
+        );
+        text += &format!(
+            "motor j{number}; link k{number} {{ point tip = (0, {end}); }} joint i{number} = weld(l{number}, k{number}) at ({number}, {end}); "
+        );
+    }
+    let (_, _, looks) = compiled(&text);
+    let colors: BTreeSet<u8> = looks.painted.iter().map(|painted| painted.color).collect();
+    assert!(colors.len() > 36, "{colors:?}");
+    for palette in [Palette::TEXTBOOK, Palette::NIGHT] {
+        for &color in colors.iter().filter(|color| !MARKS.contains(color)) {
+            for background in [Palette::PAPER, Palette::EYE] {
+                let difference = contrast(palette.rgb(color), palette.rgb(background));
+                assert!(difference > 24.0, "{color} on {background}: {difference}");
+            }
+        }
+    }
+}
+
+/// What the same mechanism declares in another order looks the same, but for colours and planes.
+#[test]
+fn a_link_with_shapes_keeps_them() {
+    let text = "struct Two; look machine; link a { point p = (0, 0); circle (0, 0) radius 0.7 color red; } link b { point p = (1, 0); } \
+                joint j = revolute(ground, a) at (0, 0); joint k = revolute(a, b) at (1, 0); motor j; motor k;";
+    let (model, _, looks) = compiled(text);
+    let [a, b]: [LinkId; 2] = model
+        .declared_links()
+        .collect::<Vec<_>>()
+        .try_into()
+        .expect("two");
+    let of = |link| {
+        looks
+            .painted
+            .iter()
+            .filter(move |painted| painted.link == link)
+    };
+    assert_eq!(of(a).count(), 1);
+    assert!(of(a).all(|painted| painted.color == Palette::RED && painted.plane == 0));
+    assert!(of(b).count() > 1);
+}
