@@ -24,7 +24,7 @@ fn points(node: &Node<'_, '_>) -> Vec<[f64; 2]> {
             let [x, y, radius] = ["cx", "cy", "r"].map(|name| numbers(node, name)[0]);
             vec![[x, y], [x + radius, y]]
         }
-        "polygon" => numbers(node, "points").as_chunks::<2>().0.to_vec(),
+        "polygon" | "polyline" => numbers(node, "points").as_chunks::<2>().0.to_vec(),
         other => panic!("an element `{other}`"),
     }
 }
@@ -52,7 +52,19 @@ fn expected<T: Scalar>(
         Outline::Circle { center, radius } => {
             vec![pixel(center), pixel([center[0] + radius, center[1]])]
         }
-        Outline::Polygon(corners) => corners.iter().copied().map(pixel).collect(),
+        Outline::Polygon(corners)
+        | Outline::Line {
+            points: corners, ..
+        } => corners.iter().copied().map(pixel).collect(),
+        // It is the stroke of its middle circle.
+        Outline::Ring {
+            center,
+            radius,
+            hole,
+        } => {
+            let middle = (radius + hole) * T::from_f64(0.5);
+            vec![pixel(center), pixel([center[0] + middle, center[1]])]
+        }
         other => panic!("no shape is declared as {other:?}"),
     }
 }

@@ -11,7 +11,8 @@ use super::planes::{Order, order};
 use super::rolling;
 use super::scene::Scene;
 use super::wheel::Wheels;
-use crate::model::{AxisId, LinkId};
+use crate::bug::bug;
+use crate::model::LinkId;
 use crate::symbols::{Symbol, elastic_symbols};
 use mech_core::colors::GROUND;
 
@@ -25,63 +26,135 @@ const ANCHOR: f64 = 0.7;
 
 /// The outlines of all links without shapes, and what stretches between them.
 pub(super) fn machine(scene: &Scene<'_>, wheels: &Wheels) -> (Vec<Painted>, Option<Symbols>) {
-    let cams = cams(scene);
     let grid = Grid::for_width(scene.width);
-    let colors = Colors::new(scene.model);
+    let arrangement = Arrangement::new(scene, wheels);
     let mut all = ground(scene, wheels);
-    let links: Vec<LinkId> = scene.bodies().collect();
-    let mut forms = vec![Form::Plate; links.len()];
-    let make = |forms: &[Form]| -> Vec<Body> {
-        let pairs = links.iter().zip(forms);
-        pairs
-            .map(|(&link, &form)| dressed(scene, wheels, &cams, (link, colors.of(link)), form))
-            .collect()
-    };
-    let before = in_front(scene);
-    let mut bodies = make(&forms);
-    let mut planes = order(scene, &links, &bodies, &before);
-    // A plate that crosses a pin wherever it lies leaves its corners open instead.
-    let mut crosses = false;
-    for (number, form) in forms.iter_mut().enumerate() {
-        if bodies[number].is_plate && planes.conflicts[number] > 0 {
-            (*form, crosses) = (Form::Branches, true);
-        }
-    }
-    if crosses {
-        let branched = make(&forms);
-        let open = order(scene, &links, &branched, &before);
-        if open.conflicts.iter().sum::<usize>() < planes.conflicts.iter().sum() {
-            (bodies, planes) = (branched, open);
-        }
-    }
-    let plane = |number: usize| plane_of(&planes, number);
-    for (number, body) in bodies.into_iter().enumerate() {
-        let (link, plane) = (links[number], plane(number));
-        all.extend(painted(link, plane, body.outlines));
-        all.extend(painted(link, plane + 1, body.top));
-    }
-    let of_link = |link: LinkId| {
-        let number = links.iter().position(|known| *known == link);
-        number.map_or(GROUND_PLANE, plane)
-    };
-    for (pin, plane) in slot_pins(scene, of_link) {
-        let axis = scene.model.axis(pin);
-        let outlines = eye(place_of(axis), Measure::fixed(scene.width));
-        all.extend(painted(axis.link, plane, outlines.to_vec()));
-    }
-    for (carrier, over) in &wheels.belts {
-        let plane = over.map(|wheel| of_link(wheels.all[wheel].link) + 1);
-        let outlines = rolling::belt(scene, wheels, *carrier, *over);
-        all.extend(painted(
-            *carrier,
-            plane[0].max(plane[1]),
-            outlines.unwrap_or_default(),
-        ));
-    }
+    all.extend(slot_pins(scene, &arrangement));
+    all.extend(belts(scene, wheels, &arrangement));
+    all.extend(arrangement.painted());
     for painted in &mut all {
         painted.outline = painted.outline.clone().rounded(grid);
     }
     (all, elastic(scene))
+}
+
+/// The bodies of links, and their planes.
+struct Arrangement {
+    links: Vec<LinkId>,
+    bodies: Vec<Body>,
+    order: Order,
+}
+
+impl Arrangement {
+    fn new(scene: &Scene<'_>, wheels: &Wheels) -> Self {
+        let links: Vec<LinkId> = scene.bodies().collect();
+        let wardrobe = Wardrobe {
+            scene,
+            wheels,
+            cams: cams(scene),
+            colors: Colors::new(scene.model),
+        };
+        let before = in_front(scene);
+        let arrange = |forms: &[Form]| {
+            let pairs = links.iter().zip(forms);
+            let bodies = pairs.map(|(&link, &form)| wardrobe.dress(link, form));
+            let bodies: Vec<Body> = bodies.collect();
+            let order = order(scene, &links, &bodies, &before);
+            Self {
+                links: links.clone(),
+                bodies,
+                order,
+            }
+        };
+        let plates = arrange(&vec![Form::Plate; links.len()]);
+        // A plate that crosses a pin wherever it lies leaves its corners open instead.
+        let forms: Vec<Form> = plates.forms_of_branches().collect();
+        if !forms.contains(&Form::Branches) {
+            return plates;
+        }
+        let branches = arrange(&forms);
+        if branches.conflicts() < plates.conflicts() {
+            branches
+        } else {
+            plates
+        }
+    }
+
+    /// How each link looks if plates that cross a pin are branches instead.
+    fn forms_of_branches(&self) -> impl Iterator<Item = Form> {
+        let pairs = self.bodies.iter().zip(&self.order.conflicts);
+        pairs.map(|(body, &conflicts)| {
+            if body.is_plate && conflicts > 0 {
+                Form::Branches
+            } else {
+                Form::Plate
+            }
+        })
+    }
+
+    fn conflicts(&self) -> usize {
+        self.order.conflicts.iter().sum()
+    }
+
+    /// The rear plane of a body: of the number in the order.
+    fn plane_of(&self, number: usize) -> i32 {
+        let Ok(rank) = i32::try_from(self.order.ranks[number]) else {
+            bug!("there are more planes than numbers");
+        };
+        FIRST_PLANE + 2 * rank
+    }
+
+    /// The rear plane of a link; of what has no body, the ground's.
+    fn plane(&self, link: LinkId) -> i32 {
+        let number = self.links.iter().position(|known| *known == link);
+        number.map_or(GROUND_PLANE, |number| self.plane_of(number))
+    }
+
+    /// The nearer plane of the nearer of two links.
+    fn top(&self, links: [LinkId; 2]) -> i32 {
+        let [one, other] = links.map(|link| self.plane(link));
+        one.max(other) + 1
+    }
+
+    /// The outlines of all bodies.
+    fn painted(self) -> Vec<Painted> {
+        let planes: Vec<i32> = (0..self.links.len())
+            .map(|number| self.plane_of(number))
+            .collect();
+        let bodies = self.links.into_iter().zip(self.bodies).zip(planes);
+        let outlines = bodies.flat_map(|((link, body), plane)| {
+            painted(link, plane, body.outlines).chain(painted(link, plane + 1, body.top))
+        });
+        outlines.collect()
+    }
+}
+
+/// What bodies are made from.
+struct Wardrobe<'a, 's> {
+    scene: &'a Scene<'s>,
+    wheels: &'a Wheels,
+    cams: Vec<CamBody>,
+    colors: Colors,
+}
+
+impl Wardrobe<'_, '_> {
+    /// A link's body, with its cam disc or its roller.
+    fn dress(&self, link: LinkId, form: Form) -> Body {
+        let color = self.colors.of(link);
+        let mut body = body(self.scene, self.wheels, link, color, form);
+        for cam in &self.cams {
+            if cam.disc.0 == link {
+                let disc = cam.disc_outlines(self.scene, color);
+                body.outlines.splice(0..0, disc);
+                let (center, radius) = cam.extent();
+                body.footprint.add_disc(center, radius);
+            }
+            if cam.roller.0 == link {
+                body.top.extend(cam.roller_outlines(color));
+            }
+        }
+        body
+    }
 }
 
 /// Springs and dampers: they stretch, so they are painted anew in each position.
@@ -92,23 +165,30 @@ fn elastic(scene: &Scene<'_>) -> Option<Symbols> {
     (!symbols.is_empty()).then_some(Symbols::Elastic { symbols, unit })
 }
 
-/// The pins of slots, each with the plane in which it is seen in its slot.
-fn slot_pins(scene: &Scene<'_>, plane_of: impl Fn(LinkId) -> i32) -> Vec<(AxisId, i32)> {
-    let slots = scene.slides().filter_map(|slide| {
-        let [guide, other] = scene.ends(slide);
-        let is_seen = scene.gets_body(other);
-        Some((
-            slide.pin.filter(|_| is_seen)?,
-            plane_of(guide).max(plane_of(other)) + 1,
-        ))
+/// The pins of slots, each in the plane in which it is seen in its slot.
+fn slot_pins(scene: &Scene<'_>, arrangement: &Arrangement) -> Vec<Painted> {
+    let slots = scene.slides().filter_map(|slide| Some((slide, slide.pin?)));
+    let seen = slots.filter(|(slide, _)| scene.gets_body(scene.ends(*slide)[1]));
+    let pins = seen.flat_map(|(slide, pin)| {
+        let axis = scene.model.axis(pin);
+        let outlines = eye(place_of(axis), Measure::fixed(scene.width));
+        painted(
+            axis.link,
+            arrangement.top(scene.ends(slide)),
+            outlines.to_vec(),
+        )
     });
-    slots.collect()
+    pins.collect()
 }
 
-/// The plane of a body: of the number in an order.
-fn plane_of(order: &Order, number: usize) -> i32 {
-    let rank = i32::try_from(order.ranks[number]).unwrap_or(i32::MAX / 4);
-    FIRST_PLANE + 2 * rank
+/// The belts, each on the carrier of its pulleys.
+fn belts(scene: &Scene<'_>, wheels: &Wheels, arrangement: &Arrangement) -> Vec<Painted> {
+    let belts = wheels.belts.iter().filter_map(|(carrier, over)| {
+        let plane = arrangement.top(over.map(|wheel| wheels.all[wheel].link));
+        let outlines = rolling::belt(scene, wheels, *carrier, *over)?;
+        Some(painted(*carrier, plane, outlines))
+    });
+    belts.flatten().collect()
 }
 
 fn painted(
@@ -150,29 +230,6 @@ fn anchors(scene: &Scene<'_>) -> Vec<(Outline, u8)> {
         std::iter::once(disc).chain(eye(center, Measure::fixed(scene.width)))
     });
     anchors.collect()
-}
-
-/// A link's body, with its cam disc or its roller.
-fn dressed(
-    scene: &Scene<'_>,
-    wheels: &Wheels,
-    cams: &[CamBody],
-    (link, color): (LinkId, u8),
-    form: Form,
-) -> Body {
-    let mut body = body(scene, wheels, link, color, form);
-    for cam in cams {
-        if cam.disc.0 == link {
-            let disc = cam.disc_outlines(scene, color);
-            body.outlines.splice(0..0, disc);
-            let (center, radius) = cam.extent();
-            body.footprint.add_disc(center, radius);
-        }
-        if cam.roller.0 == link {
-            body.top.extend(cam.roller_outlines(color));
-        }
-    }
-    body
 }
 
 /// Pairs of links of which the first has to be in front of the second: sleeves in front of their guides, barrels in front of piston rods,
