@@ -27,22 +27,39 @@ pub(super) struct StepParts<'p> {
 pub(super) struct Margins<'p> {
     values: Vec<TokenStream>,
     places: Vec<&'p str>,
+    /// The variable that holds all of them, if there is one.
+    array: Option<Ident>,
 }
 
 impl<'p> FromIterator<(TokenStream, &'p str)> for Margins<'p> {
     fn from_iter<I: IntoIterator<Item = (TokenStream, &'p str)>>(margins: I) -> Self {
         let (values, places) = margins.into_iter().unzip();
-        Self { values, places }
+        Self {
+            values,
+            places,
+            array: None,
+        }
     }
 }
 
 impl Margins<'_> {
+    /// The same, which this variable holds.
+    pub(super) fn in_array(self, array: &Ident) -> Self {
+        Self {
+            array: Some(array.clone()),
+            ..self
+        }
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.values.is_empty()
     }
 
     /// The margins as an array.
     fn array(&self) -> TokenStream {
+        if let Some(array) = &self.array {
+            return quote!(#array);
+        }
         let values = &self.values;
         quote!([#(#values),*])
     }
