@@ -20,11 +20,11 @@ use super::module;
 use crate::program::{BlockId, BlockKind, Op, Program, Value};
 use block::{function, statements};
 use flow::{Flow, flows};
-use functions::{Margins, StepParts, step_functions};
+use functions::{Margins, StepParts, lanes_function, step_functions};
 pub(super) use inputs::{arguments, parameters};
 pub(super) use laws::laws;
 pub(super) use outcome::outcome_type;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use runs::Gathered;
 use scope::Scope;
@@ -33,10 +33,40 @@ pub(super) use sines::{runs_in_lanes, takes_sines};
 use stages::{Act, Body, MOST_LETS, body, count_lets};
 use std::collections::BTreeSet;
 
-/// The module of a program: the function `step`, and those it calls.
+/// The module of a program: the function `step`, and those it calls. Where many positions are computed in lanes, loops that are alike
+/// are computed side by side for one position only: for many there is a module of its own.
 pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
     let name = module::name(program);
     let program = &*program.divide(MOST_LETS);
+    let own = module::module(krate, &name, &functions(program, Purpose::Step));
+    if name == "positions" && name != lanes_module(program) {
+        let lanes = functions(program, Purpose::Lanes);
+        let lanes = module::module(krate, &lanes_module(program), &lanes);
+        return quote!(#own #lanes);
+    }
+    own
+}
+
+/// The module whose function `position` computes many positions in lanes.
+pub(super) fn lanes_module(program: &Program) -> Ident {
+    if runs_in_lanes(program) && alike::has_alike(program) {
+        format_ident!("lanes")
+    } else {
+        format_ident!("positions")
+    }
+}
+
+/// What functions are for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Purpose {
+    /// To find what a program computes.
+    Step,
+    /// To find many positions, each as one of several lanes.
+    Lanes,
+}
+
+/// The functions of a program.
+fn functions(program: &Program, purpose: Purpose) -> TokenStream {
     let flows = flows(program);
     let sin_cos = if takes_sines(program) {
         quote!(S::sin_cos)
@@ -46,7 +76,10 @@ pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
     let mut scope = Scope::new(program, uses::all_uses(program), sin_cos);
     let inputs = inputs::inputs(&mut scope);
     let mut names = BTreeSet::new();
-    let shared = alike::blocks(&mut scope, &mut names);
+    let shared = match purpose {
+        Purpose::Step => alike::blocks(&mut scope, &mut names),
+        Purpose::Lanes => None,
+    };
     let Blocks { acts, functions } =
         shared.unwrap_or_else(|| blocks(&flows, &mut scope, &mut names));
     let Body {
@@ -69,11 +102,12 @@ pub(super) fn step(krate: &TokenStream, program: &Program) -> TokenStream {
         margins: margins(&scope, margins_in_loops.as_ref()),
         rate_margins: rate_margins(&scope),
     };
-    let steps = match &program.sensitivity {
-        Some(sensitivity) => sensitivity_functions(sensitivity, &parts, &scope),
-        None => step_functions(&parts, &scope),
+    let steps = match (&program.sensitivity, purpose) {
+        (_, Purpose::Lanes) => lanes_function(&parts, program),
+        (Some(sensitivity), Purpose::Step) => sensitivity_functions(sensitivity, &parts, &scope),
+        (None, Purpose::Step) => step_functions(&parts, &scope),
     };
-    module::module(krate, &name, &quote!(#functions #stages #steps))
+    quote!(#functions #stages #steps)
 }
 
 /// The blocks of a step.

@@ -19,11 +19,17 @@ mod writer;
 
 use super::Blocks;
 use super::scope::Scope;
+use crate::program::Program;
 use pieces::Pieces;
 use roll::{calls, entries};
 use schedule::{in_order, side_by_side};
 use std::collections::BTreeSet;
 use writer::Writer;
+
+/// Whether enough loops of a program are alike.
+pub(super) fn has_alike(program: &Program) -> bool {
+    Pieces::of(program).is_some()
+}
 
 /// The statements of each block of a step in which enough loops are alike; none if there are none.
 pub(super) fn blocks(scope: &mut Scope<'_>, names: &mut BTreeSet<String>) -> Option<Blocks> {
