@@ -227,9 +227,10 @@ fn closed_step(
     } else {
         quote!(inline)
     };
-    let inline_reduced = match what {
-        None => quote!(inline),
-        Some(_) => quote!(inline(always)),
+    let inline_reduced = if what.is_none() {
+        quote!(inline)
+    } else {
+        quote!(inline(always))
     };
     let step_reduced = takes_sines(program).then(|| {
         let body = body(Some(quote!(::<Reduced>)));
