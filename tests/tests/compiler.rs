@@ -1,6 +1,7 @@
 //! Tests of the compiler as a library: what it accepts, offers and computes, by its interpreter. None expands a mechanism.
 
 mod accuracy;
+mod alike;
 mod anything;
 mod assemblies;
 mod catalogue;

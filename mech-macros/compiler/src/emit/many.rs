@@ -4,7 +4,7 @@ use super::advance::{Target, advance, standstill, strip_params};
 use super::emitter::Emitter;
 use super::limits::reduced_range;
 use super::parts::Parts;
-use super::step::runs_in_lanes;
+use super::step::{lanes_module, runs_in_lanes};
 use super::tokens::integer;
 use crate::model::Precision;
 use proc_macro2::TokenStream;
@@ -103,12 +103,14 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
 /// The closure that computes several positions and their smallest margins; one whose margins are negative computes one by one.
 fn kernel(emitter: &Emitter<'_>) -> TokenStream {
     if !runs_in_lanes(emitter.program) {
-        quote!(|_| (known::START.poses, -1.0))
-    } else if emitter.program.range.is_some() {
+        return quote!(|_| (known::START.poses, -1.0));
+    }
+    let module = lanes_module(emitter.program);
+    if emitter.program.range.is_some() {
         quote! {
             |motors| {
                 let motors = Motors::new(motors);
-                let (position, margins) = positions::position::<generated::Reduced>(&known::START, motors);
+                let (position, margins) = #module::position::<generated::Reduced>(&known::START, motors);
                 let inside = if MoveLimits::contains(&known::MOVE_LIMITS, &motors) { 1.0 } else { -1.0 };
                 (position.poses, generated::min_margin([generated::min_margin(margins), inside]))
             }
@@ -116,7 +118,7 @@ fn kernel(emitter: &Emitter<'_>) -> TokenStream {
     } else {
         quote! {
             |motors| {
-                let (position, margins) = positions::position::<generated::Reduced>(&known::START, Motors::new(motors));
+                let (position, margins) = #module::position::<generated::Reduced>(&known::START, Motors::new(motors));
                 (position.poses, generated::min_margin(margins))
             }
         }

@@ -81,6 +81,16 @@ impl<S: Copy + PartialEq> Dyad<S> {
         }
     }
 
+    /// What its unknowns reach together.
+    pub(crate) fn goal(&self) -> [S; 2] {
+        match *self {
+            Self::TwoCircles { goal, .. }
+            | Self::CircleAndLine { goal, .. }
+            | Self::TurningLine { goal, .. }
+            | Self::TwoLines { goal, .. } => goal,
+        }
+    }
+
     /// The vectors that have a length: the goal and the arms.
     pub(crate) fn sides(&self) -> Vec<[S; 2]> {
         let count = match self {

@@ -200,6 +200,12 @@ impl Program {
         &self.ssa.nodes[value.index()]
     }
 
+    /// Whether something depends on a value.
+    #[must_use]
+    pub fn is_live(&self, value: Value) -> bool {
+        self.live[value.index()]
+    }
+
     /// All values that something depends on, each after those it is made from.
     pub fn live_values(&self) -> impl Iterator<Item = Value> + '_ {
         (0u32..)

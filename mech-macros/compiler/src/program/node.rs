@@ -24,6 +24,9 @@ impl Value {
 pub struct BlockId(pub(super) u32);
 
 impl BlockId {
+    /// The block that runs first.
+    pub(crate) const FIRST: Self = Self(0);
+
     /// The block in this position.
     pub(super) fn at(index: usize) -> Self {
         Self(in_32_bits(index))

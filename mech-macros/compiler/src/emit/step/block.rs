@@ -7,18 +7,14 @@ use super::scope::Scope;
 use super::uses::uses;
 use crate::bug::bug;
 use crate::emit::tokens::{integer, position, scalar};
-use crate::program::{BlockId, BlockKind, Op, Program};
+use crate::program::{BlockId, BlockKind, Op, Program, Value};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// A block as statements for any function in which its inputs are bound.
 pub(super) fn statements(block: BlockId, flow: &Flow, scope: &mut Scope<'_>) -> TokenStream {
     let program = scope.program;
-    let mut tokens = TokenStream::new();
-    for &link in &flow.links {
-        let (name, index) = (scope.last_pose(link), integer(link));
-        tokens.extend(quote!(let #name = last.poses[#index];));
-    }
+    let mut tokens = last_poses(flow, scope);
     let mut newton = program.newton(block);
     for value in program.live_values() {
         let node = program.node(value);
@@ -42,6 +38,27 @@ pub(super) fn statements(block: BlockId, flow: &Flow, scope: &mut Scope<'_>) -> 
     tokens
 }
 
+/// Some of the values of a straight block as statements for any function in which its inputs are bound.
+pub(super) fn values_in_place(values: &[Value], flow: &Flow, scope: &mut Scope<'_>) -> TokenStream {
+    let mut tokens = last_poses(flow, scope);
+    for &value in values {
+        if !scope.is_bound(value) && (scope.deserves_name(value) || flow.gives.contains(&value)) {
+            tokens.extend(binding(value, scope));
+        }
+    }
+    tokens
+}
+
+/// The `let`s of the last poses that are read.
+fn last_poses(flow: &Flow, scope: &mut Scope<'_>) -> TokenStream {
+    let mut tokens = TokenStream::new();
+    for &link in &flow.links {
+        let (name, index) = (scope.last_pose(link), integer(link));
+        tokens.extend(quote!(let #name = last.poses[#index];));
+    }
+    tokens
+}
+
 /// The `let` of the unknowns and the determinant of a linear system of the motion.
 fn linear(number: usize, scope: &mut Scope<'_>) -> TokenStream {
     let motion = scope.program.motion.as_ref();
@@ -52,13 +69,20 @@ fn linear(number: usize, scope: &mut Scope<'_>) -> TokenStream {
     system(&found.columns, &found.right, unknown, scope)
 }
 
-/// A block as a function of its own.
-pub(super) fn function(program: &Program, id: BlockId, name: &Ident, flow: &Flow) -> TokenStream {
+/// A block as a function of its own, which gives these of its values.
+pub(super) fn function(
+    program: &Program,
+    id: BlockId,
+    name: &Ident,
+    flow: &Flow,
+    gives: &[Value],
+    inline: &TokenStream,
+) -> TokenStream {
     let block = &program.ssa.blocks[id.index()];
     let mut scope = Scope::new(program, uses(program, id), quote!(sin_cos));
     let takes = scope.bind_all(&flow.takes);
     let statements = statements(id, flow, &mut scope);
-    let gives = scope.expressions(&flow.gives);
+    let gives = scope.expressions(gives);
     let (scalar, position) = (scalar(program.precision), position(program));
     let last = flow.reads_last.then(|| quote!(last: &#position,));
     let doc = format!(" {}", block.title);
@@ -74,7 +98,7 @@ pub(super) fn function(program: &Program, id: BlockId, name: &Ident, flow: &Flow
     quote! {
         #[doc = #doc]
         #many
-        #[inline]
+        #[#inline]
         fn #name(#last #(#takes: #scalar),*) -> #output {
             #statements
             #result

@@ -27,22 +27,39 @@ pub(super) struct StepParts<'p> {
 pub(super) struct Margins<'p> {
     values: Vec<TokenStream>,
     places: Vec<&'p str>,
+    /// The variable that holds all of them, if there is one.
+    array: Option<Ident>,
 }
 
 impl<'p> FromIterator<(TokenStream, &'p str)> for Margins<'p> {
     fn from_iter<I: IntoIterator<Item = (TokenStream, &'p str)>>(margins: I) -> Self {
         let (values, places) = margins.into_iter().unzip();
-        Self { values, places }
+        Self {
+            values,
+            places,
+            array: None,
+        }
     }
 }
 
 impl Margins<'_> {
+    /// The same, which this variable holds.
+    pub(super) fn in_array(self, array: &Ident) -> Self {
+        Self {
+            array: Some(array.clone()),
+            ..self
+        }
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.values.is_empty()
     }
 
     /// The margins as an array.
     fn array(&self) -> TokenStream {
+        if let Some(array) = &self.array {
+            return quote!(#array);
+        }
         let values = &self.values;
         quote!([#(#values),*])
     }
@@ -102,9 +119,36 @@ pub(super) fn step_functions(parts: &StepParts<'_>, scope: &Scope<'_>) -> TokenS
         results.push(outcome.kind, outcome.value, "rates");
     }
     if scope.program.is_closed() {
-        closed_step(parts, results, what, scope.program)
+        closed_step(parts, results, what, scope)
     } else {
         iterated_step(parts, &results, what, scope.program)
+    }
+}
+
+/// The function `position` by itself.
+pub(super) fn lanes_function(parts: &StepParts<'_>, program: &Program) -> TokenStream {
+    let (
+        StepParts {
+            last,
+            statements,
+            margins,
+            ..
+        },
+        scalar,
+    ) = (parts, scalar(program.precision));
+    let mut results = Results::default();
+    results.push(position(program), parts.position.clone(), "position");
+    results.push(margins.kind(&scalar), margins.array(), "margins");
+    let Results { kinds, values, .. } = results;
+    let parameters = step_parameters(last, program);
+    let [sines, _] = type_parameter(program);
+    quote! {
+        /// The position at these motor values, and for each loop a margin: many are computed at once.
+        #[inline(always)]
+        pub(super) fn position #sines(#parameters) -> (#(#kinds),*) {
+            #statements
+            (#(#values),*)
+        }
     }
 }
 
@@ -139,8 +183,9 @@ fn closed_step(
     parts: &StepParts<'_>,
     mut results: Results,
     what: Option<&str>,
-    program: &Program,
+    scope: &Scope<'_>,
 ) -> TokenStream {
+    let program = scope.program;
     let StepParts {
         last,
         statements,
@@ -172,15 +217,26 @@ fn closed_step(
     };
     let (position_docs, step_docs) = docs(what);
     let [sines, full_range] = type_parameter(program);
-    let (access, inline) = match what {
-        None => (quote!(pub(super)), quote!(inline)),
-        Some(_) => (TokenStream::new(), quote!(inline(always))),
+    let access = match what {
+        None => quote!(pub(super)),
+        Some(_) => TokenStream::new(),
+    };
+    // What has loops is long: where an angle is beyond the usual range, a call costs little beside it.
+    let inline = if scope.has_arrays() && takes_sines(program) {
+        quote!(inline(never))
+    } else {
+        quote!(inline)
+    };
+    let inline_reduced = if what.is_none() {
+        quote!(inline)
+    } else {
+        quote!(inline(always))
     };
     let step_reduced = takes_sines(program).then(|| {
         let body = body(Some(quote!(::<Reduced>)));
         quote! {
             /// The same, where all angles are within the range of the polynomials of sine and cosine.
-            #[#inline]
+            #[#inline_reduced]
             pub(super) fn step_reduced(#parameters) -> Result<#kind, Stop> {
                 #body
             }
@@ -196,7 +252,7 @@ fn closed_step(
         }
 
         #(#[doc = #step_docs])*
-        #[inline]
+        #[#inline]
         pub(super) fn step(#parameters) -> Result<#kind, Stop> {
             #body
         }

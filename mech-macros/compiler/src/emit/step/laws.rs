@@ -106,7 +106,8 @@ fn part_functions(scope: &mut Scope<'_>, body: &mut TokenStream) -> TokenStream 
     let mut names = BTreeSet::new();
     for ((block, flow), number) in laws.block_ids().zip(flows(laws)).zip(1..) {
         let name = scope.fresh_function(&mut names, &format!("laws_part_{number}"));
-        functions.extend(function(laws, block, &name, &flow));
+        let gives: Vec<Value> = flow.gives.iter().copied().collect();
+        functions.extend(function(laws, block, &name, &flow, &gives, &quote!(inline)));
         let (takes, gives) = (scope.bind_all(&flow.takes), scope.bind_all(&flow.gives));
         body.extend(quote!(let (#(#gives),*) = #name(#(#takes),*);));
     }

@@ -17,10 +17,33 @@ enum Binding {
     Atom,
 }
 
+/// An element of an array that is a variable.
+struct Element {
+    array: Ident,
+    row: usize,
+    /// The length of the array.
+    rows: usize,
+}
+
+/// Where a value stands in an array.
+pub(super) struct Place {
+    pub(super) array: Ident,
+    pub(super) row: usize,
+}
+
+/// A variable: a number, or an array of so many.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Variable {
+    pub(super) name: Ident,
+    pub(super) rows: Option<usize>,
+}
+
 /// The names and uses of values in one function.
 pub(super) struct Scope<'p> {
     pub(super) program: &'p Program,
     names: BTreeMap<Value, Ident>,
+    /// The values that are elements of arrays.
+    elements: BTreeMap<Value, Element>,
     /// The variables that hold the last poses of links, by the links' numbers.
     last_poses: BTreeMap<usize, Ident>,
     taken: BTreeSet<String>,
@@ -40,6 +63,7 @@ impl<'p> Scope<'p> {
         Self {
             program,
             names: BTreeMap::new(),
+            elements: BTreeMap::new(),
             last_poses: BTreeMap::new(),
             taken: module::taken_names().collect(),
             uses,
@@ -104,8 +128,65 @@ impl<'p> Scope<'p> {
         self.names.insert(value, name);
     }
 
+    /// Makes a value known as an element of an array of so many rows.
+    pub(super) fn place(&mut self, value: Value, array: Ident, row: usize, rows: usize) {
+        self.elements.insert(value, Element { array, row, rows });
+    }
+
+    /// Whether any value is an element of an array.
+    pub(super) fn has_arrays(&self) -> bool {
+        !self.elements.is_empty()
+    }
+
+    /// The array in which a value stands, and where.
+    pub(super) fn place_of(&self, value: Value) -> Option<Place> {
+        let element = self.elements.get(&value)?;
+        Some(Place {
+            array: element.array.clone(),
+            row: element.row,
+        })
+    }
+
+    /// The array whose elements are these values, from the first to the last.
+    pub(super) fn array(&self, values: impl ExactSizeIterator<Item = Value>) -> Option<Ident> {
+        let count = values.len();
+        let mut array = None;
+        for (row, value) in values.enumerate() {
+            let element = self.elements.get(&value)?;
+            let is_first = array.get_or_insert(&element.array);
+            if *is_first != &element.array || (element.row, element.rows) != (row, count) {
+                return None;
+            }
+        }
+        array.cloned()
+    }
+
+    /// The variables that hold these values, each once.
+    pub(super) fn variables<'v>(
+        &mut self,
+        values: impl IntoIterator<Item = &'v Value>,
+    ) -> Vec<Variable> {
+        let mut variables = Vec::new();
+        for &value in values {
+            let variable = match self.elements.get(&value) {
+                Some(Element { array, rows, .. }) => Variable {
+                    name: array.clone(),
+                    rows: Some(*rows),
+                },
+                None => Variable {
+                    name: self.bind(value),
+                    rows: None,
+                },
+            };
+            if !variables.contains(&variable) {
+                variables.push(variable);
+            }
+        }
+        variables
+    }
+
     pub(super) fn is_bound(&self, value: Value) -> bool {
-        self.names.contains_key(&value)
+        self.names.contains_key(&value) || self.elements.contains_key(&value)
     }
 
     /// Whether a value deserves a `let` of its own: it means something, or it is used more than once.
@@ -153,9 +234,13 @@ impl<'p> Scope<'p> {
     }
 
     fn name_or_operation(&self, value: Value) -> (TokenStream, Binding) {
-        match self.names.get(&value) {
-            Some(name) => (quote!(#name), Binding::Atom),
-            None => self.operation(value),
+        match (self.names.get(&value), self.elements.get(&value)) {
+            (Some(name), _) => (quote!(#name), Binding::Atom),
+            (None, Some(Element { array, row, .. })) => {
+                let row = integer(*row);
+                (quote!(#array[#row]), Binding::Atom)
+            }
+            (None, None) => self.operation(value),
         }
     }
 

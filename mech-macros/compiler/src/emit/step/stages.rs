@@ -1,7 +1,7 @@
 //! Stages of a long step: the Rust compiler nests a scope for every `let` of a function.
 
 use super::flow::{Flow, is_computed};
-use super::scope::Scope;
+use super::scope::{Scope, Variable};
 use crate::emit::tokens::{integer, position, scalar};
 use crate::program::{Program, Value};
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -143,15 +143,18 @@ impl Stage {
 
     fn function(&self, name: &Ident, doc: &str, scope: &mut Scope<'_>) -> TokenStream {
         let (position, scalar) = (position(scope.program), scalar(scope.program.precision));
-        let (takes, gives) = (scope.bind_all(&self.takes), scope.bind_all(&self.gives));
-        let length = integer(gives.len());
+        let (takes, gives) = (scope.variables(&self.takes), scope.variables(&self.gives));
         let last = self.reads_last.then(|| quote!(last: &#position,));
         let sines = self.takes_sines.then(|| quote!(<S: Sines<#scalar>>));
         let many = (takes.len() > 6).then(|| {
             quote!(#[allow(clippy::too_many_arguments, reason = "a stage takes what earlier ones have found")])
         });
         let statements = self.acts.iter().map(|act| &act.statements);
-        let (mut result, mut output) = (quote!([#(#gives),*]), quote!([#scalar; #length]));
+        let (mut result, mut output) = (pattern(&gives), output(&gives, &scalar));
+        let takes = takes.iter().map(|taken| {
+            let (name, kind) = (&taken.name, kind(taken, &scalar));
+            quote!(#name: #kind)
+        });
         if self.fails {
             result = quote!(Ok(#result));
             output = quote!(Result<#output, Stop>);
@@ -160,7 +163,7 @@ impl Stage {
             #[doc = #doc]
             #many
             #[inline]
-            fn #name #sines(#last #(#takes: #scalar),*) -> #output {
+            fn #name #sines(#last #(#takes),*) -> #output {
                 #(#statements)*
                 #result
             }
@@ -168,10 +171,43 @@ impl Stage {
     }
 
     fn call(&self, name: &Ident, scope: &mut Scope<'_>) -> TokenStream {
-        let (takes, gives) = (scope.bind_all(&self.takes), scope.bind_all(&self.gives));
+        let (takes, gives) = (scope.variables(&self.takes), scope.variables(&self.gives));
+        let (takes, gives) = (takes.iter().map(|taken| &taken.name), pattern(&gives));
         let last = self.reads_last.then(|| quote!(last,));
         let sines = self.takes_sines.then(|| quote!(::<S>));
         let fails = self.fails.then(|| quote!(?));
-        quote!(let [#(#gives),*] = #name #sines(#last #(#takes),*)#fails;)
+        quote!(let #gives = #name #sines(#last #(#takes),*)#fails;)
+    }
+}
+
+/// The type of a variable.
+fn kind(variable: &Variable, scalar: &TokenStream) -> TokenStream {
+    match variable.rows {
+        None => scalar.clone(),
+        Some(rows) => {
+            let rows = integer(rows);
+            quote!([#scalar; #rows])
+        }
+    }
+}
+
+/// The results of a stage, as an expression and as a pattern: an array, unless there are arrays among them.
+fn pattern(gives: &[Variable]) -> TokenStream {
+    let names = gives.iter().map(|given| &given.name);
+    if gives.iter().all(|given| given.rows.is_none()) {
+        quote!([#(#names),*])
+    } else {
+        quote!((#(#names,)*))
+    }
+}
+
+/// The type of the results of a stage.
+fn output(gives: &[Variable], scalar: &TokenStream) -> TokenStream {
+    if gives.iter().all(|given| given.rows.is_none()) {
+        let length = integer(gives.len());
+        quote!([#scalar; #length])
+    } else {
+        let kinds = gives.iter().map(|given| kind(given, scalar));
+        quote!((#(#kinds,)*))
     }
 }

@@ -5,12 +5,7 @@ use std::collections::BTreeMap;
 
 /// The number of uses of each value, where all blocks stand in one function.
 pub(super) fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
-    let mut all = BTreeMap::new();
-    for block in program.block_ids() {
-        for (value, count) in uses(program, block) {
-            *all.entry(value).or_insert(0) += count;
-        }
-    }
+    let mut all = uses_in(program, |_| true);
     let margins = program.margins().map(|(_, closed)| closed.margin);
     for value in program.roots().chain(margins) {
         *all.entry(value).or_insert(0) += 1;
@@ -20,17 +15,23 @@ pub(super) fn all_uses(program: &Program) -> BTreeMap<Value, usize> {
 
 /// The number of uses of each value within a block.
 pub(super) fn uses(program: &Program, block: BlockId) -> BTreeMap<Value, usize> {
+    uses_in(program, |other| other == block)
+}
+
+/// The number of uses of each value within some blocks.
+fn uses_in(program: &Program, is_in: impl Fn(BlockId) -> bool) -> BTreeMap<Value, usize> {
     let mut uses = BTreeMap::new();
     let mut count = |value: Value| *uses.entry(value).or_insert(0) += 1;
     let nodes = program.live_values().map(|value| program.node(value));
-    for node in nodes.filter(|node| node.block == block) {
+    for node in nodes.filter(|node| is_in(node.block)) {
         node.op.operands().for_each(&mut count);
     }
     let systems = program.live_systems();
-    for system in systems.filter(|system| system.block == block) {
+    for system in systems.filter(|system| is_in(system.block)) {
         system.coefficients().copied().for_each(&mut count);
     }
-    if let Some(newton) = program.newton(block) {
+    let blocks = program.block_ids().filter(|block| is_in(*block));
+    for newton in blocks.filter_map(|block| program.newton(block)) {
         // The gap and the determinant leave the iteration; the next values are read once.
         let columns = newton.columns.iter().flatten();
         let columns = columns.filter(|_| newton.dense);

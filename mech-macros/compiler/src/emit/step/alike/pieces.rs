@@ -1,0 +1,307 @@
+//! The pieces in which a step is emitted: its blocks, and those of loops that others are like in two parts.
+
+use super::class::{Class, LEAST};
+use super::shape::Shape;
+use super::term::Term;
+use crate::emit::step::flow::{Flow, is_computed, is_given};
+use crate::emit::step::sines::is_short;
+use crate::program::{BlockId, BlockKind, Op, Program, Slot, System, Value};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A block or a part of it.
+pub(super) struct Piece {
+    pub(super) block: BlockId,
+    /// What it computes, in the order in which it is made.
+    pub(super) values: Vec<Value>,
+    /// The same, and what it computes anew if others are like it, although another piece has it already.
+    anew: Vec<Value>,
+    pub(super) part: Part,
+    pub(super) flow: Flow,
+    /// Its class and its row in it, if others are like it.
+    pub(super) row: Option<Place>,
+}
+
+/// The part of a block that a piece is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// All of it.
+    Whole,
+    /// What is known before its loop is solved.
+    Before,
+    /// The solution of its loop.
+    Solution,
+}
+
+/// The place of a piece in a class.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Place {
+    pub(super) class: usize,
+    pub(super) row: usize,
+}
+
+/// All pieces, in the order of their blocks, and the classes among them.
+pub(super) struct Pieces {
+    pub(super) all: Vec<Piece>,
+    pub(super) classes: Vec<Class>,
+}
+
+impl Pieces {
+    /// The pieces of a program; none if no class is among them.
+    pub(super) fn of(program: &Program) -> Option<Self> {
+        let mut values = vec![Vec::new(); program.ssa.blocks.len()];
+        for value in program.live_values() {
+            let node = program.node(value);
+            if is_computed(node.op) {
+                values[node.block.index()].push(value);
+            }
+        }
+        let solutions = solutions(program, &values)?;
+        let mut all = Vec::new();
+        for (block, values) in program.block_ids().zip(values) {
+            let piece = |values: Vec<Value>, anew: Vec<Value>, part| Piece {
+                block,
+                values,
+                anew,
+                part,
+                flow: Flow::default(),
+                row: None,
+            };
+            match solutions.get(&block) {
+                None if values.is_empty() => {}
+                None => all.push(piece(values.clone(), values, Part::Whole)),
+                Some(solution) => {
+                    let inside: BTreeSet<Value> = solution.own.iter().copied().collect();
+                    let others = values.into_iter().filter(|value| !inside.contains(value));
+                    let others: Vec<Value> = others.collect();
+                    if !others.is_empty() {
+                        all.push(piece(others.clone(), others, Part::Before));
+                    }
+                    all.push(piece(
+                        solution.own.clone(),
+                        solution.anew.clone(),
+                        Part::Solution,
+                    ));
+                }
+            }
+        }
+        let shapes = all.iter().enumerate().filter_map(|(number, piece)| {
+            let is_candidate = match piece.part {
+                Part::Before | Part::Solution => true,
+                Part::Whole => is_long_straight(program, piece.block),
+            };
+            let shape = is_candidate.then(|| shape(program, &piece.anew))?;
+            Some((number, shape?))
+        });
+        let classes = Class::find(shapes.collect());
+        for (class, found) in classes.iter().enumerate() {
+            for (row, &piece) in found.pieces.iter().enumerate() {
+                all[piece].row = Some(Place { class, row });
+            }
+        }
+        let mut pieces = Self { all, classes };
+        pieces.find_flows(program);
+        pieces.find_outputs(program);
+        Some(pieces)
+    }
+
+    /// Whether anything needs a piece.
+    pub(super) fn is_run(&self, piece: usize) -> bool {
+        !self.all[piece].flow.gives.is_empty()
+    }
+
+    /// The reads of each piece. Those in a class read values whose opposites their operations are made from.
+    fn reads(&self, program: &Program, piece: &Piece) -> BTreeSet<Value> {
+        if let Some(place) = piece.row {
+            let row = &self.classes[place.class].rows[place.row];
+            return row.arguments.iter().map(|term| term.value).collect();
+        }
+        let own: BTreeSet<Value> = piece.values.iter().copied().collect();
+        let motion = program.motion.as_ref();
+        let systems = piece.values.iter().filter_map(|&value| {
+            let Op::Linear(number, _) = program.node(value).op else {
+                return None;
+            };
+            motion.map(|motion| &motion.systems[number])
+        });
+        let coefficients = systems.flat_map(System::coefficients).copied();
+        let operands = piece
+            .values
+            .iter()
+            .flat_map(|&value| program.node(value).op.operands());
+        let all = operands.chain(coefficients);
+        all.filter(|value| !own.contains(value)).collect()
+    }
+
+    fn find_flows(&mut self, program: &Program) {
+        let mut makers = BTreeMap::new();
+        for (number, piece) in self.all.iter().enumerate() {
+            makers.extend(piece.values.iter().map(|&value| (value, number)));
+        }
+        let reads: Vec<BTreeSet<Value>> = self
+            .all
+            .iter()
+            .map(|piece| self.reads(program, piece))
+            .collect();
+        for (number, reads) in reads.into_iter().enumerate() {
+            for value in reads {
+                match program.node(value).op {
+                    Op::Constant(_) => {}
+                    Op::Last(slot) => {
+                        let flow = &mut self.all[number].flow;
+                        flow.reads_last = true;
+                        if let Slot::Pose(link, _) = slot {
+                            flow.links.insert(link);
+                        }
+                    }
+                    op => {
+                        self.all[number].flow.takes.insert(value);
+                        if let (false, Some(&maker)) = (is_given(op), makers.get(&value)) {
+                            self.all[maker].flow.gives.insert(value);
+                        }
+                    }
+                }
+            }
+        }
+        let margins = program.margins().map(|(_, closed)| closed.margin);
+        for value in program.roots().chain(margins) {
+            if let Some(&maker) = makers.get(&value) {
+                self.all[maker].flow.gives.insert(value);
+            }
+        }
+    }
+
+    fn find_outputs(&mut self, program: &Program) {
+        for piece in &self.all {
+            let Some(place) = piece.row else {
+                continue;
+            };
+            let class = &mut self.classes[place.class];
+            for &value in &piece.flow.gives {
+                let output = class.output(program, place.row, value);
+                if !class.outputs.contains(&output) {
+                    class.outputs.push(output);
+                }
+            }
+        }
+        for class in &mut self.classes {
+            class.outputs.sort_unstable();
+        }
+    }
+}
+
+/// The solution of a loop.
+struct Solution {
+    /// Those values of its block that depend on the goal of its dyad.
+    own: Vec<Value>,
+    /// These, and those of other blocks that they are made from and that depend on the goal, too.
+    anew: Vec<Value>,
+}
+
+/// The solutions of those loops that enough others are like, by their blocks; none if there are none.
+fn solutions(program: &Program, values: &[Vec<Value>]) -> Option<BTreeMap<BlockId, Solution>> {
+    if !program.is_closed() || program.closed_forms().count() < LEAST {
+        return None;
+    }
+    let (mut blocks, mut shapes) = (Vec::new(), Vec::new());
+    for (block, _) in program.closed_forms() {
+        let solution = Solution::of(program, block, &values[block.index()]);
+        if let Some(shape) = shape(program, &solution.anew) {
+            shapes.push((blocks.len(), shape));
+            blocks.push((block, solution));
+        }
+    }
+    let classes = Class::find(shapes);
+    let alike: BTreeSet<usize> = classes
+        .iter()
+        .flat_map(|class| class.pieces.iter().copied())
+        .collect();
+    let alike = blocks
+        .into_iter()
+        .enumerate()
+        .filter(|(number, _)| alike.contains(number));
+    let solutions: BTreeMap<BlockId, Solution> = alike.map(|(_, found)| found).collect();
+    (!solutions.is_empty()).then_some(solutions)
+}
+
+impl Solution {
+    fn of(program: &Program, block: BlockId, values: &[Value]) -> Self {
+        let goal: BTreeSet<Value> = program
+            .closed_form(block)
+            .iter()
+            .flat_map(|closed| closed.dyad.goal())
+            .map(|part| Term::of(program, part).value)
+            .collect();
+        let ends = goal.first().zip(values.last());
+        let range = ends.map_or(0..0, |(first, last)| first.index()..last.index() + 1);
+        let (mut dependent, mut rooted) = (goal.clone(), BTreeSet::new());
+        let (mut own, mut others) = (Vec::new(), BTreeSet::new());
+        for value in range.map(Value::at).filter(|value| program.is_live(*value)) {
+            let node = program.node(value);
+            let is_goal = goal.contains(&Term::of(program, value).value);
+            if is_goal
+                || !node
+                    .op
+                    .operands()
+                    .any(|operand| dependent.contains(&operand))
+            {
+                continue;
+            }
+            dependent.insert(value);
+            let is_rooted = node.op.operands().any(|operand| rooted.contains(&operand));
+            if is_rooted || matches!(node.op, Op::Sqrt(_)) {
+                rooted.insert(value);
+            }
+            if node.block == block {
+                own.push(value);
+            } else if !rooted.contains(&value) {
+                others.insert(value);
+            }
+        }
+        Self {
+            anew: closure(program, &own, &others),
+            own,
+        }
+    }
+}
+
+/// These values, each after those among the others that it is made from and that are not made before.
+fn closure(program: &Program, values: &[Value], others: &BTreeSet<Value>) -> Vec<Value> {
+    let (mut closure, mut made) = (Vec::new(), BTreeSet::new());
+    for &value in values {
+        make(program, value, others, &mut made, &mut closure);
+    }
+    closure
+}
+
+/// Adds a value to those that are made, after those of the others that it is made from.
+fn make(
+    program: &Program,
+    value: Value,
+    others: &BTreeSet<Value>,
+    made: &mut BTreeSet<Value>,
+    order: &mut Vec<Value>,
+) {
+    if !made.insert(value) {
+        return;
+    }
+    for operand in program.node(value).op.operands() {
+        if others.contains(&operand) {
+            make(program, operand, others, made, order);
+        }
+    }
+    order.push(value);
+}
+
+/// The shape of these values, if they can be emitted as a function of numbers alone.
+fn shape(program: &Program, values: &[Value]) -> Option<Shape> {
+    let is_sine = |value: &Value| matches!(program.node(*value).op, Op::Sin(_) | Op::Cos(_));
+    if values.is_empty() || values.iter().any(is_sine) {
+        return None;
+    }
+    Shape::of(program, values)
+}
+
+/// Whether a block is straight and a function of its own.
+fn is_long_straight(program: &Program, block: BlockId) -> bool {
+    matches!(program.ssa.blocks[block.index()].kind, BlockKind::Straight) && !is_short(program)
+}

@@ -1,0 +1,111 @@
+//! The order in which pieces are computed.
+
+use super::pieces::{Pieces, Place};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The order of the blocks.
+pub(super) fn in_order(pieces: &Pieces) -> Vec<usize> {
+    (0..pieces.all.len())
+        .filter(|&piece| pieces.is_run(piece))
+        .collect()
+}
+
+/// An order in which those of a class follow each other that do not wait for each other.
+pub(super) fn side_by_side(pieces: &Pieces) -> Vec<usize> {
+    let mut waiting = Waiting::new(pieces);
+    let mut order = Vec::new();
+    while let Some(next) = waiting.next() {
+        order.extend(&next);
+        for piece in next {
+            waiting.done(piece);
+        }
+    }
+    order
+}
+
+/// Pieces that are not computed yet.
+struct Waiting<'p> {
+    pieces: &'p Pieces,
+    /// For each piece, those that read what it gives.
+    readers: Vec<BTreeSet<usize>>,
+    /// For each piece, the number of pieces that it waits for.
+    missing: Vec<usize>,
+    /// Those in no class that wait for nothing.
+    alone: BTreeSet<usize>,
+    /// Those of each class that wait for nothing.
+    ready: BTreeMap<usize, BTreeSet<usize>>,
+    /// How many of each class are not computed yet.
+    left: Vec<usize>,
+}
+
+impl<'p> Waiting<'p> {
+    fn new(pieces: &'p Pieces) -> Self {
+        let mut makers = BTreeMap::new();
+        for (number, piece) in pieces.all.iter().enumerate() {
+            makers.extend(piece.flow.gives.iter().map(|&value| (value, number)));
+        }
+        let mut waiting = Self {
+            pieces,
+            readers: vec![BTreeSet::new(); pieces.all.len()],
+            missing: vec![0; pieces.all.len()],
+            alone: BTreeSet::new(),
+            ready: BTreeMap::new(),
+            left: vec![0; pieces.classes.len()],
+        };
+        for number in in_order(pieces) {
+            if let Some(Place { class, .. }) = pieces.all[number].row {
+                waiting.left[class] += 1;
+            }
+            let takes = pieces.all[number].flow.takes.iter();
+            let before: BTreeSet<usize> = takes
+                .filter_map(|value| makers.get(value))
+                .copied()
+                .collect();
+            waiting.missing[number] = before.len();
+            for maker in before {
+                waiting.readers[maker].insert(number);
+            }
+        }
+        for number in in_order(pieces) {
+            if waiting.missing[number] == 0 {
+                waiting.admit(number);
+            }
+        }
+        waiting
+    }
+
+    /// Puts a piece among those that wait for nothing.
+    fn admit(&mut self, piece: usize) {
+        match self.pieces.all[piece].row {
+            None => self.alone.insert(piece),
+            Some(Place { class, .. }) => self.ready.entry(class).or_default().insert(piece),
+        };
+    }
+
+    /// The next pieces: one that is alone, or all of a class that wait for nothing. A class none of which has to wait comes first, then
+    /// one of few operations, behind which there may be more of the others.
+    fn next(&mut self) -> Option<Vec<usize>> {
+        if let Some(piece) = self.alone.pop_first() {
+            return Some(vec![piece]);
+        }
+        let classes = self.ready.iter().min_by_key(|(class, ready)| {
+            let operations = self.pieces.classes[**class].shape.operations.len();
+            let waits = ready.len() < self.left[**class];
+            (waits, operations, ready.first().copied())
+        });
+        let class = *classes?.0;
+        let ready = self.ready.remove(&class)?;
+        self.left[class] -= ready.len();
+        Some(ready.into_iter().collect())
+    }
+
+    /// Lets those go on that wait for a piece.
+    fn done(&mut self, piece: usize) {
+        for reader in std::mem::take(&mut self.readers[piece]) {
+            self.missing[reader] -= 1;
+            if self.missing[reader] == 0 {
+                self.admit(reader);
+            }
+        }
+    }
+}
