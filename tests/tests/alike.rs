@@ -106,15 +106,12 @@ fn expected<T: Real>(model: &Model, motors: &[Vec<f64>]) -> Vec<(bool, u64)> {
             let mut moving = Machine::<T>::new(moving);
             moving.put_back(machine.position().clone());
             let given = RATES.map(|rate| vec![T::from_f64(rate); motors.len()]);
-            match moving.motion(&given[0], &given[1]) {
-                Ok(found) => {
-                    rates.extend(found.velocities);
-                    rates.extend(found.accelerations.into_iter().flatten());
-                }
-                Err(_) => {
-                    machine.put_back(before);
-                    is_ok = false;
-                }
+            if let Ok(found) = moving.motion(&given[0], &given[1]) {
+                rates.extend(found.velocities);
+                rates.extend(found.accelerations.into_iter().flatten());
+            } else {
+                machine.put_back(before);
+                is_ok = false;
             }
         }
         let poses = machine.position().poses.iter().flatten();
@@ -144,7 +141,7 @@ fn part(typed_out: &str) -> (String, Vec<String>) {
 
 /// A random mechanism that stands several times, as it is, mirrored and scaled.
 fn several(dice: &mut Dice) -> String {
-    let additions: Vec<Dice> = (0..1 + dice.below(5))
+    let additions: Vec<Dice> = (0..=dice.below(5))
         .map(|_| Dice::new(dice.bits()))
         .collect();
     let (body, motors) = part(&text(&grow_from(dice, &additions).model));

@@ -14,7 +14,6 @@ mechanism! {
     // Lengths in metres, by their names there.
     const RR = 0.007; const D = 0.028; const SS = 0.035; const SC = 0.018; const SD = 0.02;
     const E = 0.02; const ZT = 0.04; const ZF = 0.02; const U = 0.04;
-
     ground {
         point a = (-0.06934, -0.00227);
         point b = (-0.03635, 0.03273);
@@ -28,7 +27,6 @@ mechanism! {
     link k5 { point a = (0.0, 0.0); point tip = (ZT, 0.0); }
     link k6 { point tip = (0.0, 0.0); point e = (ZF, 0.0); }
     link k7 { point a = (0.0, 0.0); point tip = (0.0, -U); }
-
     joint beta = revolute(ground.o, k1.o);
     joint theta = revolute(k1.tip, k2.tip);
     joint gamma = revolute(ground.b, k3.b);

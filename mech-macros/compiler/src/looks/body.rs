@@ -155,8 +155,8 @@ impl Builder<'_, '_> {
 
     fn bar(&mut self, ends: [usize; 2], points: &[Point2<f64>], places: &[Place]) {
         // Its eyes come when all of the body is painted.
-        let pins = ends.map(|end| places[end]).to_vec();
-        let lines = bar(pins, self.width(), self.color).into_iter().take(2);
+        let pins = ends.map(|end| places[end]);
+        let lines = bar(&pins, self.width(), self.color).into_iter().take(2);
         self.body.outlines.extend(lines);
         self.body
             .footprint
@@ -233,20 +233,16 @@ impl Builder<'_, '_> {
                 self.line(ends, SLOT * width, PAPER);
                 continue;
             }
-            match self.scene.cylinder(slide) {
-                Some(cylinder) => {
-                    let ends = cylinder.barrel.map(place);
-                    self.barrel(ends, CHEEKS * width);
-                }
-                None => {
-                    let ends = [
-                        place(low - BLOCK[0] * width),
-                        place(high + BLOCK[0] * width),
-                    ];
-                    self.rod(ends, ROD * width, self.color);
-                    self.reach_mounts(ends, mounts);
-                }
+            if let Some(cylinder) = self.scene.cylinder(slide) {
+                self.barrel(cylinder.barrel.map(place), CHEEKS * width);
+                continue;
             }
+            let ends = [
+                place(low - BLOCK[0] * width),
+                place(high + BLOCK[0] * width),
+            ];
+            self.rod(ends, ROD * width, self.color);
+            self.reach_mounts(ends, mounts);
         }
     }
 

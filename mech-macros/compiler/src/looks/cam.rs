@@ -68,7 +68,8 @@ fn cam(scene: &Scene<'_>, shaft: JointId, follower: JointId, law: &Law) -> Optio
             normal
         };
         let edge = here + inwards * radius;
-        if !(edge.norm() > THINNEST * scene.width) {
+        let is_thick = edge.norm() > THINNEST * scene.width;
+        if !is_thick {
             return None;
         }
         let place = frame * (center + edge);
@@ -105,9 +106,8 @@ fn follower_motion(
 ) -> Option<Follower> {
     let model = scene.model;
     let start = scene.survey.start();
-    let (a, b) = match model.joint(joint).kind {
-        JointKind::Revolute(a, b) | JointKind::Prismatic(a, b) => (a, b),
-        _ => return None,
+    let (JointKind::Revolute(a, b) | JointKind::Prismatic(a, b)) = model.joint(joint).kind else {
+        return None;
     };
     let (own, forwards) = if model.axis(a).link == carrier {
         (b, 1.0)

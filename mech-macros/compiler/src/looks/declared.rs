@@ -16,7 +16,7 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
     let measure = |index: usize| Measure::new(values[index], shape.formulas[index]);
     let count = shape.kind.reach().0.len();
     let point = |index: usize| [measure(2 * index), measure(2 * index + 1)];
-    let points = || (0..count).map(point).collect();
+    let points = || (0..count).map(point).collect::<Vec<_>>();
     let length = |index: usize| measure(2 * count + index);
     let paint = |outline, color| Painted {
         link,
@@ -39,7 +39,7 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
             bug!("a figure is painted before it is known how the mechanism moves")
         }
         ShapeKind::Bar { .. } => {
-            let all = bar(points(), length(0), shape.color).into_iter();
+            let all = bar(&points(), length(0), shape.color).into_iter();
             return all.map(|(outline, color)| paint(outline, color)).collect();
         }
     };
@@ -48,9 +48,9 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
 
 /// A bar with a dark edge and an eye at each pin, as `mech_runtime::raster::bar` draws it: outlines and their colours, from back to
 /// front.
-pub(super) fn bar(pins: Vec<Place>, width: Measure, color: u8) -> Vec<(Outline, u8)> {
+pub(super) fn bar(pins: &[Place], width: Measure, color: u8) -> Vec<(Outline, u8)> {
     let line = |share: f64| Outline::Line {
-        points: pins.clone(),
+        points: pins.to_vec(),
         width: width.times(share),
     };
     let mut all = vec![(line(1.0), darker(color)), (line(FACE), color)];

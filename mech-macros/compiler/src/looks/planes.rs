@@ -66,7 +66,7 @@ pub(super) fn order(
     };
     // From front to back, as they are declared: what is driven first is in front.
     let mut order: Vec<usize> = (0..links.len()).rev().collect();
-    order = rules.best(order);
+    order = rules.best(&order);
     let ranks = ranks_of(&order);
     let conflicts = (0..links.len())
         .map(|link| rules.crossings_of(link, &ranks))
@@ -195,12 +195,12 @@ impl Rules {
     }
 
     /// The best order that is found from this one, and from others in which it is mixed.
-    fn best(&self, order: Vec<usize>) -> Vec<usize> {
+    fn best(&self, order: &[usize]) -> Vec<usize> {
         let attempts = (WORK / order.len().pow(2).max(1)).clamp(1, MOST_ATTEMPTS);
         let count = order.len();
-        let mut best = (usize::MAX, order.clone());
+        let mut best = (usize::MAX, order.to_vec());
         for attempt in 0..attempts {
-            let mut mixed = order.clone();
+            let mut mixed = order.to_vec();
             for place in (1..count).filter(|_| attempt > 0) {
                 mixed.swap(
                     place,

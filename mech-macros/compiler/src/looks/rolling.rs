@@ -167,7 +167,8 @@ pub(super) fn belt(
     let centers: [Point2<f64>; 2] = [a?, b?];
     let apart = distance(&centers[0], &centers[1]);
     let lean = (pulleys[0].radius - pulleys[1].radius) / apart;
-    if !(lean.abs() < 1.0) {
+    let is_apart = lean.abs() < 1.0;
+    if !is_apart {
         return None;
     }
     let middle = angle(centers[1] - centers[0]);
