@@ -38,18 +38,6 @@ fn frame(compiled: &Compiled, poses: &[[f64; 4]], link: LinkId) -> Option<Isomet
 fn toothed(looks: &Looks, compiled: &Compiled, poses: &[[f64; 4]]) -> Vec<Vec<[f64; 2]>> {
     let outlines = looks.painted.iter().filter_map(|painted| {
         let corners = match &painted.outline {
-            Outline::Toothed(wheel) if wheel.rim.is_some() => {
-                // What is outside of the ring's gaps, as a band around them.
-                let mut corners = wheel.corners();
-                corners.push(corners[0]);
-                let rim = wheel.rim.expect("a ring");
-                let around = (0..=360).map(|degree| {
-                    let (sin, cos) = f64::from(degree).to_radians().sin_cos();
-                    [wheel.center[0] + rim * cos, wheel.center[1] + rim * sin]
-                });
-                corners.extend(around);
-                corners
-            }
             Outline::Toothed(wheel) => wheel.corners(),
             Outline::Polygon(corners) if corners.len() > 40 && painted.link != LinkId::GROUND => {
                 corners

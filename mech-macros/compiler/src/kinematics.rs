@@ -89,7 +89,8 @@ impl<'m> LinkFrames<'m> {
     }
 }
 
-fn frame([cos, sin, x, y]: [f64; 4]) -> Isometry2<f64> {
+/// The frame of a link with this pose: cosine, sine, x and y.
+pub(crate) fn frame([cos, sin, x, y]: [f64; 4]) -> Isometry2<f64> {
     let rotation = UnitComplex::new_unchecked(Complex::new(cos, sin));
     Isometry2::from_parts(Translation2::new(x, y), rotation)
 }

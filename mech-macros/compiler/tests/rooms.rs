@@ -43,6 +43,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "bug",
             "compiled",
             "evaluate",
+            "kinematics",
             "model",
             "motion",
             "plan",

@@ -24,6 +24,7 @@ mod reduction;
 pub mod root;
 pub mod trig;
 mod turns;
+pub mod wheel;
 
 pub use phase::Phase;
 pub use real::Real;

@@ -1,6 +1,8 @@
-//! Toothed wheels, made from one tooth while the program is compiled.
+//! Toothed wheels as constants.
 
-/// The corners of a wheel: those of a tooth as seen from the centre, again and again. `turn` is the cosine and the sine of a pitch.
+use mech_core::wheel::{fill_ring, fill_wheel};
+
+/// The corners of a wheel, from those of its first tooth as seen from the centre. `turn` is the cosine and the sine of a pitch.
 #[must_use]
 pub const fn wheel<const TOOTH: usize, const ALL: usize>(
     center: [f64; 2],
@@ -8,19 +10,11 @@ pub const fn wheel<const TOOTH: usize, const ALL: usize>(
     turn: [f64; 2],
 ) -> [[f64; 2]; ALL] {
     let mut corners = [[0.0; 2]; ALL];
-    let mut direction = [1.0, 0.0];
-    let mut corner = 0;
-    while corner < ALL {
-        corners[corner] = from(center, tooth[corner % TOOTH], direction);
-        corner += 1;
-        if corner % TOOTH == 0 {
-            direction = turned(turn, direction);
-        }
-    }
+    fill_wheel(&mut corners, center, &tooth, turn);
     corners
 }
 
-/// The corners of a ring with teeth inside: those of its teeth, then those of its rim, in one line that goes there and back.
+/// The same of a ring with teeth inside, and those of its rim.
 #[must_use]
 pub const fn ring<const TOOTH: usize, const ALL: usize>(
     center: [f64; 2],
@@ -28,46 +22,9 @@ pub const fn ring<const TOOTH: usize, const ALL: usize>(
     turn: [f64; 2],
     rim: f64,
 ) -> [[f64; 2]; ALL] {
-    let inside = ALL / 2;
     let mut corners = [[0.0; 2]; ALL];
-    let mut direction = [1.0, 0.0];
-    let mut corner = 0;
-    while corner < inside {
-        corners[corner] = from(center, tooth[corner % TOOTH], direction);
-        // As many corners for the rim: on the chord of each tooth, out to the rim.
-        let part = tooth[corner % TOOTH];
-        let length = length(part);
-        let out = [part[0] * rim / length, part[1] * rim / length];
-        corners[inside + corner] = from(center, out, direction);
-        corner += 1;
-        if corner % TOOTH == 0 {
-            direction = turned(turn, direction);
-        }
-    }
+    fill_ring(&mut corners, center, &tooth, turn, rim);
     corners
-}
-
-/// A point as seen from a centre, turned by a direction.
-const fn from(center: [f64; 2], point: [f64; 2], direction: [f64; 2]) -> [f64; 2] {
-    let [x, y] = turned(point, direction);
-    [center[0] + x, center[1] + y]
-}
-
-/// The product of two complex numbers.
-const fn turned([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
-    [a * c - b * d, a * d + b * c]
-}
-
-/// The length of a vector, by Newton's method: no float has a square root in a constant.
-const fn length([x, y]: [f64; 2]) -> f64 {
-    let square = x * x + y * y;
-    let mut root = if square > 1.0 { square } else { 1.0 };
-    let mut round = 0;
-    while round < 64 {
-        root = 0.5 * (root + square / root);
-        round += 1;
-    }
-    root
 }
 
 /// The same corners.

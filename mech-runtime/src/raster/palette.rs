@@ -1,5 +1,7 @@
 //! Palettes.
 
+use mech_core::colors;
+
 /// A palette of 256 colours: red, green and blue of each entry.
 ///
 /// All ready-made palettes have the same order, so a scene can change its palette:
@@ -27,9 +29,9 @@ pub struct Palette {
 
 impl Palette {
     /// The background.
-    pub const PAPER: u8 = 0;
+    pub const PAPER: u8 = colors::PAPER;
     /// The ground, and other fixed parts.
-    pub const GROUND: u8 = 1;
+    pub const GROUND: u8 = colors::GROUND;
     /// The first main colour.
     pub const BLUE: u8 = 2;
     /// A main colour.
@@ -55,13 +57,13 @@ impl Palette {
     /// The last main colour.
     pub const SLATE: u8 = 13;
     /// Pins and lines: stands out against all other colours.
-    pub const INK: u8 = 14;
+    pub const INK: u8 = colors::INK;
     /// The hole in a pin: stands out against the ink.
-    pub const EYE: u8 = 15;
+    pub const EYE: u8 = colors::EYE;
     /// The hatching of the ground.
     pub const HATCH: u8 = 16;
     /// Plain metal.
-    pub const STEEL: u8 = 17;
+    pub const STEEL: u8 = colors::STEEL;
     /// The ground, darker.
     pub const GROUND_DARK: u8 = 30;
     /// The ground, lighter.
@@ -155,13 +157,13 @@ impl Palette {
     /// The entry of a darker main colour, ground or steel. Any other entry stays the same.
     #[must_use]
     pub const fn darker(color: u8) -> u8 {
-        mech_core::colors::darker(color)
+        colors::darker(color)
     }
 
     /// The entry of a lighter main colour, ground or steel. Any other entry stays the same.
     #[must_use]
     pub const fn lighter(color: u8) -> u8 {
-        mech_core::colors::lighter(color)
+        colors::lighter(color)
     }
 
     /// The entry of a step from the ink (step 0) through a main colour (between 7 and 8) to the paper (step 15 and above). For any other

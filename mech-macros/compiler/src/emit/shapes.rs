@@ -6,9 +6,8 @@ use crate::bug::bug;
 use crate::looks::{Measure, Outline, Painted, Toothed};
 use crate::model::LinkId;
 use crate::motion::extent::extent;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::f64::consts::TAU;
 
 /// The statement that paints an outline as params have it; none if they do not change it.
 pub(super) fn fill(emitter: &Emitter<'_>, painted: &Painted) -> Option<TokenStream> {
@@ -23,7 +22,8 @@ pub(super) fn fill(emitter: &Emitter<'_>, painted: &Painted) -> Option<TokenStre
         let value = emitter.present(measure.value, measure.formula);
         quote!(#share * #value)
     };
-    let outline = outline(emitter, &painted.outline, now);
+    // No wheel depends on a param.
+    let outline = outline(emitter, &[], &painted.outline, now);
     let (pose, color) = (emitter.pose(painted.link), color(painted));
     Some(quote!(Canvas::fill(canvas, #outline, #pose, #color);))
 }
@@ -32,9 +32,10 @@ fn color(painted: &Painted) -> Literal {
     Literal::u8_unsuffixed(painted.color)
 }
 
-/// An outline, whose numbers `measure` writes.
+/// An outline, whose numbers `measure` writes. Wheels have constants.
 fn outline(
     emitter: &Emitter<'_>,
+    wheels: &[&Toothed],
     outline: &Outline,
     measure: impl Fn(Measure) -> TokenStream,
 ) -> TokenStream {
@@ -81,7 +82,7 @@ fn outline(
             quote!(Outline::Arc { center: #center, start: #start, angle: #angle, width: #width })
         }
         Outline::Toothed(wheel) => {
-            let name = wheel_name(emitter, wheel);
+            let name = wheel_name(wheels, wheel);
             quote!(Outline::Polygon(&#name))
         }
     }
@@ -101,26 +102,22 @@ fn wheels<'a>(emitter: &'a Emitter<'_>) -> Vec<&'a Toothed> {
 }
 
 /// The name of the constant with the corners of a wheel.
-fn wheel_name(emitter: &Emitter<'_>, wheel: &Toothed) -> TokenStream {
-    let mut wheels = wheels(emitter).into_iter();
-    let Some(number) = wheels.position(|known| known == wheel) else {
+fn wheel_name(wheels: &[&Toothed], wheel: &Toothed) -> Ident {
+    let Some(number) = wheels.iter().position(|known| *known == wheel) else {
         bug!("a wheel that is painted has no constant");
     };
-    let name = format_ident!("WHEEL_{number}");
-    quote!(#name)
+    format_ident!("WHEEL_{number}")
 }
 
 /// The constant with the corners of a wheel: its first tooth, repeated.
-fn wheel_constant(emitter: &Emitter<'_>, number: usize, wheel: &Toothed) -> TokenStream {
-    let (name, scalar) = (format_ident!("WHEEL_{number}"), &emitter.scalar);
+fn wheel_constant(emitter: &Emitter<'_>, name: &Ident, wheel: &Toothed) -> TokenStream {
+    let scalar = &emitter.scalar;
     let pair = |[x, y]: [f64; 2]| {
         let [x, y] = [x, y].map(Literal::f64_unsuffixed);
         quote!([#x, #y])
     };
-    let count = wheel.tooth.len() * usize::try_from(wheel.count).unwrap_or(0);
     let (center, tooth) = (pair(wheel.center), wheel.tooth.iter().copied().map(pair));
-    let (sin, cos) = (TAU / f64::from(wheel.count)).sin_cos();
-    let turn = pair([cos, sin]);
+    let turn = pair(wheel.turn());
     let corners = match wheel.rim {
         None => quote!(wheel(#center, [#(#tooth),*], #turn)),
         Some(rim) => {
@@ -128,35 +125,32 @@ fn wheel_constant(emitter: &Emitter<'_>, number: usize, wheel: &Toothed) -> Toke
             quote!(ring(#center, [#(#tooth),*], #turn, #rim))
         }
     };
-    let count = integer(if wheel.rim.is_some() {
-        2 * count + 2
-    } else {
-        count
-    });
+    let count = integer(wheel.corners().len());
     let rounded = format_ident!("rounded_{}", scalar.to_string());
     quote!(const #name: [[#scalar; 2]; #count] = #rounded(#corners);)
 }
 
 /// The constants `SHAPES` and `EXTENT`, the box around all of them wherever they move.
 pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
-    let painted = &emitter.looks.painted;
+    let (painted, wheels) = (&emitter.looks.painted, wheels(emitter));
     let entries = painted.iter().map(|painted| {
         let Some(link) = emitter.link_number(painted.link) else {
             bug!("a link that is painted has no pose");
         };
         let at_start = |measure: Measure| emitter.number(measure.at_start());
         let (link, color) = (integer(link), color(painted));
-        let outline = outline(emitter, &painted.outline, at_start);
+        let outline = outline(emitter, &wheels, &painted.outline, at_start);
         quote!(Shape { link: #link, outline: #outline, color: #color })
     });
-    let wheels = wheels(emitter).into_iter().enumerate();
-    let wheels = wheels.map(|(number, wheel)| wheel_constant(emitter, number, wheel));
+    let constants = wheels
+        .iter()
+        .map(|wheel| wheel_constant(emitter, &wheel_name(&wheels, wheel), wheel));
     let (scalar, program) = (&emitter.scalar, emitter.program);
     let reaches = emitter.looks.reaches(emitter.model);
     let corners = extent(emitter.model, &emitter.compiled.plan, program, &reaches);
     let corners = corners.map(|corner| emitter.pair(corner));
     quote! {
-        #(#wheels)*
+        #(#constants)*
 
         pub(super) const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];
 

@@ -1,6 +1,6 @@
 //! The body of a moving link, made from what it carries.
 
-use super::declared::{bar, eye};
+use super::declared::{FACE, bar, eye};
 use super::footprint::Footprint;
 use super::hull::hull;
 use super::outline::{Measure, Outline, Place, fixed, place_of};
@@ -11,8 +11,6 @@ use crate::model::{Axis, LinkId};
 use mech_core::colors::{INK, PAPER, darker, lighter};
 use nalgebra::{Point2, Vector2};
 
-/// A bar's face as a part of its width.
-const FACE: f64 = 0.76;
 /// A link of a single pin is a disc, of this radius in widths of a bar.
 const DISC: f64 = 0.9;
 /// How far a plate's lighter inset is from its middle lines, in widths of a bar, and from which part of the plate on it has one.

@@ -2,7 +2,7 @@
 
 use super::outline::{Measure, Outline, Place, fixed};
 use super::scene::Scene;
-use crate::model::{JointId, JointKind, Law, LinkId};
+use crate::model::{AxisId, JointId, JointKind, Law, LinkId, Model};
 use mech_core::colors::{EYE, INK, darker, lighter};
 use nalgebra::{Isometry2, Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
@@ -36,16 +36,12 @@ fn cam(scene: &Scene<'_>, shaft: JointId, follower: JointId, law: &Law) -> Optio
     let JointKind::Revolute(a, b) = model.joint(shaft).kind else {
         return None;
     };
-    let (own, forwards) = if model.axis(a).link == carrier {
-        (b, 1.0)
-    } else {
-        (a, -1.0)
-    };
+    let (own, forwards) = beside(model, [a, b], carrier);
     let cam_link = model.axis(own).link;
     let start = scene.survey.start();
     let center = start.place(model, own)?;
     let (link, point, motion) = follower_motion(scene, follower, carrier, center)?;
-    let [first, _] = [start_value(scene, shaft)?, 0.0];
+    let first = start_value(scene, [a, b])?;
     let at_start = model.at_start(law, first);
     // Seen from the cam, the follower goes round it the other way.
     let pitch = |turned: f64| {
@@ -82,16 +78,20 @@ fn cam(scene: &Scene<'_>, shaft: JointId, follower: JointId, law: &Law) -> Optio
     })
 }
 
-/// The coordinate of a joint at the start.
-fn start_value(scene: &Scene<'_>, joint: JointId) -> Option<f64> {
-    let JointKind::Revolute(a, b) = scene.model.joint(joint).kind else {
-        return None;
-    };
+/// Of a joint's axes that which is not on the carrier, and one if the joint is declared from the carrier, else minus one.
+fn beside(model: &Model, [a, b]: [AxisId; 2], carrier: LinkId) -> (AxisId, f64) {
+    if model.axis(a).link == carrier {
+        (b, 1.0)
+    } else {
+        (a, -1.0)
+    }
+}
+
+/// The angle from one axis to another at the start.
+fn start_value(scene: &Scene<'_>, axes: [AxisId; 2]) -> Option<f64> {
     let start = scene.survey.start();
-    let [a, b] = [
-        start.direction(scene.model, a)?,
-        start.direction(scene.model, b)?,
-    ];
+    let [a, b] = axes.map(|axis| start.direction(scene.model, axis));
+    let (a, b) = (a?, b?);
     Some(a.perp(&b).atan2(a.dot(&b)))
 }
 
@@ -109,11 +109,7 @@ fn follower_motion(
     let (JointKind::Revolute(a, b) | JointKind::Prismatic(a, b)) = model.joint(joint).kind else {
         return None;
     };
-    let (own, forwards) = if model.axis(a).link == carrier {
-        (b, 1.0)
-    } else {
-        (a, -1.0)
-    };
+    let (own, forwards) = beside(model, [a, b], carrier);
     let link = model.axis(own).link;
     let frame = start.frame(link)?;
     let pivot = start.place(model, own)?;

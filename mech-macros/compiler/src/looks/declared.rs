@@ -1,13 +1,13 @@
 //! The outlines of declared shapes.
 
-use super::outline::{Measure, Outline, Painted, Place};
+use super::outline::{Measure, Outline, Painted, Place, painted};
 use crate::bug::bug;
 use crate::model::{LinkId, Shape, ShapeKind};
 use mech_core::colors::{EYE, INK, darker};
 
 /// A bar's face, and the pins and eyes on it, as parts of its width.
-const FACE: f64 = 0.76;
-const PIN: f64 = 0.28;
+pub(super) const FACE: f64 = 0.76;
+pub(super) const PIN: f64 = 0.28;
 const HOLE: f64 = 0.14;
 
 /// The outlines of a shape, from back to front.
@@ -18,12 +18,6 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
     let point = |index: usize| [measure(2 * index), measure(2 * index + 1)];
     let points = || (0..count).map(point).collect::<Vec<_>>();
     let length = |index: usize| measure(2 * count + index);
-    let paint = |outline, color| Painted {
-        link,
-        plane: shape.plane,
-        outline,
-        color,
-    };
     let outline = match shape.kind {
         ShapeKind::Circle { .. } => Outline::Circle {
             center: point(0),
@@ -39,11 +33,11 @@ pub(super) fn outlines(link: LinkId, shape: &Shape) -> Vec<Painted> {
             bug!("a figure is painted before it is known how the mechanism moves")
         }
         ShapeKind::Bar { .. } => {
-            let all = bar(&points(), length(0), shape.color).into_iter();
-            return all.map(|(outline, color)| paint(outline, color)).collect();
+            let all = bar(&points(), length(0), shape.color);
+            return painted(link, shape.plane, all).collect();
         }
     };
-    vec![paint(outline, shape.color)]
+    painted(link, shape.plane, [(outline, shape.color)]).collect()
 }
 
 /// A bar with a dark edge and an eye at each pin, as `mech_runtime::raster::bar` draws it: outlines and their colours, from back to

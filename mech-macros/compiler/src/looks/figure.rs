@@ -2,7 +2,7 @@
 
 use super::ground;
 use super::lettering::lettering;
-use super::outline::{Measure, Outline, Painted, fixed};
+use super::outline::{Measure, Outline, Painted, fixed, painted};
 use super::rolling;
 use super::scene::Scene;
 use super::tooth::Side;
@@ -68,13 +68,7 @@ pub(super) fn outlines(
             .map(|outline| (outline, shape.color))
             .collect(),
     };
-    let painted = outlines.into_iter().map(|(outline, color)| Painted {
-        link,
-        plane: shape.plane,
-        outline,
-        color,
-    });
-    painted.collect()
+    painted(link, shape.plane, outlines).collect()
 }
 
 /// A gear: what is not given of it is that of the wheel of this link that has as many teeth.

@@ -25,7 +25,7 @@ pub(super) const RAIL: f64 = THICK + STROKE;
 /// A rail goes so much farther than the block at each end.
 const BEYOND: f64 = 1.7;
 /// The middle line of a block is so high above its rail.
-pub(super) const ABOVE: f64 = 0.95;
+const ABOVE: f64 = 0.95;
 /// The rails of a slot are so far from the middle of its pin.
 const BESIDE_PIN: f64 = 0.4;
 /// What moves about a pivot is below it if its mean is so far below, as a part of its mean distance.
@@ -201,7 +201,7 @@ fn rails_of(scene: &Scene<'_>, slide: Slide) -> Option<Vec<(Outline, u8)>> {
 }
 
 /// On which side of a line its rail is: below, or to the right where it is upright.
-pub(super) fn side(along: Vector2<f64>) -> Vector2<f64> {
+fn side(along: Vector2<f64>) -> Vector2<f64> {
     let right = Vector2::new(along.y, -along.x);
     let is_below = along.x > 1e-9 || (along.x > -1e-9 && along.y > 0.0);
     if is_below { right } else { -right }

@@ -6,7 +6,7 @@ use super::cam::{CamBody, cams};
 use super::color::Colors;
 use super::declared::eye;
 use super::ground::{rails, stands};
-use super::outline::{Grid, Measure, Outline, Painted, place_of};
+use super::outline::{Grid, Measure, Outline, Painted, painted, place_of};
 use super::planes::{Order, order};
 use super::rolling;
 use super::scene::Scene;
@@ -28,14 +28,15 @@ const ANCHOR: f64 = 0.7;
 pub(super) fn machine(scene: &Scene<'_>, wheels: &Wheels) -> (Vec<Painted>, Option<Symbols>) {
     let grid = Grid::for_width(scene.width);
     let arrangement = Arrangement::new(scene, wheels);
-    let mut all = ground(scene, wheels);
+    let elastic = elastic(scene);
+    let mut all = ground(scene, wheels, elastic.as_ref());
     all.extend(slot_pins(scene, &arrangement));
     all.extend(belts(scene, wheels, &arrangement));
     all.extend(arrangement.painted());
     for painted in &mut all {
         painted.outline = painted.outline.clone().rounded(grid);
     }
-    (all, elastic(scene))
+    (all, elastic)
 }
 
 /// The bodies of links, and their planes.
@@ -172,11 +173,7 @@ fn slot_pins(scene: &Scene<'_>, arrangement: &Arrangement) -> Vec<Painted> {
     let pins = seen.flat_map(|(slide, pin)| {
         let axis = scene.model.axis(pin);
         let outlines = eye(place_of(axis), Measure::fixed(scene.width));
-        painted(
-            axis.link,
-            arrangement.top(scene.ends(slide)),
-            outlines.to_vec(),
-        )
+        painted(axis.link, arrangement.top(scene.ends(slide)), outlines)
     });
     pins.collect()
 }
@@ -191,34 +188,21 @@ fn belts(scene: &Scene<'_>, wheels: &Wheels, arrangement: &Arrangement) -> Vec<P
     belts.flatten().collect()
 }
 
-fn painted(
-    link: LinkId,
-    plane: i32,
-    outlines: Vec<(Outline, u8)>,
-) -> impl Iterator<Item = Painted> {
-    outlines.into_iter().map(move |(outline, color)| Painted {
-        link,
-        plane,
-        outline,
-        color,
-    })
-}
-
 /// Stands and rails, and wheels that do not turn.
-fn ground(scene: &Scene<'_>, wheels: &Wheels) -> Vec<Painted> {
+fn ground(scene: &Scene<'_>, wheels: &Wheels, elastic: Option<&Symbols>) -> Vec<Painted> {
     if !scene.gets_body(LinkId::GROUND) {
         return Vec::new();
     }
     let fixed = wheels.on(LinkId::GROUND);
     let fixed = fixed.flat_map(|wheel| rolling::wheel(scene, wheel, GROUND));
     let outlines = rails(scene).into_iter().chain(stands(scene, wheels));
-    let outlines = outlines.chain(fixed).chain(anchors(scene));
-    painted(LinkId::GROUND, GROUND_PLANE, outlines.collect()).collect()
+    let outlines = outlines.chain(fixed).chain(anchors(scene, elastic));
+    painted(LinkId::GROUND, GROUND_PLANE, outlines).collect()
 }
 
 /// What springs and dampers on the ground are fixed to.
-fn anchors(scene: &Scene<'_>) -> Vec<(Outline, u8)> {
-    let Some(Symbols::Elastic { symbols, .. }) = elastic(scene) else {
+fn anchors(scene: &Scene<'_>, elastic: Option<&Symbols>) -> Vec<(Outline, u8)> {
+    let Some(Symbols::Elastic { symbols, .. }) = elastic else {
         return Vec::new();
     };
     let ends = symbols.iter().flat_map(Symbol::spots);

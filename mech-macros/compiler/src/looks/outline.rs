@@ -1,6 +1,7 @@
 //! Outlines as constants of the generated code, or as expressions where params change them.
 
 use crate::model::{Axis, FormulaId, LinkId};
+use mech_core::wheel::{fill_ring, fill_wheel};
 
 /// A number of an outline: a share of another, which may depend on params.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,18 +114,27 @@ pub struct Toothed {
 }
 
 impl Toothed {
-    /// The corners of all teeth.
+    /// The cosine and the sine of its pitch.
+    pub(crate) fn turn(&self) -> [f64; 2] {
+        let (sin, cos) = (std::f64::consts::TAU / f64::from(self.count)).sin_cos();
+        [cos, sin]
+    }
+
+    /// The corners of all teeth; of a ring, and those of its rim.
     #[must_use]
     pub fn corners(&self) -> Vec<[f64; 2]> {
-        let pitch = std::f64::consts::TAU / f64::from(self.count);
-        let teeth = (0..self.count).flat_map(|number| {
-            let (sin, cos) = (f64::from(number) * pitch).sin_cos();
-            let [x, y] = self.center;
-            self.tooth
-                .iter()
-                .map(move |[u, v]| [x + cos * u - sin * v, y + sin * u + cos * v])
-        });
-        teeth.collect()
+        let (center, tooth, turn) = (self.center, &self.tooth, self.turn());
+        let mut teeth: Vec<[f64; 2]> = (0..self.count)
+            .flat_map(|_| tooth.iter().copied())
+            .collect();
+        match self.rim {
+            None => fill_wheel(&mut teeth, center, tooth, turn),
+            Some(rim) => {
+                teeth.resize(2 * (teeth.len() + 1), [0.0; 2]);
+                fill_ring(&mut teeth, center, tooth, turn, rim);
+            }
+        }
+        teeth
     }
 
     /// The radius of a circle around all of it.
@@ -256,6 +266,20 @@ pub struct Painted {
     pub outline: Outline,
     /// Its entry in the palette.
     pub color: u8,
+}
+
+/// Outlines of a link in a plane, with their colours.
+pub(super) fn painted(
+    link: LinkId,
+    plane: i32,
+    outlines: impl IntoIterator<Item = (Outline, u8)>,
+) -> impl Iterator<Item = Painted> {
+    outlines.into_iter().map(move |(outline, color)| Painted {
+        link,
+        plane,
+        outline,
+        color,
+    })
 }
 
 impl Painted {

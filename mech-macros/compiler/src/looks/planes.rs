@@ -1,6 +1,7 @@
 //! The order of planes: no link crosses a pin that it does not carry, where an order exists.
 
 use super::body::Body;
+use super::declared::PIN;
 use super::scene::Scene;
 use super::survey::Frames;
 use crate::model::LinkId;
@@ -10,8 +11,6 @@ use std::collections::BTreeMap;
 
 /// So often a link and a pin are compared, at as many positions.
 const CHECKS: usize = 200_000;
-/// The radius of a pin, in widths of a bar.
-const PIN: f64 = 0.28;
 /// Rounds in which links look for a better plane. More links than this lie in the order of their declaration.
 const ROUNDS: usize = 24;
 const MOST_LINKS: usize = 128;

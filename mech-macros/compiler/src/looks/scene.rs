@@ -165,15 +165,7 @@ fn mounts(model: &Model, structure: &Structure) -> Vec<Vec<Mount>> {
 
 /// The slide that a joint is, if it is one.
 fn slide(model: &Model, joint: JointId) -> Option<Slide> {
-    let JointKind::Prismatic(a, b) = model.joint(joint).kind else {
-        return None;
-    };
-    // The ground has the guide, whichever link is declared first.
-    let (guide, block) = if model.axis(b).link == LinkId::GROUND {
-        (b, a)
-    } else {
-        (a, b)
-    };
+    let [guide, block] = model.guide_and_block(joint)?;
     let die = model.link(model.axis(block).link).die;
     Some(Slide {
         guide,

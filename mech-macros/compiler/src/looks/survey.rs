@@ -1,11 +1,12 @@
 //! Where the links of a mechanism come to when its motors move.
 
 use crate::evaluate::Machine;
+use crate::kinematics;
 use crate::model::{AxisId, LinkId, Model};
 use crate::motion::sweep::{Sweep, interpolate, sweep_motors};
 use crate::plan::Plan;
 use crate::program::Program;
-use nalgebra::{Complex, Isometry2, Point2, Translation2, UnitComplex, Vector2};
+use nalgebra::{Isometry2, Point2, Vector2};
 
 /// How many operations all positions may cost.
 const BUDGET: usize = 400_000;
@@ -24,9 +25,7 @@ impl Frames {
             if link == LinkId::GROUND {
                 return Some(Isometry2::identity());
             }
-            let [cos, sin, x, y] = poses[program.place_of(link)?];
-            let rotation = UnitComplex::new_unchecked(Complex::new(cos, sin));
-            Some(Isometry2::from_parts(Translation2::new(x, y), rotation))
+            Some(kinematics::frame(poses[program.place_of(link)?]))
         };
         Self(model.link_ids().map(frame).collect())
     }

@@ -101,8 +101,7 @@ impl Wheels {
         match scene.model.joint(rolling.joint).kind {
             JointKind::Gear { ratio, .. } => {
                 let sizes = ratio.sizes();
-                let unit = apart / (sizes[0] + sizes[1]).abs();
-                let radii = sizes.map(|size| size.abs() * unit);
+                let radii = ratio.pitch_radii(apart);
                 let teeth = teeth(ratio, radii, MODULE * scene.width);
                 let links = [a, b];
                 let wheels = [0, 1].map(|end| Wheel {
@@ -119,7 +118,10 @@ impl Wheels {
                 });
                 let carrier = scene.survey.at_start(rolling.carrier)?;
                 let direction = carrier * (hubs[1].on_carrier - hubs[0].on_carrier);
-                if !(unit.is_finite() && unit > 0.0) {
+                if radii
+                    .iter()
+                    .any(|radius| !radius.is_finite() || *radius <= 0.0)
+                {
                     return None;
                 }
                 let wheels = wheels.map(|wheel| self.number(scene, wheel));
@@ -129,21 +131,16 @@ impl Wheels {
                 });
             }
             JointKind::Belt { ratio, .. } => {
-                let sizes = ratio.sizes();
-                let unit = match ratio {
-                    Ratio::Radii(..) => 1.0,
-                    // Teeth say nothing about the size of a pulley: a third of the distance looks well.
-                    Ratio::Teeth(..) => apart / (3.0 * sizes[0].max(sizes[1])),
-                };
-                let pulley = |link: LinkId, hub: &Hub, size: f64| Wheel {
+                let radii = ratio.pulley_radii(apart);
+                let pulley = |link: LinkId, hub: &Hub, radius: f64| Wheel {
                     link,
                     center: hub.own,
-                    radius: size * unit,
+                    radius,
                     teeth: None,
                     side: Side::Outside,
                     phase: 0.0,
                 };
-                let pulleys = [pulley(a, &hubs[0], sizes[0]), pulley(b, &hubs[1], sizes[1])];
+                let pulleys = [pulley(a, &hubs[0], radii[0]), pulley(b, &hubs[1], radii[1])];
                 let pulleys = pulleys.map(|wheel| self.number(scene, wheel));
                 self.belts.push((rolling.carrier, pulleys));
             }
@@ -299,12 +296,9 @@ fn teeth(ratio: Ratio, radii: [f64; 2], module: f64) -> Option<[u32; 2]> {
 /// The hub of a wheel that turns on a carrier.
 fn hub(scene: &Scene<'_>, wheel: LinkId, carrier: LinkId) -> Option<Hub> {
     scene.survey.at_start(wheel)?;
-    let mut pins = scene.structure.pins.iter();
-    pins.find_map(|pin| {
-        let axes = [pin.axis_of(wheel)?, pin.axis_of(carrier)?];
-        let [own, on_carrier] = axes.map(|axis| Point2::from(scene.model.axis(axis).at));
-        Some(Hub { own, on_carrier })
-    })
+    let axes = scene.structure.hub(wheel, carrier)?;
+    let [own, on_carrier] = axes.map(|axis| Point2::from(scene.model.axis(axis).at));
+    Some(Hub { own, on_carrier })
 }
 
 /// The place of a wheel's centre on its carrier.

@@ -107,6 +107,26 @@ impl Ratio {
         }
     }
 
+    /// The pitch radii of two wheels that mesh, whose centres are so far apart.
+    #[must_use]
+    pub fn pitch_radii(self, apart: f64) -> [f64; 2] {
+        let sizes = self.sizes();
+        let unit = apart / (sizes[0] + sizes[1]).abs();
+        sizes.map(|size| size.abs() * unit)
+    }
+
+    /// The radii of two pulleys whose centres are so far apart.
+    #[must_use]
+    pub fn pulley_radii(self, apart: f64) -> [f64; 2] {
+        let sizes = self.sizes();
+        let unit = match self {
+            Self::Radii(..) => 1.0,
+            // Teeth say nothing about the size of a pulley: a third of the distance looks well.
+            Self::Teeth(..) => apart / (3.0 * sizes[0].max(sizes[1])),
+        };
+        sizes.map(|size| size * unit)
+    }
+
     /// Whether one of the wheels is a ring.
     #[must_use]
     pub fn is_internal(self) -> bool {

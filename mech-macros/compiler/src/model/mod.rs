@@ -334,6 +334,17 @@ impl Model {
         common(self.axes_of(shaft), self.axes_of(follower))
     }
 
+    /// The line of the guide and that of the block of a prismatic joint; none of other joints. The ground has the guide, whichever link is
+    /// declared first.
+    #[must_use]
+    pub fn guide_and_block(&self, id: JointId) -> Option<[AxisId; 2]> {
+        let JointKind::Prismatic(a, b) = self.joint(id).kind else {
+            return None;
+        };
+        let is_turned = self.axis(b).link == LinkId::GROUND;
+        Some(if is_turned { [b, a] } else { [a, b] })
+    }
+
     /// The links of the axes that a joint makes coincide; what has none joins the ground to itself.
     fn axes_of(&self, id: JointId) -> (LinkId, LinkId) {
         self.joint(id)

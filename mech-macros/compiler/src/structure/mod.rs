@@ -16,7 +16,7 @@ pub use pin::Pin;
 pub use rolling::{Factor, Rolling, RollingEnd};
 
 use crate::bug::bug;
-use crate::model::{Joint, JointId, JointKind, LinkId, Model};
+use crate::model::{AxisId, Joint, JointId, JointKind, LinkId, Model};
 
 /// What was found out about a coherent mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +33,15 @@ pub struct Structure {
     pub pins: Vec<Pin>,
     /// The gears, belts and racks, with their carriers.
     pub rollings: Vec<Rolling>,
+}
+
+impl Structure {
+    /// The axes about which a wheel turns on its carrier: that of the wheel, and that of the carrier.
+    #[must_use]
+    pub fn hub(&self, wheel: LinkId, carrier: LinkId) -> Option<[AxisId; 2]> {
+        let mut pins = self.pins.iter();
+        pins.find_map(|pin| Some([pin.axis_of(wheel)?, pin.axis_of(carrier)?]))
+    }
 }
 
 /// Analyses a mechanism.

@@ -118,15 +118,7 @@ impl Diagram<'_> {
 
     /// The symbol of a prismatic joint.
     fn slide(&self, joint: JointId) -> Option<Symbol> {
-        let JointKind::Prismatic(a, b) = self.model.joint(joint).kind else {
-            return None;
-        };
-        // The ground has the guide, whichever link is declared first.
-        let (guide, block) = if self.model.axis(b).link == LinkId::GROUND {
-            (b, a)
-        } else {
-            (a, b)
-        };
+        let [guide, block] = self.model.guide_and_block(joint)?;
         let block = self.model.seen_axis(block);
         let (at, block) = (self.first_visible(&[guide])?, self.first_visible(&[block])?);
         Some(Symbol::Slide {

@@ -59,23 +59,18 @@ impl Diagram<'_> {
 
     /// The hub of a wheel that turns on a carrier.
     fn hub(&self, wheel: LinkId, carrier: LinkId) -> Option<Hub> {
-        let mut pins = self.structure.pins.iter();
-        pins.find_map(|pin| {
-            let (own, on_carrier) = (pin.axis_of(wheel)?, pin.axis_of(carrier)?);
-            Some(Hub {
-                spot: (self.has_pose)(wheel).then(|| self.spot(own)),
-                at: self.model.axis(on_carrier).at,
-            })
+        let [own, on_carrier] = self.structure.hub(wheel, carrier)?;
+        Some(Hub {
+            spot: (self.has_pose)(wheel).then(|| self.spot(own)),
+            at: self.model.axis(on_carrier).at,
         })
     }
 }
 
 /// Two meshing wheels, as far as they have poses.
 fn gear(hubs: [Hub; 2], ratio: Ratio) -> Vec<Symbol> {
-    let sizes = sizes(ratio);
-    let unit = distance(&hubs) / (sizes[0] + sizes[1]).abs();
-    let wheels = hubs.into_iter().zip(sizes).filter_map(|(hub, size)| {
-        let radius = size.abs() * unit;
+    let radii = ratio.pitch_radii(distance(&hubs));
+    let wheels = hubs.into_iter().zip(radii).filter_map(|(hub, radius)| {
         let center = hub.spot.filter(|_| radius.is_finite() && radius > 0.0)?;
         Some(Symbol::Wheel { center, radius })
     });
@@ -85,28 +80,10 @@ fn gear(hubs: [Hub; 2], ratio: Ratio) -> Vec<Symbol> {
 /// Two wheels and their belt; none unless both have poses.
 fn belt(hubs: &[Hub; 2], ratio: Ratio) -> Option<Vec<Symbol>> {
     let centers = [hubs[0].spot?, hubs[1].spot?];
-    let sizes = sizes(ratio);
-    let unit = match ratio {
-        Ratio::Radii(..) => 1.0,
-        // Teeth say nothing about the size of a pulley: a third of the distance looks well.
-        Ratio::Teeth(..) => distance(hubs) / (3.0 * sizes[0].max(sizes[1])),
-    };
-    let radii = sizes.map(|size| size * unit);
+    let radii = ratio.pulley_radii(distance(hubs));
     let wheels = centers.into_iter().zip(radii);
     let wheels = wheels.map(|(center, radius)| Symbol::Wheel { center, radius });
     Some(wheels.chain([Symbol::Belt { centers, radii }]).collect())
-}
-
-/// The declared sizes of two wheels: teeth, or radii in scene units.
-fn sizes(ratio: Ratio) -> [f64; 2] {
-    match ratio {
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "no wheel has 2⁵² teeth, and it is only drawn"
-        )]
-        Ratio::Teeth(a, b) => [a as f64, b as f64],
-        Ratio::Radii(a, b) => [a, b],
-    }
 }
 
 /// The distance of two hubs, in scene units.

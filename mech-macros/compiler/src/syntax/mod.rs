@@ -7,6 +7,7 @@ mod lower;
 mod name;
 mod part;
 mod place;
+mod shape;
 mod spelling;
 #[cfg(test)]
 mod tests;

@@ -5,9 +5,7 @@ use super::name::{Body, Referent};
 use crate::model::{AxisId, AxisKind, LinkId, Trace};
 use crate::syntax::Place;
 use crate::syntax::ast::{self, End};
-
-/// Lines are drawn in ink.
-const INK: u8 = 14;
+use mech_core::colors::INK;
 
 impl Lowering {
     pub(super) fn lower_trace(&mut self, trace: &ast::Trace) {

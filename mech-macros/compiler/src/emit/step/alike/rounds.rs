@@ -52,7 +52,7 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
 
     pub(super) fn statements(mut self) -> TokenStream {
         for piece in 0..self.roll.arguments.len() {
-            self.piece(piece);
+            self.write_piece(piece);
         }
         for (given, _, variable) in std::mem::take(&mut self.carried) {
             let result = self.result(given);
@@ -83,7 +83,7 @@ impl<'r, 'w, 'p> Rounds<'r, 'w, 'p> {
     }
 
     /// The statements of one of the pieces of a round.
-    fn piece(&mut self, piece: usize) {
+    fn write_piece(&mut self, piece: usize) {
         let places = self.places(piece);
         let class = places[0].class;
         let roll = self.roll;
