@@ -2,6 +2,7 @@
 
 use std::any::Any;
 use std::fmt::Arguments;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// What an internal error begins with, wherever it is read.
 const BEFORE: &str = "internal error in mech: ";
@@ -25,8 +26,17 @@ pub(crate) fn broken(what: Arguments<'_>) -> ! {
     panic!("{BEFORE}{what}{AFTER}")
 }
 
+/// The result of some work of the compiler, or the invariant that is broken, in words.
+///
+/// # Errors
+/// If the work panics: whatever a user may write, that is a mistake of the compiler's.
+pub fn catch<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+    // Nothing that the work changes is read after it.
+    catch_unwind(AssertUnwindSafe(work)).map_err(|panic| broken_in(panic.as_ref()))
+}
+
 /// What a panic says is broken. One that is not from [`bug!`], as of an index beyond its list, says it in its own words.
-pub(crate) fn broken_in(panic: &(dyn Any + Send)) -> String {
+fn broken_in(panic: &(dyn Any + Send)) -> String {
     let text = match (panic.downcast_ref::<String>(), panic.downcast_ref::<&str>()) {
         (Some(text), _) => text.as_str(),
         (None, Some(text)) => text,

@@ -3,9 +3,10 @@
 //! Data flows in one direction: `syntax → model → structure → plan → program → emit | evaluate | certify | cost`. The driver `compile`
 //! builds a program, lets [`motion`] watch it move, and builds it again with the results.
 //!
-//! There are two entries. The macro calls [`expand`](fn@expand). Programs that make a [`Model`](model::Model) of their own call
-//! [`compile`](fn@compile).
+//! There are three entries. The macro calls [`expand`](fn@expand). Programs that read texts call [`analyse`], and those that make a
+//! [`Model`](model::Model) of their own [`compile`](fn@compile).
 
+mod analysis;
 mod api;
 mod bug;
 pub mod certify;
@@ -30,7 +31,9 @@ pub mod structure;
 pub mod symbols;
 pub mod syntax;
 
+pub use analysis::{Analysis, Faults, analyse};
+pub use bug::catch;
 pub use compile::compile;
 pub use compiled::{Compiled, ForcePrograms};
-pub use expand::{expand, expand_part};
+pub use expand::{Import, PartText, expand, expand_part};
 pub use looks::{Looks, Measure, Outline, Painted, Place, Symbols, Toothed, looks};

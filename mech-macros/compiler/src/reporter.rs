@@ -18,7 +18,7 @@ mod wording;
 
 use crate::bug::bug;
 use crate::model::{JointId, LinkId, Model, MotorId, Origin};
-use crate::repair::{self, Offers, Repair};
+use crate::repair::{self, Declaration, Offers, Repair};
 use crate::structure::Diagnosis;
 use crate::syntax::{Message, Places};
 
@@ -52,6 +52,18 @@ pub fn text(diagnosis: &Diagnosis, model: &Model) -> String {
     let messages = Words { model }.of(diagnosis, offers);
     let texts: Vec<String> = messages.iter().map(|(_, text)| space_notes(text)).collect();
     texts.join("\n\n")
+}
+
+/// Changes that are made together, in words: `remove link brace and link strut`.
+#[must_use]
+pub fn repair_text(repairs: &[Repair], model: &Model) -> String {
+    Words { model }.all_together(repairs)
+}
+
+/// The statements that a declaration adds, as they are written: its link, then its joints.
+#[must_use]
+pub fn statements(declaration: &Declaration, model: &Model) -> Vec<String> {
+    Words { model }.statements(declaration)
 }
 
 /// Sets the notes off from the sentence.

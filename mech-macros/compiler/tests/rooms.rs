@@ -99,16 +99,24 @@ const ROOMS: &[(&str, &[&str])] = &[
         ],
     ),
     (
-        "emit",
+        "analysis",
         &[
-            "api", "bug", "compiled", "cost", "looks", "model", "motion", "plan", "program",
-            "symbols", "syntax",
+            "compile",
+            "compiled",
+            "repair",
+            "reporter",
+            "structure",
+            "syntax",
         ],
     ),
     (
-        "expand",
-        &["bug", "compile", "emit", "repair", "reporter", "syntax"],
+        "emit",
+        &[
+            "api", "bug", "compiled", "cost", "looks", "model", "plan", "program", "symbols",
+            "syntax",
+        ],
     ),
+    ("expand", &["analysis", "bug", "emit", "syntax"]),
 ];
 
 /// All source files below a folder, but tests.

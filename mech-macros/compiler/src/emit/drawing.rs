@@ -3,7 +3,7 @@
 use super::emitter::Emitter;
 use super::overlay;
 use super::parts::Parts;
-use super::shapes::{behind, fill};
+use super::shapes::fill;
 use super::tokens::integer;
 use super::traces::trace_ident;
 use crate::looks::Symbols;
@@ -99,7 +99,7 @@ fn painting(emitter: &Emitter<'_>) -> TokenStream {
     let shapes = &emitter.looks.painted;
     let traces = emitter.model.traces.iter();
     let mut traces: Vec<(usize, &Trace)> = traces
-        .map(|trace| (behind(shapes, trace.plane), trace))
+        .map(|trace| (emitter.looks.behind(trace.plane), trace))
         .collect();
     traces.sort_by_key(|(behind, _)| *behind);
     let mut traces = traces.into_iter().peekable();

@@ -4,8 +4,6 @@ use super::emitter::Emitter;
 use super::tokens::integer;
 use crate::bug::bug;
 use crate::looks::{Measure, Outline, Painted, Toothed};
-use crate::model::LinkId;
-use crate::motion::extent::extent;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -145,9 +143,8 @@ pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
     let constants = wheels
         .iter()
         .map(|wheel| wheel_constant(emitter, &wheel_name(&wheels, wheel), wheel));
-    let (scalar, program) = (&emitter.scalar, emitter.program);
-    let reaches = emitter.looks.reaches(emitter.model);
-    let corners = extent(emitter.model, &emitter.compiled.plan, program, &reaches);
+    let scalar = &emitter.scalar;
+    let corners = emitter.looks.extent(emitter.model, emitter.compiled);
     let corners = corners.map(|corner| emitter.pair(corner));
     quote! {
         #(#constants)*
@@ -156,16 +153,4 @@ pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
 
         pub(super) const EXTENT: [[#scalar; 2]; 2] = [#(#corners),*];
     }
-}
-
-/// The number of shapes that are painted before a trace: those of planes farther from the eye, and the ground's of its own; without a
-/// plane, those before the first of a moving link.
-pub(super) fn behind(painted: &[Painted], plane: Option<i32>) -> usize {
-    let is_behind = |shape: &&Painted| {
-        let is_ground = shape.link == LinkId::GROUND;
-        plane.map_or(is_ground, |plane| {
-            shape.plane < plane || (shape.plane == plane && is_ground)
-        })
-    };
-    painted.iter().take_while(is_behind).count()
 }

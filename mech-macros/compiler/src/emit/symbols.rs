@@ -17,9 +17,9 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
         let (name, spot) = (format_ident!("{name}"), spot(at));
         quote!(#name(#spot))
     };
-    let between = |name: &str, ends: [Spot; 2], side| {
+    let between = |name: &str, ends: [Spot; 2], side: Side| {
         let (name, [a, b]) = (format_ident!("{name}"), ends.map(spot));
-        let beside = Literal::f32_unsuffixed(pixels(side));
+        let beside = Literal::f32_unsuffixed(side.pixels());
         quote!(#name { ends: [#a, #b], beside: #beside })
     };
     let symbol = match *symbol {
@@ -85,15 +85,6 @@ pub(super) fn symbol(emitter: &Emitter<'_>, symbol: &Symbol) -> TokenStream {
         Symbol::RotaryMotor(at) => at_spot("RotaryMotor", at),
     };
     quote!(Symbol::#symbol)
-}
-
-/// How many pixels to the left of the line between its ends a spring or damper is drawn.
-fn pixels(side: Side) -> f32 {
-    match side {
-        Side::Middle => 0.0,
-        Side::Left => 8.0,
-        Side::Right => -8.0,
-    }
 }
 
 /// A place on a link.

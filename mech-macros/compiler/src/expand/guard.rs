@@ -1,10 +1,9 @@
 //! The guard of the macro: a broken invariant of the compiler becomes an error at the mechanism.
 
-use crate::bug::broken_in;
+use crate::bug::catch;
 use crate::syntax::{Message, Place};
 use proc_macro2::TokenStream;
 use quote::quote;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Runs an expansion of a mechanism. A broken invariant becomes a compile error at the mechanism, beside a stub of its type.
 ///
@@ -22,12 +21,6 @@ pub(crate) fn guard(
         let stub = catch(stub).unwrap_or_default();
         quote!(#error #stub)
     })
-}
-
-/// The result of an expansion, or the invariant that is broken.
-fn catch(expansion: impl FnOnce() -> TokenStream) -> Result<TokenStream, String> {
-    // Nothing that an expansion changes is read after it.
-    catch_unwind(AssertUnwindSafe(expansion)).map_err(|panic| broken_in(panic.as_ref()))
 }
 
 #[cfg(test)]

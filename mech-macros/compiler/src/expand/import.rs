@@ -8,14 +8,18 @@ use proc_macro2::{Delimiter, Ident, Spacing, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 /// An import in the text of a mechanism, and the remainder of the text.
-pub(super) struct Import {
-    path: TokenStream,
-    others: TokenStream,
+#[derive(Clone, Debug)]
+pub struct Import {
+    /// The path of the part, as it is written.
+    pub path: TokenStream,
+    /// The text without the import.
+    pub others: TokenStream,
 }
 
 impl Import {
     /// The first `use path::Part;` of a text, if there is one.
-    pub(super) fn first(text: &TokenStream) -> Option<Self> {
+    #[must_use]
+    pub fn first(text: &TokenStream) -> Option<Self> {
         let trees: Vec<TokenTree> = text.clone().into_iter().collect();
         let mut starts = trees.iter().enumerate().filter(|(index, tree)| {
             let begins = index
@@ -72,66 +76,86 @@ fn is_joint(tree: &TokenTree) -> bool {
     matches!(tree, TokenTree::Punct(mark) if mark.spacing() == Spacing::Joint)
 }
 
-/// Expands the body of a `mechanism_part!`: attributes, a visibility, and a part without the word `part`.
+/// The body of a `mechanism_part!`: attributes, a visibility, and a part without the word `part`.
+#[derive(Clone, Debug)]
+pub struct PartText {
+    /// The name of the part.
+    pub name: Ident,
+    /// The part as it stands in the text of a mechanism, but for the word `part`.
+    pub body: TokenStream,
+    attributes: TokenStream,
+    visibility: TokenStream,
+    is_public: bool,
+}
+
+impl PartText {
+    /// Reads the body of a `mechanism_part!`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text.
+    pub fn read(input: &TokenStream) -> Result<Self, Vec<Message>> {
+        let mut trees: Vec<TokenTree> = input.clone().into_iter().collect();
+        let mut is_public = false;
+        let mut visibility = TokenStream::new();
+        // Documentation first.
+        let mut attributes = TokenStream::new();
+        while matches!(trees.first(), Some(TokenTree::Punct(mark)) if mark.as_char() == '#') {
+            attributes.extend(trees.drain(..2.min(trees.len())));
+        }
+        if matches!(trees.first(), Some(TokenTree::Ident(word)) if word == "pub") {
+            visibility.extend(trees.drain(..1));
+            is_public = true;
+            if matches!(trees.first(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis)
+            {
+                visibility.extend(trees.drain(..1));
+                is_public = false;
+            }
+        }
+        let Some(TokenTree::Ident(name)) = trees.first().cloned() else {
+            let text = "expected the name of a part, as `pub Leg(size = 1) { ... }`";
+            return Err(vec![Message::new(Place::of(input), text)]);
+        };
+        let body: TokenStream = trees.into_iter().collect();
+        let errors = syntax::parse(quote!(struct Part; part #body)).errors;
+        if !errors.is_empty() {
+            return Err(errors);
+        }
+        Ok(Self {
+            name,
+            body,
+            attributes,
+            visibility,
+            is_public,
+        })
+    }
+
+    /// The macro that adds the part to the text of a mechanism.
+    fn keep(&self) -> TokenStream {
+        let Self {
+            name,
+            body,
+            attributes,
+            visibility,
+            is_public,
+        } = self;
+        let kept = format_ident!("__part_{name}", span = name.span());
+        let export = is_public.then(|| quote!(#[doc(hidden)] #[macro_export]));
+        quote! {
+            #export
+            macro_rules! #kept {
+                ({ $($krate:tt)* } $($text:tt)*) => {
+                    $($krate)*::expand_mechanism! { $($krate)*; $($text)* part #body }
+                };
+            }
+            #attributes
+            #[allow(unused_imports, reason = "nobody has to use a part")]
+            #visibility use #kept as #name;
+        }
+    }
+}
+
+/// Expands the body of a `mechanism_part!`.
 #[must_use]
 pub fn expand_part(input: &TokenStream) -> TokenStream {
-    let mut trees: Vec<TokenTree> = input.clone().into_iter().collect();
-    let mut is_public = false;
-    let mut visibility = TokenStream::new();
-    // Documentation first.
-    let mut attributes = TokenStream::new();
-    while matches!(trees.first(), Some(TokenTree::Punct(mark)) if mark.as_char() == '#') {
-        attributes.extend(trees.drain(..2.min(trees.len())));
-    }
-    if matches!(trees.first(), Some(TokenTree::Ident(word)) if word == "pub") {
-        visibility.extend(trees.drain(..1));
-        is_public = true;
-        if matches!(trees.first(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis)
-        {
-            visibility.extend(trees.drain(..1));
-            is_public = false;
-        }
-    }
-    let Some(TokenTree::Ident(name)) = trees.first().cloned() else {
-        let text = "expected the name of a part, as `pub Leg(size = 1) { ... }`";
-        return compile_errors(&[Message::new(Place::of(input), text)]);
-    };
-    let body: TokenStream = trees.into_iter().collect();
-    let errors = errors_of(&body);
-    if !errors.is_empty() {
-        return compile_errors(&errors);
-    }
-    keep(&name, &attributes, (&visibility, is_public), &body)
-}
-
-/// What could not be read of a part.
-fn errors_of(body: &TokenStream) -> Vec<Message> {
-    syntax::parse(quote!(struct Part; part #body)).errors
-}
-
-/// The macro that adds the part to the text of a mechanism.
-fn keep(
-    name: &Ident,
-    attributes: &TokenStream,
-    (visibility, is_public): (&TokenStream, bool),
-    body: &TokenStream,
-) -> TokenStream {
-    let kept = format_ident!("__part_{name}", span = name.span());
-    let export = is_public.then(|| quote!(#[doc(hidden)] #[macro_export]));
-    let visibility = if visibility.is_empty() {
-        None
-    } else {
-        Some(visibility)
-    };
-    quote! {
-        #export
-        macro_rules! #kept {
-            ({ $($krate:tt)* } $($text:tt)*) => {
-                $($krate)*::expand_mechanism! { $($krate)*; $($text)* part #body }
-            };
-        }
-        #attributes
-        #[allow(unused_imports, reason = "nobody has to use a part")]
-        #visibility use #kept as #name;
-    }
+    PartText::read(input).map_or_else(|errors| compile_errors(&errors), |part| part.keep())
 }

@@ -5,13 +5,13 @@ mod import;
 #[cfg(test)]
 mod tests;
 
-pub use import::expand_part;
+pub use import::{Import, PartText, expand_part};
 
-use self::import::Import;
-use crate::compile::compile;
-use crate::syntax::{self, Message, Place};
-use crate::{emit, repair, reporter};
-use proc_macro2::{Span, TokenStream, TokenTree};
+use crate::analysis::{Analysis, analyse};
+use crate::bug::bug;
+use crate::emit;
+use crate::syntax::{self, Message};
+use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
 /// Expands the body of a `mechanism!`: the path of the runtime crate, a semicolon, and the text of the mechanism.
@@ -30,24 +30,16 @@ pub fn expand(input: TokenStream) -> TokenStream {
 
 /// The items of a mechanism, or its errors beside a stub of its type.
 fn analyse_and_emit(krate: &TokenStream, body: TokenStream) -> TokenStream {
-    let parsed = syntax::parse(body);
-    let Some(header) = &parsed.header else {
-        return compile_errors(&parsed.errors);
-    };
-    let fail = |messages: &[Message]| {
-        let (errors, stub) = (compile_errors(messages), emit::stub(krate, header, &parsed));
-        quote!(#errors #stub)
-    };
-    if !parsed.errors.is_empty() {
-        return fail(&parsed.errors);
-    }
-    let (model, places) = (&parsed.model, &parsed.places);
-    match compile(model) {
-        Ok(compiled) => emit::items(krate, header, &parsed, &compiled),
-        Err(diagnoses) => {
-            let offers = repair::offers(model, &diagnoses);
-            fail(&reporter::messages(&diagnoses, &offers, model, places))
+    let Analysis { parsed, result } = analyse(body);
+    let header = parsed.header.as_ref();
+    match (header, result) {
+        (Some(header), Ok(compiled)) => emit::items(krate, header, &parsed, &compiled),
+        (header, Err(faults)) => {
+            let errors = compile_errors(&faults.messages);
+            let stub = header.map(|header| emit::stub(krate, header, &parsed));
+            quote!(#errors #stub)
         }
+        (None, Ok(_)) => bug!("a mechanism without a name was compiled"),
     }
 }
 
@@ -62,10 +54,6 @@ fn stub(krate: &TokenStream, body: TokenStream) -> TokenStream {
 
 /// The errors as calls of `compile_error!`.
 fn compile_errors(errors: &[Message]) -> TokenStream {
-    if errors.is_empty() {
-        let place = Place::at(Span::call_site());
-        return Message::new(place, "this mechanism could not be read").to_compile_error();
-    }
     errors.iter().map(Message::to_compile_error).collect()
 }
 

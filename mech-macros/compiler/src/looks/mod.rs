@@ -24,6 +24,7 @@ mod wheel;
 
 use crate::compiled::Compiled;
 use crate::model::{LinkId, Look, Model, Shape, ShapeKind};
+use crate::motion::extent::extent;
 use crate::symbols::Symbol;
 pub use outline::{Measure, Outline, Painted, Place, Toothed};
 use scene::Scene;
@@ -57,8 +58,28 @@ pub enum Symbols {
 }
 
 impl Looks {
+    /// The smallest upright box around all that is seen, wherever the motors move it: lower left and upper right corner, in scene units.
+    #[must_use]
+    pub fn extent(&self, model: &Model, compiled: &Compiled) -> [[f64; 2]; 2] {
+        let reaches = self.reaches(model);
+        extent(model, &compiled.plan, &compiled.program, &reaches)
+    }
+
+    /// The number of outlines that are painted before a trace: those of planes farther from the eye, and the ground's of its own; without
+    /// a plane, those before the first of a moving link.
+    #[must_use]
+    pub fn behind(&self, plane: Option<i32>) -> usize {
+        let is_behind = |painted: &&Painted| {
+            let is_ground = painted.link == LinkId::GROUND;
+            plane.map_or(is_ground, |plane| {
+                painted.plane < plane || (painted.plane == plane && is_ground)
+            })
+        };
+        self.painted.iter().take_while(is_behind).count()
+    }
+
     /// For each link some points of what is seen of it at the start, each with how far that reaches around it.
-    pub(crate) fn reaches(&self, model: &Model) -> Vec<Vec<([f64; 2], f64)>> {
+    fn reaches(&self, model: &Model) -> Vec<Vec<([f64; 2], f64)>> {
         let mut all = vec![Vec::new(); model.links.len()];
         for painted in &self.painted {
             all[painted.link.index()].extend(painted.points());

@@ -9,10 +9,7 @@ use crate::repair::{Declaration, Purpose};
 impl Words<'_> {
     /// What a declaration is for, and its text.
     pub(super) fn declaration(&self, declared: &Declaration) -> String {
-        let new = declared.link.iter().map(|name| format!("link {name};"));
-        let joints = declared.joints.iter();
-        let joints = joints.map(|joint| self.new_joint(joint, declared.link.as_deref()));
-        let text: Vec<String> = new.chain(joints).collect();
+        let text = self.statements(declared);
         let verb = if declared.replaced.is_empty() {
             "add"
         } else {
@@ -27,6 +24,14 @@ impl Words<'_> {
         };
         let purpose = self.purpose(declared);
         format!("{purpose}: {verb} `{}`{without}", text.join(" "))
+    }
+
+    /// The statements that are added, as they are written.
+    pub(super) fn statements(&self, declared: &Declaration) -> Vec<String> {
+        let new = declared.link.iter().map(|name| format!("link {name};"));
+        let joints = declared.joints.iter();
+        let joints = joints.map(|joint| self.new_joint(joint, declared.link.as_deref()));
+        new.chain(joints).collect()
     }
 
     fn purpose(&self, declared: &Declaration) -> String {

@@ -73,10 +73,26 @@ impl Words<'_> {
         [note].into_iter().chain(lines).collect()
     }
 
+    /// Changes that are made one after the other.
+    pub(super) fn all_together(&self, repairs: &[Repair]) -> String {
+        match repairs {
+            [first, second] => self.together(&[first.clone(), second.clone()]),
+            _ => repairs
+                .iter()
+                .map(|one| self.phrase(one))
+                .collect::<Vec<_>>()
+                .join(" and "),
+        }
+    }
+
+    /// One change.
+    fn phrase(&self, repair: &Repair) -> String {
+        self.phrases(std::slice::from_ref(repair)).concat()
+    }
+
     /// Two changes, the second after the first.
     fn together(&self, [first, second]: &[Repair; 2]) -> String {
-        let phrase = |repair: &Repair| self.phrases(std::slice::from_ref(repair)).concat();
-        let (first, second) = (phrase(first), phrase(second));
+        let (first, second) = (self.phrase(first), self.phrase(second));
         match second.strip_prefix("remove ") {
             Some(other) if first.starts_with("remove ") => format!("{first} and {other}"),
             _ => format!("{first} and {second}"),

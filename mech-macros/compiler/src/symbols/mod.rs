@@ -59,6 +59,18 @@ pub enum Side {
     Right,
 }
 
+impl Side {
+    /// How many pixels to the left of the line between its ends a spring or damper is drawn.
+    #[must_use]
+    pub fn pixels(self) -> f32 {
+        match self {
+            Self::Middle => 0.0,
+            Self::Left => 8.0,
+            Self::Right => -8.0,
+        }
+    }
+}
+
 /// An element of a diagram.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Symbol {

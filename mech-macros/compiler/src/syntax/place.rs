@@ -56,6 +56,11 @@ impl Places {
         Origin(in_32_bits(self.0.len()))
     }
 
+    /// All places, in the order of their origins, the first of which is `Origin(1)`.
+    pub fn all(&self) -> impl Iterator<Item = Place> + '_ {
+        self.0.iter().copied()
+    }
+
     /// The place of this origin; the macro's own call site if no text declared it.
     #[must_use]
     pub fn get(&self, origin: Origin) -> Place {

@@ -1,0 +1,63 @@
+//! The text of a mechanism, read and analysed: what the macro and programs that work on texts have in common.
+
+use crate::compile::compile;
+use crate::compiled::Compiled;
+use crate::repair::{self, Offers};
+use crate::reporter;
+use crate::structure::Diagnosis;
+use crate::syntax::{self, Message, Parsed, Place};
+use proc_macro2::{Span, TokenStream};
+
+/// A text, and what was found out about it.
+pub struct Analysis {
+    /// What the text says.
+    pub parsed: Parsed,
+    /// The compiled mechanism, or what is wrong.
+    pub result: Result<Box<Compiled>, Faults>,
+}
+
+/// What is wrong with a mechanism, or with its text.
+#[derive(Clone, Debug)]
+pub struct Faults {
+    /// All of it in words, at its places; never empty.
+    pub messages: Vec<Message>,
+    /// What the analysis found, without words; empty if the text itself is wrong.
+    pub diagnoses: Vec<Diagnosis>,
+    /// What would mend each of these.
+    pub offers: Vec<Offers>,
+}
+
+/// Reads and analyses the text of a mechanism: the body of a `mechanism!`, whose parts are all declared in it.
+#[must_use]
+pub fn analyse(text: TokenStream) -> Analysis {
+    let parsed = syntax::parse(text);
+    let result = match faults_of_text(&parsed) {
+        Some(faults) => Err(faults),
+        None => compile(&parsed.model)
+            .map(Box::new)
+            .map_err(|diagnoses| faults_of_mechanism(&parsed, diagnoses)),
+    };
+    Analysis { parsed, result }
+}
+
+fn faults_of_text(parsed: &Parsed) -> Option<Faults> {
+    let mut messages = parsed.errors.clone();
+    if parsed.header.is_none() && messages.is_empty() {
+        let place = Place::at(Span::call_site());
+        messages.push(Message::new(place, "this mechanism could not be read"));
+    }
+    (!messages.is_empty()).then(|| Faults {
+        messages,
+        diagnoses: Vec::new(),
+        offers: Vec::new(),
+    })
+}
+
+fn faults_of_mechanism(parsed: &Parsed, diagnoses: Vec<Diagnosis>) -> Faults {
+    let offers = repair::offers(&parsed.model, &diagnoses);
+    Faults {
+        messages: reporter::messages(&diagnoses, &offers, &parsed.model, &parsed.places),
+        diagnoses,
+        offers,
+    }
+}

@@ -1,0 +1,117 @@
+//! Verdicts for editors.
+
+use super::Verdict;
+use crate::document::{self, Source};
+use serde::Serialize;
+use std::ops::Range;
+
+#[derive(Serialize)]
+struct Report<'a> {
+    file: String,
+    moves: bool,
+    mechanisms: Vec<Mechanism<'a>>,
+}
+
+#[derive(Serialize)]
+struct Mechanism<'a> {
+    /// Null of parts, and where the name cannot be read.
+    name: Option<&'a str>,
+    moves: bool,
+    place: Place,
+    messages: Vec<Message<'a>>,
+}
+
+#[derive(Serialize)]
+struct Message<'a> {
+    level: &'static str,
+    text: &'a str,
+    /// The lines after the first, without their words `note:` and `help:`.
+    notes: Vec<Note<'a>>,
+    place: Place,
+}
+
+#[derive(Serialize)]
+struct Note<'a> {
+    level: &'static str,
+    text: &'a str,
+}
+
+#[derive(Serialize)]
+struct Place {
+    /// In bytes from the beginning of the file.
+    start: usize,
+    end: usize,
+    from: Spot,
+    to: Spot,
+}
+
+#[derive(Serialize)]
+struct Spot {
+    line: usize,
+    column: usize,
+}
+
+/// The verdicts as an object in JSON, with a newline.
+pub(crate) fn to_json(source: &Source, verdicts: &[Verdict]) -> String {
+    let mechanisms: Vec<Mechanism<'_>> = verdicts
+        .iter()
+        .map(|verdict| match verdict {
+            Verdict::Moves { name, place, .. } => Mechanism {
+                name: Some(name),
+                moves: true,
+                place: in_file(source, place),
+                messages: Vec::new(),
+            },
+            Verdict::Faulty {
+                name,
+                place,
+                messages,
+            } => Mechanism {
+                name: name.as_deref(),
+                moves: false,
+                place: in_file(source, place),
+                messages: messages.iter().map(|one| message(source, one)).collect(),
+            },
+        })
+        .collect();
+    let report = Report {
+        file: source.path().to_string_lossy().into_owned(),
+        moves: mechanisms.iter().all(|mechanism| mechanism.moves),
+        mechanisms,
+    };
+    // Strings and numbers can always be written.
+    serde_json::to_string_pretty(&report).unwrap_or_default() + "\n"
+}
+
+fn message<'a>(source: &Source, message: &'a document::Message) -> Message<'a> {
+    let mut lines = message.text.lines();
+    let text = lines.next().unwrap_or_default();
+    let note = |line: &'a str| {
+        let (level, text) = line.split_once(": ")?;
+        let level = match level {
+            "note" => "note",
+            "help" => "help",
+            _ => return None,
+        };
+        Some(Note { level, text })
+    };
+    Message {
+        level: "error",
+        text,
+        notes: lines.filter_map(note).collect(),
+        place: in_file(source, &message.place),
+    }
+}
+
+fn in_file(source: &Source, range: &Range<usize>) -> Place {
+    let spot = |byte| {
+        let document::Spot { line, column } = source.spot(byte);
+        Spot { line, column }
+    };
+    Place {
+        start: range.start,
+        end: range.end,
+        from: spot(range.start),
+        to: spot(range.end),
+    }
+}

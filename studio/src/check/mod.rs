@@ -1,0 +1,9 @@
+//! What is wrong with the mechanisms of a document, and how that is told.
+
+mod json;
+mod rendering;
+mod verdict;
+
+pub(crate) use json::to_json;
+pub(crate) use rendering::render;
+pub(crate) use verdict::{Verdict, verdicts};

@@ -1,0 +1,29 @@
+//! Messages as the Rust compiler shows them.
+
+use crate::document::{Message, Source};
+use annotate_snippets::renderer::{DEFAULT_TERM_WIDTH, DecorStyle};
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+
+/// The width of the text that is shown of a line, as in the tests of the macro.
+const WIDTH: usize = DEFAULT_TERM_WIDTH;
+
+/// Messages with the lines they are about, each followed by an empty line.
+pub(crate) fn render(source: &Source, messages: &[Message], has_colors: bool) -> String {
+    let renderer = if has_colors {
+        Renderer::styled()
+    } else {
+        Renderer::plain()
+    };
+    let renderer = renderer.decor_style(DecorStyle::Ascii).term_width(WIDTH);
+    let path = source.path().to_string_lossy();
+    let shown = messages.iter().map(|message| {
+        let title = Level::ERROR.primary_title(&*message.text);
+        let annotation = AnnotationKind::Primary.span(message.place.clone());
+        let snippet = Snippet::source(source.text())
+            .path(path.as_ref())
+            .annotation(annotation);
+        let group: Group<'_> = title.element(snippet);
+        renderer.render(&[group]) + "\n\n"
+    });
+    shown.collect()
+}

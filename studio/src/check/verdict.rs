@@ -1,0 +1,82 @@
+//! What is found out about each mechanism of a document.
+
+use crate::document::{Declaration, Document, Message, Reading};
+use crate::failure::Failure;
+use mech_compiler::Compiled;
+use mech_compiler::model::Model;
+use std::ops::Range;
+
+/// What is found out about a mechanism, or about the parts of a document.
+pub(crate) enum Verdict {
+    /// It moves.
+    Moves {
+        /// Its name.
+        name: String,
+        /// Where it stands, in bytes.
+        place: Range<usize>,
+        /// This in one line.
+        line: String,
+    },
+    /// Something is wrong.
+    Faulty {
+        /// The name of the mechanism; none of parts, and where the name cannot be read.
+        name: Option<String>,
+        /// Where it stands, in bytes.
+        place: Range<usize>,
+        /// What is wrong.
+        messages: Vec<Message>,
+    },
+}
+
+/// What is found out about the mechanism of this name; without a name about all, and about the parts for other files.
+pub(crate) fn verdicts(document: &Document, name: Option<&str>) -> Result<Vec<Verdict>, Failure> {
+    if name.is_some() {
+        return Ok(vec![verdict(document, document.choose(name)?)?]);
+    }
+    let mechanisms = document.declarations().iter();
+    let mechanisms = mechanisms.map(|declaration| verdict(document, declaration));
+    let mut verdicts = mechanisms.collect::<Result<Vec<_>, _>>()?;
+    let messages = document.faults_of_parts()?;
+    if !messages.is_empty() {
+        verdicts.push(Verdict::Faulty {
+            name: None,
+            place: 0..document.source().text().len(),
+            messages,
+        });
+    }
+    Ok(verdicts)
+}
+
+fn verdict(document: &Document, declaration: &Declaration) -> Result<Verdict, Failure> {
+    let Reading { model, result, .. } = document.analyse(declaration)?;
+    let place = declaration.whole.clone();
+    Ok(match result {
+        Ok(compiled) => Verdict::Moves {
+            line: line(&model, &compiled),
+            name: model.name,
+            place,
+        },
+        Err(faults) => Verdict::Faulty {
+            name: declaration.name.clone(),
+            place,
+            messages: faults.messages,
+        },
+    })
+}
+
+/// `FourBar moves: 3 links, 4 joints, 1 motor, 1 loop`.
+fn line(model: &Model, compiled: &Compiled) -> String {
+    let loops = compiled.plan.loops().count();
+    let counts = [
+        counted(model.declared_links().count(), "moving link"),
+        counted(model.declared_joints().count(), "joint"),
+        counted(model.motors.len(), "motor"),
+        counted(loops, "loop"),
+    ];
+    format!("{} moves: {}", model.name, counts.join(", "))
+}
+
+fn counted(count: usize, what: &str) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{ending}")
+}

@@ -1,0 +1,109 @@
+//! `mech draw`.
+
+use super::picture::{Picture, Sitter, kind_of};
+use super::{CODES, Target};
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::motion::{Drive, Paths, Span, obstacle};
+use crate::output;
+use clap::Args;
+use mech_compiler::evaluate::Machine;
+use mech_runtime::HeapSmooth;
+use mech_runtime::files::{self, Svg};
+
+/// Draws a mechanism as it is assembled, or where its motors are put: PNG or SVG.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
+pub(super) struct Draw {
+    #[command(flatten)]
+    target: Target,
+    #[command(flatten)]
+    picture: Picture,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  mech draw four_bar.mech -o four_bar.png
+  mech draw four_bar.mech -o four_bar.svg --at a=30 --overlay
+  mech draw src/main.rs --mechanism FourBar -o wide.png --size 1920x1080 --look diagram --night";
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Png,
+    Svg,
+}
+
+/// How many places of a path are recorded in one motion.
+const PLACES: u32 = 720;
+
+impl Draw {
+    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+        let path = &self.picture.output;
+        let kind = kind_of(path, &[("png", Kind::Png), ("svg", Kind::Svg)])?;
+        let sitter = self.picture.sitter(&self.target, console)?;
+        let Sitter {
+            model,
+            compiled,
+            painting,
+            sheet,
+            size,
+            palette,
+        } = &sitter;
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        let mut motors = machine.position().motors[..model.motors.len()].to_vec();
+        for setting in &self.picture.at {
+            let (motor, value) = setting.resolve(model)?;
+            motors[motor.index()] = value;
+        }
+        let paths = self.paths(&sitter);
+        machine.move_to(&motors).map_err(|stop| {
+            let why = obstacle(model, compiled, stop);
+            Failure::mechanism(format!("the motors cannot come to these values: {why}"))
+        })?;
+        let poses = &machine.position().poses;
+        match kind {
+            Kind::Svg => {
+                let mut svg = Svg::new(sheet.clone());
+                painting.paint(poses, &paths, &mut svg);
+                output::replace(path, svg.finish().as_bytes())
+            }
+            Kind::Png => {
+                let [width, height] = *size;
+                let mut picture = HeapSmooth::new(width, height).map_err(too_large)?;
+                picture.set_palette(palette.clone());
+                picture.clear();
+                picture.look_at(painting.view(*size));
+                painting.paint(poses, &paths, &mut picture);
+                output::replace(path, &files::Picture::from(&picture).png()?)
+            }
+        }
+    }
+
+    /// The paths of traced points in the motion that the mechanism makes if nobody says which.
+    fn paths(&self, sitter: &Sitter) -> Paths {
+        let Sitter {
+            model, compiled, ..
+        } = sitter;
+        let mut paths = Paths::new(model, compiled);
+        if paths.is_empty() {
+            return paths;
+        }
+        let drive = Drive::new(model, compiled, None, Span::default(), &self.picture.at);
+        let Ok(drive) = drive else {
+            return paths;
+        };
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        for number in 0..=PLACES {
+            let part = f64::from(number) / f64::from(PLACES);
+            if drive.go(model, compiled, &mut machine, part).is_ok() {
+                paths.record(&machine);
+            }
+        }
+        paths
+    }
+}
+
+/// A picture that exceeds the memory.
+pub(super) fn too_large(error: impl std::fmt::Display) -> Failure {
+    Failure::usage(format!("the picture cannot be painted: {error}"))
+}

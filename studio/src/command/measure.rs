@@ -1,0 +1,91 @@
+//! What tables and plots have in common: what is measured, and in which motion.
+
+use super::Target;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::motion::{Drive, Setting, Span, read_value};
+use crate::quantity::{self, Measurement, Table, Units};
+use clap::Args;
+
+/// What is measured, and in which motion.
+#[derive(Args, Clone, Debug)]
+pub(super) struct Measure {
+    /// What is measured, as described below; without, the coordinates of all joints.
+    #[arg(value_name = "QUANTITY")]
+    quantities: Vec<String>,
+    /// The motor that moves; without, the first, or all by their laws.
+    #[arg(long, value_name = "NAME")]
+    motor: Option<String>,
+    /// Where it begins: in degrees, scene units, or, with laws, seconds.
+    #[arg(long, value_name = "VALUE", allow_negative_numbers = true, value_parser = read_value)]
+    from: Option<f64>,
+    /// Where it ends.
+    #[arg(long, value_name = "VALUE", allow_negative_numbers = true, value_parser = read_value)]
+    to: Option<f64>,
+    /// How many steps it takes.
+    #[arg(long, value_name = "COUNT", default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    steps: u32,
+    /// How fast the motor moves, in radians or scene units per second. By laws, motors have their own rates.
+    #[arg(long, value_name = "VALUE", default_value = "1", allow_negative_numbers = true, value_parser = read_value)]
+    rate: f64,
+    /// Puts another motor at a value, in degrees if it turns: `--at a=30`.
+    #[arg(long, value_name = "MOTOR=VALUE")]
+    at: Vec<Setting>,
+    /// How a scene unit is called.
+    #[arg(long, value_name = "UNIT", default_value = "unit")]
+    length: String,
+    /// How a unit of force is called.
+    #[arg(long, value_name = "UNIT", default_value = "force")]
+    force: String,
+}
+
+/// What can be measured, below the help of both commands.
+pub(super) const QUANTITIES: &str = "\
+Quantities:
+  b                         the coordinate of joint b
+  coupler                   the angle of link coupler in the scene
+  coupler.tip               both coordinates of a point; coupler.tip.x is one of them
+  velocity:coupler.tip      its velocity; also of a joint or a link; .x, .y and .norm are parts of it
+  acceleration:coupler.tip  its acceleration
+  torque:a                  what motor a exerts so that the mechanism moves so: a torque, or a force
+  reaction:b                the force that the first link of joint b exerts on the second; also .norm, .torque
+  transmission              the transmission angles of all dyads
+
+Angles are in degrees, their rates in radians. Loads are zero. A cell is empty where a value is not
+determined, as a velocity at a dead point.";
+
+impl Measure {
+    /// Moves the mechanism, and measures.
+    pub(super) fn table(
+        &self,
+        target: &Target,
+        console: &mut Console,
+    ) -> Result<(String, Table), Failure> {
+        let (model, compiled) = target.coherent(console)?;
+        let dyads = quantity::dyads(&model, &compiled.plan);
+        let mut wanted = Vec::new();
+        for name in &self.quantities {
+            wanted.extend(quantity::quantities(&model, &dyads, name)?);
+        }
+        if wanted.is_empty() {
+            wanted = quantity::usual(&model);
+        }
+        let span = Span {
+            from: self.from,
+            to: self.to,
+        };
+        let drive = Drive::new(&model, &compiled, self.motor.as_deref(), span, &self.at)?;
+        let measurement = Measurement {
+            model: &model,
+            drive: &drive,
+            rate: self.rate,
+            steps: self.steps,
+            units: &Units {
+                length: self.length.clone(),
+                force: self.force.clone(),
+            },
+        };
+        let table = quantity::measure(&measurement, &wanted)?;
+        Ok((model.name, table))
+    }
+}

@@ -1,0 +1,139 @@
+//! What drawings and films have in common: what is painted, and on what.
+
+use super::Target;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::motion::Setting;
+use crate::painting::Painting;
+use clap::{Args, ValueEnum};
+use mech_compiler::Compiled;
+use mech_compiler::model::{Look, Model};
+use mech_runtime::Palette;
+use mech_runtime::files::Sheet;
+use std::path::{Path, PathBuf};
+
+/// What is painted, and on what.
+#[derive(Args, Clone, Debug)]
+pub(super) struct Picture {
+    /// The file to write: its ending says which kind.
+    #[arg(short, long, value_name = "FILE")]
+    pub(super) output: PathBuf,
+    /// The size in pixels, as 800x600; a width alone has the height that fits.
+    #[arg(long, value_name = "SIZE", default_value = "800", value_parser = read_size)]
+    size: Size,
+    /// How the mechanism looks, whatever it declares.
+    #[arg(long, value_enum)]
+    look: Option<Looks>,
+    /// Paints the symbols of joints, motors and axes over it.
+    #[arg(long)]
+    overlay: bool,
+    /// Paints on dark ground.
+    #[arg(long)]
+    night: bool,
+    /// Puts a motor at a value, in degrees if it turns: `--at a=30`.
+    #[arg(long, value_name = "MOTOR=VALUE")]
+    pub(super) at: Vec<Setting>,
+}
+
+/// How a mechanism looks.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Looks {
+    /// Every link without shapes has a body that is made from what it carries.
+    Machine,
+    /// Symbols of joints, and lines between them.
+    Diagram,
+    /// Nothing but the declared shapes.
+    Shapes,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Size {
+    width: usize,
+    height: Option<usize>,
+}
+
+/// The most pixels of a picture in one direction.
+const MOST: usize = 16_384;
+
+fn read_size(text: &str) -> Result<Size, String> {
+    let side = |text: &str| match text.parse() {
+        Ok(side @ 1..=MOST) => Ok(side),
+        _ => Err(format!(
+            "`{text}` is not a number of pixels from 1 to {MOST}"
+        )),
+    };
+    Ok(match text.split_once('x') {
+        None => Size {
+            width: side(text)?,
+            height: None,
+        },
+        Some((width, height)) => Size {
+            width: side(width)?,
+            height: Some(side(height)?),
+        },
+    })
+}
+
+/// A mechanism that is ready to be painted.
+pub(super) struct Sitter {
+    pub(super) model: Model,
+    pub(super) compiled: Compiled,
+    pub(super) painting: Painting,
+    pub(super) sheet: Sheet,
+    pub(super) size: [usize; 2],
+    pub(super) palette: Palette,
+}
+
+impl Picture {
+    /// The mechanism, with its look and its sheet.
+    pub(super) fn sitter(&self, target: &Target, console: &mut Console) -> Result<Sitter, Failure> {
+        let (mut model, compiled) = target.coherent(console)?;
+        if let Some(look) = self.look {
+            model.look = Some(match look {
+                Looks::Machine => Look::Machine,
+                Looks::Diagram => Look::Diagram,
+                Looks::Shapes => Look::Shapes,
+            });
+        }
+        let painting = Painting::new(&model, &compiled, self.overlay);
+        let Size { width, height } = self.size;
+        let size = [width, height.unwrap_or_else(|| painting.height(width))];
+        let palette = if self.night {
+            Palette::NIGHT
+        } else {
+            Palette::TEXTBOOK
+        };
+        let sheet = Sheet::new(size[0], size[1])
+            .look_at(painting.view(size))
+            .palette(palette.clone())
+            .title(&model.name);
+        Ok(Sitter {
+            model,
+            compiled,
+            painting,
+            sheet,
+            size,
+            palette,
+        })
+    }
+}
+
+/// The kind of a file by its ending, one of these.
+pub(super) fn kind_of<K: Copy>(path: &Path, kinds: &[(&str, K)]) -> Result<K, Failure> {
+    let ending = path
+        .extension()
+        .map(|ending| ending.to_string_lossy().to_lowercase());
+    let ending = ending.unwrap_or_default();
+    let found = kinds.iter().find(|(known, _)| *known == ending);
+    found.map(|(_, kind)| *kind).ok_or_else(|| {
+        let endings: Vec<String> = kinds
+            .iter()
+            .map(|(known, _)| format!("`.{known}`"))
+            .collect();
+        Failure::usage(format!(
+            "`{}` does not say what to write; its name has to end in {}",
+            path.display(),
+            endings.join(", ")
+        ))
+    })
+}

@@ -1,0 +1,53 @@
+//! `mech plot`.
+
+use super::measure::{Measure, QUANTITIES};
+use super::picture::kind_of;
+use super::{CODES, Target};
+use crate::chart;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::output;
+use clap::Args;
+use std::path::PathBuf;
+
+/// Measures a mechanism through the motion of a motor, as graphs: SVG or PNG.
+///
+/// Quantities with the same unit share a graph; graphs stand below each other.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = [QUANTITIES, "\n\n", EXAMPLES].concat(), after_long_help = [QUANTITIES, "\n\n", EXAMPLES, "\n\n", CODES].concat())]
+pub(super) struct Plot {
+    #[command(flatten)]
+    target: Target,
+    #[command(flatten)]
+    measure: Measure,
+    /// The file to write: its ending, `.svg` or `.png`, says which kind.
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// The title; without, the name of the mechanism.
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  mech plot four_bar.mech -o joints.svg
+  mech plot four_bar.mech velocity:coupler.tip.norm transmission -o four_bar.png --length mm";
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Svg,
+    Png,
+}
+
+impl Plot {
+    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+        let kind = kind_of(&self.output, &[("svg", Kind::Svg), ("png", Kind::Png)])?;
+        let (name, table) = self.measure.table(&self.target, console)?;
+        let chart = chart::Chart::new(self.title.as_deref().unwrap_or(&name), &table);
+        let bytes = match kind {
+            Kind::Svg => chart.svg()?.into_bytes(),
+            Kind::Png => chart.png()?,
+        };
+        output::replace(&self.output, &bytes)
+    }
+}

@@ -1,0 +1,27 @@
+//! `mech report`.
+
+use super::{CODES, Target};
+use crate::console::Console;
+use crate::failure::Failure;
+use clap::Args;
+
+/// Tells how a mechanism moves: mobility, loops in the order in which they are solved, methods, errors and operations.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
+pub(super) struct Report {
+    #[command(flatten)]
+    target: Target,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  mech report four_bar.mech
+  mech report src/main.rs --mechanism FourBar";
+
+impl Report {
+    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+        let (_, compiled) = self.target.coherent(console)?;
+        let text = compiled.report.trim_end();
+        console.answer(format!("{text}\n"))
+    }
+}

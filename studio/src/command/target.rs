@@ -1,0 +1,50 @@
+//! Which mechanism of which file.
+
+use crate::check::render;
+use crate::console::Console;
+use crate::document::{Document, Reading};
+use crate::failure::{Failure, FailureKind};
+use clap::Args;
+use mech_compiler::Compiled;
+use mech_compiler::model::Model;
+use std::path::PathBuf;
+
+/// Which mechanism of which file.
+#[derive(Args, Clone, Debug)]
+pub(super) struct Target {
+    /// A Rust file with `mechanism!` in it, or a file `.mech` with the inside of one.
+    pub(super) file: PathBuf,
+    /// The mechanism, where the file has several: the name of its type.
+    #[arg(short, long, value_name = "NAME")]
+    pub(super) mechanism: Option<String>,
+}
+
+impl Target {
+    /// The file.
+    pub(super) fn document(&self) -> Result<Document, Failure> {
+        Document::read(&self.file)
+    }
+
+    /// The mechanism, right or wrong, with its file.
+    pub(super) fn reading(&self) -> Result<(Document, Reading), Failure> {
+        let document = self.document()?;
+        let reading = document.analyse(document.choose(self.mechanism.as_deref())?)?;
+        Ok((document, reading))
+    }
+
+    /// The mechanism, which has to be coherent. What is wrong with it is told.
+    pub(super) fn coherent(&self, console: &mut Console) -> Result<(Model, Compiled), Failure> {
+        let (document, reading) = self.reading()?;
+        match reading.result {
+            Ok(compiled) => Ok((reading.model, *compiled)),
+            Err(faults) => {
+                console.complain(&render(
+                    document.source(),
+                    &faults.messages,
+                    console.has_colors(),
+                ));
+                Err(Failure::told(FailureKind::Mechanism))
+            }
+        }
+    }
+}

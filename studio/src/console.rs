@@ -1,0 +1,64 @@
+//! Where a command writes what it says.
+
+use crate::failure::Failure;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::{self, ErrorKind, IsTerminal, Write};
+
+/// Where a command writes what it says.
+pub struct Console {
+    answers: Box<dyn Write>,
+    complaints: Box<dyn Write>,
+    /// Whether complaints are read by somebody who sees colours.
+    has_colors: bool,
+}
+
+impl Console {
+    /// The standard output, and the standard error for complaints.
+    #[must_use]
+    pub fn standard() -> Self {
+        let is_wanted = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+        Self {
+            answers: Box::new(io::stdout()),
+            complaints: Box::new(io::stderr()),
+            has_colors: is_wanted && io::stderr().is_terminal(),
+        }
+    }
+
+    /// Whether complaints may have colours.
+    #[must_use]
+    pub fn has_colors(&self) -> bool {
+        self.has_colors
+    }
+
+    /// Shows how far long work of so many steps is, to somebody who watches.
+    #[must_use]
+    pub fn progress(steps: u64) -> ProgressBar {
+        let bar = ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr());
+        match ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}") {
+            Ok(style) => bar.with_style(style),
+            Err(_) => bar,
+        }
+    }
+
+    /// Writes an answer.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn answer(&mut self, text: impl AsRef<[u8]>) -> Result<(), Failure> {
+        let written = self.answers.write_all(text.as_ref());
+        written
+            .and_then(|()| self.answers.flush())
+            .map_err(|error| {
+                if error.kind() == ErrorKind::BrokenPipe {
+                    Failure::unread()
+                } else {
+                    Failure::file(format!("cannot write the answer: {error}"))
+                }
+            })
+    }
+
+    /// Writes a complaint. Where even that fails, only the exit code is left to say it.
+    pub fn complain(&mut self, text: &str) {
+        let _ = self.complaints.write_all(text.as_bytes());
+    }
+}

@@ -1,0 +1,189 @@
+//! A mechanism of a document, read and analysed.
+//!
+//! The compiler tells places by spans, which are worth something only until the next text is read. So everything that leaves this file
+//! has its place as a range of bytes in the file.
+
+use super::{Declaration, Document, library};
+use crate::failure::Failure;
+use mech_compiler::model::{Model, Origin};
+use mech_compiler::repair::Offers;
+use mech_compiler::structure::Diagnosis;
+use mech_compiler::syntax::{self, Place};
+use mech_compiler::{Analysis, Compiled, Import, PartText, catch};
+use proc_macro2::{LexError, Span, TokenStream, TokenTree};
+use std::ops::Range;
+
+/// A mechanism of a document, read and analysed.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The mechanism; where the text is wrong, as much of it as could be understood.
+    pub model: Model,
+    /// The compiled mechanism, or what is wrong.
+    pub result: Result<Box<Compiled>, Faults>,
+    /// Where everything in the model was declared, by [`Origin`].
+    places: Vec<Range<usize>>,
+    /// The whole call of the macro.
+    whole: Range<usize>,
+}
+
+/// What is wrong with a mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Faults {
+    /// All of it in words, at its places; never empty.
+    pub messages: Vec<Message>,
+    /// What the analysis found, without words; empty if the text itself is wrong.
+    pub diagnoses: Vec<Diagnosis>,
+    /// What would mend each of these.
+    pub offers: Vec<Offers>,
+}
+
+/// What is wrong at a place. After its first line it has lines that begin with `note:` or `help:`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Message {
+    /// Where it stands in the file, in bytes.
+    pub place: Range<usize>,
+    /// What the user reads.
+    pub text: String,
+}
+
+impl Reading {
+    /// Where something was declared, in bytes; the whole mechanism if no text declared it.
+    #[must_use]
+    pub fn place(&self, origin: Origin) -> Range<usize> {
+        let index = (origin.0 as usize).checked_sub(1);
+        let place = index.and_then(|index| self.places.get(index));
+        place.unwrap_or(&self.whole).clone()
+    }
+}
+
+/// Reads and analyses a mechanism.
+pub(super) fn analyse(document: &Document, declaration: &Declaration) -> Result<Reading, Failure> {
+    proc_macro2::extra::invalidate_current_thread_spans();
+    let whole = &declaration.whole;
+    let text = match text_of(document, declaration) {
+        Ok(text) => text,
+        Err(messages) => {
+            return Ok(Reading {
+                model: Model::new("", Origin::default()),
+                result: Err(Faults {
+                    messages,
+                    diagnoses: Vec::new(),
+                    offers: Vec::new(),
+                }),
+                places: Vec::new(),
+                whole: whole.clone(),
+            });
+        }
+    };
+    let analysis = catch(|| mech_compiler::analyse(text)).map_err(|what| internal(&what))?;
+    let Analysis { parsed, result } = analysis;
+    let result = result.map_err(|faults| Faults {
+        messages: in_bytes(&faults.messages, whole),
+        diagnoses: faults.diagnoses,
+        offers: faults.offers,
+    });
+    let places = parsed.places.all().map(|place| range_of(place, whole));
+    Ok(Reading {
+        places: places.collect(),
+        model: parsed.model,
+        result,
+        whole: whole.clone(),
+    })
+}
+
+/// What is wrong with the text of a part that is kept for other mechanisms.
+pub(super) fn faults_of_part(
+    document: &Document,
+    part: &Declaration,
+) -> Result<Vec<Message>, Failure> {
+    proc_macro2::extra::invalidate_current_thread_spans();
+    let tokens = match tokens_of(document, part) {
+        Ok(tokens) => tokens,
+        Err(message) => return Ok(vec![message]),
+    };
+    let read = catch(|| PartText::read(&tokens)).map_err(|what| internal(&what))?;
+    let errors = read.err().unwrap_or_default();
+    Ok(in_bytes(&errors, &part.whole))
+}
+
+/// The tokens of a mechanism, with all parts that it takes from elsewhere.
+fn text_of(document: &Document, declaration: &Declaration) -> Result<TokenStream, Vec<Message>> {
+    let mut text = tokens_of(document, declaration).map_err(|message| vec![message])?;
+    while let Some(import) = Import::first(&text) {
+        let part = imported(document, &import).ok_or_else(|| {
+            let place = range_of(Place::of(&import.path), &declaration.whole);
+            let text = format!(
+                "part `{}` is not known here\n\nnote: parts are taken from the same file, and from `mech_runtime::parts`",
+                name_of(&import).unwrap_or_default()
+            );
+            vec![Message { place, text }]
+        })?;
+        text = import.others;
+        text.extend("part".parse::<TokenStream>().unwrap_or_default());
+        text.extend(part);
+    }
+    Ok(text)
+}
+
+/// The text of a part that a mechanism takes from elsewhere: from its own file, or from the runtime.
+fn imported(document: &Document, import: &Import) -> Option<TokenStream> {
+    let name = name_of(import)?;
+    let place = import.path.clone().into_iter().last()?.span();
+    let here = document.parts.iter().find_map(|part| {
+        let tokens = tokens_of(document, part).ok()?;
+        let part = PartText::read(&tokens).ok()?;
+        (part.name == name).then_some(part.body)
+    });
+    here.or_else(|| library::part(&name, place))
+}
+
+/// The last word of the path of an import.
+fn name_of(import: &Import) -> Option<String> {
+    match import.path.clone().into_iter().last()? {
+        TokenTree::Ident(name) => Some(name.to_string()),
+        _ => None,
+    }
+}
+
+fn tokens_of(document: &Document, declaration: &Declaration) -> Result<TokenStream, Message> {
+    let whole = &declaration.whole;
+    let body = declaration.body.as_ref().ok_or_else(|| Message {
+        place: whole.start..whole.start + 1,
+        text: "this mechanism has no end: one of its brackets is not closed, or closed by another kind".to_owned(),
+    })?;
+    document.tokens(body).map_err(|error| unlexed(&error, body))
+}
+
+/// A text that does not even consist of words, numbers and marks.
+fn unlexed(error: &LexError, body: &Range<usize>) -> Message {
+    let place = error.span().byte_range();
+    let is_inside = place.start < place.end && body.start <= place.start && place.end <= body.end;
+    Message {
+        place: if is_inside { place } else { body.clone() },
+        text: "this is no text of Rust: a quote or a bracket may be without its partner".to_owned(),
+    }
+}
+
+fn in_bytes(messages: &[syntax::Message], whole: &Range<usize>) -> Vec<Message> {
+    let message = |message: &syntax::Message| Message {
+        place: range_of(message.place, whole),
+        text: message.text.clone(),
+    };
+    messages.iter().map(message).collect()
+}
+
+fn range_of(place: Place, whole: &Range<usize>) -> Range<usize> {
+    let bytes = |span: Span| Some(span.byte_range()).filter(|range| !range.is_empty());
+    match (bytes(place.start), bytes(place.end)) {
+        (Some(start), Some(end)) if start.start < end.end => start.start..end.end,
+        (Some(start), _) => start,
+        // No token stands there: the macro's own call.
+        (None, _) => whole.clone(),
+    }
+}
+
+fn internal(what: &str) -> Failure {
+    Failure::internal(format!(
+        "internal error: {what}. Please report it, with the mechanism"
+    ))
+}

@@ -1,0 +1,272 @@
+//! Finds the calls of macros in a Rust file, without reading the rest: it may be wrong in any way.
+
+use std::ops::Range;
+
+/// A call of a macro.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Call<'t> {
+    /// The name of the macro, without its path.
+    pub(super) name: &'t str,
+    /// From the first word of its path to its closing bracket.
+    pub(super) whole: Range<usize>,
+    /// Between its brackets; nothing if these are not closed.
+    pub(super) body: Option<Range<usize>>,
+}
+
+/// What counts in the search for macros.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Word,
+    Open,
+    Close,
+    Mark,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Lexeme {
+    kind: Kind,
+    start: usize,
+    end: usize,
+}
+
+/// The calls of these macros, in order. Calls in comments, in strings and in `macro_rules!` are none. After one without an end there
+/// is nothing: all that follows is in it.
+pub(super) fn calls<'t>(text: &'t str, names: &[&str]) -> Vec<Call<'t>> {
+    let lexemes: Vec<Lexeme> = Lexer { text, at: 0 }.collect();
+    let closings = closings(text, &lexemes);
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(name) = lexemes.get(at) {
+        let Some(open) = call_at(text, &lexemes, at) else {
+            at += 1;
+            continue;
+        };
+        let (word, close) = (&text[name.start..name.end], closings[open]);
+        if names.contains(&word) {
+            let end = close.map_or(text.len(), |close| lexemes[close].end);
+            found.push(Call {
+                name: word,
+                whole: start_of_path(text, &lexemes, at)..end,
+                body: close.map(|close| lexemes[open].end..lexemes[close].start),
+            });
+            let Some(close) = close else {
+                break;
+            };
+            at = close;
+        }
+        at = match close {
+            Some(close) if word == "macro_rules" => close,
+            _ => at + 1,
+        };
+    }
+    found
+}
+
+/// The word after the first of these words that stands in no brackets: `Name` in `struct Name;`.
+pub(super) fn word_after<'t>(text: &'t str, first: &str) -> Option<&'t str> {
+    let mut depth = 0_usize;
+    let mut lexemes = Lexer { text, at: 0 };
+    while let Some(lexeme) = lexemes.next() {
+        match lexeme.kind {
+            Kind::Open => depth += 1,
+            Kind::Close => depth = depth.saturating_sub(1),
+            Kind::Word if depth == 0 && &text[lexeme.start..lexeme.end] == first => {
+                let next = lexemes.next().filter(|next| next.kind == Kind::Word)?;
+                return Some(&text[next.start..next.end]);
+            }
+            Kind::Word | Kind::Mark => {}
+        }
+    }
+    None
+}
+
+/// The opening bracket of the call whose name stands here; none if none does.
+fn call_at(text: &str, lexemes: &[Lexeme], at: usize) -> Option<usize> {
+    let is_mark = |index: usize, mark: &str| {
+        let lexeme = lexemes.get(index);
+        lexeme.is_some_and(|lexeme| &text[lexeme.start..lexeme.end] == mark)
+    };
+    let is = |index: usize, kind| {
+        let lexeme = lexemes.get(index);
+        lexeme.is_some_and(|lexeme| lexeme.kind == kind)
+    };
+    if !is(at, Kind::Word) || !is_mark(at + 1, "!") {
+        return None;
+    }
+    // `macro_rules! name {`
+    let named = usize::from(is(at + 2, Kind::Word));
+    is(at + 2 + named, Kind::Open).then_some(at + 2 + named)
+}
+
+/// For each lexeme the bracket that closes it, if it is closed. A bracket that closes none of its kind counts for nothing; one that
+/// passes over others leaves these open.
+fn closings(text: &str, lexemes: &[Lexeme]) -> Vec<Option<usize>> {
+    const KINDS: [(&str, &str); 3] = [("(", ")"), ("[", "]"), ("{", "}")];
+    let mut closings = vec![None; lexemes.len()];
+    let mut waiting: Vec<(usize, usize)> = Vec::new();
+    let mut counts = [0_usize; 3];
+    for (index, lexeme) in lexemes.iter().enumerate() {
+        let bracket = &text[lexeme.start..lexeme.end];
+        let kind = KINDS
+            .iter()
+            .position(|(open, close)| bracket == *open || bracket == *close);
+        match (lexeme.kind, kind) {
+            (Kind::Open, Some(kind)) => {
+                waiting.push((kind, index));
+                counts[kind] += 1;
+            }
+            (Kind::Close, Some(kind)) if counts[kind] > 0 => {
+                while let Some((other, open)) = waiting.pop() {
+                    counts[other] -= 1;
+                    if other == kind {
+                        closings[open] = Some(index);
+                        break;
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    closings
+}
+
+/// Where the path begins whose last word stands here.
+fn start_of_path(text: &str, lexemes: &[Lexeme], last: usize) -> usize {
+    let is = |index: usize, mark: &str| {
+        let lexeme = lexemes.get(index);
+        lexeme.is_some_and(|lexeme| &text[lexeme.start..lexeme.end] == mark)
+    };
+    let mut first = last;
+    while first >= 3
+        && is(first - 1, ":")
+        && is(first - 2, ":")
+        && lexemes[first - 3].kind == Kind::Word
+    {
+        first -= 3;
+    }
+    lexemes[first].start
+}
+
+/// Words, brackets and marks of a text. Spaces, comments and literals are left out.
+struct Lexer<'t> {
+    text: &'t str,
+    at: usize,
+}
+
+impl Iterator for Lexer<'_> {
+    type Item = Lexeme;
+
+    fn next(&mut self) -> Option<Lexeme> {
+        loop {
+            let remaining = &self.text[self.at..];
+            let first = remaining.chars().next()?;
+            if let Some(length) = hidden(remaining) {
+                self.at += length;
+                continue;
+            }
+            let start = self.at;
+            let (kind, length) = match first {
+                '(' | '[' | '{' => (Kind::Open, 1),
+                ')' | ']' | '}' => (Kind::Close, 1),
+                _ if is_of_word(first) => (Kind::Word, word(remaining)),
+                _ => (Kind::Mark, first.len_utf8()),
+            };
+            self.at += length;
+            let end = self.at;
+            return Some(Lexeme { kind, start, end });
+        }
+    }
+}
+
+/// The length of what stands here and counts for nothing: a space, a comment, or a literal.
+fn hidden(text: &str) -> Option<usize> {
+    let first = text.chars().next()?;
+    if first.is_whitespace() {
+        return Some(first.len_utf8());
+    }
+    match text.as_bytes() {
+        [b'/', b'/', ..] => Some(text.find('\n').unwrap_or(text.len())),
+        [b'/', b'*', ..] => comment(text),
+        [b'"', ..] => string(text),
+        [b'b' | b'c', b'"', ..] => string(&text[1..]).map(|length| length + 1),
+        [b'r', b'"' | b'#', ..] => raw_string(&text[1..]).map(|length| length + 1),
+        [b'b' | b'c', b'r', b'"' | b'#', ..] => raw_string(&text[2..]).map(|length| length + 2),
+        [b'\'', ..] => character(text),
+        [b'b', b'\'', ..] => character(&text[1..]).map(|length| length + 1),
+        _ => None,
+    }
+}
+
+/// A block comment; none if it has no end.
+fn comment(text: &str) -> Option<usize> {
+    let mut depth = 0_usize;
+    let mut at = 0;
+    let bytes = text.as_bytes();
+    while at + 1 < bytes.len() {
+        match &bytes[at..at + 2] {
+            b"/*" => {
+                depth += 1;
+                at += 2;
+            }
+            b"*/" => {
+                depth -= 1;
+                at += 2;
+                if depth == 0 {
+                    return Some(at);
+                }
+            }
+            _ => at += 1,
+        }
+    }
+    None
+}
+
+/// A string; none if it has no end.
+fn string(text: &str) -> Option<usize> {
+    let mut escaped = false;
+    for (at, byte) in text.bytes().enumerate().skip(1) {
+        match byte {
+            _ if escaped => escaped = false,
+            b'\\' => escaped = true,
+            b'"' => return Some(at + 1),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// A raw string after its `r`; none if this is none, as in `r#type`.
+fn raw_string(text: &str) -> Option<usize> {
+    let hashes = text.bytes().take_while(|byte| *byte == b'#').count();
+    let body = text[hashes..].strip_prefix('"')?;
+    let end = format!("\"{}", "#".repeat(hashes));
+    Some(hashes + 1 + body.find(&end)? + end.len())
+}
+
+/// A character; none if this is a lifetime.
+fn character(text: &str) -> Option<usize> {
+    let mut letters = text.char_indices().skip(1);
+    let (_, first) = letters.next()?;
+    if first == '\\' {
+        // What is escaped first may be the quote itself.
+        letters.next()?;
+        let (end, _) = letters
+            .take_while(|(_, letter)| *letter != '\n')
+            .find(|(_, letter)| *letter == '\'')?;
+        return Some(end + 1);
+    }
+    let (end, second) = letters.next()?;
+    (second == '\'').then_some(end + 1)
+}
+
+fn is_of_word(letter: char) -> bool {
+    letter == '_' || letter.is_alphanumeric()
+}
+
+fn word(text: &str) -> usize {
+    let end = text.find(|letter| !is_of_word(letter));
+    end.unwrap_or(text.len())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,135 @@
+//! A file with a text, as it was read.
+
+use crate::failure::Failure;
+use crate::output;
+use std::fs::File;
+use std::io::Read;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// The longest text that is read, in bytes. No source file comes near it; noise does.
+pub const LONGEST: u64 = 16 << 20;
+
+/// A file with a text, as it was read.
+#[derive(Clone, Debug)]
+pub struct Source {
+    path: PathBuf,
+    text: String,
+}
+
+/// A place in a text, as editors count: from 1. Columns are characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Spot {
+    /// The line.
+    pub line: usize,
+    /// The column.
+    pub column: usize,
+}
+
+impl Source {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// If it cannot be read, is longer than [`LONGEST`], or is not UTF-8.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let text = text_of(path)?;
+        Ok(Self::new(path, text))
+    }
+
+    /// A text that was not read from a file.
+    pub fn new(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
+        Self {
+            path: path.into(),
+            text: text.into(),
+        }
+    }
+
+    /// Where it was read.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The text.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Where a byte stands.
+    #[must_use]
+    pub fn spot(&self, byte: usize) -> Spot {
+        let mut end = byte.min(self.text.len());
+        while !self.text.is_char_boundary(end) {
+            end -= 1;
+        }
+        let before = &self.text[..end];
+        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        Spot {
+            line: before.matches('\n').count() + 1,
+            column: before[start..].chars().count() + 1,
+        }
+    }
+
+    /// The same text with everything but some ranges blank, so that what stands there keeps its place in bytes.
+    #[must_use]
+    pub fn masked(&self, range: &Range<usize>) -> String {
+        let mut masked = " ".repeat(range.start);
+        masked.push_str(&self.text[range.clone()]);
+        masked
+    }
+
+    /// Replaces the text in the file.
+    ///
+    /// # Errors
+    /// If the file is not as it was read, or cannot be written. It then stays as it is.
+    pub fn replace(&self, text: &str) -> Result<(), Failure> {
+        if text_of(&self.path)? != self.text {
+            let path = self.path.display();
+            return Err(Failure::file(format!(
+                "`{path}` was changed by another program after it was read; nothing is written"
+            )));
+        }
+        output::replace(&self.path, text.as_bytes())
+    }
+}
+
+fn text_of(path: &Path) -> Result<String, Failure> {
+    let unread = |why: &dyn std::fmt::Display| {
+        Failure::file(format!("cannot read `{}`: {why}", path.display()))
+    };
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(LONGEST + 1).read_to_end(&mut bytes))
+        .map_err(|error| unread(&error))?;
+    if bytes.len() as u64 > LONGEST {
+        let most = LONGEST >> 20;
+        return Err(unread(&format!(
+            "it is longer than {most} MiB, which no source file is"
+        )));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        unread(&format!("byte {place} is not UTF-8"))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_and_columns_count_from_one() {
+        let source = Source::new("a.mech", "ab\nçd\n");
+        let spot = |byte| {
+            let Spot { line, column } = source.spot(byte);
+            (line, column)
+        };
+        assert_eq!(spot(0), (1, 1));
+        assert_eq!(spot(3), (2, 1));
+        // Within a character: at its beginning.
+        assert_eq!(spot(4), (2, 1));
+        assert_eq!(spot(5), (2, 2));
+        assert_eq!(spot(99), (3, 1));
+    }
+}

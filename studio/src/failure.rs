@@ -1,0 +1,113 @@
+//! Why a command could not do what it was told.
+
+use mech_runtime::files::FileError;
+use std::fmt::{self, Display, Formatter};
+use std::process::ExitCode;
+
+/// Why a command could not do what it was told: in words, and by the code with which it ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    kind: FailureKind,
+    text: String,
+}
+
+/// The kinds of failures, each with its exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FailureKind {
+    /// Something is wrong with the mechanism: 1.
+    Mechanism,
+    /// Something is wrong with the command: 2.
+    Usage,
+    /// A file cannot be read or written: 3.
+    File,
+    /// Something is wrong with this program: 70.
+    Internal,
+    /// Nobody reads on, as `head` does when it has enough: 0.
+    Unread,
+}
+
+impl FailureKind {
+    /// The code with which the program ends.
+    #[must_use]
+    pub const fn code(self) -> u8 {
+        match self {
+            Self::Mechanism => 1,
+            Self::Usage => 2,
+            Self::File => 3,
+            Self::Internal => 70,
+            Self::Unread => 0,
+        }
+    }
+}
+
+impl Failure {
+    /// Something is wrong with the mechanism. The text is lower-case, without a final period.
+    pub fn mechanism(text: impl Into<String>) -> Self {
+        Self::new(FailureKind::Mechanism, text)
+    }
+
+    /// Something is wrong with the command.
+    pub fn usage(text: impl Into<String>) -> Self {
+        Self::new(FailureKind::Usage, text)
+    }
+
+    /// A file cannot be read or written.
+    pub fn file(text: impl Into<String>) -> Self {
+        Self::new(FailureKind::File, text)
+    }
+
+    /// Something is wrong with this program.
+    pub fn internal(text: impl Into<String>) -> Self {
+        Self::new(FailureKind::Internal, text)
+    }
+
+    /// What has been told already.
+    #[must_use]
+    pub fn told(kind: FailureKind) -> Self {
+        Self::new(kind, "")
+    }
+
+    /// Whether nothing is left to tell.
+    #[must_use]
+    pub fn is_told(&self) -> bool {
+        self.text.is_empty()
+    }
+
+    /// Nobody reads on.
+    #[must_use]
+    pub fn unread() -> Self {
+        Self::new(FailureKind::Unread, "")
+    }
+
+    fn new(kind: FailureKind, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { kind, text }
+    }
+
+    /// Its kind.
+    #[must_use]
+    pub const fn kind(&self) -> FailureKind {
+        self.kind
+    }
+
+    /// The code with which the program ends.
+    #[must_use]
+    pub fn exit_code(&self) -> ExitCode {
+        self.kind.code().into()
+    }
+}
+
+impl Display for Failure {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl std::error::Error for Failure {}
+
+/// A picture that cannot be written down.
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Self {
+        Self::file(format!("the picture cannot be written: {error}"))
+    }
+}

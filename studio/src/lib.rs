@@ -1,0 +1,20 @@
+//! The command `mech`: every answer that the macro gives, for the text of a mechanism in any file.
+//!
+//! A [`Document`] is a file with mechanisms; a [`Reading`] is what the compiler makes of one of them. The compiler's interpreter moves
+//! what the macro would emit, so nothing has to be built. Each subcommand is a file in `command`.
+
+mod chart;
+mod check;
+mod command;
+mod console;
+mod document;
+mod failure;
+mod motion;
+mod output;
+mod painting;
+mod quantity;
+
+pub use command::run;
+pub use console::Console;
+pub use document::{Declaration, Document, Faults, LONGEST, Message, Reading, Source, Spot};
+pub use failure::{Failure, FailureKind};

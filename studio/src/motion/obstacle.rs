@@ -1,0 +1,54 @@
+//! What keeps a mechanism from going on, in words.
+
+use mech_compiler::Compiled;
+use mech_compiler::evaluate::Stop;
+use mech_compiler::model::{Model, MotorId};
+use mech_compiler::program::BlockId;
+
+/// What keeps a mechanism from going on: `the loop of joints b, c, d does not close`.
+pub(crate) fn obstacle(model: &Model, compiled: &Compiled, stop: Stop) -> String {
+    let ring = |block: BlockId| {
+        let number = compiled.program.loop_of(block);
+        ring_name(model, compiled, number)
+    };
+    match stop {
+        Stop::Open(block) => format!("{} does not close there", ring(block)),
+        Stop::DeadPoint(block) => format!("{} is at a dead point there", ring(block)),
+        Stop::ChangePoint(block) => format!("{} is at a change point there", ring(block)),
+        Stop::Singular(number) => {
+            format!(
+                "{} is at a dead point or change point",
+                ring_name(model, compiled, Some(number))
+            )
+        }
+        Stop::TooFar => "that is too far for one move".to_owned(),
+        Stop::Overflow => "a coordinate becomes too large there".to_owned(),
+        Stop::NotFinite(motor) => match model.motors.get(motor) {
+            Some(motor) => format!(
+                "the value of motor `{}` is not finite",
+                model.joint(motor.joint).name
+            ),
+            None => "a param is not finite".to_owned(),
+        },
+        Stop::MotorCount | Stop::Unasked => "the program was not asked for that".to_owned(),
+    }
+}
+
+fn ring_name(model: &Model, compiled: &Compiled, number: Option<usize>) -> String {
+    let Some(ring) = number.and_then(|number| compiled.plan.loops().nth(number)) else {
+        return "a loop".to_owned();
+    };
+    let mut names: Vec<String> = Vec::new();
+    for joint in ring.unknowns() {
+        let name = format!("`{}`", model.joint(joint).name);
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    format!("the loop of {}", names.join(", "))
+}
+
+/// The name of a motor.
+pub(super) fn motor_name(model: &Model, motor: MotorId) -> &str {
+    &model.joint(model.motor(motor).joint).name
+}

@@ -1,0 +1,70 @@
+//! The paths of traced points.
+
+use mech_compiler::Compiled;
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{Model, Trace as Declared};
+use mech_runtime::{Canvas, Trace};
+
+/// The most places that are drawn of a path: as many as can be declared.
+const MOST: usize = 1 << 14;
+
+/// For each trace that is declared the last places of its point.
+#[derive(Clone, Default)]
+pub(crate) struct Paths(Vec<Path>);
+
+#[derive(Clone)]
+struct Path {
+    /// The number of the link's pose, and the point in its frame.
+    link: usize,
+    at: [f64; 2],
+    /// How many places are recorded.
+    length: usize,
+    places: Vec<[f64; 2]>,
+}
+
+impl Paths {
+    /// No places yet of the points whose traces a mechanism declares.
+    pub(crate) fn new(model: &Model, compiled: &Compiled) -> Self {
+        let path = |trace: &Declared| {
+            let axis = model.axis(trace.point);
+            // A traced link has a pose, whatever is shown.
+            let link = compiled.program.place_of(axis.link).unwrap_or_default();
+            Path {
+                link,
+                at: axis.at,
+                length: trace.length,
+                places: Vec::new(),
+            }
+        };
+        Self(model.traces.iter().map(path).collect())
+    }
+
+    /// Whether nothing is traced.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Records where the points are.
+    pub(crate) fn record(&mut self, machine: &Machine<'_, f64>) {
+        for path in &mut self.0 {
+            if let Some(&[cos, sin, x, y]) = machine.position().poses.get(path.link) {
+                let [a, b] = path.at;
+                path.places
+                    .push([x + cos * a - sin * b, y + sin * a + cos * b]);
+            }
+        }
+    }
+
+    /// Draws the path of a trace by its number.
+    pub(crate) fn draw(&self, trace: usize, canvas: &mut impl Canvas<f64>, color: u8) {
+        let Some(path) = self.0.get(trace) else {
+            return;
+        };
+        let mut drawn = Box::new(Trace::<f64, MOST>::new());
+        let first = path.places.len().saturating_sub(path.length);
+        for place in &path.places[first..] {
+            drawn.push(*place);
+        }
+        drawn.draw(canvas, color);
+    }
+}

@@ -1,0 +1,60 @@
+//! Files that are written whole or not at all.
+
+use crate::failure::Failure;
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a file. One that is there already is replaced when everything is written, so that an error leaves it as it was.
+///
+/// # Errors
+/// If the file cannot be written.
+pub(crate) fn replace(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write(path, bytes)
+        .map_err(|error| Failure::file(format!("cannot write `{}`: {error}", path.display())))
+}
+
+fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // What a link leads to is replaced, not the link.
+    let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let known = fs::metadata(path).ok();
+    // A device or a pipe cannot be replaced.
+    if known.as_ref().is_some_and(|known| !known.is_file()) {
+        let mut file = OpenOptions::new().write(true).open(path)?;
+        return file.write_all(bytes).and_then(|()| file.flush());
+    }
+    // A file that may not be written is not replaced either.
+    if known.is_some() {
+        OpenOptions::new().write(true).open(path)?;
+    }
+    let draft = Draft::beside(path)?;
+    let mut file = File::create_new(&draft.0)?;
+    file.write_all(bytes)?;
+    file.sync_all()?;
+    if let Some(known) = known {
+        fs::set_permissions(&draft.0, known.permissions())?;
+    }
+    fs::rename(&draft.0, path)
+}
+
+/// A file that is not yet whole. It is removed if it stays so.
+struct Draft(PathBuf);
+
+impl Draft {
+    fn beside(path: &Path) -> io::Result<Self> {
+        let name = path.file_name();
+        let name = name.ok_or_else(|| io::Error::other("it has no name of a file"))?;
+        let mut draft = OsString::from(".");
+        draft.push(name);
+        draft.push(format!(".{}.draft", std::process::id()));
+        Ok(Self(path.with_file_name(draft)))
+    }
+}
+
+impl Drop for Draft {
+    fn drop(&mut self) {
+        // After it was renamed there is nothing to remove.
+        let _ = fs::remove_file(&self.0);
+    }
+}

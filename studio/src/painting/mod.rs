@@ -1,0 +1,131 @@
+//! Mechanisms that the interpreter moves, painted as their generated code would paint them.
+
+mod outline;
+mod symbol;
+
+use crate::motion::Paths;
+use mech_compiler::model::{LinkId, Model};
+use mech_compiler::{Compiled, Looks, Symbols, looks, symbols};
+use mech_runtime::overlay::{Overlay, Symbol};
+use mech_runtime::{Canvas, Pose, View};
+use outline::Shape;
+
+/// What is painted of a mechanism.
+pub(crate) struct Painting {
+    /// From the plane farthest from the eye to the nearest.
+    shapes: Vec<Shape>,
+    /// For each trace, in the order of their planes, its number and how many shapes lie behind it.
+    traces: Vec<(usize, usize)>,
+    colors_of_traces: Vec<u8>,
+    /// Painted over all shapes, with the size of a pixel of theirs in scene units; none if pixels are those of the picture.
+    symbols: Option<(Vec<Symbol<f64>>, Option<f64>)>,
+    /// Painted over everything, if it is asked for.
+    diagram: Option<Vec<Symbol<f64>>>,
+    extent: [[f64; 2]; 2],
+}
+
+impl Painting {
+    /// What is painted of a coherent mechanism, with the symbols of its joints if these are asked for. What depends on params is as at
+    /// the start.
+    pub(crate) fn new(model: &Model, compiled: &Compiled, has_diagram: bool) -> Self {
+        let looks = looks(model, compiled);
+        let number = |link| number_of(compiled, link);
+        let shapes = looks.painted.iter().filter_map(|painted| {
+            let link = number(painted.link)?;
+            Some(Shape::new(link, painted))
+        });
+        let mut traces: Vec<(usize, usize)> = model
+            .traces
+            .iter()
+            .enumerate()
+            .map(|(index, trace)| (index, looks.behind(trace.plane)))
+            .collect();
+        traces.sort_by_key(|(_, behind)| *behind);
+        let diagram = || {
+            let has_pose = |link| compiled.program.place_of(link).is_some();
+            let all = symbols::symbols(model, &compiled.structure, has_pose);
+            all.iter()
+                .filter_map(|one| symbol::symbol(model, compiled, one))
+                .collect::<Vec<_>>()
+        };
+        Self {
+            shapes: shapes.collect(),
+            traces,
+            colors_of_traces: model.traces.iter().map(|trace| trace.color).collect(),
+            symbols: match &looks.symbols {
+                None => None,
+                Some(Symbols::Diagram) => Some((diagram(), None)),
+                Some(Symbols::Elastic { symbols, unit }) => {
+                    let found = symbols.iter();
+                    let found = found.filter_map(|one| symbol::symbol(model, compiled, one));
+                    Some((found.collect(), Some(*unit)))
+                }
+            },
+            diagram: has_diagram.then(diagram),
+            extent: Looks::extent(&looks, model, compiled),
+        }
+    }
+
+    /// The view that fits the whole motion into a picture of this width and height in pixels, with the margin that generated code has.
+    pub(crate) fn view(&self, [width, height]: [usize; 2]) -> View {
+        #[expect(clippy::cast_precision_loss, reason = "no picture is 2⁵² pixels wide")]
+        let margin = width.min(height) as f64 / 24.0;
+        let [low, high] = self.extent;
+        View::fit(low, high, width, height, margin)
+    }
+
+    /// The height of a picture of this width that fits the whole motion, neither a strip nor a tower.
+    pub(crate) fn height(&self, width: usize) -> usize {
+        let [low, high] = self.extent;
+        let ratio = (high[1] - low[1]) / (high[0] - low[0]);
+        let ratio = if ratio.is_finite() {
+            ratio.clamp(0.4, 1.5)
+        } else {
+            1.0
+        };
+        #[expect(
+            clippy::cast_precision_loss,
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a number of pixels"
+        )]
+        let height = (width as f64 * ratio).round() as usize;
+        height.max(1)
+    }
+
+    /// Paints a position: for each moving link its pose, as the interpreter has it.
+    pub(crate) fn paint(&self, poses: &[[f64; 4]], paths: &Paths, canvas: &mut impl Canvas<f64>) {
+        let poses: Vec<Pose<f64>> = poses
+            .iter()
+            .map(|&[cos, sin, x, y]| Pose { cos, sin, x, y })
+            .collect();
+        let mut traces = self.traces.iter().peekable();
+        for number in 0..=self.shapes.len() {
+            while let Some(&(trace, _)) = traces.next_if(|(_, behind)| *behind == number) {
+                paths.draw(trace, canvas, self.colors_of_traces[trace]);
+            }
+            if let Some(shape) = self.shapes.get(number) {
+                shape.paint(&poses, canvas);
+            }
+        }
+        if let Some((symbols, unit)) = &self.symbols {
+            let overlay = match unit {
+                None => Overlay::new().links(true),
+                #[expect(clippy::cast_possible_truncation, reason = "a size in pixels")]
+                Some(unit) => Overlay::new().size((unit * canvas.scale()) as f32),
+            };
+            overlay.draw(symbols, &poses, canvas);
+        }
+        if let Some(symbols) = &self.diagram {
+            Overlay::new().axes(true).draw(symbols, &poses, canvas);
+        }
+    }
+}
+
+/// The number of a link in a table: 0 is the ground; none if its pose is not known.
+fn number_of(compiled: &Compiled, link: LinkId) -> Option<usize> {
+    if link == LinkId::GROUND {
+        return Some(0);
+    }
+    compiled.program.place_of(link).map(|place| place + 1)
+}

@@ -1,0 +1,96 @@
+//! The kinds of quantities.
+
+use mech_compiler::model::{AxisId, Effects, JointId, LinkId, MotorId};
+
+/// A number that can be measured at a position.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Quantity {
+    /// How it is called: `velocity:coupler.tip.x`.
+    pub(crate) name: String,
+    /// What it is of.
+    pub(crate) subject: Subject,
+}
+
+/// What a quantity is of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Subject {
+    /// A point, or its velocity or acceleration.
+    Point(AxisId, Order, Part),
+    /// The angle of a link in the scene, or its angular velocity or acceleration.
+    Angle(LinkId, Order),
+    /// The coordinate of a joint, or its rates.
+    Coordinate(JointId, Order),
+    /// What a motor exerts so that the mechanism moves so: a torque, or a force if it slides.
+    Torque(MotorId),
+    /// The force, or the torque about the joint, that the first link of a joint exerts on the second.
+    Reaction(JointId, Reaction),
+    /// The transmission angle of a dyad, by its number.
+    Transmission(usize),
+}
+
+/// How often something is differentiated by time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Order {
+    /// Not at all.
+    Place,
+    /// Once.
+    Velocity,
+    /// Twice.
+    Acceleration,
+}
+
+/// A part of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// In the direction of the scene's x axis.
+    X,
+    /// In the direction of the scene's y axis.
+    Y,
+    /// Its length.
+    Norm,
+}
+
+/// A part of a reaction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reaction {
+    /// Of its force.
+    Force(Part),
+    /// The torque about the joint.
+    Torque,
+}
+
+/// What has to be computed besides positions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Needs {
+    pub(crate) velocity: bool,
+    pub(crate) acceleration: bool,
+    pub(crate) force: bool,
+}
+
+impl Needs {
+    /// What these quantities need.
+    pub(crate) fn of(quantities: &[Quantity]) -> Self {
+        let mut needs = Self::default();
+        for quantity in quantities {
+            match quantity.subject {
+                Subject::Point(_, order, _)
+                | Subject::Angle(_, order)
+                | Subject::Coordinate(_, order) => {
+                    needs.velocity |= order >= Order::Velocity;
+                    needs.acceleration |= order >= Order::Acceleration;
+                }
+                Subject::Torque(_) | Subject::Reaction(..) | Subject::Transmission(_) => {
+                    needs.force = true;
+                }
+            }
+        }
+        needs
+    }
+
+    /// These effects besides those that are declared.
+    pub(crate) fn add_to(self, effects: &mut Effects) {
+        effects.velocity |= self.velocity || self.acceleration || self.force;
+        effects.acceleration |= self.acceleration || self.force;
+        effects.force |= self.force;
+    }
+}

@@ -1,0 +1,211 @@
+//! How quantities are called: `coupler.tip.x`, `velocity:b`, `reaction:d`, `transmission`.
+
+use super::kind::{Order, Part, Quantity, Reaction, Subject};
+use crate::failure::Failure;
+use crate::motion::motor_of;
+use mech_compiler::model::{AxisId, AxisKind, JointId, JointKind, LinkId, Model};
+use mech_compiler::plan::Plan;
+
+/// The words before a colon.
+const KINDS: [&str; 4] = ["velocity", "acceleration", "torque", "reaction"];
+const TRANSMISSION: &str = "transmission";
+
+/// The quantities of this name: of a point without a part both parts, of `transmission` the angles of all dyads.
+pub(crate) fn quantities(
+    model: &Model,
+    dyads: &[String],
+    name: &str,
+) -> Result<Vec<Quantity>, Failure> {
+    let one = |subject| {
+        let name = name.to_owned();
+        Ok(vec![Quantity { name, subject }])
+    };
+    if name == TRANSMISSION {
+        return transmission(model, dyads);
+    }
+    match name.split_once(':') {
+        None => moving(model, name, name, Order::Place),
+        Some(("velocity", of)) => moving(model, name, of, Order::Velocity),
+        Some(("acceleration", of)) => moving(model, name, of, Order::Acceleration),
+        Some(("torque", of)) => one(Subject::Torque(motor_of(model, of)?)),
+        Some(("reaction", of)) => reaction(model, name, of),
+        Some((other, _)) => Err(Failure::usage(format!(
+            "`{other}` cannot be measured; before a colon stands one of `{}`",
+            KINDS.join("`, `")
+        ))),
+    }
+}
+
+/// The coordinates of all joints that have one.
+pub(crate) fn usual(model: &Model) -> Vec<Quantity> {
+    let joints = model
+        .declared_joints()
+        .filter(|&joint| has_coordinate(model, joint));
+    let quantity = |joint: JointId| Quantity {
+        name: model.joint(joint).name.clone(),
+        subject: Subject::Coordinate(joint, Order::Place),
+    };
+    joints.map(quantity).collect()
+}
+
+/// The names of the dyads whose transmission angles are known, in their order: the joints of their unknowns.
+pub(crate) fn dyads(model: &Model, plan: &Plan) -> Vec<String> {
+    let names = plan.loops().map(|ring| {
+        let mut names: Vec<&str> = Vec::new();
+        for joint in ring.unknowns() {
+            let name = model.joint(joint).name.as_str();
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names.join(" ")
+    });
+    names.collect()
+}
+
+fn transmission(model: &Model, dyads: &[String]) -> Result<Vec<Quantity>, Failure> {
+    if dyads.is_empty() {
+        return Err(Failure::usage(format!(
+            "`{}` has no loop, so it has no transmission angle",
+            model.name
+        )));
+    }
+    let quantity = |(number, dyad): (usize, &String)| Quantity {
+        name: format!("{TRANSMISSION} of {dyad}"),
+        subject: Subject::Transmission(number),
+    };
+    Ok(dyads.iter().enumerate().map(quantity).collect())
+}
+
+/// What moves: a point, a link or a joint.
+fn moving(model: &Model, name: &str, of: &str, order: Order) -> Result<Vec<Quantity>, Failure> {
+    let named = |name: &str, subject| Quantity {
+        name: name.to_owned(),
+        subject,
+    };
+    let (stem, part) = split_part(of);
+    if let Some(joint) = joint_of(model, of).filter(|&joint| has_coordinate(model, joint)) {
+        return Ok(vec![named(name, Subject::Coordinate(joint, order))]);
+    }
+    if let Some(link) = link_of(model, of) {
+        return Ok(vec![named(name, Subject::Angle(link, order))]);
+    }
+    if let Some(point) = point_of(model, of) {
+        let parts = [("x", Part::X), ("y", Part::Y)];
+        let quantity = |(word, part)| {
+            named(
+                &format!("{name}.{word}"),
+                Subject::Point(point, order, part),
+            )
+        };
+        return Ok(parts.into_iter().map(quantity).collect());
+    }
+    if let (Some(part), Some(point)) = (part, point_of(model, stem)) {
+        return Ok(vec![named(name, Subject::Point(point, order, part))]);
+    }
+    Err(unknown(model, of))
+}
+
+fn reaction(model: &Model, name: &str, of: &str) -> Result<Vec<Quantity>, Failure> {
+    let (stem, part) = split_part(of);
+    let found = |joint, word: &str, reaction| Quantity {
+        name: if word.is_empty() {
+            name.to_owned()
+        } else {
+            format!("{name}.{word}")
+        },
+        subject: Subject::Reaction(joint, reaction),
+    };
+    if let Some(joint) = joint_of(model, of) {
+        return Ok(vec![
+            found(joint, "x", Reaction::Force(Part::X)),
+            found(joint, "y", Reaction::Force(Part::Y)),
+        ]);
+    }
+    let (stem, reaction) = match (part, of.strip_suffix(".torque")) {
+        (Some(part), _) => (stem, Reaction::Force(part)),
+        (None, Some(stem)) => (stem, Reaction::Torque),
+        (None, None) => return Err(unknown_joint(model, of)),
+    };
+    let joint = joint_of(model, stem).ok_or_else(|| unknown_joint(model, stem))?;
+    Ok(vec![found(joint, "", reaction)])
+}
+
+/// A name without its part: `tip.x` is `tip` and x.
+fn split_part(name: &str) -> (&str, Option<Part>) {
+    let parts = [(".x", Part::X), (".y", Part::Y), (".norm", Part::Norm)];
+    let found = parts.into_iter().find_map(|(ending, part)| {
+        let stem = name.strip_suffix(ending)?;
+        Some((stem, Some(part)))
+    });
+    found.unwrap_or((name, None))
+}
+
+fn joint_of(model: &Model, name: &str) -> Option<JointId> {
+    model
+        .declared_joints()
+        .find(|&joint| model.joint(joint).name == name)
+}
+
+fn link_of(model: &Model, name: &str) -> Option<LinkId> {
+    model
+        .declared_links()
+        .find(|&link| model.link(link).name == name)
+}
+
+fn point_of(model: &Model, name: &str) -> Option<AxisId> {
+    points(model).find(|&id| point_name(model, id).as_deref() == Some(name))
+}
+
+fn points(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
+    let all = (0..model.axes.len()).map(AxisId::new);
+    all.filter(|&id| {
+        let axis = model.axis(id);
+        axis.kind == AxisKind::Point && axis.link != LinkId::GROUND
+    })
+}
+
+fn point_name(model: &Model, id: AxisId) -> Option<String> {
+    let axis = model.axis(id);
+    let name = axis.name.as_ref()?;
+    Some(format!("{}.{name}", model.owner_of(axis)))
+}
+
+fn has_coordinate(model: &Model, joint: JointId) -> bool {
+    matches!(
+        model.joint(joint).kind,
+        JointKind::Revolute(..) | JointKind::Prismatic(..)
+    )
+}
+
+fn unknown(model: &Model, name: &str) -> Failure {
+    let names = |names: Vec<String>| {
+        let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+        quoted.join(", ")
+    };
+    let points = points(model).filter_map(|id| point_name(model, id));
+    let joints = model
+        .declared_joints()
+        .map(|joint| model.joint(joint).name.clone());
+    let links = model
+        .declared_links()
+        .map(|link| model.link(link).name.clone());
+    Failure::usage(format!(
+        "`{}` has no joint, link or point `{name}`; it has joints {}; links {}; points {}",
+        model.name,
+        names(joints.collect()),
+        names(links.collect()),
+        names(points.collect())
+    ))
+}
+
+fn unknown_joint(model: &Model, name: &str) -> Failure {
+    let joints = model.declared_joints();
+    let joints = joints.map(|joint| format!("`{}`", model.joint(joint).name));
+    let joints: Vec<String> = joints.collect();
+    Failure::usage(format!(
+        "`{}` has no joint `{name}`; it has {}",
+        model.name,
+        joints.join(", ")
+    ))
+}

@@ -1,0 +1,48 @@
+//! The units in which quantities are shown.
+
+use super::kind::{Order, Reaction, Subject};
+use crate::motion::turns;
+use mech_compiler::model::Model;
+
+/// How a scene unit and a unit of force are called.
+#[derive(Clone, Debug)]
+pub(crate) struct Units {
+    pub(crate) length: String,
+    pub(crate) force: String,
+}
+
+impl Units {
+    /// The unit of a quantity: angles are in degrees, their rates in radians.
+    pub(crate) fn of(&self, model: &Model, subject: Subject) -> String {
+        let Self { length, force } = self;
+        let torque = || format!("{force}·{length}");
+        match subject {
+            Subject::Angle(_, order) => rate("deg", "rad", order),
+            Subject::Coordinate(joint, order) if turns(model, joint) => rate("deg", "rad", order),
+            Subject::Point(_, order, _) | Subject::Coordinate(_, order) => {
+                rate(length, length, order)
+            }
+            Subject::Torque(motor) if turns(model, model.motor(motor).joint) => torque(),
+            Subject::Torque(_) | Subject::Reaction(_, Reaction::Force(_)) => force.clone(),
+            Subject::Reaction(_, Reaction::Torque) => torque(),
+            Subject::Transmission(_) => "deg".to_owned(),
+        }
+    }
+
+    /// A value in this unit, which is measured in radians if it is an angle.
+    pub(crate) fn shown(&self, model: &Model, subject: Subject, value: f64) -> f64 {
+        if self.of(model, subject) == "deg" {
+            value.to_degrees()
+        } else {
+            value
+        }
+    }
+}
+
+fn rate(place: &str, unit: &str, order: Order) -> String {
+    match order {
+        Order::Place => place.to_owned(),
+        Order::Velocity => format!("{unit}/s"),
+        Order::Acceleration => format!("{unit}/s²"),
+    }
+}

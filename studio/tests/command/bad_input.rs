@@ -1,0 +1,132 @@
+//! Bad input: a clear error, an exit code, and nothing overwritten.
+
+use crate::run::{FOUR_BAR, Folder, rust};
+use std::fs;
+use std::process::{Command, Stdio};
+
+#[test]
+fn a_file_that_is_missing_or_none() {
+    let folder = Folder::new();
+    let missing = folder.mech("check a.mech").refused(3);
+    assert!(
+        missing.starts_with("error: cannot read `a.mech`: "),
+        "{missing}"
+    );
+    let none = folder.mech("check .").refused(3);
+    assert!(none.starts_with("error: cannot read `.`: "), "{none}");
+}
+
+#[test]
+fn a_file_that_is_not_utf_8() {
+    let folder = Folder::new().with("a.rs", b"mechanism! { \xff }");
+    let refusal = folder.mech("check a.rs").refused(3);
+    assert_eq!(refusal, "error: cannot read `a.rs`: byte 13 is not UTF-8\n");
+}
+
+#[test]
+fn files_without_a_mechanism() {
+    let folder = Folder::new()
+        .with("a.rs", "fn main() {}")
+        .with("b.mech", " \n");
+    for name in ["a.rs", "b.mech"] {
+        let refusal = folder.mech(&format!("check {name}")).refused(3);
+        assert!(refusal.contains("has no mechanism"), "{refusal}");
+    }
+}
+
+#[test]
+fn several_mechanisms_and_none_named() {
+    let folder = Folder::new().with("a.rs", rust());
+    let refusal = folder.mech("report a.rs").refused(2);
+    assert_eq!(
+        refusal,
+        "error: `a.rs` has several mechanisms; name one of them with `--mechanism`: `FourBar`, `Loose`\n"
+    );
+}
+
+#[test]
+fn noise_is_not_read_to_its_end() {
+    let folder = Folder::new();
+    let noise = "mechanism! { {([\"".repeat(100 << 16);
+    assert!(noise.len() > 100_000_000);
+    let folder = folder.with("a.rs", noise);
+    let refusal = folder.mech("check a.rs").refused(3);
+    assert!(refusal.contains("longer than 16 MiB"), "{refusal}");
+    // What is just short enough is read, and refused in words.
+    let folder = folder.with("b.rs", "mechanism! { {([".repeat(1 << 16));
+    let refusal = folder.mech("check b.rs").refused(1);
+    assert!(
+        refusal.contains("this mechanism has no end"),
+        "{refusal:.300}"
+    );
+}
+
+#[test]
+fn a_text_that_is_no_rust() {
+    let folder = Folder::new().with("a.mech", "struct A; link ' \" b;");
+    let refusal = folder.mech("check a.mech").refused(1);
+    assert!(refusal.contains("this is no text of Rust"), "{refusal}");
+}
+
+#[test]
+fn a_full_disk() {
+    let folder = Folder::new().with("a.mech", FOUR_BAR);
+    let full = fs::OpenOptions::new().write(true).open("/dev/full");
+    let Ok(full) = full else {
+        return; // Not on this system.
+    };
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
+    command
+        .args(["report", "a.mech"])
+        .current_dir(folder.path("."));
+    let output = command
+        .stdout(full)
+        .stderr(Stdio::piped())
+        .output()
+        .expect("it runs");
+    assert_eq!(output.status.code(), Some(3));
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        said.starts_with("error: cannot write the answer: "),
+        "{said}"
+    );
+    for command in ["draw a.mech -o /dev/full", "table a.mech -o /dev/full"] {
+        // The ending of the first says nothing, so it is not even tried.
+        let answer = folder.mech(command);
+        assert!(matches!(answer.code, Some(2 | 3)), "{answer:?}");
+    }
+    let link = folder.path("full.svg");
+    std::os::unix::fs::symlink("/dev/full", link).expect("a link");
+    for command in ["draw", "film", "plot"] {
+        let refusal = folder
+            .mech(&format!("{command} a.mech -o full.svg"))
+            .refused(3);
+        assert!(
+            refusal.starts_with("error: cannot write `full.svg`: "),
+            "{refusal}"
+        );
+    }
+}
+
+#[test]
+fn an_output_that_cannot_be_written() {
+    let folder = Folder::new().with("a.mech", FOUR_BAR);
+    for name in ["no/such/folder.svg", "a.mech/b.svg"] {
+        let refusal = folder.mech(&format!("draw a.mech -o {name}")).refused(3);
+        assert!(refusal.starts_with("error: cannot write "), "{refusal}");
+    }
+    assert_eq!(folder.names(), ["a.mech"]);
+    assert_eq!(folder.text("a.mech"), FOUR_BAR);
+}
+
+#[test]
+fn somebody_who_reads_no_further() {
+    let folder = Folder::new().with("a.mech", FOUR_BAR);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
+    command
+        .args(["table", "a.mech", "--steps", "100000"])
+        .current_dir(folder.path("."));
+    let mut child = command.stdout(Stdio::piped()).spawn().expect("it runs");
+    drop(child.stdout.take());
+    assert_eq!(child.wait().expect("it ends").code(), Some(0));
+}

@@ -1,0 +1,136 @@
+//! `mech check` says what the macro says, at the same places.
+
+use crate::run::{FOUR_BAR, Folder, mech_in, repository, rust};
+use std::fs;
+
+/// Cases in which the Rust compiler says something besides the macro.
+const NOT_OF_THE_MACRO: [&str; 1] = ["show-leaves-no-other-methods"];
+
+/// The lines without spaces at their ends.
+fn trimmed(text: &str) -> String {
+    let lines: Vec<&str> = text.trim_end().lines().map(str::trim_end).collect();
+    lines.join("\n")
+}
+
+#[test]
+fn the_same_words_at_the_same_places_as_the_macro() {
+    let folder = repository("tests/ui");
+    let mut wrong = String::new();
+    let mut count = 0;
+    for file in fs::read_dir(folder.join("fail")).expect("cases") {
+        let path = file.expect("a case").path();
+        let name = path
+            .file_stem()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
+        let is_case = path.extension().is_some_and(|end| end == "rs");
+        if !is_case || NOT_OF_THE_MACRO.contains(&&*name) {
+            continue;
+        }
+        let expected = fs::read_to_string(path.with_extension("stderr")).expect("messages");
+        let found = mech_in(&folder, &["check", &format!("fail/{name}.rs")]);
+        count += 1;
+        if found.code != Some(1) || trimmed(&found.err) != trimmed(&expected) {
+            wrong += &format!("{name}: {found:?}\n{}\nexpected:\n{expected}\n", found.err);
+        }
+    }
+    assert!(count > 100, "{count}");
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn what_moves_is_told_in_a_line() {
+    let folder = Folder::new().with("a.mech", FOUR_BAR);
+    let line = "FourBar moves: 3 moving links, 4 joints, 1 motor, 1 loop\n";
+    assert_eq!(folder.mech("check a.mech").done(), line);
+}
+
+#[test]
+fn all_mechanisms_of_a_file_or_one() {
+    let folder = Folder::new().with("a.rs", rust());
+    let answer = folder.mech("check a.rs");
+    assert_eq!(answer.code, Some(1));
+    assert!(answer.out.starts_with("FourBar moves"), "{}", answer.out);
+    assert!(answer.err.contains("there is no motor"), "{}", answer.err);
+    folder.mech("check a.rs --mechanism FourBar").done();
+    folder.mech("check a.rs -m Loose").refused(1);
+    let refusal = folder.mech("check a.rs -m Four").refused(2);
+    assert_eq!(
+        refusal,
+        "error: `a.rs` has no mechanism `Four`; it has `FourBar`, `Loose`\n"
+    );
+}
+
+#[test]
+fn parts_from_the_same_file_and_from_the_runtime() {
+    let text = "mechanism_part! { pub Rod(length = 1) {
+    port crank { point pin = (0, 0); }
+    link rod { point pin = (0, 0); point tip = (length, 0); }
+    joint pin = revolute(crank.pin, rod.pin);
+} }
+mechanism! { struct TwoRods; use crate::Rod; use one: Rod(length = 2) { crank = ground }; motor one.pin; }
+mechanism! { struct Crane; use mech_runtime::parts::Cylinder;
+    link boom { point foot = (0, 0); point tip = (4, 0); }
+    ground { point foot = (0, 0); }
+    joint foot = revolute(ground.foot, boom.foot);
+    use ram: Cylinder { base = ground at (2, 0), load = boom at (3, 0) };
+    motor ram.stroke in 1.2 ..= 3;
+    start { ram.stroke = 2; boom near 40 deg; } }
+mechanism! { struct Elsewhere; use other::Leg; }";
+    let folder = Folder::new().with("a.rs", text);
+    let answer = folder.mech("check a.rs");
+    assert_eq!(answer.out.matches(" moves: ").count(), 2, "{answer:?}");
+    let expected = "error: part `Leg` is not known here
+
+       note: parts are taken from the same file, and from `mech_runtime::parts`
+  --> a.rs:14:36
+   |
+14 | mechanism! { struct Elsewhere; use other::Leg; }
+   |                                    ^^^^^^^^^^";
+    assert_eq!(trimmed(&answer.err), expected);
+}
+
+#[test]
+fn in_json_for_editors() {
+    let folder = Folder::new().with("a.rs", rust());
+    let answer = folder.mech("check a.rs --json");
+    assert_eq!((answer.code, &*answer.err), (Some(1), ""));
+    let json: serde_json::Value = serde_json::from_str(&answer.out).expect("JSON");
+    assert_eq!(
+        (&json["file"], &json["moves"]),
+        (&"a.rs".into(), &false.into())
+    );
+    let [first, second] = &json["mechanisms"].as_array().expect("mechanisms")[..] else {
+        panic!("{json}");
+    };
+    assert_eq!(
+        (&first["name"], &first["moves"]),
+        (&"FourBar".into(), &true.into())
+    );
+    let message = &second["messages"][0];
+    let text = "there is no motor: the mechanism needs one motor";
+    assert_eq!(
+        (&message["level"], &message["text"]),
+        (&"error".into(), &text.into())
+    );
+    assert_eq!(message["notes"][0]["level"], "help");
+    let place = &message["place"];
+    let at = |what: &str| usize::try_from(place[what].as_u64().expect("a number")).expect("small");
+    assert_eq!(&rust()[at("start")..at("end")], "Loose");
+    assert_eq!(place["from"]["line"], 10);
+    assert_eq!(place["to"]["column"], 26);
+}
+
+#[test]
+fn long_runs_keep_their_places() {
+    let one = |number: usize| format!("mechanism! {{ struct M{number}; motor a{number}; }}\n");
+    let text: String = (0..300).map(one).collect();
+    let folder = Folder::new().with("a.rs", &text);
+    let complaints = folder.mech("check a.rs").refused(1);
+    for number in [0, 150, 299] {
+        let place = format!(" --> a.rs:{}:", number + 1);
+        assert!(complaints.contains(&place), "{number}");
+        assert!(complaints.contains(&format!("`a{number}`")), "{number}");
+    }
+}

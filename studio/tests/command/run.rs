@@ -1,0 +1,116 @@
+//! Runs the command.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::{env, fs};
+
+/// What a command answered.
+#[derive(Debug)]
+pub(crate) struct Answer {
+    pub(crate) code: Option<i32>,
+    pub(crate) out: String,
+    pub(crate) err: String,
+}
+
+impl Answer {
+    /// The answer of a command that has done what it was told.
+    #[track_caller]
+    pub(crate) fn done(self) -> String {
+        assert_eq!((self.code, &*self.err), (Some(0), ""));
+        self.out
+    }
+
+    /// What a command complained of that ended with this code, and answered nothing.
+    #[track_caller]
+    pub(crate) fn refused(self, code: i32) -> String {
+        assert_eq!((self.code, &*self.out), (Some(code), ""), "{}", self.err);
+        self.err
+    }
+}
+
+/// Runs the command in a folder.
+pub(crate) fn mech_in(folder: &Path, words: &[impl AsRef<OsStr>]) -> Answer {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
+    let output = command.current_dir(folder).args(words).output();
+    let output = output.expect("the command runs");
+    Answer {
+        code: output.status.code(),
+        out: String::from_utf8(output.stdout).expect("UTF-8"),
+        err: String::from_utf8(output.stderr).expect("UTF-8"),
+    }
+}
+
+/// A folder of a test's own, that is empty.
+pub(crate) struct Folder(PathBuf);
+
+impl Folder {
+    pub(crate) fn new() -> Self {
+        static NUMBER: AtomicU32 = AtomicU32::new(0);
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR"));
+        let path = path.join(format!("mech-{}-{number}", std::process::id()));
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    /// Writes a file.
+    pub(crate) fn with(self, name: &str, text: impl AsRef<[u8]>) -> Self {
+        fs::write(self.0.join(name), text).expect("a file");
+        self
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+
+    pub(crate) fn text(&self, name: &str) -> String {
+        fs::read_to_string(self.0.join(name)).expect("a text")
+    }
+
+    /// The names of all files in it.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let files = fs::read_dir(&self.0).expect("a folder");
+        let name = |file: std::io::Result<fs::DirEntry>| {
+            let name = file.expect("a file").file_name();
+            name.into_string().expect("UTF-8")
+        };
+        let mut names: Vec<String> = files.map(name).collect();
+        names.sort();
+        names
+    }
+
+    /// Runs the command there.
+    pub(crate) fn mech(&self, words: &str) -> Answer {
+        let words: Vec<&str> = words.split_whitespace().collect();
+        mech_in(&self.0, &words)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// A folder of the repository.
+pub(crate) fn repository(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
+}
+
+/// A four-bar linkage.
+pub(crate) const FOUR_BAR: &str = "struct FourBar;
+link crank; link coupler { point tip = (2.5, 3); } link rocker;
+joint a = revolute(ground, crank) at (0, 0);
+joint b = revolute(crank, coupler) at (0.8, 0.6);
+joint c = revolute(coupler, rocker) at (3.3, 2.9);
+joint d = revolute(ground, rocker) at (4, 0);
+motor a;
+";
+
+/// The same in Rust, with a second mechanism that lacks a motor.
+pub(crate) fn rust() -> String {
+    let loose = FOUR_BAR.replace("FourBar", "Loose").replace("motor a;", "");
+    format!("fn ( broken\nmech_runtime::mechanism! {{ {FOUR_BAR} }}\nmechanism! {{ {loose} }}\n")
+}
