@@ -52,7 +52,7 @@ fn verdict(document: &Document, declaration: &Declaration) -> Result<Verdict, Fa
     let place = declaration.whole.clone();
     Ok(match result {
         Ok(compiled) => Verdict::Moves {
-            line: line(&model, &compiled),
+            line: verdict_line(&model, &compiled),
             name: model.name,
             place,
         },
@@ -64,8 +64,8 @@ fn verdict(document: &Document, declaration: &Declaration) -> Result<Verdict, Fa
     })
 }
 
-/// `FourBar moves: 3 links, 4 joints, 1 motor, 1 loop`.
-fn line(model: &Model, compiled: &Compiled) -> String {
+/// `FourBar moves: 3 moving links, 4 joints, 1 motor, 1 loop`.
+pub(crate) fn verdict_line(model: &Model, compiled: &Compiled) -> String {
     let loops = compiled.plan.loops().count();
     let counts = [
         counted(model.declared_links().count(), "moving link"),

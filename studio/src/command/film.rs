@@ -16,7 +16,7 @@ use std::time::Duration;
 
 /// Films a mechanism while one of its motors moves: GIF, animated PNG, or SVG that moves.
 ///
-/// The motor turns round once, or goes to and fro through its range or as far as the mechanism lets it. Motors with laws follow these.
+/// The motor turns round until everything is back where it was, or goes to and fro through its range or as far as the mechanism lets it. Motors with laws follow these.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Film {
@@ -82,6 +82,11 @@ impl Film {
             span,
             &self.picture.at,
         )?;
+        let drive = if self.to.is_none() {
+            drive.completed(model, compiled)
+        } else {
+            drive
+        };
         let shoot = Shoot {
             sitter: &sitter,
             is_cyclic: drive.is_cyclic(model),

@@ -4,6 +4,7 @@ mod check;
 mod completions;
 mod draw;
 mod film;
+mod fix;
 mod graph;
 mod measure;
 mod picture;
@@ -49,6 +50,7 @@ struct CommandLine {
 #[derive(Debug, Subcommand)]
 enum Command {
     Check(check::Check),
+    Fix(fix::Fix),
     Report(report::Report),
     Graph(graph::Graph),
     Draw(draw::Draw),
@@ -90,6 +92,7 @@ fn obey(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> Res
     };
     match line.command {
         Command::Check(check) => check.run(console),
+        Command::Fix(fix) => fix.run(console),
         Command::Report(report) => report.run(console),
         Command::Graph(graph) => graph.run(console),
         Command::Draw(draw) => draw.run(console),

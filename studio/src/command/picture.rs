@@ -95,7 +95,10 @@ impl Picture {
                 Looks::Shapes => Look::Shapes,
             });
         }
-        let painting = Painting::new(&model, &compiled, self.overlay);
+        let mut painting = Painting::new(&model, &compiled, self.overlay);
+        if let Some(Looks::Diagram) = self.look {
+            painting = painting.with_room_for_bodies(&model, &compiled);
+        }
         let Size { width, height } = self.size;
         let size = [width, height.unwrap_or_else(|| painting.height(width))];
         let palette = if self.night {

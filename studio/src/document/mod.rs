@@ -1,14 +1,17 @@
 //! Documents: the mechanisms of a file, as text and as what the compiler makes of it.
 
+mod lexer;
 mod library;
 mod reading;
 mod scanner;
 mod source;
 
+pub(crate) use lexer::{Kind, Lexeme, Lexer};
 pub use reading::{Faults, Message, Reading};
 pub use source::{LONGEST, Source, Spot};
 
 use crate::failure::Failure;
+use mech_compiler::model::Model;
 use proc_macro2::TokenStream;
 use std::ops::Range;
 use std::path::Path;
@@ -147,6 +150,14 @@ impl Document {
     /// If the compiler itself fails, which is a mistake of ours.
     pub fn analyse(&self, declaration: &Declaration) -> Result<Reading, Failure> {
         reading::analyse(self, declaration)
+    }
+
+    /// What the text of one of its mechanisms says, whether or not that is a mechanism; none if the text is wrong.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub fn model(&self, declaration: &Declaration) -> Result<Option<Model>, Failure> {
+        reading::model(self, declaration)
     }
 
     /// What is wrong with the texts of the parts that are kept for other mechanisms.

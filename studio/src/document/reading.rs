@@ -91,6 +91,20 @@ pub(super) fn analyse(document: &Document, declaration: &Declaration) -> Result<
     })
 }
 
+/// What the text of a mechanism says; none if it is wrong.
+pub(super) fn model(
+    document: &Document,
+    declaration: &Declaration,
+) -> Result<Option<Model>, Failure> {
+    proc_macro2::extra::invalidate_current_thread_spans();
+    let Ok(text) = text_of(document, declaration) else {
+        return Ok(None);
+    };
+    let parsed = catch(|| syntax::parse(text)).map_err(|what| internal(&what))?;
+    let is_right = parsed.errors.is_empty() && parsed.header.is_some();
+    Ok(is_right.then_some(parsed.model))
+}
+
 /// What is wrong with the text of a part that is kept for other mechanisms.
 pub(super) fn faults_of_part(
     document: &Document,

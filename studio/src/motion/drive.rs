@@ -98,6 +98,32 @@ impl Drive {
             && (whole - whole.round()).abs() < 1e-9
     }
 
+    /// The same over so many turns that everything comes back to where it was, behind gears, too; as it is, if nothing like that is found.
+    pub(crate) fn completed(self, model: &Model, compiled: &Compiled) -> Self {
+        /// So many turns are tried.
+        const MOST: u32 = 64;
+        let Kind::Motor(_) = self.kind else {
+            return self;
+        };
+        let [from, to] = self.ends;
+        let mut machine = Machine::<f64>::new(&compiled.program);
+        if !self.is_cyclic(model) || self.go(model, compiled, &mut machine, 0.0).is_err() {
+            return self;
+        }
+        let start = machine.position().poses.clone();
+        for turns in 1..=MOST {
+            let part = f64::from(turns);
+            if self.go(model, compiled, &mut machine, part).is_err() {
+                return self;
+            }
+            if are_near(&start, &machine.position().poses) {
+                let ends = [from, from + (to - from) * part];
+                return Self { ends, ..self };
+            }
+        }
+        self
+    }
+
     /// What the motors do after a part of the motion, 0 to 1, where the motor moves at this rate; by laws at theirs.
     pub(crate) fn moment(
         &self,
@@ -154,6 +180,17 @@ impl Drive {
             })
         })
     }
+}
+
+/// Whether links with these poses are seen at the same places.
+fn are_near(a: &[[f64; 4]], b: &[[f64; 4]]) -> bool {
+    const NEAR: f64 = 1e-6;
+    let size = a
+        .iter()
+        .flatten()
+        .fold(1.0, |size: f64, part| size.max(part.abs()));
+    let pairs = a.iter().flatten().zip(b.iter().flatten());
+    pairs.into_iter().all(|(a, b)| (a - b).abs() < NEAR * size)
 }
 
 /// Between which values a motor can move, for a message.

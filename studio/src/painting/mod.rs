@@ -4,8 +4,8 @@ mod outline;
 mod symbol;
 
 use crate::motion::Paths;
-use mech_compiler::model::{LinkId, Model};
-use mech_compiler::{Compiled, Looks, Symbols, looks, symbols};
+use mech_compiler::model::{LinkId, Look, Model};
+use mech_compiler::{Compiled, Symbols, looks, symbols};
 use mech_runtime::overlay::{Overlay, Symbol};
 use mech_runtime::{Canvas, Pose, View};
 use outline::Shape;
@@ -62,8 +62,22 @@ impl Painting {
                 }
             },
             diagram: has_diagram.then(diagram),
-            extent: Looks::extent(&looks, model, compiled),
+            extent: looks.extent(model, compiled),
         }
+    }
+
+    /// The same in a view that has room for the bodies of all links, which a diagram is not wider than.
+    pub(crate) fn with_room_for_bodies(mut self, model: &Model, compiled: &Compiled) -> Self {
+        let bodies = Model {
+            look: Some(Look::Machine),
+            ..model.clone()
+        };
+        let [low, high] = looks(&bodies, compiled).extent(&bodies, compiled);
+        for part in 0..2 {
+            self.extent[0][part] = self.extent[0][part].min(low[part]);
+            self.extent[1][part] = self.extent[1][part].max(high[part]);
+        }
+        self
     }
 
     /// The view that fits the whole motion into a picture of this width and height in pixels, with the margin that generated code has.

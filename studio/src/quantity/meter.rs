@@ -128,6 +128,14 @@ impl<'a> Meter<'a> {
                 "forces are not determined: joints of the mechanism are redundant",
             ));
         }
+        let is_angle = |one: &Quantity| matches!(one.subject, Subject::Transmission(_));
+        if quantities.iter().any(is_angle)
+            && transmissions(compiled) != compiled.plan.loops().count()
+        {
+            return Err(Failure::mechanism(
+                "there is no transmission angle for each loop: some loops are solved together",
+            ));
+        }
         Ok(Self {
             model,
             compiled,
@@ -325,6 +333,16 @@ impl<'a> Meter<'a> {
     fn axes(&self, joint: JointId) -> Option<[AxisId; 2]> {
         let axes = self.model.joint(joint).kind.axes()?;
         Some(axes.map(|axis| self.model.seen_axis(axis)))
+    }
+}
+
+/// How many transmission angles are computed.
+fn transmissions(compiled: &Compiled) -> usize {
+    let program = compiled.forced.inverse_dynamics.as_ref();
+    let motion = program.and_then(|program| program.motion.as_ref());
+    match motion.and_then(|motion| motion.forces.as_ref()) {
+        Some(Forces::InverseDynamics(found)) => found.transmission.len(),
+        _ => 0,
     }
 }
 

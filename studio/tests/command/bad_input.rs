@@ -1,6 +1,7 @@
 //! Bad input: a clear error, an exit code, and nothing overwritten.
 
 use crate::run::{FOUR_BAR, Folder, rust};
+use mech_studio::{FailureKind, Source};
 use std::fs;
 use std::process::{Command, Stdio};
 
@@ -117,6 +118,26 @@ fn an_output_that_cannot_be_written() {
     }
     assert_eq!(folder.names(), ["a.mech"]);
     assert_eq!(folder.text("a.mech"), FOUR_BAR);
+}
+
+#[test]
+fn a_file_that_somebody_else_changes() {
+    let folder = Folder::new().with("a.mech", FOUR_BAR);
+    let source = Source::read(&folder.path("a.mech")).expect("a text");
+    let theirs = format!("{FOUR_BAR}// theirs");
+    fs::write(folder.path("a.mech"), &theirs).expect("a file");
+    let refusal = source.replace("ours").expect_err("it has changed");
+    assert_eq!(refusal.kind(), FailureKind::File);
+    assert!(
+        refusal
+            .to_string()
+            .contains("was changed by another program"),
+        "{refusal}"
+    );
+    assert_eq!(folder.text("a.mech"), theirs);
+    fs::remove_file(folder.path("a.mech")).expect("it is there");
+    source.replace("ours").expect_err("it is gone");
+    assert_eq!(folder.names(), [""; 0]);
 }
 
 #[test]

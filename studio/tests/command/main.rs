@@ -2,6 +2,8 @@
 
 mod bad_input;
 mod check;
+mod fix;
+mod mend;
 mod numbers;
 mod pictures;
 mod run;

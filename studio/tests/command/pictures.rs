@@ -159,6 +159,26 @@ fn films_of_all_kinds() {
 }
 
 #[test]
+fn wheels_turn_until_everything_is_back() {
+    let text = "struct Gears; link pinion; link wheel { point pin = (1, 0); }
+joint d = revolute(ground, pinion) at (-3, 0);
+joint e = revolute(ground, wheel) at (0, 0);
+joint mesh = gear(pinion, wheel, 20 : 60);
+motor d;";
+    let folder = Folder::new().with("a.mech", text);
+    let film = |name: &str, to: &str| {
+        folder
+            .mech(&format!(
+                "film a.mech -o {name} --size 60 --seconds 1 --rate 6 {to}"
+            ))
+            .done();
+        std::fs::read(folder.path(name)).expect("a film")
+    };
+    assert!(film("a.gif", "") == film("b.gif", "--to 1080"));
+    assert!(film("c.gif", "") != film("d.gif", "--to 360"));
+}
+
+#[test]
 fn motors_follow_their_laws() {
     let law = FOUR_BAR.replace("motor a;", "motor a = 2 * PI * t;");
     let folder = Folder::new().with("a.mech", law);

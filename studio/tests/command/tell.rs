@@ -41,6 +41,7 @@ fn the_help_has_examples_and_exit_codes() {
     let folder = Folder::new();
     for command in [
         "check",
+        "fix",
         "report",
         "graph",
         "draw",

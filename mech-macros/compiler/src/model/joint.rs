@@ -1,6 +1,7 @@
 //! Joints and motors.
 
 use super::{AxisId, JointId, LawId, LinkId, Origin};
+use std::fmt::{self, Display, Formatter};
 
 /// A joint between two links.
 #[derive(Clone, Debug, PartialEq)]
@@ -146,6 +147,16 @@ impl Ratio {
         match self {
             Self::Teeth(a, b) => Self::Teeth(-a, -b),
             Self::Radii(a, b) => Self::Radii(-a, -b),
+        }
+    }
+}
+
+/// As it is declared: teeth are whole, radii have a decimal point.
+impl Display for Ratio {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Teeth(a, b) => write!(f, "{a} : {b}"),
+            Self::Radii(a, b) => write!(f, "{a:?} : {b:?}"),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::Words;
 use super::wording::{brief, one_of};
 use crate::bug::bug;
-use crate::model::{JointId, JointKind, MotorId, NewKind, Ratio};
+use crate::model::{JointId, JointKind, MotorId, NewKind};
 use crate::repair::{Offers, Repair, Search};
 
 /// A line is not made longer than this by putting several phrases on it.
@@ -135,7 +135,7 @@ impl Words<'_> {
         };
         let lists = [
             listed("write ", "", &|repair| match repair {
-                Repair::Resize { sizes, .. } => Some(format!("`{}`", write_ratio(*sizes))),
+                Repair::Resize { sizes, .. } => Some(format!("`{sizes}`")),
                 _ => None,
             }),
             listed("remove ", "", &|repair| match repair {
@@ -272,14 +272,6 @@ impl Words<'_> {
             let name = &self.model.joint(joint).name;
             format!("start elsewhere, as `start {{ {name} = {text}; }}`")
         }
-    }
-}
-
-/// Two sizes as they are declared: teeth are whole, radii have a decimal point.
-pub(super) fn write_ratio(sizes: Ratio) -> String {
-    match sizes {
-        Ratio::Teeth(a, b) => format!("{a} : {b}"),
-        Ratio::Radii(a, b) => format!("{a:?} : {b:?}"),
     }
 }
 

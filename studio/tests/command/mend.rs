@@ -1,0 +1,209 @@
+//! Repairs as changes of the text: the text after a repair declares what the repair promised, and everything else in it stays.
+
+use crate::run::repository;
+use mech_compiler::compile;
+use mech_compiler::structure::Diagnosis;
+use mech_studio::{Document, Mending, Remainder, Source, mendings};
+use proptest::prelude::*;
+use std::fs;
+
+/// How many repairs there were, and how many of them could be made in the text.
+#[derive(Default)]
+struct Tally {
+    all: usize,
+    in_text: usize,
+}
+
+/// Makes every repair of every mechanism of a text.
+fn mend_all(source: Source, tally: &mut Tally) {
+    let document = Document::of(source);
+    for (index, declaration) in document.declarations().iter().enumerate() {
+        let reading = document.analyse(declaration).expect("the compiler works");
+        let found = mendings(&document, declaration, &reading).expect("the compiler works");
+        for mending in found {
+            tally.all += 1;
+            if let Some(text) = &mending.text {
+                tally.in_text += 1;
+                examine(&document, index, &mending, text);
+            }
+        }
+    }
+}
+
+/// The text after a repair compiles as the repair promised, and has everything that the repair did not change.
+fn examine(document: &Document, index: usize, mending: &Mending, text: &str) {
+    let path = document.source().path();
+    let said = format!("{}: {}\n{text}", path.display(), mending.words);
+    let after = Document::of(Source::new(path, text));
+    assert_eq!(
+        after.declarations().len(),
+        document.declarations().len(),
+        "{said}"
+    );
+    let reading = after
+        .analyse(&after.declarations()[index])
+        .expect("the compiler works");
+    let is_enough = |result: Result<(), &[Diagnosis]>| match result {
+        Ok(()) | Err([Diagnosis::SeveralAssemblies { .. }]) => true,
+        Err(_) => false,
+    };
+    let found = reading.result.as_ref().map(drop);
+    let found = found.map_err(|faults| &faults.diagnoses[..]);
+    let promised = compile(&mending.promised).map(drop);
+    let promised = match &promised {
+        Ok(()) => Ok(()),
+        Err(faults) => Err(&faults[..]),
+    };
+    assert_eq!(is_enough(found), is_enough(promised), "{said}");
+    if mending.remainder == Remainder::Nothing {
+        let is_start = |faults: &[Diagnosis]| {
+            matches!(
+                faults,
+                [Diagnosis::CannotClose { .. } | Diagnosis::DeadStart { .. }]
+            )
+        };
+        assert!(is_enough(found) || found.is_err_and(is_start), "{said}");
+    }
+    // Comments that belong to nothing stand between all statements of some texts.
+    let marks = |text: &str| text.matches("/*").count();
+    assert_eq!(marks(text), marks(document.source().text()), "{said}");
+    let outside = |document: &Document, text: &str| {
+        let whole = &document.declarations()[index].whole;
+        (text[..whole.start].to_owned(), text[whole.end..].to_owned())
+    };
+    assert_eq!(
+        outside(&after, text),
+        outside(document, document.source().text()),
+        "{said}"
+    );
+}
+
+/// The blocks of text in a page of documentation, each as a file of its own.
+fn examples(page: &str) -> Vec<String> {
+    let blocks = page.split("```text\n").skip(1);
+    let blocks = blocks.filter_map(|block| Some(block.split_once("```")?.0.to_owned()));
+    blocks
+        .filter(|block| block.starts_with("struct "))
+        .collect()
+}
+
+#[test]
+fn mechanisms_with_every_diagnosis() {
+    let mut tally = Tally::default();
+    let page = fs::read_to_string(repository("docs/diagnoses.md")).expect("the page");
+    for text in examples(&page) {
+        mend_all(Source::new("a.mech", text), &mut tally);
+    }
+    for file in fs::read_dir(repository("tests/ui/fail")).expect("cases") {
+        let path = file.expect("a case").path();
+        if path.extension().is_some_and(|end| end == "rs") {
+            mend_all(Source::read(&path).expect("a case"), &mut tally);
+        }
+    }
+    assert!(tally.all > 100, "{} repairs", tally.all);
+    // Few repairs are in the text more than a change of some statements.
+    assert!(
+        20 * tally.in_text >= 19 * tally.all,
+        "{} of {}",
+        tally.in_text,
+        tally.all
+    );
+}
+
+/// The statements of mechanisms that are coherent: a name, then what may be broken.
+const COHERENT: [&[&str]; 4] = [
+    &[
+        "struct FourBar;",
+        "link crank; ",
+        "link coupler { point tip = (2.5, 3); }",
+        "link rocker;",
+        "joint a = revolute(ground, crank) at (0, 0);",
+        "joint b = revolute(crank, coupler) at (0.8, 0.6);",
+        "joint c = revolute(coupler, rocker) at (3.3, 2.9);",
+        "joint d = revolute(ground, rocker) at (4, 0);",
+        "motor a;",
+    ],
+    &[
+        "struct Named;",
+        "ground { point o = (0, 0); point p = (4, 0); }",
+        "link crank { point o = (0, 0); point b = (1, 0); }",
+        "link coupler { point b = (0, 0); point c = (3.5, 0); point tip = (2, 1); }",
+        "link rocker { point p = (0, 0); point c = (3, 0); }",
+        "joint a = revolute(ground.o, crank.o);",
+        "joint b = revolute(crank.b, coupler.b);",
+        "joint c = revolute(coupler.c, rocker.c);",
+        "joint d = revolute(ground.p, rocker.p);",
+        "motor a;",
+        "start { a = 10 deg; coupler near 50 deg; }",
+        "effects { trace coupler.tip 64; }",
+    ],
+    &[
+        "struct SliderCrank;",
+        "link crank;",
+        "link rod;",
+        "link block;",
+        "joint a = revolute(ground, crank) at (0, 0);",
+        "joint b = revolute(crank, rod) at (1, 0.5);",
+        "joint c = revolute(rod, block) at (4, 0);",
+        "joint x = prismatic(ground, block) at (4, 0) along (1, 0);",
+        "motor a;",
+        "show block, c;",
+    ],
+    &[
+        "struct Gears;",
+        "link pinion;",
+        "link wheel;",
+        "link rod;",
+        "link slide;",
+        "joint d = revolute(ground, pinion) at (-3, 0);",
+        "joint e = revolute(ground, wheel) at (0, 0);",
+        "joint mesh = gear(pinion, wheel, 20 : 40 on ground);",
+        "joint f = revolute(wheel, rod) at (1, 0.2);",
+        "joint g = revolute(rod, slide) at (5, 0);",
+        "joint h = prismatic(ground, slide) at (5, 0) along (1, 0);",
+        "motor d;",
+    ],
+];
+
+/// What breaks a mechanism if it is added.
+const TOO_MUCH: [&str; 3] = [
+    "motor MORE;",
+    "link brace; joint brace1 = revolute(FIRST, brace) at (0.5, 0.5); joint brace2 = revolute(SECOND, brace) at (2, 1);",
+    "link spare;",
+];
+
+/// The names that these statements declare.
+fn names<'s>(statements: &[&'s str], word: &str) -> Vec<&'s str> {
+    let declared = statements.iter().filter_map(|one| {
+        let name = one.trim().strip_prefix(word)?.trim_start();
+        name.split(|letter: char| !letter.is_alphanumeric()).next()
+    });
+    declared.collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn mechanisms_that_were_broken(
+        which in 0..COHERENT.len(),
+        out in prop::collection::vec(any::<prop::sample::Index>(), 0..3),
+        more in prop::option::of((0..TOO_MUCH.len(), any::<prop::sample::Index>(), any::<prop::sample::Index>())),
+        lines in any::<bool>(),
+    ) {
+        let mut statements: Vec<String> = COHERENT[which].iter().map(|&one| one.to_owned()).collect();
+        if let Some((what, first, second)) = more {
+            let (joints, links) = (names(COHERENT[which], "joint"), names(COHERENT[which], "link"));
+            let text = TOO_MUCH[what].replace("MORE", joints[first.index(joints.len())]);
+            let text = text.replace("FIRST", links[first.index(links.len())]);
+            statements.push(text.replace("SECOND", links[second.index(links.len())]));
+        }
+        for index in out {
+            // The name stays.
+            statements.remove(1 + index.index(statements.len() - 1));
+        }
+        let between = if lines { " /* kept */\n    " } else { " /* kept */ " };
+        let text = statements.join(between);
+        mend_all(Source::new("a.mech", text), &mut Tally::default());
+    }
+}
