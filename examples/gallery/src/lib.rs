@@ -17,8 +17,8 @@ mod page;
 #[cfg(feature = "page")]
 pub use exhibits::exhibits;
 pub use mechanisms::{
-    Exhibited, Visitor, andrews, crane, diagram, four_bar, geared_piston, jansen, rocker_arm,
-    velocities, visit_f32, visit_f64, watt,
+    Exhibited, Visitor, andrews, antikythera, crane, diagram, excavator, four_bar, geared_piston,
+    jansen, rocker_arm, skeleton, velocities, visit_f32, visit_f64, walker, watt,
 };
 #[cfg(feature = "page")]
 pub use page::{

@@ -7,6 +7,7 @@ mod declaration;
 mod drawing;
 mod exactness;
 mod held;
+mod instances;
 mod mesh;
 mod names;
 mod order;
@@ -21,6 +22,7 @@ use crate::model::{JointId, LinkId, Model, MotorId, Origin};
 use crate::repair::{self, Declaration, Offers, Repair};
 use crate::structure::Diagnosis;
 use crate::syntax::{Message, Places};
+use instances::Reported;
 
 /// Everything that is wrong, as the user reads it. Lines after the first of each message begin with `note:` or `help:`.
 /// There is an offer for each diagnosis.
@@ -33,13 +35,20 @@ pub fn messages(
 ) -> Vec<Message> {
     let words = Words { model };
     let none = Offers::default();
-    let offers = offers.iter().chain(std::iter::repeat(&none));
-    diagnoses
-        .iter()
-        .zip(offers)
-        .flat_map(|(diagnosis, offers)| words.of(diagnosis, offers))
-        .map(|(origin, text)| Message::new(places.get(origin), space_notes(&text)))
-        .collect()
+    let mut messages = Vec::new();
+    for Reported { number, more } in instances::reported(diagnoses, model) {
+        let offers = offers.get(number).unwrap_or(&none);
+        for (origin, mut text) in words.of(&diagnoses[number], offers) {
+            if let Some((part, count)) = more {
+                let instances = if count == 1 { "instance" } else { "instances" };
+                text += &format!(
+                    "\nnote: the same is wrong in {count} more {instances} of part `{part}`"
+                );
+            }
+            messages.push(Message::new(places.get(origin), space_notes(&text)));
+        }
+    }
+    messages
 }
 
 /// A diagnosis in words, without its place: for the studio, and for tests.

@@ -10,7 +10,7 @@ use mech_compiler::repair::Offers;
 use mech_compiler::structure::Diagnosis;
 use mech_compiler::syntax::{self, Place};
 use mech_compiler::{Analysis, Compiled, Import, PartText, catch};
-use proc_macro2::{LexError, Span, TokenStream, TokenTree};
+use proc_macro2::{LexError, Span, TokenStream};
 use std::ops::Range;
 
 /// A mechanism of a document, read and analysed.
@@ -122,41 +122,27 @@ pub(super) fn faults_of_part(
 
 /// The tokens of a mechanism, with all parts that it takes from elsewhere.
 fn text_of(document: &Document, declaration: &Declaration) -> Result<TokenStream, Vec<Message>> {
-    let mut text = tokens_of(document, declaration).map_err(|message| vec![message])?;
-    while let Some(import) = Import::first(&text) {
-        let part = imported(document, &import).ok_or_else(|| {
-            let place = range_of(Place::of(&import.path), &declaration.whole);
-            let text = format!(
-                "part `{}` is not known here\n\nnote: parts are taken from the same file, and from `mech_runtime::parts`",
-                name_of(&import).unwrap_or_default()
-            );
-            vec![Message { place, text }]
-        })?;
-        text = import.others;
-        text.extend("part".parse::<TokenStream>().unwrap_or_default());
-        text.extend(part);
-    }
-    Ok(text)
+    let text = tokens_of(document, declaration).map_err(|message| vec![message])?;
+    Import::write_out(text, |import| imported(document, import)).map_err(|unknown| {
+        let place = range_of(Place::of(&unknown.path), &declaration.whole);
+        let name = unknown.name().map(|name| name.to_string());
+        let text = format!(
+            "part `{}` is not known here\n\nnote: parts are taken from the same file, and from `mech_runtime::parts`",
+            name.unwrap_or_default()
+        );
+        vec![Message { place, text }]
+    })
 }
 
 /// The text of a part that a mechanism takes from elsewhere: from its own file, or from the runtime.
 fn imported(document: &Document, import: &Import) -> Option<TokenStream> {
-    let name = name_of(import)?;
-    let place = import.path.clone().into_iter().last()?.span();
+    let name = import.name()?;
     let here = document.parts.iter().find_map(|part| {
         let tokens = tokens_of(document, part).ok()?;
         let part = PartText::read(&tokens).ok()?;
         (part.name == name).then_some(part.body)
     });
-    here.or_else(|| library::part(&name, place))
-}
-
-/// The last word of the path of an import.
-fn name_of(import: &Import) -> Option<String> {
-    match import.path.clone().into_iter().last()? {
-        TokenTree::Ident(name) => Some(name.to_string()),
-        _ => None,
-    }
+    here.or_else(|| library::part(&name.to_string(), name.span()))
 }
 
 fn tokens_of(document: &Document, declaration: &Declaration) -> Result<TokenStream, Message> {

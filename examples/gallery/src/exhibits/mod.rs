@@ -1,13 +1,17 @@
 //! The exhibits.
 
 mod andrews;
+mod antikythera;
 mod crane;
 mod diagram;
+mod excavator;
 mod four_bar;
 mod geared_piston;
 mod jansen;
 mod rocker_arm;
+mod skeleton;
 mod velocities;
+mod walker;
 mod watt;
 
 use crate::Exhibit;
@@ -25,5 +29,9 @@ pub fn exhibits() -> Vec<Box<dyn Exhibit>> {
         jansen::exhibit(),
         rocker_arm::exhibit(),
         crane::exhibit(),
+        excavator::exhibit(),
+        walker::exhibit(),
+        antikythera::exhibit(),
+        skeleton::exhibit(),
     ]
 }

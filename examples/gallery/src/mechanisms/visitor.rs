@@ -1,8 +1,8 @@
 //! Visitors of all mechanisms, each with its own type.
 
 use crate::{
-    Exhibited, andrews, crane, diagram, four_bar, geared_piston, jansen, rocker_arm, velocities,
-    watt,
+    Exhibited, andrews, antikythera, crane, diagram, excavator, four_bar, geared_piston, jansen,
+    rocker_arm, skeleton, velocities, walker, watt,
 };
 
 /// A visitor of the mechanisms of the gallery.
@@ -23,6 +23,10 @@ macro_rules! visit_all {
         $visitor.visit::<jansen::$($single::)?JansenLeg>();
         $visitor.visit::<rocker_arm::$($single::)?RockerArm>();
         $visitor.visit::<crane::$($single::)?LuffingCrane>();
+        $visitor.visit::<excavator::$($single::)?Excavator>();
+        $visitor.visit::<walker::$($single::)?Walker>();
+        $visitor.visit::<antikythera::$($single::)?Antikythera>();
+        $visitor.visit::<skeleton::$($single::)?Skeleton>();
     };
 }
 

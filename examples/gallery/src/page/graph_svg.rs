@@ -31,13 +31,24 @@ const LINE: f64 = 17.0;
 const ASIDE: f64 = 12.0;
 const ABOVE: f64 = 6.5;
 
-/// The picture of a graph.
-pub(crate) fn svg(graph: &Graph) -> String {
+/// A picture of more vertices cannot be read, and takes long to arrange.
+const MOST_VERTICES: usize = 16;
+
+/// The picture of a graph; none of one that is too large to be read.
+pub(crate) fn svg(graph: &Graph) -> Option<String> {
+    if !is_readable(graph) {
+        return None;
+    }
     let layout = Layout::new(&sketch(graph));
     let mut text = String::new();
     // Writing into a string does not fail.
     let _ = write(&mut text, graph, &layout);
-    text
+    Some(text)
+}
+
+/// Whether a graph is small enough for a picture.
+pub(crate) fn is_readable(graph: &Graph) -> bool {
+    graph.vertices.len() <= MOST_VERTICES
 }
 
 /// A graph without its names.

@@ -128,8 +128,14 @@ fn graphs_of(slug: &str, Graphs { links, loops }: &Graphs) -> String {
         (links, links_caption.as_str(), links_file),
         (loops, loops_caption, loops_file),
     ] {
-        let svg = graph_svg::svg(graph);
+        if graph.vertices.is_empty() {
+            continue;
+        }
         let link = format!("<a href=\"{file}\">DOT</a>");
+        let svg = graph_svg::svg(graph).unwrap_or_else(|| {
+            let count = graph.vertices.len();
+            format!("<p>{count} are too many for a picture.</p>\n")
+        });
         let _ = write!(
             text,
             "<figure>\n{svg}<figcaption>{caption} ({link}).</figcaption>\n</figure>\n"

@@ -200,13 +200,7 @@ fn build(
     mut plan: Plan,
     depth: Depth,
 ) -> Result<Coherent, Diagnosis> {
-    let method = model.method.unwrap_or_default();
-    let predictor = model.predictor;
-    let declared = |_| Choice {
-        predictor,
-        ..Choice::by(method)
-    };
-    let choices = plan.loops().map(declared).collect();
+    let choices = plan.loops().map(|_| Choice::declared(model)).collect();
     let (mut choices, prediction) = match depth {
         Depth::Start => (choices, None),
         Depth::WholeMotion => choose_by_motion(model, &mut plan, choices)?,

@@ -167,8 +167,9 @@ fn paint(some: Range<usize>, all: usize) -> TokenStream {
     let [from, to] = [some.start, some.end].map(integer);
     let shapes = match (some.start == 0, some.end == all) {
         (true, true) => quote!(known::SHAPES),
-        (false, true) => quote!(known::SHAPES.get(#from..).unwrap_or_default()),
-        (_, false) => quote!(known::SHAPES.get(#from..#to).unwrap_or_default()),
+        (false, true) => quote!(const { known::SHAPES.split_at(#from).1 }),
+        (true, false) => quote!(const { known::SHAPES.split_at(#to).0 }),
+        (false, false) => quote!(const { known::SHAPES.split_at(#to).0.split_at(#from).1 }),
     };
     quote!(generated::paint(#shapes, &self.position.poses, canvas);)
 }

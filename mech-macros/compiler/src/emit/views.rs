@@ -6,7 +6,7 @@
 use super::tokens::{hidden_method, integer};
 use crate::bug::bug;
 use crate::model::Model;
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{
     Attribute, Expr, ExprLit, FnArg, ImplItem, ImplItemFn, ItemImpl, Lit, Meta, Pat, ReturnType,
@@ -146,10 +146,8 @@ fn camel_case(path: &str) -> String {
     let words = path.split(['.', '_']);
     let capital = |word: &str| {
         let mut letters = word.chars();
-        let first = letters
-            .next()
-            .map(|letter| letter.to_uppercase().to_string());
-        first.unwrap_or_default() + letters.as_str()
+        let first = letters.next().into_iter().flat_map(char::to_uppercase);
+        first.chain(letters).collect::<String>()
     };
     words.map(capital).collect()
 }
@@ -436,8 +434,10 @@ fn number(krate: &TokenStream, model: &Model, kinds: &[Kind], kind: &Kind) -> To
     };
     let choices = holders.into_iter().map(|holder| {
         let of = is_in(holder);
-        let (first, count): (Literal, Literal) =
-            (integer(of.first().copied().unwrap_or(0)), integer(of.len()));
+        let Some(&first) = of.first() else {
+            bug!("a part is used without instances")
+        };
+        let [first, count] = [first, of.len()].map(integer);
         let name = &kind.of;
         if kind.is_array {
             quote!(#first + #krate::generated::instance_number(#name, k, #count))

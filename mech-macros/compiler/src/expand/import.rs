@@ -38,6 +38,33 @@ impl Import {
         })
     }
 
+    /// A text in which all imported parts are written out. `part` gives the text of each, from its name on.
+    ///
+    /// # Errors
+    /// The first import that `part` does not know.
+    pub fn write_out(
+        mut text: TokenStream,
+        part: impl Fn(&Self) -> Option<TokenStream>,
+    ) -> Result<TokenStream, Self> {
+        while let Some(import) = Self::first(&text) {
+            let Some(part) = part(&import) else {
+                return Err(import);
+            };
+            let others = import.others;
+            text = quote!(#others part #part);
+        }
+        Ok(text)
+    }
+
+    /// The name of the part: the last word of the path.
+    #[must_use]
+    pub fn name(&self) -> Option<Ident> {
+        match self.path.clone().into_iter().last()? {
+            TokenTree::Ident(name) => Some(name),
+            _ => None,
+        }
+    }
+
     /// The call of the macro that adds the part.
     pub(super) fn call(&self, krate: &TokenStream) -> TokenStream {
         let Self { path, others } = self;

@@ -3,7 +3,7 @@
 use crate::evaluate::Machine;
 use crate::kinematics;
 use crate::model::{AxisId, LinkId, Model};
-use crate::motion::sweep::{Sweep, interpolate, sweep_motors};
+use crate::motion::sweep::{MostTurns, Sweep, interpolate, sweep_motors};
 use crate::plan::Plan;
 use crate::program::Program;
 use nalgebra::{Isometry2, Point2, Vector2};
@@ -67,7 +67,7 @@ impl Survey {
         let live = program.live.iter().filter(|live| **live).count();
         let sweeps = model.motors.len().max(1);
         let affordable = (BUDGET / (live + 1) / sweeps).min(MOST_SAMPLES);
-        sweep_motors(model, plan, MOST_TURNS, |sweep| {
+        sweep_motors(model, plan, MostTurns::OfMotor(MOST_TURNS), |sweep| {
             let Sweep {
                 displacements,
                 turns,

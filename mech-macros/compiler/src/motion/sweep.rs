@@ -20,6 +20,27 @@ pub(crate) struct Sweep {
     pub(crate) turns: usize,
 }
 
+/// How far a motor is turned at most.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum MostTurns {
+    /// So many turns of the motor itself.
+    OfMotor(i64),
+    /// As many as turn the fastest of all that it drives so often, or one.
+    OfFastest(i64),
+}
+
+impl MostTurns {
+    /// The turns of a motor that drives these parts of its turns.
+    fn of(self, parts: &[&Rational]) -> i64 {
+        match self {
+            Self::OfMotor(turns) => turns,
+            #[expect(clippy::cast_possible_truncation, reason = "rounded down on purpose")]
+            #[expect(clippy::cast_precision_loss, reason = "some thousand turns")]
+            Self::OfFastest(turns) => ((turns as f64 / fastest(parts)) as i64).max(1),
+        }
+    }
+}
+
 /// The values of the motors after a part of their displacements from the start.
 pub(crate) fn interpolate(start: &[f64], displacements: &[f64], part: f64) -> Vec<f64> {
     let pairs = start.iter().zip(displacements);
@@ -28,12 +49,12 @@ pub(crate) fn interpolate(start: &[f64], displacements: &[f64], part: f64) -> Ve
         .collect()
 }
 
-/// Makes all sweeps, of at most so many turns of a motor: behind gears it takes several until everything has turned. `run` moves the
-/// mechanism along a sweep and returns whether it reached the end: a motor that can turn all the way round need not turn back.
+/// Makes all sweeps, of at most so many turns: behind gears it takes several until everything has turned. `run` moves the mechanism along a
+/// sweep and returns whether it reached the end: a motor that can turn all the way round need not turn back.
 pub(crate) fn sweep_motors(
     model: &Model,
     plan: &Plan,
-    most_turns: i64,
+    most_turns: MostTurns,
     mut run: impl FnMut(&Sweep) -> bool,
 ) {
     for motor in model.motor_ids() {
@@ -48,7 +69,7 @@ pub(crate) fn sweep_motors(
 fn sweep_alone(
     model: &Model,
     plan: &Plan,
-    (motor, most_turns): (MotorId, i64),
+    (motor, most_turns): (MotorId, MostTurns),
     run: &mut impl FnMut(&Sweep) -> bool,
 ) {
     let index = motor.index();
@@ -76,7 +97,7 @@ fn sweep_alone(
     }
     let displacement = if is_revolute {
         #[expect(clippy::cast_precision_loss, reason = "some thousand turns")]
-        let turns = turns_until_whole(&parts, most_turns) as f64;
+        let turns = turns_until_whole(&parts, most_turns.of(&parts)) as f64;
         TAU * turns
     } else {
         4.0 * model.size()
@@ -128,18 +149,22 @@ fn turns_until_whole(parts: &[&Rational], most_turns: i64) -> i64 {
 
 /// How many turns the fastest of all makes while the motor makes this many, as far as they are examined one by one.
 fn turns_of_fastest(parts: &[&Rational], turns: f64) -> usize {
-    // A ratio beyond the floats is beyond the most that is examined anyway.
-    let ratios = parts
-        .iter()
-        .map(|part| part.abs().to_f64().unwrap_or(f64::INFINITY));
-    let fastest = ratios.fold(1.0, f64::max);
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "between 1 and 64"
     )]
-    let turns = (turns.abs() * fastest)
+    let turns = (turns.abs() * fastest(parts))
         .ceil()
         .clamp(1.0, MOST_TURNS_OF_FASTEST) as usize;
     turns
+}
+
+/// How many turns the fastest makes in one turn of the motor.
+fn fastest(parts: &[&Rational]) -> f64 {
+    // A ratio beyond the floats is beyond the most that is examined anyway.
+    let ratios = parts
+        .iter()
+        .map(|part| part.abs().to_f64().unwrap_or(f64::INFINITY));
+    ratios.fold(1.0, f64::max)
 }

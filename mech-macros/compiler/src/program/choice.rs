@@ -1,7 +1,7 @@
 //! How each loop is solved.
 
 use super::newton::Rounds;
-use crate::model::Method;
+use crate::model::{Method, Model};
 use crate::plan::Bound;
 use mech_core::journey::AtZero;
 
@@ -52,6 +52,15 @@ impl Choice {
     #[must_use]
     pub fn changes_branch(&self) -> bool {
         matches!(&self.watching, Some(watching) if watching.at_zero == AtZero::ChangeBranch)
+    }
+
+    /// All loops as the mechanism declares it: in closed form, if it declares no method.
+    #[must_use]
+    pub fn declared(model: &Model) -> Self {
+        Self {
+            predictor: model.predictor,
+            ..Self::by(model.method.unwrap_or_default())
+        }
     }
 
     /// All loops by this method.

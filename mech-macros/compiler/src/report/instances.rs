@@ -115,6 +115,22 @@ pub(super) fn joint_names(model: &Model, ids: &[JointId]) -> Vec<String> {
     shown
 }
 
+/// Lines about joints; those that are alike but for the numbers of instances once, with `[*]` and how many they are.
+pub(super) fn alike(lines: &[String]) -> Vec<String> {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for line in lines {
+        *counts.entry(pattern(line)).or_default() += 1;
+    }
+    let shown = lines.iter().filter_map(|line| {
+        let all = pattern(line);
+        match counts.remove(&all)? {
+            1 => Some(line.clone()),
+            count => Some(format!("{count} × {all}")),
+        }
+    });
+    shown.collect()
+}
+
 /// A path with `[*]` for every number in brackets.
 fn pattern(path: &str) -> String {
     let mut pieces = path.split('[');

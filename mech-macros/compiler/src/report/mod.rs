@@ -8,12 +8,11 @@ mod rolling;
 use crate::compiled::Compiled;
 use crate::cost;
 use crate::model::{Joint, JointId, JointKind, LinkId, Model};
-use crate::plan::Step;
 use crate::structure::Structure;
 use effects::{force_lines, trace_line};
 use instances::{is_described, joint_names, part_lines};
 use loops::{accuracy, loop_line, method, method_line, needs_line, omissions};
-use rolling::{cam_line, mesh_line, rolling_line};
+use rolling::coupling_lines;
 use std::fmt::Write;
 
 /// The report of a coherent mechanism.
@@ -58,18 +57,8 @@ fn write(text: &mut String, model: &Model, compiled: &Compiled) -> std::fmt::Res
     if !structure.redundant.is_empty() {
         writeln!(text, "  redundant {}", joints(model, &structure.redundant))?;
     }
-    for rolling in &structure.rollings {
-        writeln!(text, "  rolling   {}", rolling_line(model, rolling))?;
-    }
-    for step in &plan.steps {
-        if let Step::Mesh(mesh) = step {
-            writeln!(text, "  moved     {}", mesh_line(model, plan, mesh))?;
-        }
-    }
-    for step in &plan.steps {
-        if let Step::Cam(cam) = step {
-            writeln!(text, "  cam       {}", cam_line(model, cam))?;
-        }
+    for line in coupling_lines(model, structure, plan) {
+        writeln!(text, "  {line}")?;
     }
     for line in part_lines(model, plan, loops) {
         writeln!(text, "  part      {line}")?;

@@ -1,13 +1,63 @@
 //! The report's lines about gears, belts, racks and cams.
 
+use super::instances::alike;
 use super::name;
 use crate::bug::bug;
 use crate::model::{JointKind, Model, Ratio};
-use crate::plan::{Cam, Mesh, Plan, Rational, Source, fraction};
-use crate::structure::Rolling;
+use crate::plan::{Cam, Mesh, Plan, Rational, Source, Step, fraction};
+use crate::structure::{Rolling, Structure};
+
+/// The lines about what gears, belts, racks and cams couple.
+pub(super) fn coupling_lines(model: &Model, structure: &Structure, plan: &Plan) -> Vec<String> {
+    let rollings = structure.rollings.iter();
+    let rollings: Vec<String> = rollings
+        .map(|rolling| rolling_line(model, rolling))
+        .collect();
+    let moved = plan.steps.iter().filter_map(|step| match step {
+        Step::Mesh(mesh) => Some(mesh_line(model, plan, mesh)),
+        _ => None,
+    });
+    let moved: Vec<String> = moved.collect();
+    let cams = plan.steps.iter().filter_map(|step| match step {
+        Step::Cam(cam) => Some(cam_line(model, cam)),
+        _ => None,
+    });
+    let cams: Vec<String> = cams.collect();
+    let mut lines = Vec::new();
+    lines.extend(freedoms(plan).map(|line| format!("freedoms  {line}")));
+    for (what, of) in [("rolling", rollings), ("moved", moved), ("cam", cams)] {
+        lines.extend(alike(&of).iter().map(|line| format!("{what:<9} {line}")));
+    }
+    lines
+}
+
+/// How many coordinates the joints have, and what determines how many of them; none where only motors and loops do.
+fn freedoms(plan: &Plan) -> Option<String> {
+    let count = |of: fn(&Step) -> usize| plan.steps.iter().map(of).sum::<usize>();
+    let motors = count(|step| usize::from(matches!(step, Step::Drive(_))));
+    let rolling = count(|step| usize::from(matches!(step, Step::Mesh(_))));
+    let cams = count(|step| usize::from(matches!(step, Step::Cam(_))));
+    let loops = count(|step| match step {
+        Step::Close(closing) => closing.unknowns().len(),
+        _ => 0,
+    });
+    if rolling + cams == 0 {
+        return None;
+    }
+    let parts = [
+        (motors, "by motors"),
+        (rolling, "by gears, belts and racks"),
+        (cams, "by cams"),
+        (loops, "by loops"),
+    ];
+    let parts = parts.iter().filter(|(count, _)| *count > 0);
+    let parts: Vec<String> = parts.map(|(count, by)| format!("{count} {by}")).collect();
+    let all = motors + rolling + cams + loops;
+    Some(format!("{all} of joints: {}", parts.join(", ")))
+}
 
 /// The links, the size and the carrier of a gear, belt or rack.
-pub(super) fn rolling_line(model: &Model, rolling: &Rolling) -> String {
+fn rolling_line(model: &Model, rolling: &Rolling) -> String {
     let joint = model.joint(rolling.joint);
     let size = match joint.kind {
         JointKind::Gear { ratio, .. } => match ratio {
@@ -30,7 +80,7 @@ pub(super) fn rolling_line(model: &Model, rolling: &Rolling) -> String {
 }
 
 /// The factors of motors, angles and displacements in the coordinate of a joint that gears, belts or racks move.
-pub(super) fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
+fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
     let part = |(source, part): &(usize, Rational)| {
         let source = match plan.sources[*source] {
             Source::Motor(motor) => model.joint(model.motor(motor).joint).name.clone(),
@@ -51,7 +101,7 @@ pub(super) fn mesh_line(model: &Model, plan: &Plan, mesh: &Mesh) -> String {
 }
 
 /// The joints of a cam, and its law.
-pub(super) fn cam_line(model: &Model, cam: &Cam) -> String {
+fn cam_line(model: &Model, cam: &Cam) -> String {
     let joint = model.joint(cam.by);
     let JointKind::Cam {
         shaft,

@@ -1,11 +1,12 @@
 //! What is asked of mechanisms on every machine: the same code runs on a desktop and on a microcontroller, and what it tells is compared.
 //!
 //! [`poses`] tells where the links of a mechanism are, bit by bit, [`pictures`] a check sum of each picture of it. [`ask_all`] goes
-//! through all mechanisms there are: the gallery's and one [four-bar](four_bar) by every method.
+//! through all mechanisms there are: the gallery's, one [four-bar](four_bar) by every method, and [walkers](legs).
 #![no_std]
 
 mod abilities;
 pub mod four_bar;
+pub mod legs;
 mod panel;
 mod pictures;
 mod poses;
@@ -44,7 +45,7 @@ pub trait Probe {
     fn ask<M: Probed>(&mut self);
 }
 
-/// Asks every mechanism: those of the gallery in both precisions, and the four-bar by every method.
+/// Asks every mechanism: those of the gallery in both precisions, the four-bar by every method, and walkers.
 pub fn ask_all(probe: &mut impl Probe) {
     struct Asking<'p, P>(&'p mut P);
 
@@ -58,6 +59,7 @@ pub fn ask_all(probe: &mut impl Probe) {
     mech_gallery::visit_f32(&mut asking);
     mech_gallery::visit_f64(&mut asking);
     four_bar::visit(probe);
+    legs::visit(probe);
 }
 
 /// Who receives what mechanisms report.

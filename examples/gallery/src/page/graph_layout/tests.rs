@@ -57,8 +57,9 @@ fn sketch(rows: &[usize], edges: &[(usize, usize)]) -> Sketch {
 fn the_gallery_is_tidy() {
     for exhibit in exhibits() {
         let graphs = exhibit.graphs().expect("its source declares it");
-        for graph in [graphs.links, graphs.loops] {
-            tidy(&graph_svg::sketch(&graph));
+        let graphs = [graphs.links, graphs.loops];
+        for graph in graphs.iter().filter(|graph| graph_svg::is_readable(graph)) {
+            tidy(&graph_svg::sketch(graph));
         }
     }
 }

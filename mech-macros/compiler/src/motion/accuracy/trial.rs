@@ -8,7 +8,7 @@ use super::extent::Extents;
 use crate::cost;
 use crate::evaluate::Machine;
 use crate::model::{JointKind, Model};
-use crate::motion::sweep::{Sweep, interpolate, sweep_motors};
+use crate::motion::sweep::{MostTurns, Sweep, interpolate, sweep_motors};
 use crate::plan::Plan;
 use crate::program::{Position, Program};
 use mech_core::Real;
@@ -99,7 +99,9 @@ pub(super) fn compare(model: &Model, plan: &Plan, exact: &Program, rivals: &mut 
         single: Machine::new(exact),
         rivals,
     };
-    sweep_motors(model, plan, MOST_TURNS, |sweep| trial.follow(sweep));
+    sweep_motors(model, plan, MostTurns::OfMotor(MOST_TURNS), |sweep| {
+        trial.follow(sweep)
+    });
     if model.motors.len() > 1 {
         trial.wander(model);
     }

@@ -4,7 +4,7 @@ mod seen;
 
 use crate::evaluate::Machine;
 use crate::model::{JointKind, Model, Motor};
-use crate::motion::sweep::{Sweep, interpolate, sweep_motors};
+use crate::motion::sweep::{MostTurns, Sweep, interpolate, sweep_motors};
 use crate::plan::{Halton, Plan};
 use crate::program::{Position, Program};
 pub(crate) use seen::Reach;
@@ -15,6 +15,10 @@ use std::f64::consts::TAU;
 const BUDGET: usize = 150_000;
 /// Turns of a motor: a wheel behind a worm has turned as a whole after so many.
 const MOST_TURNS: i64 = 1 << 16;
+/// Where a move goes in pieces, each turn on the way costs some: operations that all turns of a sweep may cost.
+const BUDGET_OF_PIECES: usize = 4_000_000;
+/// About as many pieces take a turn of the fastest link.
+const PIECES: usize = 4;
 /// Samples in a turn of the fastest link.
 const SAMPLES: [usize; 2] = [24, 120];
 /// Positions of all motors together.
@@ -33,7 +37,8 @@ pub(crate) fn extent(
     shapes: &[Vec<Reach>],
 ) -> [[f64; 2]; 2] {
     let mut survey = Survey::new(model, program, shapes);
-    sweep_motors(model, plan, MOST_TURNS, |sweep| survey.follow(sweep));
+    let most_turns = survey.most_turns();
+    sweep_motors(model, plan, most_turns, |sweep| survey.follow(sweep));
     if model.motors.len() > 1 {
         survey.visit_combinations();
     }
@@ -91,6 +96,15 @@ impl<'a> Survey<'a> {
         };
         survey.look();
         survey
+    }
+
+    /// How far a motor is turned at most.
+    fn most_turns(&self) -> MostTurns {
+        if self.program.watches.is_empty() && self.program.follows.is_empty() {
+            return MostTurns::OfMotor(MOST_TURNS);
+        }
+        let turns = BUDGET_OF_PIECES / (PIECES * self.cost);
+        MostTurns::OfFastest(i64::try_from(turns).map_or(MOST_TURNS, |turns| turns.min(MOST_TURNS)))
     }
 
     /// Notes how far out is what is seen where the machine is.

@@ -1,6 +1,7 @@
 //! Which loops never come near a dead point or change point, whatever the motors do: proved one by one.
 
 use super::domain::Domain;
+use super::influence::Motors;
 use super::known::{Free, LoopProof};
 use crate::bug::bug;
 use crate::certify::Interval;
@@ -19,14 +20,16 @@ const ALL: usize = 1_500_000;
 const EACH: usize = 12_000;
 
 /// Looks at all loops in closed form, in their order: later ones are made from what earlier ones find.
-pub(super) fn prove(domain: &mut Domain<'_>) {
+///
+/// Of each loop, `motors` has those that have a part in whether it closes.
+pub(super) fn prove(domain: &mut Domain<'_>, motors: &[Motors]) {
     let mut left = ALL + EACH * domain.known.len();
     let program = domain.cutter.program;
     for (block, closed) in program.closed_forms() {
         if domain.varying.contains(&closed.number) {
             continue;
         }
-        let free = prove_free(domain, block, closed, &mut left);
+        let free = prove_free(domain, block, closed, &motors[closed.number], &mut left);
         domain.known[closed.number] = LoopProof { free };
     }
 }
@@ -36,6 +39,7 @@ fn prove_free(
     domain: &Domain<'_>,
     block: BlockId,
     closed: &ClosedForm,
+    motors: &Motors,
     left: &mut usize,
 ) -> Option<Free> {
     let asked = LoopQuery::new(domain, block, closed);
@@ -65,8 +69,35 @@ fn prove_free(
         into: &|angle| domain.cutter.parts(angle).is_some(),
     };
     let cone = domain.cutter.cone(&asked.outputs, &together);
-    let ranges = domain.of_inputs(&cone.variables, &asked.outputs, &together);
-    asked.answer(&cone, &ranges, (TOGETHER, left))
+    let mut ranges = domain.of_inputs(&cone.variables, &asked.outputs, &together);
+    let is_carried = hold_carriers(domain, &cone, motors, &mut ranges);
+    let mut found = asked.answer(&cone, &ranges, (TOGETHER, left))?;
+    if is_carried {
+        asked.turn_anywhere(&mut found);
+    }
+    Some(found)
+}
+
+/// Holds the motors at the start that only carry the loop as a whole; returns whether there are any.
+fn hold_carriers(
+    domain: &Domain<'_>,
+    cone: &Cone,
+    motors: &Motors,
+    ranges: &mut [Interval],
+) -> bool {
+    let Some(motors) = motors else {
+        return false;
+    };
+    let mut is_carried = false;
+    for (variable, range) in cone.variables.iter().zip(ranges) {
+        if let Variable::Input(input) = variable
+            && !motors.contains(input)
+        {
+            *range = Interval::point(domain.start(*input));
+            is_carried = true;
+        }
+    }
+    is_carried
 }
 
 /// A direction that carries a loop as a whole: whether it closes is the same in all of them.
@@ -207,6 +238,15 @@ impl<'c> LoopQuery<'c> {
             bug!("a value of a loop is not among its outputs");
         };
         place
+    }
+
+    /// Forgets the directions of a loop that is carried about.
+    fn turn_anywhere(&self, free: &mut Free) {
+        for (range, (solution, _)) in free.ranges.iter_mut().zip(&self.unknowns) {
+            if matches!(solution, Solution::Direction(_)) {
+                *range = None;
+            }
+        }
     }
 
     fn answer(

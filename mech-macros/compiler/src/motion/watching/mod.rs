@@ -9,6 +9,7 @@ mod boxes;
 mod domain;
 mod free;
 mod guess;
+mod influence;
 mod known;
 mod pace;
 mod touching;
@@ -45,7 +46,7 @@ pub(crate) fn decide(model: &Model, plan: &Plan, choices: Vec<Choice>) -> Decisi
         .collect();
     let program = build_as(model, plan, &closed);
     let mut domain = Domain::new(model, &program, choices.len());
-    free::prove(&mut domain);
+    free::prove(&mut domain, &influence::motors_of_loops(plan));
     let mut paces = Paces::new(&domain);
     let all_free = program
         .closed_forms()

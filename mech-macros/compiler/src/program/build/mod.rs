@@ -290,10 +290,7 @@ impl Target<'_> {
 
     /// The choice of a loop's solver and watch.
     fn choice(self, model: &Model, choices: &[Choice], number: usize) -> Choice {
-        let otherwise = || Choice {
-            predictor: model.predictor,
-            ..Choice::by(model.method.unwrap_or_default())
-        };
+        let otherwise = || Choice::declared(model);
         let choice = choices.get(number).cloned().unwrap_or_else(otherwise);
         if !self.idle.contains(&number) {
             return choice;
