@@ -108,6 +108,28 @@ fn check_in_motion<M: Mechanism<Scalar = f64>>() {
     }
 }
 
+mechanism! {
+    /// So many joints that they stand in a table, and not all of them in its rows.
+    struct Presses;
+    part Press(unit = 1) {
+        port frame { point shaft = (0, 0); line guide = (0, 0.5 * unit) -> (1, 0); }
+        port crank { point pin = (unit, 0); }
+        link rod { point pin = (0, 0); point end = (4 * unit, 0); }
+        link ram { point end = (0, 0); line way = (0, 0) -> (1, 0); point tool = (unit, 0); }
+        link tool { point tool = (0, 0) turned 10 deg; }
+        joint big = revolute(crank.pin, rod.pin);
+        joint small = revolute(rod.end, ram.end);
+        joint slide = prismatic(frame.guide, ram.way);
+        joint fixed = weld(ram.tool, tool.tool);
+        start { rod near 10 deg; }
+    }
+    ground { point shaft = (0, 0); }
+    link axle { point shaft = (0, 0); }
+    joint main = revolute(ground.shaft, axle.shaft);
+    motor main;
+    use press[20]: Press(unit = 1 + 0.1 * k) { frame = ground, crank = axle };
+}
+
 macro_rules! cases {
     ($($test:ident: $mechanism:ty;)*) => {
         $(
@@ -134,6 +156,7 @@ cases! {
     rolling_wheel: zoo::rolling::Rolling;
     slotted_arm: zoo::special::SlottedArm;
     welded: zoo::special::Welded;
+    presses: Presses;
     double_butterfly: zoo::special::DoubleButterfly;
 }
 

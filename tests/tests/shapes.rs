@@ -73,6 +73,51 @@ mechanism! {
 }
 
 #[test]
+fn a_table_has_every_kind_of_outline() {
+    const WHEEL: [[f64; 2]; 3] = [[0.0, 1.0], [2.0, 3.0], [4.0, 5.0]];
+    const POINTS: &[[f64; 2]] = &[[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0]];
+    let rows = [
+        [1, 2, 3, 1],
+        [0, 3, 0, 0],
+        [2, 4, 2, 3],
+        [3, 5, 1, 0],
+        [4, 6, 5, 0],
+        [5, 255, 4, 0],
+    ];
+    let numbers = [
+        0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0,
+    ];
+    let expected = [
+        Outline::Line {
+            points: &[[1.0, 2.0]],
+            width: 0.5,
+        },
+        Outline::Circle {
+            center: [1.0, 2.0],
+            radius: 3.0,
+        },
+        Outline::Polygon(&POINTS[1..]),
+        Outline::Ring {
+            center: [4.0, 5.0],
+            radius: 6.0,
+            hole: 7.0,
+        },
+        Outline::Polygon(&WHEEL),
+        Outline::Arc {
+            center: [8.0, 9.0],
+            start: [10.0, 11.0],
+            angle: 12.0,
+            width: 13.0,
+        },
+    ];
+    let found = mech_runtime::generated::shapes(rows, &numbers, POINTS, &[&WHEEL]);
+    for ((shape, row), outline) in found.iter().zip(rows).zip(expected) {
+        assert_eq!([shape.link, usize::from(shape.color)], row[..2]);
+        assert_eq!(shape.outline, outline);
+    }
+}
+
+#[test]
 fn a_bar_is_painted_as_textbooks_do() {
     let mut barred = Barred::new();
     barred.move_to([0.4, 1.0]).expect("it turns");

@@ -5,6 +5,7 @@ mod arrows;
 mod coordinates;
 mod dynamics;
 mod forces;
+mod joints;
 mod journey;
 mod limits;
 mod loops;
@@ -13,6 +14,7 @@ pub mod parameters;
 mod params;
 mod position;
 mod rates;
+mod shapes;
 mod wheel;
 
 pub use crate::blocked::Input;
@@ -32,6 +34,7 @@ pub use coordinates::{
 };
 pub use dynamics::{Moment, Simulated, simulate};
 pub use forces::{Holding, Inertia, not_finite, pull};
+pub use joints::pins;
 pub use limits::{Followed, MoveLimits, Stepping, Watched};
 pub use loops::{closed, closes, determined, solve};
 pub use many::{FullRange, Reduced, Sines, min_margin, move_many, move_many_then, solve_many};
@@ -44,6 +47,7 @@ pub use params::{
 };
 pub use position::{Motors, Position, finite};
 pub use rates::{Rates, advance_with, rates_at};
+pub use shapes::shapes;
 pub use wheel::{ring, rounded_f32, rounded_f64, wheel};
 
 // Generated code takes the language's own items from here, because their names may mean something else where it stands.

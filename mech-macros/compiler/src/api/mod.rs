@@ -5,6 +5,8 @@ mod table;
 
 use crate::bug::bug;
 pub(crate) use condition::{Condition, Owner};
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
 pub(crate) use table::TABLE;
 
 /// The parts of a mechanism that have an item.
@@ -81,9 +83,13 @@ const INHERITED: [&str; 4] = ["view", "clone", "default", "fmt"];
 
 /// Whether no link, joint or other part of any mechanism may have this name.
 pub(crate) fn is_reserved(name: &str) -> bool {
-    let mut items = TABLE.iter().filter(|item| item.is_fixed());
-    INHERITED.contains(&name)
-        || items.any(|item| item.condition.owner().is_none() && item.name() == name)
+    // Asked for each name of a mechanism: the table is read once for all of them.
+    static RESERVED: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+        let items = TABLE.iter().filter(|item| item.is_fixed());
+        let items = items.filter(|item| item.condition.owner().is_none());
+        items.map(Item::name).chain(INHERITED).collect()
+    });
+    RESERVED.contains(name)
 }
 
 /// The names that an owner takes.

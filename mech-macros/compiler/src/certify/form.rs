@@ -80,8 +80,8 @@ impl Forms {
         let common = first_row.len().min(second_row.len());
         let both = first_row.iter().zip(second_row);
         let sum: f64 = both.map(|(a, b)| (a - factor * b).abs()).sum();
-        let alone: f64 = first_row[common..].iter().map(|part| part.abs()).sum();
-        let other: f64 = second_row[common..].iter().map(|part| part.abs()).sum();
+        let alone = sum_of_sizes(&first_row[common..]);
+        let other = sum_of_sizes(&second_row[common..]);
         let radius = rounded_up(
             sum + alone + factor.abs() * other,
             first.max(second) + self.motors,
@@ -144,18 +144,35 @@ impl Forms {
         for (operand, factor) in operands.into_iter().zip(factors) {
             if let (Some(step), true) = (operand.step, factor != 0.0) {
                 let from = Self::begin(self.motors, step);
-                let parts = &before[from..=from + self.motors + step];
-                for (sum, part) in row.iter_mut().zip(parts) {
-                    *sum += factor * part;
-                }
+                add_scaled(row, factor, &before[from..=from + self.motors + step]);
             }
         }
         row[self.motors + step] = own + f64::MIN_POSITIVE;
-        let radius: f64 = row.iter().map(|part| part.abs()).sum();
+        let radius = sum_of_sizes(row);
         self.middles[step] = middle;
         self.radii[step] = rounded_up(radius, row.len());
         true
     }
+}
+
+/// Adds parts to a row, each times a factor. By numbers, as macros are mostly built without optimisation: there an iterator takes
+/// many times as long, and this is what proofs spend their time on.
+fn add_scaled(row: &mut [f64], factor: f64, parts: &[f64]) {
+    let mut index = 0;
+    while index < parts.len() {
+        row[index] += factor * parts[index];
+        index += 1;
+    }
+}
+
+/// The sum of the sizes of parts; by numbers, as in [`add_scaled`].
+fn sum_of_sizes(parts: &[f64]) -> f64 {
+    let (mut sum, mut index) = (0.0, 0);
+    while index < parts.len() {
+        sum += parts[index].abs();
+        index += 1;
+    }
+    sum
 }
 
 /// An upper bound of a sum of so many terms that was rounded.

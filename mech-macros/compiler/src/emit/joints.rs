@@ -1,12 +1,15 @@
 //! The table of joints, and the method that returns all their coordinates.
 
-use super::coordinate::{Coordinate, coordinate as coordinate_of};
+use super::coordinate::{Measure, coordinate as coordinate_of};
 use super::emitter::Emitter;
 use super::parts::Parts;
 use super::tokens::{integer, option};
-use crate::model::{AxisId, JointId, JointKind, Model};
+use crate::model::{AxisId, FORWARD, JointId, JointKind, Model};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
+
+/// From so many joints on they stand in a table.
+const MANY: usize = 64;
 
 /// `JOINTS` and `joints`.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
@@ -16,17 +19,28 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
         model,
         ..
     } = emitter;
-    let (mut infos, mut values) = (Vec::new(), Vec::new());
+    let (mut joints, mut values) = (Vec::new(), Vec::new());
     for joint in model.declared_joints() {
         let coordinate = Some(joint).filter(|&joint| model.shows_joint(joint));
         let coordinate = coordinate.and_then(|joint| coordinate_of(emitter, joint));
-        infos.push(info(emitter, joint, coordinate.as_ref()));
-        values.push(option(coordinate.map(|coordinate| coordinate.value)));
+        joints.push((joint, coordinate.as_ref().map(|found| found.measure)));
+        values.push(option(coordinate.map(|_| {
+            let joint = model.joint(joint);
+            let name = emitter.ident(&joint.name, joint.origin);
+            quote!(Self::#name(self))
+        })));
     }
-    let count = integer(infos.len());
+    let count = integer(joints.len());
+    let table = if joints.len() < MANY {
+        let infos = joints.iter();
+        let infos = infos.map(|(joint, measure)| info(emitter, *joint, *measure));
+        quote!([#(#infos),*])
+    } else {
+        table(emitter, &joints)
+    };
     Parts {
         known: quote! {
-            pub(super) const JOINTS: [JointInfo<#scalar>; #count] = [#(#infos),*];
+            pub(super) const JOINTS: [JointInfo<#scalar>; #count] = #table;
         },
         methods: quote! {
             /// The joints, in the order of their declaration.
@@ -51,8 +65,51 @@ pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {
     }
 }
 
+/// The entries of all joints: rows of those that are pins as most are, which the Rust compiler reads sooner, and the others one by one.
+fn table(emitter: &Emitter<'_>, joints: &[(JointId, Option<Measure>)]) -> TokenStream {
+    let zero = emitter.number(0.0);
+    let (mut rows, mut others) = (Vec::new(), Vec::new());
+    for (number, (joint, measure)) in joints.iter().enumerate() {
+        if let Some(row) = pin(emitter, *joint, *measure) {
+            rows.push(row);
+        } else {
+            let (number, info) = (integer(number), info(emitter, *joint, *measure));
+            rows.push(quote!(("", [0, 0], [[#zero; 2]; 2])));
+            others.push(quote!(joints[#number] = #info;));
+        }
+    }
+    let links = emitter.program.links.iter();
+    let along = emitter.pair(FORWARD);
+    quote!({
+        #[allow(unused_mut, reason = "all of them may be pins")]
+        let mut joints = pins([#(#rows),*], &["ground", #(#links),*], #along);
+        #(#others)*
+        joints
+    })
+}
+
+/// The row of a pin whose angle no motor gives; none of any other joint.
+fn pin(emitter: &Emitter<'_>, id: JointId, measure: Option<Measure>) -> Option<TokenStream> {
+    let model = emitter.model;
+    let JointKind::Revolute(a, b) = model.joint(id).kind else {
+        return None;
+    };
+    if measure != Some(Measure::Angle) || model.motor_of(id).is_some() {
+        return None;
+    }
+    let axes = [a, b].map(|axis| model.axis(model.seen_axis(axis)));
+    if axes.iter().any(|axis| axis.direction != FORWARD) {
+        return None;
+    }
+    let numbers = axes.map(|axis| emitter.link_number(axis.link));
+    let [a, b] = [integer(numbers[0]?), integer(numbers[1]?)];
+    let [at, other] = axes.map(|axis| emitter.pair(axis.at));
+    let name = &model.joint(id).name;
+    Some(quote!((#name, [#a, #b], [#at, #other])))
+}
+
 /// The entry of a joint in the table.
-fn info(emitter: &Emitter<'_>, id: JointId, coordinate: Option<&Coordinate>) -> TokenStream {
+fn info(emitter: &Emitter<'_>, id: JointId, measure: Option<Measure>) -> TokenStream {
     let model = emitter.model;
     let (joint, kind) = (model.joint(id), kind(model, id));
     let name = &joint.name;
@@ -71,7 +128,7 @@ fn info(emitter: &Emitter<'_>, id: JointId, coordinate: Option<&Coordinate>) -> 
         let motor = integer(motor.index());
         quote!(#motor)
     }));
-    let coordinate = option(coordinate.map(|Coordinate { measure, .. }| {
+    let coordinate = option(measure.map(|measure| {
         let measure = format_ident!("{measure:?}");
         quote!(Coordinate::#measure)
     }));

@@ -7,6 +7,9 @@ use crate::looks::{Measure, Outline, Painted, Toothed};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+/// From so many shapes on they stand in a table.
+const MANY: usize = 64;
+
 /// The statement that paints an outline as params have it; none if they do not change it.
 pub(super) fn fill(emitter: &Emitter<'_>, painted: &Painted) -> Option<TokenStream> {
     if !painted.outline.varies() {
@@ -101,10 +104,15 @@ fn wheels<'a>(emitter: &'a Emitter<'_>) -> Vec<&'a Toothed> {
 
 /// The name of the constant with the corners of a wheel.
 fn wheel_name(wheels: &[&Toothed], wheel: &Toothed) -> Ident {
-    let Some(number) = wheels.iter().position(|known| *known == wheel) else {
+    format_ident!("WHEEL_{}", wheel_number(wheels, wheel))
+}
+
+fn wheel_number(wheels: &[&Toothed], wheel: &Toothed) -> usize {
+    let mut known = wheels.iter();
+    let Some(number) = known.position(|known| *known == wheel) else {
         bug!("a wheel that is painted has no constant");
     };
-    format_ident!("WHEEL_{number}")
+    number
 }
 
 /// The constant with the corners of a wheel: its first tooth, repeated.
@@ -130,27 +138,102 @@ fn wheel_constant(emitter: &Emitter<'_>, name: &Ident, wheel: &Toothed) -> Token
 
 /// The constants `SHAPES` and `EXTENT`, the box around all of them wherever they move.
 pub(super) fn shapes(emitter: &Emitter<'_>) -> TokenStream {
-    let (painted, wheels) = (&emitter.looks.painted, wheels(emitter));
-    let entries = painted.iter().map(|painted| {
-        let Some(link) = emitter.link_number(painted.link) else {
-            bug!("a link that is painted has no pose");
-        };
-        let at_start = |measure: Measure| emitter.number(measure.at_start());
-        let (link, color) = (integer(link), color(painted));
-        let outline = outline(emitter, &wheels, &painted.outline, at_start);
-        quote!(Shape { link: #link, outline: #outline, color: #color })
-    });
+    let wheels = wheels(emitter);
     let constants = wheels
         .iter()
         .map(|wheel| wheel_constant(emitter, &wheel_name(&wheels, wheel), wheel));
+    let shapes = if emitter.looks.painted.len() < MANY {
+        shape_list(emitter, &wheels)
+    } else {
+        shape_table(emitter, &wheels)
+    };
     let scalar = &emitter.scalar;
     let corners = emitter.looks.extent(emitter.model, emitter.compiled);
     let corners = corners.map(|corner| emitter.pair(corner));
     quote! {
         #(#constants)*
 
-        pub(super) const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];
+        #shapes
 
         pub(super) const EXTENT: [[#scalar; 2]; 2] = [#(#corners),*];
+    }
+}
+
+/// The number of a painted link in tables.
+fn link_number(emitter: &Emitter<'_>, painted: &Painted) -> Literal {
+    let Some(link) = emitter.link_number(painted.link) else {
+        bug!("a link that is painted has no pose");
+    };
+    integer(link)
+}
+
+/// The constant `SHAPES`, one by one as a reader likes it.
+fn shape_list(emitter: &Emitter<'_>, wheels: &[&Toothed]) -> TokenStream {
+    let scalar = &emitter.scalar;
+    let entries = emitter.looks.painted.iter().map(|painted| {
+        let at_start = |measure: Measure| emitter.number(measure.at_start());
+        let (link, color) = (link_number(emitter, painted), color(painted));
+        let outline = outline(emitter, wheels, &painted.outline, at_start);
+        quote!(Shape { link: #link, outline: #outline, color: #color })
+    });
+    quote!(pub(super) const SHAPES: &[Shape<#scalar>] = &[#(#entries),*];)
+}
+
+/// The constant `SHAPES` as a table, which the Rust compiler reads sooner: `generated::shapes` has the meaning of its rows.
+fn shape_table(emitter: &Emitter<'_>, wheels: &[&Toothed]) -> TokenStream {
+    let (mut rows, mut numbers, mut points) = (Vec::new(), Vec::new(), Vec::new());
+    let n = |measure: &Measure| emitter.number(measure.at_start());
+    let point = |place: &[Measure; 2]| {
+        let [x, y] = place.each_ref().map(n);
+        quote!([#x, #y])
+    };
+    for painted in &emitter.looks.painted {
+        let (kind, count) = match &painted.outline {
+            Outline::Circle { center, radius } => {
+                numbers.extend(center.iter().chain([radius]).map(n));
+                (0, 0)
+            }
+            Outline::Ring {
+                center,
+                radius,
+                hole,
+            } => {
+                numbers.extend(center.iter().chain([radius, hole]).map(n));
+                (1, 0)
+            }
+            Outline::Polygon(corners) => {
+                points.extend(corners.iter().map(point));
+                (2, corners.len())
+            }
+            Outline::Line {
+                points: places,
+                width,
+            } => {
+                numbers.push(n(width));
+                points.extend(places.iter().map(point));
+                (3, places.len())
+            }
+            Outline::Arc {
+                center,
+                start,
+                angle,
+                width,
+            } => {
+                let all = center.iter().chain(start).chain([angle, width]);
+                numbers.extend(all.map(|number| emitter.number(*number)));
+                (4, 0)
+            }
+            Outline::Toothed(wheel) => (5, wheel_number(wheels, wheel)),
+        };
+        let (link, color) = (link_number(emitter, painted), color(painted));
+        let [kind, count] = [kind, count].map(integer);
+        rows.push(quote!([#link, #color, #kind, #count]));
+    }
+    let scalar = &emitter.scalar;
+    let wheels = wheels.iter().map(|wheel| wheel_name(wheels, wheel));
+    quote! {
+        const POINTS: &[[#scalar; 2]] = &[#(#points),*];
+
+        pub(super) const SHAPES: &[Shape<#scalar>] = &shapes([#(#rows),*], &[#(#numbers),*], POINTS, &[#(&#wheels),*]);
     }
 }

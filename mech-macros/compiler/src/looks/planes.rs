@@ -2,12 +2,12 @@
 
 use super::body::Body;
 use super::declared::PIN;
+use super::footprint::Footprint;
 use super::scene::Scene;
 use super::survey::Frames;
 use crate::model::LinkId;
 use crate::structure::Pin;
-use nalgebra::Point2;
-use std::collections::BTreeMap;
+use nalgebra::{Isometry2, Point2};
 
 /// So often a link and a pin are compared, at as many positions.
 const CHECKS: usize = 200_000;
@@ -21,9 +21,11 @@ const WORK: usize = 4000;
 /// touches a pin.
 const WITHIN: usize = 64;
 const TOUCHING: usize = 4;
+/// Rounding moves a place by less than this part of its coordinates.
+const SPARE: f64 = 1e-9;
 
 /// A link comes to a pin that it does not carry: it has to be in front of both its ends, or behind both.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy)]
 struct Crossing {
     link: usize,
     pin: usize,
@@ -41,8 +43,10 @@ pub(super) struct Order {
 struct Rules {
     /// For each pin with something in its way: the bodies that it joins, and whether it is fixed to the ground.
     pins: Vec<(Vec<usize>, bool)>,
-    /// Those whose middle comes within the link weigh more than those that only touch it.
-    crossings: BTreeMap<Crossing, usize>,
+    /// With their weights: those whose middle comes within the link weigh more than those that only touch it.
+    crossings: Vec<(Crossing, usize)>,
+    /// For each body the crossings that it has a part in.
+    crossings_with: Vec<Vec<(Crossing, usize)>>,
     /// Pairs of which the first has to be in front of the second.
     before: Vec<[usize; 2]>,
 }
@@ -61,7 +65,7 @@ pub(super) fn order(
     let rules = if links.len() <= MOST_LINKS {
         Rules::new(scene, links, bodies, before.collect())
     } else {
-        Rules::none()
+        Rules::none(links.len())
     };
     // From front to back, as they are declared: what is driven first is in front.
     let mut order: Vec<usize> = (0..links.len()).rev().collect();
@@ -73,9 +77,9 @@ pub(super) fn order(
     Order { ranks, conflicts }
 }
 
-/// The rank of each body in an order.
+/// The rank of each body in an order, in which one may be missing.
 fn ranks_of(order: &[usize]) -> Vec<usize> {
-    let mut ranks = vec![0; order.len()];
+    let mut ranks = vec![0; order.len() + 1];
     for (rank, &body) in order.iter().enumerate() {
         ranks[body] = rank;
     }
@@ -84,75 +88,45 @@ fn ranks_of(order: &[usize]) -> Vec<usize> {
 
 impl Rules {
     /// Every order is right.
-    fn none() -> Self {
+    fn none(links: usize) -> Self {
         Self {
             pins: Vec::new(),
-            crossings: BTreeMap::new(),
+            crossings: Vec::new(),
+            crossings_with: vec![Vec::new(); links],
             before: Vec::new(),
         }
     }
 
     fn new(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body], before: Vec<[usize; 2]>) -> Self {
         let number = |link: LinkId| links.iter().position(|known| *known == link);
-        let members = |pin: &Pin| {
-            pin.members
-                .iter()
-                .filter_map(|member| number(member.0))
-                .collect()
+        let members = |pin: &Pin| -> Vec<usize> {
+            let members = pin.members.iter();
+            members.filter_map(|member| number(member.0)).collect()
         };
         let is_fixed = |pin: &Pin| pin.axis_of(LinkId::GROUND).is_some();
-        let pins = &scene.structure.pins;
-        let reaches: Vec<f64> = bodies.iter().map(|body| body.footprint.reach()).collect();
-        let mut crossings = BTreeMap::new();
-        let checks = scene.survey.positions.len() * pins.len() * links.len();
-        let step = checks.div_ceil(CHECKS).max(1);
-        for frames in scene.survey.positions.iter().step_by(step) {
-            for (pin_number, pin) in pins.iter().enumerate() {
-                let Some(place) = place(scene, frames, pin) else {
-                    continue;
-                };
-                for (link, body) in bodies.iter().enumerate() {
-                    let crossing = Crossing {
-                        link,
-                        pin: pin_number,
-                    };
-                    let is_member = is_on(scene, pin, links[link]);
-                    if is_member || crossings.get(&crossing) == Some(&WITHIN) {
-                        continue;
-                    }
-                    let Some(frame) = frames.frame(links[link]) else {
-                        continue;
-                    };
-                    let own = frame.inverse() * place;
-                    let radius = PIN * scene.width;
-                    if own.coords.norm() > reaches[link] + radius {
-                        continue;
-                    }
-                    if body.footprint.touches(own, 0.0) {
-                        crossings.insert(crossing, WITHIN);
-                    } else if body.footprint.touches(own, radius) {
-                        crossings.entry(crossing).or_insert(TOUCHING);
-                    }
-                }
-            }
-        }
-        Self {
-            pins: pins
-                .iter()
-                .map(|pin| (members(pin), is_fixed(pin)))
-                .collect(),
-            crossings,
+        let pins = scene.structure.pins.iter();
+        let pins = pins.map(|pin| (members(pin), is_fixed(pin)));
+        let mut rules = Self {
+            pins: pins.collect(),
+            crossings: find_crossings(scene, links, bodies),
+            crossings_with: vec![Vec::new(); links.len()],
             before,
+        };
+        for &(crossing, weight) in &rules.crossings {
+            let carriers = rules.pins[crossing.pin].0.iter();
+            for &body in carriers.filter(|&&body| body != crossing.link) {
+                rules.crossings_with[body].push((crossing, weight));
+            }
+            rules.crossings_with[crossing.link].push((crossing, weight));
         }
+        rules
     }
 
     /// How many pins a link crosses that it does not carry.
     fn crossings_of(&self, link: usize, ranks: &[usize]) -> usize {
-        let own = self
-            .crossings
-            .keys()
-            .filter(|crossing| crossing.link == link);
-        own.filter(|crossing| self.is_crossed(**crossing, ranks))
+        let crossings = self.crossings.iter().map(|(crossing, _)| *crossing);
+        let own = crossings.filter(|crossing| crossing.link == link);
+        own.filter(|crossing| self.is_crossed(*crossing, ranks))
             .count()
     }
 
@@ -167,10 +141,7 @@ impl Rules {
 
     /// What is wrong with an order, as far as one link has to do with it: how the others lie to each other does not depend on it.
     fn faults_of(&self, link: usize, ranks: &[usize]) -> usize {
-        let concerns = |crossing: &Crossing| {
-            crossing.link == link || self.pins[crossing.pin].0.contains(&link)
-        };
-        let crossed = self.crossed(ranks, concerns);
+        let crossed = self.crossed(ranks, &self.crossings_with[link]);
         let before = self.before.iter().filter(|pair| pair.contains(&link));
         let before = before.filter(|[front, back]| ranks[*front] < ranks[*back]);
         crossed + before.count()
@@ -178,7 +149,7 @@ impl Rules {
 
     /// What is wrong with an order.
     fn faults(&self, ranks: &[usize]) -> usize {
-        let crossed = self.crossed(ranks, |_| true);
+        let crossed = self.crossed(ranks, &self.crossings);
         let before = self
             .before
             .iter()
@@ -187,9 +158,9 @@ impl Rules {
     }
 
     /// What the crossings weigh that an order leaves, of some.
-    fn crossed(&self, ranks: &[usize], some: impl Fn(&Crossing) -> bool) -> usize {
-        let own = self.crossings.iter().filter(|(crossing, _)| some(crossing));
-        let crossed = own.filter(|(crossing, _)| self.is_crossed(**crossing, ranks));
+    fn crossed(&self, ranks: &[usize], some: &[(Crossing, usize)]) -> usize {
+        let crossed = some.iter();
+        let crossed = crossed.filter(|(crossing, _)| self.is_crossed(*crossing, ranks));
         crossed.map(|(_, weight)| weight).sum()
     }
 
@@ -242,16 +213,102 @@ impl Rules {
         }
         let mut best = (before, place);
         order.remove(place);
+        // It begins behind all others, and changes places with the next one each time.
+        let mut ranks: Vec<usize> = ranks_of(order).iter().map(|rank| rank + 1).collect();
         for rank in 0..=order.len() {
-            order.insert(rank, link);
-            let faults = self.faults_of(link, &ranks_of(order));
+            ranks[link] = rank;
+            let faults = self.faults_of(link, &ranks);
             if faults < best.0 {
                 best = (faults, rank);
             }
-            order.remove(rank);
+            if let Some(&next) = order.get(rank) {
+                ranks[next] = rank;
+            }
         }
         order.insert(best.1, link);
         best.1 != place
+    }
+}
+
+/// Which links come to which pins that they do not carry, at some positions.
+fn find_crossings(scene: &Scene<'_>, links: &[LinkId], bodies: &[Body]) -> Vec<(Crossing, usize)> {
+    let pins = &scene.structure.pins;
+    let radius = PIN * scene.width;
+    let reaches = bodies.iter().map(|body| body.footprint.reach() + radius);
+    let reaches: Vec<f64> = reaches.collect();
+    let carried = pins.iter().map(|pin| {
+        let on = links.iter().map(|&link| is_on(scene, pin, link));
+        on.collect::<Vec<bool>>()
+    });
+    let carried: Vec<Vec<bool>> = carried.collect();
+    // Of each pin and each link: nothing, until something is found.
+    let mut weights = vec![vec![0; links.len()]; pins.len()];
+    let checks = scene.survey.positions.len() * pins.len() * links.len();
+    let step = checks.div_ceil(CHECKS).max(1);
+    for frames in scene.survey.positions.iter().step_by(step) {
+        let into = links.iter().map(|&link| Into::of(frames, link));
+        let into: Vec<Option<Into>> = into.collect();
+        for (number, pin) in pins.iter().enumerate() {
+            let Some(place) = place(scene, frames, pin) else {
+                continue;
+            };
+            let weights = weights[number].iter_mut();
+            for (link, weight) in weights.enumerate() {
+                if carried[number][link] || *weight == WITHIN {
+                    continue;
+                }
+                if let Some(into) = &into[link]
+                    && let Some(own) = into.near(place, reaches[link])
+                {
+                    *weight = weight_of(&bodies[link].footprint, own, radius).max(*weight);
+                }
+            }
+        }
+    }
+    let found = weights.into_iter().enumerate().flat_map(|(pin, weights)| {
+        let weights = weights.into_iter().enumerate();
+        weights.map(move |(link, weight)| (Crossing { link, pin }, weight))
+    });
+    found.filter(|(_, weight)| *weight > 0).collect()
+}
+
+/// How much it weighs that a pin is at a place of a link.
+fn weight_of(footprint: &Footprint, own: Point2<f64>, radius: f64) -> usize {
+    // Most pins do not even touch it.
+    if !footprint.touches(own, radius) {
+        0
+    } else if footprint.touches(own, 0.0) {
+        WITHIN
+    } else {
+        TOUCHING
+    }
+}
+
+/// The way from the scene into a link at a position.
+struct Into {
+    inverse: Isometry2<f64>,
+    origin: [f64; 2],
+}
+
+impl Into {
+    fn of(frames: &Frames, link: LinkId) -> Option<Self> {
+        let frame = frames.frame(link)?;
+        Some(Self {
+            inverse: frame.inverse(),
+            origin: frame.translation.vector.into(),
+        })
+    }
+
+    /// A place of the scene in the link, if it is so near to the link's origin.
+    fn near(&self, place: Point2<f64>, reach: f64) -> Option<Point2<f64>> {
+        let ([x, y], [u, v]) = (<[f64; 2]>::from(place), self.origin);
+        // Most are far away, which is seen sooner than how far in the link. Rounding is less than what is left between.
+        let spare = SPARE * (x.abs() + y.abs() + u.abs() + v.abs());
+        if (x - u).abs() > reach + spare || (y - v).abs() > reach + spare {
+            return None;
+        }
+        let own = self.inverse * place;
+        (own.coords.norm() <= reach).then_some(own)
     }
 }
 

@@ -151,7 +151,11 @@ fn mounts(model: &Model, structure: &Structure) -> Vec<Vec<Mount>> {
         let axis = model.axis(axis);
         let at = Point2::from(axis.at);
         let own = &mut mounts[axis.link.index()];
-        let is_near = |known: &Mount| distance(&known.at, &at) <= NEAR * at.coords.norm();
+        let reach = NEAR * at.coords.norm();
+        // The ground may have very many: most are told apart by their first coordinate.
+        let is_near = |known: &Mount| {
+            (known.at.x - at.x).abs() <= 2.0 * reach && distance(&known.at, &at) <= reach
+        };
         if !own.iter().any(is_near) {
             own.push(Mount {
                 at,

@@ -35,11 +35,33 @@ impl DrawnAxis {
             ..Self::point(at)
         }
     }
+
+    /// Whether an axis of its link is this one.
+    pub(crate) fn is(&self, axis: &Axis) -> bool {
+        let there = axis.at == self.at && axis.formulas == self.formulas;
+        let along =
+            axis.direction == self.direction && axis.direction_formulas == self.direction_formulas;
+        axis.name.is_none() && axis.kind == self.kind && there && along
+    }
 }
 
 impl Model {
     /// The axis that the drawing puts on a link. Joints on one spot share it.
     pub(crate) fn drawn_axis(&mut self, link: LinkId, drawn: DrawnAxis, origin: Origin) -> AxisId {
+        let same = |axis: &Axis| axis.link == link && drawn.is(axis);
+        match self.axes.iter().position(same) {
+            Some(index) => AxisId::new(index),
+            None => self.add_drawn_axis(link, drawn, origin),
+        }
+    }
+
+    /// The same for a link of which it is known that it has no such axis.
+    pub(crate) fn add_drawn_axis(
+        &mut self,
+        link: LinkId,
+        drawn: DrawnAxis,
+        origin: Origin,
+    ) -> AxisId {
         let DrawnAxis {
             kind,
             at,
@@ -47,16 +69,6 @@ impl Model {
             direction,
             direction_formulas,
         } = drawn;
-        let same = |axis: &Axis| {
-            let unnamed = axis.name.is_none() && axis.link == link;
-            let there = axis.at == at && axis.formulas == formulas;
-            let along =
-                axis.direction == direction && axis.direction_formulas == direction_formulas;
-            unnamed && axis.kind == kind && there && along
-        };
-        if let Some(index) = self.axes.iter().position(same) {
-            return AxisId::new(index);
-        }
         let id = AxisId::new(self.axes.len());
         self.axes.push(Axis {
             link,

@@ -68,15 +68,16 @@ pub(super) fn assemble(
     }];
     let mut many = false;
     let mut wishes: Vec<Near> = model.start.near.clone();
+    let size = size(model);
     for step in steps {
         drafts = match step {
-            Step::Close(closing) => close_loop(model, &drafts, closing)?,
+            Step::Close(closing) => close_loop(model, (&drafts, size), closing)?,
             step => drafts
                 .into_iter()
                 .map(|draft| draft.follow(model, steps, step))
                 .collect::<Result<_, _>>()?,
         };
-        drafts = keep_as_drawn(model, drafts)?;
+        drafts = keep_as_drawn(model, drafts, size)?;
         let is_ready = |wish: &Near| is_placed(&drafts, wish.link);
         let ready = wishes.extract_if(.., |wish| is_ready(wish)).collect();
         follow_wishes(&mut drafts, ready);
@@ -231,7 +232,7 @@ fn angle_between([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
 /// Every assembly of a loop, for every draft.
 fn close_loop<'m>(
     model: &Model,
-    drafts: &[Draft<'m>],
+    (drafts, size): (&[Draft<'m>], f64),
     closing: &Loop,
 ) -> Result<Vec<Draft<'m>>, Diagnosis> {
     let mut gap = f64::INFINITY;
@@ -244,7 +245,7 @@ fn close_loop<'m>(
             search(
                 &equation,
                 &|base| wanted_direction(model, first, base),
-                size(model),
+                size,
             )
         });
         match solutions {
@@ -334,11 +335,15 @@ fn keep_nearest(drafts: &mut Vec<Draft<'_>>, wish: Near) {
 }
 
 /// Keeps the drafts that leave the links of the drawing where they were drawn.
-fn keep_as_drawn<'m>(model: &Model, drafts: Vec<Draft<'m>>) -> Result<Vec<Draft<'m>>, Diagnosis> {
+fn keep_as_drawn<'m>(
+    model: &Model,
+    drafts: Vec<Draft<'m>>,
+    size: f64,
+) -> Result<Vec<Draft<'m>>, Diagnosis> {
     let mut astray = None;
     let mut kept = Vec::new();
-    for draft in drafts {
-        match misplaced_link(model, &draft.placement) {
+    for mut draft in drafts {
+        match misplaced_link(model, &mut draft.placement, size) {
             None => kept.push(draft),
             Some(link) => astray = astray.or(Some(link)),
         }
@@ -349,19 +354,20 @@ fn keep_as_drawn<'m>(model: &Model, drafts: Vec<Draft<'m>>) -> Result<Vec<Draft<
     }
 }
 
-/// A drawn link that is not where it was drawn, relative to the drawn link before it in its cluster.
-fn misplaced_link(model: &Model, placement: &Placement<'_, f64>) -> Option<LinkId> {
-    let drawn = |link: LinkId| link == LinkId::GROUND || model.link(link).drawn;
-    let size = size(model);
-    // The first drawn link of each cluster stands for it.
-    let mut first: Vec<Option<LinkId>> = vec![None; model.links.len()];
-    model.link_ids().filter(|&link| drawn(link)).find(|&link| {
-        let cluster = placement.clusters.base(link);
-        let known = *first[cluster.index()].get_or_insert(link);
-        let (here, there) = (
-            placement.pose(link).numbers(),
-            placement.pose(known).numbers(),
-        );
+/// A drawn link that the last step did not leave where it was drawn, relative to the first drawn link in its cluster.
+fn misplaced_link(model: &Model, placement: &mut Placement<'_, f64>, size: f64) -> Option<LinkId> {
+    let drawn = |link: &LinkId| *link == LinkId::GROUND || model.link(*link).drawn;
+    let moved = placement.take_moved();
+    let cluster = placement.clusters.base(*moved.first()?);
+    let (first, looked_at) = if drawn(&cluster) {
+        (cluster, moved)
+    } else {
+        let links = placement.clusters.links(cluster);
+        (links.iter().copied().find(drawn)?, links)
+    };
+    let there = placement.pose(first).numbers();
+    looked_at.into_iter().filter(drawn).find(|&link| {
+        let here = placement.pose(link).numbers();
         let scale = [1.0, 1.0, size, size];
         (0..4).any(|i| (here[i] - there[i]).abs() > 1e-7 * scale[i])
     })

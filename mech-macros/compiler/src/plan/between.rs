@@ -4,7 +4,6 @@ use super::coupled::Block;
 use super::step::{Connection, ConnectionKind};
 use crate::model::{Axis, LinkId, Model};
 use crate::structure::Pin;
-use std::collections::BTreeMap;
 
 /// Two clusters, by their bases, the lower first, and an unknown connection that joins them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,50 +46,22 @@ pub(super) fn pivot(pin: &Pin, from: LinkId, to: LinkId) -> Option<Connection> {
     })
 }
 
-/// All rings of three connections, and of two that slide, each with the connections by which its clusters hang on the lowest.
-/// Ordered by the bases of their clusters.
-pub(super) fn rings(model: &Model, all: &[Between]) -> Vec<Block> {
-    let mut found: Vec<([LinkId; 3], Block)> = Vec::new();
-    for pair in all.windows(2) {
-        if let Some(ring) = wedge(model, pair[0], pair[1]) {
-            let tree = vec![ring[0]];
-            found.push(([pair[0].a, pair[0].b, pair[0].b], (vec![ring], tree)));
-        }
-    }
-    // By the pair of clusters that is not the lowest: these have few neighbours, the ground may have many.
-    let mut below: BTreeMap<LinkId, Vec<Between>> = BTreeMap::new();
-    for between in all {
-        below.entry(between.b).or_default().push(*between);
-    }
-    for across in all {
-        for near in below.get(&across.a).into_iter().flatten() {
-            let start = all.partition_point(|known| (known.a, known.b) < (near.a, across.b));
-            let far = all
-                .get(start)
-                .filter(|known| (known.a, known.b) == (near.a, across.b));
-            if let Some(ring) = far.and_then(|far| triangle(*near, *across, *far)) {
-                let tree = vec![ring[0], ring[2].reverse()];
-                found.push(([near.a, near.b, across.b], (vec![ring], tree)));
-            }
-        }
-    }
-    found.sort_by_key(|(bases, _)| *bases);
-    found.dedup_by_key(|(bases, _)| *bases);
-    found.into_iter().map(|(_, block)| block).collect()
-}
-
-/// The ring of three connections between three clusters: from the lowest to the next, across, and back.
-fn triangle(near: Between, across: Between, far: Between) -> Option<Vec<Connection>> {
+/// The ring of three connections between three clusters: from the lowest to the next, across, and back. With it stand the
+/// connections by which the others hang on the lowest.
+pub(super) fn ring_of_three(near: Between, across: Between, far: Between) -> Option<Block> {
     // Three clusters on one pin are no loop, and three slides say only two things.
     let one_pin = near.pin.is_some() && near.pin == far.pin && far.pin == across.pin;
     let turns = !(near.slides() && across.slides() && far.slides());
-    (turns && !one_pin).then(|| vec![near.connection, across.connection, far.connection.reverse()])
+    (turns && !one_pin).then(|| {
+        let ring = vec![near.connection, across.connection, far.connection.reverse()];
+        (vec![ring], vec![near.connection, far.connection])
+    })
 }
 
 /// The ring that two connections between the same two clusters form, if it determines their places: two slides that are not
 /// parallel.
-fn wedge(model: &Model, first: Between, second: Between) -> Option<Vec<Connection>> {
-    let same = (first.a, first.b) == (second.a, second.b) && first.slides() && second.slides();
+pub(super) fn ring_of_two(model: &Model, first: Between, second: Between) -> Option<Block> {
+    let slide = first.slides() && second.slides();
     let [p, q] = [first, second].map(|between| {
         (
             model.axis(between.connection.from),
@@ -105,5 +76,8 @@ fn wedge(model: &Model, first: Between, second: Between) -> Option<Vec<Connectio
             && (x * v - y * u).abs() < 1e-12
     };
     let aligned = parallel(p.0, q.0) || parallel(p.1, q.1);
-    (same && !aligned).then(|| vec![first.connection, second.connection.reverse()])
+    (slide && !aligned).then(|| {
+        let ring = vec![first.connection, second.connection.reverse()];
+        (vec![ring], vec![first.connection])
+    })
 }

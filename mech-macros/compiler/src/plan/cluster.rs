@@ -7,13 +7,17 @@ use crate::model::LinkId;
 #[derive(Clone, Debug)]
 pub(crate) struct Clusters {
     base: Vec<LinkId>,
+    /// For each link the next one round its cluster, so that none is looked through to find the links of another.
+    next: Vec<LinkId>,
 }
 
 impl Clusters {
     /// Every link by itself.
     pub(crate) fn new(links: usize) -> Self {
+        let base: Vec<LinkId> = (0..links).map(LinkId::new).collect();
         Self {
-            base: (0..links).map(LinkId::new).collect(),
+            next: base.clone(),
+            base,
         }
     }
 
@@ -27,13 +31,16 @@ impl Clusters {
         self.base(a) == self.base(b)
     }
 
-    /// The links of the cluster with this base.
-    pub(crate) fn links(&self, base: LinkId) -> impl Iterator<Item = LinkId> + '_ {
-        self.base
-            .iter()
-            .enumerate()
-            .filter(move |(_, known)| **known == base)
-            .map(|(index, _)| LinkId::new(index))
+    /// The links of the cluster with this base, in their order.
+    pub(crate) fn links(&self, base: LinkId) -> Vec<LinkId> {
+        let mut links = vec![base];
+        let mut link = self.next[base.index()];
+        while link != base {
+            links.push(link);
+            link = self.next[link.index()];
+        }
+        links.sort_unstable();
+        links
     }
 
     /// Merges the clusters with these bases; gives the base of the whole.
@@ -41,9 +48,13 @@ impl Clusters {
         let Some(whole) = bases.iter().copied().min() else {
             bug!("no clusters are merged");
         };
-        for base in &mut self.base {
-            if bases.contains(base) {
-                *base = whole;
+        for &base in bases {
+            // One that stands there twice is in it already.
+            if self.base(base) != whole {
+                for link in self.links(base) {
+                    self.base[link.index()] = whole;
+                }
+                self.next.swap(whole.index(), base.index());
             }
         }
         whole

@@ -13,6 +13,8 @@ pub(crate) struct Placement<'m, S> {
     pub(crate) model: &'m Model,
     pub(crate) clusters: Clusters,
     poses: Vec<Pose<S>>,
+    /// The links that have moved in their cluster's frame since they were last asked for.
+    moved: Vec<LinkId>,
 }
 
 impl<'m, S: Copy> Placement<'m, S> {
@@ -23,6 +25,7 @@ impl<'m, S: Copy> Placement<'m, S> {
             model,
             clusters: Clusters::new(model.links.len()),
             poses: vec![identity; model.links.len()],
+            moved: Vec::new(),
         }
     }
 
@@ -52,6 +55,14 @@ impl<'m, S: Copy> Placement<'m, S> {
         let heading = self.heading(algebra, from);
         let span = self.span(algebra, from, to);
         algebra.dot(heading, span)
+    }
+
+    /// The links whose poses have changed since this was last asked, in order: a step asks for them, so that it looks at no other.
+    pub(crate) fn take_moved(&mut self) -> Vec<LinkId> {
+        let mut moved = std::mem::take(&mut self.moved);
+        moved.sort_unstable();
+        moved.dedup();
+        moved
     }
 
     /// The base of the cluster in which an axis is.
@@ -157,8 +168,8 @@ impl<'m, S: Copy> Placement<'m, S> {
     }
 
     fn move_cluster(&mut self, algebra: &mut impl Algebra<S>, base: LinkId, pose: Pose<S>) {
-        let links: Vec<LinkId> = self.clusters.links(base).collect();
-        for link in links {
+        for link in self.clusters.links(base) {
+            self.moved.push(link);
             let old = self.poses[link.index()];
             self.poses[link.index()] = if link == base {
                 pose

@@ -7,6 +7,9 @@ use petgraph::visit::{Dfs, EdgeRef};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+/// A link with more joints than this is not looked at joint by joint where another will do.
+const MANY: usize = 8;
+
 /// The kinematic graph of a mechanism.
 #[derive(Clone, Debug)]
 pub(crate) struct KinematicGraph(UnGraph<LinkId, JointId>);
@@ -69,6 +72,12 @@ impl KinematicGraph {
         to: LinkId,
         level: impl Fn(JointId) -> Option<usize>,
     ) -> Vec<JointId> {
+        if from == to {
+            return Vec::new();
+        }
+        if let Some(joint) = self.lowest_between(from, to, &level) {
+            return vec![joint];
+        }
         let mut came_by: Vec<Option<(LinkId, JointId)>> = vec![None; self.0.node_count()];
         let mut done = vec![false; self.0.node_count()];
         let mut queue = BinaryHeap::from([Reverse(((0, 0), from, None))]);
@@ -80,15 +89,10 @@ impl KinematicGraph {
             if link == to {
                 break;
             }
-            for edge in self.0.edges(NodeIndex::new(link.index())) {
-                let next = self.0[if edge.source().index() == link.index() {
-                    edge.target()
-                } else {
-                    edge.source()
-                }];
-                if let (false, Some(level)) = (done[next.index()], level(*edge.weight())) {
+            for (joint, next) in self.joints(link) {
+                if let (false, Some(level)) = (done[next.index()], level(joint)) {
                     let cost = (highest.max(level), length + 1);
-                    queue.push(Reverse((cost, next, Some((link, *edge.weight())))));
+                    queue.push(Reverse((cost, next, Some((link, joint)))));
                 }
             }
         }
@@ -100,5 +104,40 @@ impl KinematicGraph {
         }
         path.reverse();
         path
+    }
+
+    /// The joint between two links, if nothing that leads to either has a lower level: then no path is better.
+    fn lowest_between(
+        &self,
+        from: LinkId,
+        to: LinkId,
+        level: impl Fn(JointId) -> Option<usize>,
+    ) -> Option<JointId> {
+        let joints = |link: LinkId| self.joints(link);
+        // The ground may have very many joints: the other link tells as much.
+        let [near, far] = if joints(from).nth(MANY).is_some() {
+            [to, from]
+        } else {
+            [from, to]
+        };
+        let known = |(joint, other)| Some((level(joint)?, joint, other));
+        let lowest = joints(near).filter_map(known).map(|(level, ..)| level);
+        let lowest = lowest.min()?;
+        let direct = joints(near).filter_map(known);
+        let direct = direct.filter(|&(level, _, other)| other == far && level == lowest);
+        direct.map(|(_, joint, _)| joint).min()
+    }
+
+    /// The joints of a link, each with the link on its other side.
+    pub(crate) fn joints(&self, link: LinkId) -> impl Iterator<Item = (JointId, LinkId)> + '_ {
+        let edges = self.0.edges(NodeIndex::new(link.index()));
+        edges.map(move |edge| {
+            let other = if edge.source().index() == link.index() {
+                edge.target()
+            } else {
+                edge.source()
+            };
+            (*edge.weight(), self.0[other])
+        })
     }
 }

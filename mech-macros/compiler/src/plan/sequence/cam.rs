@@ -9,6 +9,9 @@ use crate::plan::step::{Cam, Connection, ConnectionKind, Source, Step};
 impl Search<'_> {
     /// Finds one follower that a cam moves whose shaft is known.
     pub(super) fn cam(&mut self) -> bool {
+        if !self.keeps_ledger {
+            return false;
+        }
         // Of several the name decides which comes first, which no reordering changes.
         let name = |cam: &Cam| self.model.joint(cam.by).name.clone();
         let cams = self.model.cams();
@@ -67,7 +70,7 @@ impl Search<'_> {
     }
 
     /// A cam that was of no use, unless loops that wait for each other are why.
-    pub(super) fn idle_cam(&self) -> Option<JointId> {
+    pub(super) fn idle_cam(&mut self) -> Option<JointId> {
         let used = |cam: JointId| {
             let mut steps = self.steps.iter();
             steps.any(|step| matches!(step, Step::Cam(step) if step.by == cam))
@@ -77,7 +80,8 @@ impl Search<'_> {
             .cams()
             .map(|(cam, ..)| cam)
             .find(|&cam| !used(cam))?;
-        let blocks = self.blocks(&self.connections()).into_iter();
+        let connections = self.connections();
+        let blocks = self.blocks(&connections).into_iter();
         let waits = blocks
             .map(|block| self.describe(block))
             .any(|found| self.is_square(&found));

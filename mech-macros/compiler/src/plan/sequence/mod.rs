@@ -4,17 +4,20 @@
 //! Merging only ever adds knowledge, so whether everything becomes known does not depend on the order.
 
 mod cam;
+mod open;
 mod rolling;
 
-use super::between::{Between, pivot, rings};
+use super::between::Between;
 use super::cluster::Clusters;
 use super::coupled::{self, Block};
 use super::knowledge::Knowledge;
 use super::linear_relations::{LinearForm, LinearRelations};
 use super::step::{Connection, ConnectionKind, Drive, Loop, Source, Step};
 use super::tight;
+use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId, Model, MotorId};
-use crate::structure::{Diagnosis, KinematicGraph, Pin, Structure};
+use crate::structure::{Diagnosis, KinematicGraph, Structure};
+use open::Open;
 use petgraph::unionfind::UnionFind;
 use rolling::coordinate;
 
@@ -50,11 +53,15 @@ struct Search<'m> {
     structure: &'m Structure,
     graph: KinematicGraph,
     clusters: Clusters,
+    /// What connects them.
+    open: Open,
     steps: Vec<Step>,
     /// The number of loops that were found.
     loops: usize,
     /// For each joint whose coordinate is known, how.
     known: Vec<Option<Knowledge>>,
+    /// Whether anything is tied: by what rolls, or by cams.
+    keeps_ledger: bool,
     /// The relations that rolling makes; empty, and not updated, if nothing rolls.
     relations: LinearRelations,
     sources: Vec<Source>,
@@ -72,9 +79,11 @@ impl<'m> Search<'m> {
             structure,
             graph: KinematicGraph::new(model),
             clusters: Clusters::new(model.links.len()),
+            open: Open::new(model, structure),
             steps: Vec::new(),
             loops: 0,
             known: vec![None; model.joints.len()],
+            keeps_ledger: !structure.rollings.is_empty() || model.cams().next().is_some(),
             relations: LinearRelations::default(),
             sources: Vec::new(),
             aligned: UnionFind::new(model.links.len()),
@@ -139,16 +148,24 @@ impl<'m> Search<'m> {
     /// Merges the clusters of these links. All joints between them are known by that.
     fn merge(&mut self, links: &[LinkId], how: &Knowledge) {
         let bases: Vec<LinkId> = links.iter().map(|&link| self.clusters.base(link)).collect();
-        let whole = self.clusters.merge(&bases);
+        let Some(whole) = bases.iter().copied().min() else {
+            bug!("no links are merged");
+        };
+        let coming = bases.iter().filter(|&&base| base != whole);
+        let coming = coming.flat_map(|&base| self.clusters.links(base));
+        let moved: Vec<LinkId> = coming.collect();
+        self.clusters.merge(&bases);
         for base in bases {
             self.aligned.union(whole.index(), base.index());
         }
-        for joint in self.model.joint_ids() {
-            let (a, b) = self.model.ends(joint);
-            if self.clusters.are_joined(a, b) {
-                self.known[joint.index()].get_or_insert_with(|| how.clone());
+        for &link in &moved {
+            for (joint, other) in self.graph.joints(link) {
+                if self.clusters.base(other) == whole {
+                    self.known[joint.index()].get_or_insert_with(|| how.clone());
+                }
             }
         }
+        self.open.note(moved);
     }
 
     /// The knowledge of these joints.
@@ -162,8 +179,9 @@ impl<'m> Search<'m> {
 
     /// Finds loops of three unknowns, or of two where everything slides: of the lowest level, in the order of declaration.
     fn close(&mut self) -> bool {
-        let rings = rings(self.model, &self.connections());
-        let mut found: Vec<Loop> = rings.into_iter().map(|ring| self.describe(ring)).collect();
+        self.update();
+        let rings = self.open.rings();
+        let mut found: Vec<Loop> = rings.map(|ring| self.describe(ring.clone())).collect();
         let Some(lowest) = found.iter().map(|closing| closing.level).min() else {
             return false;
         };
@@ -293,79 +311,13 @@ impl<'m> Search<'m> {
     }
 
     /// All connections between different clusters, ordered by the bases of these.
-    fn connections(&self) -> Vec<Between> {
-        let mut between: Vec<Between> = Vec::new();
-        let mut add = |connection: Connection, pin: Option<usize>| {
-            let (from, to) = self.link_of(connection);
-            let (a, b) = (self.clusters.base(from), self.clusters.base(to));
-            let (a, b, connection) = if a < b {
-                (a, b, connection)
-            } else {
-                (b, a, connection.reverse())
-            };
-            if a != b {
-                between.push(Between {
-                    a,
-                    b,
-                    connection,
-                    pin,
-                });
-            }
-        };
-        for (number, pin) in self.structure.pins.iter().enumerate() {
-            for (index, &(a, _)) in pin.members.iter().enumerate() {
-                for &(b, _) in &pin.members[index + 1..] {
-                    if let Some(connection) = pivot(pin, a, b) {
-                        add(
-                            Connection {
-                                joint: self.named_on(pin, a, b),
-                                ..connection
-                            },
-                            Some(number),
-                        );
-                    }
-                }
-            }
-        }
-        for joint in self.model.joint_ids() {
-            if let JointKind::Prismatic(from, to) = self.model.joint(joint).kind {
-                add(
-                    Connection {
-                        kind: ConnectionKind::Prismatic,
-                        from,
-                        to,
-                        joint,
-                    },
-                    None,
-                );
-            }
-        }
-        between.sort_by_key(|between| (between.a, between.b));
-        // Of several links of one cluster on one pin, one stands for all.
-        between.dedup_by(|next, first| {
-            next.pin.is_some() && (next.a, next.b, next.pin) == (first.a, first.b, first.pin)
-        });
-        between
+    fn connections(&mut self) -> Vec<Between> {
+        self.update();
+        self.open.connections()
     }
 
-    /// The declared joint of a pin that joins these two links, or else one that joins their clusters, or else one that
-    /// holds the second, or else the first.
-    fn named_on(&self, pin: &Pin, a: LinkId, b: LinkId) -> JointId {
-        let ends = |joint: JointId| self.model.ends(joint);
-        let bases = |joint| {
-            let (x, y) = ends(joint);
-            (self.clusters.base(x), self.clusters.base(y))
-        };
-        let wanted = (self.clusters.base(a), self.clusters.base(b));
-        let direct = |joint: &&JointId| ends(**joint) == (a, b) || ends(**joint) == (b, a);
-        let between =
-            |joint: &&JointId| bases(**joint) == wanted || bases(**joint) == (wanted.1, wanted.0);
-        let holds = |joint: &&JointId| ends(**joint).0 == b || ends(**joint).1 == b;
-        let found = pin.joints.iter().find(direct);
-        let found = found
-            .or_else(|| pin.joints.iter().find(between))
-            .or_else(|| pin.joints.iter().find(holds));
-        found.copied().unwrap_or(pin.joints[0])
+    fn update(&mut self) {
+        self.open.update(self.model, self.structure, &self.clusters);
     }
 
     /// The joints of the rings: the unknown ones, and paths through the clusters between them.
@@ -407,8 +359,9 @@ impl<'m> Search<'m> {
     }
 
     /// The rings that wait for each other, by their unknown joints.
-    fn rings(&self) -> Vec<Vec<JointId>> {
-        let blocks = self.blocks(&self.connections());
+    fn rings(&mut self) -> Vec<Vec<JointId>> {
+        let connections = self.connections();
+        let blocks = self.blocks(&connections);
         let rings = blocks.iter().flat_map(|(rings, _)| rings);
         rings
             .map(|ring| ring.iter().map(|connection| connection.joint).collect())

@@ -1,6 +1,7 @@
 //! What gears, belts and racks add to the search: joints they move, and directions they tie.
 
 use super::Search;
+use super::open::named_on;
 use crate::bug::bug;
 use crate::model::{JointId, JointKind, LinkId};
 use crate::plan::equation::Unknown;
@@ -15,14 +16,9 @@ impl Search<'_> {
         !self.structure.rollings.is_empty()
     }
 
-    /// Whether anything is tied: by what rolls, or by cams.
-    fn keeps_ledger(&self) -> bool {
-        self.rolls() || self.model.cams().next().is_some()
-    }
-
     /// Enters the relations of slides and welds, which keep links parallel, and those of rolling.
     pub(super) fn open_ledger(&mut self) {
-        if !self.keeps_ledger() {
+        if !self.keeps_ledger {
             return;
         }
         for joint in self.model.joint_ids() {
@@ -41,7 +37,7 @@ impl Search<'_> {
 
     /// Enters a known quantity into the ledger, unless it follows from others.
     pub(super) fn source(&mut self, source: Source, quantity: &LinearForm, behind: Knowledge) {
-        if self.keeps_ledger() && self.relations.value(quantity).is_none() {
+        if self.keeps_ledger && self.relations.value(quantity).is_none() {
             let number = LinearForm::source(self.sources.len());
             self.relations.add(&quantity.clone().plus(&-one(), &number));
             self.sources.push(source);
@@ -134,7 +130,7 @@ impl Search<'_> {
                     pin.axis_of(wheel).is_some() && pin.axis_of(rolling.carrier).is_some()
                 };
                 let pin = self.structure.pins.iter().find(shares)?;
-                self.named_on(pin, rolling.carrier, wheel)
+                named_on(self.model, &self.clusters, pin, rolling.carrier, wheel)
             }
         };
         self.declared_connection(joint)
@@ -169,7 +165,8 @@ impl Search<'_> {
         if !self.rolls() {
             return false;
         }
-        let blocks = self.blocks(&self.connections()).into_iter();
+        let connections = self.connections();
+        let blocks = self.blocks(&connections).into_iter();
         let mut alone = blocks
             .filter(|(rings, _)| rings.len() == 1)
             .map(|block| self.describe(block));

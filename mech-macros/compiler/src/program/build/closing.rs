@@ -68,9 +68,7 @@ impl PositionPass<'_> {
         let placement = &mut lowering.placement;
         site.equation
             .place(&mut lowering.ssa, placement, closing, &solution);
-        for &base in &bases {
-            lowering.name_cluster(base);
-        }
+        lowering.name_moved();
         self.loops.push(SolvedLoop {
             number,
             name,

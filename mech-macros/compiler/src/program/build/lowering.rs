@@ -64,13 +64,12 @@ impl<'m> Lowering<'m> {
     pub(super) fn connect(&mut self, connection: Connection, coordinate: Solution<Value>) {
         self.placement
             .connect(&mut self.ssa, connection, coordinate);
-        self.name_cluster(self.link_of(connection.to));
+        self.name_moved();
     }
 
-    /// Names the poses of all links in the cluster of this one.
-    pub(super) fn name_cluster(&mut self, link: LinkId) {
-        let base = self.placement.clusters.base(link);
-        for link in self.placement.clusters.links(base) {
+    /// Names the poses of the links that a step has moved; those of others have their names already.
+    pub(super) fn name_moved(&mut self) {
+        for link in self.placement.take_moved() {
             let pose = self.placement.pose(link);
             let name = &self.model.link(link).name;
             self.ssa.name_direction(pose.direction, name);

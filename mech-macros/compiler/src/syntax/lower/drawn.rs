@@ -38,7 +38,7 @@ impl Lowering {
                 },
             };
             let drawn = DrawnAxis { formulas, ..drawn };
-            Some(self.model.drawn_axis(link, drawn, origin))
+            Some(self.drawn_axis(link, drawn, origin))
         };
         Some([axis(a, kinds[0])?, axis(b, kinds[1])?])
     }
@@ -83,7 +83,18 @@ impl Lowering {
 
     /// The axis at the origin of a link's frame.
     pub(super) fn frame_axis(&mut self, link: LinkId, origin: Origin) -> AxisId {
-        self.model
-            .drawn_axis(link, DrawnAxis::point([0.0, 0.0]), origin)
+        self.drawn_axis(link, DrawnAxis::point([0.0, 0.0]), origin)
+    }
+
+    /// The axis that the drawing puts on a link. Joints on one spot share it; only those of the link are looked at.
+    fn drawn_axis(&mut self, link: LinkId, drawn: DrawnAxis, origin: Origin) -> AxisId {
+        let of_link = self.drawn.entry(link).or_default();
+        let is_it = |axis: &&AxisId| drawn.is(self.model.axis(**axis));
+        if let Some(&axis) = of_link.iter().find(is_it) {
+            return axis;
+        }
+        let axis = self.model.add_drawn_axis(link, drawn, origin);
+        of_link.push(axis);
+        axis
     }
 }

@@ -43,8 +43,9 @@ use self::scope::Scopes;
 use self::similarity::Similarity;
 use super::ast::{Statement, Text};
 use super::{Parsed, Place, Places};
-use crate::model::{Formulas, JointId, LinkId, Model, Origin};
+use crate::model::{AxisId, Formulas, JointId, LinkId, Model, Origin};
 use proc_macro2::{Ident, Span};
+use std::collections::BTreeMap;
 
 /// Makes the model of a text.
 pub(super) fn lower(mut text: Text) -> Parsed {
@@ -89,6 +90,8 @@ struct Lowering {
     parts: Vec<PartOutline>,
     /// The links that are lent to parts.
     ports: Vec<LentLink>,
+    /// The axes that the drawing has put on links.
+    drawn: BTreeMap<LinkId, Vec<AxisId>>,
     /// The scope of each link, except of the dies of slots.
     link_scopes: Vec<usize>,
     /// Which instances `[*]` stands for, from the outermost inwards.
@@ -139,6 +142,7 @@ impl Lowering {
             similarity: Similarity::IDENTITY,
             parts: Vec::new(),
             ports: Vec::new(),
+            drawn: BTreeMap::new(),
             link_scopes: vec![0],
             every: Vec::new(),
             law: None,

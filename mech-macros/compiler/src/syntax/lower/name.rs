@@ -6,6 +6,7 @@ use crate::model::{Axis, AxisId, AxisKind, JointId, JointKind, LinkId};
 use crate::syntax::ast::Name;
 use crate::syntax::{Place, spelling};
 use proc_macro2::Ident;
+use std::collections::HashMap;
 
 /// A link, and the port by which a part knows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,32 +48,37 @@ struct Entry {
 #[derive(Default)]
 pub(super) struct Names {
     entries: Vec<Entry>,
-    /// Each with what it is made for.
-    methods: Vec<(String, String)>,
+    /// Where each name stands among them. Looked up only, never iterated.
+    places: HashMap<String, usize>,
+    /// Each with what it is made for. Looked up only, too.
+    methods: HashMap<String, String>,
     /// Names of points and lines that are left out of the model because of an error; of all, if there is no name.
     lost: Vec<(Body, Option<String>)>,
 }
 
 impl Names {
     pub(super) fn get(&self, name: &str) -> Option<Referent> {
-        self.entries
-            .iter()
-            .find(|entry| entry.name == name)
-            .map(|entry| entry.named)
+        Some(self.entry(name)?.named)
+    }
+
+    fn entry(&self, name: &str) -> Option<&Entry> {
+        Some(&self.entries[*self.places.get(name)?])
+    }
+
+    fn entry_mut(&mut self, name: &str) -> Option<&mut Entry> {
+        Some(&mut self.entries[*self.places.get(name)?])
     }
 
     /// Notes that something else claims the name of a link or a joint, too.
     pub(super) fn share(&mut self, name: &str) {
-        let mut entries = self.entries.iter_mut();
-        if let Some(entry) = entries.find(|entry| name == entry.name) {
+        if let Some(entry) = self.entry_mut(name) {
             entry.shared = true;
         }
     }
 
     /// Whether both a link and a joint claim this name.
     fn is_shared(&self, name: &str) -> bool {
-        let mut entries = self.entries.iter();
-        entries.any(|entry| entry.shared && name == entry.name)
+        self.entry(name).is_some_and(|entry| entry.shared)
     }
 
     /// Whether this name is that of something that is left out because of an error.
@@ -82,21 +88,23 @@ impl Names {
 
     /// Enters a name, unless it stands for something already.
     pub(super) fn enter(&mut self, name: String, named: Referent) {
-        match self.entries.iter_mut().find(|entry| name == entry.name) {
-            Some(entry) if matches!(entry.named, Referent::Broken) => entry.named = named,
-            Some(_) => {}
-            None => self.entries.push(Entry {
-                name,
-                named,
-                shared: false,
-            }),
+        if let Some(entry) = self.entry_mut(&name) {
+            if matches!(entry.named, Referent::Broken) {
+                entry.named = named;
+            }
+            return;
         }
+        self.places.insert(name.clone(), self.entries.len());
+        self.entries.push(Entry {
+            name,
+            named,
+            shared: false,
+        });
     }
 
     /// Gives a joint its id, now that it has one.
     pub(super) fn joint_is(&mut self, name: &str, id: JointId) {
-        let mut entries = self.entries.iter_mut();
-        if let Some(entry) = entries.find(|entry| name == entry.name) {
+        if let Some(entry) = self.entry_mut(name) {
             entry.named = Referent::Joint(Some(id));
         }
     }
@@ -213,24 +221,19 @@ impl Lowering {
 
     /// Whether a method was taken for this.
     pub(super) fn owns_method(&self, method: &str, owner: &str) -> bool {
-        let mut methods = self.names.methods.iter();
-        methods.any(|(taken, by)| taken == method && by == owner)
+        let by = self.names.methods.get(method);
+        by.is_some_and(|by| by == owner)
     }
 
     pub(super) fn claim_method(&mut self, method: String, owner: String, place: Place) -> bool {
-        if let Some((_, earlier)) = self
-            .names
-            .methods
-            .iter()
-            .find(|(taken, _)| *taken == method)
-        {
+        if let Some(earlier) = self.names.methods.get(&method) {
             let text = format!(
                 "{owner} and {earlier} would both be the method `{method}`; rename one of them"
             );
             self.report.error(place, text);
             return false;
         }
-        self.names.methods.push((method, owner));
+        self.names.methods.insert(method, owner);
         true
     }
 
