@@ -75,6 +75,20 @@ pub fn statements(declaration: &Declaration, model: &Model) -> Vec<String> {
     Words { model }.statements(declaration)
 }
 
+/// For each assembly among which a start has to choose, the clauses of `start` that choose it, and what is to be done in words; none for
+/// other diagnoses. Of very many only the first is given.
+#[must_use]
+pub fn assemblies(diagnosis: &Diagnosis, model: &Model) -> Vec<[String; 2]> {
+    let words = Words { model };
+    let clauses = words.assemblies(diagnosis).into_iter();
+    clauses
+        .map(|clauses| {
+            let text = format!("add {}", words.in_start(&clauses));
+            [clauses, text]
+        })
+        .collect()
+}
+
 /// Sets the notes off from the sentence.
 fn space_notes(text: &str) -> String {
     text.replacen('\n', "\n\n", 1)

@@ -9,10 +9,12 @@ use crate::document::{Declaration, Document, Faults, Reading, Source};
 use crate::failure::Failure;
 use likeness::are_alike;
 use mech_compiler::catch;
-use mech_compiler::model::Model;
+use mech_compiler::model::{LinkId, Model, Near, Origin};
 use mech_compiler::repair::{Offers, Repair, apply_all};
 use mech_compiler::reporter;
-use rewrite::rewrite;
+use mech_compiler::structure::Diagnosis;
+use rewrite::{rewrite, rewrite_start};
+use std::ops::Range;
 
 /// A repair that was tried, and compiles.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,19 +49,30 @@ pub fn mendings(
     declaration: &Declaration,
     reading: &Reading,
 ) -> Result<Vec<Mending>, Failure> {
-    let Err(Faults { offers, .. }) = &reading.result else {
+    let Err(Faults {
+        offers, diagnoses, ..
+    }) = &reading.result
+    else {
         return Ok(Vec::new());
     };
+    let repairs = offers.iter().flat_map(repairs);
+    let starts = diagnoses
+        .iter()
+        .flat_map(|diagnosis| starts(diagnosis, &reading.model));
     let mut found: Vec<Mending> = Vec::new();
-    for (repairs, remainder) in offers.iter().flat_map(candidates) {
-        let Some(promised) = apply_all(&repairs, &reading.model) else {
+    for candidate in repairs.chain(starts) {
+        let Some(promised) = candidate.promised(&reading.model) else {
             continue;
         };
-        let words = catch(|| reporter::repair_text(&repairs, &reading.model));
         let mending = Mending {
-            words: words.map_err(|what| Failure::internal(format!("internal error: {what}")))?,
-            remainder,
-            text: text(document, declaration, &reading.model, (&repairs, &promised))?,
+            words: candidate.words(&reading.model)?,
+            remainder: candidate.remainder(),
+            text: text(
+                document,
+                declaration,
+                &reading.model,
+                (&candidate, &promised),
+            )?,
             promised,
         };
         // Several faults may have the same cure.
@@ -70,32 +83,98 @@ pub fn mendings(
     Ok(found)
 }
 
+/// What may be done.
+enum Candidate {
+    /// Repairs that are made together.
+    Repairs(Vec<Repair>, Remainder),
+    /// A choice of one of several assemblies.
+    Start {
+        /// Clauses of `start`: `coupler near 30 deg;`.
+        clauses: String,
+        words: String,
+    },
+}
+
+impl Candidate {
+    /// The mechanism after it.
+    fn promised(&self, model: &Model) -> Option<Model> {
+        match self {
+            Self::Repairs(repairs, _) => apply_all(repairs, model),
+            Self::Start { clauses, .. } => {
+                let mut model = model.clone();
+                for clause in clauses.split_terminator(';') {
+                    let (link, angle) = clause.trim().split_once(" near ")?;
+                    let degrees: f64 = angle.strip_suffix(" deg")?.parse().ok()?;
+                    let is_it = |id: &LinkId| model.link(*id).name == link;
+                    let near = Near {
+                        link: model.declared_links().find(is_it)?,
+                        angle: degrees.to_radians(),
+                        origin: Origin::default(),
+                    };
+                    model.start.near.push(near);
+                }
+                Some(model)
+            }
+        }
+    }
+
+    fn words(&self, model: &Model) -> Result<String, Failure> {
+        match self {
+            Self::Repairs(repairs, _) => catch(|| reporter::repair_text(repairs, model))
+                .map_err(|what| Failure::internal(format!("internal error: {what}"))),
+            Self::Start { words, .. } => Ok(words.clone()),
+        }
+    }
+
+    fn remainder(&self) -> Remainder {
+        match self {
+            Self::Repairs(_, remainder) => *remainder,
+            Self::Start { .. } => Remainder::Nothing,
+        }
+    }
+
+    fn rewrite(&self, text: &str, body: &Range<usize>, model: &Model) -> Option<String> {
+        match self {
+            Self::Repairs(repairs, _) => rewrite(text, body, model, repairs),
+            Self::Start { clauses, .. } => rewrite_start(text, body, model, clauses),
+        }
+    }
+}
+
+/// The choices of an assembly.
+fn starts(diagnosis: &Diagnosis, model: &Model) -> Vec<Candidate> {
+    let assemblies = reporter::assemblies(diagnosis, model).into_iter();
+    assemblies
+        .map(|[clauses, words]| Candidate::Start { clauses, words })
+        .collect()
+}
+
 /// What is offered, in the order of the messages.
-fn candidates(offers: &Offers) -> Vec<(Vec<Repair>, Remainder)> {
+fn repairs(offers: &Offers) -> Vec<Candidate> {
     let single = offers.single.iter().map(|repair| vec![repair.clone()]);
     let coupled = offers.coupled.iter();
     let coupled = coupled.map(|repair| vec![repair.clone(), Repair::AllowCoupled]);
     let pairs = offers.pairs.iter().map(|pair| pair.to_vec());
     let enough = single.chain(coupled).chain(pairs);
     let partial = offers.partial.iter().map(|repair| vec![repair.clone()]);
-    let enough = enough.map(|repairs| (repairs, Remainder::Nothing));
+    let enough = enough.map(|repairs| Candidate::Repairs(repairs, Remainder::Nothing));
     enough
-        .chain(partial.map(|repairs| (repairs, Remainder::OtherFaults)))
+        .chain(partial.map(|repairs| Candidate::Repairs(repairs, Remainder::OtherFaults)))
         .collect()
 }
 
-/// The text after repairs, if it declares what they promise.
+/// The text after a change, if it declares what that promises.
 fn text(
     document: &Document,
     declaration: &Declaration,
     model: &Model,
-    (repairs, promised): (&[Repair], &Model),
+    (candidate, promised): (&Candidate, &Model),
 ) -> Result<Option<String>, Failure> {
     let source = document.source();
     let Some(body) = &declaration.body else {
         return Ok(None);
     };
-    let Some(text) = rewrite(source.text(), body, model, repairs) else {
+    let Some(text) = candidate.rewrite(source.text(), body, model) else {
         return Ok(None);
     };
     let changed = Document::of(Source::new(source.path(), text));

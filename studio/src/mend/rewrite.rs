@@ -29,6 +29,22 @@ pub(super) fn rewrite(
     Some(rewriter.draft.finish())
 }
 
+/// The text of a file after clauses were added to the `start` of the mechanism with this body.
+pub(super) fn rewrite_start(
+    text: &str,
+    body: &Range<usize>,
+    model: &Model,
+    clauses: &str,
+) -> Option<String> {
+    let mut rewriter = Rewriter {
+        model,
+        statements: statements(text, body),
+        draft: Draft::new(text),
+    };
+    rewriter.add_to_start(clauses)?;
+    Some(rewriter.draft.finish())
+}
+
 /// Whether a repair only takes something out.
 fn takes_out(repair: &Repair) -> bool {
     matches!(
@@ -344,21 +360,27 @@ impl<'t> Rewriter<'t> {
         };
         let clause = format!("{} = {value};", self.name(joint));
         let name = self.name(joint);
-        let Some(start) = self.statements.iter().find(|one| one.is("start")).cloned() else {
-            return self.add(&format!("start {{ {clause} }}"), &["start", "motor"]);
+        let starts = self.statements.iter().filter(|one| one.is("start"));
+        let clauses = starts.flat_map(Statement::clauses).collect::<Vec<_>>();
+        let is_it = |one: &&Statement<'_>| one.path(0).0 == name && one.find("near").is_none();
+        match clauses.iter().find(is_it) {
+            Some(known) => self.draft.replace(known.range(), clause),
+            None => self.add_to_start(&clause)?,
+        }
+        Some(())
+    }
+
+    /// Adds clauses to the start, which is declared if there is none.
+    fn add_to_start(&mut self, clauses: &str) -> Option<()> {
+        let mut all = self.statements.iter();
+        let Some(start) = all.find(|one| one.is("start")) else {
+            return self.add(&format!("start {{ {clauses} }}"), &["motor"]);
         };
-        let clauses = start.clauses();
-        let known = clauses
-            .iter()
-            .find(|one| one.path(0).0 == name && one.word(1) != "near");
-        match (known, clauses.last()) {
-            (Some(known), _) => self.draft.replace(known.range(), clause),
-            (None, Some(last)) => self.draft.insert_after(&last.range(), &clause),
-            (None, None) => {
-                let open = start.find("{")?;
-                self.draft
-                    .insert(start.place(open)?.end, format!(" {clause} "));
-            }
+        if let Some(last) = start.clauses().last() {
+            self.draft.insert_after(&last.range(), clauses);
+        } else {
+            let open = start.place(start.find("{")?)?.end;
+            self.draft.insert(open, format!(" {clauses} "));
         }
         Some(())
     }

@@ -1,6 +1,7 @@
 //! `mech check` says what the macro says, at the same places.
 
 use crate::run::{FOUR_BAR, Folder, mech_in, repository, rust};
+use mech_studio::{Document, Source};
 use std::fs;
 
 /// Cases in which the Rust compiler says something besides the macro.
@@ -120,6 +121,22 @@ fn in_json_for_editors() {
     assert_eq!(&rust()[at("start")..at("end")], "Loose");
     assert_eq!(place["from"]["line"], 10);
     assert_eq!(place["to"]["column"], 26);
+}
+
+#[test]
+fn declarations_have_their_places_in_the_file() {
+    let document = Document::of(Source::new("a.rs", rust()));
+    for declaration in document.declarations() {
+        let reading = document.analyse(declaration).expect("the compiler works");
+        for joint in &reading.model.joints {
+            let place = reading.place(joint.origin);
+            assert_eq!(rust()[place.clone()], joint.name);
+            assert!(declaration.whole.start < place.start && place.end < declaration.whole.end);
+        }
+        // Nobody declares the ground.
+        let ground = reading.place(reading.model.links[0].origin);
+        assert_eq!(ground, declaration.whole);
+    }
 }
 
 #[test]

@@ -58,6 +58,35 @@ fn a_repair_that_is_picked_is_made() {
 }
 
 #[test]
+fn one_of_several_assemblies_is_chosen() {
+    let text = "struct FourBar;
+ground { point o = (0, 0); point p = (3.5, 0); }
+link crank { point o = (0, 0); point b = (1, 0); }
+link coupler { point b = (0, 0); point c = (3, 0); }
+link rocker { point p = (0, 0); point c = (2.5, 0); }
+joint a = revolute(ground.o, crank.o); joint b = revolute(crank.b, coupler.b);
+joint c = revolute(coupler.c, rocker.c); joint d = revolute(ground.p, rocker.p);
+motor a; START
+";
+    for (start, added) in [
+        ("", "motor a; \nstart { coupler near "),
+        ("start { a = 60 deg; }", "start { a = 60 deg; coupler near "),
+        ("start { }", "start { coupler near "),
+    ] {
+        let folder = Folder::new().with("a.mech", text.replace("START", start));
+        let offered = folder.mech("fix a.mech").out;
+        assert!(offered.starts_with("1: add `"), "{offered}");
+        assert!(offered.contains("\n2: add `"), "{offered}");
+        for number in [1, 2] {
+            let folder = Folder::new().with("a.mech", text.replace("START", start));
+            folder.mech(&format!("fix a.mech --pick {number}")).done();
+            let text = folder.text("a.mech").replace("  ", " ");
+            assert!(text.contains(&added.replace("  ", " ")), "{text}");
+        }
+    }
+}
+
+#[test]
 fn only_the_mechanism_that_is_named_is_changed() {
     let folder = Folder::new().with("a.rs", rust());
     let refusal = folder.mech("fix a.rs").refused(2);

@@ -44,7 +44,7 @@ impl Words<'_> {
                 many,
             } => {
                 let origin = self.at_link(links.first());
-                let help = if *many || angles.len() > LISTED {
+                let help = if is_long(*many, angles) {
                     self.one_by_one(loops)
                 } else {
                     self.all_assemblies(links, angles, loops)
@@ -80,15 +80,42 @@ impl Words<'_> {
         }
     }
 
-    /// A statement for each assembly. That of a single loop says where its joint is then.
-    fn all_assemblies(&self, links: &[LinkId], angles: &[Vec<f64>], loops: &[OpenLoop]) -> String {
+    /// For each assembly that a start could choose, the clauses that do; of very many only those of the first.
+    pub(super) fn assemblies(&self, diagnosis: &Diagnosis) -> Vec<String> {
+        match diagnosis {
+            Diagnosis::SeveralAssemblies {
+                links,
+                angles,
+                loops,
+                many,
+            } => {
+                if is_long(*many, angles) {
+                    vec![self.first_assembly(loops)]
+                } else {
+                    self.all_clauses(links, angles)
+                }
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// For each assembly the directions of links that it has.
+    fn all_clauses(&self, links: &[LinkId], angles: &[Vec<f64>]) -> Vec<String> {
         let places = places_enough(links.len(), angles);
-        let clause = |(number, angles): (usize, &Vec<f64>)| {
+        let clauses = angles.iter().map(|angles| {
             let parts = links.iter().zip(angles).map(|(link, angle)| {
                 let angle = round_to(angle.to_degrees(), places);
                 format!("{} near {angle} deg;", self.model.link(*link).name)
             });
-            let parts = parts.collect::<Vec<_>>().join(" ");
+            parts.collect::<Vec<_>>().join(" ")
+        });
+        clauses.collect()
+    }
+
+    /// A statement for each assembly. That of a single loop says where its joint is then.
+    fn all_assemblies(&self, links: &[LinkId], angles: &[Vec<f64>], loops: &[OpenLoop]) -> String {
+        let clauses = self.all_clauses(links, angles).into_iter().enumerate();
+        let lines = clauses.map(|(number, clauses)| {
             let then = match loops {
                 [
                     OpenLoop {
@@ -102,28 +129,35 @@ impl Words<'_> {
             };
             format!(
                 "\nhelp: add {}{}",
-                self.in_start(&parts),
+                self.in_start(&clauses),
                 then.unwrap_or_default()
             )
-        };
-        angles.iter().enumerate().map(clause).collect()
+        });
+        lines.collect()
+    }
+
+    /// For each loop a direction that it has in the first assembly.
+    fn first_assembly(&self, loops: &[OpenLoop]) -> String {
+        let clauses = loops.iter().filter_map(|open| {
+            let assembly = open.assemblies.first()?;
+            Some(self.clause(open, assembly))
+        });
+        clauses.collect::<Vec<_>>().join(" ")
+    }
+
+    /// The direction by which an assembly of a loop is chosen.
+    fn clause(&self, open: &OpenLoop, assembly: &LoopAssembly) -> String {
+        let angles: Vec<Vec<f64>> = open
+            .assemblies
+            .iter()
+            .map(|assembly| vec![assembly.angle])
+            .collect();
+        let angle = round_to(assembly.angle.to_degrees(), places_enough(1, &angles));
+        format!("{} near {angle} deg;", self.model.link(open.link).name)
     }
 
     /// A statement for the first assembly, and for each loop what would close it otherwise.
     fn one_by_one(&self, loops: &[OpenLoop]) -> String {
-        let clause = |open: &OpenLoop, assembly: &LoopAssembly| {
-            let angles: Vec<Vec<f64>> = open
-                .assemblies
-                .iter()
-                .map(|assembly| vec![assembly.angle])
-                .collect();
-            let angle = round_to(assembly.angle.to_degrees(), places_enough(1, &angles));
-            format!("{} near {angle} deg;", self.model.link(open.link).name)
-        };
-        let first = loops
-            .iter()
-            .filter_map(|open| Some(clause(open, open.assemblies.first()?)));
-        let first: Vec<String> = first.collect();
         let others = loops.iter().map(|open| {
             let Some((first, others)) = open.assemblies.split_first() else {
                 return String::new();
@@ -132,7 +166,7 @@ impl Words<'_> {
             let first = self.format_coordinate(open.joint, first.coordinate);
             let others = others.iter().map(|assembly| {
                 let there = self.format_coordinate(open.joint, assembly.coordinate);
-                format!("`{}` puts it at {there}", clause(open, assembly))
+                format!("`{}` puts it at {there}", self.clause(open, assembly))
             });
             let others: Vec<String> = others.collect();
             format!(
@@ -141,15 +175,23 @@ impl Words<'_> {
             )
         });
         let others: String = others.collect();
-        format!("\nhelp: add {}{others}", self.in_start(&first.join(" ")))
+        format!(
+            "\nhelp: add {}{others}",
+            self.in_start(&self.first_assembly(loops))
+        )
     }
 
     /// Clauses, and where they go.
-    fn in_start(&self, clauses: &str) -> String {
+    pub(super) fn in_start(&self, clauses: &str) -> String {
         if self.model.start == Start::default() {
             format!("`start {{ {clauses} }}`")
         } else {
             format!("`{clauses}` to `start`")
         }
     }
+}
+
+/// Whether there are too many assemblies to list them.
+fn is_long(many: bool, angles: &[Vec<f64>]) -> bool {
+    many || angles.len() > LISTED
 }
