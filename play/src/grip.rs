@@ -90,44 +90,100 @@ impl Grip {
         })
     }
 
-    /// The step of each motor, in parts of its reach, for this displacement of the place.
+    /// The step of each motor, in parts of its reach, for this displacement of the place. A motor at its limit does not go on.
     fn step(self, mechanism: &dyn Playable, free: &[Free], offset: [f64; 2]) -> Option<Vec<f64>> {
-        let motors = mechanism.motors();
-        let influence = |index: usize| {
-            let mut unit = vec![0.0; free.len()];
-            *unit.get_mut(index)? = 1.0;
-            let probe =
-                |share| mechanism.place_toward(self.spot, &displace(&motors, free, &unit, share));
-            let [x, y] = difference(probe(PROBE)?, probe(-PROBE)?);
-            Some([x, y].map(|c| c / (2.0 * PROBE)))
-        };
-        let influences: Option<Vec<[f64; 2]>> = (0..free.len()).map(influence).collect();
-        let influences = influences?;
-        // (J Jᵀ + damping) f = displacement; then the step is Jᵀ f.
-        let sum = |entry: fn([f64; 2]) -> f64| influences.iter().map(|&j| entry(j)).sum::<f64>();
-        let [xx, xy, yy] = [
-            sum(|j| j[0] * j[0]),
-            sum(|j| j[0] * j[1]),
-            sum(|j| j[1] * j[1]),
-        ];
-        let damping = DAMPING * (xx + yy);
-        let [xx, yy] = [xx + damping, yy + damping];
-        let determinant = xx * yy - xy * xy;
-        let force = [
-            (yy * offset[0] - xy * offset[1]) / determinant,
-            (xx * offset[1] - xy * offset[0]) / determinant,
-        ];
-        let step: Vec<f64> = influences
-            .iter()
-            .map(|j| j[0] * force[0] + j[1] * force[1])
-            .collect();
-        let longest = step
-            .iter()
-            .fold(0.0_f64, |most, share| most.max(share.abs()));
-        let share = (LONGEST / longest).min(1.0);
-        let is_usable = longest > 0.0 && step.iter().all(|share| share.is_finite());
-        is_usable.then(|| step.iter().map(|part| part * share).collect())
+        let influences = (0..free.len()).map(|index| self.influence(mechanism, free, index));
+        let influences: Vec<Influence> = influences.collect::<Option<_>>()?;
+        let mut stands = vec![false; free.len()];
+        loop {
+            let moved = influences.iter().zip(&stands);
+            let moved: Vec<[f64; 2]> = moved
+                .map(|(influence, stands)| if *stands { [0.0; 2] } else { influence.of() })
+                .collect();
+            let step = least_squares(&moved, offset)?;
+            let mut parts = step.iter().zip(&influences).zip(&mut stands);
+            let Some((_, stands)) =
+                parts.find(|((part, influence), stands)| !**stands && influence.is_stuck(**part))
+            else {
+                return Some(step);
+            };
+            *stands = true;
+        }
     }
+
+    /// How the place moves with a motor, in parts of its reach.
+    fn influence(self, mechanism: &dyn Playable, free: &[Free], index: usize) -> Option<Influence> {
+        let motors = mechanism.motors();
+        let here = mechanism.place(self.spot)?;
+        let mut unit = vec![0.0; free.len()];
+        *unit.get_mut(index)? = 1.0;
+        let moved = |share: f64| {
+            let there =
+                mechanism.place_toward(self.spot, &displace(&motors, free, &unit, share))?;
+            Some(difference(there, here).map(|part| part / share))
+        };
+        Some(Influence {
+            back: moved(-PROBE)?,
+            forth: moved(PROBE)?,
+        })
+    }
+}
+
+/// The displacement of a place for a unit of a motor's, as it is backwards and forwards.
+struct Influence {
+    back: [f64; 2],
+    forth: [f64; 2],
+}
+
+impl Influence {
+    /// The mean of both ways, or the one that is free.
+    fn of(&self) -> [f64; 2] {
+        if self.is_stuck(1.0) {
+            return self.back;
+        }
+        if self.is_stuck(-1.0) {
+            return self.forth;
+        }
+        [0, 1].map(|part| f64::midpoint(self.back[part], self.forth[part]))
+    }
+
+    /// Whether the motor is at a limit in the direction of this step.
+    fn is_stuck(&self, step: f64) -> bool {
+        let [way, other] = if step > 0.0 {
+            [self.forth, self.back]
+        } else {
+            [self.back, self.forth]
+        };
+        length(way) < 0.5 * length(other)
+    }
+}
+
+/// The step that comes nearest to a displacement, damped where motors do nearly the same; none if there is no use in any.
+fn least_squares(influences: &[[f64; 2]], offset: [f64; 2]) -> Option<Vec<f64>> {
+    // (J Jᵀ + damping) f = displacement; then the step is Jᵀ f.
+    let sum = |entry: fn([f64; 2]) -> f64| influences.iter().map(|&j| entry(j)).sum::<f64>();
+    let [xx, xy, yy] = [
+        sum(|j| j[0] * j[0]),
+        sum(|j| j[0] * j[1]),
+        sum(|j| j[1] * j[1]),
+    ];
+    let damping = DAMPING * (xx + yy);
+    let [xx, yy] = [xx + damping, yy + damping];
+    let determinant = xx * yy - xy * xy;
+    let force = [
+        (yy * offset[0] - xy * offset[1]) / determinant,
+        (xx * offset[1] - xy * offset[0]) / determinant,
+    ];
+    let step: Vec<f64> = influences
+        .iter()
+        .map(|j| j[0] * force[0] + j[1] * force[1])
+        .collect();
+    let longest = step
+        .iter()
+        .fold(0.0_f64, |most, share| most.max(share.abs()));
+    let share = (LONGEST / longest).min(1.0);
+    let is_usable = longest > 0.0 && step.iter().all(|share| share.is_finite());
+    is_usable.then(|| step.iter().map(|part| part * share).collect())
 }
 
 /// The values of motors after a share of a step.

@@ -47,8 +47,8 @@ mechanism! {
     motor crowd.stroke in 2.75 ..= 3.95;
     motor curl.stroke in 1.75 ..= 2.5;
     start {
-        lift.stroke = 2.2; crowd.stroke = 3.2; curl.stroke = 2.1;
-        boom near 20 deg; stick near -90 deg; lever near 0 deg; bucket near -100 deg;
+        lift.stroke = 2.404; crowd.stroke = 2.8; curl.stroke = 1.934;
+        boom near 36 deg; stick near -43 deg; lever near 60 deg; bucket near -45 deg;
     }
     effects { acceleration; overlay; trace bucket.teeth 360 on plane 20 color red; }
 }

@@ -32,7 +32,7 @@ mechanism! {
     part Arm(hue = 4) {
         port chest; use humerus: Bone(l = 30, w = 1.8, hue = hue) { on = chest turned -92 deg };
         use girdle[2]: Geared(l = 11 - 3 * k, w = 1.2, hue = hue) { on = chest at (2 * k - 3, 1) turned (100 * k - 115) * PI / 180, driver = humerus.bone };
-        use forearm[2]: Geared(l = 25 - k, hue = hue, tenths = 6, bend = (18 + 3 * k) * PI / 180) { on = humerus.bone at (30, k), driver = chest };
+        use forearm[2]: Geared(l = 25 - k, hue = hue, tenths = 6, bend = (32 + 3 * k) * PI / 180) { on = humerus.bone at (30, k), driver = chest };
         use digit[5]: Digit(hue = hue) { on = forearm[0].it.bone at (25.5, 1.4 - 0.6 * k) turned (6 - 4 * k) * PI / 180, driver = humerus.bone };
     }
     part Leg(hue = 4) {
@@ -53,8 +53,7 @@ mechanism! {
     link carriage { line keel = (0, 0) -> (1, 0); line mast = (0, 0) -> (0, 1); }
     link pelvis { line mast = (0, 0) -> (0, 1); polygon [(-7, 11), (3, 9), (8, 2), (3, -4), (-2, -8), (-5, -3), (-9, 5)] on plane -12 color 13; }
     joint walk = prismatic(ground.road, carriage.keel); joint rise = prismatic(carriage.mast, pelvis.mast);
-    joint bob = cam(walk, rise, 86.8 - 1.7 * cos(4 * PI * q / 100));
-    use leg[2]: Leg(hue = 36 - 32 * k) { hip = pelvis };
+    joint bob = cam(walk, rise, 86.8 - 1.7 * cos(4 * PI * q / 100)); use leg[2]: Leg(hue = 36 - 32 * k) { hip = pelvis };
     use loin: Three(a = 6, b = 6, c = 6, w = 1.8, bend = 11 deg) { on = pelvis at (-5, 8) turned 70 deg, driver = leg[1].femur.bone };
     use low: Ribs { on = loin.end.it.bone at (6, 0), driver = loin.two.it.bone };
     use mid: Ribs { on = low.spine.end.it.bone at (2, 0), driver = low.spine.two.it.bone };
@@ -69,7 +68,8 @@ mechanism! {
     joint nod = revolute(neck.end.it.bone.tip, skull.base); joint nods = gear(neck.two.it.bone, skull, 1 : 2 on neck.end.it.bone);
     joint bite = revolute(skull.hinge, jaw.hinge); joint bites = gear(neck.end.it.bone, jaw, 1 : 2 on skull);
     motor walk; motor arm[0].humerus.turn; motor leg[0].femur.turn; motor leg[0].tibia.turn; motor leg[0].talus.turn;
-    motor leg[1].femur.turn; motor leg[1].tibia.turn; motor leg[1].talus.turn;
+    motor leg[1].femur.turn; motor leg[1].tibia.turn; motor leg[1].talus.turn; start { arm[0].humerus.turn = 0.4; leg[0].femur.turn = 0.55;
+        leg[0].tibia.turn = -0.39; leg[1].femur.turn = 0.06; leg[1].tibia.turn = -0.65; leg[1].talus.turn = 0.49; }
 }
 
 exhibited!(Skeleton, "skeleton", include_str!("skeleton.rs"), motion);
