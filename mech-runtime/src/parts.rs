@@ -23,6 +23,9 @@
 
 use crate::mechanism_part;
 
+/// The source of all parts here, for programs that read mechanisms from files.
+pub const SOURCE: &str = include_str!("parts.rs");
+
 mechanism_part! {
     /// A hydraulic or pneumatic cylinder, or any ram, between the origins of the frames of `base` and `load`.
     ///

@@ -61,15 +61,15 @@ impl Failure {
         Self::new(FailureKind::Internal, text)
     }
 
-    /// What has been told already.
+    /// One that the user has read already.
     #[must_use]
-    pub fn told(kind: FailureKind) -> Self {
+    pub fn reported(kind: FailureKind) -> Self {
         Self::new(kind, "")
     }
 
-    /// Whether nothing is left to tell.
+    /// Whether the user has read it already.
     #[must_use]
-    pub fn is_told(&self) -> bool {
+    pub fn is_reported(&self) -> bool {
         self.text.is_empty()
     }
 

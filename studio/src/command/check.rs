@@ -44,7 +44,7 @@ impl Check {
         }
         let is_faulty = |verdict: &Verdict| matches!(verdict, Verdict::Faulty { .. });
         if verdicts.iter().any(is_faulty) {
-            return Err(Failure::told(FailureKind::Mechanism));
+            return Err(Failure::reported(FailureKind::Mechanism));
         }
         Ok(())
     }

@@ -95,7 +95,7 @@ impl Draw {
         let mut machine = Machine::<f64>::new(&compiled.program);
         for number in 0..=PLACES {
             let part = f64::from(number) / f64::from(PLACES);
-            if drive.go(model, compiled, &mut machine, part).is_ok() {
+            if drive.move_to(model, compiled, &mut machine, part).is_ok() {
                 paths.record(&machine);
             }
         }

@@ -187,7 +187,7 @@ impl Shoot<'_> {
         for round in 1..=rounds {
             for number in 0..frames {
                 let part = self.part(f64::from(number) / f64::from(frames));
-                self.drive.go(model, compiled, &mut machine, part)?;
+                self.drive.move_to(model, compiled, &mut machine, part)?;
                 paths.record(&machine);
                 if round == rounds {
                     show(&machine.position().poses, &paths)?;

@@ -53,7 +53,7 @@ impl Fix {
         for (number, mending) in (1..).zip(&mendings) {
             console.answer(shown(document.source(), number, mending))?;
         }
-        Err(Failure::told(FailureKind::Mechanism))
+        Err(Failure::reported(FailureKind::Mechanism))
     }
 }
 
@@ -113,7 +113,7 @@ fn pick(
                 &faults.messages,
                 console.has_colors(),
             ));
-            Err(Failure::told(FailureKind::Mechanism))
+            Err(Failure::reported(FailureKind::Mechanism))
         }
     }
 }

@@ -72,7 +72,7 @@ pub fn run(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> 
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            if !failure.is_told() {
+            if !failure.is_reported() {
                 console.complain(&format!("error: {failure}\n"));
             }
             failure.exit_code()
@@ -85,7 +85,7 @@ fn obey(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> Res
         Ok(line) => line,
         Err(error) if error.use_stderr() => {
             console.complain(&error.to_string());
-            return Err(Failure::told(FailureKind::Usage));
+            return Err(Failure::reported(FailureKind::Usage));
         }
         // What was asked for: the help, or the version.
         Err(error) => return console.answer(error.to_string()),

@@ -43,7 +43,7 @@ impl Target {
                     &faults.messages,
                     console.has_colors(),
                 ));
-                Err(Failure::told(FailureKind::Mechanism))
+                Err(Failure::reported(FailureKind::Mechanism))
             }
         }
     }

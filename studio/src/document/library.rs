@@ -1,35 +1,13 @@
 //! The texts of the parts that come with the runtime.
 
-use proc_macro2::{Group, Span, TokenStream, TokenTree};
+use mech_compiler::PartText;
+use mech_runtime::parts;
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 
-/// Stands in for the runtime: a part that is asked to add itself to a mechanism is written down instead.
-mod text {
-    macro_rules! expand_mechanism {
-        ($($krate:ident)::+; part $($part:tt)*) => {
-            stringify!($($part)*)
-        };
-    }
-    pub(super) use expand_mechanism;
-}
-
-macro_rules! parts {
-    ($($name:ident)*) => {
-        /// The names and the texts of all parts.
-        const PARTS: &[(&str, &str)] = &[
-            $((stringify!($name), mech_runtime::parts::$name! { { crate::document::library::text } }),)*
-        ];
-    };
-}
-
-parts! {
-    Cylinder Pantograph ScissorStage Peaucellier JansenLeg KlannLeg EpicyclicStage Geneva Oldham Toggle EngineBank
-}
-
-/// The part of this name as it stands in a mechanism, but for the word `part`. All of it is said to stand at one place.
-pub(super) fn part(name: &str, place: Span) -> Option<TokenStream> {
-    let (_, text) = PARTS.iter().find(|(known, _)| *known == name)?;
-    let tokens: TokenStream = text.parse().ok()?;
-    Some(at(tokens, place))
+/// The part of this name as it stands in a mechanism, but for the word `part`. All of it is said to stand where the name does.
+pub(super) fn part(name: &Ident) -> Option<TokenStream> {
+    let part = PartText::find(parts::SOURCE, name)?;
+    Some(at(part.body, name.span()))
 }
 
 fn at(tokens: TokenStream, place: Span) -> TokenStream {
@@ -48,26 +26,24 @@ fn at(tokens: TokenStream, place: Span) -> TokenStream {
 
 #[cfg(test)]
 mod tests {
-    use super::PARTS;
-    use std::{fs, path::Path};
+    use super::part;
+    use mech_runtime::parts;
+    use proc_macro2::{Ident, Span};
 
     #[test]
     fn all_parts_of_the_runtime_are_known() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../mech-runtime/src/parts.rs");
-        let text = fs::read_to_string(path).expect("the runtime's parts");
-        let declared = text.lines().filter_map(|line| {
-            let name = line.trim_start().strip_prefix("pub ")?;
+        let lines = parts::SOURCE.lines().map(str::trim_start);
+        let declared = lines.filter_map(|line| {
+            let name = line.strip_prefix("pub ")?;
             name.split(|letter: char| !letter.is_alphanumeric()).next()
         });
-        let known: Vec<&str> = PARTS.iter().map(|(name, _)| *name).collect();
-        assert_eq!(known, declared.collect::<Vec<_>>());
-    }
-
-    #[test]
-    fn parts_can_be_read() {
-        for (name, text) in PARTS {
+        let parts: Vec<&str> = declared.filter(|word| *word != "const").collect();
+        assert_eq!(parts.len(), 11);
+        for name in parts {
+            let text = part(&Ident::new(name, Span::call_site()))
+                .expect(name)
+                .to_string();
             assert!(text.starts_with(name), "{text}");
-            assert!(text.parse::<proc_macro2::TokenStream>().is_ok(), "{text}");
         }
     }
 }

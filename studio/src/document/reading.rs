@@ -142,7 +142,7 @@ fn imported(document: &Document, import: &Import) -> Option<TokenStream> {
         let part = PartText::read(&tokens).ok()?;
         (part.name == name).then_some(part.body)
     });
-    here.or_else(|| library::part(&name.to_string(), name.span()))
+    here.or_else(|| library::part(&name))
 }
 
 fn tokens_of(document: &Document, declaration: &Declaration) -> Result<TokenStream, Message> {

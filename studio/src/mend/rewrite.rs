@@ -15,11 +15,7 @@ pub(super) fn rewrite(
     model: &Model,
     repairs: &[Repair],
 ) -> Option<String> {
-    let mut rewriter = Rewriter {
-        model,
-        statements: statements(text, body),
-        draft: Draft::new(text),
-    };
+    let mut rewriter = Rewriter::new(text, body, model);
     // What is added stands after something that stays.
     let mut repairs: Vec<&Repair> = repairs.iter().collect();
     repairs.sort_by_key(|repair| !takes_out(repair));
@@ -36,11 +32,7 @@ pub(super) fn rewrite_start(
     model: &Model,
     clauses: &str,
 ) -> Option<String> {
-    let mut rewriter = Rewriter {
-        model,
-        statements: statements(text, body),
-        draft: Draft::new(text),
-    };
+    let mut rewriter = Rewriter::new(text, body, model);
     rewriter.add_to_start(clauses)?;
     Some(rewriter.draft.finish())
 }
@@ -61,6 +53,14 @@ struct Rewriter<'t> {
 }
 
 impl<'t> Rewriter<'t> {
+    fn new(text: &'t str, body: &Range<usize>, model: &'t Model) -> Self {
+        Self {
+            model,
+            statements: statements(text, body),
+            draft: Draft::new(text),
+        }
+    }
+
     fn make(&mut self, repair: &Repair) -> Option<()> {
         match repair {
             Repair::Declare(declaration) => self.declare(declaration),
@@ -163,24 +163,22 @@ impl<'t> Rewriter<'t> {
         Some(())
     }
 
+    fn remove_all(&mut self, is_out: impl Fn(&Statement<'_>) -> bool) {
+        for statement in self.statements.iter().filter(|one| is_out(one)) {
+            self.draft.remove(&statement.range());
+        }
+    }
+
     /// Takes everything out that cannot be without a joint.
     fn forget_joint(&mut self, name: &str) {
         let _ = self.remove_statement("motor", name);
         self.forget_start(name);
         self.remove_from_lists(name);
-        let acts = |one: &&Statement<'_>| {
+        let acts = |one: &Statement<'_>| {
             let is_torsional = one.find("torsional").is_some();
             (one.is("spring") || one.is("damper")) && is_torsional && one.mentions(name)
         };
-        let found: Vec<Range<usize>> = self
-            .statements
-            .iter()
-            .filter(acts)
-            .map(Statement::range)
-            .collect();
-        for range in found {
-            self.draft.remove(&range);
-        }
+        self.remove_all(acts);
     }
 
     /// Takes a name out of the lists of what is shown and what is continuous.
@@ -250,19 +248,11 @@ impl<'t> Rewriter<'t> {
         self.remove_clauses("effects", |clause| {
             clause.is("trace") && clause.mentions(name)
         });
-        let acts = |one: &&Statement<'_>| {
+        let acts = |one: &Statement<'_>| {
             let is_action = one.is("spring") || one.is("damper") || one.is("load");
             is_action && one.find("torsional").is_none() && one.mentions(name)
         };
-        let found: Vec<Range<usize>> = self
-            .statements
-            .iter()
-            .filter(acts)
-            .map(Statement::range)
-            .collect();
-        for range in found {
-            self.draft.remove(&range);
-        }
+        self.remove_all(acts);
         Some(())
     }
 
@@ -301,7 +291,7 @@ impl<'t> Rewriter<'t> {
         }
         let axis = self.model.axis(second);
         let link = self.model.link(axis.link).name.as_str();
-        let line = self.new_line(axis.link);
+        let line = self.new_line(axis.link)?;
         let declaration = format!(
             "line {line} = ({}, {}) -> ({x}, {y});",
             axis.at[0], axis.at[1]
@@ -335,7 +325,7 @@ impl<'t> Rewriter<'t> {
     }
 
     /// A name that no axis of a link has.
-    fn new_line(&self, link: LinkId) -> String {
+    fn new_line(&self, link: LinkId) -> Option<String> {
         let is_known = |name: &String| {
             let mut axes = self.model.axes.iter();
             axes.any(|axis| axis.link == link && axis.name.as_ref() == Some(name))
@@ -344,7 +334,7 @@ impl<'t> Rewriter<'t> {
             1 => "way".to_owned(),
             _ => format!("way{number}"),
         });
-        names.find(|name| !is_known(name)).unwrap_or_default()
+        names.find(|name| !is_known(name))
     }
 
     /// Starts a motor at a value.

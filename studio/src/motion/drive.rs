@@ -107,13 +107,13 @@ impl Drive {
         };
         let [from, to] = self.ends;
         let mut machine = Machine::<f64>::new(&compiled.program);
-        if !self.is_cyclic(model) || self.go(model, compiled, &mut machine, 0.0).is_err() {
+        if !self.is_cyclic(model) || self.move_to(model, compiled, &mut machine, 0.0).is_err() {
             return self;
         }
         let start = machine.position().poses.clone();
         for turns in 1..=MOST {
             let part = f64::from(turns);
-            if self.go(model, compiled, &mut machine, part).is_err() {
+            if self.move_to(model, compiled, &mut machine, part).is_err() {
                 return self;
             }
             if are_near(&start, &machine.position().poses) {
@@ -156,7 +156,7 @@ impl Drive {
     }
 
     /// Moves a mechanism to a part of the motion.
-    pub(crate) fn go(
+    pub(crate) fn move_to(
         &self,
         model: &Model,
         compiled: &Compiled,

@@ -7,40 +7,26 @@ use mech_runtime::{Canvas, Pose};
 pub(super) struct Shape {
     /// 0 is the ground.
     link: usize,
-    figure: Figure,
+    outline: Outline,
+    /// The corners of a polygon or a wheel, or the points of a line.
+    points: Vec<[f64; 2]>,
     color: u8,
-}
-
-/// An outline whose numbers are known.
-enum Figure {
-    Circle {
-        center: [f64; 2],
-        radius: f64,
-    },
-    Ring {
-        center: [f64; 2],
-        radius: f64,
-        hole: f64,
-    },
-    Polygon(Vec<[f64; 2]>),
-    Line {
-        points: Vec<[f64; 2]>,
-        width: f64,
-    },
-    Arc {
-        center: [f64; 2],
-        start: [f64; 2],
-        angle: f64,
-        width: f64,
-    },
 }
 
 impl Shape {
     /// What is painted of a link with this number.
     pub(super) fn new(link: usize, painted: &Painted) -> Self {
+        let points = match &painted.outline {
+            Outline::Polygon(places) | Outline::Line { points: places, .. } => {
+                places.iter().map(at_start).collect()
+            }
+            Outline::Toothed(wheel) => wheel.corners(),
+            Outline::Circle { .. } | Outline::Ring { .. } | Outline::Arc { .. } => Vec::new(),
+        };
         Self {
             link,
-            figure: Figure::new(&painted.outline),
+            outline: painted.outline.clone(),
+            points,
             color: painted.color,
         }
     }
@@ -52,75 +38,46 @@ impl Shape {
             Some(moving) => poses.get(moving).copied(),
         };
         if let Some(pose) = pose {
-            canvas.fill(self.figure.outline(), pose, self.color);
+            canvas.fill(self.filled(), pose, self.color);
         }
     }
-}
 
-impl Figure {
-    fn new(outline: &Outline) -> Self {
-        let place = |place: &Place| place.map(Measure::at_start);
-        let places = |places: &[Place]| places.iter().map(place).collect();
-        match outline {
-            Outline::Circle { center, radius } => Self::Circle {
-                center: place(center),
+    fn filled(&self) -> mech_runtime::Outline<'_, f64> {
+        use mech_runtime::Outline as Filled;
+        match &self.outline {
+            Outline::Circle { center, radius } => Filled::Circle {
+                center: at_start(center),
                 radius: radius.at_start(),
             },
             Outline::Ring {
                 center,
                 radius,
                 hole,
-            } => Self::Ring {
-                center: place(center),
+            } => Filled::Ring {
+                center: at_start(center),
                 radius: radius.at_start(),
                 hole: hole.at_start(),
             },
-            Outline::Polygon(corners) => Self::Polygon(places(corners)),
-            Outline::Toothed(wheel) => Self::Polygon(wheel.corners()),
-            Outline::Line { points, width } => Self::Line {
-                points: places(points),
+            Outline::Polygon(_) | Outline::Toothed(_) => Filled::Polygon(&self.points),
+            Outline::Line { width, .. } => Filled::Line {
+                points: &self.points,
                 width: width.at_start(),
             },
-            Outline::Arc {
+            &Outline::Arc {
                 center,
                 start,
                 angle,
                 width,
-            } => Self::Arc {
-                center: *center,
-                start: *start,
-                angle: *angle,
-                width: *width,
+            } => Filled::Arc {
+                center,
+                start,
+                angle,
+                width,
             },
         }
     }
+}
 
-    fn outline(&self) -> mech_runtime::Outline<'_, f64> {
-        use mech_runtime::Outline as Painted;
-        match *self {
-            Self::Circle { center, radius } => Painted::Circle { center, radius },
-            Self::Ring {
-                center,
-                radius,
-                hole,
-            } => Painted::Ring {
-                center,
-                radius,
-                hole,
-            },
-            Self::Polygon(ref corners) => Painted::Polygon(corners),
-            Self::Line { ref points, width } => Painted::Line { points, width },
-            Self::Arc {
-                center,
-                start,
-                angle,
-                width,
-            } => Painted::Arc {
-                center,
-                start,
-                angle,
-                width,
-            },
-        }
-    }
+fn at_start(place: &Place) -> [f64; 2] {
+    place.map(Measure::at_start)
 }

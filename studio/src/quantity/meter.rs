@@ -37,7 +37,8 @@ pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<T
     let mut rows = Vec::new();
     for step in 0..=of.steps {
         let part = f64::from(step) / f64::from(of.steps.max(1));
-        of.drive.go(of.model, compiled, &mut meter.machine, part)?;
+        of.drive
+            .move_to(of.model, compiled, &mut meter.machine, part)?;
         let moment = of.drive.moment(of.model, compiled, part, of.rate);
         let by = driver(of, moment.by);
         let mut row = vec![Some(by)];

@@ -6,5 +6,5 @@ mod fix;
 mod mend;
 mod numbers;
 mod pictures;
+mod report;
 mod run;
-mod tell;

@@ -2,8 +2,8 @@
 
 use mech_compiler::graphs::{Graph, kinematic, loops};
 use mech_compiler::model::Model;
-use mech_compiler::{Import, PartText, compile, syntax};
-use proc_macro2::{TokenStream, TokenTree};
+use mech_compiler::{Import, PartText, compile, macro_calls, syntax};
+use mech_runtime::parts;
 
 /// The graphs of a mechanism: its links, and the order in which its loops are solved.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,38 +27,12 @@ impl Graphs {
     }
 }
 
-/// The source of the parts that mechanisms import.
-const PARTS: &str = include_str!("../../../../mech-runtime/src/parts.rs");
-
-/// The mechanism with this name, which a `mechanism!` of this Rust source declares.
+/// The mechanism with this name, which a `mechanism!` of this Rust source declares. Its parts are those of the runtime.
 fn model(source: &str, name: &str) -> Option<Model> {
-    let mut models = calls(source.parse().ok()?, "mechanism").into_iter();
-    models.find_map(|declaration| {
+    let mut declarations = macro_calls(source.parse().ok()?, "mechanism").into_iter();
+    let part = |import: &Import| Some(PartText::find(parts::SOURCE, &import.name()?)?.body);
+    declarations.find_map(|declaration| {
         let text = Import::write_out(declaration, part).ok()?;
         Some(syntax::parse(text).model).filter(|model| model.name == name)
     })
-}
-
-/// The text of an imported part.
-fn part(import: &Import) -> Option<TokenStream> {
-    let name = import.name()?;
-    let mut parts = calls(PARTS.parse().ok()?, "mechanism_part").into_iter();
-    parts.find_map(|part| {
-        let part = PartText::read(&part).ok()?;
-        (part.name == name).then_some(part.body)
-    })
-}
-
-/// The tokens in the brackets of each call of a macro.
-fn calls(source: TokenStream, name: &str) -> Vec<TokenStream> {
-    let trees: Vec<_> = source.into_iter().collect();
-    let call = |trees: &[TokenTree]| match trees {
-        [
-            TokenTree::Ident(ident),
-            TokenTree::Punct(mark),
-            TokenTree::Group(group),
-        ] if ident == name && mark.as_char() == '!' => Some(group.stream()),
-        _ => None,
-    };
-    trees.windows(3).filter_map(call).collect()
 }

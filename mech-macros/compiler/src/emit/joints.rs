@@ -1,5 +1,6 @@
 //! The table of joints, and the method that returns all their coordinates.
 
+use super::MANY;
 use super::coordinate::{Measure, coordinate as coordinate_of};
 use super::emitter::Emitter;
 use super::parts::Parts;
@@ -7,9 +8,6 @@ use super::tokens::{integer, option};
 use crate::model::{AxisId, FORWARD, JointId, JointKind, Model};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-
-/// From so many joints on they stand in a table.
-const MANY: usize = 64;
 
 /// `JOINTS` and `joints`.
 pub(super) fn emit(emitter: &Emitter<'_>) -> Parts {

@@ -35,5 +35,9 @@ mod tokens;
 mod traces;
 mod views;
 
+/// From so many entries on a constant is written as a table, which the Rust compiler reads sooner; fewer stand one by one, as a reader
+/// likes them.
+const MANY: usize = 64;
+
 pub(crate) use items::items;
 pub(crate) use stub::stub;

@@ -1,14 +1,12 @@
 //! The outlines that are painted, in the order in which they are painted.
 
+use super::MANY;
 use super::emitter::Emitter;
 use super::tokens::integer;
 use crate::bug::bug;
 use crate::looks::{Measure, Outline, Painted, Toothed};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-
-/// From so many shapes on they stand in a table.
-const MANY: usize = 64;
 
 /// The statement that paints an outline as params have it; none if they do not change it.
 pub(super) fn fill(emitter: &Emitter<'_>, painted: &Painted) -> Option<TokenStream> {

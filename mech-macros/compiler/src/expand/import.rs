@@ -156,8 +156,16 @@ impl PartText {
         })
     }
 
+    /// The part of this name, if a `mechanism_part!` of this Rust source declares it.
+    #[must_use]
+    pub fn find(source: &str, name: &Ident) -> Option<Self> {
+        let parts = macro_calls(source.parse().ok()?, "mechanism_part");
+        let mut parts = parts.iter().filter_map(|part| Self::read(part).ok());
+        parts.find(|part| part.name == *name)
+    }
+
     /// The macro that adds the part to the text of a mechanism.
-    fn keep(&self) -> TokenStream {
+    fn exported_macro(&self) -> TokenStream {
         let Self {
             name,
             body,
@@ -184,5 +192,23 @@ impl PartText {
 /// Expands the body of a `mechanism_part!`.
 #[must_use]
 pub fn expand_part(input: &TokenStream) -> TokenStream {
-    PartText::read(input).map_or_else(|errors| compile_errors(&errors), |part| part.keep())
+    PartText::read(input).map_or_else(
+        |errors| compile_errors(&errors),
+        |part| part.exported_macro(),
+    )
+}
+
+/// The tokens in the brackets of each call of a macro in a Rust source, outside of all other brackets.
+#[must_use]
+pub fn macro_calls(source: TokenStream, name: &str) -> Vec<TokenStream> {
+    let trees: Vec<TokenTree> = source.into_iter().collect();
+    let call = |trees: &[TokenTree]| match trees {
+        [
+            TokenTree::Ident(ident),
+            TokenTree::Punct(mark),
+            TokenTree::Group(group),
+        ] if ident == name && mark.as_char() == '!' => Some(group.stream()),
+        _ => None,
+    };
+    trees.windows(3).filter_map(call).collect()
 }

@@ -5,7 +5,7 @@ mod import;
 #[cfg(test)]
 mod tests;
 
-pub use import::{Import, PartText, expand_part};
+pub use import::{Import, PartText, expand_part, macro_calls};
 
 use crate::analysis::{Analysis, analyse};
 use crate::bug::bug;

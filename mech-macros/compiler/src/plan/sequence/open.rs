@@ -164,14 +164,15 @@ impl Open {
         let found = self.between(pair).collect::<Vec<Between>>();
         let found = found.windows(2);
         let found = found.filter_map(|two| ring_of_two(model, two[0], two[1]));
-        self.keep([a, b, b], found.into_iter().next());
+        self.set_ring([a, b, b], found.into_iter().next());
         for third in self.common_neighbours(pair) {
             let bases = sorted([a, b, third]);
-            self.keep(bases, self.ring_of_three(bases));
+            self.set_ring(bases, self.ring_of_three(bases));
         }
     }
 
-    fn keep(&mut self, bases: [LinkId; 3], ring: Option<Block>) {
+    /// Notes the ring of these clusters, or that there is none.
+    fn set_ring(&mut self, bases: [LinkId; 3], ring: Option<Block>) {
         match ring {
             Some(ring) => self.rings.insert(bases, ring),
             None => self.rings.remove(&bases),
