@@ -11,6 +11,8 @@ pub struct Line {
 impl Line {
     /// The longest has so many bytes.
     const MOST: usize = 1024;
+    /// So much room a word takes, with a space before it.
+    const LONGEST_WORD: usize = 64;
 
     /// An empty one.
     pub const fn new() -> Self {
@@ -78,13 +80,30 @@ impl Line {
         self
     }
 
+    /// Prints what stands in it so far where hardly any place is left, and goes on with the same line.
+    ///
+    /// # Errors
+    /// If nobody listens.
+    pub fn make_room(&mut self) -> io::Result<()> {
+        if self.length + Self::LONGEST_WORD < Self::MOST {
+            return Ok(());
+        }
+        self.write()
+    }
+
     /// Prints it.
     ///
     /// # Errors
     /// If nobody listens.
     pub fn print(&mut self) -> io::Result<()> {
         self.push(b'\n');
+        self.write()
+    }
+
+    fn write(&mut self) -> io::Result<()> {
         let text = self.text.get(..self.length).unwrap_or_default();
-        io::stdout()?.write_all(text)
+        io::stdout()?.write_all(text)?;
+        self.length = 0;
+        Ok(())
     }
 }

@@ -37,6 +37,7 @@ impl Listener for Printer {
     }
 
     fn word(&mut self, word: u64) {
+        self.heard &= self.line.make_room().is_ok();
         self.line.bits(word);
     }
 

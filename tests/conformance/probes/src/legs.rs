@@ -1,6 +1,6 @@
 //! One leg of Jansen's and a walker on four, in both precisions: loops that are alike share one function on every machine.
 
-use crate::Probed;
+use crate::{Probe, Probed};
 use mech_runtime::{Real, mechanism};
 
 macro_rules! walkers {
@@ -25,6 +25,11 @@ macro_rules! walkers {
                 }
             }
         )*
+
+        /// Asks all of them.
+        pub(crate) fn visit(probe: &mut impl Probe) {
+            $(probe.ask::<$name>();)*
+        }
     };
 }
 

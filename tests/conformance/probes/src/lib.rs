@@ -1,7 +1,7 @@
 //! What is asked of mechanisms on every machine: the same code runs on a desktop and on a microcontroller, and what it tells is compared.
 //!
 //! [`poses`] tells where the links of a mechanism are, bit by bit, [`pictures`] a check sum of each picture of it. [`ask_all`] goes
-//! through all mechanisms there are: the gallery's but for the largest, and one [four-bar](four_bar) by every method.
+//! through all mechanisms there are: the gallery's, one [four-bar](four_bar) by every method, and [walkers](legs).
 #![no_std]
 
 mod abilities;
@@ -21,9 +21,6 @@ use mech_runtime::{Mechanism, Real};
 
 /// In so many steps a mechanism goes through its motion.
 pub const STEPS: u16 = 360;
-
-/// Larger mechanisms are not asked.
-const MOST_LINKS: usize = 12;
 
 /// A mechanism with a name and a motion.
 pub trait Probed: Mechanism {
@@ -48,16 +45,13 @@ pub trait Probe {
     fn ask<M: Probed>(&mut self);
 }
 
-/// Asks every mechanism: those of the gallery in both precisions, but for the largest, and the four-bar by every method.
+/// Asks every mechanism: those of the gallery in both precisions, the four-bar by every method, and walkers.
 pub fn ask_all(probe: &mut impl Probe) {
     struct Asking<'p, P>(&'p mut P);
 
     impl<P: Probe> Visitor for Asking<'_, P> {
         fn visit<M: Exhibited>(&mut self) {
-            // A line of what the firmware prints takes the poses of so many links.
-            if M::LINKS.len() <= MOST_LINKS {
-                self.0.ask::<M>();
-            }
+            self.0.ask::<M>();
         }
     }
 
@@ -65,6 +59,7 @@ pub fn ask_all(probe: &mut impl Probe) {
     mech_gallery::visit_f32(&mut asking);
     mech_gallery::visit_f64(&mut asking);
     four_bar::visit(probe);
+    legs::visit(probe);
 }
 
 /// Who receives what mechanisms report.
