@@ -141,7 +141,7 @@ fn check(what: &str, text: &str) {
 
 #[test]
 fn no_function_is_long_whatever_the_method() {
-    for loops in [10, 50, 200, 600] {
+    for loops in [10, 200] {
         for method in ["", "method linear;", "method newton(2);", "method newton;"] {
             check(
                 &format!("{loops} loops, {method}"),
@@ -149,13 +149,14 @@ fn no_function_is_long_whatever_the_method() {
             );
         }
     }
+    check("600 loops", &(chain_text(600) + "method newton;"));
     check("gears", &geared(200));
     check("laws", &lawful(150));
 }
 
 #[test]
 fn no_function_is_long_whatever_the_effects() {
-    for loops in [10, 50, 200] {
+    for loops in [10, 120] {
         let effects = [
             heavy(loops, "effects { velocity; }"),
             heavy(

@@ -4,42 +4,36 @@ use super::crates::Line;
 use super::subjects::SUBJECTS;
 use super::{invocation, left};
 
-/// A kind of item: its name, and what declares items of all these names.
-type Kind = (&'static str, fn(&[&str]) -> String);
+/// Kinds of items that may have one name together: what they are, and what declares items of all these names.
+type Kinds = (&'static str, fn(&[&str]) -> String);
 
 fn each(names: &[&str], declare: impl Fn(&str) -> String) -> String {
     names.iter().map(|name| declare(name)).collect()
 }
 
-const KINDS: &[Kind] = &[
-    ("constants", |names| {
-        each(names, |name| format!("const {name}: () = ();"))
+const KINDS: &[Kinds] = &[
+    ("constants, modules and macros", |names| {
+        each(names, |name| {
+            format!(
+                "const {name}: () = (); mod {name} {{}} macro_rules! {name} {{ () => {{}}; }}"
+            )
+        })
     }),
-    ("statics", |names| {
-        each(names, |name| format!("static {name}: () = ();"))
+    ("statics and types", |names| {
+        each(names, |name| {
+            format!("static {name}: () = (); type {name} = ();")
+        })
+    }),
+    ("functions and structs", |names| {
+        each(names, |name| {
+            format!("fn {name}() {{}} struct {name} {{}}")
+        })
     }),
     ("unit structs", |names| {
         each(names, |name| format!("struct {name};"))
     }),
     ("tuple structs", |names| {
         each(names, |name| format!("struct {name}(u8);"))
-    }),
-    ("structs", |names| {
-        each(names, |name| format!("struct {name} {{}}"))
-    }),
-    ("functions", |names| {
-        each(names, |name| format!("fn {name}() {{}}"))
-    }),
-    ("modules", |names| {
-        each(names, |name| format!("mod {name} {{}}"))
-    }),
-    ("macros", |names| {
-        each(names, |name| {
-            format!("macro_rules! {name} {{ () => {{}}; }}")
-        })
-    }),
-    ("types", |names| {
-        each(names, |name| format!("type {name} = ();"))
     }),
     ("methods that take anything", |names| {
         each(names, |name| {
