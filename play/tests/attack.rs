@@ -6,6 +6,7 @@ mod common;
 use common::SIZE;
 use mech_gallery::{Layer, exhibits};
 use mech_play::{Command, Painter, Player};
+use std::ops::Range;
 
 /// Random numbers that are the same in every run.
 struct Dice(u64);
@@ -72,9 +73,19 @@ impl Dice {
 
 #[test]
 fn a_player_takes_any_command_and_plays_on() {
+    take_anything(0..12);
+}
+
+/// A test of its own, so that both run at once.
+#[test]
+fn another_player_does_too() {
+    take_anything(12..24);
+}
+
+fn take_anything(seeds: Range<u64>) {
     let mut painter = Painter::default();
     let count = exhibits().len();
-    for seed in 0..40_u64 {
+    for seed in seeds {
         let mut dice = Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
         let first = dice.below(count as u64);
         let mut player = Player::new(exhibits(), first, SIZE).expect("it moves");
