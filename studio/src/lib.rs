@@ -7,16 +7,27 @@ mod chart;
 mod check;
 mod command;
 mod console;
+mod dialogue;
 mod document;
+mod edit;
 mod failure;
 mod mend;
 mod motion;
 mod output;
 mod painting;
 mod quantity;
+mod text;
 
 pub use command::run;
 pub use console::Console;
-pub use document::{Declaration, Document, Faults, LONGEST, Message, Reading, Source, Spot};
+pub use document::{
+    Declaration, Document, Faults, LONGEST, Message, NameText, NumberText, Outline, Reading,
+    Source, Spot,
+};
+pub use edit::{
+    ActionKind, Applied, Assembly, Command, Expression, History, JointForm, Kind, Pair, Refusal,
+    Rule, Step, apply,
+};
 pub use failure::{Failure, FailureKind};
 pub use mend::{Mending, Remainder, mendings};
+pub use text::Edit;

@@ -2,6 +2,8 @@
 
 mod bad_input;
 mod check;
+mod dialogue;
+mod edit;
 mod fix;
 mod mend;
 mod numbers;

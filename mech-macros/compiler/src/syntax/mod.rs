@@ -5,6 +5,7 @@ mod color;
 mod grammar;
 mod lower;
 mod name;
+mod outline;
 mod part;
 mod place;
 mod shape;
@@ -13,6 +14,7 @@ mod spelling;
 mod tests;
 mod written;
 
+pub use outline::{Mention, Noun, Outline, Quantity};
 pub use place::{Message, Place, Places};
 
 use crate::model::Model;
@@ -49,4 +51,10 @@ pub struct Header {
 #[must_use]
 pub fn parse(input: TokenStream) -> Parsed {
     lower::lower(grammar::read(input))
+}
+
+/// Lists the names and numbers of the body of a `mechanism!`, as far as it can be read.
+#[must_use]
+pub fn outline(input: TokenStream) -> Outline {
+    Outline::of(&grammar::read(input))
 }
