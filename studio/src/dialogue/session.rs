@@ -71,7 +71,9 @@ impl Session {
             Request::Edit(command) => {
                 let applied = apply(&self.document(), self.index, &command)?;
                 let text = applied.document.source().text();
-                self.history.push(applied.title.as_str(), text);
+                if text != self.history.text() {
+                    self.history.push(applied.title.as_str(), text);
+                }
                 let notes = applied.notes.join("; ");
                 let notes = if notes.is_empty() {
                     String::new()

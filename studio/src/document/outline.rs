@@ -121,15 +121,14 @@ impl Outline {
         (part, path)
     }
 
-    /// The declaration of what a path means: a link, a joint, an axis and so on.
-    #[must_use]
-    pub fn declared(&self, path: &str) -> Option<&NameText> {
+    /// The declarations that a path may mean: of a link, a joint, an axis, a number and so on.
+    pub fn declared<'a>(&'a self, path: &'a str) -> impl Iterator<Item = &'a NameText> {
         let (part, path) = match path.split_once('.') {
             Some((first, inner)) if self.is_part(first) => (Some(first), inner),
             _ => self.resolve(path, None),
         };
-        let mut names = self.names.iter();
-        names.find(|one| one.is_declared && one.part.as_deref() == part && one.path == path)
+        let names = self.names.iter();
+        names.filter(move |one| one.is_declared && one.part.as_deref() == part && one.path == path)
     }
 
     fn is_part(&self, name: &str) -> bool {

@@ -45,16 +45,19 @@ pub struct Applied {
 }
 
 /// What a command does to a text, before that is tried.
+#[derive(Default)]
 struct Change {
     edits: Vec<Edit>,
     notes: Vec<String>,
+    /// Where something comes to stand that is moved, in the frame in which it is declared.
+    place: Option<[f64; 2]>,
 }
 
 impl Change {
     fn of(rewriter: Rewriter<'_>) -> Self {
         Self {
             edits: rewriter.draft.edits(),
-            notes: Vec::new(),
+            ..Self::default()
         }
     }
 }
@@ -128,8 +131,12 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
         outline,
     };
     let change = change(&scene, command)?;
+    let place = change.place;
     let mut applied = accept(&scene, command.title(), change)?;
     judge(&scene, command, was_readable, &applied)?;
+    if let (Command::Move { path, .. }, Some(place)) = (command, place) {
+        place::judge(&applied.reading.model, path, place)?;
+    }
     if let Command::Join(assembly) = command {
         let stand = assemble::stand(assembly, &applied.reading);
         applied.notes.extend(stand);

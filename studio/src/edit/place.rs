@@ -21,8 +21,8 @@ pub(super) fn shift(
         None => to,
     };
     let mut change = Change {
-        edits: Vec::new(),
-        notes: Vec::new(),
+        place: Some(to),
+        ..Change::default()
     };
     for (index, role) in ["x", "y"].into_iter().enumerate() {
         let Some(number) = scene.outline.number(path, role) else {
@@ -37,17 +37,20 @@ pub(super) fn shift(
         };
         solve::reach(scene, &goal, &mut change)?;
     }
-    // A constant may stand in both coordinates.
-    let after = scene.model_after(&change.edits)?;
-    let found = after.and_then(|model| Some(model.axis(axis_of(&model, path)?).at));
-    let is_there = |found: [f64; 2]| found.iter().zip(to).all(|(a, b)| solve::is_near(*a, b));
-    if !found.is_some_and(is_there) {
-        return Err(Refusal::of(format!(
-            "both coordinates of `{path}` depend on the same number, which cannot give ({}, {})",
-            to[0], to[1]
-        )));
-    }
     Ok(change)
+}
+
+/// Refuses a text in which what was moved is not where it should be: a constant may stand in both coordinates.
+pub(super) fn judge(after: &Model, path: &str, to: [f64; 2]) -> Result<(), Refusal> {
+    let found = axis_of(after, path).map(|axis| after.axis(axis).at);
+    let is_there = |found: [f64; 2]| found.iter().zip(to).all(|(a, b)| solve::is_near(*a, b));
+    if found.is_some_and(is_there) {
+        return Ok(());
+    }
+    Err(Refusal::of(format!(
+        "both coordinates of `{path}` depend on the same number, which cannot give ({}, {})",
+        to[0], to[1]
+    )))
 }
 
 /// Why something cannot be moved.

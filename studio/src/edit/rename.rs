@@ -14,9 +14,22 @@ pub(super) fn rename(scene: &Scene<'_>, path: &str, name: &str) -> Result<Change
     };
     check_name(name)?;
     let outline = &scene.outline;
-    let target = outline
-        .declared(path)
+    let mut declared = outline.declared(path);
+    let target = declared
+        .next()
         .ok_or_else(|| Refusal::of(format!("`{path}` is not declared in this text")))?;
+    if declared.next().is_some() {
+        return Err(Refusal::of(format!(
+            "`{path}` is declared more than once: which one is meant is not clear"
+        )));
+    }
+    let new_path = match path.rsplit_once('.') {
+        Some((owner, _)) => format!("{owner}.{name}"),
+        None => name.to_owned(),
+    };
+    if outline.declared(&new_path).next().is_some() {
+        return Err(Refusal::of(format!("`{new_path}` is declared already")));
+    }
     let goal = (target.part.as_deref(), target.path.as_str());
     let is_use = |one: &&NameText| {
         let found = outline.resolve(&one.path, one.part.as_deref());

@@ -38,8 +38,13 @@ pub(super) fn reach(
     goal: &Goal<'_>,
     change: &mut Change,
 ) -> Result<(), Refusal> {
-    let before = scene.model_after(&change.edits)?;
-    let known = before.and_then(|model| (goal.read)(&model));
+    // Only what was solved for may have changed other numbers than its own.
+    let known = if change.notes.is_empty() {
+        (goal.read)(&scene.model)
+    } else {
+        let before = scene.model_after(&change.edits)?;
+        before.and_then(|model| (goal.read)(&model))
+    };
     if known.is_some_and(|known| known == goal.value) {
         return Ok(());
     }

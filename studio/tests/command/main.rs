@@ -7,6 +7,8 @@ mod edit;
 mod fix;
 mod mend;
 mod numbers;
+mod outline;
 mod pictures;
+mod properties;
 mod report;
 mod run;
