@@ -51,8 +51,8 @@ fn main() {
             let model = document.model(declaration).expect("the compiler works");
             black_box(model.expect("it can be read"));
         });
-        let outline = milliseconds(9, || {
-            black_box(document.outline(declaration).expect("the compiler works"));
+        let listing = milliseconds(9, || {
+            black_box(document.listing(declaration).expect("the compiler works"));
         });
         let analysis = milliseconds(5, || {
             let reading = document.analyse(declaration).expect("the compiler works");
@@ -79,7 +79,7 @@ fn main() {
             black_box(refusal);
         });
         println!(
-            "{joints} joints, {loops} loops: reading {read:.2} ms, outline {outline:.2} ms, analysis {analysis:.1} ms, drag {dragged:.1} ms, a joint too many {refused:.1} ms"
+            "{joints} joints, {loops} loops: reading {read:.2} ms, listing {listing:.2} ms, analysis {analysis:.1} ms, drag {dragged:.1} ms, a joint too many {refused:.1} ms"
         );
     }
 }

@@ -4,11 +4,11 @@ use super::line::beginnings;
 use super::pattern::{Element, What, fit, read};
 use super::table::ROWS;
 use super::words::words;
-use crate::document::Outline;
+use crate::document::Listing;
 use mech_compiler::syntax::Noun;
 
 /// Where the last word of a line begins, and what it may become.
-pub(super) fn complete(line: &str, outline: &Outline) -> (usize, Vec<String>) {
+pub(super) fn complete(line: &str, listing: &Listing) -> (usize, Vec<String>) {
     let start = line.rfind(char::is_whitespace).map_or(0, |at| at + 1);
     let begun = &line[start..];
     let Ok(before) = words(&line[..start]) else {
@@ -30,7 +30,7 @@ pub(super) fn complete(line: &str, outline: &Outline) -> (usize, Vec<String>) {
                     misfit
                         .wants
                         .iter()
-                        .flat_map(|want| words_for(want, outline)),
+                        .flat_map(|want| words_for(want, listing)),
                 );
             }
         }
@@ -53,9 +53,9 @@ fn optional_words(elements: &[Element]) -> Vec<String> {
 }
 
 /// What may stand for an element.
-fn words_for(element: &Element, outline: &Outline) -> Vec<String> {
+fn words_for(element: &Element, listing: &Listing) -> Vec<String> {
     let names = |is_it: fn(Noun) -> bool| {
-        let declared = outline.names.iter();
+        let declared = listing.names.iter();
         let declared = declared.filter(|one| one.is_declared && one.part.is_none());
         let names = declared
             .filter(|one| is_it(one.noun))
@@ -70,7 +70,7 @@ fn words_for(element: &Element, outline: &Outline) -> Vec<String> {
         Element::Word(word) => vec![(*word).to_owned()],
         Element::Optional(inner) => inner
             .first()
-            .map(|first| words_for(first, outline))
+            .map(|first| words_for(first, listing))
             .unwrap_or_default(),
         Element::Slot { what, .. } => match what {
             What::Link => with_ground(names(|noun| noun == Noun::Body)),
@@ -86,20 +86,20 @@ fn words_for(element: &Element, outline: &Outline) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::complete;
-    use crate::document::{Document, Outline, Source};
+    use crate::document::{Document, Listing, Source};
 
-    fn outline() -> Outline {
+    fn listing() -> Listing {
         let text = "struct A; link crank { point pin = (1, 0); } joint a = revolute(ground, crank) at (0, 0);";
         let document = Document::of(Source::new("a.mech", text));
-        let outline = document.outline(&document.declarations()[0]);
-        outline
+        let listing = document.listing(&document.declarations()[0]);
+        listing
             .expect("the compiler works")
             .expect("it can be read")
     }
 
     #[track_caller]
     fn goes_on(line: &str, with: &[&str]) {
-        assert_eq!(complete(line, &outline()).1, with, "{line}");
+        assert_eq!(complete(line, &listing()).1, with, "{line}");
     }
 
     #[test]

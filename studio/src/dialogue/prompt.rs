@@ -3,7 +3,7 @@
 use super::completion::complete;
 use super::session::{Session, Turn};
 use crate::console::Console;
-use crate::document::Outline;
+use crate::document::Listing;
 use crate::failure::{Failure, FailureKind};
 use rustyline::completion::Completer;
 use rustyline::error::ReadlineError;
@@ -54,7 +54,7 @@ fn at_terminal(console: &mut Console) -> Result<(), Failure> {
     console.answer(GREETING)?;
     let mut session = Session::new(false);
     loop {
-        editor.set_helper(Some(Guide(session.outline())));
+        editor.set_helper(Some(Guide(session.listing())));
         let line = match editor.readline("mech> ") {
             Ok(line) => line,
             // The line is dropped.
@@ -82,7 +82,7 @@ fn complain(failure: &Failure, console: &mut Console) -> Result<(), Failure> {
 }
 
 /// Completes words by the table and by the names of the mechanism.
-struct Guide(Outline);
+struct Guide(Listing);
 
 impl Completer for Guide {
     type Candidate = String;

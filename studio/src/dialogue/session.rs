@@ -5,7 +5,7 @@ use super::request::Request;
 use crate::check::verdict_line;
 use crate::command::obey_within;
 use crate::console::Console;
-use crate::document::{Declaration, Document, Outline, Reading, Source};
+use crate::document::{Declaration, Document, Listing, Reading, Source};
 use crate::edit::{History, apply};
 use crate::failure::Failure;
 use crate::mend::mendings;
@@ -128,11 +128,11 @@ impl Session {
     }
 
     /// The names and numbers of the text as it is now, as far as they can be read.
-    pub(super) fn outline(&self) -> Outline {
+    pub(super) fn listing(&self) -> Listing {
         let document = self.document();
         let declaration = document.declarations().get(self.index);
-        let outline = declaration.map(|declaration| document.outline(declaration));
-        outline.and_then(Result::ok).flatten().unwrap_or_default()
+        let listing = declaration.map(|declaration| document.listing(declaration));
+        listing.and_then(Result::ok).flatten().unwrap_or_default()
     }
 
     /// Reads a file.
@@ -239,14 +239,14 @@ impl Session {
 
     /// The numbers of something: `crank.pin x = THROW`.
     fn numbers(&self, owner: Option<&str>) -> Result<String, Failure> {
-        let outline = self.outline();
+        let listing = self.listing();
         let is_asked = |found: &str| {
             owner.is_none_or(|owner| {
                 let inner = found.strip_prefix(owner);
                 inner.is_some_and(|inner| inner.is_empty() || inner.starts_with('.'))
             })
         };
-        let numbers = outline.numbers.iter();
+        let numbers = listing.numbers.iter();
         let lines = numbers
             .filter(|one| one.part.is_none() && is_asked(&one.owner) && !one.is_pair)
             .map(|one| {

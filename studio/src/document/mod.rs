@@ -1,12 +1,13 @@
 //! Documents: the mechanisms of a file, as text and as what the compiler makes of it.
 
 mod library;
-mod outline;
+mod listing;
+
 mod reading;
 mod scanner;
 mod source;
 
-pub use outline::{NameText, NumberText, Outline};
+pub use listing::{Listing, NameText, NumberText};
 pub use reading::{Faults, Message, Reading};
 pub use source::{LONGEST, Source, Spot};
 
@@ -164,8 +165,8 @@ impl Document {
     ///
     /// # Errors
     /// If the compiler itself fails, which is a mistake of ours.
-    pub fn outline(&self, declaration: &Declaration) -> Result<Option<Outline>, Failure> {
-        outline::outline(self, declaration)
+    pub fn listing(&self, declaration: &Declaration) -> Result<Option<Listing>, Failure> {
+        listing::listing(self, declaration)
     }
 
     /// What is wrong with the texts of the parts that are kept for other mechanisms.

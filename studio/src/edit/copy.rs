@@ -31,7 +31,7 @@ pub(super) fn mirror(scene: &Scene<'_>, name: &str) -> Result<Change, Refusal> {
         )));
     }
     let prefix = format!("{name}.");
-    for number in &scene.outline.numbers {
+    for number in &scene.listing.numbers {
         let is_fixed = number.owner == name || number.owner.starts_with(&prefix);
         let is_of_link = is_fixed && number.part.is_none() && !number.is_pair;
         if is_of_link && changes_sign(&number.role) {

@@ -22,7 +22,7 @@ pub(super) fn declare(scene: &Scene<'_>, command: &Command) -> Result<Change, Re
             value,
             is_param,
         } => {
-            if scene.outline.number(name, "value").is_some() && !is_param {
+            if scene.listing.number(name, "value").is_some() && !is_param {
                 return set(scene, name, "value", value);
             }
             check_name(name)?;
@@ -116,8 +116,8 @@ pub(super) fn set(
     role: &str,
     value: &str,
 ) -> Result<Change, Refusal> {
-    let Some(number) = scene.outline.number(owner, role) else {
-        let numbers = scene.outline.numbers.iter();
+    let Some(number) = scene.listing.number(owner, role) else {
+        let numbers = scene.listing.numbers.iter();
         let roles: Vec<String> = numbers
             .filter(|one| one.owner == owner && one.part.is_none())
             .map(|one| format!("`{}`", one.role))
@@ -157,7 +157,7 @@ fn motor(scene: &Scene<'_>, rewriter: &mut Rewriter<'_>, command: &Command) -> R
         check_expression(value)?;
     }
     let text_of = |role: &str| {
-        let number = scene.outline.number(joint, role)?;
+        let number = scene.listing.number(joint, role)?;
         Some(scene.text()[number.range.clone()].to_owned())
     };
     let mut statement = format!("motor {joint}");

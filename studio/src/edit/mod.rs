@@ -22,10 +22,10 @@ pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pa
 pub use history::{History, Step};
 pub use refusal::Refusal;
 
-use crate::document::{Declaration, Document, Outline, Reading, Source};
+use crate::document::{Declaration, Document, Listing, Reading, Source};
 use crate::failure::Failure;
 use crate::mend::{Rewriter, are_alike, mendings};
-use crate::text::{Edit, written};
+use crate::text::{Replacement, written};
 use mech_compiler::model::Model;
 use similar::{DiffTag, TextDiff};
 
@@ -35,7 +35,7 @@ pub struct Applied {
     /// What it did, in a few words.
     pub title: String,
     /// What it replaced, in the order of the places.
-    pub edits: Vec<Edit>,
+    pub edits: Vec<Replacement>,
     /// What else there is to tell: a constant that was solved for, for example.
     pub notes: Vec<String>,
     /// The file after it.
@@ -47,7 +47,7 @@ pub struct Applied {
 /// What a command does to a text, before that is tried.
 #[derive(Default)]
 struct Change {
-    edits: Vec<Edit>,
+    edits: Vec<Replacement>,
     notes: Vec<String>,
     /// Where something comes to stand that is moved, in the frame in which it is declared.
     place: Option<[f64; 2]>,
@@ -69,7 +69,7 @@ struct Scene<'d> {
     /// The number of the mechanism in the file.
     index: usize,
     model: Model,
-    outline: Outline,
+    listing: Listing,
 }
 
 impl<'d> Scene<'d> {
@@ -86,7 +86,7 @@ impl<'d> Scene<'d> {
     }
 
     /// What the text says after changes; none if it cannot be read.
-    fn model_after(&self, edits: &[Edit]) -> Result<Option<Model>, Refusal> {
+    fn model_after(&self, edits: &[Replacement]) -> Result<Option<Model>, Refusal> {
         let document = self.document_after(edits);
         match document.declarations().get(self.index) {
             Some(declaration) => Ok(document.model(declaration)?),
@@ -94,7 +94,7 @@ impl<'d> Scene<'d> {
         }
     }
 
-    fn document_after(&self, edits: &[Edit]) -> Document {
+    fn document_after(&self, edits: &[Replacement]) -> Document {
         let source = self.document.source();
         Document::of(Source::new(source.path(), written(self.text(), edits)))
     }
@@ -112,7 +112,7 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
     let declaration = declarations
         .get(index)
         .ok_or_else(|| Refusal::of("there is no mechanism yet; begin with `mechanism NAME`"))?;
-    let outline = document.outline(declaration)?.unwrap_or_default();
+    let listing = document.listing(declaration)?.unwrap_or_default();
     if let Command::Repair { number } = command {
         return repair(document, index, *number);
     }
@@ -128,7 +128,7 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
         declaration,
         index,
         model,
-        outline,
+        listing,
     };
     let change = change(&scene, command)?;
     let place = change.place;
@@ -174,7 +174,7 @@ fn begin(document: &Document, name: &str) -> Result<Applied, Refusal> {
     }
     declare::check_name(name)?;
     let end = source.text().len();
-    let edits = vec![Edit {
+    let edits = vec![Replacement {
         range: end..end,
         text: format!("struct {name};\n"),
     }];
@@ -289,7 +289,7 @@ fn repair(document: &Document, index: usize, number: usize) -> Result<Applied, R
 }
 
 /// What was replaced between two texts, line by line.
-fn differences(before: &str, after: &str) -> Vec<Edit> {
+fn differences(before: &str, after: &str) -> Vec<Replacement> {
     let difference = TextDiff::from_lines(before, after);
     let starts = |lines: &[&str]| {
         let mut at = 0;
@@ -311,7 +311,7 @@ fn differences(before: &str, after: &str) -> Vec<Edit> {
     changed
         .map(|op| {
             let (from, by) = (op.old_range(), op.new_range());
-            Edit {
+            Replacement {
                 range: old[from.start]..old[from.end],
                 text: after[new[by.start]..new[by.end]].to_owned(),
             }

@@ -13,7 +13,7 @@ pub(super) fn shift(
     if !to.iter().all(|part| part.is_finite()) {
         return Err(Refusal::of("a place has two finite numbers"));
     }
-    let is_placed = scene.outline.number(path, "x").is_some();
+    let is_placed = scene.listing.number(path, "x").is_some();
     let axis = axis_of(&scene.model, path).filter(|_| is_placed);
     let axis = axis.ok_or_else(|| unknown(scene, path))?;
     let to = match motors {
@@ -25,7 +25,7 @@ pub(super) fn shift(
         ..Change::default()
     };
     for (index, role) in ["x", "y"].into_iter().enumerate() {
-        let Some(number) = scene.outline.number(path, role) else {
+        let Some(number) = scene.listing.number(path, role) else {
             return Err(unknown(scene, path));
         };
         let read = |model: &Model| Some(model.axis(axis_of(model, path)?).at[index]);
@@ -57,7 +57,7 @@ pub(super) fn judge(after: &Model, path: &str, to: [f64; 2]) -> Result<(), Refus
 fn unknown(scene: &Scene<'_>, path: &str) -> Refusal {
     let is_joint = scene.model.joints.iter().any(|joint| joint.name == path);
     let is_link = scene.model.links.iter().any(|link| link.name == path);
-    let (part, inner) = scene.outline.resolve(path, None);
+    let (part, inner) = scene.listing.resolve(path, None);
     Refusal::of(match part {
         Some(part) => format!("`{inner}` is fixed by part `{part}`, for all that use it"),
         None if is_joint => {

@@ -117,10 +117,10 @@ fn has_clause(
 
 /// Refuses to take out what something else needs.
 fn refuse_used(scene: &Scene<'_>, path: &str) -> Result<(), Refusal> {
-    let outline = &scene.outline;
-    let mut names = outline.names.iter();
+    let listing = &scene.listing;
+    let mut names = listing.names.iter();
     let user = names.find(|one| {
-        !one.is_declared && outline.resolve(&one.path, one.part.as_deref()) == (None, path)
+        !one.is_declared && listing.resolve(&one.path, one.part.as_deref()) == (None, path)
     });
     match user {
         Some(user) => {

@@ -13,8 +13,8 @@ pub(super) fn rename(scene: &Scene<'_>, path: &str, name: &str) -> Result<Change
         _ => name,
     };
     check_name(name)?;
-    let outline = &scene.outline;
-    let mut declared = outline.declared(path);
+    let listing = &scene.listing;
+    let mut declared = listing.declared(path);
     let target = declared
         .next()
         .ok_or_else(|| Refusal::of(format!("`{path}` is not declared in this text")))?;
@@ -27,15 +27,15 @@ pub(super) fn rename(scene: &Scene<'_>, path: &str, name: &str) -> Result<Change
         Some((owner, _)) => format!("{owner}.{name}"),
         None => name.to_owned(),
     };
-    if outline.declared(&new_path).next().is_some() {
+    if listing.declared(&new_path).next().is_some() {
         return Err(Refusal::of(format!("`{new_path}` is declared already")));
     }
     let goal = (target.part.as_deref(), target.path.as_str());
     let is_use = |one: &&NameText| {
-        let found = outline.resolve(&one.path, one.part.as_deref());
+        let found = listing.resolve(&one.path, one.part.as_deref());
         found == goal && is_kind(one, found.1, target.noun)
     };
-    let places: Vec<_> = outline.names.iter().filter(is_use).collect();
+    let places: Vec<_> = listing.names.iter().filter(is_use).collect();
     let mut rewriter = scene.rewriter()?;
     for place in &places {
         rewriter.draft.replace(place.range.clone(), name);

@@ -27,7 +27,7 @@ pub(super) fn layer(
     check_expression(plane)?;
     let mut rewriter = scene.rewriter()?;
     let shape = shape(&rewriter, link, number)?;
-    if let Some(known) = scene.outline.number(link, &format!("shape {number} plane")) {
+    if let Some(known) = scene.listing.number(link, &format!("shape {number} plane")) {
         rewriter.draft.replace(known.range.clone(), plane);
         return Ok(Change::of(rewriter));
     }
@@ -52,7 +52,7 @@ pub(super) fn recolor(
     check_fragment(color)?;
     let mut rewriter = scene.rewriter()?;
     let shape = shape(&rewriter, link, number)?;
-    if let Some(known) = scene.outline.number(link, &format!("shape {number} color")) {
+    if let Some(known) = scene.listing.number(link, &format!("shape {number} color")) {
         rewriter.draft.replace(known.range.clone(), color);
         return Ok(Change::of(rewriter));
     }

@@ -2,7 +2,7 @@
 
 use super::{Change, Refusal, Scene};
 use crate::document::NumberText;
-use crate::text::Edit;
+use crate::text::Replacement;
 use mech_compiler::model::Model;
 use mech_compiler::syntax::Noun;
 use std::ops::Range;
@@ -50,7 +50,7 @@ pub(super) fn reach(
     }
     let text = &scene.text()[goal.number.range.clone()];
     if is_literal(text) {
-        change.edits.push(Edit {
+        change.edits.push(Replacement {
             range: goal.number.range.clone(),
             text: written(goal.value, text),
         });
@@ -85,7 +85,7 @@ pub(super) fn reach(
             goal.what, goal.value
         ))),
         several => {
-            let shown = |(candidate, _): &(&Candidate, Edit)| match &candidate.constant {
+            let shown = |(candidate, _): &(&Candidate, Replacement)| match &candidate.constant {
                 Some(name) => format!("`{name}`"),
                 None => format!("`{}`", &scene.text()[candidate.range.clone()]),
             };
@@ -102,7 +102,7 @@ pub(super) fn reach(
 
 /// Whether the value of a constant is one literal.
 fn is_whole(scene: &Scene<'_>, name: &str) -> bool {
-    let value = scene.outline.number(name, "value");
+    let value = scene.listing.number(name, "value");
     value.is_some_and(|value| is_literal(&scene.text()[value.range.clone()]))
 }
 
@@ -126,13 +126,13 @@ fn candidates(scene: &Scene<'_>, number: &NumberText) -> Vec<Candidate> {
         let within = |range: &Range<usize>| {
             number.range.start <= range.start && range.end <= number.range.end
         };
-        for name in &scene.outline.names {
+        for name in &scene.listing.names {
             let is_used = name.noun == Noun::Number && !name.is_declared && within(&name.range);
             if !is_used || seen.contains(&name.path.as_str()) {
                 continue;
             }
             seen.push(&name.path);
-            if let Some(value) = scene.outline.number(&name.path, "value") {
+            if let Some(value) = scene.listing.number(&name.path, "value") {
                 waiting.push((value, Some(&name.path)));
             }
         }
@@ -145,11 +145,11 @@ fn solve(
     scene: &Scene<'_>,
     goal: &Goal<'_>,
     candidate: &Candidate,
-    others: &[Edit],
-) -> Result<Option<Edit>, Refusal> {
+    others: &[Replacement],
+) -> Result<Option<Replacement>, Refusal> {
     /// Enough for what is linear; what is not is followed for a while.
     const STEPS: usize = 12;
-    let overlaps = |edit: &Edit| {
+    let overlaps = |edit: &Replacement| {
         edit.range.start < candidate.range.end && candidate.range.start < edit.range.end
     };
     let old = &scene.text()[candidate.range.clone()];
@@ -159,7 +159,7 @@ fn solve(
     if others.iter().any(overlaps) {
         return Ok(None);
     }
-    let edit_to = |value: f64| Edit {
+    let edit_to = |value: f64| Replacement {
         range: candidate.range.clone(),
         text: written(value, old),
     };

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// A replacement of a stretch of a text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Edit {
+pub struct Replacement {
     /// What is replaced, in bytes.
     pub range: Range<usize>,
     /// By what.
@@ -17,7 +17,7 @@ pub struct Edit {
 pub(crate) struct Draft<'t> {
     text: &'t str,
     /// In any order, and none within another.
-    changes: Vec<Edit>,
+    changes: Vec<Replacement>,
 }
 
 impl<'t> Draft<'t> {
@@ -30,7 +30,7 @@ impl<'t> Draft<'t> {
     pub(crate) fn replace(&mut self, range: Range<usize>, by: impl Into<String>) {
         if !self.is_changed(&range) {
             let text = by.into();
-            self.changes.push(Edit { range, text });
+            self.changes.push(Replacement { range, text });
         }
     }
 
@@ -43,7 +43,7 @@ impl<'t> Draft<'t> {
     /// Takes a stretch out. Two that overlap are one.
     fn take_out(&mut self, mut range: Range<usize>) {
         let alone = range.clone();
-        self.changes.retain(|Edit { range: known, text }| {
+        self.changes.retain(|Replacement { range: known, text }| {
             let is_joined = text.is_empty() && overlap(known, &range);
             if is_joined {
                 range = known.start.min(range.start)..known.end.max(range.end);
@@ -73,7 +73,7 @@ impl<'t> Draft<'t> {
     /// Adds a text at a place.
     pub(crate) fn insert(&mut self, at: usize, text: impl Into<String>) {
         let text = text.into();
-        self.changes.push(Edit {
+        self.changes.push(Replacement {
             range: at..at,
             text,
         });
@@ -122,7 +122,7 @@ impl<'t> Draft<'t> {
     }
 
     /// The changes, in the order of their places.
-    pub(crate) fn edits(mut self) -> Vec<Edit> {
+    pub(crate) fn edits(mut self) -> Vec<Replacement> {
         // Stable: what is inserted at one place stays in order.
         self.changes
             .sort_by_key(|edit| (edit.range.start, edit.range.end));
@@ -158,10 +158,10 @@ impl<'t> Draft<'t> {
 }
 
 /// A text after changes that stand in the order of their places.
-pub(crate) fn written(text: &str, edits: &[Edit]) -> String {
+pub(crate) fn written(text: &str, edits: &[Replacement]) -> String {
     let mut changed = String::with_capacity(text.len() + 64);
     let mut at = 0;
-    for Edit { range, text: by } in edits {
+    for Replacement { range, text: by } in edits {
         changed += &text[at.min(range.start)..range.start];
         changed += by;
         at = range.end.max(at);

@@ -4,7 +4,7 @@ mod draft;
 mod lexer;
 mod statement;
 
-pub use draft::Edit;
+pub use draft::Replacement;
 pub(crate) use draft::{Draft, written};
 pub(crate) use lexer::{Kind, Lexeme, Lexer};
 pub(crate) use statement::{Statement, statements};

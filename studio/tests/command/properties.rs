@@ -2,8 +2,8 @@
 
 use crate::run::repository;
 use mech_studio::{
-    Applied, Assembly, Command, Document, Edit, History, JointForm, Kind, NumberText, Outline,
-    Source, apply, mendings,
+    Applied, Assembly, Command, Document, History, JointForm, Kind, Listing, NumberText,
+    Replacement, Source, apply, mendings,
 };
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -79,8 +79,8 @@ fn small_text() -> impl Strategy<Value = String> {
 }
 
 /// A command that fits a text, more or less.
-fn command(dice: &Dice, outline: &Outline) -> Command {
-    let names: Vec<&str> = outline
+fn command(dice: &Dice, listing: &Listing) -> Command {
+    let names: Vec<&str> = listing
         .names
         .iter()
         .filter(|one| one.is_declared && one.part.is_none())
@@ -88,7 +88,7 @@ fn command(dice: &Dice, outline: &Outline) -> Command {
         .chain(["ground", "nothing"])
         .collect();
     let name = |index: &Index| names[index.index(names.len())].to_owned();
-    let numbers: Vec<&NumberText> = outline
+    let numbers: Vec<&NumberText> = listing
         .numbers
         .iter()
         .filter(|one| one.part.is_none())
@@ -182,13 +182,13 @@ fn command(dice: &Dice, outline: &Outline) -> Command {
     }
 }
 
-fn outline_of(document: &Document) -> Outline {
-    let outline = document.outline(&document.declarations()[0]);
-    outline.expect("the compiler works").unwrap_or_default()
+fn listing_of(document: &Document) -> Listing {
+    let listing = document.listing(&document.declarations()[0]);
+    listing.expect("the compiler works").unwrap_or_default()
 }
 
 /// A text with these replacements; what is between them is that of the text.
-fn replaced(text: &str, edits: &[Edit]) -> String {
+fn replaced(text: &str, edits: &[Replacement]) -> String {
     let mut changed = String::new();
     let mut at = 0;
     for edit in edits {
@@ -210,7 +210,7 @@ fn play(path: &str, text: &str, all: &[Dice]) -> (usize, usize) {
     for dice in all {
         let before = history.text().to_owned();
         let document = Document::of(Source::new(path, before.as_str()));
-        let command = command(dice, &outline_of(&document));
+        let command = command(dice, &listing_of(&document));
         let applied = apply(&document, 0, &command);
         assert_eq!(document.source().text(), before);
         match applied {
@@ -276,8 +276,8 @@ fn examine(before: &Document, command: &Command, applied: &Applied) {
             assert_eq!(back.document.source().text(), old, "{said}");
         }
         Command::Set { owner, role, value } => {
-            let outline = outline_of(&applied.document);
-            let number = outline.number(owner, role).expect(&said);
+            let listing = listing_of(&applied.document);
+            let number = listing.number(owner, role).expect(&said);
             assert_eq!(&new[number.range.clone()], value, "{said}");
         }
         Command::Repair { number } => {

@@ -3,9 +3,9 @@
 mod ast;
 mod color;
 mod grammar;
+mod listing;
 mod lower;
 mod name;
-mod outline;
 mod part;
 mod place;
 mod shape;
@@ -14,7 +14,7 @@ mod spelling;
 mod tests;
 mod written;
 
-pub use outline::{Mention, Noun, Outline, Quantity};
+pub use listing::{ListedName, ListedNumber, Listing, Noun};
 pub use place::{Message, Place, Places};
 
 use crate::model::Model;
@@ -55,6 +55,6 @@ pub fn parse(input: TokenStream) -> Parsed {
 
 /// Lists the names and numbers of the body of a `mechanism!`, as far as it can be read.
 #[must_use]
-pub fn outline(input: TokenStream) -> Outline {
-    Outline::of(&grammar::read(input))
+pub fn listing(input: TokenStream) -> Listing {
+    Listing::of(&grammar::read(input))
 }

@@ -1,16 +1,16 @@
 //! The numbers of a shape.
 
-use crate::syntax::ast::{Expr, Outline as Figure, Pair};
+use crate::syntax::ast::{Expr, Outline, Pair};
 
 /// The points of an outline, and its other numbers with the words before them.
-pub(super) fn figure_numbers(outline: &Figure) -> (Vec<&Pair>, Vec<(&'static str, &Expr)>) {
+pub(super) fn shape_numbers(outline: &Outline) -> (Vec<&Pair>, Vec<(&'static str, &Expr)>) {
     let mut lengths = Vec::new();
     let points = match outline {
-        Figure::Circle { center, radius } => {
+        Outline::Circle { center, radius } => {
             lengths.push(("radius", radius));
             vec![center]
         }
-        Figure::Ring {
+        Outline::Ring {
             center,
             radius,
             hole,
@@ -18,12 +18,12 @@ pub(super) fn figure_numbers(outline: &Figure) -> (Vec<&Pair>, Vec<(&'static str
             lengths.extend([("radius", radius), ("hole", hole)]);
             vec![center]
         }
-        Figure::Polygon { corners, .. } => corners.iter().collect(),
-        Figure::Bar { pins, width, .. } => {
+        Outline::Polygon { corners, .. } => corners.iter().collect(),
+        Outline::Bar { pins, width, .. } => {
             lengths.push(("width", width));
             pins.iter().collect()
         }
-        Figure::Gear {
+        Outline::Gear {
             center,
             radius,
             teeth,
@@ -34,20 +34,20 @@ pub(super) fn figure_numbers(outline: &Figure) -> (Vec<&Pair>, Vec<(&'static str
             lengths.extend(turned.iter().map(|angle| ("turned", angle)));
             vec![center]
         }
-        Figure::Stand { at, height, turned } => {
+        Outline::Stand { at, height, turned } => {
             lengths.extend(height.iter().map(|height| ("height", height)));
             lengths.extend(turned.iter().map(|angle| ("turned", angle)));
             vec![at]
         }
-        Figure::Rail { ends, width, .. } => {
+        Outline::Rail { ends, width, .. } => {
             lengths.extend(width.iter().map(|width| ("width", width)));
             ends.iter().collect()
         }
-        Figure::Spring { ends, width, .. } => {
+        Outline::Spring { ends, width, .. } => {
             lengths.push(("width", width));
             ends.iter().collect()
         }
-        Figure::Text {
+        Outline::Text {
             at, height, turned, ..
         } => {
             lengths.push(("height", height));

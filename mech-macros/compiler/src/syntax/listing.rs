@@ -1,6 +1,6 @@
 //! The names and numbers of a text with their places, for programs that change texts.
 
-mod figure;
+mod shape;
 
 use super::Place;
 use super::ast::{
@@ -8,21 +8,21 @@ use super::ast::{
     ExprKind, Ground, Index, Item, Joint, JointWord, Link, LoadOn, Matter, MatterKind, Motor, Name,
     Pair, Part, Port, Shape, Size, Start, Statement, Text, Trace, Use,
 };
-use figure::figure_numbers;
 use proc_macro2::{Ident, Span};
+use shape::shape_numbers;
 
 /// The names and numbers of a text, in the order in which they are read.
 #[derive(Debug, Default)]
-pub struct Outline {
+pub struct Listing {
     /// Each name, where it is declared and where it is used.
-    pub mentions: Vec<Mention>,
+    pub names: Vec<ListedName>,
     /// Each number, and each pair of numbers.
-    pub quantities: Vec<Quantity>,
+    pub numbers: Vec<ListedNumber>,
 }
 
 /// A name at one place.
 #[derive(Clone, Debug)]
-pub struct Mention {
+pub struct ListedName {
     /// What it names.
     pub noun: Noun,
     /// The words that lead to it, itself included, without indices: `left.foot.tip`.
@@ -56,7 +56,7 @@ pub enum Noun {
 
 /// A number, or a pair of them, at its place.
 #[derive(Clone, Debug)]
-pub struct Quantity {
+pub struct ListedNumber {
     /// What it belongs to: `crank.pin`, or the word of a statement without a name.
     pub owner: String,
     /// What it says of that: `x`, `shape 2 radius`.
@@ -71,22 +71,22 @@ pub struct Quantity {
     pub literals: Vec<Place>,
 }
 
-impl Outline {
+impl Listing {
     /// Lists what a text consists of.
     pub(super) fn of(text: &Text) -> Self {
         let mut reader = Reader {
-            outline: Self::default(),
+            listing: Self::default(),
             part: None,
         };
         for statement in &text.statements {
             reader.statement(statement);
         }
-        reader.outline
+        reader.listing
     }
 }
 
 struct Reader {
-    outline: Outline,
+    listing: Listing,
     part: Option<String>,
 }
 
@@ -193,7 +193,7 @@ impl Reader {
 
     fn shape(&mut self, link: &str, prefix: &str, shape: &Shape) {
         let role = |word: &str| format!("{prefix}{word}");
-        let (points, lengths) = figure_numbers(&shape.outline);
+        let (points, lengths) = shape_numbers(&shape.outline);
         let is_single = points.len() == 1;
         for (number, point) in (1..).zip(points) {
             let corner = if is_single {
@@ -444,7 +444,7 @@ impl Reader {
         is_pair: bool,
         literals: Vec<Place>,
     ) {
-        self.outline.quantities.push(Quantity {
+        self.listing.numbers.push(ListedNumber {
             owner: owner.to_owned(),
             role: role.to_owned(),
             part: self.part.clone(),
@@ -459,7 +459,7 @@ impl Reader {
     }
 
     fn mention(&mut self, noun: Noun, path: String, is_declared: bool, span: Span) {
-        self.outline.mentions.push(Mention {
+        self.listing.names.push(ListedName {
             noun,
             path,
             part: self.part.clone(),

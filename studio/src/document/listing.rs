@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// The names and numbers in the text of a mechanism.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Outline {
+pub struct Listing {
     /// Each name, where it is declared and where it is used.
     pub names: Vec<NameText>,
     /// Each number, and each pair of numbers.
@@ -49,38 +49,38 @@ pub struct NumberText {
 }
 
 /// Lists the names and numbers of a mechanism.
-pub(super) fn outline(
+pub(super) fn listing(
     document: &Document,
     declaration: &Declaration,
-) -> Result<Option<Outline>, Failure> {
+) -> Result<Option<Listing>, Failure> {
     proc_macro2::extra::invalidate_current_thread_spans();
     let Ok(tokens) = tokens_of(document, declaration) else {
         return Ok(None);
     };
-    let found = catch(|| syntax::outline(tokens)).map_err(|what| internal(&what))?;
+    let found = catch(|| syntax::listing(tokens)).map_err(|what| internal(&what))?;
     let range = |place: Place| range_of(place, &declaration.whole);
-    let names = found.mentions.into_iter().map(|mention| NameText {
-        noun: mention.noun,
-        path: mention.path,
-        part: mention.part,
-        is_declared: mention.is_declared,
-        range: range(mention.place),
+    let names = found.names.into_iter().map(|name| NameText {
+        noun: name.noun,
+        path: name.path,
+        part: name.part,
+        is_declared: name.is_declared,
+        range: range(name.place),
     });
-    let numbers = found.quantities.into_iter().map(|quantity| NumberText {
-        owner: quantity.owner,
-        role: quantity.role,
-        part: quantity.part,
-        range: range(quantity.place),
-        is_pair: quantity.is_pair,
-        literals: quantity.literals.into_iter().map(range).collect(),
+    let numbers = found.numbers.into_iter().map(|number| NumberText {
+        owner: number.owner,
+        role: number.role,
+        part: number.part,
+        range: range(number.place),
+        is_pair: number.is_pair,
+        literals: number.literals.into_iter().map(range).collect(),
     });
-    Ok(Some(Outline {
+    Ok(Some(Listing {
         names: names.collect(),
         numbers: numbers.collect(),
     }))
 }
 
-impl Outline {
+impl Listing {
     /// The number of this owner and role, outside of parts.
     #[must_use]
     pub fn number(&self, owner: &str, role: &str) -> Option<&NumberText> {

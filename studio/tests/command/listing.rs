@@ -1,7 +1,7 @@
 //! The places of names and numbers.
 
 use crate::run::repository;
-use mech_studio::{Document, Outline, Source};
+use mech_studio::{Document, Listing, Source};
 use proc_macro2::{TokenStream, TokenTree};
 use std::collections::BTreeSet;
 use std::fs;
@@ -44,8 +44,8 @@ fn literals(tokens: TokenStream, found: &mut BTreeSet<(usize, usize)>) {
     }
 }
 
-/// The outlines of all mechanisms of a file that are right, with their bodies.
-fn outlines(document: &Document) -> Vec<(Outline, Range<usize>)> {
+/// The listings of all mechanisms of a file that are right, with their bodies.
+fn listings(document: &Document) -> Vec<(Listing, Range<usize>)> {
     let declarations = document.declarations().iter();
     let right = declarations.filter_map(|declaration| {
         let reading = document.analyse(declaration).expect("the compiler works");
@@ -54,9 +54,9 @@ fn outlines(document: &Document) -> Vec<(Outline, Range<usize>)> {
             .as_ref()
             .err()
             .is_none_or(|faults| !faults.diagnoses.is_empty());
-        let outline = document.outline(declaration).expect("the compiler works");
+        let listing = document.listing(declaration).expect("the compiler works");
         let body = declaration.body.clone();
-        outline.zip(body).filter(|_| is_read)
+        listing.zip(body).filter(|_| is_read)
     });
     right.collect()
 }
@@ -66,12 +66,12 @@ fn every_number_of_a_text_has_its_place() {
     let mut total = 0;
     for path in files() {
         let document = Document::of(Source::read(&path).expect("a file"));
-        for (outline, body) in outlines(&document) {
+        for (listing, body) in listings(&document) {
             let masked = document.source().masked(&body);
             proc_macro2::extra::invalidate_current_thread_spans();
             let mut expected = BTreeSet::new();
             literals(masked.parse().expect("tokens"), &mut expected);
-            let colors = outline
+            let colors = listing
                 .numbers
                 .iter()
                 .filter(|one| one.role.ends_with("color"));
@@ -81,7 +81,7 @@ fn every_number_of_a_text_has_its_place() {
                     .iter()
                     .any(|range| range.start <= *start && *end <= range.end)
             });
-            let listed = outline.numbers.iter().flat_map(|one| &one.literals);
+            let listed = listing.numbers.iter().flat_map(|one| &one.literals);
             let listed: Vec<(usize, usize)> =
                 listed.map(|range| (range.start, range.end)).collect();
             total += listed.len();
@@ -105,14 +105,14 @@ fn every_name_stands_at_its_place() {
     for path in files() {
         let document = Document::of(Source::read(&path).expect("a file"));
         let text = document.source().text();
-        for (outline, body) in outlines(&document) {
-            total += outline.names.len();
-            for name in &outline.names {
+        for (listing, body) in listings(&document) {
+            total += listing.names.len();
+            for name in &listing.names {
                 let word = name.path.rsplit('.').next().expect("a word");
                 assert_eq!(&text[name.range.clone()], word, "{}", path.display());
                 assert!(body.start <= name.range.start && name.range.end <= body.end);
             }
-            for number in &outline.numbers {
+            for number in &listing.numbers {
                 assert!(body.start <= number.range.start && number.range.end <= body.end);
                 let inner = |range: &Range<usize>| {
                     number.range.start <= range.start && range.end <= number.range.end
@@ -135,8 +135,8 @@ motor a in 24 ..= 25 by 26;
 start { a = 27; crank near 28; }
 ";
     let document = Document::of(Source::new("a.mech", text));
-    let outline = document.outline(&document.declarations()[0]);
-    let outline = outline
+    let listing = document.listing(&document.declarations()[0]);
+    let listing = listing
         .expect("the compiler works")
         .expect("it can be read");
     let roles = [
@@ -165,7 +165,7 @@ start { a = 27; crank near 28; }
         ("crank", "near", "28"),
     ];
     for (owner, role, value) in roles {
-        let number = outline.number(owner, role);
+        let number = listing.number(owner, role);
         let number = number.unwrap_or_else(|| panic!("{role} of {owner}"));
         assert_eq!(&text[number.range.clone()], value, "{role} of {owner}");
     }
