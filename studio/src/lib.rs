@@ -2,21 +2,35 @@
 //!
 //! A [`Document`] is a file with mechanisms; a [`Reading`] is what the compiler makes of one of them. The compiler's interpreter moves
 //! what the macro would emit, so nothing has to be built. Each subcommand is a file in `command`.
+//!
+//! A [`Command`] is a change of a mechanism; [`apply`] turns it into replacements in the text, and tries these. The dialogue, `mech run` and
+//! programs with a window all change mechanisms by commands alone.
 
 mod chart;
 mod check;
 mod command;
 mod console;
+mod dialogue;
 mod document;
+mod edit;
 mod failure;
 mod mend;
 mod motion;
 mod output;
 mod painting;
 mod quantity;
+mod text;
 
 pub use command::run;
 pub use console::Console;
-pub use document::{Declaration, Document, Faults, LONGEST, Message, Reading, Source, Spot};
+pub use document::{
+    Declaration, Document, Faults, LONGEST, Listing, Message, NameText, NumberText, Reading,
+    Source, Spot,
+};
+pub use edit::{
+    ActionKind, Applied, Assembly, Command, Expression, History, JointForm, Kind, Pair, Refusal,
+    Rule, Step, apply,
+};
 pub use failure::{Failure, FailureKind};
 pub use mend::{Mending, Remainder, mendings};
+pub use text::Replacement;

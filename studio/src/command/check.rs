@@ -13,7 +13,7 @@ use clap::Args;
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Check {
     #[command(flatten)]
-    target: Target,
+    pub(super) target: Target,
     /// Answers in JSON, for editors: places in bytes, and in lines and columns from 1.
     #[arg(long)]
     json: bool,

@@ -16,7 +16,7 @@ use mech_runtime::files::{self, Svg};
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Draw {
     #[command(flatten)]
-    target: Target,
+    pub(super) target: Target,
     #[command(flatten)]
     picture: Picture,
 }

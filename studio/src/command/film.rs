@@ -21,7 +21,7 @@ use std::time::Duration;
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Film {
     #[command(flatten)]
-    target: Target,
+    pub(super) target: Target,
     #[command(flatten)]
     picture: Picture,
     /// The motor that moves; without, the first, or all by their laws.

@@ -16,7 +16,7 @@ use similar::TextDiff;
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Fix {
     #[command(flatten)]
-    target: Target,
+    pub(super) target: Target,
     /// Makes the repair with this number.
     #[arg(short, long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..))]
     pick: Option<u32>,

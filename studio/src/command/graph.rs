@@ -11,7 +11,7 @@ use mech_compiler::graphs;
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Graph {
     #[command(flatten)]
-    target: Target,
+    pub(super) target: Target,
     /// What the graph shows.
     #[arg(short, long, value_enum, default_value_t = Kind::Links)]
     of: Kind,

@@ -10,10 +10,13 @@ mod measure;
 mod picture;
 mod plot;
 mod report;
+mod run;
 mod table;
 mod target;
 
 use crate::console::Console;
+use crate::dialogue::converse;
+use crate::document::Document;
 use crate::failure::{Failure, FailureKind};
 use clap::{Parser, Subcommand};
 use mech_compiler::catch;
@@ -33,18 +36,17 @@ Exit codes:
 /// Checks, mends, draws and measures planar mechanisms.
 ///
 /// FILE is a Rust file with `mechanism! { ... }` in it, or a file `.mech` with the inside of one. Of several mechanisms in a file,
-/// `--mechanism NAME` chooses one.
+/// `--mechanism NAME` chooses one. Without a command, `mech` opens a dialogue in which mechanisms are made and changed.
 #[derive(Debug, Parser)]
 #[command(
     name = "mech",
     version,
     after_help = CODES,
-    arg_required_else_help = true,
     disable_help_subcommand = true
 )]
 struct CommandLine {
     #[command(subcommand)]
-    command: Command,
+    command: Option<Command>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -57,6 +59,7 @@ enum Command {
     Film(film::Film),
     Table(table::Table),
     Plot(plot::Plot),
+    Run(run::Run),
     Completions(completions::Completions),
 }
 
@@ -81,24 +84,87 @@ pub fn run(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> 
 }
 
 fn obey(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> Result<(), Failure> {
-    let line = match CommandLine::try_parse_from(words) {
-        Ok(line) => line,
-        Err(error) if error.use_stderr() => {
-            console.complain(&error.to_string());
-            return Err(Failure::reported(FailureKind::Usage));
-        }
-        // What was asked for: the help, or the version.
-        Err(error) => return console.answer(error.to_string()),
+    let Some(line) = parse(words, console)? else {
+        return Ok(());
     };
     match line.command {
-        Command::Check(check) => check.run(console),
-        Command::Fix(fix) => fix.run(console),
-        Command::Report(report) => report.run(console),
-        Command::Graph(graph) => graph.run(console),
-        Command::Draw(draw) => draw.run(console),
-        Command::Film(film) => film.run(console),
-        Command::Table(table) => table.run(console),
-        Command::Plot(plot) => plot.run(console),
-        Command::Completions(completions) => completions.run(console),
+        Some(command) => command.run(console),
+        None => converse(console),
+    }
+}
+
+/// The command line; none if only its help was asked for.
+fn parse(
+    words: impl IntoIterator<Item = OsString>,
+    console: &mut Console,
+) -> Result<Option<CommandLine>, Failure> {
+    match CommandLine::try_parse_from(words) {
+        Ok(line) => Ok(Some(line)),
+        Err(error) if error.use_stderr() => {
+            console.complain(&error.to_string());
+            Err(Failure::reported(FailureKind::Usage))
+        }
+        // What was asked for: the help, or the version.
+        Err(error) => console.answer(error.to_string()).map(|()| None),
+    }
+}
+
+/// Does what a subcommand does, on the mechanism with this number in a text that may not be in any file. The words are those after
+/// `mech`, without the file.
+pub(crate) fn obey_within(
+    words: &[String],
+    document: Document,
+    index: usize,
+    console: &mut Console,
+) -> Result<(), Failure> {
+    let mut all: Vec<OsString> = vec!["mech".into()];
+    let (name, others) = words
+        .split_first()
+        .ok_or_else(|| Failure::internal("internal error: a command without a word"))?;
+    all.push(name.into());
+    // The file is given below; this only fills its place.
+    all.push("-".into());
+    all.extend(others.iter().map(OsString::from));
+    let Some(line) = parse(all, console)? else {
+        return Ok(());
+    };
+    let mut command = line
+        .command
+        .ok_or_else(|| Failure::internal("internal error: a command without a word"))?;
+    if let Some(target) = command.target() {
+        target.give(document, index);
+    }
+    command.run(console)
+}
+
+impl Command {
+    fn run(self, console: &mut Console) -> Result<(), Failure> {
+        match self {
+            Self::Check(check) => check.run(console),
+            Self::Fix(fix) => fix.run(console),
+            Self::Report(report) => report.run(console),
+            Self::Graph(graph) => graph.run(console),
+            Self::Draw(draw) => draw.run(console),
+            Self::Film(film) => film.run(console),
+            Self::Table(table) => table.run(console),
+            Self::Plot(plot) => plot.run(console),
+            Self::Run(run) => run.run(console),
+            Self::Completions(completions) => completions.run(console),
+        }
+    }
+
+    /// The mechanism that it is about, if it is about one.
+    fn target(&mut self) -> Option<&mut Target> {
+        Some(match self {
+            Self::Check(check) => &mut check.target,
+            Self::Fix(fix) => &mut fix.target,
+            Self::Report(report) => &mut report.target,
+            Self::Graph(graph) => &mut graph.target,
+            Self::Draw(draw) => &mut draw.target,
+            Self::Film(film) => &mut film.target,
+            Self::Table(table) => &mut table.target,
+            Self::Plot(plot) => &mut plot.target,
+            Self::Run(_) | Self::Completions(_) => return None,
+        })
     }
 }

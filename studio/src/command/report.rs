@@ -10,7 +10,7 @@ use clap::Args;
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Report {
     #[command(flatten)]
-    target: Target,
+    pub(super) target: Target,
 }
 
 const EXAMPLES: &str = "\

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 #[command(after_help = [QUANTITIES, "\n\n", EXAMPLES].concat(), after_long_help = [QUANTITIES, "\n\n", EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Table {
     #[command(flatten)]
-    target: Target,
+    pub(super) target: Target,
     #[command(flatten)]
     measure: Measure,
     /// The file to write; without, the table is the answer.

@@ -17,12 +17,25 @@ pub(super) struct Target {
     /// The mechanism, where the file has several: the name of its type.
     #[arg(short, long, value_name = "NAME")]
     pub(super) mechanism: Option<String>,
+    /// A text that stands for that of the file.
+    #[arg(skip)]
+    given: Option<Document>,
 }
 
 impl Target {
+    /// Gives the text itself, and the number of the mechanism in it.
+    pub(super) fn give(&mut self, document: Document, index: usize) {
+        let declaration = document.declarations().get(index);
+        self.mechanism = declaration.and_then(|declaration| declaration.name.clone());
+        self.given = Some(document);
+    }
+
     /// The file.
     pub(super) fn document(&self) -> Result<Document, Failure> {
-        Document::read(&self.file)
+        match &self.given {
+            Some(document) => Ok(document.clone()),
+            None => Document::read(&self.file),
+        }
     }
 
     /// The mechanism, right or wrong, with its file.

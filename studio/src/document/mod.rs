@@ -1,12 +1,13 @@
 //! Documents: the mechanisms of a file, as text and as what the compiler makes of it.
 
-mod lexer;
 mod library;
+mod listing;
+
 mod reading;
 mod scanner;
 mod source;
 
-pub(crate) use lexer::{Kind, Lexeme, Lexer};
+pub use listing::{Listing, NameText, NumberText};
 pub use reading::{Faults, Message, Reading};
 pub use source::{LONGEST, Source, Spot};
 
@@ -158,6 +159,14 @@ impl Document {
     /// If the compiler itself fails, which is a mistake of ours.
     pub fn model(&self, declaration: &Declaration) -> Result<Option<Model>, Failure> {
         reading::model(self, declaration)
+    }
+
+    /// The names and numbers in the text of one of its mechanisms; none if its brackets do not match.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub fn listing(&self, declaration: &Declaration) -> Result<Option<Listing>, Failure> {
+        listing::listing(self, declaration)
     }
 
     /// What is wrong with the texts of the parts that are kept for other mechanisms.

@@ -145,7 +145,10 @@ fn imported(document: &Document, import: &Import) -> Option<TokenStream> {
     here.or_else(|| library::part(&name))
 }
 
-fn tokens_of(document: &Document, declaration: &Declaration) -> Result<TokenStream, Message> {
+pub(super) fn tokens_of(
+    document: &Document,
+    declaration: &Declaration,
+) -> Result<TokenStream, Message> {
     let whole = &declaration.whole;
     let body = declaration.body.as_ref().ok_or_else(|| Message {
         place: whole.start..whole.start + 1,
@@ -172,7 +175,7 @@ fn in_bytes(messages: &[syntax::Message], whole: &Range<usize>) -> Vec<Message> 
     messages.iter().map(message).collect()
 }
 
-fn range_of(place: Place, whole: &Range<usize>) -> Range<usize> {
+pub(super) fn range_of(place: Place, whole: &Range<usize>) -> Range<usize> {
     let bytes = |span: Span| Some(span.byte_range()).filter(|range| !range.is_empty());
     match (bytes(place.start), bytes(place.end)) {
         (Some(start), Some(end)) if start.start < end.end => start.start..end.end,
@@ -182,7 +185,7 @@ fn range_of(place: Place, whole: &Range<usize>) -> Range<usize> {
     }
 }
 
-fn internal(what: &str) -> Failure {
+pub(super) fn internal(what: &str) -> Failure {
     Failure::internal(format!(
         "internal error: {what}. Please report it, with the mechanism"
     ))

@@ -1,6 +1,6 @@
 //! Finds the calls of macros in a Rust file, without reading the rest: it may be wrong in any way.
 
-use super::lexer::{Kind, Lexeme, Lexer};
+use crate::text::{Kind, Lexeme, Lexer};
 use std::ops::Range;
 
 /// A call of a macro.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 
 /// Whether two models are the same but for the order of declarations, the names of lines that joints need, and rounding.
-pub(super) fn are_alike(a: &Model, b: &Model) -> bool {
+pub(crate) fn are_alike(a: &Model, b: &Model) -> bool {
     a.name == b.name && declarations(a) == declarations(b) && settings(a) == settings(b)
 }
 

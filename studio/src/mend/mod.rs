@@ -1,18 +1,17 @@
 //! Repairs of a mechanism, as changes of its text.
 
-mod draft;
 mod likeness;
 mod rewrite;
-mod statement;
 
 use crate::document::{Declaration, Document, Faults, Reading, Source};
 use crate::failure::Failure;
-use likeness::are_alike;
+pub(crate) use likeness::are_alike;
 use mech_compiler::catch;
 use mech_compiler::model::{LinkId, Model, Near, Origin};
 use mech_compiler::repair::{Offers, Repair, apply_all};
 use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
+pub(crate) use rewrite::Rewriter;
 use rewrite::{rewrite, rewrite_start};
 use std::ops::Range;
 

@@ -1,7 +1,6 @@
 //! Repairs as changes of the text: the second reading of what `repair` does to the model.
 
-use super::draft::Draft;
-use super::statement::{Statement, statements};
+use crate::text::{Draft, Statement, statements};
 use mech_compiler::model::{JointId, JointKind, LinkId, Model, MotorId, NewKind, Ratio};
 use mech_compiler::repair::{Declaration, Repair};
 use mech_compiler::reporter;
@@ -46,14 +45,14 @@ fn takes_out(repair: &Repair) -> bool {
 }
 
 /// A text, the mechanism that it declares, and the changes so far.
-struct Rewriter<'t> {
+pub(crate) struct Rewriter<'t> {
     model: &'t Model,
-    statements: Vec<Statement<'t>>,
-    draft: Draft<'t>,
+    pub(crate) statements: Vec<Statement<'t>>,
+    pub(crate) draft: Draft<'t>,
 }
 
 impl<'t> Rewriter<'t> {
-    fn new(text: &'t str, body: &Range<usize>, model: &'t Model) -> Self {
+    pub(crate) fn new(text: &'t str, body: &Range<usize>, model: &'t Model) -> Self {
         Self {
             model,
             statements: statements(text, body),
@@ -81,7 +80,7 @@ impl<'t> Rewriter<'t> {
     }
 
     /// The statement that declares something of this kind and name.
-    fn declared(&self, word: &str, name: &str) -> Option<Statement<'t>> {
+    pub(crate) fn declared(&self, word: &str, name: &str) -> Option<Statement<'t>> {
         let mut all = self.statements.iter();
         all.find(|one| one.declares(word, name)).cloned()
     }
@@ -91,15 +90,52 @@ impl<'t> Rewriter<'t> {
     }
 
     /// Adds a statement after the last of the first of these kinds of which there is one, or after the last joint.
-    fn add(&mut self, statement: &str, after: &[&str]) -> Option<()> {
+    pub(crate) fn add(&mut self, statement: &str, after: &[&str]) -> Option<()> {
+        let siblings = after.iter().chain(&["joint", "link"]);
+        let siblings: Vec<&str> = siblings.copied().collect();
+        self.add_beside(statement, &siblings)
+    }
+
+    /// Adds a statement after the last of the first of these kinds of which there is one, or after the first statement of all.
+    pub(crate) fn add_beside(&mut self, statement: &str, siblings: &[&str]) -> Option<()> {
         let stays = |one: &&Statement<'_>| !self.draft.is_changed(&one.range());
         let last = |word: &&str| {
             let mut all = self.statements.iter().filter(stays);
             all.rfind(|one| one.is(word))
         };
-        let sibling = after.iter().chain(&["joint", "link"]).find_map(last)?;
-        let range = sibling.range();
+        let sibling = siblings.iter().find_map(last);
+        let range = sibling.or_else(|| self.statements.first())?.range();
         self.draft.insert_after(&range, statement);
+        Some(())
+    }
+
+    /// Fixes something to a link of this name, or to the ground, which is declared if it is not.
+    pub(crate) fn add_item(&mut self, link: &str, item: &str) -> Option<()> {
+        let is_ground = link == "ground";
+        let is_owner = |one: &&Statement<'_>| {
+            let is_declared = ["link", "port"].iter().any(|word| one.declares(word, link));
+            if is_ground {
+                one.is("ground")
+            } else {
+                is_declared
+            }
+        };
+        let owner = self.statements.iter().find(is_owner).cloned();
+        let Some(owner) = owner else {
+            let statement = format!("ground {{ {item} }}");
+            let siblings = ["param", "const", "use", "look"];
+            return is_ground
+                .then(|| self.add_beside(&statement, &siblings))
+                .flatten();
+        };
+        let (last, end) = (owner.len() - 1, owner.place(owner.len() - 1)?);
+        if owner.word(last) == ";" {
+            self.draft.replace(end, format!(" {{ {item} }}"));
+        } else if let Some(sibling) = owner.clauses().last() {
+            self.draft.insert_after(&sibling.range(), item);
+        } else {
+            self.draft.insert(end.start, format!(" {item} "));
+        }
         Some(())
     }
 
@@ -111,7 +147,7 @@ impl<'t> Rewriter<'t> {
         Some(())
     }
 
-    fn remove_motor(&mut self, motor: MotorId) -> Option<()> {
+    pub(crate) fn remove_motor(&mut self, motor: MotorId) -> Option<()> {
         let name = self.name(self.model.motor(motor).joint);
         let statement = self.declared("motor", name)?;
         self.draft.remove(&statement.range());
@@ -135,7 +171,7 @@ impl<'t> Rewriter<'t> {
     }
 
     /// Takes clauses out of a statement that has clauses: all of it, if none is left.
-    fn remove_clauses(&mut self, word: &str, is_out: impl Fn(&Statement<'_>) -> bool) {
+    pub(crate) fn remove_clauses(&mut self, word: &str, is_out: impl Fn(&Statement<'_>) -> bool) {
         for statement in self.statements.iter().filter(|one| one.is(word)) {
             let clauses = statement.clauses();
             let out: Vec<&Statement<'_>> = clauses.iter().filter(|clause| is_out(clause)).collect();
@@ -150,14 +186,14 @@ impl<'t> Rewriter<'t> {
     }
 
     /// Takes a joint out, and everything that cannot be without it.
-    fn remove_joint(&mut self, joint: JointId) -> Option<()> {
+    pub(crate) fn remove_joint(&mut self, joint: JointId) -> Option<()> {
         let name = self.name(joint);
         self.remove_statement("joint", name)?;
         self.forget_joint(name);
         Some(())
     }
 
-    fn remove_statement(&mut self, word: &str, name: &str) -> Option<()> {
+    pub(crate) fn remove_statement(&mut self, word: &str, name: &str) -> Option<()> {
         let statement = self.declared(word, name)?;
         self.draft.remove(&statement.range());
         Some(())
@@ -182,7 +218,7 @@ impl<'t> Rewriter<'t> {
     }
 
     /// Takes a name out of the lists of what is shown and what is continuous.
-    fn remove_from_lists(&mut self, name: &str) {
+    pub(crate) fn remove_from_lists(&mut self, name: &str) {
         for statement in self
             .statements
             .iter()
@@ -221,7 +257,7 @@ impl<'t> Rewriter<'t> {
     }
 
     /// Takes a link out, with its joints, and with what acts on it.
-    fn remove_link(&mut self, link: LinkId) -> Option<()> {
+    pub(crate) fn remove_link(&mut self, link: LinkId) -> Option<()> {
         let model = self.model;
         let name = model.link(link).name.as_str();
         self.remove_statement("link", name)?;
@@ -305,23 +341,7 @@ impl<'t> Rewriter<'t> {
             return None;
         }
         self.draft.replace(statement.place(after - 1)?, line);
-        let word = if axis.link == LinkId::GROUND {
-            "ground"
-        } else {
-            "link"
-        };
-        let mut owners = self.statements.iter();
-        let owner =
-            owners.find(|one| one.is(word) && (word == "ground" || one.path(1).0 == link))?;
-        let (last, end) = (owner.len() - 1, owner.place(owner.len() - 1)?);
-        if owner.word(last) == ";" {
-            self.draft.replace(end, format!(" {{ {declaration} }}"));
-        } else if let Some(sibling) = owner.clauses().last() {
-            self.draft.insert_after(&sibling.range(), &declaration);
-        } else {
-            self.draft.insert(end.start, format!(" {declaration} "));
-        }
-        Some(())
+        self.add_item(link, &declaration)
     }
 
     /// A name that no axis of a link has.
@@ -361,15 +381,20 @@ impl<'t> Rewriter<'t> {
     }
 
     /// Adds clauses to the start, which is declared if there is none.
-    fn add_to_start(&mut self, clauses: &str) -> Option<()> {
-        let mut all = self.statements.iter();
-        let Some(start) = all.find(|one| one.is("start")) else {
-            return self.add(&format!("start {{ {clauses} }}"), &["motor"]);
-        };
-        if let Some(last) = start.clauses().last() {
+    pub(crate) fn add_to_start(&mut self, clauses: &str) -> Option<()> {
+        if self.statements.iter().any(|one| one.is("start")) {
+            return self.add_clause("start", clauses);
+        }
+        self.add(&format!("start {{ {clauses} }}"), &["motor"])
+    }
+
+    /// Adds clauses to the statement that begins with this word and has clauses.
+    pub(crate) fn add_clause(&mut self, word: &str, clauses: &str) -> Option<()> {
+        let statement = self.statements.iter().find(|one| one.is(word))?;
+        if let Some(last) = statement.clauses().last() {
             self.draft.insert_after(&last.range(), clauses);
         } else {
-            let open = start.place(start.find("{")?)?.end;
+            let open = statement.place(statement.find("{")?)?.end;
             self.draft.insert(open, format!(" {clauses} "));
         }
         Some(())

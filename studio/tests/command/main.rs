@@ -2,9 +2,13 @@
 
 mod bad_input;
 mod check;
+mod dialogue;
+mod edit;
 mod fix;
+mod listing;
 mod mend;
 mod numbers;
 mod pictures;
+mod properties;
 mod report;
 mod run;

@@ -3,6 +3,7 @@
 mod ast;
 mod color;
 mod grammar;
+mod listing;
 mod lower;
 mod name;
 mod part;
@@ -13,6 +14,7 @@ mod spelling;
 mod tests;
 mod written;
 
+pub use listing::{ListedName, ListedNumber, Listing, Noun};
 pub use place::{Message, Place, Places};
 
 use crate::model::Model;
@@ -49,4 +51,10 @@ pub struct Header {
 #[must_use]
 pub fn parse(input: TokenStream) -> Parsed {
     lower::lower(grammar::read(input))
+}
+
+/// Lists the names and numbers of the body of a `mechanism!`, as far as it can be read.
+#[must_use]
+pub fn listing(input: TokenStream) -> Listing {
+    Listing::of(&grammar::read(input))
 }

@@ -1,17 +1,17 @@
 //! The statements of a mechanism, as they stand in its text.
 
-use crate::document::{Kind, Lexeme, Lexer};
+use super::{Kind, Lexeme, Lexer};
 use std::ops::Range;
 
 /// A statement of a mechanism, or a clause of one that has clauses.
 #[derive(Clone, Debug)]
-pub(super) struct Statement<'t> {
+pub(crate) struct Statement<'t> {
     text: &'t str,
     lexemes: Vec<Lexeme>,
 }
 
 /// The statements in a range of a text. The last may lack its end.
-pub(super) fn statements<'t>(text: &'t str, range: &Range<usize>) -> Vec<Statement<'t>> {
+pub(crate) fn statements<'t>(text: &'t str, range: &Range<usize>) -> Vec<Statement<'t>> {
     let lexemes = Lexer::new(&text[..range.end], range.start).collect::<Vec<_>>();
     split(text, &lexemes)
 }
@@ -45,35 +45,35 @@ fn split<'t>(text: &'t str, lexemes: &[Lexeme]) -> Vec<Statement<'t>> {
 
 impl<'t> Statement<'t> {
     /// Where it stands, in bytes.
-    pub(super) fn range(&self) -> Range<usize> {
+    pub(crate) fn range(&self) -> Range<usize> {
         let ends = self.lexemes.first().zip(self.lexemes.last());
         ends.map_or(0..0, |(first, last)| first.start..last.end)
     }
 
     /// A word or mark by its number; nothing after the last.
-    pub(super) fn word(&self, index: usize) -> &'t str {
+    pub(crate) fn word(&self, index: usize) -> &'t str {
         let lexeme = self.lexemes.get(index);
         lexeme.map_or("", |lexeme| &self.text[lexeme.start..lexeme.end])
     }
 
     /// Where a word or mark stands, by its number.
-    pub(super) fn place(&self, index: usize) -> Option<Range<usize>> {
+    pub(crate) fn place(&self, index: usize) -> Option<Range<usize>> {
         let lexeme = self.lexemes.get(index)?;
         Some(lexeme.start..lexeme.end)
     }
 
     /// How many words and marks it has.
-    pub(super) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.lexemes.len()
     }
 
     /// What begins with this word: `joint`, `motor`.
-    pub(super) fn is(&self, word: &str) -> bool {
+    pub(crate) fn is(&self, word: &str) -> bool {
         self.word(0) == word
     }
 
     /// The path that begins at a word: `left[2].foot.tip`, without spaces, and the number of the word after it.
-    pub(super) fn path(&self, from: usize) -> (String, usize) {
+    pub(crate) fn path(&self, from: usize) -> (String, usize) {
         let mut path = self.word(from).to_owned();
         let mut at = from + 1;
         loop {
@@ -93,12 +93,12 @@ impl<'t> Statement<'t> {
     }
 
     /// Whether what it declares, after its first word, has this name.
-    pub(super) fn declares(&self, word: &str, name: &str) -> bool {
+    pub(crate) fn declares(&self, word: &str, name: &str) -> bool {
         self.is(word) && self.path(1).0 == name
     }
 
     /// Whether some path in it is this one, or begins with it.
-    pub(super) fn mentions(&self, name: &str) -> bool {
+    pub(crate) fn mentions(&self, name: &str) -> bool {
         let starts = (1..self.len()).filter(|&at| {
             let is_word = self.lexemes[at].kind == Kind::Word;
             is_word && !matches!(self.word(at - 1), ".")
@@ -111,12 +111,12 @@ impl<'t> Statement<'t> {
     }
 
     /// The number of the first word or mark that is this one.
-    pub(super) fn find(&self, word: &str) -> Option<usize> {
+    pub(crate) fn find(&self, word: &str) -> Option<usize> {
         (0..self.len()).find(|&index| self.word(index) == word)
     }
 
     /// The clauses between its braces: of `start { … }` and the like.
-    pub(super) fn clauses(&self) -> Vec<Statement<'t>> {
+    pub(crate) fn clauses(&self) -> Vec<Statement<'t>> {
         match (self.find("{"), self.rfind("}")) {
             (Some(open), Some(close)) if open < close => {
                 split(self.text, &self.lexemes[open + 1..close])
@@ -126,7 +126,7 @@ impl<'t> Statement<'t> {
     }
 
     /// The number of the last word or mark that is this one.
-    pub(super) fn rfind(&self, word: &str) -> Option<usize> {
+    pub(crate) fn rfind(&self, word: &str) -> Option<usize> {
         (0..self.len())
             .rev()
             .find(|&index| self.word(index) == word)

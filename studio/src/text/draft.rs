@@ -1,38 +1,50 @@
 //! A text that is being changed.
 
+use serde::Serialize;
 use std::ops::Range;
+
+/// A replacement of a stretch of a text.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Replacement {
+    /// What is replaced, in bytes.
+    pub range: Range<usize>,
+    /// By what.
+    pub text: String,
+}
 
 /// A text that is being changed: stretches of it are replaced. Everything else stays, byte for byte.
 #[derive(Clone, Debug)]
-pub(super) struct Draft<'t> {
+pub(crate) struct Draft<'t> {
     text: &'t str,
     /// In any order, and none within another.
-    changes: Vec<(Range<usize>, String)>,
+    changes: Vec<Replacement>,
 }
 
 impl<'t> Draft<'t> {
-    pub(super) fn new(text: &'t str) -> Self {
+    pub(crate) fn new(text: &'t str) -> Self {
         let changes = Vec::new();
         Self { text, changes }
     }
 
     /// Replaces a stretch. What overlaps with one that was replaced already stays as that has it.
-    pub(super) fn replace(&mut self, range: Range<usize>, by: impl Into<String>) {
+    pub(crate) fn replace(&mut self, range: Range<usize>, by: impl Into<String>) {
         if !self.is_changed(&range) {
-            self.changes.push((range, by.into()));
+            let text = by.into();
+            self.changes.push(Replacement { range, text });
         }
     }
 
     /// Whether a part of a stretch was replaced or taken out.
-    pub(super) fn is_changed(&self, range: &Range<usize>) -> bool {
-        self.changes.iter().any(|(known, _)| overlap(known, range))
+    pub(crate) fn is_changed(&self, range: &Range<usize>) -> bool {
+        let mut changes = self.changes.iter();
+        changes.any(|known| overlap(&known.range, range))
     }
 
     /// Takes a stretch out. Two that overlap are one.
     fn take_out(&mut self, mut range: Range<usize>) {
         let alone = range.clone();
-        self.changes.retain(|(known, by)| {
-            let is_joined = by.is_empty() && overlap(known, &range);
+        self.changes.retain(|Replacement { range: known, text }| {
+            let is_joined = text.is_empty() && overlap(known, &range);
             if is_joined {
                 range = known.start.min(range.start)..known.end.max(range.end);
             }
@@ -59,12 +71,16 @@ impl<'t> Draft<'t> {
     }
 
     /// Adds a text at a place.
-    pub(super) fn insert(&mut self, at: usize, text: impl Into<String>) {
-        self.changes.push((at..at, text.into()));
+    pub(crate) fn insert(&mut self, at: usize, text: impl Into<String>) {
+        let text = text.into();
+        self.changes.push(Replacement {
+            range: at..at,
+            text,
+        });
     }
 
     /// Adds a statement after another, in a line of its own where that has one.
-    pub(super) fn insert_after(&mut self, sibling: &Range<usize>, statement: &str) {
+    pub(crate) fn insert_after(&mut self, sibling: &Range<usize>, statement: &str) {
         let line = self.line_of(sibling.start);
         let before = &self.text[line.start..sibling.start];
         let end = self.line_of(sibling.end).end;
@@ -77,7 +93,7 @@ impl<'t> Draft<'t> {
     }
 
     /// Takes a statement out, with its lines where it fills them, and with the comment that is its own.
-    pub(super) fn remove(&mut self, statement: &Range<usize>) {
+    pub(crate) fn remove(&mut self, statement: &Range<usize>) {
         let first = self.line_of(statement.start);
         let last = self.line_of(statement.end);
         let before = &self.text[first.start..statement.start];
@@ -100,18 +116,17 @@ impl<'t> Draft<'t> {
     }
 
     /// The changed text.
-    pub(super) fn finish(mut self) -> String {
+    pub(crate) fn finish(self) -> String {
+        let text = self.text;
+        written(text, &self.edits())
+    }
+
+    /// The changes, in the order of their places.
+    pub(crate) fn edits(mut self) -> Vec<Replacement> {
         // Stable: what is inserted at one place stays in order.
         self.changes
-            .sort_by_key(|(range, _)| (range.start, range.end));
-        let mut text = String::with_capacity(self.text.len() + 64);
-        let mut at = 0;
-        for (range, by) in self.changes {
-            text += &self.text[at.min(range.start)..range.start];
-            text += &by;
-            at = range.end.max(at);
-        }
-        text + &self.text[at..]
+            .sort_by_key(|edit| (edit.range.start, edit.range.end));
+        self.changes
     }
 
     /// The line in which a byte stands, without its end.
@@ -140,6 +155,18 @@ impl<'t> Draft<'t> {
         }
         start
     }
+}
+
+/// A text after changes that stand in the order of their places.
+pub(crate) fn written(text: &str, edits: &[Replacement]) -> String {
+    let mut changed = String::with_capacity(text.len() + 64);
+    let mut at = 0;
+    for Replacement { range, text: by } in edits {
+        changed += &text[at.min(range.start)..range.start];
+        changed += by;
+        at = range.end.max(at);
+    }
+    changed + &text[at..]
 }
 
 /// Whether two stretches have bytes in common.

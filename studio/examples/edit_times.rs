@@ -1,0 +1,85 @@
+//! What changes of large mechanisms cost in time: `cargo run --release -p mech-studio --example edit_times`.
+
+use mech_studio::{Assembly, Command, Document, JointForm, Source, apply};
+use std::hint::black_box;
+use std::time::Instant;
+
+/// A chain of four-bars, each driven by the rocker of the one before: three joints a loop, and the motor's.
+fn chain(loops: usize) -> String {
+    let mut text =
+        "struct Chain;\nlink r0;\njoint a = revolute(ground, r0) at (0, 0);\n".to_owned();
+    for number in 1..=loops {
+        let before = number - 1;
+        let x = 4.0 * count(before);
+        text += &format!(
+            "link c{number}; link r{number};\n\
+             joint b{number} = revolute(r{before}, c{number}) at ({}, 0.6);\n\
+             joint k{number} = revolute(c{number}, r{number}) at ({}, 2.9);\n\
+             joint d{number} = revolute(ground, r{number}) at ({}, 0);\n",
+            x + 0.8,
+            x + 3.3,
+            x + 4.0
+        );
+    }
+    text + "motor a;\n"
+}
+
+/// A small number.
+fn count(number: usize) -> f64 {
+    u32::try_from(number).map_or(f64::NAN, f64::from)
+}
+
+/// The middle of some times of the same, in milliseconds.
+fn milliseconds(times: usize, mut what: impl FnMut()) -> f64 {
+    let mut all: Vec<f64> = (0..times)
+        .map(|_| {
+            let start = Instant::now();
+            what();
+            start.elapsed().as_secs_f64() * 1e3
+        })
+        .collect();
+    all.sort_by(f64::total_cmp);
+    all[all.len() / 2]
+}
+
+fn main() {
+    for loops in [10, 100, 333] {
+        let document = Document::of(Source::new("a.mech", chain(loops)));
+        let declaration = &document.declarations()[0];
+        let joints = 3 * loops + 1;
+        let read = milliseconds(9, || {
+            let model = document.model(declaration).expect("the compiler works");
+            black_box(model.expect("it can be read"));
+        });
+        let listing = milliseconds(9, || {
+            black_box(document.listing(declaration).expect("the compiler works"));
+        });
+        let analysis = milliseconds(5, || {
+            let reading = document.analyse(declaration).expect("the compiler works");
+            assert!(reading.result.is_ok());
+        });
+        let drag = Command::Move {
+            path: format!("d{loops}"),
+            to: [4.0 * count(loops) + 0.1, 0.1],
+            pose: None,
+        };
+        let dragged = milliseconds(5, || {
+            let applied = apply(&document, 0, &drag).expect("it can be there");
+            black_box(applied);
+        });
+        let join = Command::Join(Assembly {
+            name: "extra".to_owned(),
+            kind: JointForm::Revolute,
+            ends: ["r1".to_owned(), format!("r{loops}")],
+            at: Some(["1".to_owned(), "1".to_owned()]),
+            along: None,
+        });
+        let refused = milliseconds(3, || {
+            let refusal = apply(&document, 0, &join).expect_err("nothing can move then");
+            black_box(refusal);
+        });
+        println!(
+            "{joints} joints, {loops} loops: reading {read:.2} ms, listing {listing:.2} ms, analysis {analysis:.1} ms, drag {dragged:.1} ms, a joint too many {refused:.1} ms"
+        );
+    }
+}

@@ -1,0 +1,70 @@
+//! `mech run`.
+
+use super::CODES;
+use crate::console::Console;
+use crate::dialogue::{Session, Turn};
+use crate::document::Source;
+use crate::failure::{Failure, FailureKind};
+use clap::Args;
+use std::path::PathBuf;
+
+/// Does what a script says, line by line, in the words of the dialogue.
+///
+/// The first line that is refused ends it. Nothing is written then: files are written when all lines are done.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
+pub(super) struct Run {
+    /// The script: a text with one command a line; lines that begin with `#` are comments.
+    script: PathBuf,
+    /// A file that is opened first.
+    file: Option<PathBuf>,
+    /// The mechanism, where the file has several: the name of its type.
+    #[arg(short, long, value_name = "NAME", requires = "file")]
+    mechanism: Option<String>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  mech run four_bar.txt
+  mech run longer_crank.txt four_bar.mech
+
+A script:
+  mechanism FourBar
+  link crank
+  join a = revolute ground crank at (0, 0)
+  motor a
+  save four_bar.mech";
+
+impl Run {
+    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+        let script = Source::read(&self.script)?;
+        let mut session = Session::new(true);
+        if let Some(file) = &self.file {
+            session.open(file, self.mechanism.as_deref())?;
+        }
+        for (number, line) in (1..).zip(script.text().lines()) {
+            match session.obey(line, console) {
+                Ok(Turn::GoOn) => {}
+                Ok(Turn::End) => break,
+                Err(failure) => return Err(refused(number, line, &failure)),
+            }
+        }
+        session.finish(console)
+    }
+}
+
+/// A line that was refused.
+fn refused(number: usize, line: &str, failure: &Failure) -> Failure {
+    let text = if failure.is_reported() {
+        format!("line {number}: `{}` was refused", line.trim())
+    } else {
+        format!("line {number}: {failure}")
+    };
+    match failure.kind() {
+        FailureKind::Mechanism => Failure::mechanism(text),
+        FailureKind::Usage => Failure::usage(text),
+        FailureKind::File => Failure::file(text),
+        FailureKind::Internal => Failure::internal(text),
+        FailureKind::Unread => Failure::unread(),
+    }
+}

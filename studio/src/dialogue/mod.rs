@@ -1,0 +1,13 @@
+//! The dialogue: lines in plain words, each of which changes the mechanism or asks for something.
+
+mod completion;
+mod line;
+mod pattern;
+mod prompt;
+mod request;
+mod session;
+mod table;
+mod words;
+
+pub(crate) use prompt::converse;
+pub(crate) use session::{Session, Turn};

@@ -1,0 +1,106 @@
+//! The dialogue with somebody at a terminal, or with lines from elsewhere.
+
+use super::completion::complete;
+use super::session::{Session, Turn};
+use crate::console::Console;
+use crate::document::Listing;
+use crate::failure::{Failure, FailureKind};
+use rustyline::completion::Completer;
+use rustyline::error::ReadlineError;
+use rustyline::highlight::Highlighter;
+use rustyline::hint::Hinter;
+use rustyline::history::MemHistory;
+use rustyline::validate::Validator;
+use rustyline::{Config, Context, Editor, Helper};
+use std::io::{self, BufRead, IsTerminal};
+
+/// What the user reads first.
+const GREETING: &str = "`help` lists what can be said, `quit` ends.\n";
+
+/// Talks until the user ends it.
+pub(crate) fn converse(console: &mut Console) -> Result<(), Failure> {
+    if io::stdin().is_terminal() {
+        at_terminal(console)
+    } else {
+        from_lines(console)
+    }
+}
+
+/// Lines that nobody edits. Each is tried; if one is refused, the exit code says so.
+fn from_lines(console: &mut Console) -> Result<(), Failure> {
+    let mut session = Session::new(false);
+    let mut worst = None;
+    for line in io::stdin().lock().lines() {
+        let line = line.map_err(|error| Failure::file(format!("cannot read a line: {error}")))?;
+        match session.obey(&line, console) {
+            Ok(Turn::GoOn) => {}
+            Ok(Turn::End) => break,
+            Err(failure) => {
+                complain(&failure, console)?;
+                worst = Some(failure.kind());
+            }
+        }
+    }
+    worst.map_or(Ok(()), |kind| Err(Failure::reported(kind)))
+}
+
+fn at_terminal(console: &mut Console) -> Result<(), Failure> {
+    let config = Config::builder().auto_add_history(true).build();
+    let unread = |error: ReadlineError| Failure::file(format!("cannot read a line: {error}"));
+    let mut editor = Editor::<Guide, MemHistory>::with_history(config, MemHistory::new());
+    let editor = editor
+        .as_mut()
+        .map_err(|error| Failure::file(format!("cannot use the terminal: {error}")))?;
+    console.answer(GREETING)?;
+    let mut session = Session::new(false);
+    loop {
+        editor.set_helper(Some(Guide(session.listing())));
+        let line = match editor.readline("mech> ") {
+            Ok(line) => line,
+            // The line is dropped.
+            Err(ReadlineError::Interrupted) => continue,
+            Err(ReadlineError::Eof) => return Ok(()),
+            Err(error) => return Err(unread(error)),
+        };
+        match session.obey(&line, console) {
+            Ok(Turn::GoOn) => {}
+            Ok(Turn::End) => return Ok(()),
+            Err(failure) => complain(&failure, console)?,
+        }
+    }
+}
+
+/// Tells why a line is refused, and goes on, unless nobody reads or this program is broken.
+fn complain(failure: &Failure, console: &mut Console) -> Result<(), Failure> {
+    if matches!(failure.kind(), FailureKind::Unread | FailureKind::Internal) {
+        return Err(failure.clone());
+    }
+    if !failure.is_reported() {
+        console.complain(&format!("error: {failure}\n"));
+    }
+    Ok(())
+}
+
+/// Completes words by the table and by the names of the mechanism.
+struct Guide(Listing);
+
+impl Completer for Guide {
+    type Candidate = String;
+
+    fn complete(
+        &self,
+        line: &str,
+        at: usize,
+        _: &Context<'_>,
+    ) -> rustyline::Result<(usize, Vec<String>)> {
+        Ok(complete(&line[..at], &self.0))
+    }
+}
+
+impl Hinter for Guide {
+    type Hint = String;
+}
+
+impl Highlighter for Guide {}
+impl Validator for Guide {}
+impl Helper for Guide {}

@@ -1,0 +1,302 @@
+//! A session: a file, its text as it is now, and the steps that led there.
+
+use super::line::{help, request};
+use super::request::Request;
+use crate::check::verdict_line;
+use crate::command::obey_within;
+use crate::console::Console;
+use crate::document::{Declaration, Document, Listing, Reading, Source};
+use crate::edit::{History, apply};
+use crate::failure::Failure;
+use crate::mend::mendings;
+use crate::output;
+use std::path::{Path, PathBuf};
+
+/// Whether the dialogue goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Turn {
+    /// It does.
+    GoOn,
+    /// The user has ended it.
+    End,
+}
+
+/// A session: a file, its text as it is now, and the steps that led there.
+pub(crate) struct Session {
+    path: PathBuf,
+    /// The file as it was read or written last; none if there is no file yet.
+    source: Option<Source>,
+    history: History,
+    /// The number of the mechanism in the file.
+    index: usize,
+    /// What is written at the end, if everything went well; none if it is written at once.
+    deferred: Option<Vec<Writing>>,
+}
+
+/// Something that is to be written.
+enum Writing {
+    /// A text.
+    Text {
+        path: PathBuf,
+        /// The file that it replaces.
+        over: Option<Source>,
+        text: String,
+    },
+    /// What a subcommand writes, of a text as it was.
+    Answer {
+        words: Vec<String>,
+        document: Document,
+        index: usize,
+    },
+}
+
+impl Session {
+    /// An empty text, without a file. Files are written at once, or all at the end.
+    pub(crate) fn new(is_deferred: bool) -> Self {
+        Self {
+            path: PathBuf::from("untitled.mech"),
+            source: None,
+            history: History::new(""),
+            index: 0,
+            deferred: is_deferred.then(Vec::new),
+        }
+    }
+
+    /// Does what a line says.
+    pub(crate) fn obey(&mut self, line: &str, console: &mut Console) -> Result<Turn, Failure> {
+        let Some(request) = request(line)? else {
+            return Ok(Turn::GoOn);
+        };
+        match request {
+            Request::Edit(command) => {
+                let applied = apply(&self.document(), self.index, &command)?;
+                let text = applied.document.source().text();
+                if text != self.history.text() {
+                    self.history.push(applied.title.as_str(), text);
+                }
+                let notes = applied.notes.join("; ");
+                let notes = if notes.is_empty() {
+                    String::new()
+                } else {
+                    format!(": {notes}")
+                };
+                let state = state(&applied.reading);
+                console.answer(format!("{}{notes}\n  {state}\n", applied.title))?;
+            }
+            Request::Ask(words) => self.ask(words, console)?,
+            Request::Repairs => self.repairs(console)?,
+            Request::Undo => {
+                let title = self.history.undo();
+                let title = title.ok_or_else(|| Failure::usage("there is nothing to undo"))?;
+                console.answer(format!("undone: {title}\n"))?;
+            }
+            Request::Redo => {
+                let title = self.history.redo();
+                let title = title.ok_or_else(|| Failure::usage("there is nothing to redo"))?;
+                console.answer(format!("done again: {title}\n"))?;
+            }
+            Request::Steps => {
+                let steps = self.history.made().iter();
+                console.answer(
+                    steps
+                        .map(|step| format!("{}\n", step.title))
+                        .collect::<String>(),
+                )?;
+            }
+            Request::Text => console.answer(self.history.text())?,
+            Request::Numbers(owner) => console.answer(self.numbers(owner.as_deref())?)?,
+            Request::Open { file, mechanism } => {
+                self.open(Path::new(file.trim_matches('"')), mechanism.as_deref())?;
+            }
+            Request::Save(file) => self.save(file.as_deref(), console)?,
+            Request::Help(topic) => console.answer(help(topic.as_deref())?)?,
+            Request::Quit => return Ok(Turn::End),
+        }
+        Ok(Turn::GoOn)
+    }
+
+    /// The file as it is now.
+    fn document(&self) -> Document {
+        Document::of(Source::new(&self.path, self.history.text()))
+    }
+
+    fn declaration<'d>(&self, document: &'d Document) -> Result<&'d Declaration, Failure> {
+        let declaration = document.declarations().get(self.index);
+        declaration.ok_or_else(|| {
+            Failure::usage("there is no mechanism yet; begin with `mechanism NAME`, or `open FILE`")
+        })
+    }
+
+    /// The names and numbers of the text as it is now, as far as they can be read.
+    pub(super) fn listing(&self) -> Listing {
+        let document = self.document();
+        let declaration = document.declarations().get(self.index);
+        let listing = declaration.map(|declaration| document.listing(declaration));
+        listing.and_then(Result::ok).flatten().unwrap_or_default()
+    }
+
+    /// Reads a file.
+    pub(crate) fn open(&mut self, path: &Path, mechanism: Option<&str>) -> Result<(), Failure> {
+        if self.is_changed() {
+            return Err(Failure::usage(
+                "the text has changes; `save` or `undo` them first",
+            ));
+        }
+        let document = Document::read(path)?;
+        let chosen = document.choose(mechanism)?;
+        let mut all = document.declarations().iter();
+        self.index = all.position(|one| one == chosen).unwrap_or_default();
+        path.clone_into(&mut self.path);
+        self.history = History::new(document.source().text());
+        self.source = Some(document.source().clone());
+        Ok(())
+    }
+
+    /// Whether the text is another than that of the file.
+    fn is_changed(&self) -> bool {
+        let saved = self.source.as_ref().map_or("", Source::text);
+        saved != self.history.text()
+    }
+
+    /// Writes the text: over the file from which it was read, or to one that is not there yet.
+    fn save(&mut self, file: Option<&str>, console: &mut Console) -> Result<(), Failure> {
+        let path = match file {
+            Some(file) => PathBuf::from(file.trim_matches('"')),
+            None if self.source.is_some() => self.path.clone(),
+            None => return Err(Failure::usage("the text has no file yet; say `save FILE`")),
+        };
+        let over = self.source.clone().filter(|_| path == self.path);
+        let text = self.history.text().to_owned();
+        let writing = Writing::Text {
+            path: path.clone(),
+            over,
+            text: text.clone(),
+        };
+        self.write(writing, console)?;
+        self.source = Some(Source::new(&path, text));
+        self.path = path;
+        Ok(())
+    }
+
+    /// Writes something, now or at the end.
+    fn write(&mut self, writing: Writing, console: &mut Console) -> Result<(), Failure> {
+        match &mut self.deferred {
+            Some(deferred) => {
+                deferred.push(writing);
+                Ok(())
+            }
+            None => writing.write(console),
+        }
+    }
+
+    /// Writes what was deferred.
+    pub(crate) fn finish(mut self, console: &mut Console) -> Result<(), Failure> {
+        let deferred = self.deferred.take();
+        let mut all = deferred.into_iter().flatten();
+        all.try_for_each(|writing| writing.write(console))
+    }
+
+    /// Does what a subcommand does.
+    fn ask(&mut self, words: Vec<String>, console: &mut Console) -> Result<(), Failure> {
+        let document = self.document();
+        self.declaration(&document)?;
+        let writes = |word: &String| word.starts_with("-o") || word.starts_with("--output");
+        let is_writing = words.iter().any(writes);
+        let answer = Writing::Answer {
+            words,
+            document,
+            index: self.index,
+        };
+        if is_writing {
+            self.write(answer, console)
+        } else {
+            answer.write(console)
+        }
+    }
+
+    fn repairs(&self, console: &mut Console) -> Result<(), Failure> {
+        let document = self.document();
+        let declaration = self.declaration(&document)?;
+        let reading = document.analyse(declaration)?;
+        let found = mendings(&document, declaration, &reading)?;
+        if found.is_empty() {
+            return console.answer(match reading.result {
+                Ok(_) => "nothing is wrong\n",
+                Err(_) => "no repair is known\n",
+            });
+        }
+        let lines = (1..).zip(&found).map(|(number, mending)| {
+            let words = &mending.words;
+            let hint = if mending.text.is_some() {
+                ""
+            } else {
+                " (not in the text)"
+            };
+            format!("{number}: {words}{hint}\n")
+        });
+        console.answer(lines.collect::<String>())
+    }
+
+    /// The numbers of something: `crank.pin x = THROW`.
+    fn numbers(&self, owner: Option<&str>) -> Result<String, Failure> {
+        let listing = self.listing();
+        let is_asked = |found: &str| {
+            owner.is_none_or(|owner| {
+                let inner = found.strip_prefix(owner);
+                inner.is_some_and(|inner| inner.is_empty() || inner.starts_with('.'))
+            })
+        };
+        let numbers = listing.numbers.iter();
+        let lines = numbers
+            .filter(|one| one.part.is_none() && is_asked(&one.owner) && !one.is_pair)
+            .map(|one| {
+                let value = &self.history.text()[one.range.clone()];
+                format!("{} {} = {value}\n", one.owner, one.role)
+            });
+        let lines: String = lines.collect();
+        match owner {
+            Some(owner) if lines.is_empty() => {
+                Err(Failure::usage(format!("`{owner}` has no numbers here")))
+            }
+            _ => Ok(lines),
+        }
+    }
+}
+
+impl Writing {
+    fn write(self, console: &mut Console) -> Result<(), Failure> {
+        match self {
+            Self::Text {
+                over: Some(source),
+                text,
+                ..
+            } => source.replace(&text),
+            Self::Text { path, text, .. } => {
+                if path.exists() {
+                    return Err(Failure::file(format!(
+                        "`{}` is there already; `open` it to change it",
+                        path.display()
+                    )));
+                }
+                output::replace(&path, text.as_bytes())
+            }
+            Self::Answer {
+                words,
+                document,
+                index,
+            } => obey_within(&words, document, index, console),
+        }
+    }
+}
+
+/// Whether a mechanism moves, in a line.
+fn state(reading: &Reading) -> String {
+    match &reading.result {
+        Ok(compiled) => verdict_line(&reading.model, compiled),
+        Err(faults) => {
+            let first = faults.messages.first();
+            let line = first.and_then(|message| message.text.lines().next());
+            format!("not yet: {}", line.unwrap_or_default())
+        }
+    }
+}

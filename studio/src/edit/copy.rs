@@ -1,0 +1,122 @@
+//! Links and uses that are mirrored, or declared once more.
+
+use super::declare::{check_name, unwritten};
+use super::solve::is_literal;
+use super::{Change, Refusal, Scene};
+use crate::text::Statement;
+
+/// Mirrors what is fixed to a link about the x axis of its frame; or a use of a part.
+pub(super) fn mirror(scene: &Scene<'_>, name: &str) -> Result<Change, Refusal> {
+    let mut rewriter = scene.rewriter()?;
+    if let Some(used) = used(&rewriter.statements, name) {
+        if let Some(word) = used.find("mirrored") {
+            let known = used.place(word).zip(used.place(word - 1));
+            let (known, before) = known.ok_or_else(unwritten)?;
+            rewriter.draft.replace(before.end..known.end, "");
+        } else {
+            let open = used.find("{").and_then(|open| used.place(open));
+            let open = open.ok_or_else(unwritten)?;
+            rewriter.draft.insert(open.start, "mirrored ");
+        }
+        return Ok(Change::of(rewriter));
+    }
+    let model = &scene.model;
+    let mut links = model.declared_links();
+    let link = links.find(|&link| model.link(link).name == name);
+    let is_declared = rewriter.declared("link", name).is_some();
+    let link = link.filter(|_| is_declared).ok_or_else(|| unknown(name))?;
+    if model.link(link).drawn {
+        return Err(Refusal::of(format!(
+            "joints were drawn on `{name}`, which is where they are; only a link with points of its own is mirrored"
+        )));
+    }
+    let prefix = format!("{name}.");
+    for number in &scene.listing.numbers {
+        let is_fixed = number.owner == name || number.owner.starts_with(&prefix);
+        let is_of_link = is_fixed && number.part.is_none() && !number.is_pair;
+        if is_of_link && changes_sign(&number.role) {
+            let text = &scene.text()[number.range.clone()];
+            let by = negative(text);
+            if by != text {
+                rewriter.draft.replace(number.range.clone(), by);
+            }
+        }
+    }
+    let change = Change::of(rewriter);
+    if change.edits.is_empty() {
+        return Err(Refusal::of(format!("`{name}` is its own mirror image")));
+    }
+    Ok(change)
+}
+
+/// Whether a number changes its sign where left and right do.
+fn changes_sign(role: &str) -> bool {
+    let word = role.rsplit(' ').next().unwrap_or(role);
+    matches!(word, "y" | "dy" | "direction" | "turned")
+}
+
+/// A number with the other sign.
+fn negative(text: &str) -> String {
+    let degrees = text.strip_suffix("deg").map_or(text, str::trim_end);
+    if is_literal(degrees) {
+        let digits = degrees.trim_start_matches('-');
+        let is_zero = digits.trim().parse::<f64>().is_ok_and(|value| value == 0.0);
+        return match text.strip_prefix('-') {
+            _ if is_zero => text.to_owned(),
+            Some(positive) => positive.trim_start().to_owned(),
+            None => format!("-{text}"),
+        };
+    }
+    let is_word = text
+        .chars()
+        .all(|letter| letter.is_alphanumeric() || letter == '_');
+    if is_word {
+        return format!("-{text}");
+    }
+    // What was mirrored before is as it was.
+    match text
+        .strip_prefix("-(")
+        .and_then(|inner| inner.strip_suffix(')'))
+    {
+        Some(inner) if !inner.contains(['(', ')']) => inner.to_owned(),
+        _ => match text.strip_prefix('-') {
+            Some(word)
+                if word
+                    .chars()
+                    .all(|letter| letter.is_alphanumeric() || letter == '_') =>
+            {
+                word.to_owned()
+            }
+            _ => format!("-({text})"),
+        },
+    }
+}
+
+/// Declares a link or a use once more, under another name.
+pub(super) fn duplicate(scene: &Scene<'_>, name: &str, copy: &str) -> Result<Change, Refusal> {
+    check_name(copy)?;
+    let mut rewriter = scene.rewriter()?;
+    let known = rewriter.declared("link", name);
+    let known = known.or_else(|| used(&rewriter.statements, name));
+    let known = known.ok_or_else(|| unknown(name))?;
+    let (whole, word) = (known.range(), known.place(1).ok_or_else(unwritten)?);
+    let text = scene.text();
+    let statement = [
+        &text[whole.start..word.start],
+        copy,
+        &text[word.end..whole.end],
+    ]
+    .concat();
+    rewriter.draft.insert_after(&whole, &statement);
+    Ok(Change::of(rewriter))
+}
+
+/// The statement of a use.
+fn used<'t>(statements: &[Statement<'t>], name: &str) -> Option<Statement<'t>> {
+    let is_it = |one: &&Statement<'_>| one.is("use") && one.word(1) == name;
+    statements.iter().find(is_it).cloned()
+}
+
+fn unknown(name: &str) -> Refusal {
+    Refusal::of(format!("there is no link or use `{name}` in this text"))
+}

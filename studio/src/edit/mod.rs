@@ -1,0 +1,326 @@
+//! Changes of a mechanism: each command becomes replacements in the text, which are tried before they are accepted.
+//!
+//! A text is accepted if it can be read: a mechanism that is being built is incoherent most of the time, and its diagnoses are told. A text
+//! with mistakes of its own (of grammar, names or numbers) is refused, unless it had them before. An assembly that breaks a rule of
+//! assembly is refused, and the rule is named.
+
+mod assemble;
+mod command;
+mod copy;
+mod declare;
+mod history;
+mod place;
+mod pose;
+mod refusal;
+mod remove;
+mod rename;
+mod shape;
+mod solve;
+
+pub use assemble::Rule;
+pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pair};
+pub use history::{History, Step};
+pub use refusal::Refusal;
+
+use crate::document::{Declaration, Document, Listing, Reading, Source};
+use crate::failure::Failure;
+use crate::mend::{Rewriter, are_alike, mendings};
+use crate::text::{Replacement, written};
+use mech_compiler::model::Model;
+use similar::{DiffTag, TextDiff};
+
+/// A command that was accepted.
+#[derive(Clone, Debug)]
+pub struct Applied {
+    /// What it did, in a few words.
+    pub title: String,
+    /// What it replaced, in the order of the places.
+    pub edits: Vec<Replacement>,
+    /// What else there is to tell: a constant that was solved for, for example.
+    pub notes: Vec<String>,
+    /// The file after it.
+    pub document: Document,
+    /// The mechanism after it.
+    pub reading: Reading,
+}
+
+/// What a command does to a text, before that is tried.
+#[derive(Default)]
+struct Change {
+    edits: Vec<Replacement>,
+    notes: Vec<String>,
+    /// Where something comes to stand that is moved, in the frame in which it is declared.
+    place: Option<[f64; 2]>,
+}
+
+impl Change {
+    fn of(rewriter: Rewriter<'_>) -> Self {
+        Self {
+            edits: rewriter.draft.edits(),
+            ..Self::default()
+        }
+    }
+}
+
+/// A mechanism in its file, for commands to work on.
+struct Scene<'d> {
+    document: &'d Document,
+    declaration: &'d Declaration,
+    /// The number of the mechanism in the file.
+    index: usize,
+    model: Model,
+    listing: Listing,
+}
+
+impl<'d> Scene<'d> {
+    fn text(&self) -> &'d str {
+        self.document.source().text()
+    }
+
+    /// A rewriter of the text.
+    fn rewriter(&self) -> Result<Rewriter<'_>, Refusal> {
+        let body = self.declaration.body.as_ref();
+        let body =
+            body.ok_or_else(|| Refusal::of("one of the brackets of the mechanism is not closed"))?;
+        Ok(Rewriter::new(self.text(), body, &self.model))
+    }
+
+    /// What the text says after changes; none if it cannot be read.
+    fn model_after(&self, edits: &[Replacement]) -> Result<Option<Model>, Refusal> {
+        let document = self.document_after(edits);
+        match document.declarations().get(self.index) {
+            Some(declaration) => Ok(document.model(declaration)?),
+            None => Ok(None),
+        }
+    }
+
+    fn document_after(&self, edits: &[Replacement]) -> Document {
+        let source = self.document.source();
+        Document::of(Source::new(source.path(), written(self.text(), edits)))
+    }
+}
+
+/// Applies a command to the mechanism with this number in a file.
+///
+/// # Errors
+/// If the command is refused: nothing is changed then.
+pub fn apply(document: &Document, index: usize, command: &Command) -> Result<Applied, Refusal> {
+    if let Command::Mechanism { name } = command {
+        return begin(document, name);
+    }
+    let declarations = document.declarations();
+    let declaration = declarations
+        .get(index)
+        .ok_or_else(|| Refusal::of("there is no mechanism yet; begin with `mechanism NAME`"))?;
+    let listing = document.listing(declaration)?.unwrap_or_default();
+    if let Command::Repair { number } = command {
+        return repair(document, index, *number);
+    }
+    let model = document.model(declaration)?;
+    let was_readable = model.is_some();
+    let model = match model {
+        Some(model) => model,
+        // As much of it as could be understood.
+        None => document.analyse(declaration)?.model,
+    };
+    let scene = Scene {
+        document,
+        declaration,
+        index,
+        model,
+        listing,
+    };
+    let change = change(&scene, command)?;
+    let place = change.place;
+    let mut applied = accept(&scene, command.title(), change)?;
+    judge(&scene, command, was_readable, &applied)?;
+    if let (Command::Move { path, .. }, Some(place)) = (command, place) {
+        place::judge(&applied.reading.model, path, place)?;
+    }
+    if let Command::Join(assembly) = command {
+        let stand = assemble::stand(assembly, &applied.reading);
+        applied.notes.extend(stand);
+    }
+    Ok(applied)
+}
+
+/// What a command does to the text.
+fn change(scene: &Scene<'_>, command: &Command) -> Result<Change, Refusal> {
+    match command {
+        Command::Move { path, to, pose } => place::shift(scene, path, *to, pose.as_deref()),
+        Command::Set { owner, role, value } => declare::set(scene, owner, role, value),
+        Command::Rename { path, name } => rename::rename(scene, path, name),
+        Command::Remove { kind, name } => remove::remove(scene, *kind, name),
+        Command::RemoveShape { link, shape } => shape::remove(scene, link, *shape),
+        Command::Layer { link, shape, plane } => shape::layer(scene, link, *shape, plane),
+        Command::Recolor { link, shape, color } => shape::recolor(scene, link, *shape, color),
+        Command::Reshape {
+            link,
+            shape,
+            outline,
+        } => shape::reshape(scene, link, *shape, outline),
+        Command::Mirror { name } => copy::mirror(scene, name),
+        Command::Duplicate { name, copy } => copy::duplicate(scene, name, copy),
+        Command::Join(assembly) => assemble::join(scene, assembly),
+        other => declare::declare(scene, other),
+    }
+}
+
+/// The first statement of a text that has none.
+fn begin(document: &Document, name: &str) -> Result<Applied, Refusal> {
+    let source = document.source();
+    if !document.declarations().is_empty() || !source.text().trim().is_empty() {
+        return Err(Refusal::of("the text has a mechanism already"));
+    }
+    declare::check_name(name)?;
+    let end = source.text().len();
+    let edits = vec![Replacement {
+        range: end..end,
+        text: format!("struct {name};\n"),
+    }];
+    let after = Document::of(Source::new(source.path(), written(source.text(), &edits)));
+    let declaration = after.declarations().first();
+    let declaration = declaration
+        .ok_or_else(|| Refusal::of("a mechanism is begun in a file whose name ends in `.mech`"))?;
+    let reading = after.analyse(declaration)?;
+    refuse_unread(&reading)?;
+    Ok(Applied {
+        title: format!("mechanism {name}"),
+        edits,
+        notes: Vec::new(),
+        reading,
+        document: after,
+    })
+}
+
+/// Reads and analyses a change.
+fn accept(scene: &Scene<'_>, title: String, change: Change) -> Result<Applied, Refusal> {
+    let document = scene.document_after(&change.edits);
+    let (before, after) = (scene.document.declarations(), document.declarations());
+    let declaration = after
+        .get(scene.index)
+        .filter(|_| before.len() == after.len());
+    let declaration = declaration
+        .ok_or_else(|| Refusal::of("the brackets of the text would not match any more"))?;
+    let reading = document.analyse(declaration)?;
+    Ok(Applied {
+        title,
+        edits: change.edits,
+        notes: change.notes,
+        reading,
+        document,
+    })
+}
+
+/// Refuses a change after which the text cannot be read, or which breaks a rule.
+fn judge(
+    scene: &Scene<'_>,
+    command: &Command,
+    was_readable: bool,
+    applied: &Applied,
+) -> Result<(), Refusal> {
+    if was_readable {
+        refuse_unread(&applied.reading)?;
+    } else {
+        // Mistakes that were there may stay; others are as bad as ever.
+        let before = scene.document.analyse(scene.declaration)?;
+        let (before, after) = (messages(&before), messages(&applied.reading));
+        let is_new = |one: &&String| !before.contains(one);
+        if let Some(message) = after.iter().find(is_new) {
+            return Err(Refusal::unread(vec![message.clone()]));
+        }
+    }
+    if let Command::Join(assembly) = command {
+        assemble::judge(scene, assembly, &applied.reading)?;
+    }
+    if let Command::Move { path, pose, .. } = command {
+        pose::judge(&applied.reading, path, pose.as_deref())?;
+    }
+    Ok(())
+}
+
+/// The texts of all that is wrong.
+fn messages(reading: &Reading) -> Vec<String> {
+    let faults = reading.result.as_ref().err();
+    let messages = faults.into_iter().flat_map(|faults| &faults.messages);
+    messages.map(|message| message.text.clone()).collect()
+}
+
+/// Refuses a text with mistakes of its own: no analysis was made of it.
+fn refuse_unread(reading: &Reading) -> Result<(), Refusal> {
+    match &reading.result {
+        Err(faults) if faults.diagnoses.is_empty() => Err(Refusal::unread(messages(reading))),
+        _ => Ok(()),
+    }
+}
+
+/// Makes a repair by its number, as `mech fix` does.
+fn repair(document: &Document, index: usize, number: usize) -> Result<Applied, Refusal> {
+    let declaration = &document.declarations()[index];
+    let reading = document.analyse(declaration)?;
+    let found = mendings(document, declaration, &reading)?;
+    let mending = number.checked_sub(1).and_then(|number| found.get(number));
+    let mending = mending.ok_or_else(|| match found.len() {
+        0 => Refusal::of("no repair is known"),
+        count => Refusal::of(format!("there is no repair {number}; the last is {count}")),
+    })?;
+    let text = mending.text.as_ref().ok_or_else(|| {
+        Refusal::of(format!(
+            "repair {number} cannot be made by a change of the text alone: {}",
+            mending.words
+        ))
+    })?;
+    let source = document.source();
+    let after = Document::of(Source::new(source.path(), text.as_str()));
+    let declaration = after.declarations().get(index);
+    let declaration =
+        declaration.ok_or_else(|| Refusal::internal("a repair has removed its mechanism"))?;
+    let reading = after.analyse(declaration)?;
+    if !are_alike(&reading.model, &mending.promised) {
+        return Err(Refusal::internal("a repair is not what it promised"));
+    }
+    Ok(Applied {
+        title: format!("repair {number}: {}", mending.words),
+        edits: differences(source.text(), text),
+        notes: Vec::new(),
+        document: after,
+        reading,
+    })
+}
+
+/// What was replaced between two texts, line by line.
+fn differences(before: &str, after: &str) -> Vec<Replacement> {
+    let difference = TextDiff::from_lines(before, after);
+    let starts = |lines: &[&str]| {
+        let mut at = 0;
+        let mut starts = vec![0];
+        starts.extend(lines.iter().map(|line| {
+            at += line.len();
+            at
+        }));
+        starts
+    };
+    let (old, new) = (
+        starts(difference.old_slices()),
+        starts(difference.new_slices()),
+    );
+    let changed = difference
+        .ops()
+        .iter()
+        .filter(|op| op.tag() != DiffTag::Equal);
+    changed
+        .map(|op| {
+            let (from, by) = (op.old_range(), op.new_range());
+            Replacement {
+                range: old[from.start]..old[from.end],
+                text: after[new[by.start]..new[by.end]].to_owned(),
+            }
+        })
+        .collect()
+}
+
+impl From<Failure> for Refusal {
+    fn from(failure: Failure) -> Self {
+        Self::failed(&failure)
+    }
+}

@@ -1,0 +1,106 @@
+//! Shapes of links: their planes, colours and outlines.
+
+use super::declare::{check_expression, check_fragment, unwritten};
+use super::remove::owner;
+use super::{Change, Refusal, Scene};
+use crate::mend::Rewriter;
+use crate::text::Statement;
+
+/// What is fixed to a link and is no shape.
+const OTHERS: [&str; 4] = ["point", "line", "mass", "density"];
+
+/// Takes a shape out.
+pub(super) fn remove(scene: &Scene<'_>, link: &str, number: usize) -> Result<Change, Refusal> {
+    let mut rewriter = scene.rewriter()?;
+    let shape = shape(&rewriter, link, number)?;
+    rewriter.draft.remove(&shape.range());
+    Ok(Change::of(rewriter))
+}
+
+/// Puts a shape on a plane.
+pub(super) fn layer(
+    scene: &Scene<'_>,
+    link: &str,
+    number: usize,
+    plane: &str,
+) -> Result<Change, Refusal> {
+    check_expression(plane)?;
+    let mut rewriter = scene.rewriter()?;
+    let shape = shape(&rewriter, link, number)?;
+    if let Some(known) = scene.listing.number(link, &format!("shape {number} plane")) {
+        rewriter.draft.replace(known.range.clone(), plane);
+        return Ok(Change::of(rewriter));
+    }
+    let end = shape.find("color").unwrap_or(shape.len() - 1);
+    let at = shape.place(end).ok_or_else(unwritten)?.start;
+    let text = if shape.word(end) == ";" {
+        format!(" on plane {plane}")
+    } else {
+        format!("on plane {plane} ")
+    };
+    rewriter.draft.insert(at, text);
+    Ok(Change::of(rewriter))
+}
+
+/// Gives a shape another colour.
+pub(super) fn recolor(
+    scene: &Scene<'_>,
+    link: &str,
+    number: usize,
+    color: &str,
+) -> Result<Change, Refusal> {
+    check_fragment(color)?;
+    let mut rewriter = scene.rewriter()?;
+    let shape = shape(&rewriter, link, number)?;
+    if let Some(known) = scene.listing.number(link, &format!("shape {number} color")) {
+        rewriter.draft.replace(known.range.clone(), color);
+        return Ok(Change::of(rewriter));
+    }
+    let end = shape.place(shape.len() - 1).ok_or_else(unwritten)?;
+    rewriter.draft.insert(end.start, format!(" color {color}"));
+    Ok(Change::of(rewriter))
+}
+
+/// Gives a shape another outline.
+pub(super) fn reshape(
+    scene: &Scene<'_>,
+    link: &str,
+    number: usize,
+    outline: &str,
+) -> Result<Change, Refusal> {
+    check_fragment(outline)?;
+    let mut rewriter = scene.rewriter()?;
+    let shape = shape(&rewriter, link, number)?;
+    let end = ["on", "color"]
+        .iter()
+        .filter_map(|word| shape.find(word))
+        .min();
+    let first = shape.place(0).ok_or_else(unwritten)?.start;
+    let (end, space) = match end {
+        Some(end) => (shape.place(end), " "),
+        None => (shape.place(shape.len() - 1), ""),
+    };
+    let end = end.ok_or_else(unwritten)?.start;
+    rewriter
+        .draft
+        .replace(first..end, format!("{}{space}", outline.trim()));
+    Ok(Change::of(rewriter))
+}
+
+/// A shape of a link by its number, from 1.
+fn shape<'t>(rewriter: &Rewriter<'t>, link: &str, number: usize) -> Result<Statement<'t>, Refusal> {
+    let link_statement = owner(&rewriter.statements, link)
+        .ok_or_else(|| Refusal::of(format!("there is no link `{link}` in this text")))?;
+    let items = link_statement.clauses();
+    let shapes: Vec<&Statement<'t>> = items
+        .iter()
+        .filter(|one| !OTHERS.contains(&one.word(0)))
+        .collect();
+    let found = number.checked_sub(1).and_then(|index| shapes.get(index));
+    found.map(|&one| one.clone()).ok_or_else(|| {
+        Refusal::of(match shapes.len() {
+            0 => format!("`{link}` has no shapes"),
+            count => format!("`{link}` has no shape {number}; the last is {count}"),
+        })
+    })
+}

@@ -1,0 +1,10 @@
+//! Texts as they stand: words, statements, and changes of them.
+
+mod draft;
+mod lexer;
+mod statement;
+
+pub use draft::Replacement;
+pub(crate) use draft::{Draft, written};
+pub(crate) use lexer::{Kind, Lexeme, Lexer};
+pub(crate) use statement::{Statement, statements};

@@ -1,0 +1,172 @@
+//! The places of names and numbers.
+
+use crate::run::repository;
+use mech_studio::{Document, Listing, Source};
+use proc_macro2::{TokenStream, TokenTree};
+use std::collections::BTreeSet;
+use std::fs;
+use std::ops::Range;
+use std::path::PathBuf;
+
+/// Rust files with mechanisms: the gallery, and tests of the macro.
+fn files() -> Vec<PathBuf> {
+    let folders = [
+        "examples/gallery/src/mechanisms",
+        "tests/ui/fail",
+        "examples",
+    ];
+    let entries = folders
+        .iter()
+        .flat_map(|folder| fs::read_dir(repository(folder)).expect("a folder"));
+    let paths = entries.map(|entry| entry.expect("a file").path());
+    let mut paths: Vec<PathBuf> = paths
+        .filter(|path| path.extension().is_some_and(|end| end == "rs"))
+        .collect();
+    paths.sort();
+    paths
+}
+
+/// The places of all literals that are numbers.
+fn literals(tokens: TokenStream, found: &mut BTreeSet<(usize, usize)>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Group(group) => literals(group.stream(), found),
+            TokenTree::Literal(literal)
+                if literal
+                    .to_string()
+                    .starts_with(|first: char| first.is_ascii_digit()) =>
+            {
+                let range = literal.span().byte_range();
+                found.insert((range.start, range.end));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The listings of all mechanisms of a file that are right, with their bodies.
+fn listings(document: &Document) -> Vec<(Listing, Range<usize>)> {
+    let declarations = document.declarations().iter();
+    let right = declarations.filter_map(|declaration| {
+        let reading = document.analyse(declaration).expect("the compiler works");
+        let is_read = reading
+            .result
+            .as_ref()
+            .err()
+            .is_none_or(|faults| !faults.diagnoses.is_empty());
+        let listing = document.listing(declaration).expect("the compiler works");
+        let body = declaration.body.clone();
+        listing.zip(body).filter(|_| is_read)
+    });
+    right.collect()
+}
+
+#[test]
+fn every_number_of_a_text_has_its_place() {
+    let mut total = 0;
+    for path in files() {
+        let document = Document::of(Source::read(&path).expect("a file"));
+        for (listing, body) in listings(&document) {
+            let masked = document.source().masked(&body);
+            proc_macro2::extra::invalidate_current_thread_spans();
+            let mut expected = BTreeSet::new();
+            literals(masked.parse().expect("tokens"), &mut expected);
+            let colors = listing
+                .numbers
+                .iter()
+                .filter(|one| one.role.ends_with("color"));
+            let colors: Vec<&Range<usize>> = colors.map(|one| &one.range).collect();
+            expected.retain(|(start, end)| {
+                !colors
+                    .iter()
+                    .any(|range| range.start <= *start && *end <= range.end)
+            });
+            let listed = listing.numbers.iter().flat_map(|one| &one.literals);
+            let listed: Vec<(usize, usize)> =
+                listed.map(|range| (range.start, range.end)).collect();
+            total += listed.len();
+            let found: BTreeSet<(usize, usize)> = listed.iter().copied().collect();
+            // Each once.
+            assert_eq!(found.len(), listed.len(), "{}", path.display());
+            let text = document.source().text();
+            let missing: Vec<&str> = expected
+                .symmetric_difference(&found)
+                .map(|(start, end)| &text[*start..*end])
+                .collect();
+            assert!(missing.is_empty(), "{}: {missing:?}", path.display());
+        }
+    }
+    assert!(total > 1000, "{total} numbers");
+}
+
+#[test]
+fn every_name_stands_at_its_place() {
+    let mut total = 0;
+    for path in files() {
+        let document = Document::of(Source::read(&path).expect("a file"));
+        let text = document.source().text();
+        for (listing, body) in listings(&document) {
+            total += listing.names.len();
+            for name in &listing.names {
+                let word = name.path.rsplit('.').next().expect("a word");
+                assert_eq!(&text[name.range.clone()], word, "{}", path.display());
+                assert!(body.start <= name.range.start && name.range.end <= body.end);
+            }
+            for number in &listing.numbers {
+                assert!(body.start <= number.range.start && number.range.end <= body.end);
+                let inner = |range: &Range<usize>| {
+                    number.range.start <= range.start && range.end <= number.range.end
+                };
+                assert!(number.literals.iter().all(inner), "{number:?}");
+            }
+        }
+    }
+    assert!(total > 1000, "{total} names");
+}
+
+#[test]
+fn numbers_are_known_by_owner_and_role() {
+    let text = "struct A;
+param size = 2;
+ground { point o = (0, 0); line l = (1, size) -> (3, 4); stand (5, 6) height 7 turned 8 deg; }
+link crank { point pin = (-9, 10) -> 11 deg turned 12 deg; mass 13 at (14, 15) inertia 16; polygon [(17, 18), (19, 20), (21, 23)] on plane 22 color 3 light; }
+joint a = revolute(ground.o, crank.pin);
+motor a in 24 ..= 25 by 26;
+start { a = 27; crank near 28; }
+";
+    let document = Document::of(Source::new("a.mech", text));
+    let listing = document.listing(&document.declarations()[0]);
+    let listing = listing
+        .expect("the compiler works")
+        .expect("it can be read");
+    let roles = [
+        ("size", "value", "2"),
+        ("ground.l", "at", "(1, size)"),
+        ("ground.l", "y", "size"),
+        ("ground.l", "dx", "3"),
+        ("ground.l", "direction", "(3, 4)"),
+        ("ground", "shape 1 x", "5"),
+        ("ground", "shape 1 height", "7"),
+        ("ground", "shape 1 turned", "8 deg"),
+        ("crank.pin", "x", "-9"),
+        ("crank.pin", "direction", "11 deg"),
+        ("crank.pin", "turned", "12 deg"),
+        ("crank", "mass", "13"),
+        ("crank", "mass y", "15"),
+        ("crank", "inertia", "16"),
+        ("crank", "shape 1 corner 2 x", "19"),
+        ("crank", "shape 1 corner 3 at", "(21, 23)"),
+        ("crank", "shape 1 plane", "22"),
+        ("crank", "shape 1 color", "3 light"),
+        ("a", "low", "24"),
+        ("a", "high", "25"),
+        ("a", "step", "26"),
+        ("a", "start", "27"),
+        ("crank", "near", "28"),
+    ];
+    for (owner, role, value) in roles {
+        let number = listing.number(owner, role);
+        let number = number.unwrap_or_else(|| panic!("{role} of {owner}"));
+        assert_eq!(&text[number.range.clone()], value, "{role} of {owner}");
+    }
+}
