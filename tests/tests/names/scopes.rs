@@ -14,9 +14,7 @@ fn each(names: &[&str], declare: impl Fn(&str) -> String) -> String {
 const KINDS: &[Kinds] = &[
     ("constants, modules and macros", |names| {
         each(names, |name| {
-            format!(
-                "const {name}: () = (); mod {name} {{}} macro_rules! {name} {{ () => {{}}; }}"
-            )
+            format!("const {name}: () = (); mod {name} {{}} macro_rules! {name} {{ () => {{}}; }}")
         })
     }),
     ("statics and types", |names| {
@@ -25,9 +23,7 @@ const KINDS: &[Kinds] = &[
         })
     }),
     ("functions and structs", |names| {
-        each(names, |name| {
-            format!("fn {name}() {{}} struct {name} {{}}")
-        })
+        each(names, |name| format!("fn {name}() {{}} struct {name} {{}}"))
     }),
     ("unit structs", |names| {
         each(names, |name| format!("struct {name};"))
