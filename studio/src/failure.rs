@@ -56,8 +56,10 @@ impl Failure {
         Self::new(FailureKind::File, text)
     }
 
-    /// Something is wrong with this program.
-    pub fn internal(text: impl Into<String>) -> Self {
+    /// Something is wrong with this program: what that is, in a few words.
+    pub fn internal(what: impl Display) -> Self {
+        let text =
+            format!("internal error: {what}. Please report it, with the command and the file");
         Self::new(FailureKind::Internal, text)
     }
 
@@ -79,7 +81,8 @@ impl Failure {
         Self::new(FailureKind::Unread, "")
     }
 
-    fn new(kind: FailureKind, text: impl Into<String>) -> Self {
+    /// One of a kind that is known.
+    pub(crate) fn new(kind: FailureKind, text: impl Into<String>) -> Self {
         let text = text.into();
         Self { kind, text }
     }

@@ -109,15 +109,10 @@ impl<'t> Chart<'t> {
     ) -> Result<(), Failure> {
         // Registering it again changes nothing.
         if register_font(FONT, FontStyle::Normal, UBUNTU_LIGHT).is_err() {
-            return Err(Failure::internal(
-                "internal error: the font of charts is not one",
-            ));
+            return Err(Failure::internal("the font of charts is not one"));
         }
-        self.paint(root, fineness).map_err(|error| {
-            Failure::internal(format!(
-                "internal error: the chart cannot be drawn: {error}"
-            ))
-        })
+        self.paint(root, fineness)
+            .map_err(|error| Failure::internal(format!("the chart cannot be drawn: {error}")))
     }
 
     fn paint<B: DrawingBackend>(

@@ -55,7 +55,7 @@ impl Draw {
             let (motor, value) = setting.resolve(model)?;
             motors[motor.index()] = value;
         }
-        let paths = self.paths(&sitter);
+        let paths = self.paths(&sitter)?;
         machine.move_to(&motors).map_err(|stop| {
             let why = obstacle(model, compiled, stop);
             Failure::mechanism(format!("the motors cannot come to these values: {why}"))
@@ -80,17 +80,17 @@ impl Draw {
     }
 
     /// The paths of traced points in the motion that the mechanism makes if nobody says which.
-    fn paths(&self, sitter: &Sitter) -> Paths {
+    fn paths(&self, sitter: &Sitter) -> Result<Paths, Failure> {
         let Sitter {
             model, compiled, ..
         } = sitter;
-        let mut paths = Paths::new(model, compiled);
+        let mut paths = Paths::new(model, compiled)?;
         if paths.is_empty() {
-            return paths;
+            return Ok(paths);
         }
         let drive = Drive::new(model, compiled, None, Span::default(), &self.picture.at);
         let Ok(drive) = drive else {
-            return paths;
+            return Ok(paths);
         };
         let mut machine = Machine::<f64>::new(&compiled.program);
         for number in 0..=PLACES {
@@ -99,7 +99,7 @@ impl Draw {
                 paths.record(&machine);
             }
         }
-        paths
+        Ok(paths)
     }
 }
 

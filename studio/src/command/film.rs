@@ -181,7 +181,7 @@ impl Shoot<'_> {
             model, compiled, ..
         } = self.sitter;
         let mut machine = Machine::<f64>::new(&compiled.program);
-        let mut paths = Paths::new(model, compiled);
+        let mut paths = Paths::new(model, compiled)?;
         let progress = Console::progress(u64::from(frames));
         let rounds = if paths.is_empty() { 1 } else { 2 };
         for round in 1..=rounds {

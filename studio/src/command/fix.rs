@@ -42,9 +42,8 @@ impl Fix {
         let mendings = mendings(&document, declaration, &reading)?;
         let messages = render(document.source(), &faults.messages, console.has_colors());
         if let Some(number) = self.pick {
-            let mut all = document.declarations().iter();
-            let position = all.position(|one| one == declaration).unwrap_or_default();
-            return pick((&document, position), &mendings, number, console);
+            let index = document.index_of(declaration)?;
+            return pick((&document, index), &mendings, number, console);
         }
         console.complain(&messages);
         if mendings.is_empty() {
@@ -103,7 +102,7 @@ fn pick(
     let declaration = changed
         .declarations()
         .get(position)
-        .ok_or_else(|| Failure::internal("internal error: a repair has removed its mechanism"))?;
+        .ok_or_else(|| Failure::internal("a repair has removed its mechanism"))?;
     let Reading { model, result, .. } = changed.analyse(declaration)?;
     match result {
         Ok(compiled) => console.answer(format!("{}\n", verdict_line(&model, &compiled))),

@@ -67,11 +67,7 @@ enum Command {
 pub fn run(words: impl IntoIterator<Item = OsString>, console: &mut Console) -> ExitCode {
     // A broken invariant is told below, in one line.
     std::panic::set_hook(Box::new(|_| {}));
-    let done = catch(|| obey(words, console)).unwrap_or_else(|what| {
-        Err(Failure::internal(format!(
-            "internal error: {what}. Please report it, with the command and the file"
-        )))
-    });
+    let done = catch(|| obey(words, console)).unwrap_or_else(|what| Err(Failure::internal(what)));
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
@@ -120,7 +116,7 @@ pub(crate) fn obey_within(
     let mut all: Vec<OsString> = vec!["mech".into()];
     let (name, others) = words
         .split_first()
-        .ok_or_else(|| Failure::internal("internal error: a command without a word"))?;
+        .ok_or_else(|| Failure::internal("a command without a word"))?;
     all.push(name.into());
     // The file is given below; this only fills its place.
     all.push("-".into());
@@ -130,7 +126,7 @@ pub(crate) fn obey_within(
     };
     let mut command = line
         .command
-        .ok_or_else(|| Failure::internal("internal error: a command without a word"))?;
+        .ok_or_else(|| Failure::internal("a command without a word"))?;
     if let Some(target) = command.target() {
         target.give(document, index);
     }

@@ -60,11 +60,8 @@ fn refused(number: usize, line: &str, failure: &Failure) -> Failure {
     } else {
         format!("line {number}: {failure}")
     };
-    match failure.kind() {
-        FailureKind::Mechanism => Failure::mechanism(text),
-        FailureKind::Usage => Failure::usage(text),
-        FailureKind::File => Failure::file(text),
-        FailureKind::Internal => Failure::internal(text),
-        FailureKind::Unread => Failure::unread(),
+    if failure.kind() == FailureKind::Unread {
+        return Failure::unread();
     }
+    Failure::new(failure.kind(), text)
 }

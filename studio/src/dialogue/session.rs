@@ -144,8 +144,7 @@ impl Session {
         }
         let document = Document::read(path)?;
         let chosen = document.choose(mechanism)?;
-        let mut all = document.declarations().iter();
-        self.index = all.position(|one| one == chosen).unwrap_or_default();
+        self.index = document.index_of(chosen)?;
         path.clone_into(&mut self.path);
         self.history = History::new(document.source().text());
         self.source = Some(document.source().clone());
@@ -153,7 +152,7 @@ impl Session {
     }
 
     /// Whether the text is another than that of the file.
-    fn is_changed(&self) -> bool {
+    pub(super) fn is_changed(&self) -> bool {
         let saved = self.source.as_ref().map_or("", Source::text);
         saved != self.history.text()
     }

@@ -277,8 +277,7 @@ pub(super) const ROWS: &[Row] = &[
         request: |mut taken| {
             let word = taken.text("kind");
             let kind = KINDS.iter().find(|(known, _)| *known == word);
-            let (_, kind) =
-                kind.ok_or_else(|| Failure::internal("internal error: a kind without a word"))?;
+            let (_, kind) = kind.ok_or_else(|| Failure::internal("a kind without a word"))?;
             edit(Command::Remove {
                 kind: *kind,
                 name: taken.text("name"),

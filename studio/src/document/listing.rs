@@ -1,6 +1,6 @@
 //! The names and numbers in the text of a mechanism, with their places in the file.
 
-use super::reading::{internal, range_of, tokens_of};
+use super::reading::{range_of, tokens_of};
 use super::{Declaration, Document};
 use crate::failure::Failure;
 use mech_compiler::catch;
@@ -57,7 +57,7 @@ pub(super) fn listing(
     let Ok(tokens) = tokens_of(document, declaration) else {
         return Ok(None);
     };
-    let found = catch(|| syntax::listing(tokens)).map_err(|what| internal(&what))?;
+    let found = catch(|| syntax::listing(tokens)).map_err(Failure::internal)?;
     let range = |place: Place| range_of(place, &declaration.whole);
     let names = found.names.into_iter().map(|name| NameText {
         noun: name.noun,

@@ -103,6 +103,16 @@ impl Document {
         &self.declarations
     }
 
+    /// The number of one of its mechanisms.
+    ///
+    /// # Errors
+    /// If it is none of them, which is a mistake of ours.
+    pub(crate) fn index_of(&self, declaration: &Declaration) -> Result<usize, Failure> {
+        let mut all = self.declarations.iter();
+        let index = all.position(|one| one == declaration);
+        index.ok_or_else(|| Failure::internal("a mechanism is not in its file"))
+    }
+
     /// The mechanism of this name; without a name the only one.
     ///
     /// # Errors

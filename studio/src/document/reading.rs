@@ -75,7 +75,7 @@ pub(super) fn analyse(document: &Document, declaration: &Declaration) -> Result<
             });
         }
     };
-    let analysis = catch(|| mech_compiler::analyse(text)).map_err(|what| internal(&what))?;
+    let analysis = catch(|| mech_compiler::analyse(text)).map_err(Failure::internal)?;
     let Analysis { parsed, result } = analysis;
     let result = result.map_err(|faults| Faults {
         messages: in_bytes(&faults.messages, whole),
@@ -100,7 +100,7 @@ pub(super) fn model(
     let Ok(text) = text_of(document, declaration) else {
         return Ok(None);
     };
-    let parsed = catch(|| syntax::parse(text)).map_err(|what| internal(&what))?;
+    let parsed = catch(|| syntax::parse(text)).map_err(Failure::internal)?;
     let is_right = parsed.errors.is_empty() && parsed.header.is_some();
     Ok(is_right.then_some(parsed.model))
 }
@@ -115,7 +115,7 @@ pub(super) fn faults_of_part(
         Ok(tokens) => tokens,
         Err(message) => return Ok(vec![message]),
     };
-    let read = catch(|| PartText::read(&tokens)).map_err(|what| internal(&what))?;
+    let read = catch(|| PartText::read(&tokens)).map_err(Failure::internal)?;
     let errors = read.err().unwrap_or_default();
     Ok(in_bytes(&errors, &part.whole))
 }
@@ -183,10 +183,4 @@ pub(super) fn range_of(place: Place, whole: &Range<usize>) -> Range<usize> {
         // No token stands there: the macro's own call.
         (None, _) => whole.clone(),
     }
-}
-
-pub(super) fn internal(what: &str) -> Failure {
-    Failure::internal(format!(
-        "internal error: {what}. Please report it, with the mechanism"
-    ))
 }

@@ -53,9 +53,7 @@ impl Refusal {
     pub(super) fn internal(what: &str) -> Self {
         Self {
             kind: FailureKind::Internal,
-            ..Self::of(format!(
-                "internal error: {what}. Please report it, with the mechanism"
-            ))
+            ..Self::of(Failure::internal(what).to_string())
         }
     }
 
@@ -95,9 +93,6 @@ impl std::error::Error for Refusal {}
 
 impl From<Refusal> for Failure {
     fn from(refusal: Refusal) -> Self {
-        match refusal.kind {
-            FailureKind::Internal => Self::internal(refusal.reason),
-            _ => Self::mechanism(refusal.reason),
-        }
+        Self::new(refusal.kind, refusal.reason)
     }
 }

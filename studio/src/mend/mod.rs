@@ -119,8 +119,9 @@ impl Candidate {
 
     fn words(&self, model: &Model) -> Result<String, Failure> {
         match self {
-            Self::Repairs(repairs, _) => catch(|| reporter::repair_text(repairs, model))
-                .map_err(|what| Failure::internal(format!("internal error: {what}"))),
+            Self::Repairs(repairs, _) => {
+                catch(|| reporter::repair_text(repairs, model)).map_err(Failure::internal)
+            }
             Self::Start { words, .. } => Ok(words.clone()),
         }
     }
@@ -177,12 +178,8 @@ fn text(
         return Ok(None);
     };
     let changed = Document::of(Source::new(source.path(), text));
-    let index = document
-        .declarations()
-        .iter()
-        .position(|one| one == declaration);
-    let found = index.and_then(|index| changed.declarations().get(index));
-    let found = match found {
+    let index = document.index_of(declaration)?;
+    let found = match changed.declarations().get(index) {
         Some(found) => changed.model(found)?,
         None => None,
     };

@@ -1,5 +1,6 @@
 //! The paths of traced points.
 
+use crate::failure::Failure;
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{Model, Trace as Declared};
@@ -24,19 +25,22 @@ struct Path {
 
 impl Paths {
     /// No places yet of the points whose traces a mechanism declares.
-    pub(crate) fn new(model: &Model, compiled: &Compiled) -> Self {
+    ///
+    /// # Errors
+    /// If one of them has no pose, which is a mistake of ours: whatever is shown, traced links are.
+    pub(crate) fn new(model: &Model, compiled: &Compiled) -> Result<Self, Failure> {
         let path = |trace: &Declared| {
             let axis = model.axis(trace.point);
-            // A traced link has a pose, whatever is shown.
-            let link = compiled.program.place_of(axis.link).unwrap_or_default();
-            Path {
-                link,
+            let link = compiled.program.place_of(axis.link);
+            Ok(Path {
+                link: link.ok_or_else(|| Failure::internal("a traced link has no pose"))?,
                 at: axis.at,
                 length: trace.length,
                 places: Vec::new(),
-            }
+            })
         };
-        Self(model.traces.iter().map(path).collect())
+        let paths: Result<_, Failure> = model.traces.iter().map(path).collect();
+        Ok(Self(paths?))
     }
 
     /// Whether nothing is traced.
