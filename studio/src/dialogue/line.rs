@@ -8,8 +8,8 @@ use crate::failure::Failure;
 
 /// What a line asks for; nothing if it is empty or a comment.
 pub(super) fn request(line: &str) -> Result<Option<Request>, Failure> {
-    let line = line.trim();
-    if line.is_empty() || line.starts_with('#') || line.starts_with("//") {
+    let line = without_comment(line).trim();
+    if line.is_empty() {
         return Ok(None);
     }
     let found = words(line)?;
@@ -21,6 +21,16 @@ pub(super) fn request(line: &str) -> Result<Option<Request>, Failure> {
         }
     }
     Err(Failure::usage(complaint(line, &found, &misfits)))
+}
+
+/// A line up to its comment, which begins with `#`.
+fn without_comment(line: &str) -> &str {
+    let mut is_quoted = false;
+    let comment = line.find(|letter: char| {
+        is_quoted ^= letter == '"';
+        letter == '#' && !is_quoted
+    });
+    &line[..comment.unwrap_or(line.len())]
 }
 
 /// Why no row fits a line.

@@ -53,17 +53,22 @@ fn at_terminal(console: &mut Console) -> Result<(), Failure> {
         .map_err(|error| Failure::file(format!("cannot use the terminal: {error}")))?;
     console.answer(GREETING)?;
     let mut session = Session::new(false);
+    let mut is_warned = false;
     loop {
         editor.set_helper(Some(Guide(session.listing())));
         let line = match editor.readline("mech> ") {
             Ok(line) => line,
             // The line is dropped.
             Err(ReadlineError::Interrupted) => continue,
-            Err(ReadlineError::Eof) => return Ok(()),
+            Err(ReadlineError::Eof) => "quit".to_owned(),
             Err(error) => return Err(unread(error)),
         };
         match session.obey(&line, console) {
-            Ok(Turn::GoOn) => {}
+            Ok(Turn::GoOn) => is_warned = false,
+            Ok(Turn::End) if session.is_changed() && !is_warned => {
+                is_warned = true;
+                console.complain("the text is not saved: `save FILE` first, or `quit` once more\n");
+            }
             Ok(Turn::End) => return Ok(()),
             Err(failure) => complain(&failure, console)?,
         }

@@ -153,7 +153,7 @@ impl Session {
     }
 
     /// Whether the text is another than that of the file.
-    fn is_changed(&self) -> bool {
+    pub(super) fn is_changed(&self) -> bool {
         let saved = self.source.as_ref().map_or("", Source::text);
         saved != self.history.text()
     }

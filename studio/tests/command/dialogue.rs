@@ -61,7 +61,7 @@ fn the_session_to_figure_1_of_the_paper_is_replayed() {
 fn a_script_changes_a_file_when_all_its_lines_are_done() {
     let folder = Folder::new().with("a.mech", FOUR_BAR).with(
         "script.txt",
-        "# longer\nmove a to (0.125, 0)\nrename coupler rod\n\nsave\n",
+        "# longer\nmove a to (0.125, 0) # to the right\nrename coupler rod\n\nsave\n",
     );
     let done = folder.mech("run script.txt a.mech").done();
     assert_eq!(
