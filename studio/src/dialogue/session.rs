@@ -269,7 +269,10 @@ impl Writing {
                 over: Some(source),
                 text,
                 ..
-            } => source.replace(&text),
+            } => {
+                source.replace(&text)?;
+                console.answer(saved(source.path()))
+            }
             Self::Text { path, text, .. } => {
                 if path.exists() {
                     return Err(Failure::file(format!(
@@ -277,7 +280,8 @@ impl Writing {
                         path.display()
                     )));
                 }
-                output::replace(&path, text.as_bytes())
+                output::replace(&path, text.as_bytes())?;
+                console.answer(saved(&path))
             }
             Self::Answer {
                 words,
@@ -286,6 +290,10 @@ impl Writing {
             } => obey_within(&words, document, index, console),
         }
     }
+}
+
+fn saved(path: &Path) -> String {
+    format!("saved `{}`\n", path.display())
 }
 
 /// Whether a mechanism moves, in a line.
