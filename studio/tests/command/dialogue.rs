@@ -67,7 +67,8 @@ fn a_script_changes_a_file_when_all_its_lines_are_done() {
     assert_eq!(
         done,
         "move a\n  FourBar moves: 3 moving links, 4 joints, 1 motor, 1 loop\n\
-         rename coupler to rod: 3 places\n  FourBar moves: 3 moving links, 4 joints, 1 motor, 1 loop\n"
+         rename coupler to rod: 3 places\n  FourBar moves: 3 moving links, 4 joints, 1 motor, 1 loop\n\
+         saved `a.mech`\n"
     );
     let expected = FOUR_BAR
         .replace("(0, 0)", "(0.125, 0)")
@@ -242,7 +243,11 @@ fn repairs_are_listed_and_made() {
         "{}",
         answer.out
     );
-    assert!(answer.out.ends_with("nothing is wrong\n"), "{}", answer.out);
+    assert!(
+        answer.out.ends_with("nothing is wrong\nsaved `a.mech`\n"),
+        "{}",
+        answer.out
+    );
     assert_eq!(answer.err, "error: no repair is known\n");
     assert_eq!(folder.text("a.mech"), FOUR_BAR);
 }
