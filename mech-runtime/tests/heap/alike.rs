@@ -98,13 +98,10 @@ fn are_alike<const W: usize, const H: usize>(things: &[Thing], view: View, palet
 proptest! {
     #[test]
     fn pictures_are_alike(things in things(), view in view(), palette in palette()) {
-        are_alike::<96, 80>(&things, view, &palette);
         are_alike::<33, 17>(&things, view, &palette);
         are_alike::<1, 40>(&things, view, &palette);
-        are_alike::<40, 1>(&things, view, &palette);
         are_alike::<0, 5>(&things, view, &palette);
         are_alike::<5, 0>(&things, view, &palette);
-        are_alike::<0, 0>(&things, view, &palette);
     }
 
     #[test]
