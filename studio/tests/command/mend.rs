@@ -87,6 +87,19 @@ fn examples(page: &str) -> Vec<String> {
         .collect()
 }
 
+/// Formulas are looked up in a map, whose order is another in each.
+#[test]
+fn params_do_not_hinder_repairs() {
+    let text = "struct Bar; param a = 1.5; param b = 2.5; param c = 0.5;
+        link bar { point o = (0, 0); point e = (a, b); point f = (c * a, b); }
+        joint j = revolute(ground, bar) at (0, 0);";
+    for _ in 0..16 {
+        let mut tally = Tally::default();
+        mend_all(Source::new("bar.mech", text), &mut tally);
+        assert_eq!((tally.all, tally.in_text), (1, 1));
+    }
+}
+
 #[test]
 fn mechanisms_with_every_diagnosis() {
     let mut tally = Tally::default();

@@ -2,6 +2,7 @@
 
 use super::{BinaryFunction, FormulaId, Function, Number, ParamId};
 use std::collections::HashMap;
+use std::fmt;
 
 /// How a number is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -71,11 +72,18 @@ impl Formula {
 }
 
 /// Formulas, each after those that it is made from. Equal ones are one.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Default, PartialEq)]
 pub struct Formulas {
     all: Vec<Formula>,
-    /// Looked up only, never iterated.
+    /// Looked up only, never iterated: its order is another in each.
     known: HashMap<Formula, FormulaId>,
+}
+
+/// Equal ones are shown equally.
+impl fmt::Debug for Formulas {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.debug_list().entries(&self.all).finish()
+    }
 }
 
 /// Arithmetic over numbers, numbers with slopes, the values of a program, or formulas.
