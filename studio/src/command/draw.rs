@@ -4,7 +4,7 @@ use super::picture::{Picture, Sitter, kind_of};
 use super::{CODES, Target};
 use crate::console::Console;
 use crate::failure::Failure;
-use crate::motion::{Drive, Paths, Span, obstacle};
+use crate::motion::{Drive, Paths, Span, posed};
 use crate::output;
 use clap::Args;
 use mech_compiler::evaluate::Machine;
@@ -49,17 +49,8 @@ impl Draw {
             size,
             palette,
         } = &sitter;
-        let mut machine = Machine::<f64>::new(&compiled.program);
-        let mut motors = machine.position().motors[..model.motors.len()].to_vec();
-        for setting in &self.picture.at {
-            let (motor, value) = setting.resolve(model)?;
-            motors[motor.index()] = value;
-        }
+        let machine = posed(model, compiled, &self.picture.at)?;
         let paths = self.paths(&sitter)?;
-        machine.move_to(&motors).map_err(|stop| {
-            let why = obstacle(model, compiled, stop);
-            Failure::mechanism(format!("the motors cannot come to these values: {why}"))
-        })?;
         let poses = &machine.position().poses;
         match kind {
             Kind::Svg => {

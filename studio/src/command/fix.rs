@@ -90,15 +90,10 @@ fn pick(
         0 => Failure::mechanism("no repair is known"),
         count => Failure::usage(format!("there is no repair {number}; the last is {count}")),
     })?;
-    let text = mending.text.as_ref().ok_or_else(|| {
-        Failure::mechanism(format!(
-            "repair {number} cannot be made by a change of the text alone: {}",
-            mending.words
-        ))
-    })?;
+    let text = mending.text_of(number)?;
     document.source().replace(text)?;
     console.answer(diff(document.source(), text))?;
-    let changed = Document::of(Source::new(document.source().path(), text.as_str()));
+    let changed = Document::of(Source::new(document.source().path(), text));
     let declaration = changed
         .declarations()
         .get(position)

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 #[derive(Args, Clone, Debug)]
 #[command(after_help = EXAMPLES, after_long_help = [EXAMPLES, "\n\n", CODES].concat())]
 pub(super) struct Run {
-    /// The script: a text with one command a line; lines that begin with `#` are comments.
+    /// The script: a text with one command a line; `#` begins a comment.
     script: PathBuf,
     /// A file that is opened first.
     file: Option<PathBuf>,

@@ -119,13 +119,9 @@ pub(super) fn shown(elements: &[Element]) -> String {
             What::Rest => format!("{}...", name.to_uppercase()),
             _ => name.to_uppercase(),
         },
-        Element::Optional(inner) => format!("[{}]", shown_inner(inner)),
+        Element::Optional(inner) => format!("[{}]", shown(inner)),
     });
     shown.collect::<Vec<_>>().join(" ")
-}
-
-fn shown_inner(elements: &[Element]) -> String {
-    shown(elements)
 }
 
 /// Fits a line to a pattern.

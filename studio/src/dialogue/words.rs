@@ -1,6 +1,7 @@
 //! The words of a line of the dialogue.
 
 use crate::failure::Failure;
+use crate::text::is_of_word;
 use std::ops::Range;
 
 /// A word of a line: a name or path, a number, a mark, or all that stands in brackets or in quotes.
@@ -48,10 +49,6 @@ pub(super) fn words(line: &str) -> Result<Vec<Word>, Failure> {
         at += length;
     }
     Ok(found)
-}
-
-fn is_of_word(letter: char) -> bool {
-    letter == '_' || letter.is_alphanumeric()
 }
 
 /// The length of a path or a number: words with dots, and with numbers in brackets.

@@ -139,7 +139,7 @@ pub(super) fn judge(
     let Err(faults) = &after.result else {
         return Ok(());
     };
-    let before = scene.document.analyse(scene.declaration)?;
+    let before = scene.reading()?;
     let known = before.result.as_ref().err();
     let known = known.into_iter().flat_map(|faults| &faults.diagnoses);
     let known: Vec<Rule> = known.filter_map(|one| rule_of(one, assembly)).collect();

@@ -1,9 +1,10 @@
 //! Links and uses that are mirrored, or declared once more.
 
 use super::declare::{check_name, unwritten};
+use super::remove::used;
 use super::solve::is_literal;
 use super::{Change, Refusal, Scene};
-use crate::text::Statement;
+use crate::text::is_of_word;
 
 /// Mirrors what is fixed to a link about the x axis of its frame; or a use of a part.
 pub(super) fn mirror(scene: &Scene<'_>, name: &str) -> Result<Change, Refusal> {
@@ -67,10 +68,8 @@ fn negative(text: &str) -> String {
             None => format!("-{text}"),
         };
     }
-    let is_word = text
-        .chars()
-        .all(|letter| letter.is_alphanumeric() || letter == '_');
-    if is_word {
+    let is_word = |text: &str| text.chars().all(is_of_word);
+    if is_word(text) {
         return format!("-{text}");
     }
     // What was mirrored before is as it was.
@@ -80,13 +79,7 @@ fn negative(text: &str) -> String {
     {
         Some(inner) if !inner.contains(['(', ')']) => inner.to_owned(),
         _ => match text.strip_prefix('-') {
-            Some(word)
-                if word
-                    .chars()
-                    .all(|letter| letter.is_alphanumeric() || letter == '_') =>
-            {
-                word.to_owned()
-            }
+            Some(word) if is_word(word) => word.to_owned(),
             _ => format!("-({text})"),
         },
     }
@@ -109,12 +102,6 @@ pub(super) fn duplicate(scene: &Scene<'_>, name: &str, copy: &str) -> Result<Cha
     .concat();
     rewriter.draft.insert_after(&whole, &statement);
     Ok(Change::of(rewriter))
-}
-
-/// The statement of a use.
-fn used<'t>(statements: &[Statement<'t>], name: &str) -> Option<Statement<'t>> {
-    let is_it = |one: &&Statement<'_>| one.is("use") && one.word(1) == name;
-    statements.iter().find(is_it).cloned()
 }
 
 fn unknown(name: &str) -> Refusal {

@@ -1,8 +1,8 @@
 //! What is declared, as statements of the language.
 
-use super::{Change, Command, Pair, Refusal, Scene};
+use super::{Change, Command, Expression, Pair, Refusal, Scene};
 use crate::mend::Rewriter;
-use crate::text::{Kind as Lexical, Lexer, Statement};
+use crate::text::{Kind as Lexical, Lexer, Statement, is_of_word};
 
 /// Where constants stand: before everything that may use them.
 const NUMBERS: [&str; 2] = ["const", "param"];
@@ -73,7 +73,12 @@ pub(super) fn declare(scene: &Scene<'_>, command: &Command) -> Result<Change, Re
                 None => add_item(&mut rewriter, link, &item)?,
             }
         }
-        Command::Motor { .. } => motor(scene, &mut rewriter, command)?,
+        Command::Motor {
+            joint,
+            law,
+            range,
+            step,
+        } => motor(scene, &mut rewriter, joint, [law, step], range.as_ref())?,
         Command::Start {
             name,
             is_near,
@@ -142,18 +147,15 @@ pub(super) fn set(
 }
 
 /// Puts a motor on a joint, or says more of one.
-fn motor(scene: &Scene<'_>, rewriter: &mut Rewriter<'_>, command: &Command) -> Result<(), Refusal> {
-    let Command::Motor {
-        joint,
-        law,
-        range,
-        step,
-    } = command
-    else {
-        return Err(Refusal::internal("no motor"));
-    };
+fn motor(
+    scene: &Scene<'_>,
+    rewriter: &mut Rewriter<'_>,
+    joint: &str,
+    [law, step]: [&Option<Expression>; 2],
+    range: Option<&[Expression; 2]>,
+) -> Result<(), Refusal> {
     check_path(joint)?;
-    for value in law.iter().chain(range.iter().flatten()).chain(step) {
+    for value in law.iter().chain(range.into_iter().flatten()).chain(step) {
         check_expression(value)?;
     }
     let text_of = |role: &str| {
@@ -171,7 +173,7 @@ fn motor(scene: &Scene<'_>, rewriter: &mut Rewriter<'_>, command: &Command) -> R
     let declared = text_of("low")
         .zip(text_of("high"))
         .map(|(low, high)| [low, high]);
-    if let Some([low, high]) = range.clone().or(declared) {
+    if let Some([low, high]) = range.cloned().or(declared) {
         statement += &format!(" in {low} ..= {high}");
     }
     if let Some(step) = step.clone().or_else(|| text_of("step")) {
@@ -310,8 +312,7 @@ pub(super) fn pair([x, y]: &Pair) -> Result<String, Refusal> {
 pub(super) fn check_name(name: &str) -> Result<(), Refusal> {
     let mut letters = name.chars();
     let is_first = |letter: char| letter.is_alphabetic() || letter == '_';
-    let is_other = |letter: char| letter.is_alphanumeric() || letter == '_';
-    let is_right = letters.next().is_some_and(is_first) && letters.all(is_other);
+    let is_right = letters.next().is_some_and(is_first) && letters.all(is_of_word);
     if is_right {
         Ok(())
     } else {

@@ -28,6 +28,7 @@ use crate::mend::{Rewriter, are_alike, mendings};
 use crate::text::{Replacement, written};
 use mech_compiler::model::Model;
 use similar::{DiffTag, TextDiff};
+use std::cell::OnceCell;
 
 /// A command that was accepted.
 #[derive(Clone, Debug)]
@@ -70,11 +71,22 @@ struct Scene<'d> {
     index: usize,
     model: Model,
     listing: Listing,
+    /// What the compiler makes of it, once somebody asks.
+    reading: OnceCell<Reading>,
 }
 
 impl<'d> Scene<'d> {
     fn text(&self) -> &'d str {
         self.document.source().text()
+    }
+
+    /// What the compiler makes of the text before the command.
+    fn reading(&self) -> Result<&Reading, Refusal> {
+        if let Some(reading) = self.reading.get() {
+            return Ok(reading);
+        }
+        let reading = self.document.analyse(self.declaration)?;
+        Ok(self.reading.get_or_init(|| reading))
     }
 
     /// A rewriter of the text.
@@ -112,16 +124,20 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
     let declaration = declarations
         .get(index)
         .ok_or_else(|| Refusal::of("there is no mechanism yet; begin with `mechanism NAME`"))?;
-    let listing = document.listing(declaration)?.unwrap_or_default();
     if let Command::Repair { number } = command {
         return repair(document, index, *number);
     }
+    let listing = document.listing(declaration)?.unwrap_or_default();
+    let reading = OnceCell::new();
     let model = document.model(declaration)?;
     let was_readable = model.is_some();
     let model = match model {
         Some(model) => model,
         // As much of it as could be understood.
-        None => document.analyse(declaration)?.model,
+        None => {
+            let partial = document.analyse(declaration)?;
+            reading.get_or_init(|| partial).model.clone()
+        }
     };
     let scene = Scene {
         document,
@@ -129,6 +145,7 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
         index,
         model,
         listing,
+        reading,
     };
     let change = change(&scene, command)?;
     let place = change.place;
@@ -223,8 +240,7 @@ fn judge(
         refuse_unread(&applied.reading)?;
     } else {
         // Mistakes that were there may stay; others are as bad as ever.
-        let before = scene.document.analyse(scene.declaration)?;
-        let (before, after) = (messages(&before), messages(&applied.reading));
+        let (before, after) = (messages(scene.reading()?), messages(&applied.reading));
         let is_new = |one: &&String| !before.contains(one);
         if let Some(message) = after.iter().find(is_new) {
             return Err(Refusal::unread(vec![message.clone()]));
@@ -264,14 +280,9 @@ fn repair(document: &Document, index: usize, number: usize) -> Result<Applied, R
         0 => Refusal::of("no repair is known"),
         count => Refusal::of(format!("there is no repair {number}; the last is {count}")),
     })?;
-    let text = mending.text.as_ref().ok_or_else(|| {
-        Refusal::of(format!(
-            "repair {number} cannot be made by a change of the text alone: {}",
-            mending.words
-        ))
-    })?;
+    let text = mending.text_of(number)?;
     let source = document.source();
-    let after = Document::of(Source::new(source.path(), text.as_str()));
+    let after = Document::of(Source::new(source.path(), text));
     let declaration = after.declarations().get(index);
     let declaration =
         declaration.ok_or_else(|| Refusal::internal("a repair has removed its mechanism"))?;

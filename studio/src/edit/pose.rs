@@ -2,7 +2,7 @@
 
 use super::{Refusal, Scene};
 use crate::document::Reading;
-use crate::motion::{Setting, obstacle};
+use crate::motion::{self, Setting};
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{AxisId, LinkId, Model};
@@ -14,7 +14,7 @@ pub(super) fn carry_back(
     [x, y]: [f64; 2],
     motors: &[(String, f64)],
 ) -> Result<[f64; 2], Refusal> {
-    let reading = scene.document.analyse(scene.declaration)?;
+    let reading = scene.reading()?;
     let Ok(compiled) = &reading.result else {
         return Err(Refusal::of(
             "the mechanism does not move yet; edit it as it is declared",
@@ -55,24 +55,15 @@ fn posed<'c>(
     compiled: &'c Compiled,
     motors: &[(String, f64)],
 ) -> Result<Machine<'c, f64>, Refusal> {
-    let mut machine = Machine::<f64>::new(&compiled.program);
-    let mut values = machine.position().motors[..model.motors.len()].to_vec();
-    for (motor, value) in motors {
-        let setting = Setting {
-            motor: motor.clone(),
-            value: *value,
-        };
-        let (motor, value) = setting.resolve(model)?;
-        if !value.is_finite() {
-            return Err(Refusal::of("the value of a motor is finite"));
-        }
-        values[motor.index()] = value;
+    if motors.iter().any(|(_, value)| !value.is_finite()) {
+        return Err(Refusal::of("the value of a motor is finite"));
     }
-    machine.move_to(&values).map_err(|stop| {
-        let why = obstacle(model, compiled, stop);
-        Refusal::of(format!("the motors cannot come to these values: {why}"))
-    })?;
-    Ok(machine)
+    let settings = motors.iter().map(|(motor, value)| Setting {
+        motor: motor.clone(),
+        value: *value,
+    });
+    let settings: Vec<Setting> = settings.collect();
+    Ok(motion::posed(model, compiled, &settings)?)
 }
 
 /// The link in whose frame something is seen to move.

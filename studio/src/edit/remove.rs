@@ -59,13 +59,8 @@ pub(super) fn remove(scene: &Scene<'_>, kind: Kind, name: &str) -> Result<Change
             done.ok_or_else(unknown)?;
         }
         Kind::Use => {
-            let is_it = |one: &&Statement<'_>| {
-                let path = one.path(1).0;
-                one.is("use") && path.split('[').next() == Some(name)
-            };
-            let statement = rewriter.statements.iter().find(is_it).ok_or_else(unknown)?;
-            let range = statement.range();
-            rewriter.draft.remove(&range);
+            let statement = used(&rewriter.statements, name).ok_or_else(unknown)?;
+            rewriter.draft.remove(&statement.range());
         }
         Kind::Start => {
             let is_it = |one: &Statement<'_>| one.path(0).0 == name;
@@ -102,6 +97,12 @@ pub(super) fn owner<'t>(statements: &[Statement<'t>], link: &str) -> Option<Stat
             one.declares("link", link) || one.declares("port", link)
         }
     };
+    statements.iter().find(is_it).cloned()
+}
+
+/// The statement of a use.
+pub(super) fn used<'t>(statements: &[Statement<'t>], name: &str) -> Option<Statement<'t>> {
+    let is_it = |one: &&Statement<'_>| one.is("use") && one.word(1) == name;
     statements.iter().find(is_it).cloned()
 }
 

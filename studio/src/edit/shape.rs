@@ -25,21 +25,15 @@ pub(super) fn layer(
     plane: &str,
 ) -> Result<Change, Refusal> {
     check_expression(plane)?;
-    let mut rewriter = scene.rewriter()?;
-    let shape = shape(&rewriter, link, number)?;
-    if let Some(known) = scene.listing.number(link, &format!("shape {number} plane")) {
-        rewriter.draft.replace(known.range.clone(), plane);
-        return Ok(Change::of(rewriter));
-    }
-    let end = shape.find("color").unwrap_or(shape.len() - 1);
-    let at = shape.place(end).ok_or_else(unwritten)?.start;
-    let text = if shape.word(end) == ";" {
-        format!(" on plane {plane}")
-    } else {
-        format!("on plane {plane} ")
-    };
-    rewriter.draft.insert(at, text);
-    Ok(Change::of(rewriter))
+    say(scene, (link, number), ("plane", plane), |shape| {
+        let end = shape.find("color").unwrap_or(shape.len() - 1);
+        let text = if shape.word(end) == ";" {
+            format!(" on plane {plane}")
+        } else {
+            format!("on plane {plane} ")
+        };
+        (end, text)
+    })
 }
 
 /// Gives a shape another colour.
@@ -50,14 +44,28 @@ pub(super) fn recolor(
     color: &str,
 ) -> Result<Change, Refusal> {
     check_fragment(color)?;
+    say(scene, (link, number), ("color", color), |shape| {
+        (shape.len() - 1, format!(" color {color}"))
+    })
+}
+
+/// Says something of a shape: in place of what was said, or else by a text before the word with this number.
+fn say(
+    scene: &Scene<'_>,
+    (link, number): (&str, usize),
+    (role, value): (&str, &str),
+    addition: impl Fn(&Statement<'_>) -> (usize, String),
+) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     let shape = shape(&rewriter, link, number)?;
-    if let Some(known) = scene.listing.number(link, &format!("shape {number} color")) {
-        rewriter.draft.replace(known.range.clone(), color);
+    let role = format!("shape {number} {role}");
+    if let Some(known) = scene.listing.number(link, &role) {
+        rewriter.draft.replace(known.range.clone(), value);
         return Ok(Change::of(rewriter));
     }
-    let end = shape.place(shape.len() - 1).ok_or_else(unwritten)?;
-    rewriter.draft.insert(end.start, format!(" color {color}"));
+    let (word, text) = addition(&shape);
+    let at = shape.place(word).ok_or_else(unwritten)?.start;
+    rewriter.draft.insert(at, text);
     Ok(Change::of(rewriter))
 }
 

@@ -13,6 +13,7 @@ use mech_compiler::reporter;
 use mech_compiler::structure::Diagnosis;
 pub(crate) use rewrite::Rewriter;
 use rewrite::{rewrite, rewrite_start};
+use std::fmt::Display;
 use std::ops::Range;
 
 /// A repair that was tried, and compiles.
@@ -26,6 +27,18 @@ pub struct Mending {
     pub text: Option<String>,
     /// The mechanism that it promises.
     pub promised: Model,
+}
+
+impl Mending {
+    /// The whole text of the file after it, which has this number.
+    pub(crate) fn text_of(&self, number: impl Display) -> Result<&str, Failure> {
+        self.text.as_deref().ok_or_else(|| {
+            Failure::mechanism(format!(
+                "repair {number} cannot be made by a change of the text alone: {}",
+                self.words
+            ))
+        })
+    }
 }
 
 /// What is left to do after a repair.

@@ -8,4 +8,4 @@ mod setting;
 pub(crate) use drive::{Drive, Moment};
 pub(crate) use obstacle::obstacle;
 pub(crate) use paths::Paths;
-pub(crate) use setting::{Setting, Span, motor_of, read_value, turns};
+pub(crate) use setting::{Setting, Span, motor_of, posed, read_value, turns};

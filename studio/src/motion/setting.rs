@@ -1,6 +1,9 @@
 //! Values of motors as they are typed and shown: degrees for what turns, scene units for what slides.
 
+use super::obstacle;
 use crate::failure::Failure;
+use mech_compiler::Compiled;
+use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{JointId, JointKind, Model, MotorId};
 
 /// The value of a motor, as it is typed: `a=30`.
@@ -35,6 +38,25 @@ impl Setting {
             from_shown(model, model.motor(motor).joint, self.value),
         ))
     }
+}
+
+/// A mechanism with its motors set; others stand as at the start.
+pub(crate) fn posed<'c>(
+    model: &Model,
+    compiled: &'c Compiled,
+    settings: &[Setting],
+) -> Result<Machine<'c, f64>, Failure> {
+    let mut machine = Machine::<f64>::new(&compiled.program);
+    let mut motors = machine.position().motors[..model.motors.len()].to_vec();
+    for setting in settings {
+        let (motor, value) = setting.resolve(model)?;
+        motors[motor.index()] = value;
+    }
+    machine.move_to(&motors).map_err(|stop| {
+        let why = obstacle(model, compiled, stop);
+        Failure::mechanism(format!("the motors cannot come to these values: {why}"))
+    })?;
+    Ok(machine)
 }
 
 /// From where to where a motor moves.

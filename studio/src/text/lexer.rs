@@ -136,7 +136,8 @@ fn character(text: &str) -> Option<usize> {
     (second == '\'').then_some(end + 1)
 }
 
-fn is_of_word(letter: char) -> bool {
+/// Whether a letter can stand in a word.
+pub(crate) fn is_of_word(letter: char) -> bool {
     letter == '_' || letter.is_alphanumeric()
 }
 

@@ -6,5 +6,5 @@ mod statement;
 
 pub use draft::Replacement;
 pub(crate) use draft::{Draft, written};
-pub(crate) use lexer::{Kind, Lexeme, Lexer};
+pub(crate) use lexer::{Kind, Lexeme, Lexer, is_of_word};
 pub(crate) use statement::{Statement, statements};

@@ -3,17 +3,22 @@
 use crate::run::{Answer, FOUR_BAR, Folder, repository};
 use std::fs;
 use std::io::Write;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 
-/// Runs `mech` alone, with lines from elsewhere.
-fn say(folder: &Folder, lines: &str) -> Answer {
+/// Begins `mech` alone, which waits for lines from elsewhere.
+fn begin(folder: &Folder) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
     command.current_dir(folder.path(""));
     command
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
-    let mut child = command.spawn().expect("the command runs");
+    command.spawn().expect("the command runs")
+}
+
+/// Runs `mech` alone, with lines from elsewhere.
+fn say(folder: &Folder, lines: &str) -> Answer {
+    let mut child = begin(folder);
     let mut input = child.stdin.take().expect("an input");
     input.write_all(lines.as_bytes()).expect("it listens");
     drop(input);
@@ -258,13 +263,7 @@ fn a_file_that_somebody_else_changed_is_not_written_over() {
         .with("a.mech", FOUR_BAR)
         .with("script.txt", "open a.mech\nlink b\n");
     // The dialogue holds the file while it is changed: its second line is only read after that.
-    let mut command = Command::new(env!("CARGO_BIN_EXE_mech"));
-    command.current_dir(folder.path(""));
-    command
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    let mut child = command.spawn().expect("the command runs");
+    let mut child = begin(&folder);
     let mut input = child.stdin.take().expect("an input");
     let mut output = child.stdout.take().expect("an output");
     input
