@@ -131,13 +131,12 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
     let reading = OnceCell::new();
     let model = document.model(declaration)?;
     let was_readable = model.is_some();
-    let model = match model {
-        Some(model) => model,
+    let model = if let Some(model) = model {
+        model
+    } else {
         // As much of it as could be understood.
-        None => {
-            let partial = document.analyse(declaration)?;
-            reading.get_or_init(|| partial).model.clone()
-        }
+        let partial = document.analyse(declaration)?;
+        reading.get_or_init(|| partial).model.clone()
     };
     let scene = Scene {
         document,
