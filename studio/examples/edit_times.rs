@@ -1,6 +1,6 @@
 //! What changes of large mechanisms cost in time: `cargo run --release -p mech-studio --example edit_times`.
 
-use mech_studio::{Assembly, Command, Document, JointForm, Source, apply};
+use mech_studio::{Assembly, Command, Document, Drag, JointForm, Source, apply};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -67,6 +67,14 @@ fn main() {
             let applied = apply(&document, 0, &drag).expect("it can be there");
             black_box(applied);
         });
+        let drag = Drag::begin(&document, 0, &format!("d{loops}"), None).expect("it has a place");
+        let mut to = [4.0 * count(loops) + 0.1, 0.1];
+        let followed = milliseconds(99, || {
+            to[0] += 1e-4;
+            let dragged = drag.move_to(to).expect("it can be there");
+            assert!(dragged.poses.iter().all(Option::is_some));
+            black_box(dragged);
+        });
         let join = Command::Join(Assembly {
             name: "extra".to_owned(),
             kind: JointForm::Revolute,
@@ -79,7 +87,7 @@ fn main() {
             black_box(refusal);
         });
         println!(
-            "{joints} joints, {loops} loops: reading {read:.2} ms, listing {listing:.2} ms, analysis {analysis:.1} ms, drag {dragged:.1} ms, a joint too many {refused:.1} ms"
+            "{joints} joints, {loops} loops: reading {read:.2} ms, listing {listing:.2} ms, analysis {analysis:.1} ms, a move {dragged:.1} ms, in a drag {followed:.2} ms, a joint too many {refused:.1} ms"
         );
     }
 }

@@ -28,8 +28,8 @@ pub use document::{
     Source, Spot,
 };
 pub use edit::{
-    ActionKind, Applied, Assembly, Command, Expression, History, JointForm, Kind, Pair, Refusal,
-    Rule, Step, apply,
+    ActionKind, Applied, Assembly, Command, Drag, Dragged, Expression, History, JointForm, Kind,
+    Pair, Refusal, Rule, Step, apply,
 };
 pub use failure::{Failure, FailureKind};
 pub use mend::{Mending, Remainder, mendings};

@@ -61,6 +61,7 @@ fn shown(source: &Source, number: usize, mending: &Mending) -> String {
     let words = &mending.words;
     let remainder = match mending.remainder {
         Remainder::Nothing => "",
+        Remainder::OtherStart => " (and it has to start elsewhere)",
         Remainder::OtherFaults => " (for one fault alone)",
     };
     let head = format!("{number}: {words}{remainder}\n");

@@ -1,10 +1,11 @@
 //! What tables and plots have in common: what is measured, and in which motion.
 
 use super::Target;
+use super::assignment::Assignment;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::motion::{Drive, Setting, Span, read_value};
-use crate::quantity::{self, Measurement, Table, Units};
+use crate::quantity::{self, Load, Measurement, Table, Units};
 use clap::Args;
 
 /// What is measured, and in which motion.
@@ -31,6 +32,12 @@ pub(super) struct Measure {
     /// Puts another motor at a value, in degrees if it turns: `--at a=30`.
     #[arg(long, value_name = "MOTOR=VALUE")]
     at: Vec<Setting>,
+    /// Gives a constant or a param another value than in the file: `--set size=2`.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<Assignment>,
+    /// Puts a load on it: the parts of a force, as `--load push=-100,0`, or a torque, as `--load brake=5`.
+    #[arg(long, value_name = "NAME=VALUE", allow_negative_numbers = true)]
+    load: Vec<Load>,
     /// How a scene unit is called.
     #[arg(long, value_name = "UNIT", default_value = "unit")]
     length: String,
@@ -51,8 +58,8 @@ Quantities:
   reaction:b                the force that the first link of joint b exerts on the second; also .norm, .torque
   transmission              the transmission angles of all dyads
 
-Angles are in degrees, their rates in radians. Loads are zero. A cell is empty where a value is not
-determined, as a velocity at a dead point.";
+Angles are in degrees, their rates in radians. Loads are zero unless `--load` gives them. A cell is
+empty where a value is not determined, as a velocity at a dead point.";
 
 impl Measure {
     /// Moves the mechanism, and measures.
@@ -61,7 +68,7 @@ impl Measure {
         target: &Target,
         console: &mut Console,
     ) -> Result<(String, Table), Failure> {
-        let (model, compiled) = target.coherent(console)?;
+        let (model, compiled) = target.coherent_with(&self.set, console)?;
         let dyads = quantity::dyads(&model, &compiled.plan);
         let mut wanted = Vec::new();
         for name in &self.quantities {
@@ -80,6 +87,7 @@ impl Measure {
             drive: &drive,
             rate: self.rate,
             steps: self.steps,
+            loads: &self.load,
             units: &Units {
                 length: self.length.clone(),
                 force: self.force.clone(),

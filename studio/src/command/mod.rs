@@ -1,5 +1,6 @@
 //! The command line: what can be said, and who does it.
 
+mod assignment;
 mod check;
 mod completions;
 mod draw;

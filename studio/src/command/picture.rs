@@ -1,6 +1,7 @@
 //! What drawings and films have in common: what is painted, and on what.
 
 use super::Target;
+use super::assignment::Assignment;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::motion::Setting;
@@ -33,6 +34,9 @@ pub(super) struct Picture {
     /// Puts a motor at a value, in degrees if it turns: `--at a=30`.
     #[arg(long, value_name = "MOTOR=VALUE")]
     pub(super) at: Vec<Setting>,
+    /// Gives a constant or a param another value than in the file: `--set size=2`.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<Assignment>,
 }
 
 /// How a mechanism looks.
@@ -87,7 +91,7 @@ pub(super) struct Sitter {
 impl Picture {
     /// The mechanism, with its look and its sheet.
     pub(super) fn sitter(&self, target: &Target, console: &mut Console) -> Result<Sitter, Failure> {
-        let (mut model, compiled) = target.coherent(console)?;
+        let (mut model, compiled) = target.coherent_with(&self.set, console)?;
         if let Some(look) = self.look {
             model.look = Some(match look {
                 Looks::Machine => Look::Machine,

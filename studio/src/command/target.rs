@@ -1,5 +1,6 @@
 //! Which mechanism of which file.
 
+use super::assignment::Assignment;
 use crate::check::render;
 use crate::console::Console;
 use crate::document::{Document, Reading};
@@ -47,7 +48,24 @@ impl Target {
 
     /// The mechanism, which has to be coherent. What is wrong with it is told.
     pub(super) fn coherent(&self, console: &mut Console) -> Result<(Model, Compiled), Failure> {
-        let (document, reading) = self.reading()?;
+        self.coherent_with(&[], console)
+    }
+
+    /// The same with other values of constants and params. The file stays as it is.
+    pub(super) fn coherent_with(
+        &self,
+        assignments: &[Assignment],
+        console: &mut Console,
+    ) -> Result<(Model, Compiled), Failure> {
+        let mut document = self.document()?;
+        let index = document.index_of(document.choose(self.mechanism.as_deref())?)?;
+        for assignment in assignments {
+            document = assignment.apply_to(&document, index)?;
+        }
+        let declaration = document.declarations().get(index);
+        let declaration = declaration
+            .ok_or_else(|| Failure::internal("a number has taken the mechanism away"))?;
+        let reading = document.analyse(declaration)?;
         match reading.result {
             Ok(compiled) => Ok((reading.model, *compiled)),
             Err(faults) => {

@@ -245,14 +245,14 @@ impl Session {
                 inner.is_some_and(|inner| inner.is_empty() || inner.starts_with('.'))
             })
         };
-        let numbers = listing.numbers.iter();
-        let lines = numbers
-            .filter(|one| one.part.is_none() && is_asked(&one.owner) && !one.is_pair)
-            .map(|one| {
-                let value = &self.history.text()[one.range.clone()];
-                format!("{} {} = {value}\n", one.owner, one.role)
-            });
-        let lines: String = lines.collect();
+        let numbers = listing.numbers.iter().filter(|one| !one.is_pair);
+        let lines = numbers.map(|one| {
+            let value = &self.history.text()[one.range.clone()];
+            let path = one.path();
+            (is_asked(&path), format!("{path} {} = {value}\n", one.role))
+        });
+        let asked = lines.filter(|(is_asked, _)| *is_asked);
+        let lines: String = asked.map(|(_, line)| line).collect();
         match owner {
             Some(owner) if lines.is_empty() => {
                 Err(Failure::usage(format!("`{owner}` has no numbers here")))

@@ -48,6 +48,17 @@ pub struct NumberText {
     pub literals: Vec<Range<usize>>,
 }
 
+impl NumberText {
+    /// What it belongs to, with the part in which that is declared: `Leg.foot.tip`.
+    #[must_use]
+    pub fn path(&self) -> String {
+        match &self.part {
+            Some(part) => format!("{part}.{}", self.owner),
+            None => self.owner.clone(),
+        }
+    }
+}
+
 /// Lists the names and numbers of a mechanism.
 pub(super) fn listing(
     document: &Document,
@@ -81,12 +92,32 @@ pub(super) fn listing(
 }
 
 impl Listing {
-    /// The number of this owner and role, outside of parts.
+    /// The number of this owner and role. What is declared in a part is called by the part's name first: `Leg.foot.tip`.
     #[must_use]
     pub fn number(&self, owner: &str, role: &str) -> Option<&NumberText> {
+        self.numbers_of(owner).find(|one| one.role == role)
+    }
+
+    /// All numbers of this owner.
+    pub fn numbers_of<'a>(&'a self, owner: &'a str) -> impl Iterator<Item = &'a NumberText> {
+        let (part, owner) = self.within_part(owner);
+        let is_it = move |one: &&NumberText| one.part.as_deref() == part && one.owner == owner;
+        self.numbers.iter().filter(is_it)
+    }
+
+    /// The part that a path names first, and the words after it.
+    fn within_part<'a>(&'a self, path: &'a str) -> (Option<&'a str>, &'a str) {
+        match path.split_once('.') {
+            Some((first, inner)) if self.is_part(first) => (Some(first), inner),
+            _ => (None, path),
+        }
+    }
+
+    /// The names of all constants and params, outside of parts.
+    pub fn constants(&self) -> impl Iterator<Item = &str> {
         let is_it =
-            |one: &&NumberText| one.part.is_none() && one.owner == owner && one.role == role;
-        self.numbers.iter().find(is_it)
+            |one: &&NameText| one.is_declared && one.noun == Noun::Number && one.part.is_none();
+        self.names.iter().filter(is_it).map(|one| one.path.as_str())
     }
 
     /// The part of which a use makes instances, if it is a use.
@@ -123,9 +154,9 @@ impl Listing {
 
     /// The declarations that a path may mean: of a link, a joint, an axis, a number and so on.
     pub fn declared<'a>(&'a self, path: &'a str) -> impl Iterator<Item = &'a NameText> {
-        let (part, path) = match path.split_once('.') {
-            Some((first, inner)) if self.is_part(first) => (Some(first), inner),
-            _ => self.resolve(path, None),
+        let (part, path) = match self.within_part(path) {
+            (None, path) => self.resolve(path, None),
+            found => found,
         };
         let names = self.names.iter();
         names.filter(move |one| one.is_declared && one.part.as_deref() == part && one.path == path)

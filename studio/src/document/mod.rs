@@ -2,14 +2,15 @@
 
 mod library;
 mod listing;
-
 mod reading;
 mod scanner;
 mod source;
+mod tree;
 
 pub use listing::{Listing, NameText, NumberText};
 pub use reading::{Faults, Message, Reading};
 pub use source::{LONGEST, Source, Spot};
+pub(crate) use tree::TextTree;
 
 use crate::failure::Failure;
 use mech_compiler::model::Model;
@@ -169,6 +170,14 @@ impl Document {
     /// If the compiler itself fails, which is a mistake of ours.
     pub fn model(&self, declaration: &Declaration) -> Result<Option<Model>, Failure> {
         reading::model(self, declaration)
+    }
+
+    /// The text of one of its mechanisms as a tree; none if it cannot be read statement by statement.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub(crate) fn tree(&self, declaration: &Declaration) -> Result<Option<TextTree>, Failure> {
+        TextTree::read(self, declaration)
     }
 
     /// The names and numbers in the text of one of its mechanisms; none if its brackets do not match.

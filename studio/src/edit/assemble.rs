@@ -42,7 +42,7 @@ impl Display for Rule {
 }
 
 /// Declares a joint.
-pub(super) fn join(scene: &Scene<'_>, assembly: &Assembly) -> Result<Change, Refusal> {
+pub(super) fn join(scene: &Scene, assembly: &Assembly) -> Result<Change, Refusal> {
     check_name(&assembly.name)?;
     assembly.ends.iter().try_for_each(|end| check_path(end))?;
     let is_cam = matches!(assembly.kind, JointForm::Cam { .. });
@@ -104,7 +104,7 @@ fn statement(assembly: &Assembly) -> Result<String, Refusal> {
 }
 
 /// The link of an end.
-fn body_of(scene: &Scene<'_>, end: &str) -> Option<LinkId> {
+fn body_of(scene: &Scene, end: &str) -> Option<LinkId> {
     let model = &scene.model;
     if let Some(axis) = axis_at(scene, end) {
         return Some(model.axis(axis).link);
@@ -113,13 +113,13 @@ fn body_of(scene: &Scene<'_>, end: &str) -> Option<LinkId> {
     links.find(|&link| model.link(link).die.is_none() && model.link(link).name == end)
 }
 
-fn axis_at(scene: &Scene<'_>, end: &str) -> Option<AxisId> {
+fn axis_at(scene: &Scene, end: &str) -> Option<AxisId> {
     let axis = end.contains('.').then(|| place::axis_of(&scene.model, end));
     axis.flatten()
 }
 
 /// Whether some joint joins the same two axes.
-fn is_joined(scene: &Scene<'_>, assembly: &Assembly) -> bool {
+fn is_joined(scene: &Scene, assembly: &Assembly) -> bool {
     let [Some(a), Some(b)] = assembly.ends.each_ref().map(|end| axis_at(scene, end)) else {
         return false;
     };
@@ -131,11 +131,7 @@ fn is_joined(scene: &Scene<'_>, assembly: &Assembly) -> bool {
 }
 
 /// Refuses an assembly after which the mechanism breaks a rule that it kept before.
-pub(super) fn judge(
-    scene: &Scene<'_>,
-    assembly: &Assembly,
-    after: &Reading,
-) -> Result<(), Refusal> {
+pub(super) fn judge(scene: &Scene, assembly: &Assembly, after: &Reading) -> Result<(), Refusal> {
     let Err(faults) = &after.result else {
         return Ok(());
     };

@@ -7,7 +7,7 @@ use super::{Change, Refusal, Scene};
 use crate::text::is_of_word;
 
 /// Mirrors what is fixed to a link about the x axis of its frame; or a use of a part.
-pub(super) fn mirror(scene: &Scene<'_>, name: &str) -> Result<Change, Refusal> {
+pub(super) fn mirror(scene: &Scene, name: &str) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     if let Some(used) = used(&rewriter.statements, name) {
         if let Some(word) = used.find("mirrored") {
@@ -86,7 +86,7 @@ fn negative(text: &str) -> String {
 }
 
 /// Declares a link or a use once more, under another name.
-pub(super) fn duplicate(scene: &Scene<'_>, name: &str, copy: &str) -> Result<Change, Refusal> {
+pub(super) fn duplicate(scene: &Scene, name: &str, copy: &str) -> Result<Change, Refusal> {
     check_name(copy)?;
     let mut rewriter = scene.rewriter()?;
     let known = rewriter.declared("link", name);

@@ -14,7 +14,7 @@ const OTHERS: [&str; 7] = [
 ];
 
 /// Adds what a command declares.
-pub(super) fn declare(scene: &Scene<'_>, command: &Command) -> Result<Change, Refusal> {
+pub(super) fn declare(scene: &Scene, command: &Command) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     match command {
         Command::Constant {
@@ -115,18 +115,10 @@ pub(super) fn declare(scene: &Scene<'_>, command: &Command) -> Result<Change, Re
 }
 
 /// Sets a number by its role.
-pub(super) fn set(
-    scene: &Scene<'_>,
-    owner: &str,
-    role: &str,
-    value: &str,
-) -> Result<Change, Refusal> {
+pub(super) fn set(scene: &Scene, owner: &str, role: &str, value: &str) -> Result<Change, Refusal> {
     let Some(number) = scene.listing.number(owner, role) else {
-        let numbers = scene.listing.numbers.iter();
-        let roles: Vec<String> = numbers
-            .filter(|one| one.owner == owner && one.part.is_none())
-            .map(|one| format!("`{}`", one.role))
-            .collect();
+        let numbers = scene.listing.numbers_of(owner);
+        let roles: Vec<String> = numbers.map(|one| format!("`{}`", one.role)).collect();
         return Err(Refusal::of(if roles.is_empty() {
             format!("`{owner}` has no numbers here")
         } else {
@@ -148,7 +140,7 @@ pub(super) fn set(
 
 /// Puts a motor on a joint, or says more of one.
 fn motor(
-    scene: &Scene<'_>,
+    scene: &Scene,
     rewriter: &mut Rewriter<'_>,
     joint: &str,
     [law, step]: [&Option<Expression>; 2],

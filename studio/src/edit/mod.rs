@@ -8,27 +8,29 @@ mod assemble;
 mod command;
 mod copy;
 mod declare;
+mod drag;
 mod history;
 mod place;
 mod pose;
 mod refusal;
 mod remove;
 mod rename;
+mod scene;
 mod shape;
 mod solve;
 
 pub use assemble::Rule;
 pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pair};
+pub use drag::{Drag, Dragged};
 pub use history::{History, Step};
 pub use refusal::Refusal;
 
-use crate::document::{Declaration, Document, Listing, Reading, Source};
+use crate::document::{Document, Reading, Source};
 use crate::failure::Failure;
 use crate::mend::{Rewriter, are_alike, mendings};
 use crate::text::{Replacement, written};
-use mech_compiler::model::Model;
+use scene::{Scene, declaration_of};
 use similar::{DiffTag, TextDiff};
-use std::cell::OnceCell;
 
 /// A command that was accepted.
 #[derive(Clone, Debug)]
@@ -63,55 +65,6 @@ impl Change {
     }
 }
 
-/// A mechanism in its file, for commands to work on.
-struct Scene<'d> {
-    document: &'d Document,
-    declaration: &'d Declaration,
-    /// The number of the mechanism in the file.
-    index: usize,
-    model: Model,
-    listing: Listing,
-    /// What the compiler makes of it, once somebody asks.
-    reading: OnceCell<Reading>,
-}
-
-impl<'d> Scene<'d> {
-    fn text(&self) -> &'d str {
-        self.document.source().text()
-    }
-
-    /// What the compiler makes of the text before the command.
-    fn reading(&self) -> Result<&Reading, Refusal> {
-        if let Some(reading) = self.reading.get() {
-            return Ok(reading);
-        }
-        let reading = self.document.analyse(self.declaration)?;
-        Ok(self.reading.get_or_init(|| reading))
-    }
-
-    /// A rewriter of the text.
-    fn rewriter(&self) -> Result<Rewriter<'_>, Refusal> {
-        let body = self.declaration.body.as_ref();
-        let body =
-            body.ok_or_else(|| Refusal::of("one of the brackets of the mechanism is not closed"))?;
-        Ok(Rewriter::new(self.text(), body, &self.model))
-    }
-
-    /// What the text says after changes; none if it cannot be read.
-    fn model_after(&self, edits: &[Replacement]) -> Result<Option<Model>, Refusal> {
-        let document = self.document_after(edits);
-        match document.declarations().get(self.index) {
-            Some(declaration) => Ok(document.model(declaration)?),
-            None => Ok(None),
-        }
-    }
-
-    fn document_after(&self, edits: &[Replacement]) -> Document {
-        let source = self.document.source();
-        Document::of(Source::new(source.path(), written(self.text(), edits)))
-    }
-}
-
 /// Applies a command to the mechanism with this number in a file.
 ///
 /// # Errors
@@ -120,36 +73,14 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
     if let Command::Mechanism { name } = command {
         return begin(document, name);
     }
-    let declarations = document.declarations();
-    let declaration = declarations
-        .get(index)
-        .ok_or_else(|| Refusal::of("there is no mechanism yet; begin with `mechanism NAME`"))?;
     if let Command::Repair { number } = command {
         return repair(document, index, *number);
     }
-    let listing = document.listing(declaration)?.unwrap_or_default();
-    let reading = OnceCell::new();
-    let model = document.model(declaration)?;
-    let was_readable = model.is_some();
-    let model = if let Some(model) = model {
-        model
-    } else {
-        // As much of it as could be understood.
-        let partial = document.analyse(declaration)?;
-        reading.get_or_init(|| partial).model.clone()
-    };
-    let scene = Scene {
-        document,
-        declaration,
-        index,
-        model,
-        listing,
-        reading,
-    };
+    let scene = Scene::open(document, index)?;
     let change = change(&scene, command)?;
     let place = change.place;
     let mut applied = accept(&scene, command.title(), change)?;
-    judge(&scene, command, was_readable, &applied)?;
+    judge(&scene, command, &applied)?;
     if let (Command::Move { path, .. }, Some(place)) = (command, place) {
         place::judge(&applied.reading.model, path, place)?;
     }
@@ -161,7 +92,7 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
 }
 
 /// What a command does to the text.
-fn change(scene: &Scene<'_>, command: &Command) -> Result<Change, Refusal> {
+fn change(scene: &Scene, command: &Command) -> Result<Change, Refusal> {
     match command {
         Command::Move { path, to, pose } => place::shift(scene, path, *to, pose.as_deref()),
         Command::Set { owner, role, value } => declare::set(scene, owner, role, value),
@@ -210,7 +141,7 @@ fn begin(document: &Document, name: &str) -> Result<Applied, Refusal> {
 }
 
 /// Reads and analyses a change.
-fn accept(scene: &Scene<'_>, title: String, change: Change) -> Result<Applied, Refusal> {
+fn accept(scene: &Scene, title: String, change: Change) -> Result<Applied, Refusal> {
     let document = scene.document_after(&change.edits);
     let (before, after) = (scene.document.declarations(), document.declarations());
     let declaration = after
@@ -229,13 +160,8 @@ fn accept(scene: &Scene<'_>, title: String, change: Change) -> Result<Applied, R
 }
 
 /// Refuses a change after which the text cannot be read, or which breaks a rule.
-fn judge(
-    scene: &Scene<'_>,
-    command: &Command,
-    was_readable: bool,
-    applied: &Applied,
-) -> Result<(), Refusal> {
-    if was_readable {
+fn judge(scene: &Scene, command: &Command, applied: &Applied) -> Result<(), Refusal> {
+    if scene.is_readable {
         refuse_unread(&applied.reading)?;
     } else {
         // Mistakes that were there may stay; others are as bad as ever.
@@ -271,7 +197,7 @@ fn refuse_unread(reading: &Reading) -> Result<(), Refusal> {
 
 /// Makes a repair by its number, as `mech fix` does.
 fn repair(document: &Document, index: usize, number: usize) -> Result<Applied, Refusal> {
-    let declaration = &document.declarations()[index];
+    let declaration = declaration_of(document, index)?;
     let reading = document.analyse(declaration)?;
     let found = mendings(document, declaration, &reading)?;
     let mending = number.checked_sub(1).and_then(|number| found.get(number));

@@ -5,7 +5,7 @@ use mech_compiler::model::{AxisId, Model};
 
 /// Moves a point, the origin of a line, or a joint that is placed in the drawing.
 pub(super) fn shift(
-    scene: &Scene<'_>,
+    scene: &Scene,
     path: &str,
     to: [f64; 2],
     motors: Option<&[(String, f64)]>,
@@ -13,9 +13,7 @@ pub(super) fn shift(
     if !to.iter().all(|part| part.is_finite()) {
         return Err(Refusal::of("a place has two finite numbers"));
     }
-    let is_placed = scene.listing.number(path, "x").is_some();
-    let axis = axis_of(&scene.model, path).filter(|_| is_placed);
-    let axis = axis.ok_or_else(|| unknown(scene, path))?;
+    let axis = find(scene, path)?;
     let to = match motors {
         Some(motors) => pose::carry_back(scene, (path, axis), to, motors)?,
         None => to,
@@ -40,6 +38,13 @@ pub(super) fn shift(
     Ok(change)
 }
 
+/// The axis of this path, which has a place of its own.
+pub(super) fn find(scene: &Scene, path: &str) -> Result<AxisId, Refusal> {
+    let is_placed = scene.listing.number(path, "x").is_some();
+    let axis = axis_of(&scene.model, path).filter(|_| is_placed);
+    axis.ok_or_else(|| unknown(scene, path))
+}
+
 /// Refuses a text in which what was moved is not where it should be: a constant may stand in both coordinates.
 pub(super) fn judge(after: &Model, path: &str, to: [f64; 2]) -> Result<(), Refusal> {
     let found = axis_of(after, path).map(|axis| after.axis(axis).at);
@@ -54,12 +59,25 @@ pub(super) fn judge(after: &Model, path: &str, to: [f64; 2]) -> Result<(), Refus
 }
 
 /// Why something cannot be moved.
-fn unknown(scene: &Scene<'_>, path: &str) -> Refusal {
+fn unknown(scene: &Scene, path: &str) -> Refusal {
     let is_joint = scene.model.joints.iter().any(|joint| joint.name == path);
     let is_link = scene.model.links.iter().any(|link| link.name == path);
     let (part, inner) = scene.listing.resolve(path, None);
     Refusal::of(match part {
+        Some(part)
+            if scene
+                .listing
+                .number(&format!("{part}.{inner}"), "x")
+                .is_some() =>
+        {
+            format!(
+                "`{inner}` is fixed by part `{part}`, for all that use it; set `x` and `y` of `{part}.{inner}`"
+            )
+        }
         Some(part) => format!("`{inner}` is fixed by part `{part}`, for all that use it"),
+        None if scene.listing.number(path, "x").is_some() => {
+            format!("`{path}` is in the frame of its part; set its `x` and `y`")
+        }
         None if is_joint => {
             format!("joint `{path}` has no place of its own; move the points that it joins")
         }

@@ -9,7 +9,7 @@ use mech_compiler::model::{AxisId, LinkId, Model};
 
 /// A place in the scene, carried back to the frame in which something is declared.
 pub(super) fn carry_back(
-    scene: &Scene<'_>,
+    scene: &Scene,
     (path, axis): (&str, AxisId),
     [x, y]: [f64; 2],
     motors: &[(String, f64)],
@@ -88,6 +88,19 @@ fn pose_of(compiled: &Compiled, machine: &Machine<'_, f64>, link: LinkId) -> Opt
     }
     let place = compiled.program.place_of(link)?;
     machine.position().poses.get(place).copied()
+}
+
+/// The poses of all links, as far as they are shown, with the motors at these values.
+pub(super) fn poses(
+    model: &Model,
+    compiled: &Compiled,
+    motors: &[(String, f64)],
+) -> Result<Vec<Option<[f64; 4]>>, Refusal> {
+    let machine = posed(model, compiled, motors)?;
+    let links = model.link_ids();
+    Ok(links
+        .map(|link| pose_of(compiled, &machine, link))
+        .collect())
 }
 
 /// Where a link stands at the start.

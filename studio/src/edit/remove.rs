@@ -6,7 +6,7 @@ use crate::text::Statement;
 use mech_compiler::model::LinkId;
 
 /// Takes something out, with what cannot be without it.
-pub(super) fn remove(scene: &Scene<'_>, kind: Kind, name: &str) -> Result<Change, Refusal> {
+pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Refusal> {
     let unknown = || Refusal::of(format!("there is no {} `{name}` in this text", kind.word()));
     let mut rewriter = scene.rewriter()?;
     let model = &scene.model;
@@ -117,7 +117,7 @@ fn has_clause(
 }
 
 /// Refuses to take out what something else needs.
-fn refuse_used(scene: &Scene<'_>, path: &str) -> Result<(), Refusal> {
+fn refuse_used(scene: &Scene, path: &str) -> Result<(), Refusal> {
     let listing = &scene.listing;
     let mut names = listing.names.iter();
     let user = names.find(|one| {

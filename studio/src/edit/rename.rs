@@ -6,7 +6,7 @@ use crate::document::NameText;
 use mech_compiler::syntax::Noun;
 
 /// Gives something another name, wherever it is used.
-pub(super) fn rename(scene: &Scene<'_>, path: &str, name: &str) -> Result<Change, Refusal> {
+pub(super) fn rename(scene: &Scene, path: &str, name: &str) -> Result<Change, Refusal> {
     // `crank.pin` may become `crank.end` or `end`.
     let name = match path.rsplit_once('.').zip(name.rsplit_once('.')) {
         Some(((owner, _), (new_owner, last))) if owner == new_owner => last,

@@ -10,7 +10,7 @@ use crate::text::Statement;
 const OTHERS: [&str; 4] = ["point", "line", "mass", "density"];
 
 /// Takes a shape out.
-pub(super) fn remove(scene: &Scene<'_>, link: &str, number: usize) -> Result<Change, Refusal> {
+pub(super) fn remove(scene: &Scene, link: &str, number: usize) -> Result<Change, Refusal> {
     let mut rewriter = scene.rewriter()?;
     let shape = shape(&rewriter, link, number)?;
     rewriter.draft.remove(&shape.range());
@@ -19,7 +19,7 @@ pub(super) fn remove(scene: &Scene<'_>, link: &str, number: usize) -> Result<Cha
 
 /// Puts a shape on a plane.
 pub(super) fn layer(
-    scene: &Scene<'_>,
+    scene: &Scene,
     link: &str,
     number: usize,
     plane: &str,
@@ -38,7 +38,7 @@ pub(super) fn layer(
 
 /// Gives a shape another colour.
 pub(super) fn recolor(
-    scene: &Scene<'_>,
+    scene: &Scene,
     link: &str,
     number: usize,
     color: &str,
@@ -51,7 +51,7 @@ pub(super) fn recolor(
 
 /// Says something of a shape: in place of what was said, or else by a text before the word with this number.
 fn say(
-    scene: &Scene<'_>,
+    scene: &Scene,
     (link, number): (&str, usize),
     (role, value): (&str, &str),
     addition: impl Fn(&Statement<'_>) -> (usize, String),
@@ -71,7 +71,7 @@ fn say(
 
 /// Gives a shape another outline.
 pub(super) fn reshape(
-    scene: &Scene<'_>,
+    scene: &Scene,
     link: &str,
     number: usize,
     outline: &str,

@@ -33,11 +33,7 @@ pub(super) fn is_near(a: f64, b: f64) -> bool {
 
 /// Writes a number so that it has its value: over the number itself if that is a literal; else over the one literal or constant that can
 /// give the value.
-pub(super) fn reach(
-    scene: &Scene<'_>,
-    goal: &Goal<'_>,
-    change: &mut Change,
-) -> Result<(), Refusal> {
+pub(super) fn reach(scene: &Scene, goal: &Goal<'_>, change: &mut Change) -> Result<(), Refusal> {
     // Only what was solved for may have changed other numbers than its own.
     let known = if change.notes.is_empty() {
         (goal.read)(&scene.model)
@@ -101,7 +97,7 @@ pub(super) fn reach(
 }
 
 /// Whether the value of a constant is one literal.
-fn is_whole(scene: &Scene<'_>, name: &str) -> bool {
+fn is_whole(scene: &Scene, name: &str) -> bool {
     let value = scene.listing.number(name, "value");
     value.is_some_and(|value| is_literal(&scene.text()[value.range.clone()]))
 }
@@ -114,7 +110,7 @@ pub(super) fn is_literal(text: &str) -> bool {
 }
 
 /// The literals that a number depends on, those of constants among them.
-fn candidates(scene: &Scene<'_>, number: &NumberText) -> Vec<Candidate> {
+fn candidates(scene: &Scene, number: &NumberText) -> Vec<Candidate> {
     let mut found = Vec::new();
     let mut seen: Vec<&str> = Vec::new();
     let mut waiting: Vec<(&NumberText, Option<&str>)> = vec![(number, None)];
@@ -142,7 +138,7 @@ fn candidates(scene: &Scene<'_>, number: &NumberText) -> Vec<Candidate> {
 
 /// What a literal has to be so that the goal is reached, if it can be that.
 fn solve(
-    scene: &Scene<'_>,
+    scene: &Scene,
     goal: &Goal<'_>,
     candidate: &Candidate,
     others: &[Replacement],

@@ -46,6 +46,8 @@ impl Mending {
 pub enum Remainder {
     /// Nothing, but at most to choose one of several assemblies.
     Nothing,
+    /// With the start that is given it does not close: it has to start elsewhere.
+    OtherStart,
     /// Other things are wrong, too.
     OtherFaults,
 }
@@ -169,10 +171,15 @@ fn repairs(offers: &Offers) -> Vec<Candidate> {
     let coupled = coupled.map(|repair| vec![repair.clone(), Repair::AllowCoupled]);
     let pairs = offers.pairs.iter().map(|pair| pair.to_vec());
     let enough = single.chain(coupled).chain(pairs);
-    let partial = offers.partial.iter().map(|repair| vec![repair.clone()]);
+    let alone = |repairs: &[Repair], remainder| {
+        let repairs = repairs.iter().cloned();
+        let repairs = repairs.map(|repair| Candidate::Repairs(vec![repair], remainder));
+        repairs.collect::<Vec<_>>()
+    };
     let enough = enough.map(|repairs| Candidate::Repairs(repairs, Remainder::Nothing));
     enough
-        .chain(partial.map(|repairs| Candidate::Repairs(repairs, Remainder::OtherFaults)))
+        .chain(alone(&offers.elsewhere, Remainder::OtherStart))
+        .chain(alone(&offers.partial, Remainder::OtherFaults))
         .collect()
 }
 

@@ -2,6 +2,7 @@
 
 use super::Units;
 use super::kind::{Needs, Order, Part, Quantity, Reaction, Subject};
+use super::load::{self, Load};
 use crate::failure::Failure;
 use crate::motion::{Drive, Moment, obstacle};
 use mech_compiler::evaluate::{LinkRates, Machine};
@@ -26,6 +27,8 @@ pub(crate) struct Measurement<'a> {
     pub(crate) rate: f64,
     /// The number of steps: there is a row more.
     pub(crate) steps: u32,
+    /// The loads that are not zero.
+    pub(crate) loads: &'a [Load],
     pub(crate) units: &'a Units,
 }
 
@@ -33,7 +36,7 @@ pub(crate) struct Measurement<'a> {
 pub(crate) fn measure(of: &Measurement<'_>, quantities: &[Quantity]) -> Result<Table, Failure> {
     let needs = Needs::of(quantities);
     let compiled = &compiled_for(of.model, needs)?;
-    let mut meter = Meter::new(of.model, compiled, quantities)?;
+    let mut meter = Meter::new(of, compiled, quantities)?;
     let mut rows = Vec::new();
     for step in 0..=of.steps {
         let part = f64::from(step) / f64::from(of.steps.max(1));
@@ -105,6 +108,8 @@ struct Meter<'a> {
     machine: Machine<'a, f64>,
     moving: Option<Machine<'a, f64>>,
     forced: Option<Machine<'a, f64>>,
+    /// The numbers of all loads.
+    loads: Vec<f64>,
     /// For each quantity its last value, from which an angle goes on over whole turns.
     last: Vec<Option<f64>>,
 }
@@ -118,7 +123,7 @@ struct Position<'p> {
 
 impl<'a> Meter<'a> {
     fn new(
-        model: &'a Model,
+        of: &Measurement<'a>,
         compiled: &'a Compiled,
         quantities: &[Quantity],
     ) -> Result<Self, Failure> {
@@ -138,11 +143,12 @@ impl<'a> Meter<'a> {
             ));
         }
         Ok(Self {
-            model,
+            model: of.model,
             compiled,
             machine: Machine::new(&compiled.program),
             moving: compiled.moving.as_ref().map(Machine::new),
             forced: forced.filter(|_| needs.force).map(Machine::new),
+            loads: load::numbers(of.model, of.loads)?,
             last: vec![None; quantities.len()],
         })
     }
@@ -163,10 +169,7 @@ impl<'a> Meter<'a> {
             None => None,
             Some(machine) => {
                 machine.put_back(at.clone());
-                let program = self.compiled.forced.inverse_dynamics.as_ref();
-                let motion = program.and_then(|program| program.motion.as_ref());
-                let loads = vec![0.0; motion.map_or(0, |motion| motion.loads.len())];
-                match machine.forces(first, second, &loads) {
+                match machine.forces(first, second, &self.loads) {
                     Ok(Forces::InverseDynamics(found)) => Some(found),
                     // Not determined there.
                     Ok(_) | Err(mech_compiler::evaluate::Stop::Singular(_)) => None,

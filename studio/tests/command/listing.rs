@@ -1,9 +1,10 @@
 //! The places of names and numbers.
 
 use crate::run::repository;
+use mech_compiler::syntax::{self, SyntaxTree};
 use mech_studio::{Document, Listing, Source};
 use proc_macro2::{TokenStream, TokenTree};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -169,4 +170,53 @@ start { a = 27; crank near 28; }
         let number = number.unwrap_or_else(|| panic!("{role} of {owner}"));
         assert_eq!(&text[number.range.clone()], value, "{role} of {owner}");
     }
+}
+
+#[test]
+fn a_statement_that_is_read_alone_means_the_same() {
+    let mut total = 0;
+    for path in files() {
+        let document = Document::of(Source::read(&path).expect("a file"));
+        for body in document
+            .declarations()
+            .iter()
+            .filter_map(|one| one.body.clone())
+        {
+            let masked = document.source().masked(&body);
+            proc_macro2::extra::invalidate_current_thread_spans();
+            let tokens: TokenStream = masked.parse().expect("tokens");
+            let parsed = syntax::parse(tokens.clone());
+            let is_right = parsed.errors.is_empty() && parsed.header.is_some();
+            let model = is_right.then_some(parsed.model);
+            let mut tree = SyntaxTree::read(tokens);
+            let starts = tree.beginnings();
+            let starts: Vec<(usize, usize)> = starts
+                .map(|(number, place)| (number, place.start.byte_range().start))
+                .collect();
+            let ends = starts.iter().skip(1).map(|(_, start)| *start);
+            for ((number, start), end) in starts.iter().zip(ends.chain([body.end])) {
+                let statement = || masked[*start..end].parse::<TokenStream>().expect("tokens");
+                let with =
+                    |tree: &mut SyntaxTree, by| tree.model_with(BTreeMap::from([(*number, by)]));
+                let again = with(&mut tree, statement());
+                // A statement that is wrong is not one: then the whole text has to be read.
+                assert!(
+                    again == model,
+                    "{}: {}",
+                    path.display(),
+                    &masked[*start..end]
+                );
+                // Two statements are not one.
+                let two = [statement(), statement()].into_iter().collect();
+                assert!(with(&mut tree, two).is_none());
+                total += usize::from(model.is_some());
+            }
+            assert!(
+                tree.model_with(BTreeMap::new()) == model,
+                "{}",
+                path.display()
+            );
+        }
+    }
+    assert!(total > 500, "{total} statements");
 }

@@ -192,3 +192,88 @@ fn tables_go_to_files_whole() {
     assert_eq!(folder.text("a.csv").lines().count(), 5);
     assert_eq!(folder.names(), ["a.csv", "a.mech"]);
 }
+
+#[test]
+fn a_load_is_carried_by_the_motor() {
+    let text = CRANK.to_owned() + "load push = force(crank.pin);\nload brake = torque(crank);\neffects { force; }\n";
+    let folder = Folder::new().with("a.mech", text);
+    let motion = "--from 30 --to 60 --steps 1 --rate 0";
+    let words =
+        format!("table a.mech torque:a reaction:a {motion} --load push=-7,4 --load brake=-1.5");
+    for row in numbers(&folder.mech(&words).done()) {
+        let (sin, cos) = row[0].to_radians().sin_cos();
+        let expected = [
+            3.0 * 10.0 * 2.0 * cos - 2.0 * (cos * 4.0 - sin * -7.0) + 1.5,
+            7.0,
+            3.0 * 10.0 - 4.0,
+        ];
+        for (found, expected) in row[1..].iter().zip(expected) {
+            assert!(close(*found, expected), "{row:?}");
+        }
+    }
+    let refused = |given: &str, code| {
+        folder
+            .mech(&format!("table a.mech torque:a {given}"))
+            .refused(code)
+    };
+    assert_eq!(
+        refused("--load pull=1", 2),
+        "error: `Crank` has no load `pull`; it has `push`, `brake`\n"
+    );
+    assert_eq!(
+        refused("--load push=1", 2),
+        "error: load `push` is a force; write `--load push=X,Y`\n"
+    );
+    assert_eq!(
+        refused("--load brake=1,2", 2),
+        "error: load `brake` is a torque; write `--load brake=VALUE`\n"
+    );
+    assert!(refused("--load brake=inf", 2).contains("`inf` is not finite"));
+}
+
+#[test]
+fn a_number_has_another_value_for_once() {
+    let text = CRANK
+        .replace("link crank", "const ARM = 2;\nparam lift = 0;\nlink crank")
+        .replace("pin = (2, 0)", "pin = (ARM, lift)");
+    let folder = Folder::new().with("a.mech", &text);
+    let words = "table a.mech crank.pin --from 0 --to 90 --steps 1 --set ARM=5 --set";
+    let rows = numbers(&folder.mech(&format!("{words} lift=0.5")).done());
+    assert!(close(rows[0][1], 5.0) && close(rows[0][2], 0.5), "{rows:?}");
+    assert!(
+        close(rows[1][1], -0.5) && close(rows[1][2], 5.0),
+        "{rows:?}"
+    );
+    assert_eq!(folder.text("a.mech"), text);
+    assert_eq!(
+        folder.mech(&format!("{words} size=3")).refused(2),
+        "error: `Crank` has no constant or param `size`; it has `ARM`, `lift`\n"
+    );
+    let wrong = folder.mech(&format!("{words} lift=1/0")).refused(1);
+    assert!(
+        wrong.contains("the text could not be read any more"),
+        "{wrong}"
+    );
+    // What cannot move with it is told as `check` tells it.
+    let far = FOUR_BAR
+        .replace(
+            "struct FourBar;",
+            "struct FourBar;\nconst REACH = 4;\nground { point d = (REACH, 0); }",
+        )
+        .replace(
+            "rocker;",
+            "rocker { point d = (4, 0); point c = (3.3, 2.9); }",
+        )
+        .replace("coupler, rocker) at (3.3, 2.9)", "coupler.c, rocker.c)")
+        .replace("coupler {", "coupler { point c = (3.3, 2.9);")
+        .replace("ground, rocker) at (4, 0)", "ground.d, rocker.d)");
+    let folder = Folder::new().with("far.mech", far);
+    folder.mech("draw far.mech -o far.svg").done();
+    let told = folder
+        .mech("draw far.mech -o far.svg --set REACH=40")
+        .refused(1);
+    assert!(
+        told.contains("cannot be closed") || told.contains("close"),
+        "{told}"
+    );
+}

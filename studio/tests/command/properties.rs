@@ -2,7 +2,7 @@
 
 use crate::run::repository;
 use mech_studio::{
-    Applied, Assembly, Command, Document, History, JointForm, Kind, Listing, NumberText,
+    Applied, Assembly, Command, Document, Drag, History, JointForm, Kind, Listing, NumberText,
     Replacement, Source, apply, mendings,
 };
 use proptest::prelude::*;
@@ -213,6 +213,9 @@ fn play(path: &str, text: &str, all: &[Dice]) -> (usize, usize) {
         let command = command(dice, &listing_of(&document));
         let applied = apply(&document, 0, &command);
         assert_eq!(document.source().text(), before);
+        if let Command::Move { path, to, .. } = &command {
+            follow(&document, (path, *to), applied.as_ref().ok());
+        }
         match applied {
             Ok(applied) => {
                 examine(&document, &command, &applied);
@@ -298,6 +301,40 @@ fn examine(before: &Document, command: &Command, applied: &Applied) {
             );
         }
         _ => {}
+    }
+}
+
+/// A drag does what the command does, and shows every link where the compiled mechanism has it.
+fn follow(document: &Document, (path, to): (&str, [f64; 2]), applied: Option<&Applied>) {
+    let dragged = Drag::begin(document, 0, path, None).and_then(|drag| drag.move_to(to));
+    let said = format!("{path} {to:?}\n{}", document.source().text());
+    let (Ok(dragged), Some(applied)) = (&dragged, applied) else {
+        // A text with mistakes may be moved in, though not dragged in.
+        let is_wrong = document.model(&document.declarations()[0]);
+        let is_wrong = is_wrong.expect("the compiler works").is_none();
+        assert!(is_wrong || dragged.is_err() && applied.is_none(), "{said}");
+        return;
+    };
+    assert_eq!(dragged.edits, applied.edits, "{said}");
+    assert_eq!(dragged.notes, applied.notes, "{said}");
+    assert_eq!(dragged.model, applied.reading.model, "{said}");
+    let Ok(compiled) = &applied.reading.result else {
+        return;
+    };
+    let start = &compiled.program.start;
+    let size = compiled.plan.start.poses.iter().flatten();
+    let size = size.fold(1.0_f64, |size, number| size.max(number.abs()));
+    for (link, pose) in dragged.model.link_ids().zip(&dragged.poses) {
+        let (Some(place), Some(pose)) = (compiled.program.place_of(link), pose) else {
+            continue;
+        };
+        let apart = start.poses[place].iter().zip(pose);
+        let apart = apart.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(
+            apart < 1e-9 * size,
+            "{} is {apart} apart: {said}",
+            dragged.model.link(link).name
+        );
     }
 }
 

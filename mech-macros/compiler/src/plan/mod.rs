@@ -37,7 +37,7 @@ pub(crate) use placement::Placement;
 pub use step::{Cam, Connection, ConnectionKind, Drive, Loop, Mesh, Source, Step, Tie};
 pub(crate) use triad::{Leg, Triad};
 
-use crate::model::Model;
+use crate::model::{Axis, Link, Model};
 use crate::structure::{Diagnosis, Structure};
 
 /// The solution of a coherent mechanism, step by step.
@@ -79,4 +79,42 @@ pub fn plan(model: &Model, structure: &Structure) -> Result<Plan, Diagnosis> {
         sources: sequence.sources,
         start,
     })
+}
+
+/// Whether the steps planned for one mechanism are those for another: joints, motors and params are the same, and axes differ only in where
+/// they are. A joint in the drawing may bring an axis along or share one that is there already, so moving one may change the axes.
+#[must_use]
+pub fn have_same_steps(planned: &Model, other: &Model) -> bool {
+    let is_same_axis = |(a, b): (&Axis, &Axis)| {
+        (
+            a.link,
+            a.kind,
+            a.direction,
+            a.formulas,
+            a.direction_formulas,
+        ) == (
+            b.link,
+            b.kind,
+            b.direction,
+            b.formulas,
+            b.direction_formulas,
+        )
+    };
+    let is_same_link = |(a, b): (&Link, &Link)| (a.drawn, a.die) == (b.drawn, b.die);
+    planned.axes.len() == other.axes.len()
+        && planned.axes.iter().zip(&other.axes).all(is_same_axis)
+        && planned.links.len() == other.links.len()
+        && planned.links.iter().zip(&other.links).all(is_same_link)
+        && planned.joints == other.joints
+        && planned.motors == other.motors
+        && planned.laws == other.laws
+        && planned.params == other.params
+}
+
+/// The start of a mechanism for which the steps of another are planned, as [`have_same_steps`] finds.
+///
+/// # Errors
+/// It has no assembly with its numbers, or several.
+pub fn assemble(model: &Model, plan: &Plan) -> Result<Assembly, Diagnosis> {
+    assembly::assemble(model, &plan.steps, &plan.sources)
 }

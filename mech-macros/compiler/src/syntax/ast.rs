@@ -22,6 +22,8 @@ pub(super) struct Text {
     pub header: Option<(Header, Precision)>,
     /// Everything after it.
     pub statements: Vec<Statement>,
+    /// Where each statement begins, attributes included, with its number among them. Some that report mistakes begin nowhere.
+    pub beginnings: Vec<(usize, Span)>,
     /// How many of them begin with `motor`, readable or not.
     pub motors: usize,
     /// Whether one of these goes on with a law, readable or not.

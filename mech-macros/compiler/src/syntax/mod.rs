@@ -12,10 +12,12 @@ mod shape;
 mod spelling;
 #[cfg(test)]
 mod tests;
+mod tree;
 mod written;
 
 pub use listing::{ListedName, ListedNumber, Listing, Noun};
 pub use place::{Message, Place, Places};
+pub use tree::SyntaxTree;
 
 use crate::model::Model;
 use proc_macro2::{Ident, TokenStream};
@@ -50,7 +52,16 @@ pub struct Header {
 /// Reads the body of a `mechanism!`.
 #[must_use]
 pub fn parse(input: TokenStream) -> Parsed {
-    lower::lower(grammar::read(input))
+    let mut text = grammar::read(input);
+    let lowered = lower::lower(&mut text);
+    Parsed {
+        motors: text.motors,
+        has_laws: text.has_laws,
+        header: text.header.map(|(header, _)| header),
+        model: lowered.model,
+        places: lowered.places,
+        errors: lowered.errors,
+    }
 }
 
 /// Lists the names and numbers of the body of a `mechanism!`, as far as it can be read.

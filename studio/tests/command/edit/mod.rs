@@ -2,6 +2,7 @@
 
 mod assembly;
 mod declarations;
+mod drags;
 mod names;
 mod places;
 

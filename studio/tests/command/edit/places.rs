@@ -142,3 +142,47 @@ fn numbers_are_set_by_their_roles() {
     refused(NAMED, &set("rocker", "shape 1 radius", "-1"));
     refused(NAMED, &set("nobody", "x", "1"));
 }
+
+#[test]
+fn numbers_of_a_part_are_set_by_the_name_of_the_part() {
+    let text = "struct Legs;
+part Leg(size = 1) {
+    port frame { point hip = (0, 0); }
+    link shank { point hip = (0, 0); point foot = (2 * size, 0); }
+    joint hip = revolute(frame.hip, shank.hip);
+}
+use left: Leg { frame = ground at (0, 0) };
+use right: Leg(size = 2) { frame = ground at (5, 0) };
+motor left.hip;
+motor right.hip;
+";
+    let set = |owner: &str, role: &str, value: &str| {
+        let command = Command::Set {
+            owner: owner.to_owned(),
+            role: role.to_owned(),
+            value: value.to_owned(),
+        };
+        done_to(text, &command).document.source().text().to_owned()
+    };
+    assert_eq!(
+        set("Leg.shank.foot", "x", "3 * size"),
+        text.replace("2 * size", "3 * size")
+    );
+    assert_eq!(
+        set("Leg.size", "value", "1.5"),
+        text.replace("size = 1)", "size = 1.5)")
+    );
+    assert_eq!(
+        set("right", "size", "4"),
+        text.replace("size = 2)", "size = 4)")
+    );
+    let why = |path: &str| refused(text, &shift(path, [1.0, 0.0], None)).to_string();
+    assert_eq!(
+        why("left.shank.foot"),
+        "`shank.foot` is fixed by part `Leg`, for all that use it; set `x` and `y` of `Leg.shank.foot`"
+    );
+    assert_eq!(
+        why("Leg.shank.foot"),
+        "`Leg.shank.foot` is in the frame of its part; set its `x` and `y`"
+    );
+}

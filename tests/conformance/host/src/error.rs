@@ -6,16 +6,26 @@ use std::path::PathBuf;
 
 /// What can go wrong.
 #[derive(Debug)]
-pub(crate) enum Error {
+pub enum Error {
     /// Called with other arguments than it should be.
     Usage,
     /// A file that cannot be read or written.
-    File { path: PathBuf, source: io::Error },
+    File {
+        /// Where it is.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
     /// A line of a file that is not what it should be.
-    Line { text: String },
+    Line {
+        /// The line.
+        text: String,
+    },
     /// An image that cannot be read.
     Image {
+        /// Where it is.
         path: PathBuf,
+        /// Why.
         source: object::read::Error,
     },
     /// The firmware says something else than this machine.

@@ -1,6 +1,6 @@
 //! What mechanisms report on this machine.
 
-use crate::report::{Subject, Things};
+use mech_conformance::{Subject, Things};
 use mech_probes::{Listener, Probe, Probed, ask_all, pictures, poses};
 
 #[derive(Default)]

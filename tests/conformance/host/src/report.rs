@@ -5,14 +5,17 @@ use std::collections::BTreeMap;
 
 /// What is reported on: `pose` or `picture`, the mechanism and its precision.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Subject {
-    pub(crate) what: String,
-    pub(crate) name: String,
-    pub(crate) precision: String,
+pub struct Subject {
+    /// The kind of answer.
+    pub what: String,
+    /// The mechanism.
+    pub name: String,
+    /// Its precision.
+    pub precision: String,
 }
 
-/// What was reported, in order.
-pub(crate) type Things = BTreeMap<Subject, Vec<Vec<u64>>>;
+/// What was reported, in order: the bits of numbers.
+pub type Things = BTreeMap<Subject, Vec<Vec<u64>>>;
 
 /// Reads lines of a subject and its words.
 pub(crate) fn things(text: &str) -> Result<Things, Error> {

@@ -1,13 +1,14 @@
 //! Numbers that are computed: `2 * sin(30 deg) - THROW`.
 
 use super::tokens::{
-    advance, any_word, comes, expected_message, in_parens, name, run, symbol, take, take_word,
+    advance, any_word, comes, expected_message, in_parens, name, run, symbol, take, take_tree,
+    take_word,
 };
 use super::{foreign, unit};
 use crate::model::{BinaryFunction, Function, function_names};
 use crate::syntax::ast::{Direction, Expr, ExprKind, Pair, Read};
 use crate::syntax::{Message, Place, spelling};
-use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Lit, Token, token};
 
@@ -55,7 +56,7 @@ pub(super) fn read_labelled(input: ParseStream, label: &str) -> Read<Expr> {
         return expression(input);
     }
     let mut error = expected_message(input, &format!("`{label}`"));
-    if input.peek(Lit)
+    if input.cursor().literal().is_some()
         && let Ok(number) = expression(input)
     {
         error.place = number.place;
@@ -69,11 +70,13 @@ pub(super) fn direction(input: ParseStream) -> Read<Direction> {
     if input.peek(token::Paren) && !is_angle_in_parens(input) {
         return pair(input).map(Direction::Parts);
     }
-    let otherwise = expected_message(input, "`(dx, dy)`, or an angle such as `30 deg`");
     let begins = input.cursor();
     match expression(input) {
         Ok(angle) => Ok(Direction::Angle(angle)),
-        Err(_) if input.cursor() == begins => Err(otherwise),
+        Err(_) if input.cursor() == begins => Err(expected_message(
+            input,
+            "`(dx, dy)`, or an angle such as `30 deg`",
+        )),
         Err(error) => Err(error),
     }
 }
@@ -213,8 +216,8 @@ fn primary(input: ParseStream, depth: usize) -> Read<Expr> {
             place,
         });
     }
-    if input.peek(Lit) && !input.peek(syn::LitBool) {
-        return literal(input);
+    if let Some((literal, _)) = input.cursor().literal() {
+        return number(input, literal);
     }
     if input.peek(syn::Ident) {
         return named(input, depth);
@@ -250,12 +253,10 @@ fn read_interpolated(tokens: TokenStream, depth: usize) -> Read<Expr> {
     inner.unwrap_or_else(|| Err(Message::new(place, "expected a number")))
 }
 
-fn literal(input: ParseStream) -> Read<Expr> {
-    let other = expected_message(input, "a number");
-    let Ok(literal) = input.parse::<Lit>() else {
-        return Err(other);
-    };
+/// Takes a literal if it is a number.
+fn number(input: ParseStream, literal: Literal) -> Read<Expr> {
     let place = Place::at(literal.span());
+    let literal = Lit::new(literal);
     let (kind, suffix) = match &literal {
         Lit::Int(number) => (
             ExprKind::Integer(number.base10_digits().to_owned()),
@@ -265,12 +266,13 @@ fn literal(input: ParseStream) -> Read<Expr> {
             ExprKind::Decimal(number.base10_digits().to_owned()),
             number.suffix(),
         ),
-        _ => return Err(other),
+        _ => return Err(expected_message(input, "a number")),
     };
+    take_tree(input);
     let number = Expr { kind, place };
     match suffix {
         "" => Ok(number),
-        "deg" => Ok(in_degrees(number, literal.span())),
+        "deg" => Ok(in_degrees(number, place.end)),
         unit => Err(unit::trouble(&number, unit, place)),
     }
 }

@@ -31,8 +31,8 @@ pub(super) fn items(input: ParseStream) -> Read<Vec<Item>> {
 }
 
 fn item(input: ParseStream) -> Item {
-    let otherwise = expected_message(input, "`point`, `line`, `circle` or `polygon`");
     let Some(keyword) = any_word(input) else {
+        let otherwise = expected_message(input, "`point`, `line`, `circle` or `polygon`");
         if take(input, ";").is_none() {
             take_tree(input);
             skip(input, &BEGINNINGS);

@@ -19,7 +19,7 @@ mod tokens;
 mod trace;
 mod unit;
 
-use super::ast::Text;
+use super::ast::{Statement, Text};
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 
 /// Reads the body of a `mechanism!`.
@@ -30,6 +30,17 @@ pub(super) fn read(input: TokenStream) -> Text {
             .unwrap_or_default()
     });
     text.unwrap_or_default()
+}
+
+/// Reads a statement alone, as it stands in a text that has a header; none if these tokens are anything else.
+pub(super) fn read_statement(input: TokenStream) -> Option<Statement> {
+    let text = tokens::run(input, statement::text)?;
+    // The first statement says that there is no header.
+    let mut statements = text.statements.into_iter();
+    match (statements.next()?, statements.next()?, statements.next()) {
+        (Statement::Broken(_), statement, None) => Some(statement),
+        _ => None,
+    }
 }
 
 /// The tokens in braces that stand where the last token stands: there, a message about the end of the text is of use.

@@ -54,6 +54,7 @@ pub(super) fn text(input: ParseStream) -> Text {
     let mut headed = false;
     let mut first = true;
     while !input.is_empty() {
+        let begin = input.span();
         let attributes = match attributes(input) {
             Ok(attributes) => attributes,
             Err(error) => {
@@ -79,6 +80,7 @@ pub(super) fn text(input: ParseStream) -> Text {
             if !input.is_empty() {
                 text.motors += usize::from(comes_word(input, "motor"));
                 text.has_laws |= setting::law_comes(input);
+                text.beginnings.push((text.statements.len(), begin));
                 text.statements.push(statement(input));
             }
         }
@@ -87,6 +89,7 @@ pub(super) fn text(input: ParseStream) -> Text {
     if !headed {
         text.statements
             .insert(0, broken_statement(headless(beginning)));
+        text.beginnings.clear();
     }
     text
 }
@@ -135,8 +138,8 @@ fn stray(attributes: &[Attribute], is_documented: bool) -> Option<Message> {
 
 /// Reads a statement; takes at least one token.
 pub(super) fn statement(input: ParseStream) -> Statement {
-    let otherwise = expected_message(input, "a statement");
     let Some(keyword) = any_word(input) else {
+        let otherwise = expected_message(input, "a statement");
         // One token at least, or a stray keyword after it would be waited for forever.
         if take(input, ";").is_none() {
             take_tree(input);

@@ -42,16 +42,25 @@ use self::report::Report;
 use self::scope::Scopes;
 use self::similarity::Similarity;
 use super::ast::{Statement, Text};
-use super::{Parsed, Place, Places};
+use super::{Message, Place, Places};
 use crate::model::{AxisId, Formulas, JointId, LinkId, Model, Origin};
 use proc_macro2::{Ident, Span};
 use std::collections::BTreeMap;
 
+/// What a text means, as far as it could be understood.
+pub(super) struct Lowered {
+    pub(super) model: Model,
+    /// Where everything in the model was declared.
+    pub(super) places: Places,
+    /// Everything that is wrong with the text, in the order of the text.
+    pub(super) errors: Vec<Message>,
+}
+
 /// Makes the model of a text.
-pub(super) fn lower(mut text: Text) -> Parsed {
-    path::find_uses(&mut text);
-    let mut lowering = Lowering::new(&text);
-    let statements = lowering.expand(&text);
+pub(super) fn lower(text: &mut Text) -> Lowered {
+    path::find_uses(text);
+    let mut lowering = Lowering::new(text);
+    let statements = lowering.expand(text);
     lowering.pass(&statements, Lowering::lend);
     lowering.pass(&statements, Lowering::join);
     lowering.pass(&statements, Lowering::join_joints);
@@ -68,10 +77,7 @@ pub(super) fn lower(mut text: Text) -> Parsed {
     lowering.claim_force_methods();
     lowering.claim_time_method();
     lowering.claim_trace_methods();
-    Parsed {
-        motors: text.motors,
-        has_laws: text.has_laws,
-        header: text.header.map(|(header, _)| header),
+    Lowered {
         model: lowering.model,
         places: lowering.places,
         errors: lowering.report.finish(),

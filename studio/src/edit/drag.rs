@@ -1,0 +1,152 @@
+//! A point that follows the pointer: the structure is analysed once, and then only numbers change.
+
+use super::{Change, Command, Refusal, Scene, accept, place, pose, refuse_unread};
+use crate::document::{Document, Reading};
+use crate::text::Replacement;
+use mech_compiler::model::Model;
+use mech_compiler::plan::{self, Plan};
+
+/// A drag of a point, the origin of a line, or a joint that is placed in the drawing. All that it says is about the text at its beginning.
+pub struct Drag {
+    scene: Scene,
+    path: String,
+    /// The values of motors at which it is seen, in degrees or scene units; none for the start.
+    pose: Option<Vec<(String, f64)>>,
+    renewal: Renewal,
+}
+
+/// How the poses of links become known after a move.
+enum Renewal {
+    /// The plan stays, and is assembled with other numbers.
+    Assembly(Box<Plan>),
+    /// Everything is analysed again: what moves only because its lengths match, or starts at a change point, or is seen elsewhere than at
+    /// the start. So is what has other axes after a move.
+    Analysis,
+}
+
+/// Where a drag has come.
+#[derive(Clone, Debug)]
+pub struct Dragged {
+    /// What changes in the text, in the order of the places.
+    pub edits: Vec<Replacement>,
+    /// What else there is to tell: a constant that was solved for, for example.
+    pub notes: Vec<String>,
+    /// What the text says after that.
+    pub model: Model,
+    /// For each link the cosine, sine, x and y of its pose in the scene, at the values of the motors where the drag is seen; none where the
+    /// mechanism cannot be assembled, or does not show the link.
+    pub poses: Vec<Option<[f64; 4]>>,
+}
+
+impl Drag {
+    /// Takes hold of something in the mechanism with this number in a file.
+    ///
+    /// # Errors
+    /// If it has no place of its own, or if the text cannot be read.
+    pub fn begin(
+        document: &Document,
+        index: usize,
+        path: &str,
+        pose: Option<Vec<(String, f64)>>,
+    ) -> Result<Self, Refusal> {
+        let scene = Scene::open(document, index)?;
+        if !scene.is_readable {
+            return Err(Refusal::of(
+                "the text has mistakes; mend them before anything is dragged",
+            ));
+        }
+        place::find(&scene, path)?;
+        let renewal = match &pose {
+            None => Renewal::of(scene.reading()?),
+            Some(_) => Renewal::Analysis,
+        };
+        Ok(Self {
+            scene,
+            path: path.to_owned(),
+            pose,
+            renewal,
+        })
+    }
+
+    /// Moves it to a place in the scene.
+    ///
+    /// # Errors
+    /// As [`apply`](super::apply) of [`Command::Move`], as far as the text shows it; nothing is changed then.
+    pub fn move_to(&self, to: [f64; 2]) -> Result<Dragged, Refusal> {
+        let change = place::shift(&self.scene, &self.path, to, self.pose.as_deref())?;
+        let place = change.place;
+        let known = match &self.renewal {
+            Renewal::Assembly(plan) => {
+                let model = self.scene.model_after(&change.edits)?;
+                let is_alike = |model: &Model| plan::have_same_steps(&self.scene.model, model);
+                model.filter(is_alike).map(|model| (model, plan))
+            }
+            Renewal::Analysis => None,
+        };
+        let dragged = match known {
+            Some((model, plan)) => Dragged {
+                poses: poses_of_plan(&model, plan),
+                edits: change.edits,
+                notes: change.notes,
+                model,
+            },
+            None => self.analyse(change)?,
+        };
+        if let Some(place) = place {
+            place::judge(&dragged.model, &self.path, place)?;
+        }
+        Ok(dragged)
+    }
+
+    fn analyse(&self, change: Change) -> Result<Dragged, Refusal> {
+        let applied = accept(&self.scene, String::new(), change)?;
+        refuse_unread(&applied.reading)?;
+        let motors = self.pose.as_deref();
+        pose::judge(&applied.reading, &self.path, motors)?;
+        let Reading { model, result, .. } = applied.reading;
+        let poses = match &result {
+            Ok(compiled) => pose::poses(&model, compiled, motors.unwrap_or_default())?,
+            Err(_) => vec![None; model.links.len()],
+        };
+        Ok(Dragged {
+            edits: applied.edits,
+            notes: applied.notes,
+            model,
+            poses,
+        })
+    }
+
+    /// The command that does all of it at once, with everything that has to be examined.
+    #[must_use]
+    pub fn command(&self, to: [f64; 2]) -> Command {
+        Command::Move {
+            path: self.path.clone(),
+            to,
+            pose: self.pose.clone(),
+        }
+    }
+}
+
+impl Renewal {
+    fn of(reading: &Reading) -> Self {
+        let Ok(compiled) = &reading.result else {
+            return Self::Analysis;
+        };
+        let plan = &compiled.plan;
+        // Beside a change point the plan starts elsewhere than the program.
+        let is_whole = plan::assemble(&reading.model, plan).is_ok_and(|start| start == plan.start);
+        if is_whole && compiled.structure.redundant.is_empty() {
+            Self::Assembly(Box::new(plan.clone()))
+        } else {
+            Self::Analysis
+        }
+    }
+}
+
+/// The poses of all links at the start.
+fn poses_of_plan(model: &Model, plan: &Plan) -> Vec<Option<[f64; 4]>> {
+    match plan::assemble(model, plan) {
+        Ok(start) => start.poses.into_iter().map(Some).collect(),
+        Err(_) => vec![None; model.links.len()],
+    }
+}

@@ -1,0 +1,107 @@
+//! A mechanism in its file, for commands to work on.
+
+use super::Refusal;
+use crate::document::{Declaration, Document, Listing, Reading, Source, TextTree};
+use crate::mend::Rewriter;
+use crate::text::{Replacement, written};
+use mech_compiler::model::Model;
+use std::cell::{OnceCell, RefCell};
+
+/// A mechanism in its file, for commands to work on.
+pub(super) struct Scene {
+    pub(super) document: Document,
+    pub(super) declaration: Declaration,
+    /// The number of the mechanism in the file.
+    pub(super) index: usize,
+    /// What the text says; where it is wrong, as much of it as could be understood.
+    pub(super) model: Model,
+    /// Whether the text can be read.
+    pub(super) is_readable: bool,
+    pub(super) listing: Listing,
+    /// What the compiler makes of it, once somebody asks.
+    reading: OnceCell<Reading>,
+    /// The text as a tree, once somebody asks what the text says after a change; none if it cannot be read statement by statement.
+    tree: OnceCell<Option<RefCell<TextTree>>>,
+}
+
+impl Scene {
+    /// The mechanism with this number in a file.
+    pub(super) fn open(document: &Document, index: usize) -> Result<Self, Refusal> {
+        let declaration = declaration_of(document, index)?.clone();
+        let listing = document.listing(&declaration)?.unwrap_or_default();
+        let reading = OnceCell::new();
+        let model = document.model(&declaration)?;
+        let is_readable = model.is_some();
+        let model = if let Some(model) = model {
+            model
+        } else {
+            let partial = document.analyse(&declaration)?;
+            reading.get_or_init(|| partial).model.clone()
+        };
+        Ok(Self {
+            document: document.clone(),
+            declaration,
+            index,
+            model,
+            is_readable,
+            listing,
+            reading,
+            tree: OnceCell::new(),
+        })
+    }
+
+    pub(super) fn text(&self) -> &str {
+        self.document.source().text()
+    }
+
+    /// What the compiler makes of the text before the command.
+    pub(super) fn reading(&self) -> Result<&Reading, Refusal> {
+        if let Some(reading) = self.reading.get() {
+            return Ok(reading);
+        }
+        let reading = self.document.analyse(&self.declaration)?;
+        Ok(self.reading.get_or_init(|| reading))
+    }
+
+    /// A rewriter of the text.
+    pub(super) fn rewriter(&self) -> Result<Rewriter<'_>, Refusal> {
+        let body = self.declaration.body.as_ref();
+        let body =
+            body.ok_or_else(|| Refusal::of("one of the brackets of the mechanism is not closed"))?;
+        Ok(Rewriter::new(self.text(), body, &self.model))
+    }
+
+    /// What the text says after changes in the order of their places; none if it cannot be read.
+    pub(super) fn model_after(&self, edits: &[Replacement]) -> Result<Option<Model>, Refusal> {
+        if let Some(tree) = self.tree()? {
+            let model = tree.borrow_mut().model_with(self.text(), edits)?;
+            if model.is_some() {
+                return Ok(model);
+            }
+        }
+        let document = self.document_after(edits);
+        match document.declarations().get(self.index) {
+            Some(declaration) => Ok(document.model(declaration)?),
+            None => Ok(None),
+        }
+    }
+
+    fn tree(&self) -> Result<Option<&RefCell<TextTree>>, Refusal> {
+        if self.tree.get().is_none() {
+            let tree = self.document.tree(&self.declaration)?.map(RefCell::new);
+            self.tree.get_or_init(|| tree);
+        }
+        Ok(self.tree.get().and_then(Option::as_ref))
+    }
+
+    pub(super) fn document_after(&self, edits: &[Replacement]) -> Document {
+        let source = self.document.source();
+        Document::of(Source::new(source.path(), written(self.text(), edits)))
+    }
+}
+
+/// The mechanism with this number in a file.
+pub(super) fn declaration_of(document: &Document, index: usize) -> Result<&Declaration, Refusal> {
+    let declaration = document.declarations().get(index);
+    declaration.ok_or_else(|| Refusal::of("there is no mechanism yet; begin with `mechanism NAME`"))
+}
