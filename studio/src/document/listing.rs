@@ -57,6 +57,10 @@ impl NumberText {
             None => self.owner.clone(),
         }
     }
+
+    fn is_of(&self, part: Option<&str>, owner: &str) -> bool {
+        self.part.as_deref() == part && self.owner == owner
+    }
 }
 
 /// Lists the names and numbers of a mechanism.
@@ -95,18 +99,20 @@ impl Listing {
     /// The number of this owner and role. What is declared in a part is called by the part's name first: `Leg.foot.tip`.
     #[must_use]
     pub fn number(&self, owner: &str, role: &str) -> Option<&NumberText> {
-        self.numbers_of(owner).find(|one| one.role == role)
+        let (part, owner) = self.within_part(owner);
+        let mut numbers = self.numbers.iter();
+        numbers.find(|one| one.is_of(part, owner) && one.role == role)
     }
 
     /// All numbers of this owner.
     pub fn numbers_of<'a>(&'a self, owner: &'a str) -> impl Iterator<Item = &'a NumberText> {
         let (part, owner) = self.within_part(owner);
-        let is_it = move |one: &&NumberText| one.part.as_deref() == part && one.owner == owner;
-        self.numbers.iter().filter(is_it)
+        let numbers = self.numbers.iter();
+        numbers.filter(move |one| one.is_of(part, owner))
     }
 
     /// The part that a path names first, and the words after it.
-    fn within_part<'a>(&'a self, path: &'a str) -> (Option<&'a str>, &'a str) {
+    fn within_part<'a>(&self, path: &'a str) -> (Option<&'a str>, &'a str) {
         match path.split_once('.') {
             Some((first, inner)) if self.is_part(first) => (Some(first), inner),
             _ => (None, path),

@@ -195,7 +195,8 @@ fn tables_go_to_files_whole() {
 
 #[test]
 fn a_load_is_carried_by_the_motor() {
-    let text = CRANK.to_owned() + "load push = force(crank.pin);\nload brake = torque(crank);\neffects { force; }\n";
+    let text = CRANK.to_owned()
+        + "load push = force(crank.pin);\nload brake = torque(crank);\neffects { force; }\n";
     let folder = Folder::new().with("a.mech", text);
     let motion = "--from 30 --to 60 --steps 1 --rate 0";
     let words =
