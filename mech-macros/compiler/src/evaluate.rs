@@ -48,7 +48,7 @@ pub struct LinkRates<T> {
 /// A mechanism that is moved by interpretation, in any precision, whatever the program was compiled for.
 #[derive(Clone, Debug)]
 pub struct Machine<'p, T> {
-    runner: Runner<'p>,
+    runner: Runner<'p, T>,
     position: Position<T>,
 }
 

@@ -8,7 +8,7 @@ use mech_core::{Real, motors};
 
 /// A move under way.
 pub(super) struct Move<'a, 'p, T> {
-    runner: &'a Runner<'p>,
+    runner: &'a Runner<'p, T>,
     start: &'a Position<T>,
     values: &'a [T],
     turns: &'a [i32],
@@ -18,7 +18,7 @@ pub(super) struct Move<'a, 'p, T> {
 
 impl<'a, 'p, T: Real> Move<'a, 'p, T> {
     pub(super) fn new(
-        runner: &'a Runner<'p>,
+        runner: &'a Runner<'p, T>,
         start: &'a Position<T>,
         values: &'a [T],
         turns: &'a [i32],

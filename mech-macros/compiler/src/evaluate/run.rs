@@ -21,32 +21,48 @@ pub(super) struct MotionInputs<'g, T> {
 
 /// A program that is ready to be run, in any precision, whatever it was compiled for.
 #[derive(Clone, Debug)]
-pub(super) struct Runner<'p> {
+pub(super) struct Runner<'p, T> {
     pub(super) program: &'p Program,
-    live: Vec<Value>,
+    /// For each node its value if that is a constant, else zero.
+    constants: Vec<T>,
+    /// What is computed once, constants apart, in order.
+    steps: Vec<Step>,
     /// What each block computes anew in every round of its iteration.
-    rounds: Vec<Vec<Value>>,
+    rounds: Vec<Vec<Step>>,
 }
 
-impl<'p> Runner<'p> {
+/// An operation, and the value that it makes. They stand side by side, as programs are run many thousand times.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    value: Value,
+    op: Op,
+}
+
+impl<'p, T: Real> Runner<'p, T> {
     pub(super) fn new(program: &'p Program) -> Self {
-        let live: Vec<Value> = program.live_values().collect();
+        let mut constants = vec![T::ZERO; program.ssa.nodes.len()];
+        let mut steps = Vec::new();
         let mut rounds = vec![Vec::new(); program.ssa.blocks.len()];
-        for &value in &live {
+        for value in program.live_values() {
             let node = program.node(value);
-            if node.iterated && !matches!(node.op, Op::Unknown(..)) {
-                rounds[node.block.index()].push(value);
+            let step = Step { value, op: node.op };
+            match node.op {
+                Op::Constant(number) => constants[value.index()] = T::from_f64(number.get()),
+                Op::Unknown(..) if node.iterated => {}
+                _ if node.iterated => rounds[node.block.index()].push(step),
+                _ => steps.push(step),
             }
         }
         Self {
             program,
-            live,
+            constants,
+            steps,
             rounds,
         }
     }
 
     /// Runs the program once.
-    pub(super) fn step<T: Real>(
+    pub(super) fn step(
         &self,
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
@@ -62,7 +78,7 @@ impl<'p> Runner<'p> {
     }
 
     /// The rates of everything at a position.
-    pub(super) fn motion<T: Real>(
+    pub(super) fn motion(
         &self,
         at: &Position<T>,
         given: MotionInputs<'_, T>,
@@ -92,7 +108,7 @@ impl<'p> Runner<'p> {
     }
 
     /// The forces at a position.
-    pub(super) fn forces<T: Real>(
+    pub(super) fn forces(
         &self,
         at: &Position<T>,
         given: MotionInputs<'_, T>,
@@ -108,7 +124,7 @@ impl<'p> Runner<'p> {
     }
 
     /// The motion that the program computes from a position, and all its values there.
-    fn determined_motion<T: Real>(
+    fn determined_motion(
         &self,
         at: &Position<T>,
         given: MotionInputs<'_, T>,
@@ -121,7 +137,7 @@ impl<'p> Runner<'p> {
     }
 
     /// All values of the program where it is, if rates are determined there.
-    pub(super) fn determined_values<T: Real>(
+    pub(super) fn determined_values(
         &self,
         at: &Position<T>,
         given: MotionInputs<'_, T>,
@@ -153,7 +169,7 @@ impl<'p> Runner<'p> {
     }
 
     /// All values of the program.
-    fn values<T: Real>(
+    fn values(
         &self,
         last: &Position<T>,
         (motors, turns): (&[T], &[i32]),
@@ -169,7 +185,7 @@ impl<'p> Runner<'p> {
         };
         let inputs = motors.iter().zip(turns).enumerate().map(reduced);
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
-        let mut values = vec![T::from_f64(0.0); self.program.ssa.nodes.len()];
+        let mut values = self.constants.clone();
         let mut solved = vec![false; self.program.ssa.blocks.len()];
         let closes = |(block, closed): (BlockId, &ClosedForm), values: &[T]| {
             if values[closed.margin.index()] >= T::from_f64(0.0) {
@@ -178,12 +194,8 @@ impl<'p> Runner<'p> {
                 Err(Stop::Open(block))
             }
         };
-        for &value in &self.live {
-            let node = self.program.node(value);
-            if node.iterated {
-                continue;
-            }
-            if let Op::Solved(block, _) = node.op
+        for &Step { value, op } in &self.steps {
+            if let Op::Solved(block, _) = op
                 && !std::mem::replace(&mut solved[block.index()], true)
                 && let BlockKind::Newton(newton) = &self.program.ssa.blocks[block.index()].kind
             {
@@ -192,7 +204,7 @@ impl<'p> Runner<'p> {
                 }
                 self.iterate(block, newton, &mut values)?;
             }
-            values[value.index()] = match node.op {
+            values[value.index()] = match op {
                 Op::Input(input) => motors[input.index()],
                 Op::Turns(motor) => T::from_i32(turns[motor.index()]),
                 Op::PartOfTurns(motor, numerator, denominator) => {
@@ -217,11 +229,7 @@ impl<'p> Runner<'p> {
         Ok(values)
     }
 
-    fn position<T: Real>(
-        &self,
-        values: &[T],
-        (motors, turns): (&[T], &[i32]),
-    ) -> Result<Position<T>, Stop> {
+    fn position(&self, values: &[T], (motors, turns): (&[T], &[i32])) -> Result<Position<T>, Stop> {
         let get = |value: &Value| values[value.index()];
         let poses: Vec<[T; 4]> = self
             .program
@@ -243,7 +251,7 @@ impl<'p> Runner<'p> {
     }
 
     /// An unknown of a linear system, or after these its determinant.
-    fn linear<T: Real>(&self, system: usize, index: usize, values: &[T]) -> T {
+    fn linear(&self, system: usize, index: usize, values: &[T]) -> T {
         let Some(motion) = &self.program.motion else {
             bug!("a linear system is read in a program without motion");
         };
@@ -252,19 +260,14 @@ impl<'p> Runner<'p> {
     }
 
     /// The present value of an unknown: it stands in the place of the node that reads it inside the iteration.
-    fn scalar<T: Real>(&self, block: BlockId, index: usize, values: &[T]) -> T {
+    fn scalar(&self, block: BlockId, index: usize, values: &[T]) -> T {
         let Some(newton) = self.program.newton(block) else {
             bug!("block {} iterates no loop", block.index());
         };
         values[newton.scalars[index].now.index()]
     }
 
-    fn iterate<T: Real>(
-        &self,
-        block: BlockId,
-        newton: &Newton,
-        values: &mut [T],
-    ) -> Result<(), Stop> {
+    fn iterate(&self, block: BlockId, newton: &Newton, values: &mut [T]) -> Result<(), Stop> {
         for scalar in &newton.scalars {
             values[scalar.now.index()] = values[scalar.first.index()];
         }
@@ -281,8 +284,7 @@ impl<'p> Runner<'p> {
         let mut before = before_first();
         loop {
             let mut dense = None;
-            for &value in &self.rounds[block.index()] {
-                let op = self.program.node(value).op;
+            for &Step { value, op } in &self.rounds[block.index()] {
                 if let Op::Dense(_, index) = op {
                     let solve = || solve_system(&newton.columns, &newton.gap, values);
                     values[value.index()] = dense.get_or_insert_with(solve)[index];

@@ -6,6 +6,12 @@ use mech_core::Real;
 
 impl Op {
     /// The result of the operation, if it is arithmetic on values; the others come from outside.
+    // Programs are run many thousand times while they are compiled, and a compiler itself is often built without optimisation.
+    #[expect(
+        clippy::inline_always,
+        reason = "without optimisation a call costs more than the operation"
+    )]
+    #[inline(always)]
     pub fn apply<T: Real>(self, get: impl Fn(Value) -> T) -> Option<T> {
         Some(match self {
             Self::Constant(number) => T::from_f64(number.get()),
