@@ -3,7 +3,7 @@
 use super::assignment::Assignment;
 use crate::check::render;
 use crate::console::Console;
-use crate::document::{Document, Reading};
+use crate::document::Document;
 use crate::failure::{Failure, FailureKind};
 use clap::Args;
 use mech_compiler::Compiled;
@@ -37,13 +37,6 @@ impl Target {
             Some(document) => Ok(document.clone()),
             None => Document::read(&self.file),
         }
-    }
-
-    /// The mechanism, right or wrong, with its file.
-    pub(super) fn reading(&self) -> Result<(Document, Reading), Failure> {
-        let document = self.document()?;
-        let reading = document.analyse(document.choose(self.mechanism.as_deref())?)?;
-        Ok((document, reading))
     }
 
     /// The mechanism, which has to be coherent. What is wrong with it is told.
