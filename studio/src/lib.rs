@@ -18,6 +18,7 @@ mod mend;
 mod motion;
 mod output;
 mod painting;
+pub mod play;
 mod quantity;
 mod text;
 

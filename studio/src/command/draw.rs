@@ -87,7 +87,7 @@ impl Draw {
         for number in 0..=PLACES {
             let part = f64::from(number) / f64::from(PLACES);
             if drive.move_to(model, compiled, &mut machine, part).is_ok() {
-                paths.record(&machine);
+                paths.record(&machine.position().poses);
             }
         }
         Ok(paths)

@@ -188,7 +188,7 @@ impl Shoot<'_> {
             for number in 0..frames {
                 let part = self.part(f64::from(number) / f64::from(frames));
                 self.drive.move_to(model, compiled, &mut machine, part)?;
-                paths.record(&machine);
+                paths.record(&machine.position().poses);
                 if round == rounds {
                     show(&machine.position().poses, &paths)?;
                     progress.inc(1);

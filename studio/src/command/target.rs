@@ -2,7 +2,7 @@
 
 use crate::check::render;
 use crate::console::Console;
-use crate::document::{Document, Reading};
+use crate::document::{Declaration, Document};
 use crate::failure::{Failure, FailureKind};
 use clap::Args;
 use mech_compiler::Compiled;
@@ -38,26 +38,30 @@ impl Target {
         }
     }
 
-    /// The mechanism, right or wrong, with its file.
-    pub(super) fn reading(&self) -> Result<(Document, Reading), Failure> {
-        let document = self.document()?;
-        let reading = document.analyse(document.choose(self.mechanism.as_deref())?)?;
-        Ok((document, reading))
-    }
-
     /// The mechanism, which has to be coherent. What is wrong with it is told.
     pub(super) fn coherent(&self, console: &mut Console) -> Result<(Model, Compiled), Failure> {
-        let (document, reading) = self.reading()?;
-        match reading.result {
-            Ok(compiled) => Ok((reading.model, *compiled)),
-            Err(faults) => {
-                console.complain(&render(
-                    document.source(),
-                    &faults.messages,
-                    console.has_colors(),
-                ));
-                Err(Failure::reported(FailureKind::Mechanism))
-            }
+        let document = self.document()?;
+        let declaration = document.choose(self.mechanism.as_deref())?;
+        coherent(&document, declaration, console)
+    }
+}
+
+/// A mechanism of a file, which has to be coherent. What is wrong with it is told.
+pub(super) fn coherent(
+    document: &Document,
+    declaration: &Declaration,
+    console: &mut Console,
+) -> Result<(Model, Compiled), Failure> {
+    let reading = document.analyse(declaration)?;
+    match reading.result {
+        Ok(compiled) => Ok((reading.model, *compiled)),
+        Err(faults) => {
+            console.complain(&render(
+                document.source(),
+                &faults.messages,
+                console.has_colors(),
+            ));
+            Err(Failure::reported(FailureKind::Mechanism))
         }
     }
 }
