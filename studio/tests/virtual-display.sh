@@ -51,8 +51,8 @@ unset WAYLAND_DISPLAY WAYLAND_SOCKET
 export WINIT_X11_SCALE_FACTOR=1
 
 "${CARGO_TARGET_DIR:-target}/release/mech" play examples/gallery/src/mechanisms/crane.rs &
-play=$!
-processes+=("$play")
+player=$!
+processes+=("$player")
 window=$(timeout 20 xdotool search --sync --onlyvisible --name 'LuffingCrane' | head -n 1) || fail "no window comes up"
 xdotool windowfocus "$window"
 
@@ -101,7 +101,7 @@ shot stepped
 # From the start the middle of the jib is at this pixel: it is pulled to the left and up.
 press r
 shot reset
-xdotool mousemove --window "$window" 410 397 mousedown 1 mousemove --window "$window" 380 370 mousemove --window "$window" 350 360
+xdotool mousemove --window "$window" 400 378 mousedown 1 mousemove --window "$window" 370 351 mousemove --window "$window" 340 341
 sleep 0.3
 shot dragged
 xdotool mouseup 1
@@ -136,5 +136,5 @@ beyond=$(convert "$shots/small.png" -format '%[pixel:p{2,420}]' info:)
 [[ $corner != "$beyond" ]] || fail "the window is not painted when it is made smaller: $corner"
 
 press q
-wait "$play" || fail "it does not end well"
+wait "$player" || fail "it does not end well"
 echo "virtual display: moves, pauses, steps, follows the mouse, stops at both limits (screenshots in $shots)"

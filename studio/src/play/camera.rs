@@ -4,6 +4,8 @@ use mech_runtime::View;
 
 /// Paper left free around a whole motion, as a part of the shorter side.
 const MARGIN: f64 = 0.07;
+/// The shorter side of a picture of usual size.
+const USUAL: f64 = 560.0;
 /// The greatest magnification and reduction, relative to the whole motion.
 const MOST: f64 = 1e4;
 
@@ -120,6 +122,15 @@ impl Camera {
     #[must_use]
     pub const fn size(&self) -> [usize; 2] {
         self.size
+    }
+
+    /// The size of symbols relative to that in a picture of usual size.
+    #[must_use]
+    pub fn symbol_size(&self) -> f32 {
+        let [width, height] = self.extent();
+        #[expect(clippy::cast_possible_truncation, reason = "between 0.2 and 2")]
+        let size = (1.3 * width.min(height) / USUAL).clamp(0.2, 2.0) as f32;
+        size
     }
 
     /// The width and height of the picture as floats.

@@ -2,8 +2,9 @@
 //!
 //! The motors bring a place on a link as near to the pointer as they can. Each round moves every motor a little to either side, which gives
 //! the influence coefficients of the place. The damped least squares of Levenberg and Marquardt give a step towards the pointer. The round
-//! takes all of the step, or half, or a quarter, until the place is nearer. Each step is a move of the motors, so no link leaps into
-//! another assembly. A place that cannot reach the pointer moves to the nearest place that it reaches.
+//! takes all of the step, or half, or a quarter, until the place is nearer. If it never is, the round takes the steepest way. Each step is
+//! a move of the motors, so no link leaps into another assembly. A place that cannot reach the pointer moves to the nearest place that it
+//! reaches.
 
 use super::{Mechanism, Obstacle};
 use mech_runtime::overlay::Spot;
@@ -11,7 +12,7 @@ use mech_runtime::overlay::Spot;
 /// The most steps for one movement of the pointer.
 const ROUNDS: usize = 40;
 /// The most halvings of a step.
-const HALVINGS: usize = 12;
+const HALVINGS: i32 = 12;
 /// The longest step, as a part of a motor's reach.
 const LONGEST: f64 = 1.0 / 24.0;
 /// The step to either side that finds an influence, as a part of a motor's reach.
@@ -76,34 +77,19 @@ impl Grip {
         offset: [f64; 2],
     ) -> Option<Vec<f64>> {
         let motors = mechanism.motors();
-        let step = self.step(mechanism, free, offset)?;
-        let shares = (0..HALVINGS).map(|halving| 0.5_f64.powi(i32::try_from(halving).unwrap_or(0)));
-        let mut tries = shares.map(|share| displace(motors, free, &step, share));
-        tries.find(|motors| {
-            let place = mechanism.place_toward(self.spot, motors);
-            place.is_some_and(|place| length(difference(aim, place)) < length(offset))
-        })
-    }
-
-    /// The step of each motor, in parts of its reach, for this displacement of the place. A motor at its limit does not go on.
-    fn step(self, mechanism: &Mechanism, free: &[Free], offset: [f64; 2]) -> Option<Vec<f64>> {
         let influences = (0..free.len()).map(|index| self.influence(mechanism, free, index));
         let influences: Vec<Influence> = influences.collect::<Option<_>>()?;
-        let mut stands = vec![false; free.len()];
-        loop {
-            let moved = influences.iter().zip(&stands);
-            let moved: Vec<[f64; 2]> = moved
-                .map(|(influence, stands)| if *stands { [0.0; 2] } else { influence.of() })
-                .collect();
-            let step = least_squares(&moved, offset)?;
-            let mut parts = step.iter().zip(&influences).zip(&mut stands);
-            let Some((_, stands)) =
-                parts.find(|((part, influence), stands)| !**stands && influence.is_stuck(**part))
-            else {
-                return Some(step);
-            };
-            *stands = true;
-        }
+        // Where a motor is at its limit, the least squares of the others may lead nowhere, but the steepest way does.
+        let rules = [least_squares, steepest];
+        rules.iter().find_map(|rule| {
+            let step = step(&influences, offset, *rule)?;
+            let shares = (0..HALVINGS).map(|halving| 0.5_f64.powi(halving));
+            let mut tries = shares.map(|share| displace(motors, free, &step, share));
+            tries.find(|motors| {
+                let place = mechanism.place_toward(self.spot, motors);
+                place.is_some_and(|place| length(difference(aim, place)) < length(offset))
+            })
+        })
     }
 
     /// How the place moves with a motor, in parts of its reach.
@@ -121,6 +107,15 @@ impl Grip {
             forth: moved(PROBE)?,
         })
     }
+}
+
+/// The thing that the pointer holds.
+#[derive(Clone, Copy)]
+pub(super) enum Held {
+    /// A link.
+    Link { grip: Grip, aim: [f64; 2] },
+    /// The paper, at the last pixel of the pointer.
+    Paper([f64; 2]),
 }
 
 /// The displacement of a place for a unit of a motor's, as it is backwards and forwards.
@@ -152,6 +147,44 @@ impl Influence {
     }
 }
 
+/// A rule for the step of each motor towards a displacement, in parts of its reach, from the influences of all; none if there is no use
+/// in any.
+type Rule = fn(&[[f64; 2]], [f64; 2]) -> Option<Vec<f64>>;
+
+/// The step of each motor by a rule. A motor at its limit does not go on.
+fn step(influences: &[Influence], offset: [f64; 2], rule: Rule) -> Option<Vec<f64>> {
+    let mut stands = vec![false; influences.len()];
+    loop {
+        let moved = influences.iter().zip(&stands);
+        let moved: Vec<[f64; 2]> = moved
+            .map(|(influence, stands)| if *stands { [0.0; 2] } else { influence.of() })
+            .collect();
+        let step = rule(&moved, offset)?;
+        let mut parts = step.iter().zip(influences).zip(&mut stands);
+        let Some((_, stands)) =
+            parts.find(|((part, influence), stands)| !**stands && influence.is_stuck(**part))
+        else {
+            return Some(step);
+        };
+        *stands = true;
+    }
+}
+
+/// The step by which the distance becomes smaller most steeply, as far as it is straight.
+fn steepest(influences: &[[f64; 2]], offset: [f64; 2]) -> Option<Vec<f64>> {
+    let slopes: Vec<f64> = influences
+        .iter()
+        .map(|j| j[0] * offset[0] + j[1] * offset[1])
+        .collect();
+    let moved = influences.iter().zip(&slopes);
+    let [x, y] = moved.fold([0.0; 2], |[x, y], (j, slope)| {
+        [x + j[0] * slope, y + j[1] * slope]
+    });
+    let part = (x * offset[0] + y * offset[1]) / (x * x + y * y);
+    let step: Vec<f64> = slopes.iter().map(|slope| slope * part).collect();
+    usable(&step)
+}
+
 /// The step that comes nearest to a displacement, damped where motors do nearly the same; none if there is no use in any.
 fn least_squares(influences: &[[f64; 2]], offset: [f64; 2]) -> Option<Vec<f64>> {
     // (J Jᵀ + damping) f = displacement; then the step is Jᵀ f.
@@ -172,6 +205,11 @@ fn least_squares(influences: &[[f64; 2]], offset: [f64; 2]) -> Option<Vec<f64>> 
         .iter()
         .map(|j| j[0] * force[0] + j[1] * force[1])
         .collect();
+    usable(&step)
+}
+
+/// A step that is not longer than the longest; none if it is no step.
+fn usable(step: &[f64]) -> Option<Vec<f64>> {
     let longest = step
         .iter()
         .fold(0.0_f64, |most, share| most.max(share.abs()));

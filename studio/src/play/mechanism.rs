@@ -2,14 +2,14 @@
 
 use super::distance::{distance_to_shape, nearest};
 use super::landmarks::Landmarks;
-use super::motion::{Moment, Motion};
+use super::motion::Motion;
 use super::{Layer, Layers, Obstacle, Rates, Style};
 use crate::failure::Failure;
 use crate::motion::{Paths, joints_in_the_way, motor_name, obstacle, range_of, turns};
 use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::{Machine, Stop};
 use mech_compiler::model::{JointId, Look, Model, MotorId};
-use mech_compiler::program::{Position, Program};
+use mech_compiler::program::Position;
 use mech_compiler::{Compiled, compile, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
 use mech_runtime::{Acceleration, Canvas, Overlay, Palette, Pose, Velocity};
@@ -19,8 +19,8 @@ use std::cell::OnceCell;
 pub struct Mechanism {
     model: Model,
     compiled: Compiled,
-    /// What computes the rates of all links, once they are asked for; none if that is not possible.
-    rates: OnceCell<Option<Program>>,
+    /// The same with the rates of all links and of laws, once they are asked for; none if that is not possible.
+    with_rates: OnceCell<Option<Compiled>>,
     painting: Painting,
     landmarks: Landmarks,
     /// The points whose velocities are drawn.
@@ -46,7 +46,7 @@ impl Mechanism {
             Some(Spot { link, at: point.at })
         });
         Ok(Self {
-            rates: OnceCell::new(),
+            with_rates: OnceCell::new(),
             points: points.collect(),
             landmarks: Landmarks::new(&model, &compiled),
             motion: Motion::new(&model, &compiled, size)?,
@@ -95,17 +95,14 @@ impl Mechanism {
     /// The values of the motors at a phase of its own motion.
     #[must_use]
     pub fn motion(&self, phase: f64) -> Vec<f64> {
-        self.moment(phase).values
+        self.motion.at(&self.model, &self.compiled, phase).values
     }
 
     /// The rates of the motors at a phase of its own motion.
     #[must_use]
     pub fn rates(&self, phase: f64) -> Rates {
-        self.moment(phase).rates
-    }
-
-    fn moment(&self, phase: f64) -> Moment {
-        self.motion.at(&self.model, &self.compiled, phase)
+        let compiled = self.with_rates().unwrap_or(&self.compiled);
+        self.motion.at(&self.model, compiled, phase).rates
     }
 
     /// The present values of the motors.
@@ -280,20 +277,19 @@ impl Mechanism {
         match layer {
             Layer::Shapes => !self.painting.is_empty(),
             Layer::Joints | Layer::Links | Layer::Axes | Layer::Motors => true,
-            Layer::Velocities | Layer::Accelerations => self.program_of_rates().is_some(),
+            Layer::Velocities | Layer::Accelerations => self.with_rates().is_some(),
         }
     }
 
-    /// What computes the rates of all links. Where they are not declared, the mechanism is compiled once more, with them.
-    fn program_of_rates(&self) -> Option<&Program> {
-        let found = self.rates.get_or_init(|| {
+    /// The mechanism with the rates of all links. Where they are not declared, it is compiled once more, with them.
+    fn with_rates(&self) -> Option<&Compiled> {
+        let found = self.with_rates.get_or_init(|| {
             let mut model = self.model.clone();
             model.effects.velocity = true;
             model.effects.acceleration = true;
             // Positions have to mean the same in both.
             let compiled = compile(&model).ok();
-            let compiled = compiled.filter(|other| other.program == self.compiled.program);
-            compiled.and_then(|compiled| compiled.moving)
+            compiled.filter(|other| other.program == self.compiled.program)
         });
         found.as_ref()
     }
@@ -325,7 +321,8 @@ impl Mechanism {
         rates: &Rates,
         poses: &[Pose<f64>],
     ) {
-        let Some(program) = self.program_of_rates() else {
+        let program = self.with_rates().and_then(|found| found.moving.as_ref());
+        let Some(program) = program else {
             return;
         };
         let given = |rates: &[f64]| {

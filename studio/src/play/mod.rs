@@ -33,6 +33,7 @@ pub use camera::Camera;
 pub use control::Control;
 pub use driven::Driven;
 pub use driver::Driver;
+use grip::Held;
 pub use grip::{Free, Grip};
 pub use keys::Key;
 pub use layers::{Layer, Layers};

@@ -2,8 +2,8 @@
 
 use super::bounds::Bounds;
 use super::{
-    Camera, Control, Driven, Driver, Grip, Layers, Limit, Mechanism, Obstacle, Pace, Rates, Style,
-    marks,
+    Camera, Control, Driven, Driver, Grip, Held, Layer, Layers, Limit, Mechanism, Obstacle, Pace,
+    Rates, Style, marks,
 };
 use mech_runtime::Canvas;
 use mech_runtime::overlay::Spot;
@@ -16,8 +16,6 @@ const STEPS: f64 = 120.0;
 const LONGEST: f64 = 0.1;
 /// The greatest distance from a link at which a press holds it, in pixels of a picture of usual size.
 const NEAR: f64 = 14.0;
-/// The shorter side of a picture of usual size.
-const USUAL: f64 = 560.0;
 /// The length of arrows, relative to the crank: for a point that turns round its crank once in 1 of the phase.
 const ARROW: f64 = 0.5;
 
@@ -27,8 +25,8 @@ pub struct Player {
     /// Those that wait, from the next to the previous.
     others: VecDeque<Mechanism>,
     driver: Driver,
-    /// The rates of the motors in the last step; zeros at a limit.
-    rates: Rates,
+    /// Whether the last move was a step that arrived, and in which direction it went: then the motors have rates.
+    direction: Option<f64>,
     pace: Pace,
     plays: bool,
     limit: Option<Limit>,
@@ -39,22 +37,13 @@ pub struct Player {
     notice: Option<String>,
 }
 
-/// The thing that the pointer holds.
-#[derive(Clone, Copy)]
-enum Held {
-    /// A link.
-    Link { grip: Grip, aim: [f64; 2] },
-    /// The paper, at the last pixel of the pointer.
-    Paper([f64; 2]),
-}
-
 impl Player {
     /// A player that shows the first of these mechanisms in a picture of this size.
     #[must_use]
     pub fn new(first: Mechanism, others: Vec<Mechanism>, size: [usize; 2]) -> Self {
         Self {
             driver: Driver::new(&first),
-            rates: Rates::default(),
+            direction: None,
             layers: first.layers(),
             camera: Camera::new(first.bounds(), size),
             mechanism: first,
@@ -123,8 +112,8 @@ impl Player {
 
     /// Draws what is seen.
     pub(super) fn draw(&self, canvas: &mut impl Canvas<f64>) {
-        let size = self.symbol_size();
-        self.mechanism.draw(canvas, &self.style(), &self.rates);
+        let size = self.camera.symbol_size();
+        self.mechanism.draw(canvas, &self.style(), &self.rates());
         if let Some(limit) = &self.limit {
             for (place, is_motor) in limit.places(&self.mechanism) {
                 marks::ring(canvas, place, size);
@@ -274,7 +263,7 @@ impl Player {
     fn reset(&mut self) {
         self.mechanism.reset();
         self.driver.reset();
-        self.rates = Rates::default();
+        self.direction = None;
         self.pace = Pace::default();
         self.limit = None;
         self.held = None;
@@ -299,12 +288,10 @@ impl Player {
         let target = self.driver.target(&self.mechanism, share);
         let obstacle = self.mechanism.move_toward(&target);
         let has_arrived = obstacle.is_none();
-        self.rates = if has_arrived {
+        if has_arrived {
             self.driver.note_progress(share);
-            self.driver.rates(&self.mechanism, share.signum())
-        } else {
-            Rates::default()
-        };
+        }
+        self.direction = has_arrived.then(|| share.signum());
         self.settle(obstacle, &from, &target);
         has_arrived
     }
@@ -327,7 +314,8 @@ impl Player {
     /// Takes hold of the link or the paper at a pixel.
     fn press(&mut self, pixel: [f64; 2]) {
         let aim = self.camera.place(pixel);
-        let near = (NEAR * f64::from(self.symbol_size()).max(0.5)) / self.camera.view().scale();
+        let near =
+            (NEAR * f64::from(self.camera.symbol_size()).max(0.5)) / self.camera.view().scale();
         self.held = Some(match self.mechanism.spot_at(aim, near) {
             Some(spot) => Held::Link {
                 grip: Grip { spot },
@@ -358,7 +346,7 @@ impl Player {
         let free = self.driver.free();
         let from = self.mechanism.motors().to_vec();
         let obstacle = grip.follow(&mut self.mechanism, &free, aim);
-        self.rates = Rates::default();
+        self.direction = None;
         // The limit names all motors that could have moved.
         let target = vec![f64::NAN; from.len()];
         self.settle(obstacle, &from, &target);
@@ -375,9 +363,21 @@ impl Player {
             return;
         }
         let mut bounds = Bounds::default();
-        self.mechanism.draw(&mut bounds, &self.style(), &self.rates);
+        self.mechanism
+            .draw(&mut bounds, &self.style(), &self.rates());
         if let Some(corners) = bounds.corners() {
             self.camera.include(corners);
+        }
+    }
+
+    /// The rates of the motors, if they are seen.
+    fn rates(&self) -> Rates {
+        let is_seen = |layer| self.layers.has(layer);
+        match self.direction {
+            Some(direction) if is_seen(Layer::Velocities) || is_seen(Layer::Accelerations) => {
+                self.driver.rates(&self.mechanism, direction)
+            }
+            _ => Rates::default(),
         }
     }
 
@@ -387,17 +387,9 @@ impl Player {
         let rate = TAU / self.driver.seconds();
         Style {
             layers: self.layers,
-            size: self.symbol_size(),
+            size: self.camera.symbol_size(),
             velocity: ARROW / rate,
             acceleration: ARROW / (rate * rate),
         }
-    }
-
-    /// The size of symbols relative to the usual one.
-    fn symbol_size(&self) -> f32 {
-        let [width, height] = self.camera.extent();
-        #[expect(clippy::cast_possible_truncation, reason = "between 0.2 and 2")]
-        let size = (1.3 * width.min(height) / USUAL).clamp(0.2, 2.0) as f32;
-        size
     }
 }

@@ -243,7 +243,7 @@ fn mechanisms_follow_each_other() {
         player.advance(0.1);
         player.obey(Control::NextMechanism);
     }
-    for title in ["LuffingCrane", "GearedPiston", "Watt"] {
+    for title in ["GearedPiston", "Watt", "LuffingCrane"] {
         player.obey(Control::PreviousMechanism);
         assert_eq!(player.title(), title);
     }
