@@ -1,5 +1,6 @@
 //! What playing costs in time: `cargo run --release -p mech-studio --example play_times`.
 
+use mech_runtime::overlay::Spot;
 use mech_studio::play::{Control, Layer, Mechanism, Painter, Player, SIZE};
 use mech_studio::{Document, Source};
 use std::fmt::Write;
@@ -36,14 +37,17 @@ fn mechanism(document: &Document) -> Mechanism {
     Mechanism::new(reading.model, *compiled).expect("it can be played")
 }
 
-/// The mean time of some calls, in milliseconds.
+/// The middle of the times of some calls, in milliseconds.
 fn milliseconds(mut what: impl FnMut()) -> f64 {
-    const CALLS: u32 = 60;
-    let start = Instant::now();
-    for _ in 0..CALLS {
-        what();
-    }
-    start.elapsed().as_secs_f64() * 1e3 / f64::from(CALLS)
+    let mut all: Vec<f64> = (0..61)
+        .map(|_| {
+            let start = Instant::now();
+            what();
+            start.elapsed().as_secs_f64() * 1e3
+        })
+        .collect();
+    all.sort_by(f64::total_cmp);
+    all[all.len() / 2]
 }
 
 fn measure(name: &str, document: &Document) {
@@ -55,6 +59,7 @@ fn measure(name: &str, document: &Document) {
     let picture = milliseconds(|| {
         black_box(painter.paint(&player).expect("there is memory"));
     });
+    let drag = drag(&mut player);
     for layer in Layer::ALL {
         if layer != Layer::Shapes {
             player.obey(Control::Toggle(layer));
@@ -64,9 +69,25 @@ fn measure(name: &str, document: &Document) {
         black_box(painter.paint(&player).expect("there is memory"));
     });
     println!(
-        "{name}: begins in {begin:.0} ms, steps in {step:.2} ms, is painted in {picture:.2} ms, with all layers in {all:.2} ms: {:.0} frames a second",
+        "{name}: begins in {begin:.0} ms, steps in {step:.2} ms, follows the pointer in {drag:.1} ms, is painted in {picture:.2} ms, with all layers in {all:.2} ms: {:.0} frames a second",
         1e3 / (step + picture)
     );
+}
+
+/// How long it takes to follow the pointer with the last link, which goes round a place that it reaches.
+fn drag(player: &mut Player) -> f64 {
+    let spots = (1..).map(|link| Spot { link, at: [0.0; 2] });
+    let pixels = spots.map_while(|spot| player.pixel(spot));
+    let [x, y] = pixels.last().expect("a link moves");
+    player.obey(Control::Press([x, y]));
+    let mut angle = 0.0_f64;
+    let time = milliseconds(|| {
+        angle += 0.1;
+        let [u, v] = [15.0 * (angle.cos() - 1.0), 15.0 * angle.sin()];
+        player.obey(Control::Point([x + u, y + v]));
+    });
+    player.obey(Control::Release);
+    time
 }
 
 fn main() {

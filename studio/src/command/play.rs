@@ -142,11 +142,12 @@ const INSTEAD: &str =
 /// Plays in a window. Where there is no display, the terminal is offered, if this is one.
 #[cfg(feature = "window")]
 fn in_window(stage: Stage) -> Result<(), Failure> {
-    use crate::play::window::Display;
+    use crate::play::window::{Display, Error};
     match Display::open() {
-        Ok(display) => display
-            .play(stage)
-            .map_err(|error| Failure::file(error.to_string())),
+        Ok(display) => display.play(stage).map_err(|error| match error {
+            Error::Picture(failure) => failure,
+            error => Failure::usage(error.to_string()),
+        }),
         Err(error) if !is_terminal() => Err(Failure::usage(format!("{error}; {INSTEAD}"))),
         Err(error) => in_terminal_instead(stage, &error),
     }

@@ -20,7 +20,8 @@ impl Painter {
     /// # Errors
     /// If there is no memory for it.
     pub fn new(size: [usize; 2]) -> Result<Self, Failure> {
-        let picture = blank(size)?;
+        let [width, height] = size;
+        let picture = HeapSmooth::new(width, height)?;
         Ok(Self { picture })
     }
 
@@ -31,7 +32,7 @@ impl Painter {
     pub fn paint(&mut self, player: &Player) -> Result<&HeapSmooth, Failure> {
         let camera = player.camera();
         if [self.picture.width(), self.picture.height()] != camera.size() {
-            self.picture = blank(camera.size())?;
+            *self = Self::new(camera.size())?;
         }
         self.picture.set_palette(if player.is_night() {
             Palette::NIGHT
@@ -84,7 +85,7 @@ impl Painter {
 /// The columns and rows of the dots of a text.
 fn dots(text: &str) -> Result<Vec<[f64; 2]>, Failure> {
     let width = ADVANCE * text.chars().count();
-    let mut letters = blank([width, LETTER])?;
+    let mut letters = HeapSmooth::new(width, LETTER)?;
     let corner = [count(width) / -2.0, count(LETTER) / -2.0];
     letters.text(corner, text, Palette::INK);
     let paper = letters.palette().rgba(Palette::PAPER);
@@ -95,12 +96,6 @@ fn dots(text: &str) -> Result<Vec<[f64; 2]>, Failure> {
         dots.map(move |(column, _)| [column, row].map(count))
     });
     Ok(dots.collect())
-}
-
-/// An empty picture.
-fn blank([width, height]: [usize; 2]) -> Result<HeapSmooth, Failure> {
-    HeapSmooth::new(width, height)
-        .map_err(|error| Failure::usage(format!("the picture cannot be painted: {error}")))
 }
 
 #[expect(clippy::cast_precision_loss, reason = "a few thousand")]
