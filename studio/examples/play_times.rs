@@ -1,11 +1,11 @@
 //! What playing costs in time: `cargo run --release -p mech-studio --example play_times`.
 
 use mech_runtime::overlay::Spot;
-use mech_studio::play::{Control, Layer, Mechanism, Painter, Player, SIZE};
+use mech_studio::play::{Control, Layer, Mechanism, Player, SIZE, Stage};
 use mech_studio::{Document, Source};
 use std::fmt::Write;
 use std::hint::black_box;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// A chain of four-bars, each driven by the rocker of the one before.
@@ -52,26 +52,29 @@ fn milliseconds(mut what: impl FnMut()) -> f64 {
 
 fn measure(name: &str, document: &Document) {
     let start = Instant::now();
-    let mut player = Player::new(mechanism(document), Vec::new(), SIZE);
+    let player = Player::new(mechanism(document), Vec::new(), SIZE);
     let begin = start.elapsed().as_secs_f64() * 1e3;
-    let mut painter = Painter::new(SIZE).expect("there is memory");
-    let step = milliseconds(|| player.advance(1.0 / 60.0));
-    let picture = milliseconds(|| {
-        black_box(painter.paint(&player).expect("there is memory"));
-    });
-    let drag = drag(&mut player);
+    let mut stage = Stage::new(player, PathBuf::new()).expect("there is memory");
+    let step = milliseconds(|| stage.player.advance(1.0 / 60.0));
+    let picture = painting(&mut stage);
+    let drag = drag(&mut stage.player);
     for layer in Layer::ALL {
         if layer != Layer::Shapes {
-            player.obey(Control::Toggle(layer));
+            stage.player.obey(Control::Toggle(layer));
         }
     }
-    let all = milliseconds(|| {
-        black_box(painter.paint(&player).expect("there is memory"));
-    });
+    let all = painting(&mut stage);
     println!(
         "{name}: begins in {begin:.0} ms, steps in {step:.2} ms, follows the pointer in {drag:.1} ms, is painted in {picture:.2} ms, with all layers in {all:.2} ms: {:.0} frames a second",
         1e3 / (step + picture)
     );
+}
+
+/// How long it takes to paint a picture, with words.
+fn painting(stage: &mut Stage) -> f64 {
+    milliseconds(|| {
+        black_box(stage.caption().expect("there is memory"));
+    })
 }
 
 /// How long it takes to follow the pointer with the last link, which goes round a place that it reaches.

@@ -102,7 +102,8 @@ impl Mechanism {
     #[must_use]
     pub fn rates(&self, phase: f64) -> Rates {
         let compiled = self.with_rates().unwrap_or(&self.compiled);
-        self.motion.at(&self.model, compiled, phase).rates
+        let [first, second] = self.motion.at(&self.model, compiled, phase).rates;
+        Rates { first, second }
     }
 
     /// The present values of the motors.

@@ -1,8 +1,7 @@
 //! The motion that a mechanism makes by itself.
 
-use super::Rates;
 use crate::failure::Failure;
-use crate::motion::{Drive, Span, range_of, reach, turns};
+use crate::motion::{Drive, Moment, Span, range_of, reach, turns};
 use mech_compiler::Compiled;
 use mech_compiler::model::{Model, MotorId};
 use std::f64::consts::{PI, TAU};
@@ -35,14 +34,6 @@ enum Way {
     Round,
     /// To and fro: from the phase of a sine that is 0 in the middle, and as far as this to either side.
     ToAndFro { from: f64, half: f64 },
-}
-
-/// The motors at a phase of the motion.
-pub(super) struct Moment {
-    /// Their values, in radians or scene units.
-    pub(super) values: Vec<f64>,
-    /// Their rates.
-    pub(super) rates: Rates,
 }
 
 impl Motion {
@@ -80,23 +71,11 @@ impl Motion {
     /// The motors at a phase. From the ends of it, it goes on.
     pub(super) fn at(&self, model: &Model, compiled: &Compiled, phase: f64) -> Moment {
         match self {
-            Self::Laws(drive) => {
-                let moment = drive.moment(model, compiled, phase, 0.0);
-                let [first, second] = moment.rates;
-                Moment {
-                    values: moment.values,
-                    rates: Rates { first, second },
-                }
-            }
+            Self::Laws(drive) => drive.moment(model, compiled, phase, 0.0),
             Self::Strokes(strokes) => {
                 let count = model.motors.len();
-                let mut moment = Moment {
-                    values: compiled.program.start.motors[..count].to_vec(),
-                    rates: Rates {
-                        first: vec![0.0; count],
-                        second: vec![0.0; count],
-                    },
-                };
+                let mut values = compiled.program.start.motors[..count].to_vec();
+                let mut rates = [vec![0.0; count], vec![0.0; count]];
                 let number = phase.floor();
                 let length = self.length();
                 let (round, turn) = ((number / length).floor(), number.rem_euclid(length));
@@ -111,13 +90,17 @@ impl Motion {
                     };
                     let motor = stroke.motor.index();
                     let [value, first, second] = stroke.way.at(round, part);
-                    moment.values[motor] += value;
+                    values[motor] += value;
                     if place == turn {
-                        moment.rates.first[motor] = first / STROKE;
-                        moment.rates.second[motor] = second / (STROKE * STROKE);
+                        rates[0][motor] = first / STROKE;
+                        rates[1][motor] = second / (STROKE * STROKE);
                     }
                 }
-                moment
+                Moment {
+                    by: phase,
+                    values,
+                    rates,
+                }
             }
         }
     }
