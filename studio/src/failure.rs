@@ -1,6 +1,7 @@
 //! Why a command could not do what it was told.
 
 use mech_runtime::files::FileError;
+use mech_runtime::raster::TooLarge;
 use std::fmt::{self, Display, Formatter};
 use std::process::ExitCode;
 
@@ -112,5 +113,12 @@ impl std::error::Error for Failure {}
 impl From<FileError> for Failure {
     fn from(error: FileError) -> Self {
         Self::file(format!("the picture cannot be written: {error}"))
+    }
+}
+
+/// A picture that exceeds the memory.
+impl From<TooLarge> for Failure {
+    fn from(error: TooLarge) -> Self {
+        Self::usage(format!("the picture cannot be painted: {error}"))
     }
 }

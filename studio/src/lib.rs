@@ -4,7 +4,7 @@
 //! what the macro would emit, so nothing has to be built. Each subcommand is a file in `command`.
 //!
 //! A [`Command`] is a change of a mechanism; [`apply`] turns it into replacements in the text, and tries these. The dialogue, `mech run` and
-//! programs with a window all change mechanisms by commands alone.
+//! programs with a window all change mechanisms by commands alone. In [`play`] they move.
 
 mod chart;
 mod check;
@@ -18,6 +18,7 @@ mod mend;
 mod motion;
 mod output;
 mod painting;
+pub mod play;
 mod quantity;
 mod text;
 

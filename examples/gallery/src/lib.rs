@@ -4,8 +4,7 @@
 //! bits everywhere, so the results of two machines can be compared.
 //!
 //! The default feature `page` needs the standard library. With it, the runtime paints pictures, animations and a page. An [`Exhibit`]
-//! becomes a [`Film`], scene by scene. An [`Easel`] paints each [`Scene`] as an anti-aliased [`Picture`]. The [`Curator`] hangs them all. A
-//! [`Playable`] is the same mechanism for a player.
+//! becomes a [`Film`], scene by scene. An [`Easel`] paints each [`Scene`] as an anti-aliased [`Picture`]. The [`Curator`] hangs them all.
 #![cfg_attr(not(feature = "page"), no_std)]
 
 #[cfg(feature = "page")]
@@ -22,7 +21,6 @@ pub use mechanisms::{
 };
 #[cfg(feature = "page")]
 pub use page::{
-    Curator, Diagram, Easel, Effects, Error, Exhibit, FRAMES, Film, Graphs, Landmarks, Layer,
-    Layers, Look, Move, MoveWith, Picture, Playable, Rates, Scene, Showcase, Spot, Strips, Stuck,
-    Swatches, animation,
+    Curator, Diagram, Easel, Error, Exhibit, FRAMES, Film, Graphs, Move, Picture, Scene, Showcase,
+    Stuck, Swatches, animation,
 };

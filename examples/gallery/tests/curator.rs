@@ -21,7 +21,6 @@ fn showcase() -> Showcase<FourBar> {
         motion: |phase| [phase * TAU],
         frames: FRAMES,
         still: 0.15,
-        effects: None,
     }
 }
 

@@ -68,10 +68,22 @@ impl<'p, T: Real> Machine<'p, T> {
                 .collect(),
             state: start.state.iter().map(number).collect(),
         };
+        Self::at(program, position)
+    }
+
+    /// The mechanism at a position that it had before.
+    #[must_use]
+    pub fn at(program: &'p Program, position: Position<T>) -> Self {
         Self {
             runner: Runner::new(program),
             position,
         }
+    }
+
+    /// Its position; the machine is done with.
+    #[must_use]
+    pub fn into_position(self) -> Position<T> {
+        self.position
     }
 
     /// Its position.

@@ -60,7 +60,7 @@ impl Draw {
             }
             Kind::Png => {
                 let [width, height] = *size;
-                let mut picture = HeapSmooth::new(width, height).map_err(too_large)?;
+                let mut picture = HeapSmooth::new(width, height)?;
                 picture.set_palette(palette.clone());
                 picture.clear();
                 picture.look_at(painting.view(*size));
@@ -87,14 +87,9 @@ impl Draw {
         for number in 0..=PLACES {
             let part = f64::from(number) / f64::from(PLACES);
             if drive.move_to(model, compiled, &mut machine, part).is_ok() {
-                paths.record(&machine);
+                paths.record(&machine.position().poses);
             }
         }
         Ok(paths)
     }
-}
-
-/// A picture that exceeds the memory.
-pub(super) fn too_large(error: impl std::fmt::Display) -> Failure {
-    Failure::usage(format!("the picture cannot be painted: {error}"))
 }

@@ -1,6 +1,5 @@
 //! `mech film`.
 
-use super::draw::too_large;
 use super::picture::{Picture, Sitter, kind_of};
 use super::{CODES, Target};
 use crate::console::Console;
@@ -103,7 +102,7 @@ impl Film {
 
     fn gif(&self, shoot: &Shoot<'_>, frames: u32) -> Result<Vec<u8>, Failure> {
         let [width, height] = shoot.sitter.size;
-        let mut frame = HeapFrame::new(width, height).map_err(too_large)?;
+        let mut frame = HeapFrame::new(width, height)?;
         frame.set_palette(shoot.sitter.palette.clone());
         frame.look_at(shoot.sitter.painting.view(shoot.sitter.size));
         let mut bytes = Vec::new();
@@ -125,7 +124,7 @@ impl Film {
 
     fn apng(&self, shoot: &Shoot<'_>, frames: u32) -> Result<Vec<u8>, Failure> {
         let [width, height] = shoot.sitter.size;
-        let mut picture = HeapSmooth::new(width, height).map_err(too_large)?;
+        let mut picture = HeapSmooth::new(width, height)?;
         picture.set_palette(shoot.sitter.palette.clone());
         picture.look_at(shoot.sitter.painting.view(shoot.sitter.size));
         let mut bytes = Vec::new();
@@ -188,7 +187,7 @@ impl Shoot<'_> {
             for number in 0..frames {
                 let part = self.part(f64::from(number) / f64::from(frames));
                 self.drive.move_to(model, compiled, &mut machine, part)?;
-                paths.record(&machine);
+                paths.record(&machine.position().poses);
                 if round == rounds {
                     show(&machine.position().poses, &paths)?;
                     progress.inc(1);

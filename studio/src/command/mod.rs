@@ -9,6 +9,7 @@ mod fix;
 mod graph;
 mod measure;
 mod picture;
+mod play;
 mod plot;
 mod report;
 mod run;
@@ -34,7 +35,7 @@ Exit codes:
   3   a file cannot be read or written; nothing was overwritten
   70  something is wrong with mech itself";
 
-/// Checks, mends, draws and measures planar mechanisms.
+/// Checks, mends, draws, plays and measures planar mechanisms.
 ///
 /// FILE is a Rust file with `mechanism! { ... }` in it, or a file `.mech` with the inside of one. Of several mechanisms in a file,
 /// `--mechanism NAME` chooses one. Without a command, `mech` opens a dialogue in which mechanisms are made and changed.
@@ -60,6 +61,7 @@ enum Command {
     Film(film::Film),
     Table(table::Table),
     Plot(plot::Plot),
+    Play(play::Play),
     Run(run::Run),
     Completions(completions::Completions),
 }
@@ -145,6 +147,7 @@ impl Command {
             Self::Film(film) => film.run(console),
             Self::Table(table) => table.run(console),
             Self::Plot(plot) => plot.run(console),
+            Self::Play(play) => play.run(console),
             Self::Run(run) => run.run(console),
             Self::Completions(completions) => completions.run(console),
         }
@@ -161,7 +164,7 @@ impl Command {
             Self::Film(film) => &mut film.target,
             Self::Table(table) => &mut table.target,
             Self::Plot(plot) => &mut plot.target,
-            Self::Run(_) | Self::Completions(_) => return None,
+            Self::Play(_) | Self::Run(_) | Self::Completions(_) => return None,
         })
     }
 }

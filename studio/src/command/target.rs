@@ -3,7 +3,7 @@
 use super::assignment::Assignment;
 use crate::check::render;
 use crate::console::Console;
-use crate::document::Document;
+use crate::document::{Declaration, Document};
 use crate::failure::{Failure, FailureKind};
 use clap::Args;
 use mech_compiler::Compiled;
@@ -58,17 +58,26 @@ impl Target {
         let declaration = document.declarations().get(index);
         let declaration = declaration
             .ok_or_else(|| Failure::internal("a number has taken the mechanism away"))?;
-        let reading = document.analyse(declaration)?;
-        match reading.result {
-            Ok(compiled) => Ok((reading.model, *compiled)),
-            Err(faults) => {
-                console.complain(&render(
-                    document.source(),
-                    &faults.messages,
-                    console.has_colors(),
-                ));
-                Err(Failure::reported(FailureKind::Mechanism))
-            }
+        coherent(&document, declaration, console)
+    }
+}
+
+/// A mechanism of a file, which has to be coherent. What is wrong with it is told.
+pub(super) fn coherent(
+    document: &Document,
+    declaration: &Declaration,
+    console: &mut Console,
+) -> Result<(Model, Compiled), Failure> {
+    let reading = document.analyse(declaration)?;
+    match reading.result {
+        Ok(compiled) => Ok((reading.model, *compiled)),
+        Err(faults) => {
+            console.complain(&render(
+                document.source(),
+                &faults.messages,
+                console.has_colors(),
+            ));
+            Err(Failure::reported(FailureKind::Mechanism))
         }
     }
 }

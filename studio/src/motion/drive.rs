@@ -205,6 +205,13 @@ fn limits(model: &Model, compiled: &Compiled, motor: MotorId, base: &[f64]) -> S
     }
 }
 
+/// The ends of a motor's declared range, if it has one.
+pub(crate) fn range_of(model: &Model, motor: MotorId) -> Option<[f64; 2]> {
+    let range = model.motor(motor).range.as_ref()?;
+    let ends = [range.low, range.high];
+    ends.iter().all(|end| end.is_finite()).then_some(ends)
+}
+
 /// The values through which a motor moves if nobody says which: its declared range; or once round; or as far as it can go.
 fn reachable(
     model: &Model,
@@ -212,19 +219,40 @@ fn reachable(
     motor: MotorId,
     base: &[f64],
 ) -> Result<[f64; 2], Failure> {
-    let declared = model.motor(motor);
-    if let Some(range) = declared.range {
-        let ends = [range.low, range.high];
-        if ends.iter().all(|end| end.is_finite()) {
-            return Ok(ends);
-        }
+    if let Some(ends) = range_of(model, motor) {
+        return Ok(ends);
     }
-    if !turns(model, declared.joint) {
+    if !turns(model, model.motor(motor).joint) {
         let name = motor_name(model, motor);
         return Err(Failure::usage(format!(
             "motor `{name}` slides, and declares no range; say where with `--from` and `--to`, in scene units"
         )));
     }
+    let found = reach(model, compiled, motor, base, TAU)?;
+    Ok(if found.is_free {
+        [base[motor.index()], found.ends[1]]
+    } else {
+        found.ends
+    })
+}
+
+/// How far a motor moves alone from where it is, both ways.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Reach {
+    /// Its lowest and highest value, in radians or scene units.
+    pub(crate) ends: [f64; 2],
+    /// Whether nothing stops it on its way up.
+    pub(crate) is_free: bool,
+}
+
+/// How far a motor moves alone from these values of all motors, both ways, no farther than this distance.
+pub(crate) fn reach(
+    model: &Model,
+    compiled: &Compiled,
+    motor: MotorId,
+    base: &[f64],
+    distance: f64,
+) -> Result<Reach, Failure> {
     let mut machine = Machine::<f64>::new(&compiled.program);
     let blocked = |stop| {
         Failure::mechanism(format!(
@@ -235,17 +263,17 @@ fn reachable(
     machine.move_to(base).map_err(blocked)?;
     let start = machine.position().clone();
     let index = motor.index();
-    let mut reach = |turn: f64| -> Result<(f64, bool), Failure> {
+    let mut end = |displacement: f64| -> Result<(f64, bool), Failure> {
         machine.put_back(start.clone());
         let mut goal = base.to_vec();
-        goal[index] += turn;
+        goal[index] += displacement;
         let stop = machine.move_toward(&goal).map_err(blocked)?;
-        Ok((machine.position().motors[index], stop.is_some()))
+        Ok((machine.position().motors[index], stop.is_none()))
     };
-    let (high, is_blocked) = reach(TAU)?;
-    if !is_blocked {
-        return Ok([base[index], high]);
-    }
-    let (low, _) = reach(-TAU)?;
-    Ok([low, high])
+    let (high, is_free) = end(distance)?;
+    let (low, _) = end(-distance)?;
+    Ok(Reach {
+        ends: [low, high],
+        is_free,
+    })
 }

@@ -5,7 +5,7 @@ mod obstacle;
 mod paths;
 mod setting;
 
-pub(crate) use drive::{Drive, Moment};
-pub(crate) use obstacle::obstacle;
+pub(crate) use drive::{Drive, Moment, range_of, reach};
+pub(crate) use obstacle::{joints_in_the_way, motor_name, obstacle};
 pub(crate) use paths::Paths;
 pub(crate) use setting::{Setting, Span, motor_of, posed, read_value, turns};

@@ -2,7 +2,7 @@
 
 use mech_compiler::Compiled;
 use mech_compiler::evaluate::Stop;
-use mech_compiler::model::{Model, MotorId};
+use mech_compiler::model::{JointId, Model, MotorId};
 use mech_compiler::program::BlockId;
 
 /// What keeps a mechanism from going on: `the loop of joints b, c, d does not close`.
@@ -35,20 +35,46 @@ pub(crate) fn obstacle(model: &Model, compiled: &Compiled, stop: Stop) -> String
 }
 
 fn ring_name(model: &Model, compiled: &Compiled, number: Option<usize>) -> String {
-    let Some(ring) = number.and_then(|number| compiled.plan.loops().nth(number)) else {
-        return "a loop".to_owned();
+    let joints = joints_of_ring(model, compiled, number);
+    let names: Vec<String> = joints
+        .iter()
+        .map(|joint| format!("`{}`", model.joint(*joint).name))
+        .collect();
+    if names.is_empty() {
+        "a loop".to_owned()
+    } else {
+        format!("the loop of {}", names.join(", "))
+    }
+}
+
+/// The joints of the loop that keeps a mechanism from going on; none if it is no loop that does.
+pub(crate) fn joints_in_the_way(model: &Model, compiled: &Compiled, stop: Stop) -> Vec<JointId> {
+    let number = match stop {
+        Stop::Open(block) | Stop::DeadPoint(block) | Stop::ChangePoint(block) => {
+            compiled.program.loop_of(block)
+        }
+        Stop::Singular(number) => Some(number),
+        _ => None,
     };
-    let mut names: Vec<String> = Vec::new();
+    joints_of_ring(model, compiled, number)
+}
+
+/// The joints of a loop whose coordinates it determines, each name once.
+fn joints_of_ring(model: &Model, compiled: &Compiled, number: Option<usize>) -> Vec<JointId> {
+    let Some(ring) = number.and_then(|number| compiled.plan.loops().nth(number)) else {
+        return Vec::new();
+    };
+    let mut joints: Vec<JointId> = Vec::new();
     for joint in ring.unknowns() {
-        let name = format!("`{}`", model.joint(joint).name);
-        if !names.contains(&name) {
-            names.push(name);
+        let name = |id: JointId| &model.joint(id).name;
+        if !joints.iter().any(|known| name(*known) == name(joint)) {
+            joints.push(joint);
         }
     }
-    format!("the loop of {}", names.join(", "))
+    joints
 }
 
 /// The name of a motor.
-pub(super) fn motor_name(model: &Model, motor: MotorId) -> &str {
+pub(crate) fn motor_name(model: &Model, motor: MotorId) -> &str {
     &model.joint(model.motor(motor).joint).name
 }

@@ -2,9 +2,9 @@
 
 use crate::failure::Failure;
 use mech_compiler::Compiled;
-use mech_compiler::evaluate::Machine;
 use mech_compiler::model::{Model, Trace as Declared};
 use mech_runtime::{Canvas, Trace};
+use std::collections::VecDeque;
 
 /// The most places that are drawn of a path: as many as can be declared.
 const MOST: usize = 1 << 14;
@@ -20,7 +20,7 @@ struct Path {
     at: [f64; 2],
     /// How many places are recorded.
     length: usize,
-    places: Vec<[f64; 2]>,
+    places: VecDeque<[f64; 2]>,
 }
 
 impl Paths {
@@ -36,7 +36,7 @@ impl Paths {
                 link: link.ok_or_else(|| Failure::internal("a traced link has no pose"))?,
                 at: axis.at,
                 length: trace.length,
-                places: Vec::new(),
+                places: VecDeque::new(),
             })
         };
         let paths: Result<_, Failure> = model.traces.iter().map(path).collect();
@@ -48,13 +48,23 @@ impl Paths {
         self.0.is_empty()
     }
 
-    /// Records where the points are.
-    pub(crate) fn record(&mut self, machine: &Machine<'_, f64>) {
+    /// Forgets all places.
+    pub(crate) fn clear(&mut self) {
         for path in &mut self.0 {
-            if let Some(&[cos, sin, x, y]) = machine.position().poses.get(path.link) {
+            path.places.clear();
+        }
+    }
+
+    /// Records where the points are when the moving links have these poses.
+    pub(crate) fn record(&mut self, poses: &[[f64; 4]]) {
+        for path in &mut self.0 {
+            if let Some(&[cos, sin, x, y]) = poses.get(path.link) {
                 let [a, b] = path.at;
+                if path.places.len() >= path.length {
+                    path.places.pop_front();
+                }
                 path.places
-                    .push([x + cos * a - sin * b, y + sin * a + cos * b]);
+                    .push_back([x + cos * a - sin * b, y + sin * a + cos * b]);
             }
         }
     }
@@ -65,8 +75,7 @@ impl Paths {
             return;
         };
         let mut drawn = Box::new(Trace::<f64, MOST>::new());
-        let first = path.places.len().saturating_sub(path.length);
-        for place in &path.places[first..] {
+        for place in &path.places {
             drawn.push(*place);
         }
         drawn.draw(canvas, color);

@@ -7,7 +7,7 @@ use crate::motion::Paths;
 use mech_compiler::model::{LinkId, Look, Model};
 use mech_compiler::{Compiled, Symbols, looks, symbols};
 use mech_runtime::overlay::{Overlay, Symbol};
-use mech_runtime::{Canvas, Pose, View};
+use mech_runtime::{Canvas, Outline, Pose, View};
 use outline::Shape;
 
 /// What is painted of a mechanism.
@@ -107,19 +107,42 @@ impl Painting {
         height.max(1)
     }
 
+    /// The box around the whole motion: its lower left and upper right corner.
+    pub(crate) fn extent(&self) -> [[f64; 2]; 2] {
+        self.extent
+    }
+
+    /// Whether nothing is painted besides a diagram.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.shapes.is_empty() && self.traces.is_empty() && self.symbols.is_none()
+    }
+
+    /// All outlines from the farthest to the nearest, each with the number of its link.
+    pub(crate) fn outlines(&self) -> impl Iterator<Item = (usize, Outline<'_, f64>)> {
+        self.shapes.iter().map(|shape| (shape.link, shape.filled()))
+    }
+
     /// Paints a position: for each moving link its pose, as the interpreter has it.
     pub(crate) fn paint(&self, poses: &[[f64; 4]], paths: &Paths, canvas: &mut impl Canvas<f64>) {
-        let poses: Vec<Pose<f64>> = poses
-            .iter()
-            .map(|&[cos, sin, x, y]| Pose { cos, sin, x, y })
-            .collect();
+        let poses = poses_of(poses);
+        self.paint_look(&poses, paths, canvas);
+        self.paint_diagram(&poses, &Overlay::new().axes(true), canvas);
+    }
+
+    /// Paints shapes, traces and the symbols of the look.
+    pub(crate) fn paint_look(
+        &self,
+        poses: &[Pose<f64>],
+        paths: &Paths,
+        canvas: &mut impl Canvas<f64>,
+    ) {
         let mut traces = self.traces.iter().peekable();
         for number in 0..=self.shapes.len() {
             while let Some(&(trace, _)) = traces.next_if(|(_, behind)| *behind == number) {
                 paths.draw(trace, canvas, self.colors_of_traces[trace]);
             }
             if let Some(shape) = self.shapes.get(number) {
-                shape.paint(&poses, canvas);
+                shape.paint(poses, canvas);
             }
         }
         if let Some((symbols, unit)) = &self.symbols {
@@ -128,16 +151,33 @@ impl Painting {
                 #[expect(clippy::cast_possible_truncation, reason = "a size in pixels")]
                 Some(unit) => Overlay::new().size((unit * canvas.scale()) as f32),
             };
-            overlay.draw(symbols, &poses, canvas);
+            overlay.draw(symbols, poses, canvas);
         }
+    }
+
+    /// Paints the symbols of joints, motors and axes that the overlay wants, if they were asked for.
+    pub(crate) fn paint_diagram(
+        &self,
+        poses: &[Pose<f64>],
+        overlay: &Overlay,
+        canvas: &mut impl Canvas<f64>,
+    ) {
         if let Some(symbols) = &self.diagram {
-            Overlay::new().axes(true).draw(symbols, &poses, canvas);
+            overlay.draw(symbols, poses, canvas);
         }
     }
 }
 
+/// Poses as the interpreter has them, for the rasteriser.
+pub(crate) fn poses_of(poses: &[[f64; 4]]) -> Vec<Pose<f64>> {
+    let poses = poses.iter();
+    poses
+        .map(|&[cos, sin, x, y]| Pose { cos, sin, x, y })
+        .collect()
+}
+
 /// The number of a link in a table: 0 is the ground; none if its pose is not known.
-fn number_of(compiled: &Compiled, link: LinkId) -> Option<usize> {
+pub(crate) fn number_of(compiled: &Compiled, link: LinkId) -> Option<usize> {
     if link == LinkId::GROUND {
         return Some(0);
     }

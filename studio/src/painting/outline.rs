@@ -6,7 +6,7 @@ use mech_runtime::{Canvas, Pose};
 /// An outline of a link, with its colour.
 pub(super) struct Shape {
     /// 0 is the ground.
-    link: usize,
+    pub(super) link: usize,
     outline: Outline,
     /// The corners of a polygon or a wheel, or the points of a line.
     points: Vec<[f64; 2]>,
@@ -42,7 +42,8 @@ impl Shape {
         }
     }
 
-    fn filled(&self) -> mech_runtime::Outline<'_, f64> {
+    /// The outline as the rasteriser takes it.
+    pub(super) fn filled(&self) -> mech_runtime::Outline<'_, f64> {
         use mech_runtime::Outline as Filled;
         match &self.outline {
             Outline::Circle { center, radius } => Filled::Circle {

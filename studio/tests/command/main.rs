@@ -9,6 +9,7 @@ mod listing;
 mod mend;
 mod numbers;
 mod pictures;
+mod play;
 mod properties;
 mod report;
 mod run;

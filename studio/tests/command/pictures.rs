@@ -4,7 +4,7 @@ use crate::run::{FOUR_BAR, Folder, mech_in, repository, rust};
 use std::path::Path;
 
 /// Width and height, and red, green and blue of all pixels.
-fn pixels(path: &Path) -> ([u32; 2], Vec<u8>) {
+pub(crate) fn pixels(path: &Path) -> ([u32; 2], Vec<u8>) {
     let file = std::fs::read(path).expect("a picture");
     let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
     decoder.set_transformations(png::Transformations::EXPAND);

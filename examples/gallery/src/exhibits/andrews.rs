@@ -1,7 +1,7 @@
 //! Andrews' squeezing mechanism, a test of the literature on differential-algebraic equations.
 
 use crate::andrews::AndrewsSqueezer;
-use crate::{Exhibit, Showcase, all_effects};
+use crate::{Exhibit, Showcase};
 
 /// One turn of the crank.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -15,7 +15,6 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                   motor moves it all. The anchor at the upper right is where the spring of K3 ends \
                   in the original.",
         still: 0.2,
-        effects: Some(all_effects!(AndrewsSqueezer)),
         ..Showcase::untitled()
     })
 }

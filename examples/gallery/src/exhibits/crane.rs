@@ -1,7 +1,7 @@
 //! A double rocker: a mechanism that has limits.
 
 use crate::crane::LuffingCrane;
-use crate::{Exhibit, Showcase, all_effects};
+use crate::{Exhibit, Showcase};
 
 /// The jib is let down and hauled in once.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -13,7 +13,6 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                   shown lie limits: let down to 28°, tie and nose are in one line, and \
                   the loop does not close any farther. Whoever drives the crane there is told so.",
         still: 0.6,
-        effects: Some(all_effects!(LuffingCrane)),
         ..Showcase::untitled()
     })
 }

@@ -1,18 +1,9 @@
 //! The mechanism of the paper's first figure as a diagram, without any shape.
 
 use crate::diagram::PistonDiagram;
-use crate::{Diagram, Exhibit, Layer, Layers, Scene, Showcase, all_effects};
+use crate::{Diagram, Exhibit, Scene, Showcase};
 use mech_runtime::overlay::Arrows;
 use mech_runtime::{Overlay, Palette};
-
-const LAYERS: Layers = Layers::of(&[
-    Layer::Joints,
-    Layer::Links,
-    Layer::Axes,
-    Layer::Motors,
-    Layer::Velocities,
-    Layer::Accelerations,
-]);
 
 /// Two turns of the pinion are one of the wheel.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -25,12 +16,10 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                       Symbols and lines keep their size in pixels, however large the scene is seen.",
             frames: 144,
             still: 0.08,
-            effects: Some(all_effects!(PistonDiagram)),
             ..Showcase::untitled()
         },
         move_to: |mechanism, motors| mechanism.move_with(motors, [2.0], [0.0]),
         paint,
-        layers: LAYERS,
     })
 }
 

@@ -1,7 +1,7 @@
 //! An excavator with three cylinders.
 
 use crate::excavator::Excavator;
-use crate::{Exhibit, Showcase, all_effects};
+use crate::{Exhibit, Showcase};
 
 /// The bucket reaches out, digs, lifts and empties.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -14,7 +14,6 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                   could.",
         frames: 150,
         still: 0.1,
-        effects: Some(all_effects!(Excavator)),
         ..Showcase::untitled()
     })
 }

@@ -1,7 +1,7 @@
 //! The four-bar linkage in its most common form.
 
 use crate::four_bar::CrankRocker;
-use crate::{Exhibit, Showcase, all_effects};
+use crate::{Exhibit, Showcase};
 
 /// One turn of the crank.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -13,7 +13,6 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                   along a coupler curve; the dots show it at every ten degrees of the crank. One \
                   loop of four revolutes, of which one has the motor.",
         still: 0.1,
-        effects: Some(all_effects!(CrankRocker)),
         ..Showcase::untitled()
     })
 }

@@ -1,7 +1,7 @@
 //! Figure 1 of the paper: a piston driven through a pair of gears.
 
 use crate::geared_piston::GearedPiston;
-use crate::{Exhibit, Showcase, all_effects};
+use crate::{Exhibit, Showcase};
 
 /// Two turns of the pinion are one of the wheel.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -14,7 +14,6 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                   a prismatic, solved once the gear has told it where the wheel is.",
         frames: 144,
         still: 0.08,
-        effects: Some(all_effects!(GearedPiston)),
         ..Showcase::untitled()
     })
 }

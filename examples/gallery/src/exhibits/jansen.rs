@@ -1,7 +1,7 @@
 //! A leg of Theo Jansen's beach beasts, declared as it is drawn.
 
 use crate::jansen::JansenLeg;
-use crate::{Exhibit, Showcase, all_effects};
+use crate::{Exhibit, Showcase};
 
 /// One turn of the crank.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -14,7 +14,6 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                   so that the points of the leg are a chain of five dyads. The foot goes straight \
                   along the sand for half a turn and comes back through the air; the dots show it \
                   at every ten degrees of the crank.",
-        effects: Some(all_effects!(JansenLeg)),
         ..Showcase::untitled()
     })
 }

@@ -1,7 +1,7 @@
 //! A trunk with an arm.
 
 use crate::rocker_arm::RockerArm;
-use crate::{Exhibit, Showcase, all_effects};
+use crate::{Exhibit, Showcase};
 
 /// One turn of the crank, while the arm reaches out once and the hand nods twice.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -14,7 +14,6 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                   trunk depends on them. So there are three motors for a mobility of 3.",
         frames: 120,
         still: 0.1,
-        effects: Some(all_effects!(RockerArm)),
         ..Showcase::untitled()
     })
 }

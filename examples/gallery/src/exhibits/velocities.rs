@@ -1,17 +1,9 @@
 //! The four-bar linkage as a textbook draws it: the diagram, the path of its coupler point, velocities.
 
 use crate::velocities::CouplerCurve;
-use crate::{Diagram, Exhibit, Layer, Layers, Scene, Showcase, all_effects};
+use crate::{Diagram, Exhibit, Scene, Showcase};
 use mech_runtime::overlay::Arrows;
 use mech_runtime::{Mechanism, Overlay, Palette};
-
-const LAYERS: Layers = Layers::of(&[
-    Layer::Shapes,
-    Layer::Joints,
-    Layer::Links,
-    Layer::Motors,
-    Layer::Velocities,
-]);
 
 /// The trace is that of one turn: after it, every new place is one that it was at before.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -24,12 +16,10 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                       struct that every move adds to; the velocities come from the linear system \
                       of the loop, exactly.",
             still: 0.85,
-            effects: Some(all_effects!(CouplerCurve)),
             ..Showcase::untitled()
         },
         move_to: |mechanism, motors| mechanism.move_with(motors, [1.0], [0.0]),
         paint,
-        layers: LAYERS,
     })
 }
 

@@ -1,7 +1,7 @@
 //! A six-bar linkage, declared as in a drawing.
 
 use crate::watt::Watt;
-use crate::{Exhibit, Showcase, all_effects};
+use crate::{Exhibit, Showcase};
 
 /// One turn of the crank.
 pub(super) fn exhibit() -> Box<dyn Exhibit> {
@@ -13,7 +13,6 @@ pub(super) fn exhibit() -> Box<dyn Exhibit> {
                   together they swing the rocker through 138°, much farther than a single four-bar \
                   could at such good transmission angles. Windscreen wipers are made this way. The \
                   links are declared as they are drawn, in the coordinates of the scene.",
-        effects: Some(all_effects!(Watt)),
         ..Showcase::untitled()
     })
 }

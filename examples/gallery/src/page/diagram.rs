@@ -1,6 +1,6 @@
 //! Mechanisms with the diagrams of textbooks.
 
-use crate::{Exhibit, Film, Graphs, Layers, Playable, Scene, Showcase, Stuck};
+use crate::{Exhibit, Film, Graphs, Scene, Showcase, Stuck};
 use mech_runtime::{Blocked, Mechanism};
 
 /// A showcase with functions of its own that move and paint it: with rates, with an overlay.
@@ -11,8 +11,6 @@ pub struct Diagram<M: Mechanism<Scalar = f64>> {
     pub move_to: Move<M>,
     /// Paints it.
     pub paint: fn(&M, &mut Scene),
-    /// The layers that resemble it most.
-    pub layers: Layers,
 }
 
 /// A function that moves a mechanism to motor values.
@@ -46,17 +44,5 @@ impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Diagram<M> {
 
     fn film(&self) -> Result<Film, Stuck> {
         self.showcase.film_by(self.move_to, self.paint)
-    }
-
-    fn seconds(&self) -> f64 {
-        self.showcase.seconds()
-    }
-
-    fn playable(&self) -> Box<dyn Playable> {
-        self.showcase.playable()
-    }
-
-    fn layers(&self) -> Layers {
-        self.layers
     }
 }

@@ -1,6 +1,7 @@
 //! The easel, on which scenes become pictures.
 
-use crate::{Film, Picture, Scene, Strips};
+use super::strips::Strips;
+use crate::{Film, Picture, Scene};
 use mech_runtime::files::Sheet;
 use mech_runtime::{Palette, View};
 

@@ -1,8 +1,7 @@
 //! Exhibits: mechanisms with a motion.
 
-use super::played::Played;
 use crate::Exhibited;
-use crate::{Easel, Effects, Film, Graphs, Layer, Layers, Playable, Scene, Stuck};
+use crate::{Easel, Film, Graphs, Scene, Stuck};
 use mech_runtime::{Blocked, Mechanism};
 
 /// The number of frames in most films: enough for a smooth turn of a crank.
@@ -27,12 +26,6 @@ pub trait Exhibit {
     /// # Errors
     /// [`Stuck`] if it cannot make its motion.
     fn film(&self) -> Result<Film, Stuck>;
-    /// The duration of the motion, in seconds.
-    fn seconds(&self) -> f64;
-    /// Its mechanism for a player.
-    fn playable(&self) -> Box<dyn Playable>;
-    /// The layers that are visible at first.
-    fn layers(&self) -> Layers;
 }
 
 /// A mechanism and its motion.
@@ -51,7 +44,6 @@ pub trait Exhibit {
 ///     motion: |phase| [phase * TAU],
 ///     frames: FRAMES,
 ///     still: 0.1,
-///     effects: None,
 /// })
 /// # }
 /// ```
@@ -71,12 +63,7 @@ pub struct Showcase<M: Mechanism<Scalar = f64>> {
     pub frames: usize,
     /// The phase of its still picture.
     pub still: f64,
-    /// Its effects, if it declares them, for the player.
-    pub effects: Option<Effects<M>>,
 }
-
-/// The duration of a frame.
-const SECONDS: f64 = 0.03;
 
 /// The number of positions from one frame to the next, for methods that start from the last position.
 const STEPS: usize = 8;
@@ -110,24 +97,10 @@ impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Showcase<M> {
         let draw = |mechanism: &M, scene: &mut Scene| mechanism.draw(scene);
         self.film_by(M::move_to, draw)
     }
-
-    fn seconds(&self) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "a film is not that long")]
-        let frames = self.frames as f64;
-        frames * SECONDS
-    }
-
-    fn playable(&self) -> Box<dyn Playable> {
-        Box::new(Played::new(self))
-    }
-
-    fn layers(&self) -> Layers {
-        Layers::of(&[Layer::Shapes])
-    }
 }
 
 impl<M: Exhibited<Scalar = f64>> Showcase<M> {
-    /// The showcase of a mechanism that has a motion of its own, without a title, a caption or effects. Its film has [`FRAMES`] frames, and
+    /// The showcase of a mechanism that has a motion of its own, without a title or a caption. Its film has [`FRAMES`] frames, and
     /// the first is its still picture.
     #[must_use]
     pub fn untitled() -> Self {
@@ -139,7 +112,6 @@ impl<M: Exhibited<Scalar = f64>> Showcase<M> {
             motion: M::motion,
             frames: FRAMES,
             still: 0.0,
-            effects: None,
         }
     }
 }

@@ -5,32 +5,28 @@ use mech_runtime::{Palette, Smooth, View};
 
 /// A strip of `W` × `H` pixels, in which pictures of any height are painted strip by strip. A wider picture has paper at both sides.
 #[derive(Clone, Default)]
-pub struct Strips<const W: usize, const H: usize> {
+pub(crate) struct Strips<const W: usize, const H: usize> {
     strip: Box<Smooth<W, H>>,
 }
 
 impl<const W: usize, const H: usize> Strips<W, H> {
     /// The colours.
-    #[must_use]
-    pub fn palette(&self) -> &Palette {
+    pub(crate) fn palette(&self) -> &Palette {
         self.strip.palette()
     }
 
     /// Changes the colours.
-    pub fn set_palette(&mut self, palette: Palette) {
+    pub(crate) fn set_palette(&mut self, palette: Palette) {
         self.strip.set_palette(palette);
     }
 
-    /// Clears the strip and returns it, with one pixel per scene unit, for a small picture.
-    pub fn clear(&mut self) -> &mut Smooth<W, H> {
-        self.strip.look_at(View::default());
-        self.strip.clear();
-        &mut self.strip
-    }
-
     /// Paints a scene in a picture of this size.
-    #[must_use]
-    pub fn paint(&mut self, scene: &Scene, view: View, [width, height]: [u16; 2]) -> Picture {
+    pub(crate) fn paint(
+        &mut self,
+        scene: &Scene,
+        view: View,
+        [width, height]: [u16; 2],
+    ) -> Picture {
         let [columns, rows] = [width, height].map(usize::from);
         let shown = columns.min(W);
         // Pixels of the strip to the left of what is shown, and pixels of paper to the left of that.

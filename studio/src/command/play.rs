@@ -1,0 +1,180 @@
+//! `mech play`.
+
+use super::CODES;
+use super::target::coherent;
+use crate::console::Console;
+use crate::document::{Declaration, Document, Source};
+use crate::failure::{Failure, FailureKind};
+use crate::play::{Control, Mechanism, Player, SIZE, Stage, keys, terminal};
+use clap::Args;
+use std::io::{self, IsTerminal};
+use std::path::PathBuf;
+
+/// Plays mechanisms in a window, or in a terminal.
+///
+/// Links follow the pointer that drags them. Motors go through their declared ranges, or round, or as far as the mechanism lets them, one after the other. Motors with laws follow these.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = EXAMPLES, after_long_help = long_help())]
+pub(super) struct Play {
+    /// Rust files with `mechanism!` in them, or files `.mech` with the inside of one. Of several files, those without a mechanism are left out.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// The mechanism, where there are several: the name of its type. Without, all of them, one after the other.
+    #[arg(short, long, value_name = "NAME")]
+    mechanism: Option<String>,
+    /// Plays in the terminal.
+    #[arg(long, conflicts_with = "picture")]
+    terminal: bool,
+    /// Writes what is seen as a PNG file, and plays no further.
+    #[arg(long, value_name = "FILE")]
+    picture: Option<PathBuf>,
+    /// How long it has played by then, 0 to 3600.
+    #[arg(long, value_name = "SECONDS", default_value = "0", requires = "picture", value_parser = read_seconds)]
+    after: f64,
+    /// Paints on dark ground.
+    #[arg(long)]
+    night: bool,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  mech play four_bar.mech
+  mech play src/main.rs --mechanism FourBar --terminal
+  mech play legs.rs wings.rs --picture seen.png --after 1.5";
+
+fn long_help() -> String {
+    let keys: Vec<String> = keys::help().iter().map(|key| format!("  {key}")).collect();
+    format!("{EXAMPLES}\n\nKeys:\n{}\n\n{CODES}", keys.join("\n"))
+}
+
+fn read_seconds(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(seconds) if (0.0..=3600.0).contains(&seconds) => Ok(seconds),
+        _ => Err(format!(
+            "`{text}` is not a number of seconds from 0 to 3600"
+        )),
+    }
+}
+
+impl Play {
+    pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
+        let mut mechanisms = self.mechanisms(console)?.into_iter();
+        let first = mechanisms.next();
+        let first = first.ok_or_else(|| Failure::internal("there is nothing to play"))?;
+        let mut player = Player::new(first, mechanisms.collect(), SIZE);
+        if self.night {
+            player.obey(Control::DayOrNight);
+        }
+        let mut stage = Stage::new(player, PathBuf::new())?;
+        match &self.picture {
+            Some(path) => {
+                stage.wait(self.after);
+                stage.write(path)
+            }
+            None if self.terminal => in_terminal(stage),
+            None => in_window(stage),
+        }
+    }
+
+    /// All mechanisms that are to be played; one at least. What is wrong with any of them is told.
+    fn mechanisms(&self, console: &mut Console) -> Result<Vec<Mechanism>, Failure> {
+        let mut found = Vec::new();
+        let mut is_wrong = false;
+        for document in self.documents()? {
+            for declaration in self.wanted(&document) {
+                match coherent(&document, declaration, console) {
+                    Ok((model, compiled)) => found.push(Mechanism::new(model, compiled)?),
+                    Err(failure) if failure.is_reported() => is_wrong = true,
+                    Err(failure) => return Err(failure),
+                }
+            }
+        }
+        if is_wrong {
+            return Err(Failure::reported(FailureKind::Mechanism));
+        }
+        Ok(found)
+    }
+
+    /// The files, one of which at least has a mechanism that is wanted.
+    fn documents(&self) -> Result<Vec<Document>, Failure> {
+        if let [only] = &self.files[..] {
+            let document = Document::read(only)?;
+            if self.wanted(&document).is_empty() {
+                document.choose(self.mechanism.as_deref())?;
+            }
+            return Ok(vec![document]);
+        }
+        let documents = self.files.iter();
+        let documents = documents.map(|path| Ok(Document::of(Source::read(path)?)));
+        let documents: Vec<Document> = documents.collect::<Result<_, Failure>>()?;
+        let has_any = documents.iter().any(|one| !self.wanted(one).is_empty());
+        match &self.mechanism {
+            _ if has_any => Ok(documents),
+            Some(name) => Err(Failure::usage(format!(
+                "none of these files has a mechanism `{name}`"
+            ))),
+            None => Err(Failure::file("none of these files has a mechanism")),
+        }
+    }
+
+    /// The mechanisms of a file that are wanted.
+    fn wanted<'d>(&self, document: &'d Document) -> Vec<&'d Declaration> {
+        let name = self.mechanism.as_deref();
+        let is_wanted = |one: &&Declaration| name.is_none() || one.name.as_deref() == name;
+        document.declarations().iter().filter(is_wanted).collect()
+    }
+}
+
+/// Plays in the terminal, if this is one.
+fn in_terminal(stage: Stage) -> Result<(), Failure> {
+    if !is_terminal() {
+        return Err(Failure::usage(format!(
+            "input and output are not a terminal; {INSTEAD}"
+        )));
+    }
+    terminal::play(stage)
+}
+
+/// What can be done where there is no window, or no terminal.
+const INSTEAD: &str =
+    "play in a terminal with `--terminal`, or write a picture with `--picture FILE`";
+
+/// Plays in a window. Where there is no display, the terminal is offered, if this is one.
+#[cfg(feature = "window")]
+fn in_window(stage: Stage) -> Result<(), Failure> {
+    use crate::play::window::{Display, Error};
+    match Display::open() {
+        Ok(display) => display.play(stage).map_err(|error| match error {
+            Error::Picture(failure) => failure,
+            error => Failure::usage(error.to_string()),
+        }),
+        Err(error) if !is_terminal() => Err(Failure::usage(format!("{error}; {INSTEAD}"))),
+        Err(error) => in_terminal_instead(stage, &error),
+    }
+}
+
+#[cfg(not(feature = "window"))]
+fn in_window(_: Stage) -> Result<(), Failure> {
+    Err(Failure::usage(format!(
+        "this `mech` was built without its feature `window`; {INSTEAD}"
+    )))
+}
+
+/// Says why there is no window, and asks whether the terminal will do.
+#[cfg(feature = "window")]
+fn in_terminal_instead(stage: Stage, error: &crate::play::window::Error) -> Result<(), Failure> {
+    use std::io::BufRead;
+    eprint!("{error}\nplay in this terminal instead (as `--terminal` does)? [Y/n] ");
+    let mut answer = String::new();
+    let read = io::stdin().lock().read_line(&mut answer);
+    read.map_err(|error| Failure::file(format!("the terminal cannot be read: {error}")))?;
+    match answer.trim() {
+        "" | "y" | "Y" | "yes" => in_terminal(stage),
+        _ => Ok(()),
+    }
+}
+
+/// Whether there is somebody who sees what is written, and can type.
+fn is_terminal() -> bool {
+    io::stdout().is_terminal() && io::stdin().is_terminal()
+}

@@ -1,0 +1,78 @@
+//! Layers of a mechanism that is played.
+
+/// A part of the picture that can be switched on and off by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layer {
+    /// The coloured shapes of the links, and traces.
+    Shapes,
+    /// The symbols of joints.
+    Joints,
+    /// Links as bars, pitch circles.
+    Links,
+    /// The declared points and lines.
+    Axes,
+    /// Arrows at the motors.
+    Motors,
+    /// The velocities of points.
+    Velocities,
+    /// Their accelerations.
+    Accelerations,
+}
+
+impl Layer {
+    /// All layers, from back to front.
+    pub const ALL: [Self; 7] = [
+        Self::Shapes,
+        Self::Joints,
+        Self::Links,
+        Self::Axes,
+        Self::Motors,
+        Self::Velocities,
+        Self::Accelerations,
+    ];
+
+    /// The name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Shapes => "shapes",
+            Self::Joints => "joint symbols",
+            Self::Links => "bars and pitch circles",
+            Self::Axes => "axes",
+            Self::Motors => "motors",
+            Self::Velocities => "velocities",
+            Self::Accelerations => "accelerations",
+        }
+    }
+}
+
+/// The visible layers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Layers {
+    shown: [bool; Layer::ALL.len()],
+}
+
+impl Layers {
+    /// These layers only.
+    #[must_use]
+    pub const fn of(layers: &[Layer]) -> Self {
+        let mut shown = [false; Layer::ALL.len()];
+        let mut index = 0;
+        while index < layers.len() {
+            shown[layers[index] as usize] = true;
+            index += 1;
+        }
+        Self { shown }
+    }
+
+    /// Whether a layer is visible.
+    #[must_use]
+    pub const fn has(self, layer: Layer) -> bool {
+        self.shown[layer as usize]
+    }
+
+    /// Shows or hides a layer.
+    pub const fn toggle(&mut self, layer: Layer) {
+        self.shown[layer as usize] = !self.has(layer);
+    }
+}

@@ -1,0 +1,384 @@
+//! A mechanism that is played: the compiler's interpreter moves it.
+
+use super::distance::{distance_to_shape, nearest};
+use super::landmarks::Landmarks;
+use super::motion::Motion;
+use super::{Layer, Layers, Obstacle, Rates, Style};
+use crate::failure::Failure;
+use crate::motion::{Paths, joints_in_the_way, motor_name, obstacle, range_of, turns};
+use crate::painting::{Painting, number_of, poses_of};
+use mech_compiler::evaluate::{Machine, Stop};
+use mech_compiler::model::{JointId, Look, Model, MotorId};
+use mech_compiler::program::Position;
+use mech_compiler::{Compiled, compile, symbols};
+use mech_runtime::overlay::{Arrows, Spot};
+use mech_runtime::{Acceleration, Canvas, Overlay, Palette, Pose, Velocity};
+use std::cell::OnceCell;
+
+/// A mechanism that is played. The values of its motors are in the order of their declaration, in radians or scene units.
+pub struct Mechanism {
+    model: Model,
+    compiled: Compiled,
+    /// The same with the rates of all links and of laws, once they are asked for; none if that is not possible.
+    with_rates: OnceCell<Option<Compiled>>,
+    painting: Painting,
+    landmarks: Landmarks,
+    /// The points whose velocities are drawn.
+    points: Vec<Spot<f64>>,
+    motion: Motion,
+    position: Position<f64>,
+    paths: Paths,
+}
+
+impl Mechanism {
+    /// A coherent mechanism at its start.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub fn new(model: Model, compiled: Compiled) -> Result<Self, Failure> {
+        let painting = Painting::new(&model, &compiled, true);
+        let [low, high] = painting.extent();
+        let size = (high[0] - low[0]).max(high[1] - low[1]);
+        let has_pose = |link| compiled.program.place_of(link).is_some();
+        let points = symbols::moving_points(&model, &compiled.structure, has_pose);
+        let points = points.iter().filter_map(|point| {
+            let link = number_of(&compiled, point.link)?;
+            Some(Spot { link, at: point.at })
+        });
+        Ok(Self {
+            with_rates: OnceCell::new(),
+            points: points.collect(),
+            landmarks: Landmarks::new(&model, &compiled),
+            motion: Motion::new(&model, &compiled, size)?,
+            position: Machine::<f64>::new(&compiled.program).into_position(),
+            paths: Paths::new(&model, &compiled)?,
+            painting,
+            model,
+            compiled,
+        })
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.model.name
+    }
+
+    /// The layers that are visible at first. Where nothing but declared shapes is wanted, the diagram shows the rest.
+    #[must_use]
+    pub fn layers(&self) -> Layers {
+        if self.model.look == Some(Look::Shapes) || self.painting.is_empty() {
+            Layers::of(&[Layer::Shapes, Layer::Joints, Layer::Links, Layer::Motors])
+        } else {
+            Layers::of(&[Layer::Shapes])
+        }
+    }
+
+    /// The box around its whole motion: lower left and upper right corner.
+    #[must_use]
+    pub fn bounds(&self) -> [[f64; 2]; 2] {
+        self.painting.extent()
+    }
+
+    /// The duration of 1 of the phase of its own motion, in seconds.
+    #[must_use]
+    pub fn seconds(&self) -> f64 {
+        self.motion.seconds()
+    }
+
+    /// After how much of the phase of its own motion every motor has moved.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.motion.length()
+    }
+
+    /// The values of the motors at a phase of its own motion.
+    #[must_use]
+    pub fn motion(&self, phase: f64) -> Vec<f64> {
+        self.motion.at(&self.model, &self.compiled, phase).values
+    }
+
+    /// The rates of the motors at a phase of its own motion.
+    #[must_use]
+    pub fn rates(&self, phase: f64) -> Rates {
+        let compiled = self.with_rates().unwrap_or(&self.compiled);
+        let [first, second] = self.motion.at(&self.model, compiled, phase).rates;
+        Rates { first, second }
+    }
+
+    /// The present values of the motors.
+    #[must_use]
+    pub fn motors(&self) -> &[f64] {
+        &self.position.motors[..self.model.motors.len()]
+    }
+
+    /// The name of a motor, by its number.
+    #[must_use]
+    pub fn motor_name(&self, motor: usize) -> Option<&str> {
+        Some(motor_name(&self.model, self.motor(motor)?))
+    }
+
+    /// Whether a motor slides: then its values are lengths.
+    #[must_use]
+    pub fn slides(&self, motor: usize) -> bool {
+        self.joint_of_motor(motor)
+            .is_some_and(|joint| !turns(&self.model, joint))
+    }
+
+    /// A value of a motor as text: an angle in degrees, or a length.
+    #[must_use]
+    pub fn shown(&self, motor: usize, value: f64) -> Option<String> {
+        self.motor(motor)?;
+        Some(if self.slides(motor) {
+            format!("{value:.3}")
+        } else {
+            format!("{:.1}°", value.to_degrees())
+        })
+    }
+
+    /// The joint of a motor.
+    pub(super) fn joint_of_motor(&self, motor: usize) -> Option<JointId> {
+        Some(self.model.motor(self.motor(motor)?).joint)
+    }
+
+    fn motor(&self, motor: usize) -> Option<MotorId> {
+        self.model.motor_ids().nth(motor)
+    }
+
+    /// Returns to the start.
+    pub fn reset(&mut self) {
+        self.position = Machine::<f64>::new(&self.compiled.program).into_position();
+        self.paths.clear();
+    }
+
+    /// Moves the motors straight towards these values, as far as possible: what is in the way, if it does not arrive. Motors without a
+    /// value keep theirs.
+    pub fn move_toward(&mut self, motors: &[f64]) -> Option<Obstacle> {
+        let (position, obstacle) = self.moved(motors);
+        if position.motors != self.position.motors {
+            self.paths.record(&position.poses);
+        }
+        self.position = position;
+        obstacle
+    }
+
+    /// The position after a move towards these values of the motors, and what is in the way, if it does not arrive.
+    fn moved(&self, motors: &[f64]) -> (Position<f64>, Option<Obstacle>) {
+        let mut goal = self.motors().to_vec();
+        for (value, motor) in goal.iter_mut().zip(motors) {
+            *value = *motor;
+        }
+        let range = self.keep_in_ranges(&mut goal).map(Obstacle::Range);
+        let mut machine = Machine::at(&self.compiled.program, self.position.clone());
+        let stop = match machine.move_toward(&goal) {
+            Ok(stop) => stop,
+            Err(stop) => Some(stop),
+        };
+        (machine.into_position(), stop.map(Obstacle::Stop).or(range))
+    }
+
+    /// Ends a straight move where the first motor comes to an end of its declared range: that motor. Its value is that end, exactly.
+    fn keep_in_ranges(&self, goal: &mut [f64]) -> Option<MotorId> {
+        let mut first: Option<(MotorId, f64, f64)> = None;
+        for motor in self.model.motor_ids() {
+            let Some([low, high]) = range_of(&self.model, motor) else {
+                continue;
+            };
+            let (from, to) = (self.position.motors[motor.index()], goal[motor.index()]);
+            if to.is_finite() && !(low..=high).contains(&to) {
+                let end = to.clamp(low, high);
+                let part = (end - from) / (to - from);
+                if first.is_none_or(|(_, least, _)| part < least) {
+                    first = Some((motor, part, end));
+                }
+            }
+        }
+        let (stopped, part, end) = first?;
+        for (value, from) in goal.iter_mut().zip(&self.position.motors) {
+            *value = from + (*value - from) * part;
+        }
+        goal[stopped.index()] = end;
+        Some(stopped)
+    }
+
+    /// What is in the way, as a phrase.
+    pub(super) fn cause(&self, of: Obstacle) -> String {
+        match of {
+            Obstacle::Range(motor) => {
+                let name = motor_name(&self.model, motor);
+                format!("end of the declared range of `{name}`")
+            }
+            Obstacle::Stop(stop) => obstacle(&self.model, &self.compiled, stop),
+        }
+    }
+
+    /// The joints of the loop that is in the way, if one is.
+    pub(super) fn joints_in_the_way(&self, of: Obstacle) -> Vec<JointId> {
+        match of {
+            Obstacle::Range(_) => Vec::new(),
+            Obstacle::Stop(stop) => joints_in_the_way(&self.model, &self.compiled, stop),
+        }
+    }
+
+    /// The place in the scene of a place on a link. `None` if the link does not exist.
+    #[must_use]
+    pub fn place(&self, spot: Spot<f64>) -> Option<[f64; 2]> {
+        place_in(&self.position, spot)
+    }
+
+    /// The place after a move towards these values of the motors, as far as possible. `None` if a value is not finite.
+    #[must_use]
+    pub fn place_toward(&self, spot: Spot<f64>, motors: &[f64]) -> Option<[f64; 2]> {
+        match self.moved(motors) {
+            (_, Some(Obstacle::Stop(Stop::NotFinite(_)))) => None,
+            (position, _) => place_in(&position, spot),
+        }
+    }
+
+    /// The place of a joint in the scene, if it turns, slides or welds.
+    pub(super) fn joint(&self, joint: JointId) -> Option<[f64; 2]> {
+        self.place(self.landmarks.joint(joint)?)
+    }
+
+    /// The place on the visible moving link, or else on the nearest one. `None` if that is farther away than `reach`.
+    #[must_use]
+    pub fn spot_at(&self, place: [f64; 2], reach: f64) -> Option<Spot<f64>> {
+        let mut found = None;
+        let mut least = reach;
+        let mut offer = |link: usize, at: [f64; 2], distance: f64| {
+            if distance <= least {
+                least = distance;
+                found = Some(Spot { link, at });
+            }
+        };
+        for link in 1..=self.position.poses.len() {
+            let at = pose_in(&self.position, link)?.relative(place);
+            offer(link, at, self.distance(link, at));
+        }
+        // From the back to the front: of several that lie one upon the other the last is seen.
+        for (link, outline) in self.painting.outlines().filter(|(link, _)| *link > 0) {
+            let at = pose_in(&self.position, link)?.relative(place);
+            offer(link, at, distance_to_shape(at, &outline));
+        }
+        found
+    }
+
+    /// The distance of a place from the bars of a link.
+    fn distance(&self, link: usize, at: [f64; 2]) -> f64 {
+        let joints = self.landmarks.on_link(link);
+        let bars = joints
+            .clone()
+            .flat_map(|from| joints.clone().map(move |to| [from, to]));
+        nearest(at, bars)
+    }
+
+    /// Whether it can show a layer.
+    #[must_use]
+    pub fn offers(&self, layer: Layer) -> bool {
+        match layer {
+            Layer::Shapes => !self.painting.is_empty(),
+            Layer::Joints | Layer::Links | Layer::Axes | Layer::Motors => true,
+            Layer::Velocities | Layer::Accelerations => self.with_rates().is_some(),
+        }
+    }
+
+    /// The mechanism with the rates of all links. Where they are not declared, it is compiled once more, with them.
+    fn with_rates(&self) -> Option<&Compiled> {
+        let found = self.with_rates.get_or_init(|| {
+            let mut model = self.model.clone();
+            model.effects.velocity = true;
+            model.effects.acceleration = true;
+            // Positions have to mean the same in both.
+            let compiled = compile(&model).ok();
+            compiled.filter(|other| other.program == self.compiled.program)
+        });
+        found.as_ref()
+    }
+
+    /// Draws the mechanism, whose motors have these rates.
+    pub(super) fn draw(&self, canvas: &mut impl Canvas<f64>, style: &Style, rates: &Rates) {
+        let has = |layer| style.layers.has(layer);
+        let poses = poses_of(&self.position.poses);
+        if has(Layer::Shapes) {
+            self.painting.paint_look(&poses, &self.paths, canvas);
+        }
+        let overlay = Overlay::new()
+            .joints(has(Layer::Joints))
+            .links(has(Layer::Links))
+            .axes(has(Layer::Axes))
+            .motors(has(Layer::Motors))
+            .size(style.size);
+        self.painting.paint_diagram(&poses, &overlay, canvas);
+        if has(Layer::Velocities) || has(Layer::Accelerations) {
+            self.draw_arrows(canvas, style, rates, &poses);
+        }
+    }
+
+    /// Draws velocities and accelerations, where they are determined.
+    fn draw_arrows(
+        &self,
+        canvas: &mut impl Canvas<f64>,
+        style: &Style,
+        rates: &Rates,
+        poses: &[Pose<f64>],
+    ) {
+        let program = self.with_rates().and_then(|found| found.moving.as_ref());
+        let Some(program) = program else {
+            return;
+        };
+        let given = |rates: &[f64]| {
+            let mut all = vec![0.0; self.model.motors.len()];
+            for (value, rate) in all.iter_mut().zip(rates) {
+                *value = *rate;
+            }
+            all
+        };
+        let machine = Machine::at(program, self.position.clone());
+        let Ok(found) = machine.motion(&given(&rates.first), &given(&rates.second)) else {
+            return;
+        };
+        let arrows = |length, color| Arrows::new(length, color).size(style.size);
+        let accelerations = found.accelerations.as_deref().unwrap_or_default();
+        let red = arrows(style.acceleration, Palette::RED);
+        let blue = arrows(style.velocity, Palette::BLUE);
+        let points = || {
+            let on_links = self.points.iter();
+            on_links.filter_map(|spot| {
+                let link = spot.link.checked_sub(1)?;
+                let &[angular, x, y] = found.velocities.get(link)?;
+                let velocity = Velocity { angular, x, y };
+                Some((link, *poses.get(link)?, velocity, spot.at))
+            })
+        };
+        if style.layers.has(Layer::Accelerations) {
+            for (link, pose, velocity, at) in points() {
+                if let Some(&[angular, x, y]) = accelerations.get(link) {
+                    let acceleration = Acceleration { angular, x, y };
+                    let vector = acceleration.of_point(pose, velocity.angular, at);
+                    red.draw(canvas, pose.apply(at), vector);
+                }
+            }
+        }
+        if style.layers.has(Layer::Velocities) {
+            for (_, pose, velocity, at) in points() {
+                blue.draw(canvas, pose.apply(at), velocity.of_point(pose, at));
+            }
+        }
+    }
+}
+
+/// The pose of a link; the ground too.
+fn pose_in(position: &Position<f64>, link: usize) -> Option<Pose<f64>> {
+    match link.checked_sub(1) {
+        None => Some(Pose::identity()),
+        Some(moving) => {
+            let &[cos, sin, x, y] = position.poses.get(moving)?;
+            Some(Pose { cos, sin, x, y })
+        }
+    }
+}
+
+/// The place in the scene of a place on a link.
+fn place_in(position: &Position<f64>, spot: Spot<f64>) -> Option<[f64; 2]> {
+    Some(pose_in(position, spot.link)?.apply(spot.at))
+}

@@ -1,0 +1,49 @@
+//! A window, or a terminal, in which mechanisms move. They play, follow the pointer when a link is dragged, and stop and mark their limits.
+//!
+//! A [`Player`] is the whole state. It takes [`Control`]s and the time that has passed, and knows no window and no clock. A [`Stage`] adds
+//! the [`Painter`]. The window and the [`terminal`] are two thin front ends to it. A [`Mechanism`] is moved by the compiler's
+//! interpreter.
+
+mod bounds;
+mod camera;
+mod caption;
+mod control;
+mod distance;
+mod driven;
+mod driver;
+mod grip;
+pub mod half_blocks;
+pub mod keys;
+mod landmarks;
+mod layers;
+mod limit;
+mod marks;
+mod mechanism;
+mod motion;
+mod pace;
+mod painter;
+mod player;
+mod stage;
+mod style;
+pub mod terminal;
+#[cfg(feature = "window")]
+pub mod window;
+
+pub use camera::Camera;
+pub use control::Control;
+pub use driven::Driven;
+pub use driver::Driver;
+use grip::Held;
+pub use grip::{Free, Grip};
+pub use keys::Key;
+pub use layers::{Layer, Layers};
+pub use limit::{Limit, Obstacle};
+pub use mechanism::Mechanism;
+pub use pace::Pace;
+pub use painter::Painter;
+pub use player::Player;
+pub use stage::Stage;
+pub use style::{Rates, Style};
+
+/// The size of a picture at first, in pixels.
+pub const SIZE: [usize; 2] = [960, 720];

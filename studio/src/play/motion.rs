@@ -1,0 +1,153 @@
+//! The motion that a mechanism makes by itself.
+
+use crate::failure::Failure;
+use crate::motion::{Drive, Moment, Span, range_of, reach, turns};
+use mech_compiler::Compiled;
+use mech_compiler::model::{Model, MotorId};
+use std::f64::consts::{PI, TAU};
+
+/// The duration of a stroke, in seconds: as long as a film.
+const STROKE: f64 = 4.0;
+/// How much of its reach a motor uses, so that rounding does not carry it beyond the ends.
+const USED: f64 = 0.98;
+
+/// The motion that a mechanism makes by itself, by a phase that goes on and on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Motion {
+    /// By the laws of its motors; the phase is the time in seconds.
+    Laws(Drive),
+    /// One motor after the other makes its stroke, while the others rest; a stroke is 1 of the phase.
+    Strokes(Vec<Stroke>),
+}
+
+/// What a motor does alone, from where it is at the start and back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stroke {
+    motor: MotorId,
+    way: Way,
+}
+
+/// The way of a stroke.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Way {
+    /// Once round.
+    Round,
+    /// To and fro: from the phase of a sine that is 0 in the middle, and as far as this to either side.
+    ToAndFro { from: f64, half: f64 },
+}
+
+impl Motion {
+    /// The motion of a mechanism that is as large as this. A motor goes through its declared range, or once round, or as far as the
+    /// mechanism lets it; one that slides no farther than the mechanism is large.
+    pub(super) fn new(model: &Model, compiled: &Compiled, size: f64) -> Result<Self, Failure> {
+        if model.lawful_motors().next().is_some() {
+            let drive = Drive::new(model, compiled, None, Span::default(), &[])?;
+            return Ok(Self::Laws(drive));
+        }
+        let mut strokes = Vec::new();
+        for motor in model.motor_ids() {
+            let way = Way::new(model, compiled, motor, size)?;
+            strokes.extend(way.map(|way| Stroke { motor, way }));
+        }
+        Ok(Self::Strokes(strokes))
+    }
+
+    /// The duration of 1 of the phase, in seconds.
+    pub(super) const fn seconds(&self) -> f64 {
+        match self {
+            Self::Laws(_) => 1.0,
+            Self::Strokes(_) => STROKE,
+        }
+    }
+
+    /// After how much of the phase every motor has moved.
+    pub(super) fn length(&self) -> f64 {
+        match self {
+            Self::Laws(_) => 1.0,
+            Self::Strokes(strokes) => u32::try_from(strokes.len()).map_or(1.0, f64::from).max(1.0),
+        }
+    }
+
+    /// The motors at a phase. From the ends of it, it goes on.
+    pub(super) fn at(&self, model: &Model, compiled: &Compiled, phase: f64) -> Moment {
+        match self {
+            Self::Laws(drive) => drive.moment(model, compiled, phase, 0.0),
+            Self::Strokes(strokes) => {
+                let count = model.motors.len();
+                let mut values = compiled.program.start.motors[..count].to_vec();
+                let mut rates = [vec![0.0; count], vec![0.0; count]];
+                let number = phase.floor();
+                let length = self.length();
+                let (round, turn) = ((number / length).floor(), number.rem_euclid(length));
+                for (stroke, place) in strokes.iter().zip(0_u32..) {
+                    let place = f64::from(place);
+                    let part = if place < turn {
+                        1.0
+                    } else if place > turn {
+                        0.0
+                    } else {
+                        phase - number
+                    };
+                    let motor = stroke.motor.index();
+                    let [value, first, second] = stroke.way.at(round, part);
+                    values[motor] += value;
+                    if place == turn {
+                        rates[0][motor] = first / STROKE;
+                        rates[1][motor] = second / (STROKE * STROKE);
+                    }
+                }
+                Moment {
+                    by: phase,
+                    values,
+                    rates,
+                }
+            }
+        }
+    }
+}
+
+impl Way {
+    /// The way of a motor from the start; none if it cannot move.
+    fn new(
+        model: &Model,
+        compiled: &Compiled,
+        motor: MotorId,
+        size: f64,
+    ) -> Result<Option<Self>, Failure> {
+        let base = &compiled.program.start.motors[..model.motors.len()];
+        let turns = turns(model, model.motor(motor).joint);
+        let ends = if let Some(ends) = range_of(model, motor) {
+            ends
+        } else {
+            let distance = if turns { TAU } else { size / 2.0 };
+            let found = reach(model, compiled, motor, base, distance)?;
+            if turns && found.is_free {
+                return Ok(Some(Self::Round));
+            }
+            found.ends
+        };
+        let [low, high] = ends;
+        let half = USED * (high - low) / 2.0;
+        let offset = base[motor.index()] - f64::midpoint(low, high);
+        let is_usable = half.is_finite() && half > 0.0;
+        Ok(is_usable.then(|| Self::ToAndFro {
+            from: (offset / half).clamp(-1.0, 1.0).asin(),
+            half,
+        }))
+    }
+
+    /// How far the motor is from its start after so many strokes and a part of one; the slope and the curvature of that.
+    fn at(self, round: f64, part: f64) -> [f64; 3] {
+        match self {
+            Self::Round => [TAU * (round + part), TAU, 0.0],
+            Self::ToAndFro { from, half } => {
+                let (sin, cos) = (from + 2.0 * PI * part).sin_cos();
+                [
+                    half * (sin - from.sin()),
+                    half * TAU * cos,
+                    -half * TAU * TAU * sin,
+                ]
+            }
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! What is played is what the macro makes of the same text, to the bit.
+
+use crate::gallery::from_rust;
+use mech_gallery::{Exhibited, Visitor, visit_f64};
+use mech_runtime::Real;
+use mech_runtime::overlay::Spot;
+
+/// Steps of a whole motion.
+const STEPS: u32 = 240;
+
+/// Moves both through the motion of the gallery, and looks at two points of each link.
+struct Judge {
+    names: Vec<&'static str>,
+}
+
+impl Visitor for Judge {
+    fn visit<M: Exhibited>(&mut self) {
+        let mut played = from_rust(M::SOURCE);
+        let mut compiled = M::new();
+        assert_eq!(played.title(), M::NAME);
+        for step in 0..=STEPS {
+            let phase = f64::from(step) / f64::from(STEPS);
+            let motors = M::motion(Real::from_f64(phase));
+            compiled.move_to(motors).expect("it moves");
+            let values: Vec<f64> = motors.as_ref().iter().map(|value| value.to_f64()).collect();
+            assert_eq!(played.move_toward(&values), None);
+            for (number, pose) in compiled.poses().iter().enumerate() {
+                let pose = mech_runtime::Pose {
+                    cos: pose.cos.to_f64(),
+                    sin: pose.sin.to_f64(),
+                    x: pose.x.to_f64(),
+                    y: pose.y.to_f64(),
+                };
+                for at in [[0.0, 0.0], [1.0, 0.5]] {
+                    let link = number + 1;
+                    let place = played.place(Spot { link, at }).expect("it has that link");
+                    let expected = pose.apply(at);
+                    assert_eq!(
+                        place.map(f64::to_bits),
+                        expected.map(f64::to_bits),
+                        "{} at {phase}, link {link}: {place:?}, not {expected:?}",
+                        M::NAME
+                    );
+                }
+            }
+        }
+        self.names.push(M::NAME);
+    }
+}
+
+#[test]
+fn all_of_the_gallery_is_played_as_it_is_compiled() {
+    let mut judge = Judge { names: Vec::new() };
+    visit_f64(&mut judge);
+    assert_eq!(judge.names.len(), crate::gallery::FILES.len());
+}

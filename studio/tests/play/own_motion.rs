@@ -1,0 +1,110 @@
+//! The motion that a mechanism makes by itself.
+
+use crate::gallery::{FILES, SIZE, from_text, mechanism, near, player};
+use mech_studio::play::{Mechanism, Player};
+use std::f64::consts::TAU;
+
+/// The mechanism goes through its own motion twice, step by step: nothing is in its way, and all motors move.
+fn goes_through(mut mechanism: Mechanism) {
+    let title = mechanism.title().to_owned();
+    let start = mechanism.motors().to_vec();
+    let mut moved = vec![false; start.len()];
+    let mut phase = 0.0;
+    while phase < 2.0 * mechanism.length() {
+        phase += 1.0 / 120.0;
+        let goal = mechanism.motion(phase);
+        let obstacle = mechanism.move_toward(&goal);
+        assert!(obstacle.is_none(), "{title} at {phase}: {obstacle:?}");
+        for (moved, (value, start)) in moved.iter_mut().zip(goal.iter().zip(&start)) {
+            *moved |= (value - start).abs() > 1e-3;
+        }
+    }
+    assert!(moved.iter().all(|moved| *moved), "{title}: {moved:?}");
+}
+
+#[test]
+fn all_motors_of_the_gallery_move_and_nothing_is_in_their_way() {
+    for file in FILES {
+        goes_through(mechanism(file));
+    }
+}
+
+/// Rates are the slopes of the values, and second rates those of the rates.
+#[test]
+fn rates_are_slopes() {
+    const APART: f64 = 1e-5;
+    for file in ["crane", "excavator", "skeleton"] {
+        let mechanism = mechanism(file);
+        let seconds = mechanism.seconds();
+        // Within a stroke, not where one motor follows another.
+        for phase in [0.13, 0.77, 1.4] {
+            let slopes = |before: &[f64], after: &[f64]| -> Vec<f64> {
+                let pairs = before.iter().zip(after);
+                pairs
+                    .map(|(before, after)| (after - before) / (2.0 * APART * seconds))
+                    .collect()
+            };
+            let [before, after] = [phase - APART, phase + APART];
+            let here = mechanism.rates(phase);
+            let first = slopes(&mechanism.motion(before), &mechanism.motion(after));
+            let [low, high] = [before, after].map(|phase| mechanism.rates(phase).first);
+            let size = mechanism.bounds()[1][0] - mechanism.bounds()[0][0];
+            assert!(near(&here.first, &first, 1e-6 * size), "{file} {phase}");
+            assert!(near(&here.second, &slopes(&low, &high), 1e-6 * size));
+        }
+    }
+}
+
+#[test]
+fn motors_follow_their_laws_in_seconds() {
+    let text = "struct Crank; link crank { point pin = (1, 0); }
+joint a = revolute(ground, crank) at (0, 0);
+motor a = 0.5 * t * t;";
+    let mut player = Player::new(from_text(text), Vec::new(), SIZE);
+    for _ in 0..40 {
+        player.advance(0.1);
+    }
+    assert!(near(player.motors(), &[8.0], 1e-9), "{:?}", player.motors());
+    let rates = player.mechanism().rates(4.0);
+    assert!(near(&rates.first, &[4.0], 1e-12) && near(&rates.second, &[1.0], 1e-12));
+}
+
+#[test]
+fn a_motor_keeps_within_its_range_and_comes_back() {
+    let mut player = player("excavator");
+    let start = player.motors().to_vec();
+    let ranges: [[f64; 2]; 3] = [[1.65, 2.65], [2.75, 3.95], [1.75, 2.5]];
+    let mut reached = ranges.map(|[low, high]| [high, low]);
+    // Three strokes of 4 s.
+    for _ in 0..240 {
+        player.advance(0.05);
+        for (reached, &value) in reached.iter_mut().zip(player.motors()) {
+            *reached = [reached[0].min(value), reached[1].max(value)];
+        }
+    }
+    assert!(near(player.motors(), &start, 1e-9), "{:?}", player.motors());
+    for (reached, range) in reached.iter().zip(ranges) {
+        let hundredth = 0.012 * (range[1] - range[0]);
+        assert!(near(reached, &range, hundredth), "{reached:?} {range:?}");
+        assert!(range[0] < reached[0] && reached[1] < range[1]);
+    }
+}
+
+#[test]
+fn a_crank_turns_on_and_on() {
+    let mut player = player("four_bar");
+    for _ in 0..60 {
+        player.advance(0.1);
+    }
+    assert!(near(player.motors(), &[1.5 * TAU], 1e-9));
+}
+
+/// A slide without a declared range has no end of its own: it goes as far as the mechanism is large.
+#[test]
+fn a_slide_without_a_range_moves() {
+    let text = "struct Slide; ground { line rail = (0, 0) -> (1, 0); }
+link block { line rail = (0, 0) -> (1, 0); polygon [(-1, -1), (1, -1), (1, 1), (-1, 1)]; }
+joint x = prismatic(ground.rail, block.rail);
+motor x;";
+    goes_through(from_text(text));
+}

@@ -1,0 +1,140 @@
+#!/usr/bin/env bash
+# Plays the crane in a window on a virtual display, with keys and mouse, and looks at what is seen there.
+# Leaves its screenshots in target/virtual-display.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+fail() {
+    echo "error: $*" >&2
+    exit 1
+}
+
+# What is needed besides Rust: each by the program or library that tells whether it is there.
+missing=()
+for need in Xvfb:xvfb xdotool:xdotool import:imagemagick convert:imagemagick; do
+    command -v "${need%%:*}" >/dev/null || missing+=("${need##*:}")
+done
+libraries=$(ldconfig -p 2>/dev/null || /sbin/ldconfig -p)
+for need in libX11.so.6:libx11-6 libX11-xcb.so.1:libx11-xcb1 libXcursor.so.1:libxcursor1 libXi.so.6:libxi6 \
+    libxkbcommon-x11.so.0:libxkbcommon-x11-0; do
+    [[ $libraries == *"${need%%:*}"* ]] || missing+=("${need##*:}")
+done
+if ((${#missing[@]} > 0)); then
+    [[ $(id -u) == 0 ]] && command -v apt-get >/dev/null ||
+        fail "the virtual display needs ${missing[*]}: install them, or run this as root where there is apt-get"
+    { apt-get update && apt-get install -y "${missing[@]}"; } >/dev/null || fail "cannot install ${missing[*]}"
+fi
+
+cargo build --release --bin mech
+shots=target/virtual-display
+rm -rf "$shots" && mkdir -p "$shots"
+
+processes=()
+cleanup() {
+    for process in "${processes[@]}"; do
+        kill "$process" 2>/dev/null || true
+    done
+}
+trap cleanup EXIT
+
+Xvfb -displayfd 3 -screen 0 1100x800x24 -nolisten tcp 3>"$shots/display" 2>"$shots/xvfb.log" &
+processes+=($!)
+for _ in {1..100}; do
+    [[ -s $shots/display ]] && break
+    sleep 0.1
+done
+[[ -s $shots/display ]] || fail "Xvfb does not start: $(cat "$shots/xvfb.log")"
+DISPLAY=:$(cat "$shots/display")
+export DISPLAY
+unset WAYLAND_DISPLAY WAYLAND_SOCKET
+# So that a pixel is a pixel.
+export WINIT_X11_SCALE_FACTOR=1
+
+"${CARGO_TARGET_DIR:-target}/release/mech" play examples/gallery/src/mechanisms/crane.rs &
+player=$!
+processes+=("$player")
+window=$(timeout 20 xdotool search --sync --onlyvisible --name 'LuffingCrane' | head -n 1) || fail "no window comes up"
+xdotool windowfocus "$window"
+
+shot() { import -window root "$shots/$1.png"; }
+# What a screenshot shows of the mechanism, below the words.
+scene() { convert "$shots/$1.png" -crop +0+80 +repage "ppm:$2"; }
+title() { xdotool getwindowname "$window"; }
+press() {
+    xdotool key "$@"
+    sleep 0.3
+}
+same() {
+    scene "$1" "$shots/one.ppm" && scene "$2" "$shots/other.ppm" || fail "no screenshot"
+    cmp -s "$shots/one.ppm" "$shots/other.ppm"
+}
+# How many pixels have the red of a mark.
+red() { scene "$1" - | convert ppm:- -fill black +opaque '#C94F45' -fill white -opaque '#C94F45' -format '%[fx:round(mean*w*h)]' info:; }
+# Waits until the title has these words in it.
+until_title() {
+    for _ in {1..100}; do
+        [[ $(title) == *"$1"* ]] && return
+        sleep 0.1
+    done
+    fail "the title is \"$(title)\", without \"$1\""
+}
+
+until_title 'playing own motion'
+shot moving-1
+sleep 0.4
+shot moving-2
+colors=$(convert "$shots/moving-1.png" -format %k info:)
+((colors > 60)) || fail "the window is blank: $colors colours"
+! same moving-1 moving-2 || fail "nothing moves"
+
+press space
+until_title paused
+shot paused-1
+sleep 0.4
+shot paused-2
+same paused-1 paused-2 || fail "it moves while it is paused"
+
+press Right
+shot stepped
+! same paused-2 stepped || fail "a step changes nothing"
+
+# From the start the middle of the jib is at this pixel: it is pulled to the left and up.
+press r
+shot reset
+xdotool mousemove --window "$window" 400 378 mousedown 1 mousemove --window "$window" 370 351 mousemove --window "$window" 340 341
+sleep 0.3
+shot dragged
+xdotool mouseup 1
+! same reset dragged || fail "the drag changes nothing"
+[[ $(title) != *'luff 55.0°'* ]] || fail "the drag does not turn the motor: $(title)"
+
+press 2 6
+press Right
+shot layers
+press 2 6 d
+shot night
+! same layers night || fail "the night is as the day"
+press d
+
+before=$(red dragged)
+press Tab space
+until_title 'motor `luff` stopped at 82.'
+shot limit
+after=$(red limit)
+((after > before + 400)) || fail "no mark is seen at the limit: $before and then $after red pixels"
+press b space
+until_title 'playing backwards'
+until_title 'motor `luff` stopped at 27.'
+shot other-limit
+! same limit other-limit || fail "both limits look the same"
+
+xdotool windowsize --sync "$window" 500 400
+sleep 0.5
+shot small
+corner=$(convert "$shots/small.png" -format '%[pixel:p{2,397}]' info:)
+beyond=$(convert "$shots/small.png" -format '%[pixel:p{2,420}]' info:)
+[[ $corner != "$beyond" ]] || fail "the window is not painted when it is made smaller: $corner"
+
+press q
+wait "$player" || fail "it does not end well"
+echo "virtual display: moves, pauses, steps, follows the mouse, stops at both limits (screenshots in $shots)"
