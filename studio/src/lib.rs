@@ -14,6 +14,7 @@ mod dialogue;
 mod document;
 mod edit;
 mod failure;
+mod import;
 mod mend;
 mod motion;
 mod output;

@@ -6,6 +6,7 @@ mod draw;
 mod film;
 mod fix;
 mod graph;
+mod import;
 mod measure;
 mod picture;
 mod plot;
@@ -59,6 +60,7 @@ enum Command {
     Film(film::Film),
     Table(table::Table),
     Plot(plot::Plot),
+    Import(import::Import),
     Run(run::Run),
     Completions(completions::Completions),
 }
@@ -144,6 +146,7 @@ impl Command {
             Self::Film(film) => film.run(console),
             Self::Table(table) => table.run(console),
             Self::Plot(plot) => plot.run(console),
+            Self::Import(import) => import.run(console),
             Self::Run(run) => run.run(console),
             Self::Completions(completions) => completions.run(console),
         }
@@ -160,7 +163,7 @@ impl Command {
             Self::Film(film) => &mut film.target,
             Self::Table(table) => &mut table.target,
             Self::Plot(plot) => &mut plot.target,
-            Self::Run(_) | Self::Completions(_) => return None,
+            Self::Import(_) | Self::Run(_) | Self::Completions(_) => return None,
         })
     }
 }

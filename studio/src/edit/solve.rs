@@ -2,7 +2,7 @@
 
 use super::{Change, Refusal, Scene};
 use crate::document::NumberText;
-use crate::text::Replacement;
+use crate::text::{Replacement, written_like};
 use mech_compiler::model::Model;
 use mech_compiler::syntax::Noun;
 use std::ops::Range;
@@ -52,7 +52,7 @@ pub(super) fn reach(
     if is_literal(text) {
         change.edits.push(Replacement {
             range: goal.number.range.clone(),
-            text: written(goal.value, text),
+            text: written_like(goal.value, text),
         });
         change.edits.sort_by_key(|edit| edit.range.start);
         return Ok(());
@@ -161,7 +161,7 @@ fn solve(
     }
     let edit_to = |value: f64| Replacement {
         range: candidate.range.clone(),
-        text: written(value, old),
+        text: written_like(value, old),
     };
     let read = |value: f64| -> Result<Option<f64>, Refusal> {
         let mut edits = others.to_vec();
@@ -208,16 +208,4 @@ fn rounded(
         }
     }
     Ok(value)
-}
-
-/// A number, with a decimal point where the one before it has one.
-pub(super) fn written(value: f64, old: &str) -> String {
-    // Zero has no sign.
-    let value = value + 0.0;
-    let is_plain = value == 0.0 || (1e-5..1e15).contains(&value.abs());
-    if is_plain && !old.contains(['.', 'e']) {
-        format!("{value}")
-    } else {
-        format!("{value:?}")
-    }
 }

@@ -1,0 +1,282 @@
+//! A linkage of PMKS+ as a drawing.
+
+use super::linkage::{Force, Joint, Link, Linkage};
+use crate::import::Imported;
+use crate::import::drawing::{Body, Direction, Drawing, End, Form, Load, Mass, Motor, Point};
+use crate::import::omission::Omission;
+use std::collections::BTreeMap;
+
+/// Links have angles in thousandths of a radian.
+const ROUNDING: f64 = 0.000_501;
+/// Angles in degrees that people draw at.
+const USUAL: f64 = 15.0;
+
+/// The drawing of a linkage.
+pub(super) fn translate(mut linkage: Linkage) -> Imported {
+    let omissions = std::mem::take(&mut linkage.omissions);
+    let mut translation = Translation {
+        ends: ends(&linkage),
+        linkage: &linkage,
+        drawing: Drawing::default(),
+        omissions,
+    };
+    translation.bodies();
+    for joint in 0..linkage.joints.len() {
+        translation.joint(joint);
+    }
+    for force in &linkage.forces {
+        translation.force(force);
+    }
+    translation.remarks();
+    Imported {
+        drawing: translation.drawing,
+        omissions: translation.omissions,
+    }
+}
+
+struct Translation<'l> {
+    linkage: &'l Linkage,
+    /// What each link is; nothing if it is a piece, or carries nothing.
+    ends: Vec<Option<End>>,
+    drawing: Drawing,
+    omissions: Vec<Omission>,
+}
+
+/// What each link is: links that are welded together are one body.
+fn ends(linkage: &Linkage) -> Vec<Option<End>> {
+    let mut roots: Vec<usize> = (0..linkage.links.len()).collect();
+    let welds = linkage.joints.iter().enumerate();
+    for (number, _) in welds.filter(|(_, joint)| joint.is_welded) {
+        let links = linkage.links.iter().enumerate();
+        let mut links = links.filter(|(_, link)| link.is_root && link.joints.contains(&number));
+        if let Some((first, _)) = links.next() {
+            for (other, _) in links {
+                let [a, b] = [roots[first], roots[other]];
+                for root in &mut roots {
+                    if *root == a.max(b) {
+                        *root = a.min(b);
+                    }
+                }
+            }
+        }
+    }
+    let mut bodies = BTreeMap::new();
+    let links = linkage.links.iter().enumerate();
+    let ends = links.map(|(number, link)| {
+        if !link.is_root {
+            return None;
+        }
+        let root = roots[number];
+        let together: Vec<&Link> = linkage
+            .links
+            .iter()
+            .zip(&roots)
+            .filter(|(link, other)| link.is_root && **other == root)
+            .map(|(link, _)| link)
+            .collect();
+        if together.iter().any(|link| is_fixed(linkage, link)) {
+            return Some(End::Ground);
+        }
+        if together.iter().all(|link| link.joints.len() < 2) {
+            return None;
+        }
+        let count = bodies.len();
+        Some(End::Body(*bodies.entry(root).or_insert(count)))
+    });
+    ends.collect()
+}
+
+/// Whether a link cannot move, as two pivots hold it to the ground.
+fn is_fixed(linkage: &Linkage, link: &Link) -> bool {
+    let joints = link.joints.iter().map(|joint| &linkage.joints[*joint]);
+    let mut pivots = joints.filter(|joint| joint.is_grounded && joint.along.is_none());
+    match pivots.next() {
+        Some(first) => pivots.any(|other| other.at != first.at),
+        None => false,
+    }
+}
+
+impl Translation<'_> {
+    fn bodies(&mut self) {
+        for (number, link) in self.linkage.links.iter().enumerate() {
+            let of = format!("link {}", link.name);
+            match self.ends[number] {
+                None if link.is_root => {
+                    let what = "it has one joint, so it carries nothing";
+                    self.omissions.push(Omission::new(of, what));
+                }
+                None if link.mass.is_some() => {
+                    let what =
+                        "it is a piece of a link that is welded together; its mass is not counted";
+                    self.omissions.push(Omission::new(of, what));
+                }
+                None => {}
+                Some(End::Ground) => {
+                    let what = "two pivots hold it to the ground, so it is a part of the ground";
+                    self.omissions.push(Omission::new(of, what));
+                }
+                Some(End::Body(body)) => self.body(body, link),
+            }
+        }
+    }
+
+    /// Adds a body, or what else is welded to it.
+    fn body(&mut self, body: usize, link: &Link) {
+        let mut mass = link.mass;
+        if let (true, Some(mass), Some(joint)) = (link.is_block, &mut mass, link.joints.first()) {
+            mass.at = self.linkage.joints[*joint].at;
+        }
+        let Some(known) = self.drawing.bodies.get_mut(body) else {
+            self.drawing.bodies.push(Body {
+                name: link.name.clone(),
+                mass,
+                color: link.color,
+                points: Vec::new(),
+            });
+            return;
+        };
+        known.mass = match (known.mass, mass) {
+            (Some(a), Some(b)) => Some(together(a, b)),
+            (a, b) => a.or(b),
+        };
+    }
+
+    /// What carries a joint: the ground first, then bodies, each once.
+    fn at(&self, number: usize) -> Vec<End> {
+        let joint = &self.linkage.joints[number];
+        let mut all: Vec<End> = joint
+            .is_grounded
+            .then_some(End::Ground)
+            .into_iter()
+            .collect();
+        let links = self.linkage.links.iter().zip(&self.ends);
+        let links = links.filter(|(link, _)| link.joints.contains(&number));
+        for end in links.filter_map(|(_, end)| *end) {
+            if !all.contains(&end) {
+                all.push(end);
+            }
+        }
+        all.sort_unstable();
+        all
+    }
+
+    fn joint(&mut self, number: usize) {
+        let joint = &self.linkage.joints[number];
+        let of = format!("joint {}", joint.name);
+        let ends = self.at(number);
+        let at = joint.at;
+        let form = match joint.along {
+            None => Form::Revolute { at },
+            Some(angle) => Form::Prismatic {
+                at,
+                along: self.direction(&of, angle),
+            },
+        };
+        let first = self.drawing.join_all(&joint.name, &ends, form);
+        if joint.is_input {
+            let stroke = None;
+            match first {
+                Some(joint) => self.drawing.motors.push(Motor { joint, stroke }),
+                None => self
+                    .omissions
+                    .push(Omission::new(&*of, "its motor has nothing to move")),
+            }
+        }
+        if ends.is_empty() {
+            self.omissions
+                .push(Omission::new(of, "no link that moves has it"));
+        }
+        self.point(joint, &ends, first.is_some());
+    }
+
+    /// A point with a name, where a path is recorded or nothing else marks the end of a link.
+    fn point(&mut self, joint: &Joint, ends: &[End], has_joint: bool) {
+        let is_fixed = ends.contains(&End::Ground) && joint.along.is_none();
+        let moving = ends.iter().find_map(|end| match end {
+            End::Body(body) => Some(*body),
+            End::Ground => None,
+        });
+        // The path of a slider is that of its pin.
+        let is_traced = joint.is_traced && !is_fixed && joint.along.is_none();
+        if let Some(body) = moving.filter(|_| is_traced || !has_joint) {
+            self.drawing.bodies[body].points.push(Point {
+                name: joint.name.clone(),
+                at: joint.at,
+                is_traced,
+            });
+        }
+    }
+
+    /// The direction of a slider. What is a usual angle but for rounding is that angle.
+    fn direction(&mut self, of: &str, angle: f64) -> Direction {
+        if angle == 0.0 {
+            return Direction::Vector([1.0, 0.0]);
+        }
+        let usual = (angle.to_degrees() / USUAL).round() * USUAL;
+        if (usual.to_radians() - angle).abs() > ROUNDING {
+            return Direction::Radians(angle);
+        }
+        let what = format!(
+            "its angle of {angle} radians is read as {usual} degrees, as links have three decimals"
+        );
+        self.omissions.push(Omission::new(of, what));
+        Direction::Degrees(usual)
+    }
+
+    fn force(&mut self, force: &Force) {
+        let of = format!("force {}", force.name);
+        let links = self.linkage.links.iter().enumerate();
+        let holder = |(number, link): (usize, &Link)| {
+            let is_it = number == force.link || link.is_root && link.pieces.contains(&force.link);
+            self.ends[number].filter(|_| is_it)
+        };
+        let Some(End::Body(body)) = links.into_iter().find_map(holder) else {
+            let what = "it acts on no link that moves";
+            self.omissions.push(Omission::new(of, what));
+            return;
+        };
+        let points = &mut self.drawing.bodies[body].points;
+        let point = points.len();
+        points.push(Point {
+            name: force.name.clone(),
+            at: force.at,
+            is_traced: false,
+        });
+        let name = format!("load {}", force.name);
+        self.drawing.loads.push(Load { name, body, point });
+        let [x, y] = force.parts.map(|part| crate::text::shortest(part, 1e-3));
+        let turns = if force.is_local {
+            "; it turns with its link there"
+        } else {
+            ""
+        };
+        let what =
+            format!("a load gets its force at run time; it is ({x}, {y}) at the start{turns}");
+        self.omissions.push(Omission::new(of, what));
+    }
+
+    fn remarks(&mut self) {
+        if let Some(unit) = self.linkage.unit {
+            self.drawing.remarks.push(format!("Lengths are in {unit}."));
+        }
+        if self.drawing.bodies.iter().any(|body| body.mass.is_some()) {
+            let remark = "Masses and moments of inertia are those of PMKS+.";
+            self.drawing.remarks.push(remark.to_owned());
+        }
+    }
+}
+
+/// Two masses as one.
+fn together(a: Mass, b: Mass) -> Mass {
+    let mass = a.mass + b.mass;
+    let at = [0, 1].map(|axis| (a.at[axis] * a.mass + b.at[axis] * b.mass) / mass);
+    let inertia = |one: Mass| {
+        let [x, y] = [one.at[0] - at[0], one.at[1] - at[1]];
+        one.inertia + one.mass * (x * x + y * y)
+    };
+    Mass {
+        mass,
+        at,
+        inertia: inertia(a) + inertia(b),
+    }
+}

@@ -1,0 +1,293 @@
+//! The text of a drawing.
+
+use super::drawing::{Body, Direction, Drawing, End, Form, Joint, Pair, Sizes};
+use super::names::Names;
+use crate::failure::Failure;
+use crate::text::{shortest, written_like};
+
+/// Where a text stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Frame {
+    /// In a file of its own.
+    Mechanism,
+    /// In a call of `mechanism!`, in a Rust file.
+    Rust,
+}
+
+/// The places of a path that are recorded.
+const TRACE: u32 = 360;
+/// What is lost of a number, as a part of the size of the drawing.
+const PRECISION: f64 = 1e-9;
+/// The width of a bar, as a part of the size of the drawing.
+const WIDTH: f64 = 0.03;
+/// The longest line, where it can be broken.
+const LINE: usize = 100;
+
+/// The text of a drawing as a mechanism of this name.
+///
+/// # Errors
+/// If the compiler itself fails, which is a mistake of ours.
+pub(crate) fn text(drawing: &Drawing, name: &str, frame: Frame) -> Result<String, Failure> {
+    let named = Named::of(drawing)?;
+    let size = drawing.size();
+    let writer = Writer {
+        drawing,
+        named,
+        size,
+    };
+    let lines = writer.lines(name, frame);
+    Ok(match frame {
+        Frame::Mechanism => lines.join("\n") + "\n",
+        Frame::Rust => {
+            let inside = lines.iter().map(|line| match &**line {
+                "" => "\n".to_owned(),
+                line => format!("    {line}\n"),
+            });
+            let inside: String = inside.collect();
+            format!("use mech_runtime::mechanism;\n\nmechanism! {{\n{inside}}}\n")
+        }
+    })
+}
+
+/// The names of everything in a drawing, in its order.
+struct Named {
+    bodies: Vec<String>,
+    points: Vec<Vec<String>>,
+    joints: Vec<String>,
+    loads: Vec<String>,
+}
+
+impl Named {
+    fn of(drawing: &Drawing) -> Result<Self, Failure> {
+        let mut names = Names::default();
+        let bodies = drawing.bodies.iter();
+        let bodies = bodies
+            .map(|body| names.claim(&body.name, "link"))
+            .collect::<Result<Vec<_>, _>>()?;
+        let points = drawing.bodies.iter().zip(&bodies).map(|(body, link)| {
+            let points = body.points.iter();
+            points
+                .map(|point| names.claim_point(link, &point.name))
+                .collect()
+        });
+        let points = points.collect::<Result<Vec<Vec<_>>, _>>()?;
+        let joints = drawing.joints.iter();
+        let joints = joints
+            .map(|joint| names.claim(&joint.name, "joint"))
+            .collect::<Result<Vec<_>, _>>()?;
+        let loads = drawing.loads.iter();
+        let loads = loads
+            .map(|load| names.claim(&load.name, "load"))
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(Self {
+            bodies,
+            points,
+            joints,
+            loads,
+        })
+    }
+}
+
+struct Writer<'d> {
+    drawing: &'d Drawing,
+    named: Named,
+    size: f64,
+}
+
+impl Writer<'_> {
+    fn lines(&self, name: &str, frame: Frame) -> Vec<String> {
+        let remarks = self.drawing.remarks.iter();
+        let mut lines: Vec<String> = remarks
+            .map(|remark| format!("/// {}", on_one_line(remark)))
+            .collect();
+        lines.push(match frame {
+            Frame::Mechanism => format!("struct {name};"),
+            Frame::Rust => format!("pub struct {name};"),
+        });
+        // A link without shapes has a body even if others have shapes.
+        if self.drawing.bodies.iter().any(|body| body.color.is_some()) {
+            lines.push("look machine;".to_owned());
+        }
+        lines.push(String::new());
+        for number in 0..self.drawing.bodies.len() {
+            lines.extend(self.link(number));
+        }
+        lines.push(String::new());
+        lines.extend(self.joints());
+        lines.extend(self.motors());
+        lines.extend(self.loads());
+        lines.extend(self.effects());
+        lines
+    }
+
+    /// The statement of a link, on one line if it is short.
+    fn link(&self, number: usize) -> Vec<String> {
+        let items = self.items(number);
+        let name = &self.named.bodies[number];
+        if items.is_empty() {
+            return vec![format!("link {name};")];
+        }
+        let line = format!("link {name} {{ {} }}", items.join(" "));
+        if line.chars().count() <= LINE {
+            return vec![line];
+        }
+        let inside = items.into_iter().map(|item| format!("    {item}"));
+        let first = format!("link {name} {{");
+        [first]
+            .into_iter()
+            .chain(inside)
+            .chain(["}".to_owned()])
+            .collect()
+    }
+
+    fn items(&self, number: usize) -> Vec<String> {
+        let body = &self.drawing.bodies[number];
+        let points = body.points.iter().zip(&self.named.points[number]);
+        let mut items: Vec<String> = points
+            .map(|(point, name)| format!("point {name} = {};", self.place(point.at)))
+            .collect();
+        if let Some(mass) = body.mass {
+            let exact = |value| written_like(value, "");
+            let mut item = format!("mass {} at {}", exact(mass.mass), self.place(mass.at));
+            if mass.inertia != 0.0 {
+                item += &format!(" inertia {}", exact(mass.inertia));
+            }
+            items.push(item + ";");
+        }
+        items.extend(self.bar(number, body));
+        items
+    }
+
+    /// A bar in the colour of a link, from pin to pin.
+    fn bar(&self, number: usize, body: &Body) -> Option<String> {
+        let color = body.color.filter(|_| !self.drawing.is_wheel(number))?;
+        let mut places = around(self.drawing.places(number));
+        if places.len() > 2 {
+            places.extend(places.first().copied());
+        }
+        let places: Vec<String> = places.into_iter().map(|at| self.place(at)).collect();
+        let width = shortest(self.size * WIDTH, self.size * WIDTH * 0.05);
+        // As bodies lie that the compiler makes: two planes for each link.
+        let plane = 2 * number + 2;
+        let color = color.name();
+        (places.len() > 1).then(|| {
+            format!(
+                "bar [{}] width {width} on plane {plane} color {color};",
+                places.join(", ")
+            )
+        })
+    }
+
+    fn joints(&self) -> impl Iterator<Item = String> {
+        let joints = self.drawing.joints.iter().zip(&self.named.joints);
+        joints.map(|(joint, name)| format!("joint {name} = {};", self.joint(joint)))
+    }
+
+    fn joint(&self, joint: &Joint) -> String {
+        let [a, b] = joint.ends.map(|end| match end {
+            End::Ground => "ground",
+            End::Body(number) => &self.named.bodies[number],
+        });
+        match joint.form {
+            Form::Revolute { at } => format!("revolute({a}, {b}) at {}", self.place(at)),
+            Form::Prismatic { at, along } => {
+                let along = self.direction(along);
+                format!("prismatic({a}, {b}) at {} along {along}", self.place(at))
+            }
+            Form::Slot { at, along } => {
+                let along = self.direction(along);
+                format!("slot({a}, {b}) at {} along {along}", self.place(at))
+            }
+            Form::Gear(sizes) => format!("gear({a}, {b}, {})", ratio(sizes)),
+            Form::Belt(sizes) => format!("belt({a}, {b}, {})", ratio(sizes)),
+        }
+    }
+
+    fn motors(&self) -> impl Iterator<Item = String> {
+        self.drawing.motors.iter().map(|motor| {
+            let name = &self.named.joints[motor.joint];
+            match motor.stroke {
+                Some(stroke) if stroke > 0.0 => {
+                    format!("motor {name} in 0 ..= {};", self.number(stroke))
+                }
+                Some(stroke) => format!("motor {name} in {} ..= 0;", self.number(stroke)),
+                None => format!("motor {name};"),
+            }
+        })
+    }
+
+    fn loads(&self) -> impl Iterator<Item = String> {
+        let loads = self.drawing.loads.iter().zip(&self.named.loads);
+        loads.map(|(load, name)| {
+            let body = &self.named.bodies[load.body];
+            let point = &self.named.points[load.body][load.point];
+            format!("load {name} = force({body}.{point});")
+        })
+    }
+
+    fn effects(&self) -> Option<String> {
+        let force = (!self.drawing.loads.is_empty()).then(|| "force;".to_owned());
+        let bodies = self.drawing.bodies.iter().enumerate();
+        let traces = bodies.flat_map(|(number, body)| {
+            let points = body.points.iter().zip(&self.named.points[number]);
+            let traced = points.filter(|(point, _)| point.is_traced);
+            let link = &self.named.bodies[number];
+            traced.map(move |(_, point)| format!("trace {link}.{point} {TRACE};"))
+        });
+        let clauses: Vec<String> = force.into_iter().chain(traces).collect();
+        (!clauses.is_empty()).then(|| format!("effects {{ {} }}", clauses.join(" ")))
+    }
+
+    fn place(&self, [x, y]: Pair) -> String {
+        format!("({}, {})", self.number(x), self.number(y))
+    }
+
+    fn number(&self, value: f64) -> String {
+        shortest(value, self.size * PRECISION)
+    }
+
+    fn direction(&self, direction: Direction) -> String {
+        match direction {
+            Direction::Vector(vector) => {
+                // Short vectors keep their direction, too.
+                let length = vector[0].hypot(vector[1]);
+                let [x, y] = vector.map(|part| shortest(part, length * PRECISION));
+                format!("({x}, {y})")
+            }
+            Direction::Radians(angle) => written_like(angle, ""),
+            Direction::Degrees(angle) => format!("{} deg", written_like(angle, "")),
+        }
+    }
+}
+
+/// Places in the order of a tour around their middle.
+fn around(mut places: Vec<Pair>) -> Vec<Pair> {
+    let count = f64::from(u32::try_from(places.len()).unwrap_or(u32::MAX));
+    let middle = |axis: usize| places.iter().map(|at| at[axis]).sum::<f64>() / count;
+    let [x, y] = [middle(0), middle(1)];
+    if places.len() > 3 {
+        places.sort_by(|a, b| {
+            let angle = |at: &Pair| (at[1] - y).atan2(at[0] - x);
+            angle(a).total_cmp(&angle(b))
+        });
+    }
+    places
+}
+
+/// Numbers of teeth are whole; radii have a point.
+fn ratio(sizes: Sizes) -> String {
+    let (sizes, like) = match sizes {
+        Sizes::Teeth(sizes) => (sizes, ""),
+        Sizes::Radii(sizes) => (sizes, "."),
+    };
+    let [a, b] = sizes.map(|size| written_like(size, like));
+    format!("{a} : {b}")
+}
+
+/// A text without anything that would end a line.
+fn on_one_line(text: &str) -> String {
+    let letters = text.chars();
+    letters
+        .map(|letter| if letter.is_control() { ' ' } else { letter })
+        .collect()
+}
