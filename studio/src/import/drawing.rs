@@ -15,6 +15,8 @@ pub(super) struct Drawing {
     pub(super) joints: Vec<Joint>,
     pub(super) motors: Vec<Motor>,
     pub(super) loads: Vec<Load>,
+    /// How far a length may be off, because it was rounded where it was written.
+    pub(super) rounding: f64,
 }
 
 /// A body that moves.
@@ -39,7 +41,7 @@ pub(super) struct Point {
 /// The mass of a body.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mass {
-    pub(super) mass: f64,
+    pub(super) value: f64,
     /// The centre of mass.
     pub(super) at: Pair,
     /// The moment of inertia about it.
@@ -94,6 +96,9 @@ pub(super) enum Direction {
 pub(super) enum Sizes {
     /// Whole numbers.
     Teeth(Pair),
+    /// In any unit.
+    Ratio(Pair),
+    /// In the unit of length.
     Radii(Pair),
 }
 

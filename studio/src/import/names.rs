@@ -53,7 +53,7 @@ fn allowed(wish: &str, kind: &str) -> Result<String, Failure> {
         return Ok(longer);
     }
     // Letters that are none in Rust.
-    let plain: String = longer.chars().filter(|letter| letter.is_ascii()).collect();
+    let plain: String = longer.chars().filter(char::is_ascii).collect();
     Ok(word(&plain, kind))
 }
 

@@ -30,6 +30,12 @@ impl Omission {
         Self::new("settings", what)
     }
 
+    /// A motor is on one joint.
+    pub(super) fn free_links(of: &str) -> Self {
+        let what = "its motor moves the first of several links on it; the others are free";
+        Self::new(of, what)
+    }
+
     /// The weights depend on the units.
     pub(super) fn gravity() -> Self {
         let what = "gravity acts; `gravity (0, -9.81);` says so in metres and kilograms";

@@ -28,12 +28,10 @@ const LINE: usize = 100;
 /// # Errors
 /// If the compiler itself fails, which is a mistake of ours.
 pub(crate) fn text(drawing: &Drawing, name: &str, frame: Frame) -> Result<String, Failure> {
-    let named = Named::of(drawing)?;
-    let size = drawing.size();
     let writer = Writer {
         drawing,
-        named,
-        size,
+        named: Named::of(drawing)?,
+        size: drawing.size(),
     };
     let lines = writer.lines(name, frame);
     Ok(match frame {
@@ -148,7 +146,7 @@ impl Writer<'_> {
             .collect();
         if let Some(mass) = body.mass {
             let exact = |value| written_like(value, "");
-            let mut item = format!("mass {} at {}", exact(mass.mass), self.place(mass.at));
+            let mut item = format!("mass {} at {}", exact(mass.value), self.place(mass.at));
             if mass.inertia != 0.0 {
                 item += &format!(" inertia {}", exact(mass.inertia));
             }
@@ -198,8 +196,8 @@ impl Writer<'_> {
                 let along = self.direction(along);
                 format!("slot({a}, {b}) at {} along {along}", self.place(at))
             }
-            Form::Gear(sizes) => format!("gear({a}, {b}, {})", ratio(sizes)),
-            Form::Belt(sizes) => format!("belt({a}, {b}, {})", ratio(sizes)),
+            Form::Gear(sizes) => format!("gear({a}, {b}, {})", self.ratio(sizes)),
+            Form::Belt(sizes) => format!("belt({a}, {b}, {})", self.ratio(sizes)),
         }
     }
 
@@ -238,12 +236,34 @@ impl Writer<'_> {
         (!clauses.is_empty()).then(|| format!("effects {{ {} }}", clauses.join(" ")))
     }
 
+    /// Numbers of teeth are whole; radii have a point.
+    fn ratio(&self, sizes: Sizes) -> String {
+        let [a, b] = match sizes {
+            Sizes::Teeth(sizes) => sizes.map(|size| written_like(size, "")),
+            Sizes::Ratio(sizes) => sizes.map(|size| written_like(size, ".")),
+            Sizes::Radii(sizes) => sizes.map(|size| {
+                let text = self.number_within(size, size);
+                if text.contains(['.', 'e']) {
+                    text
+                } else {
+                    text + ".0"
+                }
+            }),
+        };
+        format!("{a} : {b}")
+    }
+
     fn place(&self, [x, y]: Pair) -> String {
         format!("({}, {})", self.number(x), self.number(y))
     }
 
     fn number(&self, value: f64) -> String {
-        shortest(value, self.size * PRECISION)
+        self.number_within(value, self.size)
+    }
+
+    /// A number that belongs to a thing of this size.
+    fn number_within(&self, value: f64, size: f64) -> String {
+        shortest(value, (size * PRECISION).max(self.drawing.rounding))
     }
 
     fn direction(&self, direction: Direction) -> String {
@@ -251,7 +271,7 @@ impl Writer<'_> {
             Direction::Vector(vector) => {
                 // Short vectors keep their direction, too.
                 let length = vector[0].hypot(vector[1]);
-                let [x, y] = vector.map(|part| shortest(part, length * PRECISION));
+                let [x, y] = vector.map(|part| self.number_within(part, length));
                 format!("({x}, {y})")
             }
             Direction::Radians(angle) => written_like(angle, ""),
@@ -272,16 +292,6 @@ fn around(mut places: Vec<Pair>) -> Vec<Pair> {
         });
     }
     places
-}
-
-/// Numbers of teeth are whole; radii have a point.
-fn ratio(sizes: Sizes) -> String {
-    let (sizes, like) = match sizes {
-        Sizes::Teeth(sizes) => (sizes, ""),
-        Sizes::Radii(sizes) => (sizes, "."),
-    };
-    let [a, b] = sizes.map(|size| written_like(size, like));
-    format!("{a} : {b}")
 }
 
 /// A text without anything that would end a line.

@@ -16,6 +16,10 @@ pub(super) struct Document {
 }
 
 /// A pin.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the format"
+)]
 pub(super) struct Connector {
     pub(super) id: Id,
     pub(super) name: Option<String>,

@@ -28,7 +28,7 @@ pub(super) fn read(text: &str) -> Result<Imported, Message> {
     let tree = roxmltree::Document::parse_with_options(text, options);
     let tree = tree.map_err(|error| unparsed(text, &error))?;
     let document = reading::read(&Element::new(tree.root_element()))?;
-    translation::translate(document)
+    Ok(translation::translate(document))
 }
 
 /// Why a text is no XML.

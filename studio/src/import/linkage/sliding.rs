@@ -9,14 +9,14 @@ use std::collections::{BTreeMap, BTreeSet};
 /// How far a connector may be off its arc, as a part of the radius.
 const OFF: f64 = 1e-3;
 
-/// What lets a connector slide. The first end has the connector, the second has what it slides on.
+/// What lets a connector slide.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Guide {
-    /// It turns and slides.
+    /// It turns and slides. The first end has the connector, the second has the slot.
     Slot { ends: [End; 2], along: Pair },
-    /// It slides without turning, because two connectors of the body slide on one line.
+    /// It slides without turning, because two connectors of the body slide on one line. The first end has the line.
     Line { ends: [End; 2], along: Pair },
-    /// It slides on an arc about this centre.
+    /// It slides on an arc about this centre. The first end has the connector, the second has the arc.
     Arc { ends: [End; 2], center: Pair },
 }
 
@@ -62,7 +62,7 @@ pub(super) fn guides(
             (Some(radius), _) => arc(document, slider, radius),
             (None, Some(body)) => {
                 let is_first = guided.insert((*body, slider.on));
-                let ends = [*body, slider.on];
+                let ends = [slider.on, *body];
                 Ok(is_first.then_some(Guide::Line { ends, along }))
             }
             (None, None) => {

@@ -3,19 +3,22 @@
 use super::bodies::{Bodies, Member};
 use super::document::{Connector, Document, Link};
 use super::sliding::{Guide, guides};
-use crate::document::Message;
 use crate::import::Imported;
 use crate::import::drawing::{Body, Direction, Drawing, End, Form, Motor, Pair, Point, Sizes};
 use crate::import::omission::Omission;
 
+/// Documents have six decimals of a pixel.
+const ROUNDING: f64 = 0.500_001e-6;
+
 /// The drawing of a document.
-pub(super) fn translate(mut document: Document) -> Result<Imported, Message> {
+pub(super) fn translate(mut document: Document) -> Imported {
     let mut omissions = std::mem::take(&mut document.omissions);
     let bodies = Bodies::of(&document, &mut omissions);
     let mut translation = Translation {
         drawing: Drawing {
             remarks: vec![format!("Lengths are in {}.", document.units.name)],
             bodies: drawn(&document, &bodies),
+            rounding: ROUNDING * document.units.scale,
             ..Drawing::default()
         },
         document: &document,
@@ -26,10 +29,10 @@ pub(super) fn translate(mut document: Document) -> Result<Imported, Message> {
     translation.cylinders();
     translation.ratios();
     translation.pictures();
-    Ok(Imported {
+    Imported {
         drawing: translation.drawing,
         omissions: translation.omissions,
-    })
+    }
 }
 
 struct Translation<'d> {
@@ -115,8 +118,8 @@ impl Translation<'_> {
         let stroke = None;
         self.drawing.motors.push(Motor { joint, stroke });
         if ends.len() > 2 {
-            let what = "its motor turns the first of several links on it; the others turn freely";
-            self.omit(number, what);
+            let of = format!("connector {}", self.document.connectors[number].id);
+            self.omissions.push(Omission::free_links(&of));
         }
     }
 
@@ -225,10 +228,10 @@ impl Translation<'_> {
             }
             let sizes = ratio.wheels.map(|(_, size)| size);
             let is_whole = sizes.iter().all(|size| size.fract() == 0.0);
-            let sizes = if is_whole && !ratio.has_radii {
-                Sizes::Teeth(sizes)
-            } else {
-                Sizes::Radii(sizes)
+            let sizes = match (ratio.has_radii, is_whole) {
+                (true, _) => Sizes::Radii(sizes),
+                (false, true) => Sizes::Teeth(sizes),
+                (false, false) => Sizes::Ratio(sizes),
             };
             let (word, form) = if ratio.is_chain {
                 ("chain", Form::Belt(sizes))

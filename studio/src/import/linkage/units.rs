@@ -35,8 +35,7 @@ impl Units {
     /// The units of `<program …>`.
     pub(super) fn read(program: &Element<'_>) -> Result<Self, Message> {
         let factor = match program.number("scalefactor")? {
-            None => 1.0,
-            Some(0.0) => 1.0,
+            None | Some(0.0) => 1.0,
             Some(factor) if factor > 0.0 => factor,
             Some(_) => {
                 return Err(program.wrong_at("scalefactor", "`scalefactor` is below zero"));

@@ -84,7 +84,7 @@ impl<'d> Unknown<'d> {
     pub(super) fn omissions(self) -> impl Iterator<Item = Omission> {
         let looks: Vec<&str> = self.looks.into_iter().collect();
         let looks = (!looks.is_empty()).then(|| {
-            let what = format!("{} only change how it is drawn", looks.join(", "));
+            let what = format!("{}, which only change how it is drawn", looks.join(", "));
             Omission::new("looks", what)
         });
         let attributes = self.attributes.into_iter();

@@ -92,13 +92,12 @@ fn checked(whole_query: Field<'_>) -> Result<Field<'_>, Message> {
 
 /// Whether the input turns clockwise.
 fn settings(field: &Field<'_>, omissions: &mut Vec<Omission>) -> Result<bool, Message> {
-    let (high, low) = match (field.text().chars().count(), field.last()) {
-        (SETTINGS, Some(digits)) => digits,
-        _ => {
-            let text = format!("the settings are {SETTINGS} digits, not `{}`", field.text());
-            return Err(field.wrong(text));
-        }
-    };
+    let is_right = field.text().chars().count() == SETTINGS;
+    let digits = field.last().filter(|_| is_right);
+    let (high, low) = digits.ok_or_else(|| {
+        let text = field.text();
+        field.wrong(format!("the settings are {SETTINGS} digits, not `{text}`"))
+    })?;
     flags(&high)?;
     let [is_clockwise, has_gravity, ..] = flags(&low)?;
     if has_gravity {

@@ -21,6 +21,10 @@ pub(super) struct Linkage {
 }
 
 /// A joint.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the format"
+)]
 pub(super) struct Joint {
     pub(super) name: String,
     pub(super) at: Pair,
@@ -135,7 +139,11 @@ pub(super) fn mass_of(
     if mass < 0.0 || inertia < 0.0 {
         return Err(field.wrong("a mass and a moment of inertia are not below zero"));
     }
-    Ok((mass > 0.0).then_some(Mass { mass, at, inertia }))
+    Ok((mass > 0.0).then_some(Mass {
+        value: mass,
+        at,
+        inertia,
+    }))
 }
 
 /// The parts of a force of this magnitude, from its start to its end or back.

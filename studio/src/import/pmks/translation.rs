@@ -176,7 +176,12 @@ impl Translation<'_> {
         if joint.is_input {
             let stroke = None;
             match first {
-                Some(joint) => self.drawing.motors.push(Motor { joint, stroke }),
+                Some(joint) => {
+                    self.drawing.motors.push(Motor { joint, stroke });
+                    if ends.len() > 2 {
+                        self.omissions.push(Omission::free_links(&of));
+                    }
+                }
                 None => self
                     .omissions
                     .push(Omission::new(&*of, "its motor has nothing to move")),
@@ -268,14 +273,14 @@ impl Translation<'_> {
 
 /// Two masses as one.
 fn together(a: Mass, b: Mass) -> Mass {
-    let mass = a.mass + b.mass;
-    let at = [0, 1].map(|axis| (a.at[axis] * a.mass + b.at[axis] * b.mass) / mass);
+    let value = a.value + b.value;
+    let at = [0, 1].map(|axis| (a.at[axis] * a.value + b.at[axis] * b.value) / value);
     let inertia = |one: Mass| {
         let [x, y] = [one.at[0] - at[0], one.at[1] - at[1]];
-        one.inertia + one.mass * (x * x + y * y)
+        one.inertia + one.value * (x * x + y * y)
     };
     Mass {
-        mass,
+        value,
         at,
         inertia: inertia(a) + inertia(b),
     }
