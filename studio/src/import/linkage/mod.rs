@@ -7,6 +7,7 @@ mod document;
 mod element;
 mod reading;
 mod sliding;
+mod tags;
 mod translation;
 mod units;
 mod unknown;
@@ -21,6 +22,13 @@ const MOST_NODES: u32 = 100_000;
 
 /// Reads a document.
 pub(super) fn read(text: &str) -> Result<Imported, Message> {
+    if let Some(place) = tags::overfull(text) {
+        let most = tags::MOST;
+        return Err(Message {
+            place,
+            text: format!("this tag has more than {most} attributes, which no drawing has"),
+        });
+    }
     let options = ParsingOptions {
         nodes_limit: MOST_NODES,
         ..ParsingOptions::default()

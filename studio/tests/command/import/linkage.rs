@@ -1,0 +1,223 @@
+//! Documents of Linkage.
+
+use super::moving::{Moving, distance, turn};
+use super::{imported, imported_sample, sample};
+
+#[test]
+fn a_four_bar_with_names_colors_and_a_path() {
+    let (text, omitted) = imported_sample("four_bar");
+    assert_eq!(
+        text,
+        "/// From four_bar.linkage2.
+/// Lengths are in millimetres.
+struct FourBar;
+look machine;
+
+link crank { bar [(0, 0), (8, 14)] width 2.5 on plane 2 color blue dark; }
+link coupler { point tip = (25, 52); }
+link link_fn;
+
+joint pin_0 = revolute(ground, crank) at (0, 0);
+joint pin_1 = revolute(crank, coupler) at (8, 14);
+joint elbow = revolute(coupler, link_fn) at (52, 40);
+joint pin_3 = revolute(ground, link_fn) at (60, -5);
+motor pin_0;
+effects { trace coupler.tip 360; }
+"
+    );
+    assert_eq!(
+        omitted,
+        "not carried over:
+  connector 0: its speed is 30 turns a minute; a motor has no speed of its own
+  looks: linesize, shapetype, solid, which only change how it is drawn
+"
+    );
+    let moving = Moving::of(&text);
+    moving.stands(&[
+        ("pin_0", [0.0, 0.0]),
+        ("pin_1", [8.0, 14.0]),
+        ("elbow", [52.0, 40.0]),
+        ("pin_3", [60.0, -5.0]),
+        ("coupler.tip", [25.0, 52.0]),
+    ]);
+    let far = moving.keeps(
+        turn(24),
+        &[
+            [("crank", [8.0, 14.0]), ("link_fn", [52.0, 40.0])],
+            [("link_fn", [52.0, 40.0]), ("coupler", [25.0, 52.0])],
+        ],
+    );
+    assert!(far > 10.0, "{far}");
+}
+
+#[test]
+fn a_slider_between_two_anchors_in_inches() {
+    let (text, omitted) = imported_sample("slider_crank");
+    assert!(text.contains("/// Lengths are in inches.\n"), "{text}");
+    assert!(
+        text.contains("slot(link_1, ground) at (4.5, 0.25) along (5, 0);"),
+        "{text}"
+    );
+    assert!(omitted.contains("  sliders: "), "{omitted}");
+    let moving = Moving::of(&text);
+    moving.stands(&[("pin_1", [1.0, 0.75]), ("slot_2", [4.5, 0.25])]);
+    let far = moving.keeps(
+        turn(24),
+        &[[("link_0", [1.0, 0.75]), ("link_1", [4.5, 0.25])]],
+    );
+    assert!(far > 1.0, "{far}");
+    for value in turn(8) {
+        let [_, y] = moving.place_at(value, "link_1", [4.5, 0.25]);
+        assert!((y - 0.25).abs() < 1e-9, "{y}");
+    }
+}
+
+#[test]
+fn a_cylinder_lifts() {
+    let (text, omitted) = imported_sample("lift");
+    assert!(
+        text.contains("motor ram_stroke in 0 ..= 18;"),
+        "a stroke of 18 mm: {text}"
+    );
+    assert!(
+        omitted.contains("link 1: it goes 6 times a minute"),
+        "{omitted}"
+    );
+    let moving = Moving::of(&text);
+    moving.stands(&[
+        ("pin_1", [30.0, 5.0]),
+        ("pin_3", [30.0, -25.0]),
+        ("boom.point_2", [80.0, 40.0]),
+    ]);
+    for extension in [0.0, 5.0, 18.0] {
+        let end = moving.place_at(extension, "boom", [30.0, 5.0]);
+        assert!(distance(moving.place_at(extension, "ram_rod", [30.0, 5.0]), end) < 1e-9);
+        assert!((distance(end, [30.0, -25.0]) - 30.0 - extension).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn a_mesh_and_a_chain() {
+    let (text, _) = imported_sample("gears");
+    assert!(
+        text.contains("= gear(pinion, wheel, 12 : 24);"),
+        "teeth: {text}"
+    );
+    assert!(
+        text.contains("= belt(wheel, arm, 9.0 : 6.0);"),
+        "radii: {text}"
+    );
+    let moving = Moving::of(&text);
+    moving.stands(&[("pin_2", [36.0, 50.0]), ("arm.point_3", [46.0, 60.0])]);
+    for value in turn(12) {
+        // The mesh reverses and halves; the chain makes it half as fast again.
+        let angle = std::f64::consts::FRAC_PI_4 - value / 2.0 * 1.5;
+        let length = 10.0 * std::f64::consts::SQRT_2;
+        let expected = [36.0 + length * angle.cos(), 50.0 + length * angle.sin()];
+        let found = moving.place_at(value, "arm", [46.0, 60.0]);
+        assert!(distance(found, expected) < 1e-6, "{found:?}");
+    }
+}
+
+#[test]
+fn welded_links_and_pins_of_three() {
+    let (text, omitted) = imported_sample("six_bar");
+    // The links 2 and 3 are one, the bar between the anchors 0 and 3 is ground, and the pin 1 has three links.
+    for absent in ["link link_3", "link link_6;", "link link_9"] {
+        assert!(!text.contains(absent), "{text}");
+    }
+    assert!(
+        text.contains("joint pin_1_2 = revolute(link_0, link_7) at (0, 12);"),
+        "{text}"
+    );
+    assert!(
+        omitted.contains("  link 9: it has one connector and is no wheel, so it carries nothing\n"),
+        "{omitted}"
+    );
+    let moving = Moving::of(&text);
+    moving.stands(&[("pin_4", [64.0, 30.0]), ("link_5.point_7", [92.0, 20.0])]);
+    let far = moving.keeps(
+        turn(24),
+        &[
+            [("link_0", [0.0, 12.0]), ("link_2", [37.0, 22.0])],
+            [("link_1", [37.0, 22.0]), ("link_4", [64.0, 30.0])],
+            [("link_2", [64.0, 30.0]), ("link_5", [86.0, 7.0])],
+            [("link_0", [0.0, 12.0]), ("link_8", [-20.0, 40.0])],
+            [("link_4", [86.0, 7.0]), ("link_5", [92.0, 20.0])],
+        ],
+    );
+    assert!(far > 3.0, "{far}");
+}
+
+#[test]
+fn slots_on_links_guides_and_arcs() {
+    let (text, omitted) = imported_sample("quick_return");
+    for line in [
+        "joint slot_1 = slot(link_0, arm) at (15, 0) along (30, 80);",
+        "joint guide_4 = prismatic(ground, ram) at (70, 40) along (90, 0);",
+        "joint arc_9_center = revolute(ground, arc_9) at (100, 50);",
+    ] {
+        assert!(text.contains(line), "{text}");
+    }
+    assert!(omitted.contains("connector 9: it slides on an arc"));
+    let moving = Moving::of(&text);
+    moving.stands(&[("slot_1", [15.0, 0.0]), ("arc_9_end", [100.0, 100.0])]);
+    let rocked = (0..=20).map(|step| f64::from(step) / 20.0 * 0.4 - 0.2);
+    let far = moving.keeps(
+        rocked.clone(),
+        &[
+            [("arm", [30.0, 40.0]), ("ram", [70.0, 40.0])],
+            [("ram", [90.0, 60.0]), ("arc_9", [100.0, 100.0])],
+            [("ground", [100.0, 50.0]), ("push_rod", [100.0, 100.0])],
+        ],
+    );
+    assert!(far > 1.0, "{far}");
+    for value in rocked {
+        // The pin is on the line of the slot, and the ram does not turn.
+        let [x, y] = moving.place_at(value, "link_0", [15.0, 0.0]);
+        let [u, v] = moving.place_at(value, "arm", [30.0, 40.0]);
+        assert!((x * (v + 40.0) - u * (y + 40.0)).abs() < 1e-6);
+        let [_, y] = moving.place_at(value, "ram", [90.0, 40.0]);
+        assert!((y - 40.0).abs() < 1e-9, "{y}");
+    }
+}
+
+#[test]
+fn what_is_only_drawn_is_listed() {
+    let drawn = "\t<connector id=\"20\" layer=\"1\" x=\"5\" y=\"5\"/>
+\t<connector id=\"21\" layer=\"1\" x=\"9\" y=\"5\" drawcircle=\"3\" glow=\"7\"/>
+\t<Link id=\"30\" layer=\"1\" linesize=\"3\"><connector id=\"20\"/><connector id=\"21\"/></Link>
+\t<Link id=\"31\" layer=\"16\" measurementelement=\"true\"><connector id=\"0\"/><connector id=\"2\"/></Link>
+\t<sparkle/>
+\t<background>aGVsbG8=</background>
+</linkage2>";
+    let text = sample("four_bar").replace("</linkage2>", drawn);
+    let (text, omitted) = imported("four_bar.linkage2", &text);
+    let (plain, _) = imported_sample("four_bar");
+    assert_eq!(text, plain);
+    assert_eq!(
+        omitted,
+        "not carried over:
+  background: a picture behind the mechanism has no place in the language
+  connector 0: its speed is 30 turns a minute; a motor has no speed of its own
+  looks: drawcircle, linesize, shapetype, solid, which only change how it is drawn
+  `glow` of 1 <connector>: this attribute is not known
+  1 <sparkle>: this element is not known
+  link 30: it is a drawing or a measure, not a part of the mechanism
+  link 31: it is a drawing or a measure, not a part of the mechanism
+"
+    );
+}
+
+#[test]
+fn older_documents_say_less() {
+    // No `<program>`, no layers, `<element>` in place of `<Link>`; lengths are pixels.
+    let text = "<linkage2>
+<connector anchor=\"true\" input=\"true\" x=\"0\" y=\"0\" id=\"0\"/>
+<connector x=\"0\" y=\"96\" id=\"1\"/>
+<element id=\"0\"><connector id=\"0\"/><connector id=\"1\"/></element>
+</linkage2>";
+    let (text, omitted) = imported("old.linkage2", text);
+    assert_eq!(omitted, "");
+    Moving::of(&text).stands(&[("link_0.point_1", [0.0, 25.4])]);
+}
