@@ -242,7 +242,7 @@ impl Writer<'_> {
             Sizes::Teeth(sizes) => sizes.map(|size| written_like(size, "")),
             Sizes::Ratio(sizes) => sizes.map(|size| written_like(size, ".")),
             Sizes::Radii(sizes) => sizes.map(|size| {
-                let text = self.number_within(size, size);
+                let text = shortest(size, self.tolerance(size));
                 if text.contains(['.', 'e']) {
                     text
                 } else {
@@ -258,12 +258,12 @@ impl Writer<'_> {
     }
 
     fn number(&self, value: f64) -> String {
-        self.number_within(value, self.size)
+        shortest(value, self.tolerance(self.size))
     }
 
-    /// A number that belongs to a thing of this size.
-    fn number_within(&self, value: f64, size: f64) -> String {
-        shortest(value, (size * PRECISION).max(self.drawing.rounding))
+    /// How far a length of a thing of this size may be off.
+    fn tolerance(&self, size: f64) -> f64 {
+        (size * PRECISION).max(self.drawing.rounding)
     }
 
     fn direction(&self, direction: Direction) -> String {
@@ -271,7 +271,9 @@ impl Writer<'_> {
             Direction::Vector(vector) => {
                 // Short vectors keep their direction, too.
                 let length = vector[0].hypot(vector[1]);
-                let [x, y] = vector.map(|part| self.number_within(part, length));
+                // Both its ends were rounded.
+                let tolerance = 2.0 * self.tolerance(length);
+                let [x, y] = vector.map(|part| shortest(part, tolerance));
                 format!("({x}, {y})")
             }
             Direction::Radians(angle) => written_like(angle, ""),

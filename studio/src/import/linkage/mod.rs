@@ -41,7 +41,14 @@ pub(super) fn read(text: &str) -> Result<Imported, Message> {
 
 /// Why a text is no XML.
 fn unparsed(text: &str, error: &roxmltree::Error) -> Message {
-    let start = byte_of(text, error.pos());
+    let start = match error {
+        // It lacks its end.
+        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => {
+            let last = text.trim_end().char_indices().next_back();
+            last.map_or(0, |(at, _)| at)
+        }
+        _ => byte_of(text, error.pos()),
+    };
     let end = text[start..]
         .chars()
         .next()

@@ -15,15 +15,14 @@ pub(super) fn overfull(text: &str) -> Option<Range<usize>> {
         let start = at + open;
         let rest = &text[start..];
         let skipped = SKIPPED.iter().find(|(begin, _)| rest.starts_with(begin));
-        let length = match skipped {
-            Some((_, end)) => rest.find(end)? + end.len(),
-            None => {
-                let (length, attributes) = tag(rest);
-                if attributes > MOST {
-                    return Some(start..start + 1);
-                }
-                length
+        let length = if let Some((_, end)) = skipped {
+            rest.find(end)? + end.len()
+        } else {
+            let (length, attributes) = tag(rest);
+            if attributes > MOST {
+                return Some(start..start + 1);
             }
+            length
         };
         at = start + length;
     }

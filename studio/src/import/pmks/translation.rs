@@ -247,7 +247,7 @@ impl Translation<'_> {
             at: force.at,
             is_traced: false,
         });
-        let name = format!("load {}", force.name);
+        let name = force.name.clone();
         self.drawing.loads.push(Load { name, body, point });
         let [x, y] = force.parts.map(|part| crate::text::shortest(part, 1e-3));
         let turns = if force.is_local {

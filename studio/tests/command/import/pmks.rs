@@ -47,21 +47,21 @@ fn a_four_bar_with_masses_names_and_a_force() {
 struct Imported;
 look machine;
 
-link ab { bar [(-1.5, -2.25), (-0.125, 1.5)] width 0.22 on plane 2 color sky light; }
+link ab { bar [(-1.5, -2.25), (-0.125, 1.5)] width 0.25 on plane 2 color sky light; }
 link long_rod {
     point p = (1, 3.75);
     point push = (1, 3.75);
     mass 1 at (0.5, 1) inertia 0.5;
-    bar [(-0.125, 1.5), (4.5, 2), (1, 3.75), (-0.125, 1.5)] width 0.22 on plane 4 color teal;
+    bar [(-0.125, 1.5), (4.5, 2), (1, 3.75), (-0.125, 1.5)] width 0.25 on plane 4 color teal;
 }
-link cd { bar [(4.5, 2), (3, -1)] width 0.22 on plane 6 color sky light; }
+link cd { bar [(4.5, 2), (3, -1)] width 0.25 on plane 6 color sky light; }
 
 joint a = revolute(ground, ab) at (-1.5, -2.25);
 joint b = revolute(ab, long_rod) at (-0.125, 1.5);
 joint c = revolute(long_rod, cd) at (4.5, 2);
 joint d = revolute(ground, cd) at (3, -1);
 motor a;
-load load_push = force(long_rod.push);
+load push = force(long_rod.push);
 effects { force; trace long_rod.p 360; }
 "
     );
@@ -208,7 +208,7 @@ joint b = revolute(ab, bc) at (0.75, 1);
 joint c = revolute(bc, cd) at (4, 0.5);
 joint d = prismatic(ground, cd) at (4, 0.5) along (1, 0);
 motor a;
-load load_f1 = force(bc.f1);
+load f1 = force(bc.f1);
 effects { force; }
 "
     );
