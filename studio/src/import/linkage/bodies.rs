@@ -129,15 +129,21 @@ fn carried(document: &Document, omissions: &mut Vec<Omission>) -> Vec<Vec<usize>
     let own = document.links.iter().map(|link| {
         let fastened = link.fastened_connectors.iter();
         let mut all = link.connectors.clone();
-        all.extend(fastened.filter(|one| !link.connectors.contains(one)));
+        all.extend(fastened.filter(|one| {
+            let is_of_mechanism = document.connectors[**one].is_of_mechanism;
+            is_of_mechanism && !link.connectors.contains(one)
+        }));
         all
     });
     let mut all: Vec<Vec<usize>> = own.collect();
     for (number, connector) in document.connectors.iter().enumerate() {
         let link = match connector.fastened {
-            None => continue,
-            Some(Fastening::Link(link)) => Some(link),
-            Some(Fastening::Connector(other)) => only_link(document, other),
+            Some(Fastening::Link(link)) if connector.is_of_mechanism => Some(link),
+            Some(Fastening::Connector(other)) if connector.is_of_mechanism => {
+                only_link(document, other)
+            }
+            // Nothing, or a picture.
+            Some(_) | None => continue,
         };
         match link {
             Some(link) if document.links[link].cylinder.is_none() => {

@@ -71,6 +71,7 @@ pub(super) struct Link {
 pub(super) struct Cylinder {
     /// From the first of these connectors to the second.
     pub(super) ends: [usize; 2],
+    /// How far it goes: below zero if it becomes shorter.
     pub(super) stroke: Option<f64>,
 }
 

@@ -75,6 +75,12 @@ impl<'d> Element<'d> {
         (!found.is_empty()).then_some(found)
     }
 
+    /// The name that somebody gave it. Spaces are none.
+    pub(super) fn own_name(&self) -> Option<String> {
+        let name = self.text("name")?.trim();
+        (!name.is_empty()).then(|| name.to_owned())
+    }
+
     /// Whether something is so; not where nothing is said.
     pub(super) fn flag(&self, name: &str) -> Result<bool, Message> {
         match self.text(name) {

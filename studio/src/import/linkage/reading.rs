@@ -202,7 +202,7 @@ fn connector(
     }
     Ok(Connector {
         id,
-        name: element.text("name").map(ToOwned::to_owned),
+        name: element.own_name(),
         at: at.map(|part| part * units.scale),
         is_anchor: element.flag("anchor")?,
         is_input,
@@ -243,12 +243,11 @@ fn slide(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Option<Slide
             return Err(element.wrong(text));
         }
     };
-    if radius < 0.0 {
-        return Err(element.wrong_at("slideradius", "`slideradius` is below zero"));
-    }
+    // Its sign says on which side of the limits the centre is, which is seen from the connector itself.
+    let radius = radius.abs() * units.scale;
     Ok(Some(Slide {
         limits,
-        radius: (radius > 0.0).then_some(radius * units.scale),
+        radius: (radius > 0.0).then_some(radius),
     }))
 }
 
@@ -278,7 +277,7 @@ fn link(
     }
     Ok(Link {
         id,
-        name: element.text("name").map(ToOwned::to_owned),
+        name: element.own_name(),
         cylinder: cylinder(element, id, (&connectors, units), omissions)?,
         connectors,
         is_wheel: element.flag("gear")?,
@@ -306,12 +305,11 @@ fn cylinder(
     };
     let stroke = element.number("throw")?.filter(|stroke| *stroke != 0.0);
     if stroke.is_none() {
-        omissions.push(Omission::new(
-            &*of,
-            "it has no throw, so its motor has no range",
-        ));
+        let what = "it has no throw, so its motor has no range";
+        omissions.push(Omission::new(&*of, what));
     }
-    if let Some(cycles) = element.number("cpm")?.filter(|cycles| *cycles != 0.0) {
+    let cycles = element.number("cpm")?.unwrap_or(0.0);
+    if cycles != 0.0 {
         let what = format!("it goes {cycles} times a minute; a motor has no speed of its own");
         omissions.push(Omission::new(&*of, what));
     }
@@ -320,7 +318,8 @@ fn cylinder(
     }
     Ok(Some(Cylinder {
         ends: [first, second],
-        stroke: stroke.map(|stroke| stroke * units.scale),
+        // One that goes backwards becomes shorter first.
+        stroke: stroke.map(|stroke| stroke * units.scale * cycles.signum()),
     }))
 }
 

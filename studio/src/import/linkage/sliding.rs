@@ -14,7 +14,7 @@ const OFF: f64 = 1e-3;
 pub(super) enum Guide {
     /// It turns and slides. The first end has the connector, the second has the slot.
     Slot { ends: [End; 2], along: Pair },
-    /// It slides without turning, because two connectors of the body slide on one line. The first end has the line.
+    /// It slides without turning, because two connectors of the body slide on one line.
     Line { ends: [End; 2], along: Pair },
     /// It slides on an arc about this centre. The first end has the connector, the second has the arc.
     Arc { ends: [End; 2], center: Pair },
@@ -62,7 +62,8 @@ pub(super) fn guides(
             (Some(radius), _) => arc(document, slider, radius),
             (None, Some(body)) => {
                 let is_first = guided.insert((*body, slider.on));
-                let ends = [slider.on, *body];
+                // The ground first.
+                let ends = [slider.on.min(*body), slider.on.max(*body)];
                 Ok(is_first.then_some(Guide::Line { ends, along }))
             }
             (None, None) => {

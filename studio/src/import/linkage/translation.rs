@@ -102,9 +102,9 @@ impl Translation<'_> {
             }
             let has_joint = self.drawing.joints.len() > before;
             self.point(number, &ends, has_joint);
-            let is_loose = ends.iter().all(|end| *end == End::Ground);
-            if is_loose && !has_joint && !limits.contains(&number) && connector.is_of_mechanism {
-                self.omit(number, "no link that moves has it");
+            let is_loose = ends.is_empty() && !limits.contains(&number);
+            if is_loose && connector.is_of_mechanism {
+                self.omit(number, "it is on no link");
             }
         }
     }
@@ -247,11 +247,12 @@ impl Translation<'_> {
     fn pictures(&mut self) {
         let pictures = self.document.links.iter();
         let pictures = pictures.filter(|link| !link.is_of_mechanism);
-        let omissions = pictures.map(|link| {
-            let what = "it is a drawing or a measure, not a part of the mechanism";
-            Omission::new(format!("link {}", link.id), what)
-        });
-        self.omissions.extend(omissions);
+        let ids: Vec<String> = pictures.map(|link| link.id.to_string()).collect();
+        if !ids.is_empty() {
+            let what = "drawings and measures are no parts of a mechanism";
+            let of = format!("links {}", ids.join(", "));
+            self.omissions.push(Omission::new(of, what));
+        }
         let colors = self.drawing.bodies.iter().enumerate();
         let wheels =
             colors.filter(|(number, body)| body.color.is_some() && self.drawing.is_wheel(*number));

@@ -97,6 +97,16 @@ fn a_cylinder_lifts() {
 }
 
 #[test]
+fn a_cylinder_that_goes_backwards_becomes_shorter() {
+    let text = sample("lift").replace("cpm=\"6", "cpm=\"-6");
+    let (text, _) = imported("lift.linkage2", &text);
+    assert!(text.contains("motor ram_stroke in -18 ..= 0;"), "{text}");
+    let moving = Moving::of(&text);
+    let end = moving.place_at(-18.0, "boom", [30.0, 5.0]);
+    assert!((distance(end, [30.0, -25.0]) - 12.0).abs() < 1e-6);
+}
+
+#[test]
 fn a_mesh_and_a_chain() {
     let (text, _) = imported_sample("gears");
     assert!(
@@ -183,6 +193,56 @@ fn slots_on_links_guides_and_arcs() {
 }
 
 #[test]
+fn arcs_have_their_centre_on_either_side() {
+    // The sign of the radius says the same as the place of the connector.
+    let (text, _) = imported_sample("quick_return");
+    let turned = sample("quick_return").replace("slideradius=\"", "slideradius=\"-");
+    assert_eq!(imported("quick_return.linkage2", &turned).0, text);
+    let below = sample("quick_return").replace(
+        "x=\"377.952756\" y=\"377.952756\"",
+        "x=\"377.952756\" y=\"302.362205\"",
+    );
+    let (text, _) = imported("quick_return.linkage2", &below);
+    assert!(
+        text.contains("joint arc_9_center = revolute(ground, arc_9) at (100, 130);"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_slot_runs_over_fixed_pins() {
+    let text = "<linkage2>
+<connector id=\"0\" name=\" \" x=\"0\" y=\"0\"/>
+<connector id=\"1\" x=\"96\" y=\"0\"/>
+<connector id=\"2\" x=\"96\" y=\"96\"/>
+<connector id=\"3\" x=\"30\" y=\"0\" anchor=\"true\" slider=\"true\"><slidelimit id=\"0\"/><slidelimit id=\"1\"/></connector>
+<connector id=\"4\" x=\"60\" y=\"0\" anchor=\"true\" slider=\"true\"><slidelimit id=\"1\"/><slidelimit id=\"0\"/></connector>
+<connector id=\"5\" x=\"192\" y=\"192\" anchor=\"true\" input=\"true\"/>
+<connector id=\"6\" x=\"192\" y=\"144\"/>
+<connector id=\"7\" layer=\"1\" x=\"7\" y=\"7\" fastenlink=\"0\"/>
+<Link id=\"0\" name=\" \"><connector id=\"0\"/><connector id=\"1\"/><connector id=\"2\"/></Link>
+<Link id=\"1\"><connector id=\"3\"/></Link>
+<Link id=\"2\"><connector id=\"5\"/><connector id=\"6\"/></Link>
+<Link id=\"3\"><connector id=\"2\"/><connector id=\"6\"/></Link>
+</linkage2>";
+    let (text, _) = imported("fork.linkage2", text);
+    assert!(
+        text.contains("link link_0 { point point_0 = (0, 0); point point_1 = (25.4, 0); }\n"),
+        "spaces are no name, and what is drawn is no point: {text}"
+    );
+    assert!(
+        text.contains("joint guide_3 = prismatic(ground, link_0) at (7.9375, 0) along (25.4, 0);"),
+        "{text}"
+    );
+    let bar = [("link_0", [25.4, 25.4]), ("link_2", [50.8, 38.1])];
+    let moving = Moving::of(&text);
+    let rocked = (0..=10).map(|step| f64::from(step) * 0.05);
+    assert!(moving.keeps(rocked, &[bar]) > 1.0);
+    let [_, y] = moving.place_at(0.3, "link_0", [25.4, 0.0]);
+    assert!(y.abs() < 1e-9, "{y}");
+}
+
+#[test]
 fn what_is_only_drawn_is_listed() {
     let drawn = "\t<connector id=\"20\" layer=\"1\" x=\"5\" y=\"5\"/>
 \t<connector id=\"21\" layer=\"1\" x=\"9\" y=\"5\" drawcircle=\"3\" glow=\"7\"/>
@@ -203,8 +263,7 @@ fn what_is_only_drawn_is_listed() {
   looks: drawcircle, linesize, shapetype, solid, which only change how it is drawn
   `glow` of 1 <connector>: this attribute is not known
   1 <sparkle>: this element is not known
-  link 30: it is a drawing or a measure, not a part of the mechanism
-  link 31: it is a drawing or a measure, not a part of the mechanism
+  links 30, 31: drawings and measures are no parts of a mechanism
 "
     );
 }
