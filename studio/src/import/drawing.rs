@@ -94,10 +94,8 @@ pub(super) enum Direction {
 /// The sizes of two wheels.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sizes {
-    /// Whole numbers.
-    Teeth(Pair),
-    /// In any unit.
-    Ratio(Pair),
+    /// Numbers of teeth, which fit at any distance.
+    Teeth([u64; 2]),
     /// In the unit of length.
     Radii(Pair),
 }

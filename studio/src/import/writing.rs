@@ -239,8 +239,7 @@ impl Writer<'_> {
     /// Numbers of teeth are whole; radii have a point.
     fn ratio(&self, sizes: Sizes) -> String {
         let [a, b] = match sizes {
-            Sizes::Teeth(sizes) => sizes.map(|size| written_like(size, "")),
-            Sizes::Ratio(sizes) => sizes.map(|size| written_like(size, ".")),
+            Sizes::Teeth(sizes) => sizes.map(|size| size.to_string()),
             Sizes::Radii(sizes) => sizes.map(|size| {
                 let text = shortest(size, self.tolerance(size));
                 if text.contains(['.', 'e']) {

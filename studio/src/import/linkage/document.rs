@@ -3,7 +3,7 @@
 use super::element::Id;
 use super::units::Units;
 use crate::import::color::Color;
-use crate::import::drawing::Pair;
+use crate::import::drawing::{Pair, Sizes};
 use crate::import::omission::Omission;
 
 /// What a document says.
@@ -78,8 +78,7 @@ pub(super) struct Cylinder {
 /// Two wheels that roll on each other.
 pub(super) struct Ratio {
     pub(super) is_chain: bool,
-    /// Whether the sizes are radii, in the unit of length.
-    pub(super) has_radii: bool,
-    /// The numbers of the links, with their sizes.
-    pub(super) wheels: [(usize, f64); 2],
+    /// By their numbers.
+    pub(super) links: [usize; 2],
+    pub(super) sizes: Sizes,
 }

@@ -5,6 +5,7 @@
 mod bodies;
 mod document;
 mod element;
+mod ratio;
 mod reading;
 mod sliding;
 mod tags;

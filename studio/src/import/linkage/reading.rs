@@ -1,7 +1,8 @@
 //! Reads a document.
 
-use super::document::{Connector, Cylinder, Document, Fastening, Link, Ratio, Slide};
+use super::document::{Connector, Cylinder, Document, Fastening, Link, Slide};
 use super::element::{Element, Id};
+use super::ratio;
 use super::units::Units;
 use super::unknown::Unknown;
 use crate::document::Message;
@@ -26,7 +27,7 @@ struct Elements<'d> {
 }
 
 /// The numbers of connectors and links by their ids.
-struct Ids {
+pub(super) struct Ids {
     connectors: BTreeMap<Id, usize>,
     links: BTreeMap<Id, usize>,
 }
@@ -57,7 +58,7 @@ pub(super) fn read(root: &Element<'_>) -> Result<Document, Message> {
         .collect::<Result<Vec<_>, _>>()?;
     let ratios = elements.ratios.iter();
     let ratios = ratios
-        .map(|element| ratio(element, &ids, &units))
+        .map(|element| ratio::read(element, &ids, &units))
         .collect::<Result<Vec<_>, _>>()?;
     if !links.iter().any(|link| link.is_of_mechanism) {
         return Err(root.wrong("this document has no link, so it has no mechanism"));
@@ -126,7 +127,7 @@ impl Ids {
     }
 
     /// The link that an attribute names, if it names one.
-    fn link(&self, element: &Element<'_>, name: &str) -> Result<Option<usize>, Message> {
+    pub(super) fn link(&self, element: &Element<'_>, name: &str) -> Result<Option<usize>, Message> {
         named(&self.links, element, name, "link")
     }
 
@@ -331,35 +332,4 @@ fn color(element: &Element<'_>) -> Result<Option<Color>, Message> {
         let [red, green, blue, _] = color.to_le_bytes();
         Color([red, green, blue])
     }))
-}
-
-fn ratio(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Ratio, Message> {
-    let is_chain = match element.text("type") {
-        Some("gears") => false,
-        Some("chain") => true,
-        _ => {
-            return Err(element.wrong_at("type", "the type of a ratio is `gears` or `chain`"));
-        }
-    };
-    let has_radii = element.flag("sizeassize")? && is_chain;
-    let wheels = element.children().filter(|child| child.name() == "link");
-    let wheels = wheels.map(|child| {
-        let link = ids.link(&child, "id")?;
-        let link = link.ok_or_else(|| child.wrong("this <link> has no `id`"))?;
-        let size = child.needed_number("size")?;
-        if size <= 0.0 {
-            return Err(child.wrong_at("size", "the size of a wheel is above zero"));
-        }
-        let scale = if has_radii { units.scale } else { 1.0 };
-        Ok((link, size * scale))
-    });
-    let wheels = wheels.collect::<Result<Vec<_>, _>>()?;
-    match wheels[..] {
-        [a, b] if a.0 != b.0 => Ok(Ratio {
-            is_chain,
-            has_radii,
-            wheels: [a, b],
-        }),
-        _ => Err(element.wrong("a ratio is of two links")),
-    }
 }

@@ -4,7 +4,7 @@ use super::bodies::{Bodies, Member};
 use super::document::{Connector, Document, Link};
 use super::sliding::{Guide, guides};
 use crate::import::Imported;
-use crate::import::drawing::{Body, Direction, Drawing, End, Form, Motor, Pair, Point, Sizes};
+use crate::import::drawing::{Body, Direction, Drawing, End, Form, Motor, Pair, Point};
 use crate::import::omission::Omission;
 
 /// Documents have six decimals of a pixel.
@@ -213,7 +213,7 @@ impl Translation<'_> {
     /// Wheels that roll on each other.
     fn ratios(&mut self) {
         for ratio in &self.document.ratios {
-            let links = ratio.wheels.map(|(link, _)| link);
+            let links = ratio.links;
             let ids = links.map(|link| self.document.links[link].id);
             let of = format!("ratio of links {} and {}", ids[0], ids[1]);
             let [Some(a), Some(b)] = links.map(|link| self.bodies.rigid(link)) else {
@@ -226,17 +226,10 @@ impl Translation<'_> {
                 self.omissions.push(Omission::new(of, what));
                 continue;
             }
-            let sizes = ratio.wheels.map(|(_, size)| size);
-            let is_whole = sizes.iter().all(|size| size.fract() == 0.0);
-            let sizes = match (ratio.has_radii, is_whole) {
-                (true, _) => Sizes::Radii(sizes),
-                (false, true) => Sizes::Teeth(sizes),
-                (false, false) => Sizes::Ratio(sizes),
-            };
             let (word, form) = if ratio.is_chain {
-                ("chain", Form::Belt(sizes))
+                ("chain", Form::Belt(ratio.sizes))
             } else {
-                ("mesh", Form::Gear(sizes))
+                ("mesh", Form::Gear(ratio.sizes))
             };
             let name = format!("{word}_{}_{}", ids[0], ids[1]);
             self.drawing.join(&name, form, [a, b]);

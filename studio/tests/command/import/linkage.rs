@@ -117,6 +117,13 @@ fn a_mesh_and_a_chain() {
         text.contains("= belt(wheel, arm, 9.0 : 6.0);"),
         "radii: {text}"
     );
+    // Sizes that are not whole are in the ratio of whole numbers.
+    let halves = sample("gears").replace("size=\"12.0", "size=\"1.5");
+    let (halves, _) = imported("gears.linkage2", &halves);
+    assert!(
+        halves.contains("= gear(pinion, wheel, 1 : 16);"),
+        "{halves}"
+    );
     let moving = Moving::of(&text);
     moving.stands(&[("pin_2", [36.0, 50.0]), ("arm.point_3", [46.0, 60.0])]);
     for value in turn(12) {
