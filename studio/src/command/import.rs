@@ -5,7 +5,7 @@ use crate::check::{render, verdict_line};
 use crate::console::Console;
 use crate::document::{Document, Reading, Source};
 use crate::failure::{Failure, FailureKind};
-use crate::import::{self, Frame, listed};
+use crate::import::{self, FileKind, listed};
 use crate::output;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -52,14 +52,14 @@ struct Origin {
 
 impl Import {
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
-        let frame = self.frame()?;
+        let kind = self.kind()?;
         let origin = self.origin()?;
         let imported = import::read(&origin.source).map_err(|message| {
             console.complain(&render(&origin.source, &[message], console.has_colors()));
             Failure::reported(origin.fault)
         })?;
         let name = self.name(&origin.wish)?;
-        let text = imported.text(&origin.title, &name, frame)?;
+        let text = imported.text(&origin.title, &name, kind)?;
         match &self.output {
             Some(path) => {
                 output::replace(path, text.as_bytes())?;
@@ -72,14 +72,14 @@ impl Import {
     }
 
     /// What the text stands in. The file has to be a new one.
-    fn frame(&self) -> Result<Frame, Failure> {
+    fn kind(&self) -> Result<FileKind, Failure> {
         let Some(path) = &self.output else {
-            return Ok(Frame::Mechanism);
+            return Ok(FileKind::Mechanism);
         };
         let ending = path.extension().and_then(|ending| ending.to_str());
-        let frame = match ending {
-            Some("mech") => Frame::Mechanism,
-            Some("rs") => Frame::Rust,
+        let kind = match ending {
+            Some("mech") => FileKind::Mechanism,
+            Some("rs") => FileKind::Rust,
             _ => {
                 let path = path.display();
                 return Err(Failure::usage(format!(
@@ -91,7 +91,7 @@ impl Import {
             let path = path.display();
             return Err(Failure::file(format!("`{path}` is there already")));
         }
-        Ok(frame)
+        Ok(kind)
     }
 
     fn origin(&self) -> Result<Origin, Failure> {

@@ -1,4 +1,4 @@
-//! A mechanism as it was drawn in another program: bodies and joints, placed in the scene.
+//! A mechanism as it was drawn in another program: links and joints, placed in the scene.
 
 use super::color::Color;
 use super::omission::Omission;
@@ -11,7 +11,7 @@ pub(super) type Pair = [f64; 2];
 pub(super) struct Drawing {
     /// What is said of it above the text, a sentence each.
     pub(super) remarks: Vec<String>,
-    pub(super) bodies: Vec<Body>,
+    pub(super) links: Vec<Link>,
     pub(super) joints: Vec<Joint>,
     pub(super) motors: Vec<Motor>,
     pub(super) loads: Vec<Load>,
@@ -19,9 +19,9 @@ pub(super) struct Drawing {
     pub(super) rounding: f64,
 }
 
-/// A body that moves.
+/// A link that moves.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Body {
+pub(super) struct Link {
     /// The name that it should have, if that can be a name.
     pub(super) name: String,
     pub(super) points: Vec<Point>,
@@ -29,7 +29,7 @@ pub(super) struct Body {
     pub(super) color: Option<Color>,
 }
 
-/// A named point of a body.
+/// A named point of a link.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     pub(super) name: String,
@@ -38,7 +38,7 @@ pub(super) struct Point {
     pub(super) is_traced: bool,
 }
 
-/// The mass of a body.
+/// The mass of a link.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mass {
     pub(super) value: f64,
@@ -52,8 +52,8 @@ pub(super) struct Mass {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum End {
     Ground,
-    /// A body, by its number.
-    Body(usize),
+    /// A link, by its number.
+    Link(usize),
 }
 
 /// A joint of two ends.
@@ -109,11 +109,11 @@ pub(super) struct Motor {
     pub(super) stroke: Option<f64>,
 }
 
-/// A force at a point of a body.
+/// A force at a point of a link.
 #[derive(Clone, Debug)]
 pub(super) struct Load {
     pub(super) name: String,
-    pub(super) body: usize,
+    pub(super) link: usize,
     /// The number of the point.
     pub(super) point: usize,
 }
@@ -148,13 +148,13 @@ impl Drawing {
         self.joints.len() - 1
     }
 
-    /// The places of a body: those of its points and joints, each once.
-    pub(super) fn places(&self, body: usize) -> Vec<Pair> {
-        let own = self.bodies[body].points.iter().map(|point| point.at);
+    /// The places of a link: those of its points and joints, each once.
+    pub(super) fn places(&self, link: usize) -> Vec<Pair> {
+        let own = self.links[link].points.iter().map(|point| point.at);
         let joints = self
             .joints
             .iter()
-            .filter(|joint| joint.ends.contains(&End::Body(body)));
+            .filter(|joint| joint.ends.contains(&End::Link(link)));
         let mut places = Vec::new();
         for at in joints.filter_map(Joint::at).chain(own) {
             if !places.contains(&at) {
@@ -164,15 +164,15 @@ impl Drawing {
         places
     }
 
-    /// Whether a body is a wheel.
-    pub(super) fn is_wheel(&self, body: usize) -> bool {
+    /// Whether a link is a wheel.
+    pub(super) fn is_wheel(&self, link: usize) -> bool {
         let mut joints = self.joints.iter();
-        joints.any(|joint| joint.at().is_none() && joint.ends.contains(&End::Body(body)))
+        joints.any(|joint| joint.at().is_none() && joint.ends.contains(&End::Link(link)))
     }
 
     /// The diagonal of the box round all places.
     pub(super) fn size(&self) -> f64 {
-        let points = self.bodies.iter().flat_map(|body| &body.points);
+        let points = self.links.iter().flat_map(|link| &link.points);
         let joints = self.joints.iter().filter_map(Joint::at);
         let places: Vec<Pair> = points.map(|point| point.at).chain(joints).collect();
         let side = |axis: usize| {

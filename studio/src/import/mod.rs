@@ -13,7 +13,7 @@ mod writing;
 
 pub(crate) use drawing::Imported;
 pub(crate) use omission::listed;
-pub(crate) use writing::Frame;
+pub(crate) use writing::FileKind;
 
 use crate::document::{Message, Source};
 use crate::failure::Failure;
@@ -40,10 +40,10 @@ impl Imported {
     ///
     /// # Errors
     /// If the compiler itself fails, which is a mistake of ours.
-    pub(crate) fn text(&self, origin: &str, name: &str, frame: Frame) -> Result<String, Failure> {
+    pub(crate) fn text(&self, origin: &str, name: &str, kind: FileKind) -> Result<String, Failure> {
         let mut drawing = self.drawing.clone();
         drawing.remarks.insert(0, format!("From {origin}."));
-        writing::text(&drawing, name, frame)
+        writing::text(&drawing, name, kind)
     }
 }
 

@@ -1,16 +1,16 @@
 //! The text of a drawing.
 
-use super::drawing::{Body, Direction, Drawing, End, Form, Joint, Pair, Sizes};
+use super::drawing::{Direction, Drawing, End, Form, Joint, Link, Pair, Sizes};
 use super::names::Names;
 use crate::failure::Failure;
 use crate::text::{shortest, written_like};
 
-/// Where a text stands.
+/// The kind of a file with a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Frame {
-    /// In a file of its own.
+pub(crate) enum FileKind {
+    /// `.mech`: the inside of a mechanism.
     Mechanism,
-    /// In a call of `mechanism!`, in a Rust file.
+    /// `.rs`: a call of `mechanism!`.
     Rust,
 }
 
@@ -27,16 +27,16 @@ const LINE: usize = 100;
 ///
 /// # Errors
 /// If the compiler itself fails, which is a mistake of ours.
-pub(crate) fn text(drawing: &Drawing, name: &str, frame: Frame) -> Result<String, Failure> {
+pub(crate) fn text(drawing: &Drawing, name: &str, kind: FileKind) -> Result<String, Failure> {
     let writer = Writer {
         drawing,
         named: Named::of(drawing)?,
         size: drawing.size(),
     };
-    let lines = writer.lines(name, frame);
-    Ok(match frame {
-        Frame::Mechanism => lines.join("\n") + "\n",
-        Frame::Rust => {
+    let lines = writer.lines(name, kind);
+    Ok(match kind {
+        FileKind::Mechanism => lines.join("\n") + "\n",
+        FileKind::Rust => {
             let inside = lines.iter().map(|line| match &**line {
                 "" => "\n".to_owned(),
                 line => format!("    {line}\n"),
@@ -49,7 +49,7 @@ pub(crate) fn text(drawing: &Drawing, name: &str, frame: Frame) -> Result<String
 
 /// The names of everything in a drawing, in its order.
 struct Named {
-    bodies: Vec<String>,
+    links: Vec<String>,
     points: Vec<Vec<String>>,
     joints: Vec<String>,
     loads: Vec<String>,
@@ -58,14 +58,14 @@ struct Named {
 impl Named {
     fn of(drawing: &Drawing) -> Result<Self, Failure> {
         let mut names = Names::default();
-        let bodies = drawing.bodies.iter();
-        let bodies = bodies
-            .map(|body| names.claim(&body.name, "link"))
+        let links = drawing.links.iter();
+        let links = links
+            .map(|link| names.claim(&link.name, "link"))
             .collect::<Result<Vec<_>, _>>()?;
-        let points = drawing.bodies.iter().zip(&bodies).map(|(body, link)| {
-            let points = body.points.iter();
+        let points = drawing.links.iter().zip(&links).map(|(link, name)| {
+            let points = link.points.iter();
             points
-                .map(|point| names.claim_point(link, &point.name))
+                .map(|point| names.claim_point(name, &point.name))
                 .collect()
         });
         let points = points.collect::<Result<Vec<Vec<_>>, _>>()?;
@@ -78,7 +78,7 @@ impl Named {
             .map(|load| names.claim(&load.name, "load"))
             .collect::<Result<Vec<_>, _>>()?;
         Ok(Self {
-            bodies,
+            links,
             points,
             joints,
             loads,
@@ -93,21 +93,21 @@ struct Writer<'d> {
 }
 
 impl Writer<'_> {
-    fn lines(&self, name: &str, frame: Frame) -> Vec<String> {
+    fn lines(&self, name: &str, kind: FileKind) -> Vec<String> {
         let remarks = self.drawing.remarks.iter();
         let mut lines: Vec<String> = remarks
             .map(|remark| format!("/// {}", on_one_line(remark)))
             .collect();
-        lines.push(match frame {
-            Frame::Mechanism => format!("struct {name};"),
-            Frame::Rust => format!("pub struct {name};"),
+        lines.push(match kind {
+            FileKind::Mechanism => format!("struct {name};"),
+            FileKind::Rust => format!("pub struct {name};"),
         });
         // A link without shapes has a body even if others have shapes.
-        if self.drawing.bodies.iter().any(|body| body.color.is_some()) {
+        if self.drawing.links.iter().any(|link| link.color.is_some()) {
             lines.push("look machine;".to_owned());
         }
         lines.push(String::new());
-        for number in 0..self.drawing.bodies.len() {
+        for number in 0..self.drawing.links.len() {
             lines.extend(self.link(number));
         }
         lines.push(String::new());
@@ -121,7 +121,7 @@ impl Writer<'_> {
     /// The statement of a link, on one line if it is short.
     fn link(&self, number: usize) -> Vec<String> {
         let items = self.items(number);
-        let name = &self.named.bodies[number];
+        let name = &self.named.links[number];
         if items.is_empty() {
             return vec![format!("link {name};")];
         }
@@ -139,12 +139,12 @@ impl Writer<'_> {
     }
 
     fn items(&self, number: usize) -> Vec<String> {
-        let body = &self.drawing.bodies[number];
-        let points = body.points.iter().zip(&self.named.points[number]);
+        let link = &self.drawing.links[number];
+        let points = link.points.iter().zip(&self.named.points[number]);
         let mut items: Vec<String> = points
             .map(|(point, name)| format!("point {name} = {};", self.place(point.at)))
             .collect();
-        if let Some(mass) = body.mass {
+        if let Some(mass) = link.mass {
             let exact = |value| written_like(value, "");
             let mut item = format!("mass {} at {}", exact(mass.value), self.place(mass.at));
             if mass.inertia != 0.0 {
@@ -152,13 +152,13 @@ impl Writer<'_> {
             }
             items.push(item + ";");
         }
-        items.extend(self.bar(number, body));
+        items.extend(self.bar(number, link));
         items
     }
 
     /// A bar in the colour of a link, from pin to pin.
-    fn bar(&self, number: usize, body: &Body) -> Option<String> {
-        let color = body.color.filter(|_| !self.drawing.is_wheel(number))?;
+    fn bar(&self, number: usize, link: &Link) -> Option<String> {
+        let color = link.color.filter(|_| !self.drawing.is_wheel(number))?;
         let mut places = around(self.drawing.places(number));
         if places.len() > 2 {
             places.extend(places.first().copied());
@@ -184,7 +184,7 @@ impl Writer<'_> {
     fn joint(&self, joint: &Joint) -> String {
         let [a, b] = joint.ends.map(|end| match end {
             End::Ground => "ground",
-            End::Body(number) => &self.named.bodies[number],
+            End::Link(number) => &self.named.links[number],
         });
         match joint.form {
             Form::Revolute { at } => format!("revolute({a}, {b}) at {}", self.place(at)),
@@ -217,19 +217,19 @@ impl Writer<'_> {
     fn loads(&self) -> impl Iterator<Item = String> {
         let loads = self.drawing.loads.iter().zip(&self.named.loads);
         loads.map(|(load, name)| {
-            let body = &self.named.bodies[load.body];
-            let point = &self.named.points[load.body][load.point];
-            format!("load {name} = force({body}.{point});")
+            let link = &self.named.links[load.link];
+            let point = &self.named.points[load.link][load.point];
+            format!("load {name} = force({link}.{point});")
         })
     }
 
     fn effects(&self) -> Option<String> {
         let force = (!self.drawing.loads.is_empty()).then(|| "force;".to_owned());
-        let bodies = self.drawing.bodies.iter().enumerate();
-        let traces = bodies.flat_map(|(number, body)| {
-            let points = body.points.iter().zip(&self.named.points[number]);
+        let links = self.drawing.links.iter().enumerate();
+        let traces = links.flat_map(|(number, drawn)| {
+            let points = drawn.points.iter().zip(&self.named.points[number]);
             let traced = points.filter(|(point, _)| point.is_traced);
-            let link = &self.named.bodies[number];
+            let link = &self.named.links[number];
             traced.map(move |(_, point)| format!("trace {link}.{point} {TRACE};"))
         });
         let clauses: Vec<String> = force.into_iter().chain(traces).collect();

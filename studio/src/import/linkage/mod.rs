@@ -1,8 +1,7 @@
 //! Documents of Linkage: files `.linkage2`.
 //!
-//! `reading` makes a [`Document`](document::Document) of the XML; `bodies` finds which of its links are one; `translation` makes a drawing.
+//! `reading` makes a [`Document`](document::Document) of the XML; `unions` finds which of its links are one; `translation` makes a drawing.
 
-mod bodies;
 mod document;
 mod element;
 mod ratio;
@@ -10,6 +9,7 @@ mod reading;
 mod sliding;
 mod tags;
 mod translation;
+mod unions;
 mod units;
 mod unknown;
 

@@ -1,7 +1,7 @@
 //! What connectors slide on.
 
-use super::bodies::Bodies;
 use super::document::{Document, Slide};
+use super::unions::Unions;
 use crate::import::drawing::{End, Pair};
 use crate::import::omission::Omission;
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,7 +14,7 @@ const OFF: f64 = 1e-3;
 pub(super) enum Guide {
     /// It turns and slides. The first end has the connector, the second has the slot.
     Slot { ends: [End; 2], along: Pair },
-    /// It slides without turning, because two connectors of the body slide on one line.
+    /// It slides without turning, because two connectors of the link slide on one line.
     Line { ends: [End; 2], along: Pair },
     /// It slides on an arc about this centre. The first end has the connector, the second has the arc.
     Arc { ends: [End; 2], center: Pair },
@@ -24,7 +24,7 @@ pub(super) enum Guide {
 struct Slider {
     connector: usize,
     slide: Slide,
-    bodies: Vec<End>,
+    own: Vec<End>,
     /// What it slides on.
     on: End,
 }
@@ -32,7 +32,7 @@ struct Slider {
 /// What each connector slides on, and where that cannot be said.
 pub(super) fn guides(
     document: &Document,
-    bodies: &Bodies,
+    unions: &Unions,
 ) -> (BTreeMap<usize, Guide>, Vec<Omission>) {
     let mut faults = Vec::new();
     let mut sliders = Vec::new();
@@ -40,7 +40,7 @@ pub(super) fn guides(
         let Some(slide) = connector.slide else {
             continue;
         };
-        match slider(document, bodies, number, slide) {
+        match slider(document, unions, number, slide) {
             Ok(slider) => sliders.push(slider),
             Err(what) => faults.push(Omission::new(format!("connector {}", connector.id), what)),
         }
@@ -53,21 +53,21 @@ pub(super) fn guides(
     let mut guided = BTreeSet::new();
     for slider in &sliders {
         let connector = &document.connectors[slider.connector];
-        let partner = slider.bodies.iter().find(|body| {
+        let partner = slider.own.iter().find(|end| {
             let mut others = sliders.iter();
-            others.any(|other| slider.is_on_line_of(other) && other.bodies.contains(body))
+            others.any(|other| slider.is_on_line_of(other) && other.own.contains(end))
         });
         let along = along(document, slider.slide.limits);
         let guide = match (slider.slide.radius, partner) {
             (Some(radius), _) => arc(document, slider, radius),
-            (None, Some(body)) => {
-                let is_first = guided.insert((*body, slider.on));
+            (None, Some(end)) => {
+                let is_first = guided.insert((*end, slider.on));
                 // The ground first.
-                let ends = [slider.on.min(*body), slider.on.max(*body)];
+                let ends = [slider.on.min(*end), slider.on.max(*end)];
                 Ok(is_first.then_some(Guide::Line { ends, along }))
             }
             (None, None) => {
-                let ends = [slider.bodies[0], slider.on];
+                let ends = [slider.own[0], slider.on];
                 Ok(Some(Guide::Slot { ends, along }))
             }
         };
@@ -93,15 +93,15 @@ impl Slider {
 
 fn slider(
     document: &Document,
-    bodies: &Bodies,
+    unions: &Unions,
     connector: usize,
     slide: Slide,
 ) -> Result<Slider, &'static str> {
-    let own = bodies.at(document, connector);
+    let own = unions.at(document, connector);
     if own.is_empty() {
         return Err("it slides, but is on no link");
     }
-    let [first, second] = slide.limits.map(|limit| bodies.at(document, limit));
+    let [first, second] = slide.limits.map(|limit| unions.at(document, limit));
     let mut common = first.iter().filter(|end| second.contains(end));
     let on = common.find(|end| !own.contains(end));
     let on = on.ok_or("the two connectors between which it slides are on no other common link")?;
@@ -111,7 +111,7 @@ fn slider(
     Ok(Slider {
         connector,
         slide,
-        bodies: own,
+        own,
         on: *on,
     })
 }
@@ -142,6 +142,6 @@ fn arc(document: &Document, slider: &Slider, radius: f64) -> Result<Option<Guide
     let center = centers.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)));
     let center = center.filter(|center| off(center) <= OFF * radius);
     let center = center.ok_or("it is not on the arc on which it slides")?;
-    let ends = [slider.bodies[0], slider.on];
+    let ends = [slider.own[0], slider.on];
     Ok(Some(Guide::Arc { ends, center }))
 }

@@ -1,10 +1,10 @@
 //! A document as a drawing.
 
-use super::bodies::{Bodies, Member};
 use super::document::{Connector, Document, Link};
 use super::sliding::{Guide, guides};
+use super::unions::{Member, Unions};
 use crate::import::Imported;
-use crate::import::drawing::{Body, Direction, Drawing, End, Form, Motor, Pair, Point};
+use crate::import::drawing::{self, Direction, Drawing, End, Form, Motor, Pair, Point};
 use crate::import::omission::Omission;
 
 /// Documents have six decimals of a pixel.
@@ -13,16 +13,16 @@ const ROUNDING: f64 = 0.500_001e-6;
 /// The drawing of a document.
 pub(super) fn translate(mut document: Document) -> Imported {
     let mut omissions = std::mem::take(&mut document.omissions);
-    let bodies = Bodies::of(&document, &mut omissions);
+    let unions = Unions::of(&document, &mut omissions);
     let mut translation = Translation {
         drawing: Drawing {
             remarks: vec![format!("Lengths are in {}.", document.units.name)],
-            bodies: drawn(&document, &bodies),
+            links: drawn(&document, &unions),
             rounding: ROUNDING * document.units.scale,
             ..Drawing::default()
         },
         document: &document,
-        bodies: &bodies,
+        unions: &unions,
         omissions,
     };
     translation.connectors();
@@ -37,15 +37,15 @@ pub(super) fn translate(mut document: Document) -> Imported {
 
 struct Translation<'d> {
     document: &'d Document,
-    bodies: &'d Bodies,
+    unions: &'d Unions,
     drawing: Drawing,
     omissions: Vec<Omission>,
 }
 
-/// The bodies with their names and colours.
-fn drawn(document: &Document, bodies: &Bodies) -> Vec<Body> {
+/// The links with their names and colours.
+fn drawn(document: &Document, unions: &Unions) -> Vec<drawing::Link> {
     let mut halves = ["barrel", "rod"].into_iter().cycle();
-    let bodies = bodies.links.iter().map(|links| {
+    let drawn = unions.links.iter().map(|links| {
         let links = links.iter().map(|link| &document.links[*link]);
         // Wheels that are fastened to a link have its name.
         let first = links.clone().find(|link| !link.is_wheel);
@@ -55,13 +55,13 @@ fn drawn(document: &Document, bodies: &Bodies) -> Vec<Body> {
             name += "_";
             name += halves.next().unwrap_or_default();
         }
-        Body {
+        drawing::Link {
             name,
             color: links.clone().find_map(|link| link.color),
-            ..Body::default()
+            ..drawing::Link::default()
         }
     });
-    bodies.collect()
+    drawn.collect()
 }
 
 /// The name of a link: its own, or one made of its id.
@@ -84,12 +84,12 @@ impl Translation<'_> {
 
     /// Pins, slots and guides.
     fn connectors(&mut self) {
-        let (guides, faults) = guides(self.document, self.bodies);
+        let (guides, faults) = guides(self.document, self.unions);
         self.omissions.extend(faults);
         let limits: Vec<usize> = self.document.connectors.iter().flat_map(limits).collect();
         for number in 0..self.document.connectors.len() {
             let connector = &self.document.connectors[number];
-            let ends = self.bodies.at(self.document, number);
+            let ends = self.unions.at(self.document, number);
             let before = self.drawing.joints.len();
             let pin = self
                 .drawing
@@ -127,7 +127,7 @@ impl Translation<'_> {
     fn point(&mut self, number: usize, ends: &[End], has_joint: bool) {
         let connector = &self.document.connectors[number];
         let moving = ends.iter().find_map(|end| match end {
-            End::Body(body) => Some(*body),
+            End::Link(link) => Some(*link),
             End::Ground => None,
         });
         let is_fixed = ends.contains(&End::Ground);
@@ -135,8 +135,8 @@ impl Translation<'_> {
             self.omit(number, "its path is a point, as it does not move");
         }
         let is_traced = connector.is_traced && !is_fixed;
-        if let Some(body) = moving.filter(|_| is_traced || !has_joint) {
-            self.drawing.bodies[body].points.push(Point {
+        if let Some(link) = moving.filter(|_| is_traced || !has_joint) {
+            self.drawing.links[link].points.push(Point {
                 name: name_at(connector, "point"),
                 at: connector.at,
                 is_traced,
@@ -165,16 +165,16 @@ impl Translation<'_> {
     /// An arc: a link that turns about its centre.
     fn arc(&mut self, connector: &Connector, [pin, guide]: [End; 2], center: Pair) {
         let name = name_at(connector, "arc");
-        let body = End::Body(self.drawing.bodies.len());
-        self.drawing.bodies.push(Body {
+        let link = End::Link(self.drawing.links.len());
+        self.drawing.links.push(drawing::Link {
             name: name.clone(),
-            ..Body::default()
+            ..drawing::Link::default()
         });
         let form = |at| Form::Revolute { at };
         let middle = format!("{name} center");
-        self.drawing.join(&middle, form(center), [guide, body]);
+        self.drawing.join(&middle, form(center), [guide, link]);
         let end = format!("{name} end");
-        self.drawing.join(&end, form(connector.at), [pin, body]);
+        self.drawing.join(&end, form(connector.at), [pin, link]);
         let what = format!(
             "it slides on an arc; the link `{name}`, which turns about the centre of the arc, stands for it"
         );
@@ -185,7 +185,7 @@ impl Translation<'_> {
     /// Cylinders: a rod that slides in a barrel, and a motor.
     fn cylinders(&mut self) {
         for (number, link) in self.document.links.iter().enumerate() {
-            let cylinder = link.cylinder.zip(self.bodies.member(number));
+            let cylinder = link.cylinder.zip(self.unions.member(number));
             let Some((cylinder, Member::Cylinder([barrel, rod]))) = cylinder else {
                 continue;
             };
@@ -201,7 +201,7 @@ impl Translation<'_> {
                 at: from,
                 along: Direction::Vector(along),
             };
-            let ends = [barrel, rod].map(End::Body);
+            let ends = [barrel, rod].map(End::Link);
             let joint = self
                 .drawing
                 .join(&format!("{} stroke", name(link)), form, ends);
@@ -216,13 +216,13 @@ impl Translation<'_> {
             let links = ratio.links;
             let ids = links.map(|link| self.document.links[link].id);
             let of = format!("ratio of links {} and {}", ids[0], ids[1]);
-            let [Some(a), Some(b)] = links.map(|link| self.bodies.rigid(link)) else {
+            let [Some(a), Some(b)] = links.map(|link| self.unions.rigid(link)) else {
                 let what = "one of them is no rigid link of the mechanism";
                 self.omissions.push(Omission::new(of, what));
                 continue;
             };
             if a == b {
-                let what = "both are one body";
+                let what = "both are one link";
                 self.omissions.push(Omission::new(of, what));
                 continue;
             }
@@ -246,12 +246,12 @@ impl Translation<'_> {
             let of = format!("links {}", ids.join(", "));
             self.omissions.push(Omission::new(of, what));
         }
-        let colors = self.drawing.bodies.iter().enumerate();
+        let colors = self.drawing.links.iter().enumerate();
         let wheels =
-            colors.filter(|(number, body)| body.color.is_some() && self.drawing.is_wheel(*number));
-        let wheels = wheels.map(|(_, body)| {
+            colors.filter(|(number, link)| link.color.is_some() && self.drawing.is_wheel(*number));
+        let wheels = wheels.map(|(_, link)| {
             let what = "its colour is lost, because the compiler draws wheels";
-            Omission::new(format!("link `{}`", body.name), what)
+            Omission::new(format!("link `{}`", link.name), what)
         });
         self.omissions.extend(wheels);
     }

@@ -149,8 +149,8 @@ fn linkage<'q>(
     for field in link_fields {
         drafts.push(draft(field, &joint_ids, &mut link_ids, &mut omissions)?);
     }
-    let links = drafts.into_iter().map(|(mut link, pieces)| {
-        link.pieces = link_ids.find_all(pieces.into_iter())?;
+    let links = drafts.into_iter().map(|(mut link, welded)| {
+        link.welded = link_ids.find_all(welded.into_iter())?;
         Ok(link)
     });
     let links = links.collect::<Result<Vec<_>, Message>>()?;
@@ -204,7 +204,7 @@ fn joint<'q>(field: Field<'q>, ids: &mut Ids<'q>) -> Result<Joint, Message> {
     })
 }
 
-/// `[Y or N][R or P][id],[name],[mass],[moment of inertia],[x],[y],[colour],[joints],,[pieces]`: the link without its pieces, and these.
+/// `[Y or N][R or P][id],[name],[mass],[moment of inertia],[x],[y],[colour],[joints],,[welded links]`: the link without those that are welded into it, and these.
 fn draft<'q>(
     field: Field<'q>,
     joints: &Ids<'q>,
@@ -242,7 +242,7 @@ fn draft<'q>(
         }
         own.push(joint);
     }
-    let pieces = lists.filter(|piece| !piece.text().is_empty()).collect();
+    let welded = lists.filter(|link| !link.text().is_empty()).collect();
     let center = [decimal(x)?, decimal(y)?];
     let name = name_of(name, &id);
     let inertia = decimal(inertia)?;
@@ -251,7 +251,7 @@ fn draft<'q>(
         is_root,
         is_block,
         joints: joints.find_all(own.into_iter())?,
-        pieces: Vec::new(),
+        welded: Vec::new(),
         mass,
         color: if is_block {
             None
@@ -260,7 +260,7 @@ fn draft<'q>(
         },
         name,
     };
-    Ok((link, pieces))
+    Ok((link, welded))
 }
 
 /// A colour of six hexadecimal digits.

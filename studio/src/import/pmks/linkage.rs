@@ -36,17 +36,17 @@ pub(super) struct Joint {
     pub(super) is_traced: bool,
 }
 
-/// A link, or a piece of one that is welded together.
+/// A link, or one that is welded into another.
 pub(super) struct Link {
     pub(super) name: String,
-    /// Whether it is no piece of another.
+    /// Whether it is not welded into another.
     pub(super) is_root: bool,
     /// Whether it is the block of a slider. Its centre of mass is at its pin.
     pub(super) is_block: bool,
     /// By their numbers, each once.
     pub(super) joints: Vec<usize>,
-    /// The links of which it is welded together, by their numbers.
-    pub(super) pieces: Vec<usize>,
+    /// The links that are welded into it, by their numbers.
+    pub(super) welded: Vec<usize>,
     pub(super) mass: Option<Mass>,
     pub(super) color: Option<Color>,
 }

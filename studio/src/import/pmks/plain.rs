@@ -145,7 +145,7 @@ fn link<'q>(line: Field<'q>, joints: &Ids<'q>, ids: &mut Ids<'q>) -> Result<Link
         is_root: true,
         is_block: is_prismatic(&kind)?,
         joints: joints.find_all(own.split('|'))?,
-        pieces: Vec::new(),
+        welded: Vec::new(),
         mass: mass_of(&mass, number_if_any(&mass)?, inertia, center)?,
         color: None,
     })

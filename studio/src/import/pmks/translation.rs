@@ -2,7 +2,7 @@
 
 use super::linkage::{Force, Joint, Link, Linkage};
 use crate::import::Imported;
-use crate::import::drawing::{Body, Direction, Drawing, End, Form, Load, Mass, Motor, Point};
+use crate::import::drawing::{self, Direction, Drawing, End, Form, Load, Mass, Motor, Point};
 use crate::import::omission::Omission;
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ pub(super) fn translate(mut linkage: Linkage) -> Imported {
         drawing: Drawing::default(),
         omissions,
     };
-    translation.bodies();
+    translation.links();
     for joint in 0..linkage.joints.len() {
         translation.joint(joint);
     }
@@ -36,13 +36,13 @@ pub(super) fn translate(mut linkage: Linkage) -> Imported {
 
 struct Translation<'l> {
     linkage: &'l Linkage,
-    /// What each link is; nothing if it is a piece, or carries nothing.
+    /// What each link is; nothing if it is welded into another, or carries nothing.
     ends: Vec<Option<End>>,
     drawing: Drawing,
     omissions: Vec<Omission>,
 }
 
-/// What each link is: links that are welded together are one body.
+/// What each link is: links that are welded together are one.
 fn ends(linkage: &Linkage) -> Vec<Option<End>> {
     let mut roots: Vec<usize> = (0..linkage.links.len()).collect();
     let welds = linkage.joints.iter().enumerate();
@@ -60,7 +60,7 @@ fn ends(linkage: &Linkage) -> Vec<Option<End>> {
             }
         }
     }
-    let mut bodies = BTreeMap::new();
+    let mut numbers = BTreeMap::new();
     let links = linkage.links.iter().enumerate();
     let ends = links.map(|(number, link)| {
         if !link.is_root {
@@ -80,8 +80,8 @@ fn ends(linkage: &Linkage) -> Vec<Option<End>> {
         if together.iter().all(|link| link.joints.len() < 2) {
             return None;
         }
-        let count = bodies.len();
-        Some(End::Body(*bodies.entry(root).or_insert(count)))
+        let count = numbers.len();
+        Some(End::Link(*numbers.entry(root).or_insert(count)))
     });
     ends.collect()
 }
@@ -97,7 +97,7 @@ fn is_fixed(linkage: &Linkage, link: &Link) -> bool {
 }
 
 impl Translation<'_> {
-    fn bodies(&mut self) {
+    fn links(&mut self) {
         for (number, link) in self.linkage.links.iter().enumerate() {
             let of = format!("link {}", link.name);
             match self.ends[number] {
@@ -106,8 +106,7 @@ impl Translation<'_> {
                     self.omissions.push(Omission::new(of, what));
                 }
                 None if link.mass.is_some() => {
-                    let what =
-                        "it is a piece of a link that is welded together; its mass is not counted";
+                    let what = "it is welded into another link, whose mass counts alone";
                     self.omissions.push(Omission::new(of, what));
                 }
                 None => {}
@@ -115,19 +114,19 @@ impl Translation<'_> {
                     let what = "two pivots hold it to the ground, so it is a part of the ground";
                     self.omissions.push(Omission::new(of, what));
                 }
-                Some(End::Body(body)) => self.body(body, link),
+                Some(End::Link(drawn)) => self.link(drawn, link),
             }
         }
     }
 
-    /// Adds a body, or what else is welded to it.
-    fn body(&mut self, body: usize, link: &Link) {
+    /// Adds a link, or what else is welded to it.
+    fn link(&mut self, number: usize, link: &Link) {
         let mut mass = link.mass;
         if let (true, Some(mass), Some(joint)) = (link.is_block, &mut mass, link.joints.first()) {
             mass.at = self.linkage.joints[*joint].at;
         }
-        let Some(known) = self.drawing.bodies.get_mut(body) else {
-            self.drawing.bodies.push(Body {
+        let Some(known) = self.drawing.links.get_mut(number) else {
+            self.drawing.links.push(drawing::Link {
                 name: link.name.clone(),
                 mass,
                 color: link.color,
@@ -141,7 +140,7 @@ impl Translation<'_> {
         };
     }
 
-    /// What carries a joint: the ground first, then bodies, each once.
+    /// What carries a joint: the ground first, then links, each once.
     fn at(&self, number: usize) -> Vec<End> {
         let joint = &self.linkage.joints[number];
         let mut all: Vec<End> = joint
@@ -198,13 +197,13 @@ impl Translation<'_> {
     fn point(&mut self, joint: &Joint, ends: &[End], has_joint: bool) {
         let is_fixed = ends.contains(&End::Ground) && joint.along.is_none();
         let moving = ends.iter().find_map(|end| match end {
-            End::Body(body) => Some(*body),
+            End::Link(link) => Some(*link),
             End::Ground => None,
         });
         // The path of a slider is that of its pin.
         let is_traced = joint.is_traced && !is_fixed && joint.along.is_none();
-        if let Some(body) = moving.filter(|_| is_traced || !has_joint) {
-            self.drawing.bodies[body].points.push(Point {
+        if let Some(link) = moving.filter(|_| is_traced || !has_joint) {
+            self.drawing.links[link].points.push(Point {
                 name: joint.name.clone(),
                 at: joint.at,
                 is_traced,
@@ -232,15 +231,15 @@ impl Translation<'_> {
         let of = format!("force {}", force.name);
         let links = self.linkage.links.iter().enumerate();
         let holder = |(number, link): (usize, &Link)| {
-            let is_it = number == force.link || link.is_root && link.pieces.contains(&force.link);
+            let is_it = number == force.link || link.is_root && link.welded.contains(&force.link);
             self.ends[number].filter(|_| is_it)
         };
-        let Some(End::Body(body)) = links.into_iter().find_map(holder) else {
+        let Some(End::Link(link)) = links.into_iter().find_map(holder) else {
             let what = "it acts on no link that moves";
             self.omissions.push(Omission::new(of, what));
             return;
         };
-        let points = &mut self.drawing.bodies[body].points;
+        let points = &mut self.drawing.links[link].points;
         let point = points.len();
         points.push(Point {
             name: force.name.clone(),
@@ -248,7 +247,7 @@ impl Translation<'_> {
             is_traced: false,
         });
         let name = force.name.clone();
-        self.drawing.loads.push(Load { name, body, point });
+        self.drawing.loads.push(Load { name, link, point });
         let [x, y] = force.parts.map(|part| crate::text::shortest(part, 1e-3));
         let turns = if force.is_local {
             "; it turns with its link there"
@@ -264,7 +263,7 @@ impl Translation<'_> {
         if let Some(unit) = self.linkage.unit {
             self.drawing.remarks.push(format!("Lengths are in {unit}."));
         }
-        if self.drawing.bodies.iter().any(|body| body.mass.is_some()) {
+        if self.drawing.links.iter().any(|link| link.mass.is_some()) {
             let remark = "Masses and moments of inertia are those of PMKS+.";
             self.drawing.remarks.push(remark.to_owned());
         }

@@ -145,7 +145,7 @@ fn links_that_are_welded_together_are_one() {
         .joint(WELDED, "E", [1.5, 3.0], 0.0)
         .link("AB", &["A", "B"])
         .link("CD", &["C", "D"])
-        // The whole, and the pieces of it.
+        // The whole, and what is welded into it.
         .raw_link(format!("YRBCE,BCE,{two},0,{one},{two},0d125a,B,E,C,,BE,EC"))
         .raw_link(format!("NRBE,BE,{one},0,0,0,0d125a,B,E,,"))
         .raw_link("NREC,EC,0,0,0,0,0d125a,E,C,,");
@@ -153,7 +153,7 @@ fn links_that_are_welded_together_are_one() {
     assert_eq!(text.matches("\nlink ").count(), 3, "{text}");
     assert!(text.contains("mass 2 at (1, 2);"), "{text}");
     assert!(
-        omitted.contains("link BE: it is a piece of a link that is welded together"),
+        omitted.contains("link BE: it is welded into another link"),
         "{omitted}"
     );
     let bars = [

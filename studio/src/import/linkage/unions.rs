@@ -1,4 +1,4 @@
-//! Which links are one body.
+//! Which links of a document are one link of the drawing.
 
 use super::document::{Document, Fastening};
 use crate::import::drawing::End;
@@ -8,11 +8,11 @@ use std::collections::BTreeSet;
 /// The number of the ground among links, before the first of them.
 const GROUND: usize = 0;
 
-/// The bodies of a document.
-pub(super) struct Bodies {
-    /// Of each link that is a body or a part of one; none of pictures, and of what carries nothing.
+/// Unions: links of a document that are one link of the drawing.
+pub(super) struct Unions {
+    /// What each link is of; nothing of pictures, and of what carries nothing.
     ends: Vec<Option<Member>>,
-    /// The links of each body, in their order.
+    /// The links of each union, in their order.
     pub(super) links: Vec<Vec<usize>>,
     /// The connectors of each link, with those that are fastened to it.
     pub(super) connectors: Vec<Vec<usize>>,
@@ -21,18 +21,18 @@ pub(super) struct Bodies {
 /// What a link is of.
 #[derive(Clone, Copy)]
 pub(super) enum Member {
-    /// A rigid body, or the ground.
+    /// A rigid link, or the ground.
     Rigid(End),
-    /// A cylinder: two bodies, at its first connector and at its second.
+    /// A cylinder: two links of the drawing, at its first connector and at its second.
     Cylinder([usize; 2]),
 }
 
-impl Bodies {
-    /// The bodies of a document, in the order of their first links. Cylinders have two, one after the other.
+impl Unions {
+    /// The unions of a document, in the order of their first links. Cylinders have two, one after the other.
     pub(super) fn of(document: &Document, omissions: &mut Vec<Omission>) -> Self {
         let connectors = carried(document, omissions);
         let groups = grouped(document, &connectors, omissions);
-        let mut bodies = Self {
+        let mut unions = Self {
             ends: vec![None; document.links.len()],
             links: Vec::new(),
             connectors,
@@ -46,23 +46,23 @@ impl Bodies {
             let member = if root == groups.root(GROUND) {
                 Member::Rigid(End::Ground)
             } else if link.cylinder.is_some() {
-                let first = bodies.add(number);
-                Member::Cylinder([first, bodies.add(number)])
-            } else if let Some(body) = numbers[root] {
-                bodies.links[body].push(number);
-                Member::Rigid(End::Body(body))
-            } else if bodies.carries_something(document, &groups, root) {
-                let body = bodies.add(number);
-                numbers[root] = Some(body);
-                Member::Rigid(End::Body(body))
+                let first = unions.add(number);
+                Member::Cylinder([first, unions.add(number)])
+            } else if let Some(union) = numbers[root] {
+                unions.links[union].push(number);
+                Member::Rigid(End::Link(union))
+            } else if unions.carries_something(document, &groups, root) {
+                let union = unions.add(number);
+                numbers[root] = Some(union);
+                Member::Rigid(End::Link(union))
             } else {
                 let what = "it has one connector and is no wheel, so it carries nothing";
                 omissions.push(Omission::new(format!("link {}", link.id), what));
                 continue;
             };
-            bodies.ends[number] = Some(member);
+            unions.ends[number] = Some(member);
         }
-        bodies
+        unions
     }
 
     fn add(&mut self, link: usize) -> usize {
@@ -97,7 +97,7 @@ impl Bodies {
         }
     }
 
-    /// What carries a connector: the ground first, then bodies in their order, each once.
+    /// What carries a connector: the ground first, then unions in their order, each once.
     pub(super) fn at(&self, document: &Document, connector: usize) -> Vec<End> {
         let mut ends = BTreeSet::new();
         if document.connectors[connector].is_anchor {
@@ -115,7 +115,7 @@ impl Bodies {
                     let own = document.links[link].cylinder.map(|cylinder| cylinder.ends);
                     let own = own.into_iter().flatten().zip(halves);
                     let found = own.filter(|(end, _)| *end == connector);
-                    ends.extend(found.map(|(_, body)| End::Body(body)));
+                    ends.extend(found.map(|(_, union)| End::Link(union)));
                 }
                 None => {}
             }
