@@ -59,7 +59,7 @@ pub(super) fn read(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Ra
 fn teeth(sizes: Pair) -> Option<[u64; 2]> {
     (0..=DECIMALS).find_map(|places| {
         let scaled = sizes.map(|size| size * 10_f64.powi(places));
-        let is_whole = |size: &f64| (size - size.round()).abs() < 1e-9 * size.max(1.0);
+        let is_whole = |size: &f64| (size - size.round()).abs() <= 1e-15 * size;
         if !scaled.iter().all(|size| is_whole(size) && *size < LARGEST) {
             return None;
         }

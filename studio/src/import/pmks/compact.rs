@@ -204,7 +204,9 @@ fn joint<'q>(field: Field<'q>, ids: &mut Ids<'q>) -> Result<Joint, Message> {
     })
 }
 
-/// `[Y or N][R or P][id],[name],[mass],[moment of inertia],[x],[y],[colour],[joints],,[welded links]`: the link without those that are welded into it, and these.
+/// `[Y or N][R or P][id],[name],[mass],[moment of inertia],[x],[y],[colour],[joints],,[welded links]`
+///
+/// Gives the link without those that are welded into it, and these.
 fn draft<'q>(
     field: Field<'q>,
     joints: &Ids<'q>,

@@ -4,7 +4,7 @@ use super::linkage::{Force, Joint, Link, Linkage};
 use crate::import::Imported;
 use crate::import::drawing::{self, Direction, Drawing, End, Form, Load, Mass, Motor, Point};
 use crate::import::omission::Omission;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Links have angles in thousandths of a radian.
 const ROUNDING: f64 = 0.000_501;
@@ -44,46 +44,45 @@ struct Translation<'l> {
 
 /// What each link is: links that are welded together are one.
 fn ends(linkage: &Linkage) -> Vec<Option<End>> {
-    let mut roots: Vec<usize> = (0..linkage.links.len()).collect();
-    let welds = linkage.joints.iter().enumerate();
-    for (number, _) in welds.filter(|(_, joint)| joint.is_welded) {
-        let links = linkage.links.iter().enumerate();
-        let mut links = links.filter(|(_, link)| link.is_root && link.joints.contains(&number));
-        if let Some((first, _)) = links.next() {
-            for (other, _) in links {
-                let [a, b] = [roots[first], roots[other]];
-                for root in &mut roots {
-                    if *root == a.max(b) {
-                        *root = a.min(b);
-                    }
-                }
-            }
-        }
-    }
+    let firsts = firsts(linkage);
     let mut numbers = BTreeMap::new();
-    let links = linkage.links.iter().enumerate();
-    let ends = links.map(|(number, link)| {
+    let links = linkage.links.iter().zip(&firsts);
+    let ends = links.map(|(link, first)| {
         if !link.is_root {
             return None;
         }
-        let root = roots[number];
-        let together: Vec<&Link> = linkage
-            .links
-            .iter()
-            .zip(&roots)
-            .filter(|(link, other)| link.is_root && **other == root)
-            .map(|(link, _)| link)
-            .collect();
-        if together.iter().any(|link| is_fixed(linkage, link)) {
+        let all = linkage.links.iter().zip(&firsts);
+        let mut together = all.filter(|(link, other)| link.is_root && *other == first);
+        if together.clone().any(|(link, _)| is_fixed(linkage, link)) {
             return Some(End::Ground);
         }
-        if together.iter().all(|link| link.joints.len() < 2) {
+        if together.all(|(link, _)| link.joints.len() < 2) {
             return None;
         }
         let count = numbers.len();
-        Some(End::Link(*numbers.entry(root).or_insert(count)))
+        Some(End::Link(*numbers.entry(*first).or_insert(count)))
     });
     ends.collect()
+}
+
+/// For each link the first of those that it is welded to, itself included.
+fn firsts(linkage: &Linkage) -> Vec<usize> {
+    let mut firsts: Vec<usize> = (0..linkage.links.len()).collect();
+    let joints = linkage.joints.iter().enumerate();
+    for (joint, _) in joints.filter(|(_, joint)| joint.is_welded) {
+        let links = linkage.links.iter().enumerate();
+        let links = links.filter(|(_, link)| link.is_root && link.joints.contains(&joint));
+        let groups: BTreeSet<usize> = links.map(|(link, _)| firsts[link]).collect();
+        let Some(least) = groups.first() else {
+            continue;
+        };
+        for first in &mut firsts {
+            if groups.contains(first) {
+                *first = *least;
+            }
+        }
+    }
+    firsts
 }
 
 /// Whether a link cannot move, as two pivots hold it to the ground.

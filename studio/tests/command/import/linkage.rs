@@ -137,6 +137,37 @@ fn a_mesh_and_a_chain() {
 }
 
 #[test]
+fn a_planet_rolls_on_a_sun_that_is_fastened_to_the_ground() {
+    let text = "<linkage2>
+<program units=\"Millimeters\" scalefactor=\"2\"/>
+<connector id=\"0\" x=\"0\" y=\"0\" anchor=\"true\" input=\"true\"/>
+<connector id=\"1\" x=\"-96\" y=\"0\" anchor=\"true\"/>
+<connector id=\"2\" x=\"192\" y=\"0\"/>
+<connector id=\"3\" x=\"192\" y=\"48\" draw=\"true\"/>
+<Link id=\"0\" name=\"Carrier\"><connector id=\"0\"/><connector id=\"2\"/></Link>
+<Link id=\"1\" gear=\"true\" fastenconnector=\"1\"><connector id=\"0\"/></Link>
+<Link id=\"2\" gear=\"true\" name=\"Planet\" usercolor=\"true\" color=\"255\"><connector id=\"2\"/><fastenconnector id=\"3\"/></Link>
+<ratios><ratio type=\"gears\"><link id=\"1\" size=\"30\"/><link id=\"2\" size=\"10\"/></ratio></ratios>
+</linkage2>";
+    let (text, omitted) = imported("planet.linkage2", text);
+    assert!(text.contains("= gear(ground, planet, 30 : 10);"), "{text}");
+    assert!(
+        omitted.contains("link `Planet`: its colour is lost"),
+        "{omitted}"
+    );
+    let moving = Moving::of(&text);
+    moving.stands(&[("pin_2", [101.6, 0.0]), ("planet.point_3", [101.6, 25.4])]);
+    for value in turn(12) {
+        // For each turn of the carrier the planet turns four times.
+        let (sin, cos) = value.sin_cos();
+        let (sine, cosine) = (4.0 * value).sin_cos();
+        let expected = [101.6 * cos - 25.4 * sine, 101.6 * sin + 25.4 * cosine];
+        let found = moving.place_at(value, "planet", [101.6, 25.4]);
+        assert!(distance(found, expected) < 1e-6, "{found:?}");
+    }
+}
+
+#[test]
 fn welded_links_and_pins_of_three() {
     let (text, omitted) = imported_sample("six_bar");
     // The links 2 and 3 are one, the bar between the anchors 0 and 3 is ground, and the pin 1 has three links.
