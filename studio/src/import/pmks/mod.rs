@@ -1,12 +1,14 @@
 //! Links of PMKS+: the mechanism stands in the address itself.
 //!
-//! `compact` and `plain` read two generations of links. Both make a [`Linkage`](linkage::Linkage); `translation` makes a drawing of it.
+//! `compact`, `early` and `plain` read three generations of links. All make a [`Linkage`](linkage::Linkage); `translation` makes a drawing of it.
 
 mod compact;
 mod digits;
+mod early;
 mod linkage;
 mod plain;
 mod query;
+mod sections;
 mod translation;
 
 use crate::document::Message;
@@ -20,7 +22,7 @@ const BEGINNINGS: [&str; 4] = ["https://", "http://", "?", "j="];
 pub(super) fn is_link(text: &str) -> bool {
     let text = text.trim_start();
     let mut beginnings = BEGINNINGS.iter();
-    beginnings.any(|beginning| text.starts_with(beginning)) || compact::is_compact(text)
+    beginnings.any(|beginning| text.starts_with(beginning)) || sections::has_sections(text)
 }
 
 /// Reads a link.
@@ -29,7 +31,7 @@ pub(super) fn read(text: &str) -> Result<Imported, Message> {
     let whole = query.whole();
     let linkage = if plain::is_plain(whole.text()) {
         plain::read(&whole)?
-    } else if compact::is_compact(whole.text()) {
+    } else if sections::has_sections(whole.text()) {
         compact::read(whole)?
     } else {
         return Err(whole.wrong(

@@ -233,13 +233,6 @@ fn links_that_are_wrong() {
 }
 
 #[test]
-fn links_of_the_months_between_say_so() {
-    // Joints without names, and no check.
-    let early = "?0P.SS.K,0.101.6A,0,0,0.0B,Fe,0,0..YRAB,0,0,0,0,c5cae9,A,B,,..";
-    faulty_link(early, "a link of April to June 2023", early.len());
-}
-
-#[test]
 fn a_mechanism_that_does_not_move_is_written_all_the_same() {
     let loose = sample("four_bar").replace("input=\"true\"", "");
     let folder = Folder::new().with("loose.linkage2", &loose);

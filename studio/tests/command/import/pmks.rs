@@ -175,6 +175,46 @@ fn links_of_summer_2023_end_sooner() {
 }
 
 #[test]
+fn links_of_spring_2023_have_no_names_and_no_check() {
+    let [x, y, four, half] = [0.75, 1.0, 4.0, 0.5].map(number);
+    let joints = format!("6A,0,0,0.0B,{x},{y},0.0C,{four},{half},0.5D,{four},{half},0.");
+    let expected = imported(&slider_crank(0.0).url()).0;
+    let plain = |text: &str| {
+        let lines = text.lines();
+        let seen = |line: &&str| {
+            !["look", "link", "effects"]
+                .iter()
+                .any(|word| line.starts_with(word))
+        };
+        lines
+            .filter(seen)
+            .map(ToOwned::to_owned)
+            .collect::<Vec<_>>()
+    };
+    // First without colours and marks, then with both, last with an empty list of names.
+    for (names, links, colors) in [
+        ("", "RAB,0,0,0,0,A,B.RBC,0,0,0,0,B,C.PCD,0,0,0,0,C,D..", 0),
+        (
+            "",
+            "YRAB,0,0,0,0,c5cae9,A,B,,.YRBC,0,0,0,0,c5cae9,B,C,,.YPCD,0,0,0,0,,C,D,,..",
+            2,
+        ),
+        (
+            ".",
+            "YRAB,0,0,0,0,c5cae9,A,B,,.YRBC,0,0,0,0,c5cae9,B,C,,.YPCD,0,0,0,0,,C,D,,..",
+            2,
+        ),
+    ] {
+        let link = format!("?0P.SS.K,0.101.{names}{joints}.{links}");
+        let (text, _) = imported(&link);
+        assert_eq!(plain(&text), plain(&expected), "{link}");
+        assert_eq!(text.matches("color sky light").count(), colors, "{text}");
+        let bar = [("ab", [0.75, 1.0]), ("cd", [4.0, 0.5])];
+        assert!(Moving::of(&text).keeps(turn(24), &[bar]) > 1.0);
+    }
+}
+
+#[test]
 fn links_are_percent_decoded() {
     let link = slider_crank(0.0);
     let encoded = link.url().replace(',', "%2C").replace('_', "%5f");
