@@ -103,10 +103,14 @@ impl Writer<'_> {
             FileKind::Rust => format!("pub struct {name};"),
         });
         // A link without shapes has a body even if others have shapes.
-        if self.drawing.links.iter().any(|link| link.color.is_some()) {
+        let is_colored = self.drawing.links.iter().any(|link| link.color.is_some());
+        if is_colored {
             lines.push("look machine;".to_owned());
         }
         lines.push(String::new());
+        if is_colored {
+            lines.extend(self.ground());
+        }
         for number in 0..self.drawing.links.len() {
             lines.extend(self.link(number));
         }
@@ -118,24 +122,32 @@ impl Writer<'_> {
         lines
     }
 
-    /// The statement of a link, on one line if it is short.
+    /// The stands of fixed pivots: only bodies that the compiler makes have their own. Where something slides on the ground, its rails
+    /// are worth more.
+    fn ground(&self) -> Vec<String> {
+        let joints = self.drawing.joints.iter();
+        let mut places = Vec::new();
+        for joint in joints.filter(|joint| joint.ends.contains(&End::Ground)) {
+            match joint.form {
+                Form::Revolute { at } if !places.contains(&at) => places.push(at),
+                Form::Prismatic { .. } | Form::Slot { .. } => return Vec::new(),
+                Form::Revolute { .. } | Form::Gear(_) | Form::Belt(_) => {}
+            }
+        }
+        let stands = places
+            .into_iter()
+            .map(|at| format!("stand {};", self.place(at)));
+        block("ground", &stands.collect::<Vec<_>>())
+    }
+
+    /// The statement of a link.
     fn link(&self, number: usize) -> Vec<String> {
         let items = self.items(number);
         let name = &self.named.links[number];
         if items.is_empty() {
             return vec![format!("link {name};")];
         }
-        let line = format!("link {name} {{ {} }}", items.join(" "));
-        if line.chars().count() <= LINE {
-            return vec![line];
-        }
-        let inside = items.into_iter().map(|item| format!("    {item}"));
-        let first = format!("link {name} {{");
-        [first]
-            .into_iter()
-            .chain(inside)
-            .chain(["}".to_owned()])
-            .collect()
+        block(&format!("link {name}"), &items)
     }
 
     fn items(&self, number: usize) -> Vec<String> {
@@ -278,6 +290,24 @@ impl Writer<'_> {
             Direction::Radians(angle) => written_like(angle, ""),
             Direction::Degrees(angle) => format!("{} deg", written_like(angle, "")),
         }
+    }
+}
+
+/// Items in braces, on one line if it is short; nothing without items.
+fn block(head: &str, items: &[String]) -> Vec<String> {
+    let line = format!("{head} {{ {} }}", items.join(" "));
+    if items.is_empty() {
+        Vec::new()
+    } else if line.chars().count() <= LINE {
+        vec![line]
+    } else {
+        let inside = items.iter().map(|item| format!("    {item}"));
+        let first = format!("{head} {{");
+        [first]
+            .into_iter()
+            .chain(inside)
+            .chain(["}".to_owned()])
+            .collect()
     }
 }
 

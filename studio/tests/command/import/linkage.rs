@@ -13,6 +13,7 @@ fn a_four_bar_with_names_colors_and_a_path() {
 struct FourBar;
 look machine;
 
+ground { stand (0, 0); stand (60, -5); }
 link crank { bar [(0, 0), (8, 14)] width 2.5 on plane 2 color blue dark; }
 link coupler { point tip = (25, 52); }
 link link_fn;

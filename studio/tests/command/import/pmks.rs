@@ -47,6 +47,7 @@ fn a_four_bar_with_masses_names_and_a_force() {
 struct Imported;
 look machine;
 
+ground { stand (-1.5, -2.25); stand (3, -1); }
 link ab { bar [(-1.5, -2.25), (-0.125, 1.5)] width 0.25 on plane 2 color sky light; }
 link long_rod {
     point p = (1, 3.75);
