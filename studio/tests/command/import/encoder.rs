@@ -68,12 +68,17 @@ impl Encoder {
         self
     }
 
-    /// The query of the link.
-    pub(super) fn query(&self) -> String {
+    /// The query of the link, without its check.
+    pub(super) fn body(&self) -> String {
         let section = |all: &[String]| all.iter().map(|one| format!("{one}.")).collect::<String>();
         let [joints, links, forces] = [&self.joints, &self.links, &self.forces];
         let sections = [joints, links, forces].map(|all| section(all));
-        checked(&format!("0P.SS.K,0.101.{}.N_", sections.join(".")))
+        format!("0P.SS.K,0.101.{}.N_", sections.join("."))
+    }
+
+    /// The query of the link.
+    pub(super) fn query(&self) -> String {
+        checked(&self.body())
     }
 
     /// The link.
