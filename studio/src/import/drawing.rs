@@ -3,6 +3,9 @@
 use super::color::Color;
 use super::omission::Omission;
 
+/// The largest number that is read. No drawing comes near it. What is computed of such numbers is finite.
+pub(super) const LARGEST: f64 = 1e15;
+
 /// A place in the scene, or a direction.
 pub(super) type Pair = [f64; 2];
 

@@ -1,6 +1,7 @@
 //! An element of a document, and its attributes.
 
 use crate::document::Message;
+use crate::import::drawing::LARGEST;
 use roxmltree::{Attribute, Node};
 use std::fmt::Display;
 use std::ops::Range;
@@ -99,10 +100,12 @@ impl<'d> Element<'d> {
             .trim()
             .parse()
             .map_err(|_| self.misread(name, text, "no number"))?;
-        if number.is_finite() {
-            Ok(Some(number))
-        } else {
+        if !number.is_finite() {
             Err(self.misread(name, text, "no finite number"))
+        } else if number.abs() > LARGEST {
+            Err(self.misread(name, text, "too large"))
+        } else {
+            Ok(Some(number))
         }
     }
 

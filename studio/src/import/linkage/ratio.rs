@@ -5,12 +5,10 @@ use super::element::Element;
 use super::reading::Ids;
 use super::units::Units;
 use crate::document::Message;
-use crate::import::drawing::{Pair, Sizes};
+use crate::import::drawing::{LARGEST, Pair, Sizes};
 
 /// The most decimals of a size.
 const DECIMALS: i32 = 9;
-/// The largest size: whole numbers are exact up to here.
-const LARGEST: f64 = 1e15;
 
 /// Reads a `<ratio …>`.
 pub(super) fn read(element: &Element<'_>, ids: &Ids, units: &Units) -> Result<Ratio, Message> {

@@ -3,6 +3,7 @@
 use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_of};
 use super::query::Field;
 use crate::document::Message;
+use crate::import::drawing::LARGEST;
 use crate::import::omission::Omission;
 
 /// The units of length, as a link writes them and as the text does.
@@ -91,7 +92,11 @@ fn number(field: &Field<'_>) -> Result<f64, Message> {
     let text = field.text().trim();
     let value: Option<f64> = text.parse().ok();
     let value = value.filter(|value| value.is_finite());
-    value.ok_or_else(|| field.wrong(format!("`{text}` is no finite number")))
+    let value = value.ok_or_else(|| field.wrong(format!("`{text}` is no finite number")))?;
+    if value.abs() > LARGEST {
+        return Err(field.wrong(format!("`{text}` is too large")));
+    }
+    Ok(value)
 }
 
 /// A number, or zero where something has none.

@@ -78,6 +78,11 @@ fn elements_that_are_wrong() {
             22,
         ),
         (
+            "<connector id=\"7\" x=\"-1e16\" y=\"0\"/>",
+            "`-1e16`, which is too large",
+            22,
+        ),
+        (
             "<connector id=\"7\" x=\"0\" y=\"0\" anchor=\"yes\"/>",
             "`yes`, which is neither",
             39,
@@ -229,6 +234,7 @@ fn links_that_are_wrong() {
         "`inf` is no finite number",
         8,
     );
+    faulty_link("?j=a,0,1e16,ab,R,t,Null,t&l=", "`1e16` is too large", 8);
     faulty_link("?j=a,0,0,ab,R,t,Null,t&l=ab,R", "this one has 2", 26);
 }
 
