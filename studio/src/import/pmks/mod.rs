@@ -20,7 +20,8 @@ const BEGINNINGS: [&str; 4] = ["https://", "http://", "?", "j="];
 
 /// Whether a text is a link, or the query of one.
 pub(super) fn is_link(text: &str) -> bool {
-    let text = text.trim_start();
+    // A file may begin with a mark of its encoding.
+    let text = text.trim_start_matches('\u{feff}').trim_start();
     let mut beginnings = BEGINNINGS.iter();
     beginnings.any(|beginning| text.starts_with(beginning)) || sections::has_sections(text)
 }

@@ -221,7 +221,7 @@ fn links_are_percent_decoded() {
     let encoded = link.url().replace(',', "%2C").replace('_', "%5f");
     assert_eq!(imported(&encoded), imported(&link.url()));
     // And may come from the standard input, as a file.
-    let folder = Folder::new().with("link.txt", format!("{}\n", link.url()));
+    let folder = Folder::new().with("link.txt", format!("\u{feff}{}\n", link.url()));
     let answer = folder.mech("import link.txt");
     assert_eq!(answer.code, Some(0), "{}", answer.err);
     assert!(answer.out.contains("struct Link;"), "{}", answer.out);
