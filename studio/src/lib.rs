@@ -3,6 +3,8 @@
 //! A [`Document`] is a file with mechanisms; a [`Reading`] is what the compiler makes of one of them. The compiler's interpreter moves
 //! what the macro would emit, so nothing has to be built. Each subcommand is a file in `command`.
 //!
+//! `import` makes texts of what other programs wrote.
+//!
 //! A [`Command`] is a change of a mechanism; [`apply`] turns it into replacements in the text, and tries these. The dialogue, `mech run` and
 //! programs with a window all change mechanisms by commands alone. In [`play`] they move.
 
@@ -14,6 +16,7 @@ mod dialogue;
 mod document;
 mod edit;
 mod failure;
+mod import;
 mod mend;
 mod motion;
 mod output;

@@ -7,6 +7,7 @@ mod draw;
 mod film;
 mod fix;
 mod graph;
+mod import;
 mod measure;
 mod picture;
 mod play;
@@ -62,6 +63,7 @@ enum Command {
     Table(table::Table),
     Plot(plot::Plot),
     Play(play::Play),
+    Import(import::Import),
     Run(run::Run),
     Completions(completions::Completions),
 }
@@ -148,6 +150,7 @@ impl Command {
             Self::Table(table) => table.run(console),
             Self::Plot(plot) => plot.run(console),
             Self::Play(play) => play.run(console),
+            Self::Import(import) => import.run(console),
             Self::Run(run) => run.run(console),
             Self::Completions(completions) => completions.run(console),
         }
@@ -164,7 +167,7 @@ impl Command {
             Self::Film(film) => &mut film.target,
             Self::Table(table) => &mut table.target,
             Self::Plot(plot) => &mut plot.target,
-            Self::Play(_) | Self::Run(_) | Self::Completions(_) => return None,
+            Self::Play(_) | Self::Import(_) | Self::Run(_) | Self::Completions(_) => return None,
         })
     }
 }

@@ -36,6 +36,15 @@ impl Source {
         Ok(Self::new(path, text))
     }
 
+    /// Reads what has a name but is no file of its own, such as the standard input.
+    ///
+    /// # Errors
+    /// As of a file.
+    pub(crate) fn read_from(name: &str, input: impl Read) -> Result<Self, Failure> {
+        let text = text_from(Path::new(name), input)?;
+        Ok(Self::new(name, text))
+    }
+
     /// A text that was not read from a file.
     pub fn new(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
         Self {
@@ -95,23 +104,29 @@ impl Source {
 }
 
 fn text_of(path: &Path) -> Result<String, Failure> {
-    let unread = |why: &dyn std::fmt::Display| {
-        Failure::file(format!("cannot read `{}`: {why}", path.display()))
-    };
+    let file = File::open(path).map_err(|error| unread(path, &error))?;
+    text_from(path, file)
+}
+
+fn text_from(path: &Path, input: impl Read) -> Result<String, Failure> {
     let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(LONGEST + 1).read_to_end(&mut bytes))
-        .map_err(|error| unread(&error))?;
+    let read = input.take(LONGEST + 1).read_to_end(&mut bytes);
+    read.map_err(|error| unread(path, &error))?;
     if bytes.len() as u64 > LONGEST {
         let most = LONGEST >> 20;
-        return Err(unread(&format!(
-            "it is longer than {most} MiB, which no source file is"
-        )));
+        return Err(unread(
+            path,
+            &format!("it is longer than {most} MiB, which no source file is"),
+        ));
     }
     String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to();
-        unread(&format!("byte {place} is not UTF-8"))
+        unread(path, &format!("byte {place} is not UTF-8"))
     })
+}
+
+fn unread(path: &Path, why: &dyn std::fmt::Display) -> Failure {
+    Failure::file(format!("cannot read `{}`: {why}", path.display()))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::{Change, Refusal, Scene};
 use crate::document::NumberText;
-use crate::text::Replacement;
+use crate::text::{Replacement, written_like};
 use mech_compiler::model::Model;
 use mech_compiler::syntax::Noun;
 use std::ops::Range;
@@ -48,7 +48,7 @@ pub(super) fn reach(scene: &Scene, goal: &Goal<'_>, change: &mut Change) -> Resu
     if is_literal(text) {
         change.edits.push(Replacement {
             range: goal.number.range.clone(),
-            text: written(goal.value, text),
+            text: written_like(goal.value, text),
         });
         change.edits.sort_by_key(|edit| edit.range.start);
         return Ok(());
@@ -157,7 +157,7 @@ fn solve(
     }
     let edit_to = |value: f64| Replacement {
         range: candidate.range.clone(),
-        text: written(value, old),
+        text: written_like(value, old),
     };
     let read = |value: f64| -> Result<Option<f64>, Refusal> {
         let mut edits = others.to_vec();
@@ -204,16 +204,4 @@ fn rounded(
         }
     }
     Ok(value)
-}
-
-/// A number, with a decimal point where the one before it has one.
-pub(super) fn written(value: f64, old: &str) -> String {
-    // Zero has no sign.
-    let value = value + 0.0;
-    let is_plain = value == 0.0 || (1e-5..1e15).contains(&value.abs());
-    if is_plain && !old.contains(['.', 'e']) {
-        format!("{value}")
-    } else {
-        format!("{value:?}")
-    }
 }

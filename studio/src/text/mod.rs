@@ -2,9 +2,11 @@
 
 mod draft;
 mod lexer;
+mod number;
 mod statement;
 
 pub use draft::Replacement;
 pub(crate) use draft::{Draft, written};
 pub(crate) use lexer::{Kind, Lexeme, Lexer, is_of_word};
+pub(crate) use number::{shortest, written_like};
 pub(crate) use statement::{Statement, statements};

@@ -5,6 +5,7 @@ mod check;
 mod dialogue;
 mod edit;
 mod fix;
+mod import;
 mod listing;
 mod mend;
 mod numbers;

@@ -1,0 +1,84 @@
+//! What a document says: connectors, links and ratios, with the numbers by which they name each other resolved.
+
+use super::element::Id;
+use super::units::Units;
+use crate::import::color::Color;
+use crate::import::drawing::{Pair, Sizes};
+use crate::import::omission::Omission;
+
+/// What a document says.
+pub(super) struct Document {
+    pub(super) units: Units,
+    pub(super) connectors: Vec<Connector>,
+    pub(super) links: Vec<Link>,
+    pub(super) ratios: Vec<Ratio>,
+    pub(super) omissions: Vec<Omission>,
+}
+
+/// A pin.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the format"
+)]
+pub(super) struct Connector {
+    pub(super) id: Id,
+    pub(super) name: Option<String>,
+    /// In the unit of length.
+    pub(super) at: Pair,
+    pub(super) is_anchor: bool,
+    pub(super) is_input: bool,
+    pub(super) is_traced: bool,
+    /// Not a mere picture.
+    pub(super) is_of_mechanism: bool,
+    pub(super) slide: Option<Slide>,
+    pub(super) fastened: Option<Fastening>,
+}
+
+/// Between which connectors another slides, by their numbers.
+#[derive(Clone, Copy)]
+pub(super) struct Slide {
+    pub(super) limits: [usize; 2],
+    /// The radius of the arc; none where it is straight.
+    pub(super) radius: Option<f64>,
+}
+
+/// What something is rigidly one with, by its number.
+#[derive(Clone, Copy)]
+pub(super) enum Fastening {
+    Link(usize),
+    Connector(usize),
+}
+
+/// A rigid link, a wheel or a cylinder.
+pub(super) struct Link {
+    pub(super) id: Id,
+    pub(super) name: Option<String>,
+    /// By their numbers, each once.
+    pub(super) connectors: Vec<usize>,
+    pub(super) cylinder: Option<Cylinder>,
+    pub(super) is_wheel: bool,
+    /// Neither a mere picture nor a measure.
+    pub(super) is_of_mechanism: bool,
+    /// Connectors that are rigidly one with it.
+    pub(super) fastened_connectors: Vec<usize>,
+    pub(super) fastened: Option<Fastening>,
+    /// A colour that its user chose.
+    pub(super) color: Option<Color>,
+}
+
+/// A link that changes its length.
+#[derive(Clone, Copy)]
+pub(super) struct Cylinder {
+    /// From the first of these connectors to the second.
+    pub(super) ends: [usize; 2],
+    /// How far it goes: below zero if it becomes shorter.
+    pub(super) stroke: Option<f64>,
+}
+
+/// Two wheels that roll on each other.
+pub(super) struct Ratio {
+    pub(super) is_chain: bool,
+    /// By their numbers.
+    pub(super) links: [usize; 2],
+    pub(super) sizes: Sizes,
+}

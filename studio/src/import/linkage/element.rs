@@ -1,0 +1,139 @@
+//! An element of a document, and its attributes.
+
+use crate::document::Message;
+use crate::import::drawing::LARGEST;
+use roxmltree::{Attribute, Node};
+use std::fmt::Display;
+use std::ops::Range;
+
+/// The number by which a document names a connector or a link.
+pub(super) type Id = u32;
+
+/// An element of a document.
+#[derive(Clone, Copy)]
+pub(super) struct Element<'d> {
+    node: Node<'d, 'd>,
+}
+
+impl<'d> Element<'d> {
+    pub(super) fn new(node: Node<'d, 'd>) -> Self {
+        Self { node }
+    }
+
+    /// Its name.
+    pub(super) fn name(&self) -> &'d str {
+        self.node.tag_name().name()
+    }
+
+    /// The elements in it, without those deeper.
+    pub(super) fn children(&self) -> impl Iterator<Item = Self> + use<'d> {
+        let nodes = self.node.children().filter(Node::is_element);
+        nodes.map(Self::new)
+    }
+
+    /// Whether anything stands in it.
+    pub(super) fn is_empty(&self) -> bool {
+        let text = self.node.text().unwrap_or_default();
+        self.node.attributes().len() == 0 && text.trim().is_empty() && self.children().count() == 0
+    }
+
+    /// The names of its attributes.
+    pub(super) fn attributes(&self) -> impl Iterator<Item = &'d str> {
+        self.node.attributes().map(|attribute| attribute.name())
+    }
+
+    /// Where it begins, in bytes: `<connector`.
+    pub(super) fn place(&self) -> Range<usize> {
+        let start = self.node.range().start;
+        start..start + 1 + self.name().len()
+    }
+
+    /// What is wrong with the element itself.
+    pub(super) fn wrong(&self, text: impl Into<String>) -> Message {
+        let text = text.into();
+        Message {
+            place: self.place(),
+            text,
+        }
+    }
+
+    /// What is wrong with one of its attributes.
+    pub(super) fn wrong_at(&self, name: &str, text: impl Into<String>) -> Message {
+        let place = self.attribute(name).map(|found| found.range_value());
+        Message {
+            place: place.unwrap_or_else(|| self.place()),
+            text: text.into(),
+        }
+    }
+
+    fn attribute(&self, name: &str) -> Option<Attribute<'d, 'd>> {
+        self.node.attribute_node(name)
+    }
+
+    /// A text; none where it is missing or empty.
+    pub(super) fn text(&self, name: &str) -> Option<&'d str> {
+        let found = self.attribute(name)?.value();
+        (!found.is_empty()).then_some(found)
+    }
+
+    /// The name that somebody gave it. Spaces are none.
+    pub(super) fn own_name(&self) -> Option<String> {
+        let name = self.text("name")?.trim();
+        (!name.is_empty()).then(|| name.to_owned())
+    }
+
+    /// Whether something is so; not where nothing is said.
+    pub(super) fn flag(&self, name: &str) -> Result<bool, Message> {
+        match self.text(name) {
+            None | Some("false") => Ok(false),
+            Some("true") => Ok(true),
+            Some(other) => Err(self.misread(name, other, "neither `true` nor `false`")),
+        }
+    }
+
+    /// A finite number.
+    pub(super) fn number(&self, name: &str) -> Result<Option<f64>, Message> {
+        let Some(text) = self.text(name) else {
+            return Ok(None);
+        };
+        let number: f64 = text
+            .trim()
+            .parse()
+            .map_err(|_| self.misread(name, text, "no number"))?;
+        if !number.is_finite() {
+            Err(self.misread(name, text, "no finite number"))
+        } else if number.abs() > LARGEST {
+            Err(self.misread(name, text, "too large"))
+        } else {
+            Ok(Some(number))
+        }
+    }
+
+    /// A number that has to be there.
+    pub(super) fn needed_number(&self, name: &str) -> Result<f64, Message> {
+        self.number(name)?.ok_or_else(|| self.missing(name))
+    }
+
+    /// A whole number from 0 on.
+    pub(super) fn whole(&self, name: &str) -> Result<Option<Id>, Message> {
+        let Some(text) = self.text(name) else {
+            return Ok(None);
+        };
+        let number = text.trim().parse();
+        let number = number.map_err(|_| self.misread(name, text, "no whole number from 0 on"))?;
+        Ok(Some(number))
+    }
+
+    /// The number by which it is named.
+    pub(super) fn id(&self) -> Result<Id, Message> {
+        self.whole("id")?.ok_or_else(|| self.missing("id"))
+    }
+
+    fn missing(&self, name: &str) -> Message {
+        self.wrong(format!("this <{}> has no `{name}`", self.name()))
+    }
+
+    fn misread(&self, name: &str, text: impl Display, what: &str) -> Message {
+        self.wrong_at(name, format!("`{name}` is `{text}`, which is {what}"))
+    }
+}

@@ -1,0 +1,64 @@
+//! Mechanisms of other programs, as texts of the language.
+//!
+//! `linkage` and `pmks` read what another program wrote. Both make a [`Drawing`](drawing::Drawing) of it, and a list of what a drawing
+//! cannot hold. `writing` names everything in the drawing and prints it.
+
+mod color;
+mod drawing;
+mod linkage;
+mod names;
+mod omission;
+mod pmks;
+mod writing;
+
+pub(crate) use drawing::Imported;
+pub(crate) use omission::listed;
+pub(crate) use writing::FileKind;
+
+use crate::document::{Message, Source};
+use crate::failure::Failure;
+
+/// Reads what another program wrote: a link of PMKS+, or a document of Linkage.
+///
+/// # Errors
+/// What is wrong with it, at its place.
+pub(crate) fn read(source: &Source) -> Result<Imported, Message> {
+    if is_link(source.text()) {
+        pmks::read(source.text())
+    } else {
+        linkage::read(source.text())
+    }
+}
+
+/// Whether a text is a link, not a document.
+pub(crate) fn is_link(text: &str) -> bool {
+    pmks::is_link(text)
+}
+
+impl Imported {
+    /// What it is in the language, under a name, below a remark on where it comes from.
+    ///
+    /// # Errors
+    /// If the compiler itself fails, which is a mistake of ours.
+    pub(crate) fn text(&self, origin: &str, name: &str, kind: FileKind) -> Result<String, Failure> {
+        let mut drawing = self.drawing.clone();
+        drawing.remarks.insert(0, format!("From {origin}."));
+        writing::text(&drawing, name, kind)
+    }
+}
+
+/// The name of a type for a mechanism that comes from something of this name.
+///
+/// # Errors
+/// If the compiler itself fails, which is a mistake of ours.
+pub(crate) fn type_name(wish: &str) -> Result<String, Failure> {
+    names::type_name(wish)
+}
+
+/// Whether a mechanism can have this name.
+///
+/// # Errors
+/// If the compiler itself fails, which is a mistake of ours.
+pub(crate) fn is_type(name: &str) -> Result<bool, Failure> {
+    names::is_type(name)
+}

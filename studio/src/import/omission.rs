@@ -1,0 +1,59 @@
+//! What could not be carried over.
+
+use std::fmt::{self, Display, Formatter};
+
+/// Something that could not be carried over, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Omission {
+    /// What it belongs to: `connector 3`.
+    pub(super) of: String,
+    /// What is lost, in a sentence.
+    pub(super) what: String,
+}
+
+impl Omission {
+    pub(super) fn new(of: impl Into<String>, what: impl Into<String>) -> Self {
+        let (of, what) = (of.into(), what.into());
+        Self { of, what }
+    }
+
+    /// A motor has no speed.
+    pub(super) fn speed(turns: f64, is_clockwise: bool) -> Self {
+        let sense = if is_clockwise {
+            "clockwise"
+        } else {
+            "counter-clockwise"
+        };
+        let what = format!(
+            "the speed of the input is {turns} turns a minute, {sense}; a motor has no speed of its own"
+        );
+        Self::new("settings", what)
+    }
+
+    /// A motor is on one joint.
+    pub(super) fn free_links(of: &str) -> Self {
+        let what = "its motor moves the first of several links on it; the others are free";
+        Self::new(of, what)
+    }
+
+    /// The weights depend on the units.
+    pub(super) fn gravity() -> Self {
+        let what = "gravity acts; `gravity (0, -9.81);` says so in metres and kilograms";
+        Self::new("settings", what)
+    }
+}
+
+impl Display for Omission {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.of, self.what)
+    }
+}
+
+/// All of it, a line each; nothing if nothing is lost.
+pub(crate) fn listed(omissions: &[Omission]) -> String {
+    if omissions.is_empty() {
+        return String::new();
+    }
+    let lines = omissions.iter().map(|one| format!("  {one}\n"));
+    format!("not carried over:\n{}", lines.collect::<String>())
+}

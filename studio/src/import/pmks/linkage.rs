@@ -1,0 +1,158 @@
+//! What a link says: joints, links and forces, with the names by which they call each other resolved.
+
+use super::query::Field;
+use crate::document::Message;
+use crate::import::color::Color;
+use crate::import::drawing::{Mass, Pair};
+use crate::import::omission::Omission;
+use std::collections::BTreeMap;
+
+/// The most joints and links that are read. No drawing comes near it; noise does.
+pub(super) const MOST: usize = 2000;
+
+/// What a link says.
+pub(super) struct Linkage {
+    /// The unit of length, if it is known.
+    pub(super) unit: Option<&'static str>,
+    pub(super) joints: Vec<Joint>,
+    pub(super) links: Vec<Link>,
+    pub(super) forces: Vec<Force>,
+    pub(super) omissions: Vec<Omission>,
+}
+
+/// A joint.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the format"
+)]
+pub(super) struct Joint {
+    pub(super) name: String,
+    pub(super) at: Pair,
+    /// The direction of a prismatic joint, in radians; none of a revolute joint.
+    pub(super) along: Option<f64>,
+    pub(super) is_grounded: bool,
+    pub(super) is_input: bool,
+    pub(super) is_welded: bool,
+    pub(super) is_traced: bool,
+}
+
+/// A link, or one that is welded into another.
+pub(super) struct Link {
+    pub(super) name: String,
+    /// Whether it is not welded into another.
+    pub(super) is_root: bool,
+    /// Whether it is the block of a slider. Its centre of mass is at its pin.
+    pub(super) is_block: bool,
+    /// By their numbers, each once.
+    pub(super) joints: Vec<usize>,
+    /// The links that are welded into it, by their numbers.
+    pub(super) welded: Vec<usize>,
+    pub(super) mass: Option<Mass>,
+    pub(super) color: Option<Color>,
+}
+
+/// A force on a link.
+pub(super) struct Force {
+    pub(super) name: String,
+    pub(super) link: usize,
+    /// Where it acts.
+    pub(super) at: Pair,
+    /// Its parts along x and y, in the scene at the start.
+    pub(super) parts: Pair,
+    /// Whether it turns with its link.
+    pub(super) is_local: bool,
+}
+
+/// The numbers of joints or links by their ids.
+pub(super) struct Ids<'q> {
+    what: &'static str,
+    numbers: BTreeMap<&'q str, usize>,
+}
+
+impl<'q> Ids<'q> {
+    pub(super) fn of(what: &'static str) -> Self {
+        Self {
+            what,
+            numbers: BTreeMap::new(),
+        }
+    }
+
+    /// Enters the id of the next one.
+    pub(super) fn enter(&mut self, id: &Field<'q>) -> Result<(), Message> {
+        let what = self.what;
+        if id.text().is_empty() {
+            return Err(id.wrong(format!("the id of a {what} is missing here")));
+        }
+        let number = self.numbers.len();
+        if number >= MOST {
+            return Err(id.wrong(format!(
+                "there are more than {MOST} {what}s, which no drawing has"
+            )));
+        }
+        if self.numbers.insert(id.text(), number).is_some() {
+            let text = id.text();
+            return Err(id.wrong(format!(
+                "there is an earlier {what} with the id `{text}`; ids are unique"
+            )));
+        }
+        Ok(())
+    }
+
+    /// The number of the one with this id.
+    pub(super) fn find(&self, id: &Field<'q>) -> Result<usize, Message> {
+        let number = self.numbers.get(id.text()).copied();
+        number.ok_or_else(|| id.wrong(format!("there is no {} `{}`", self.what, id.text())))
+    }
+
+    /// The numbers of several, each once.
+    pub(super) fn find_all(
+        &self,
+        ids: impl Iterator<Item = Field<'q>>,
+    ) -> Result<Vec<usize>, Message> {
+        let mut found = Vec::new();
+        for id in ids {
+            let number = self.find(&id)?;
+            if !found.contains(&number) {
+                found.push(number);
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// A name; its id where it has none.
+pub(super) fn name_of(name: &Field<'_>, id: &Field<'_>) -> String {
+    let own = [name, id].into_iter().map(|one| one.text().trim());
+    own.filter(|name| !name.is_empty())
+        .map(ToOwned::to_owned)
+        .next()
+        .unwrap_or_default()
+}
+
+/// A mass, if there is any.
+pub(super) fn mass_of(
+    field: &Field<'_>,
+    mass: f64,
+    inertia: f64,
+    at: Pair,
+) -> Result<Option<Mass>, Message> {
+    if mass < 0.0 || inertia < 0.0 {
+        return Err(field.wrong("a mass and a moment of inertia are not below zero"));
+    }
+    Ok((mass > 0.0).then_some(Mass {
+        value: mass,
+        at,
+        inertia,
+    }))
+}
+
+/// The parts of a force of this magnitude, from its start to its end or back.
+pub(super) fn parts_of([from, to]: [Pair; 2], is_outward: bool, magnitude: f64) -> Pair {
+    let [x, y] = [to[0] - from[0], to[1] - from[1]];
+    let length = x.hypot(y);
+    if length == 0.0 {
+        return [0.0, 0.0];
+    }
+    let factor = magnitude / length * if is_outward { 1.0 } else { -1.0 };
+    [x * factor, y * factor]
+}

@@ -1,0 +1,43 @@
+//! Links of PMKS+: the mechanism stands in the address itself.
+//!
+//! `compact`, `early` and `plain` read three generations of links. All make a [`Linkage`](linkage::Linkage); `translation` makes a drawing of it.
+
+mod compact;
+mod digits;
+mod early;
+mod linkage;
+mod plain;
+mod query;
+mod sections;
+mod translation;
+
+use crate::document::Message;
+use crate::import::Imported;
+use query::Query;
+
+/// What links of any kind begin with.
+const BEGINNINGS: [&str; 4] = ["https://", "http://", "?", "j="];
+
+/// Whether a text is a link, or the query of one.
+pub(super) fn is_link(text: &str) -> bool {
+    // A file may begin with a mark of its encoding.
+    let text = text.trim_start_matches('\u{feff}').trim_start();
+    let mut beginnings = BEGINNINGS.iter();
+    beginnings.any(|beginning| text.starts_with(beginning)) || sections::has_sections(text)
+}
+
+/// Reads a link.
+pub(super) fn read(text: &str) -> Result<Imported, Message> {
+    let query = Query::of(text)?;
+    let whole = query.whole();
+    let linkage = if plain::is_plain(whole.text()) {
+        plain::read(&whole)?
+    } else if sections::has_sections(whole.text()) {
+        compact::read(whole)?
+    } else {
+        return Err(whole.wrong(
+            "this is no link of PMKS+: it would have settings, joints and links after a question mark",
+        ));
+    };
+    Ok(translation::translate(linkage))
+}

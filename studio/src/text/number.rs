@@ -1,0 +1,38 @@
+//! Numbers as they are written.
+
+/// A number, with a decimal point where the one before it has one.
+pub(crate) fn written_like(value: f64, old: &str) -> String {
+    // Zero has no sign.
+    let value = value + 0.0;
+    let is_plain = value == 0.0 || (1e-5..1e15).contains(&value.abs());
+    if is_plain && !old.contains(['.', 'e']) {
+        format!("{value}")
+    } else {
+        format!("{value:?}")
+    }
+}
+
+/// The shortest number that is no farther from this one than the tolerance.
+pub(crate) fn shortest(value: f64, tolerance: f64) -> String {
+    let is_near = |short: &f64| (short - value).abs() <= tolerance;
+    let rounded = (0..=15).find_map(|places| {
+        let short = format!("{value:.places$}").parse().ok();
+        short.filter(is_near)
+    });
+    written_like(rounded.unwrap_or(value), "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shortest;
+
+    #[test]
+    fn numbers_have_no_digits_that_nobody_needs() {
+        assert_eq!(shortest(5.000_000_054, 1e-7), "5");
+        assert_eq!(shortest(-0.000_000_01, 1e-7), "0");
+        assert_eq!(shortest(0.1 + 0.2, 1e-9), "0.3");
+        assert_eq!(shortest(0.1 + 0.2, 0.0), "0.30000000000000004");
+        assert_eq!(shortest(1234.5678, 1e-3), "1234.568");
+        assert_eq!(shortest(2.5e-7, 0.0), "2.5e-7");
+    }
+}
