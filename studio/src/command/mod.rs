@@ -132,9 +132,7 @@ pub(crate) fn obey_within(
     let mut command = line
         .command
         .ok_or_else(|| Failure::internal("a command without a word"))?;
-    if let Some(target) = command.target() {
-        target.give(document, index);
-    }
+    command.give(document, index);
     command.run(console)
 }
 
@@ -156,7 +154,16 @@ impl Command {
         }
     }
 
-    /// The mechanism that it is about, if it is about one.
+    /// Gives the text itself, and the number of the mechanism in it.
+    fn give(&mut self, document: Document, index: usize) {
+        if let Self::Play(play) = self {
+            play.give(document, index);
+        } else if let Some(target) = self.target() {
+            target.give(document, index);
+        }
+    }
+
+    /// The mechanism that it is about, if it is about one of one file.
     fn target(&mut self) -> Option<&mut Target> {
         Some(match self {
             Self::Check(check) => &mut check.target,

@@ -34,6 +34,9 @@ pub(super) struct Play {
     /// Paints on dark ground.
     #[arg(long)]
     night: bool,
+    /// A text that stands for those of the files.
+    #[arg(skip)]
+    given: Option<Document>,
 }
 
 const EXAMPLES: &str = "\
@@ -57,6 +60,13 @@ fn read_seconds(text: &str) -> Result<f64, String> {
 }
 
 impl Play {
+    /// Gives the text itself, and the number of the mechanism in it.
+    pub(super) fn give(&mut self, document: Document, index: usize) {
+        let declaration = document.declarations().get(index);
+        self.mechanism = declaration.and_then(|declaration| declaration.name.clone());
+        self.given = Some(document);
+    }
+
     pub(super) fn run(&self, console: &mut Console) -> Result<(), Failure> {
         let mut mechanisms = self.mechanisms(console)?.into_iter();
         let first = mechanisms.next();
@@ -97,6 +107,9 @@ impl Play {
 
     /// The files, one of which at least has a mechanism that is wanted.
     fn documents(&self) -> Result<Vec<Document>, Failure> {
+        if let Some(document) = &self.given {
+            return Ok(vec![document.clone()]);
+        }
         if let [only] = &self.files[..] {
             let document = Document::read(only)?;
             if self.wanted(&document).is_empty() {

@@ -199,7 +199,8 @@ impl Session {
     fn ask(&mut self, words: Vec<String>, console: &mut Console) -> Result<(), Failure> {
         let document = self.document();
         self.declaration(&document)?;
-        let writes = |word: &String| word.starts_with("-o") || word.starts_with("--output");
+        const WRITING: [&str; 3] = ["-o", "--output", "--picture"];
+        let writes = |word: &String| WRITING.iter().any(|option| word.starts_with(option));
         let is_writing = words.iter().any(writes);
         let answer = Writing::Answer {
             words,

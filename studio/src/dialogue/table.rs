@@ -351,7 +351,7 @@ pub(super) const ROWS: &[Row] = &[
         },
     },
     Row {
-        pattern: "<command:check|report|graph|table|plot> [<words:rest>]",
+        pattern: "<command:check|report|graph|table|plot|play> [<words:rest>]",
         help: "as `mech check` and the others, on the text as it is now: `table crank.pin --from 0 --to 90`",
         request: |mut taken| {
             let words = taken.optional("words");

@@ -1,8 +1,14 @@
 //! The motion that a mechanism makes by itself.
 
-use crate::gallery::{FILES, SIZE, from_text, mechanism, near, player};
+use crate::gallery::{FILES, SIZE, first, from_text, mechanism, near, path, player};
+use mech_gallery::Exhibited;
+use mech_gallery::skeleton::Skeleton;
+use mech_studio::Document;
 use mech_studio::play::{Mechanism, Player};
 use std::f64::consts::TAU;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
 
 /// The mechanism goes through its own motion twice, step by step: nothing is in its way, and all motors move.
 fn goes_through(mut mechanism: Mechanism) {
@@ -107,4 +113,28 @@ link block { line rail = (0, 0) -> (1, 0); polygon [(-1, -1), (1, -1), (1, 1), (
 joint x = prismatic(ground.rail, block.rail);
 motor x;";
     goes_through(from_text(text));
+}
+
+/// Four steps there and back take 8 s.
+#[test]
+fn by_the_laws_of_its_session_the_skeleton_walks_as_in_the_gallery() {
+    let session = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions/skeleton_walks.txt");
+    let session = fs::read_to_string(session).expect("a session");
+    let session = session.strip_suffix("play\n").expect("it plays at the end");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("skeleton_walks");
+    fs::create_dir_all(&folder).expect("a folder");
+    let file = folder.join("skeleton.rs");
+    fs::copy(path("skeleton"), &file).expect("a file");
+    fs::write(folder.join("session.txt"), format!("{session}save\n")).expect("a file");
+    let mut run = Command::new(env!("CARGO_BIN_EXE_mech"));
+    run.current_dir(&folder)
+        .args(["run", "session.txt", "skeleton.rs"]);
+    let done = run.output().expect("the command runs");
+    assert!(done.status.success(), "{done:?}");
+    let mechanism = first(&Document::read(&file).expect("a file"));
+    for step in 0..=96 {
+        let phase = f64::from(step) / 96.0;
+        let motors = mechanism.motion(8.0 * phase / mechanism.seconds());
+        assert!(near(&motors, &Skeleton::motion(phase), 1e-9), "{phase}");
+    }
 }
