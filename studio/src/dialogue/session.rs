@@ -248,7 +248,7 @@ impl Session {
         };
         let numbers = listing.numbers.iter().filter(|one| !one.is_pair);
         let lines = numbers.map(|one| {
-            let value = &self.history.text()[one.range.clone()];
+            let value = &self.history.text()[one.place.clone()];
             let path = one.path();
             (is_asked(&path), format!("{path} {} = {value}\n", one.role))
         });

@@ -4,64 +4,17 @@ use super::reading::{range_of, tokens_of};
 use super::{Declaration, Document};
 use crate::failure::Failure;
 use mech_compiler::catch;
-use mech_compiler::syntax::{self, Noun, Place};
+use mech_compiler::syntax::{self, ListedName, ListedNumber};
 use std::ops::Range;
 
-/// The names and numbers in the text of a mechanism.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Listing {
-    /// Each name, where it is declared and where it is used.
-    pub names: Vec<NameText>,
-    /// Each number, and each pair of numbers.
-    pub numbers: Vec<NumberText>,
-}
+/// The names and numbers in the text of a mechanism, with their places in the file, in bytes.
+pub type Listing = syntax::Listing<Range<usize>>;
 
 /// A name at one place.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NameText {
-    /// What it names.
-    pub noun: Noun,
-    /// The words that lead to it, itself included, without indices: `left.foot.tip`.
-    pub path: String,
-    /// The part in whose braces it stands.
-    pub part: Option<String>,
-    /// Whether it is declared here.
-    pub is_declared: bool,
-    /// Where its own word stands in the file, in bytes.
-    pub range: Range<usize>,
-}
+pub type NameText = ListedName<Range<usize>>;
 
 /// A number, or a pair of them, at its place.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NumberText {
-    /// What it belongs to: `crank.pin`, or the word of a statement without a name.
-    pub owner: String,
-    /// What it says of that: `x`, `shape 2 radius`.
-    pub role: String,
-    /// The part in whose braces it stands.
-    pub part: Option<String>,
-    /// Where it stands in the file, in bytes.
-    pub range: Range<usize>,
-    /// Whether it is a pair.
-    pub is_pair: bool,
-    /// Where the literals in it stand.
-    pub literals: Vec<Range<usize>>,
-}
-
-impl NumberText {
-    /// What it belongs to, with the part in which that is declared: `Leg.foot.tip`.
-    #[must_use]
-    pub fn path(&self) -> String {
-        match &self.part {
-            Some(part) => format!("{part}.{}", self.owner),
-            None => self.owner.clone(),
-        }
-    }
-
-    fn is_of(&self, part: Option<&str>, owner: &str) -> bool {
-        self.part.as_deref() == part && self.owner == owner
-    }
-}
+pub type NumberText = ListedNumber<Range<usize>>;
 
 /// Lists the names and numbers of a mechanism.
 pub(super) fn listing(
@@ -73,103 +26,7 @@ pub(super) fn listing(
         return Ok(None);
     };
     let found = catch(|| syntax::listing(tokens)).map_err(Failure::internal)?;
-    let range = |place: Place| range_of(place, &declaration.whole);
-    let names = found.names.into_iter().map(|name| NameText {
-        noun: name.noun,
-        path: name.path,
-        part: name.part,
-        is_declared: name.is_declared,
-        range: range(name.place),
-    });
-    let numbers = found.numbers.into_iter().map(|number| NumberText {
-        owner: number.owner,
-        role: number.role,
-        part: number.part,
-        range: range(number.place),
-        is_pair: number.is_pair,
-        literals: number.literals.into_iter().map(range).collect(),
-    });
-    Ok(Some(Listing {
-        names: names.collect(),
-        numbers: numbers.collect(),
-    }))
-}
-
-impl Listing {
-    /// The number of this owner and role. What is declared in a part is called by the part's name first: `Leg.foot.tip`.
-    #[must_use]
-    pub fn number(&self, owner: &str, role: &str) -> Option<&NumberText> {
-        let (part, owner) = self.within_part(owner);
-        let mut numbers = self.numbers.iter();
-        numbers.find(|one| one.is_of(part, owner) && one.role == role)
-    }
-
-    /// All numbers of this owner.
-    pub fn numbers_of<'a>(&'a self, owner: &'a str) -> impl Iterator<Item = &'a NumberText> {
-        let (part, owner) = self.within_part(owner);
-        let numbers = self.numbers.iter();
-        numbers.filter(move |one| one.is_of(part, owner))
-    }
-
-    /// The part that a path names first, and the words after it.
-    fn within_part<'a>(&self, path: &'a str) -> (Option<&'a str>, &'a str) {
-        match path.split_once('.') {
-            Some((first, inner)) if self.is_part(first) => (Some(first), inner),
-            _ => (None, path),
-        }
-    }
-
-    /// The names of all constants and params, outside of parts.
-    pub fn constants(&self) -> impl Iterator<Item = &str> {
-        let is_it =
-            |one: &&NameText| one.is_declared && one.noun == Noun::Number && one.part.is_none();
-        self.names.iter().filter(is_it).map(|one| one.path.as_str())
-    }
-
-    /// The part of which a use makes instances, if it is a use.
-    fn part_of(&self, used: &str, part: Option<&str>) -> Option<&str> {
-        let is_it = |one: &NameText| {
-            one.is_declared
-                && one.noun == Noun::Body
-                && one.path == used
-                && one.part.as_deref() == part
-        };
-        let index = self.names.iter().position(is_it)?;
-        // The name of the part follows that of the use.
-        let mut after = self.names[index + 1..].iter();
-        let next = after.find(|one| one.noun != Noun::Number)?;
-        (next.noun == Noun::Part && !next.is_declared).then_some(next.path.as_str())
-    }
-
-    /// What a path means: the part in which it is declared, and its words there.
-    #[must_use]
-    pub fn resolve<'a>(
-        &'a self,
-        path: &'a str,
-        part: Option<&'a str>,
-    ) -> (Option<&'a str>, &'a str) {
-        let (mut part, mut path) = (part, path);
-        while let Some((first, inner)) = path.split_once('.') {
-            let Some(used) = self.part_of(first, part) else {
-                break;
-            };
-            (part, path) = (Some(used), inner);
-        }
-        (part, path)
-    }
-
-    /// The declarations that a path may mean: of a link, a joint, an axis, a number and so on.
-    pub fn declared<'a>(&'a self, path: &'a str) -> impl Iterator<Item = &'a NameText> {
-        let (part, path) = match self.within_part(path) {
-            (None, path) => self.resolve(path, None),
-            found => found,
-        };
-        let names = self.names.iter();
-        names.filter(move |one| one.is_declared && one.part.as_deref() == part && one.path == path)
-    }
-
-    fn is_part(&self, name: &str) -> bool {
-        let mut names = self.names.iter();
-        names.any(|one| one.is_declared && one.noun == Noun::Part && one.path == name)
-    }
+    Ok(Some(
+        found.map_places(|place| range_of(place, &declaration.whole)),
+    ))
 }

@@ -36,10 +36,10 @@ pub(super) fn mirror(scene: &Scene, name: &str) -> Result<Change, Refusal> {
         let is_fixed = number.owner == name || number.owner.starts_with(&prefix);
         let is_of_link = is_fixed && number.part.is_none() && !number.is_pair;
         if is_of_link && changes_sign(&number.role) {
-            let text = &scene.text()[number.range.clone()];
+            let text = &scene.text()[number.place.clone()];
             let by = negative(text);
             if by != text {
-                rewriter.draft.replace(number.range.clone(), by);
+                rewriter.draft.replace(number.place.clone(), by);
             }
         }
     }

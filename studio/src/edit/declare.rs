@@ -134,7 +134,7 @@ pub(super) fn set(scene: &Scene, owner: &str, role: &str, value: &str) -> Result
         check_expression(value)?;
     }
     let mut rewriter = scene.rewriter()?;
-    rewriter.draft.replace(number.range.clone(), value.trim());
+    rewriter.draft.replace(number.place.clone(), value.trim());
     Ok(Change::of(rewriter))
 }
 
@@ -152,7 +152,7 @@ fn motor(
     }
     let text_of = |role: &str| {
         let number = scene.listing.number(joint, role)?;
-        Some(scene.text()[number.range.clone()].to_owned())
+        Some(scene.text()[number.place.clone()].to_owned())
     };
     let mut statement = format!("motor {joint}");
     let known = rewriter.declared("motor", joint);

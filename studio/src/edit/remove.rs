@@ -125,7 +125,7 @@ fn refuse_used(scene: &Scene, path: &str) -> Result<(), Refusal> {
     });
     match user {
         Some(user) => {
-            let line = scene.document.source().spot(user.range.start).line;
+            let line = scene.document.source().spot(user.place.start).line;
             Err(Refusal::of(format!(
                 "`{path}` is used in line {line}; take that out first"
             )))

@@ -35,13 +35,13 @@ pub(super) fn rename(scene: &Scene, path: &str, name: &str) -> Result<Change, Re
         let found = listing.resolve(&one.path, one.part.as_deref());
         found == goal && is_kind(one, found.1, target.noun)
     };
-    let places: Vec<_> = listing.names.iter().filter(is_use).collect();
+    let uses: Vec<_> = listing.names.iter().filter(is_use).collect();
     let mut rewriter = scene.rewriter()?;
-    for place in &places {
-        rewriter.draft.replace(place.range.clone(), name);
+    for used in &uses {
+        rewriter.draft.replace(used.place.clone(), name);
     }
     let mut change = Change::of(rewriter);
-    change.notes.push(match places.len() {
+    change.notes.push(match uses.len() {
         1 => "1 place".to_owned(),
         count => format!("{count} places"),
     });

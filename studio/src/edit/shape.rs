@@ -60,7 +60,7 @@ fn say(
     let shape = shape(&rewriter, link, number)?;
     let role = format!("shape {number} {role}");
     if let Some(known) = scene.listing.number(link, &role) {
-        rewriter.draft.replace(known.range.clone(), value);
+        rewriter.draft.replace(known.place.clone(), value);
         return Ok(Change::of(rewriter));
     }
     let (word, text) = addition(&shape);

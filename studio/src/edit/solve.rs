@@ -44,10 +44,10 @@ pub(super) fn reach(scene: &Scene, goal: &Goal<'_>, change: &mut Change) -> Resu
     if known.is_some_and(|known| known == goal.value) {
         return Ok(());
     }
-    let text = &scene.text()[goal.number.range.clone()];
+    let text = &scene.text()[goal.number.place.clone()];
     if is_literal(text) {
         change.edits.push(Replacement {
-            range: goal.number.range.clone(),
+            range: goal.number.place.clone(),
             text: written_like(goal.value, text),
         });
         change.edits.sort_by_key(|edit| edit.range.start);
@@ -99,7 +99,7 @@ pub(super) fn reach(scene: &Scene, goal: &Goal<'_>, change: &mut Change) -> Resu
 /// Whether the value of a constant is one literal.
 fn is_whole(scene: &Scene, name: &str) -> bool {
     let value = scene.listing.number(name, "value");
-    value.is_some_and(|value| is_literal(&scene.text()[value.range.clone()]))
+    value.is_some_and(|value| is_literal(&scene.text()[value.place.clone()]))
 }
 
 /// Whether a number is written as one literal, perhaps with a sign.
@@ -120,10 +120,10 @@ fn candidates(scene: &Scene, number: &NumberText) -> Vec<Candidate> {
             constant: constant.map(ToOwned::to_owned),
         }));
         let within = |range: &Range<usize>| {
-            number.range.start <= range.start && range.end <= number.range.end
+            number.place.start <= range.start && range.end <= number.place.end
         };
         for name in &scene.listing.names {
-            let is_used = name.noun == Noun::Number && !name.is_declared && within(&name.range);
+            let is_used = name.noun == Noun::Number && !name.is_declared && within(&name.place);
             if !is_used || seen.contains(&name.path.as_str()) {
                 continue;
             }

@@ -76,7 +76,7 @@ fn every_number_of_a_text_has_its_place() {
                 .numbers
                 .iter()
                 .filter(|one| one.role.ends_with("color"));
-            let colors: Vec<&Range<usize>> = colors.map(|one| &one.range).collect();
+            let colors: Vec<&Range<usize>> = colors.map(|one| &one.place).collect();
             expected.retain(|(start, end)| {
                 !colors
                     .iter()
@@ -110,13 +110,13 @@ fn every_name_stands_at_its_place() {
             total += listing.names.len();
             for name in &listing.names {
                 let word = name.path.rsplit('.').next().expect("a word");
-                assert_eq!(&text[name.range.clone()], word, "{}", path.display());
-                assert!(body.start <= name.range.start && name.range.end <= body.end);
+                assert_eq!(&text[name.place.clone()], word, "{}", path.display());
+                assert!(body.start <= name.place.start && name.place.end <= body.end);
             }
             for number in &listing.numbers {
-                assert!(body.start <= number.range.start && number.range.end <= body.end);
+                assert!(body.start <= number.place.start && number.place.end <= body.end);
                 let inner = |range: &Range<usize>| {
-                    number.range.start <= range.start && range.end <= number.range.end
+                    number.place.start <= range.start && range.end <= number.place.end
                 };
                 assert!(number.literals.iter().all(inner), "{number:?}");
             }
@@ -168,7 +168,7 @@ start { a = 27; crank near 28; }
     for (owner, role, value) in roles {
         let number = listing.number(owner, role);
         let number = number.unwrap_or_else(|| panic!("{role} of {owner}"));
-        assert_eq!(&text[number.range.clone()], value, "{role} of {owner}");
+        assert_eq!(&text[number.place.clone()], value, "{role} of {owner}");
     }
 }
 

@@ -281,7 +281,7 @@ fn examine(before: &Document, command: &Command, applied: &Applied) {
         Command::Set { owner, role, value } => {
             let listing = listing_of(&applied.document);
             let number = listing.number(owner, role).expect(&said);
-            assert_eq!(&new[number.range.clone()], value, "{said}");
+            assert_eq!(&new[number.place.clone()], value, "{said}");
         }
         Command::Repair { number } => {
             let declaration = &before.declarations()[0];

@@ -1,5 +1,6 @@
 //! The names and numbers of a text with their places, for programs that change texts.
 
+mod query;
 mod shape;
 
 use super::Place;
@@ -11,18 +12,18 @@ use super::ast::{
 use proc_macro2::{Ident, Span};
 use shape::shape_numbers;
 
-/// The names and numbers of a text, in the order in which they are read.
-#[derive(Debug, Default)]
-pub struct Listing {
+/// The names and numbers of a text, in the order in which they are read. Places are spans, or what a reader of files makes of them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Listing<P = Place> {
     /// Each name, where it is declared and where it is used.
-    pub names: Vec<ListedName>,
+    pub names: Vec<ListedName<P>>,
     /// Each number, and each pair of numbers.
-    pub numbers: Vec<ListedNumber>,
+    pub numbers: Vec<ListedNumber<P>>,
 }
 
 /// A name at one place.
-#[derive(Clone, Debug)]
-pub struct ListedName {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ListedName<P = Place> {
     /// What it names.
     pub noun: Noun,
     /// The words that lead to it, itself included, without indices: `left.foot.tip`.
@@ -32,7 +33,7 @@ pub struct ListedName {
     /// Whether it is declared here.
     pub is_declared: bool,
     /// The place of its own word.
-    pub place: Place,
+    pub place: P,
 }
 
 /// What a name stands for, as far as the grammar knows.
@@ -55,8 +56,8 @@ pub enum Noun {
 }
 
 /// A number, or a pair of them, at its place.
-#[derive(Clone, Debug)]
-pub struct ListedNumber {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ListedNumber<P = Place> {
     /// What it belongs to: `crank.pin`, or the word of a statement without a name.
     pub owner: String,
     /// What it says of that: `x`, `shape 2 radius`.
@@ -64,11 +65,11 @@ pub struct ListedNumber {
     /// The part in whose braces it stands.
     pub part: Option<String>,
     /// From its first token to its last.
-    pub place: Place,
+    pub place: P,
     /// Whether it is a pair.
     pub is_pair: bool,
     /// The literals in it.
-    pub literals: Vec<Place>,
+    pub literals: Vec<P>,
 }
 
 impl Listing {
