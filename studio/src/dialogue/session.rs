@@ -197,9 +197,9 @@ impl Session {
 
     /// Does what a subcommand does.
     fn ask(&mut self, words: Vec<String>, console: &mut Console) -> Result<(), Failure> {
+        const WRITING: [&str; 3] = ["-o", "--output", "--picture"];
         let document = self.document();
         self.declaration(&document)?;
-        const WRITING: [&str; 3] = ["-o", "--output", "--picture"];
         let writes = |word: &String| WRITING.iter().any(|option| word.starts_with(option));
         let is_writing = words.iter().any(writes);
         let answer = Writing::Answer {
