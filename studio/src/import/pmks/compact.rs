@@ -1,7 +1,6 @@
 //! Links since June 2023: everything has a name, and the last letter checks the length of the link.
 
 use super::digits::{decimal, flags};
-use super::early;
 use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_of};
 use super::query::Field;
 use super::sections::{Draft, Generation, Sections, fields};
@@ -15,11 +14,8 @@ const CHECKS: &[u8; 62] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnop
 /// The form of these links.
 struct Compact;
 
-/// Reads a query of these links, or of those before them.
+/// Reads a query.
 pub(super) fn read(query: Field<'_>) -> Result<Linkage, Message> {
-    if early::is_early(&query) {
-        return early::read(query);
-    }
     Sections::of(checked(query)?)?.read::<Compact>()
 }
 

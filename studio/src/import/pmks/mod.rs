@@ -32,12 +32,14 @@ pub(super) fn read(text: &str) -> Result<Imported, Message> {
     let whole = query.whole();
     let linkage = if plain::is_plain(whole.text()) {
         plain::read(&whole)?
-    } else if sections::has_sections(whole.text()) {
-        compact::read(whole)?
-    } else {
+    } else if !sections::has_sections(whole.text()) {
         return Err(whole.wrong(
             "this is no link of PMKS+: it would have settings, joints and links after a question mark",
         ));
+    } else if early::is_early(&whole) {
+        early::read(whole)?
+    } else {
+        compact::read(whole)?
     };
     Ok(translation::translate(linkage))
 }
