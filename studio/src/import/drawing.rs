@@ -6,6 +6,9 @@ use super::omission::Omission;
 /// The largest number that is read. No drawing comes near it. What is computed of such numbers is finite.
 pub(super) const LARGEST: f64 = 1e15;
 
+/// The most connectors, joints and links that are read. No drawing comes near it; noise does.
+pub(super) const MOST: usize = 2000;
+
 /// A place in the scene, or a direction.
 pub(super) type Pair = [f64; 2];
 

@@ -1,12 +1,12 @@
 //! Targets of the motors.
 
-use super::{Driven, Free, Mechanism, Rates};
+use super::{Free, Mechanism, Rates, Selection};
 use std::f64::consts::TAU;
 
 /// Computes where the motors move next: in the mechanism's own motion, or one motor alone, as far as in that motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Driver {
-    driven: Driven,
+    selection: Selection,
     /// The phase of the mechanism's own motion.
     phase: f64,
     /// The duration of 1 of the phase, in seconds.
@@ -20,7 +20,7 @@ impl Driver {
     #[must_use]
     pub fn new(mechanism: &Mechanism) -> Self {
         Self {
-            driven: Driven::Motion,
+            selection: Selection::Motion,
             phase: 0.0,
             seconds: mechanism.seconds(),
             reaches: reaches(mechanism),
@@ -34,18 +34,18 @@ impl Driver {
 
     /// Drives the next motor, or after the last one all.
     pub const fn next(&mut self) {
-        self.driven = self.driven.next(self.reaches.len());
+        self.selection = self.selection.next(self.reaches.len());
     }
 
     /// Drives the one before.
     pub const fn previous(&mut self) {
-        self.driven = self.driven.previous(self.reaches.len());
+        self.selection = self.selection.previous(self.reaches.len());
     }
 
     /// What is driven.
     #[must_use]
-    pub const fn driven(&self) -> Driven {
-        self.driven
+    pub const fn selection(&self) -> Selection {
+        self.selection
     }
 
     /// The duration of 1 of the phase, in seconds.
@@ -59,9 +59,9 @@ impl Driver {
     pub fn free(&self) -> Vec<Free> {
         let reaches = self.reaches.iter().enumerate();
         let free = reaches.map(|(motor, &reach)| Free { motor, reach });
-        free.filter(|free| match self.driven {
-            Driven::Motion => true,
-            Driven::Motor(driven) => free.motor == driven,
+        free.filter(|free| match self.selection {
+            Selection::Motion => true,
+            Selection::Motor(driven) => free.motor == driven,
         })
         .collect()
     }
@@ -71,15 +71,15 @@ impl Driver {
     #[must_use]
     pub fn target(&self, mechanism: &Mechanism, share: f64) -> Vec<f64> {
         let mut motors = mechanism.motors().to_vec();
-        match self.driven {
-            Driven::Motion => {
+        match self.selection {
+            Selection::Motion => {
                 let ahead = mechanism.motion(self.phase + share);
                 let here = mechanism.motion(self.phase);
                 for (motor, (ahead, here)) in motors.iter_mut().zip(ahead.iter().zip(here)) {
                     *motor += ahead - here;
                 }
             }
-            Driven::Motor(driven) => {
+            Selection::Motor(driven) => {
                 if let (Some(motor), Some(reach)) =
                     (motors.get_mut(driven), self.reaches.get(driven))
                 {
@@ -93,13 +93,13 @@ impl Driver {
     /// The rates of the motors at the usual speed, forwards (1) or backwards (−1).
     #[must_use]
     pub fn rates(&self, mechanism: &Mechanism, direction: f64) -> Rates {
-        match self.driven {
-            Driven::Motion => {
+        match self.selection {
+            Selection::Motion => {
                 let mut rates = mechanism.rates(self.phase);
                 rates.first.iter_mut().for_each(|rate| *rate *= direction);
                 rates
             }
-            Driven::Motor(driven) => {
+            Selection::Motor(driven) => {
                 let reaches = self.reaches.iter().enumerate();
                 let turns = |motor| if motor == driven { direction } else { 0.0 };
                 let first = reaches.map(|(motor, reach)| turns(motor) * reach / self.seconds);
@@ -113,7 +113,7 @@ impl Driver {
 
     /// Notes that the mechanism has moved by a share of the phase.
     pub fn note_progress(&mut self, share: f64) {
-        if self.driven == Driven::Motion {
+        if self.selection == Selection::Motion {
             self.phase += share;
         }
     }

@@ -2,8 +2,8 @@
 
 use super::bounds::Bounds;
 use super::{
-    Camera, Control, Driven, Driver, Grip, Held, Layer, Layers, Limit, Mechanism, Obstacle, Pace,
-    Rates, Style, marks,
+    Camera, Control, Driver, Grip, Held, Layer, Layers, Limit, Mechanism, Obstacle, Pace, Rates,
+    Selection, Style, marks,
 };
 use mech_runtime::Canvas;
 use mech_runtime::overlay::Spot;
@@ -157,9 +157,9 @@ impl Player {
             Some(format!("{name} {}", mechanism.shown(motor, value)?))
         });
         let values: Vec<_> = values.collect();
-        let driven = match self.driver.driven() {
-            Driven::Motion => "own motion",
-            Driven::Motor(motor) => mechanism.motor_name(motor).unwrap_or_default(),
+        let driven = match self.driver.selection() {
+            Selection::Motion => "own motion",
+            Selection::Motor(motor) => mechanism.motor_name(motor).unwrap_or_default(),
         };
         let state = match (self.plays, self.pace.direction() < 0.0) {
             (false, _) => "paused",
@@ -210,8 +210,8 @@ impl Player {
 
     /// The motors that are driven.
     #[must_use]
-    pub const fn driven(&self) -> Driven {
-        self.driver.driven()
+    pub const fn selection(&self) -> Selection {
+        self.driver.selection()
     }
 
     /// The visible layers.

@@ -3,7 +3,7 @@
 use crate::gallery::{FILES, SIZE, from_text, mechanism, near, picture, player};
 use mech_compiler::evaluate::Stop;
 use mech_runtime::{HeapSmooth, Palette};
-use mech_studio::play::{Camera, Control, Driven, Key, Layer, Obstacle, Player, keys};
+use mech_studio::play::{Camera, Control, Key, Layer, Obstacle, Player, Selection, keys};
 use std::f64::consts::TAU;
 
 /// A slide on a rail with two ends, and an arm on it that has none.
@@ -77,15 +77,15 @@ fn a_motor_alone() {
     let start = player.motors().to_vec();
     player.obey(Control::NextMotor);
     player.obey(Control::NextMotor);
-    assert_eq!(player.driven(), Driven::Motor(1));
+    assert_eq!(player.selection(), Selection::Motor(1));
     player.advance(0.1);
     let moved = player.motors();
     assert!(moved[0] == start[0] && moved[1] > start[1] && moved[2] == start[2]);
     player.obey(Control::NextMotor);
     player.obey(Control::NextMotor);
-    assert_eq!(player.driven(), Driven::Motion);
+    assert_eq!(player.selection(), Selection::Motion);
     player.obey(Control::PreviousMotor);
-    assert_eq!(player.driven(), Driven::Motor(2));
+    assert_eq!(player.selection(), Selection::Motor(2));
 }
 
 /// How many pixels have the red of a mark.

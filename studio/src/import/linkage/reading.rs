@@ -7,11 +7,10 @@ use super::units::Units;
 use super::unknown::Unknown;
 use crate::document::Message;
 use crate::import::color::Color;
+use crate::import::drawing::MOST;
 use crate::import::omission::Omission;
 use std::collections::BTreeMap;
 
-/// The most connectors and links that are read. No drawing comes near it; noise does.
-const MOST: usize = 2000;
 /// The bit of the layers of what belongs to the mechanism.
 const MECHANISM_LAYER: Id = 16;
 

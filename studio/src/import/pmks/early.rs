@@ -3,10 +3,10 @@
 //! At first links had neither colours nor a mark whether they are welded into others; both came in May.
 
 use super::compact::{colored, is_color};
-use super::digits::{decimal, flags};
+use super::digits::decimal;
 use super::linkage::{Force, Ids, Joint, Link, Linkage, mass_of, name_of, parts_of};
 use super::query::Field;
-use super::sections::{Draft, Generation, HEADS, Sections, fields};
+use super::sections::{Draft, Generation, HEADS, Sections, fields, flags_and_id};
 use crate::document::Message;
 use crate::import::omission::Omission;
 
@@ -30,10 +30,8 @@ impl Generation for Early {
     /// `[flags and id],[x],[y],[angle]`
     fn joint<'q>(field: Field<'q>, ids: &mut Ids<'q>) -> Result<Joint, Message> {
         let [head, x, y, angle] = fields(&field, "joint")?;
-        let (bits, id) = head
-            .first()
-            .ok_or_else(|| field.wrong("the flags and the id of a joint are missing here"))?;
-        let [is_prismatic, is_input, is_grounded, is_welded, ..] = flags(&bits)?;
+        let ([is_prismatic, is_input, is_grounded, is_welded, ..], id) =
+            flags_and_id(&field, &head, "joint")?;
         ids.enter(&id)?;
         let angle = decimal(&angle)?;
         Ok(Joint {
@@ -109,10 +107,7 @@ impl Generation for Early {
     /// `[flags and id],[link],[start x],[start y],[end x],[end y],[magnitude]`
     fn force<'q>(field: Field<'q>, links: &Ids<'q>) -> Result<Force, Message> {
         let [head, link, x, y, end_x, end_y, magnitude] = fields(&field, "force")?;
-        let (bits, id) = head
-            .first()
-            .ok_or_else(|| field.wrong("the flags and the id of a force are missing here"))?;
-        let [is_local, is_outward, ..] = flags(&bits)?;
+        let ([is_local, is_outward, ..], id) = flags_and_id(&field, &head, "force")?;
         let at = [decimal(&x)?, decimal(&y)?];
         let end = [decimal(&end_x)?, decimal(&end_y)?];
         Ok(Force {

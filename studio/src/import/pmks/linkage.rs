@@ -3,12 +3,9 @@
 use super::query::Field;
 use crate::document::Message;
 use crate::import::color::Color;
-use crate::import::drawing::{Mass, Pair};
+use crate::import::drawing::{MOST, Mass, Pair};
 use crate::import::omission::Omission;
 use std::collections::BTreeMap;
-
-/// The most joints and links that are read. No drawing comes near it; noise does.
-pub(super) const MOST: usize = 2000;
 
 /// What a link says.
 pub(super) struct Linkage {

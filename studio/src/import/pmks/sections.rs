@@ -148,6 +148,18 @@ pub(super) fn fields<'q, const COUNT: usize>(
     })
 }
 
+/// The flags and the id with which something begins.
+pub(super) fn flags_and_id<'q>(
+    field: &Field<'q>,
+    head: &Field<'q>,
+    what: &str,
+) -> Result<([bool; 6], Field<'q>), Message> {
+    let (bits, id) = head
+        .first()
+        .ok_or_else(|| field.wrong(format!("the flags and the id of a {what} are missing here")))?;
+    Ok((flags(&bits)?, id))
+}
+
 /// Whether the input turns clockwise.
 fn settings(field: &Field<'_>, omissions: &mut Vec<Omission>) -> Result<bool, Message> {
     let is_right = field.text().chars().count() == SETTINGS;

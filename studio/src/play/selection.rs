@@ -2,14 +2,14 @@
 
 /// The motors that are driven in playing, and that may be dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Driven {
+pub enum Selection {
     /// All motors, in the mechanism's own motion.
     Motion,
     /// One motor alone, by its number.
     Motor(usize),
 }
 
-impl Driven {
+impl Selection {
     /// The next choice for a mechanism with so many motors. A single motor also has two choices: alone it turns on and on.
     #[must_use]
     pub const fn next(self, motors: usize) -> Self {
