@@ -11,6 +11,7 @@ use mech_core::journey::Halt;
 use mech_core::{Phase, Real};
 use run::{MotionInputs, Runner};
 
+pub use run::Prepared;
 pub use sensitivity::sensitivities;
 
 /// Why a mechanism did not go to a position.
@@ -47,7 +48,7 @@ pub struct LinkRates<T> {
 
 /// A mechanism that is moved by interpretation, in any precision, whatever the program was compiled for.
 #[derive(Clone, Debug)]
-pub struct Machine<'p, T> {
+pub struct Machine<'p, T: Real> {
     runner: Runner<'p, T>,
     position: Position<T>,
 }
@@ -68,14 +69,17 @@ impl<'p, T: Real> Machine<'p, T> {
                 .collect(),
             state: start.state.iter().map(number).collect(),
         };
-        Self::at(program, position)
-    }
-
-    /// The mechanism at a position that it had before.
-    #[must_use]
-    pub fn at(program: &'p Program, position: Position<T>) -> Self {
         Self {
             runner: Runner::new(program),
+            position,
+        }
+    }
+
+    /// The mechanism at a position that it had before. The program is the one that was prepared.
+    #[must_use]
+    pub fn at(program: &'p Program, prepared: &'p Prepared<T>, position: Position<T>) -> Self {
+        Self {
+            runner: Runner::of(program, prepared),
             position,
         }
     }

@@ -7,7 +7,7 @@ use super::{Layer, Layers, Obstacle, Rates, Style};
 use crate::failure::Failure;
 use crate::motion::{Paths, joints_in_the_way, motor_name, obstacle, range_of, turns};
 use crate::painting::{Painting, number_of, poses_of};
-use mech_compiler::evaluate::{Machine, Stop};
+use mech_compiler::evaluate::{Machine, Prepared, Stop};
 use mech_compiler::model::{JointId, Look, Model, MotorId};
 use mech_compiler::program::Position;
 use mech_compiler::{Compiled, compile, symbols};
@@ -26,6 +26,7 @@ pub struct Mechanism {
     /// The points whose velocities are drawn.
     points: Vec<Spot<f64>>,
     motion: Motion,
+    prepared: Prepared<f64>,
     position: Position<f64>,
     paths: Paths,
 }
@@ -50,6 +51,7 @@ impl Mechanism {
             points: points.collect(),
             landmarks: Landmarks::new(&model, &compiled),
             motion: Motion::new(&model, &compiled, size)?,
+            prepared: Prepared::new(&compiled.program),
             position: Machine::<f64>::new(&compiled.program).into_position(),
             paths: Paths::new(&model, &compiled)?,
             painting,
@@ -169,7 +171,11 @@ impl Mechanism {
             *value = *motor;
         }
         let range = self.keep_in_ranges(&mut goal).map(Obstacle::Range);
-        let mut machine = Machine::at(&self.compiled.program, self.position.clone());
+        let mut machine = Machine::at(
+            &self.compiled.program,
+            &self.prepared,
+            self.position.clone(),
+        );
         let stop = match machine.move_toward(&goal) {
             Ok(stop) => stop,
             Err(stop) => Some(stop),
@@ -333,7 +339,8 @@ impl Mechanism {
             }
             all
         };
-        let machine = Machine::at(program, self.position.clone());
+        let mut machine = Machine::new(program);
+        machine.put_back(self.position.clone());
         let Ok(found) = machine.motion(&given(&rates.first), &given(&rates.second)) else {
             return;
         };

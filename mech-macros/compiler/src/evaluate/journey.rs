@@ -7,7 +7,7 @@ use mech_core::journey::{self, Growth, Halt, Journey, Watch};
 use mech_core::{Real, motors};
 
 /// A move under way.
-pub(super) struct Move<'a, 'p, T> {
+pub(super) struct Move<'a, 'p, T: Real> {
     runner: &'a Runner<'p, T>,
     start: &'a Position<T>,
     values: &'a [T],

@@ -10,6 +10,7 @@ use mech_core::Real;
 use mech_core::contraction::{before_first, contracts};
 use mech_core::dense::solve;
 use mech_core::motors::turned;
+use std::borrow::Cow;
 
 /// The inputs of a program of rates or forces, besides the motors' values.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +22,14 @@ pub(super) struct MotionInputs<'g, T> {
 
 /// A program that is ready to be run, in any precision, whatever it was compiled for.
 #[derive(Clone, Debug)]
-pub(super) struct Runner<'p, T> {
+pub(super) struct Runner<'p, T: Real> {
     pub(super) program: &'p Program,
+    prepared: Cow<'p, Prepared<T>>,
+}
+
+/// What is made once of a program so that it can be run.
+#[derive(Clone, Debug)]
+pub struct Prepared<T> {
     /// For each node its value if that is a constant, else zero.
     constants: Vec<T>,
     /// What is computed once, constants apart, in order.
@@ -38,8 +45,10 @@ struct Step {
     op: Op,
 }
 
-impl<'p, T: Real> Runner<'p, T> {
-    pub(super) fn new(program: &'p Program) -> Self {
+impl<T: Real> Prepared<T> {
+    /// That of this program.
+    #[must_use]
+    pub fn new(program: &Program) -> Self {
         let mut constants = vec![T::ZERO; program.ssa.nodes.len()];
         let mut steps = Vec::new();
         let mut rounds = vec![Vec::new(); program.ssa.blocks.len()];
@@ -54,10 +63,26 @@ impl<'p, T: Real> Runner<'p, T> {
             }
         }
         Self {
-            program,
             constants,
             steps,
             rounds,
+        }
+    }
+}
+
+impl<'p, T: Real> Runner<'p, T> {
+    pub(super) fn new(program: &'p Program) -> Self {
+        Self {
+            program,
+            prepared: Cow::Owned(Prepared::new(program)),
+        }
+    }
+
+    /// A program that was prepared before.
+    pub(super) fn of(program: &'p Program, prepared: &'p Prepared<T>) -> Self {
+        Self {
+            program,
+            prepared: Cow::Borrowed(prepared),
         }
     }
 
@@ -185,7 +210,7 @@ impl<'p, T: Real> Runner<'p, T> {
         };
         let inputs = motors.iter().zip(turns).enumerate().map(reduced);
         let (motors, turns): (Vec<T>, Vec<i32>) = inputs.unzip();
-        let mut values = self.constants.clone();
+        let mut values = self.prepared.constants.clone();
         let mut solved = vec![false; self.program.ssa.blocks.len()];
         let closes = |(block, closed): (BlockId, &ClosedForm), values: &[T]| {
             if values[closed.margin.index()] >= T::from_f64(0.0) {
@@ -194,7 +219,7 @@ impl<'p, T: Real> Runner<'p, T> {
                 Err(Stop::Open(block))
             }
         };
-        for &Step { value, op } in &self.steps {
+        for &Step { value, op } in &self.prepared.steps {
             if let Op::Solved(block, _) = op
                 && !std::mem::replace(&mut solved[block.index()], true)
                 && let BlockKind::Newton(newton) = &self.program.ssa.blocks[block.index()].kind
@@ -284,7 +309,7 @@ impl<'p, T: Real> Runner<'p, T> {
         let mut before = before_first();
         loop {
             let mut dense = None;
-            for &Step { value, op } in &self.rounds[block.index()] {
+            for &Step { value, op } in &self.prepared.rounds[block.index()] {
                 if let Op::Dense(_, index) = op {
                     let solve = || solve_system(&newton.columns, &newton.gap, values);
                     values[value.index()] = dense.get_or_insert_with(solve)[index];
