@@ -24,6 +24,16 @@ impl Console {
         }
     }
 
+    /// One whose answers and complaints are written here.
+    #[must_use]
+    pub fn to(answers: impl Write + 'static, complaints: impl Write + 'static) -> Self {
+        Self {
+            answers: Box::new(answers),
+            complaints: Box::new(complaints),
+            has_colors: false,
+        }
+    }
+
     /// Whether complaints may have colours.
     #[must_use]
     pub fn has_colors(&self) -> bool {

@@ -15,6 +15,8 @@ mod console;
 mod dialogue;
 mod document;
 mod edit;
+#[cfg(feature = "editor")]
+pub mod editor;
 mod failure;
 mod import;
 mod mend;
@@ -33,7 +35,8 @@ pub use document::{
 };
 pub use edit::{
     ActionKind, Applied, Assembly, Command, Drag, Dragged, Expression, History, JointForm, Kind,
-    Pair, Refusal, Rule, Step, apply,
+    Pair, Refusal, Rule, Step, Workspace, apply,
+    apply_all,
 };
 pub use failure::{Failure, FailureKind};
 pub use mend::{Mending, Remainder, mendings};

@@ -4,6 +4,8 @@ mod assignment;
 mod check;
 mod completions;
 mod draw;
+#[cfg(all(feature = "editor", not(target_arch = "wasm32")))]
+mod edit;
 mod film;
 mod fix;
 mod graph;
@@ -63,6 +65,8 @@ enum Command {
     Table(table::Table),
     Plot(plot::Plot),
     Play(play::Play),
+    #[cfg(all(feature = "editor", not(target_arch = "wasm32")))]
+    Edit(edit::Edit),
     Import(import::Import),
     Run(run::Run),
     Completions(completions::Completions),
@@ -148,6 +152,8 @@ impl Command {
             Self::Table(table) => table.run(console),
             Self::Plot(plot) => plot.run(console),
             Self::Play(play) => play.run(console),
+            #[cfg(all(feature = "editor", not(target_arch = "wasm32")))]
+            Self::Edit(edit) => edit.run(console),
             Self::Import(import) => import.run(console),
             Self::Run(run) => run.run(console),
             Self::Completions(completions) => completions.run(console),
@@ -174,6 +180,8 @@ impl Command {
             Self::Film(film) => &mut film.target,
             Self::Table(table) => &mut table.target,
             Self::Plot(plot) => &mut plot.target,
+            #[cfg(all(feature = "editor", not(target_arch = "wasm32")))]
+            Self::Edit(_) => return None,
             Self::Play(_) | Self::Import(_) | Self::Run(_) | Self::Completions(_) => return None,
         })
     }

@@ -8,7 +8,7 @@ use crate::document::Listing;
 use mech_compiler::syntax::Noun;
 
 /// Where the last word of a line begins, and what it may become.
-pub(super) fn complete(line: &str, listing: &Listing) -> (usize, Vec<String>) {
+pub(crate) fn complete(line: &str, listing: &Listing) -> (usize, Vec<String>) {
     let start = line.rfind(char::is_whitespace).map_or(0, |at| at + 1);
     let begun = &line[start..];
     let Ok(before) = words(&line[..start]) else {

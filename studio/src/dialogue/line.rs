@@ -123,7 +123,7 @@ fn nearest(word: &str) -> Option<&'static str> {
 }
 
 /// The help: all rows, or those that begin with a word.
-pub(super) fn help(topic: Option<&str>) -> Result<String, Failure> {
+pub(crate) fn help(topic: Option<&str>) -> Result<String, Failure> {
     let rows = ROWS.iter().map(|row| (shown(&read(row.pattern)), row.help));
     let is_asked = |pattern: &str| {
         let first = pattern.split_whitespace().next().unwrap_or_default();

@@ -9,5 +9,9 @@ mod session;
 mod table;
 mod words;
 
+#[cfg(feature = "editor")]
+pub(crate) use completion::complete;
+#[cfg(feature = "editor")]
+pub(crate) use line::help;
 pub(crate) use prompt::converse;
 pub(crate) use session::{Session, Turn};

@@ -5,12 +5,11 @@ use super::request::Request;
 use crate::check::verdict_line;
 use crate::command::obey_within;
 use crate::console::Console;
-use crate::document::{Declaration, Document, Listing, Reading, Source};
-use crate::edit::{History, apply};
+use crate::document::{Declaration, Document, Listing, Reading};
+use crate::edit::{Saving, Workspace};
 use crate::failure::Failure;
 use crate::mend::mendings;
-use crate::output;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Whether the dialogue goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,12 +22,7 @@ pub(crate) enum Turn {
 
 /// A session: a file, its text as it is now, and the steps that led there.
 pub(crate) struct Session {
-    path: PathBuf,
-    /// The file as it was read or written last; none if there is no file yet.
-    source: Option<Source>,
-    history: History,
-    /// The number of the mechanism in the file.
-    index: usize,
+    pub(crate) workspace: Workspace,
     /// What is written at the end, if everything went well; none if it is written at once.
     deferred: Option<Vec<Writing>>,
 }
@@ -36,12 +30,7 @@ pub(crate) struct Session {
 /// Something that is to be written.
 enum Writing {
     /// A text.
-    Text {
-        path: PathBuf,
-        /// The file that it replaces.
-        over: Option<Source>,
-        text: String,
-    },
+    Text(Saving),
     /// What a subcommand writes, of a text as it was.
     Answer {
         words: Vec<String>,
@@ -54,11 +43,17 @@ impl Session {
     /// An empty text, without a file. Files are written at once, or all at the end.
     pub(crate) fn new(is_deferred: bool) -> Self {
         Self {
-            path: PathBuf::from("untitled.mech"),
-            source: None,
-            history: History::new(""),
-            index: 0,
+            workspace: Workspace::default(),
             deferred: is_deferred.then(Vec::new),
+        }
+    }
+
+    /// One that goes on with this text. Files are written at once.
+    #[cfg(feature = "editor")]
+    pub(crate) fn of(workspace: Workspace) -> Self {
+        Self {
+            workspace,
+            deferred: None,
         }
     }
 
@@ -69,11 +64,7 @@ impl Session {
         };
         match request {
             Request::Edit(command) => {
-                let applied = apply(&self.document(), self.index, &command)?;
-                let text = applied.document.source().text();
-                if text != self.history.text() {
-                    self.history.push(applied.title.as_str(), text);
-                }
+                let applied = self.workspace.apply(&command)?;
                 let notes = applied.notes.join("; ");
                 let notes = if notes.is_empty() {
                     String::new()
@@ -86,24 +77,24 @@ impl Session {
             Request::Ask(words) => self.ask(words, console)?,
             Request::Repairs => self.repairs(console)?,
             Request::Undo => {
-                let title = self.history.undo();
+                let title = self.workspace.undo();
                 let title = title.ok_or_else(|| Failure::usage("there is nothing to undo"))?;
                 console.answer(format!("undone: {title}\n"))?;
             }
             Request::Redo => {
-                let title = self.history.redo();
+                let title = self.workspace.redo();
                 let title = title.ok_or_else(|| Failure::usage("there is nothing to redo"))?;
                 console.answer(format!("done again: {title}\n"))?;
             }
             Request::Steps => {
-                let steps = self.history.made().iter();
+                let steps = self.workspace.history().made().iter();
                 console.answer(
                     steps
                         .map(|step| format!("{}\n", step.title))
                         .collect::<String>(),
                 )?;
             }
-            Request::Text => console.answer(self.history.text())?,
+            Request::Text => console.answer(self.workspace.text())?,
             Request::Numbers(owner) => console.answer(self.numbers(owner.as_deref())?)?,
             Request::Open { file, mechanism } => {
                 self.open(Path::new(file.trim_matches('"')), mechanism.as_deref())?;
@@ -115,13 +106,8 @@ impl Session {
         Ok(Turn::GoOn)
     }
 
-    /// The file as it is now.
-    fn document(&self) -> Document {
-        Document::of(Source::new(&self.path, self.history.text()))
-    }
-
     fn declaration<'d>(&self, document: &'d Document) -> Result<&'d Declaration, Failure> {
-        let declaration = document.declarations().get(self.index);
+        let declaration = document.declarations().get(self.workspace.index());
         declaration.ok_or_else(|| {
             Failure::usage("there is no mechanism yet; begin with `mechanism NAME`, or `open FILE`")
         })
@@ -129,10 +115,7 @@ impl Session {
 
     /// The names and numbers of the text as it is now, as far as they can be read.
     pub(super) fn listing(&self) -> Listing {
-        let document = self.document();
-        let declaration = document.declarations().get(self.index);
-        let listing = declaration.map(|declaration| document.listing(declaration));
-        listing.and_then(Result::ok).flatten().unwrap_or_default()
+        self.workspace.listing()
     }
 
     /// Reads a file.
@@ -142,39 +125,26 @@ impl Session {
                 "the text has changes; `save` or `undo` them first",
             ));
         }
-        let document = Document::read(path)?;
-        let chosen = document.choose(mechanism)?;
-        self.index = document.index_of(chosen)?;
-        path.clone_into(&mut self.path);
-        self.history = History::new(document.source().text());
-        self.source = Some(document.source().clone());
+        self.workspace = Workspace::open(path, mechanism)?;
         Ok(())
     }
 
     /// Whether the text is another than that of the file.
     pub(super) fn is_changed(&self) -> bool {
-        let saved = self.source.as_ref().map_or("", Source::text);
-        saved != self.history.text()
+        self.workspace.is_changed()
     }
 
     /// Writes the text: over the file from which it was read, or to one that is not there yet.
     fn save(&mut self, file: Option<&str>, console: &mut Console) -> Result<(), Failure> {
-        let path = match file {
-            Some(file) => PathBuf::from(file.trim_matches('"')),
-            None if self.source.is_some() => self.path.clone(),
-            None => return Err(Failure::usage("the text has no file yet; say `save FILE`")),
-        };
-        let over = self.source.clone().filter(|_| path == self.path);
-        let text = self.history.text().to_owned();
-        let writing = Writing::Text {
-            path: path.clone(),
-            over,
-            text: text.clone(),
-        };
-        self.write(writing, console)?;
-        self.source = Some(Source::new(&path, text));
-        self.path = path;
-        Ok(())
+        let path = file.map(|file| Path::new(file.trim_matches('"')));
+        // What could not be written does not count as written.
+        let before = self.workspace.clone();
+        let saving = self.workspace.save_to(path)?;
+        let done = self.write(Writing::Text(saving), console);
+        if done.is_err() {
+            self.workspace = before;
+        }
+        done
     }
 
     /// Writes something, now or at the end.
@@ -198,14 +168,14 @@ impl Session {
     /// Does what a subcommand does.
     fn ask(&mut self, words: Vec<String>, console: &mut Console) -> Result<(), Failure> {
         const WRITING: [&str; 3] = ["-o", "--output", "--picture"];
-        let document = self.document();
+        let document = self.workspace.document();
         self.declaration(&document)?;
         let writes = |word: &String| WRITING.iter().any(|option| word.starts_with(option));
         let is_writing = words.iter().any(writes);
         let answer = Writing::Answer {
             words,
             document,
-            index: self.index,
+            index: self.workspace.index(),
         };
         if is_writing {
             self.write(answer, console)
@@ -215,7 +185,7 @@ impl Session {
     }
 
     fn repairs(&self, console: &mut Console) -> Result<(), Failure> {
-        let document = self.document();
+        let document = self.workspace.document();
         let declaration = self.declaration(&document)?;
         let reading = document.analyse(declaration)?;
         let found = mendings(&document, declaration, &reading)?;
@@ -248,7 +218,7 @@ impl Session {
         };
         let numbers = listing.numbers.iter().filter(|one| !one.is_pair);
         let lines = numbers.map(|one| {
-            let value = &self.history.text()[one.place.clone()];
+            let value = &self.workspace.text()[one.place.clone()];
             let path = one.path();
             (is_asked(&path), format!("{path} {} = {value}\n", one.role))
         });
@@ -266,23 +236,9 @@ impl Session {
 impl Writing {
     fn write(self, console: &mut Console) -> Result<(), Failure> {
         match self {
-            Self::Text {
-                over: Some(source),
-                text,
-                ..
-            } => {
-                source.replace(&text)?;
-                console.answer(saved(source.path()))
-            }
-            Self::Text { path, text, .. } => {
-                if path.exists() {
-                    return Err(Failure::file(format!(
-                        "`{}` is there already; `open` it to change it",
-                        path.display()
-                    )));
-                }
-                output::replace(&path, text.as_bytes())?;
-                console.answer(saved(&path))
+            Self::Text(saving) => {
+                let path = saving.write()?;
+                console.answer(format!("saved `{}`\n", path.display()))
             }
             Self::Answer {
                 words,
@@ -291,10 +247,6 @@ impl Writing {
             } => obey_within(&words, document, index, console),
         }
     }
-}
-
-fn saved(path: &Path) -> String {
-    format!("saved `{}`\n", path.display())
 }
 
 /// Whether a mechanism moves, in a line.

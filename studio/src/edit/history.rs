@@ -53,6 +53,18 @@ impl History {
         self.made += 1;
     }
 
+    /// Lets the last step lead to another text, if it has this title and no step is undone. Returns whether it does.
+    pub fn amend(&mut self, title: &str, text: &str) -> bool {
+        let is_last = self.made == self.steps.len();
+        let last = self.steps.last_mut();
+        let last = last.filter(|last| is_last && last.title == title);
+        let is_amended = last.is_some();
+        if let Some(last) = last {
+            text.clone_into(&mut last.text);
+        }
+        is_amended
+    }
+
     /// Goes back by a step, and gives its title; none at the beginning.
     pub fn undo(&mut self) -> Option<&str> {
         self.made = self.made.checked_sub(1)?;

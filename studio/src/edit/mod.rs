@@ -18,12 +18,15 @@ mod rename;
 mod scene;
 mod shape;
 mod solve;
+mod workspace;
 
 pub use assemble::Rule;
 pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pair};
 pub use drag::{Drag, Dragged};
 pub use history::{History, Step};
 pub use refusal::Refusal;
+pub use workspace::Workspace;
+pub(crate) use workspace::Saving;
 
 use crate::document::{Document, Reading, Source};
 use crate::failure::Failure;
@@ -89,6 +92,66 @@ pub fn apply(document: &Document, index: usize, command: &Command) -> Result<App
         applied.notes.extend(stand);
     }
     Ok(applied)
+}
+
+/// Applies commands one after the other, as one step. In between the text only has to be readable; at the end it is judged.
+///
+/// # Errors
+/// If one of the commands is refused: nothing is changed then.
+pub fn apply_all(
+    document: &Document,
+    index: usize,
+    title: &str,
+    commands: &[Command],
+) -> Result<Applied, Refusal> {
+    let (last, before) = commands
+        .split_last()
+        .ok_or_else(|| Refusal::internal("a step without a command"))?;
+    let mut current = document.clone();
+    let mut notes = Vec::new();
+    for command in before {
+        if matches!(command, Command::Mechanism { .. } | Command::Repair { .. }) {
+            current = apply(&current, index, command)?.document;
+            continue;
+        }
+        let scene = Scene::open(&current, index)?;
+        let change = change(&scene, command)?;
+        if scene.is_readable && scene.model_after(&change.edits)?.is_none() {
+            // The full answer says why.
+            return Err(apply(&current, index, command).err().unwrap_or_else(|| {
+                Refusal::of("the text could not be read any more")
+            }));
+        }
+        notes.extend(change.notes);
+        current = scene.document_after(&change.edits);
+    }
+    let mut applied = apply(&current, index, last)?;
+    judge_joints(document, index, before, &applied)?;
+    notes.append(&mut applied.notes);
+    Ok(Applied {
+        title: title.to_owned(),
+        edits: differences(document.source().text(), applied.document.source().text()),
+        notes,
+        ..applied
+    })
+}
+
+/// Refuses joints that break a rule of assembly which the text kept before all commands.
+fn judge_joints(
+    document: &Document,
+    index: usize,
+    commands: &[Command],
+    applied: &Applied,
+) -> Result<(), Refusal> {
+    let mut joints = commands.iter().filter_map(|command| match command {
+        Command::Join(assembly) => Some(assembly),
+        _ => None,
+    });
+    if document.declarations().get(index).is_none() {
+        return Ok(());
+    }
+    let scene = Scene::open(document, index)?;
+    joints.try_for_each(|assembly| assemble::judge(&scene, assembly, &applied.reading))
 }
 
 /// What a command does to the text.

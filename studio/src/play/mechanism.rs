@@ -114,6 +114,41 @@ impl Mechanism {
         &self.position.motors[..self.model.motors.len()]
     }
 
+    /// Whether its motors stand as at the start.
+    #[must_use]
+    pub fn is_at_start(&self) -> bool {
+        let start = &self.compiled.program.start.motors;
+        self.motors() == &start[..self.model.motors.len()]
+    }
+
+    /// The present value of the motor of this name.
+    pub(super) fn value_of(&self, name: &str) -> Option<f64> {
+        let motor = (0..self.motors().len()).find(|motor| self.motor_name(*motor) == Some(name))?;
+        self.motors().get(motor).copied()
+    }
+
+    /// The present value of each motor, with its name, in degrees or scene units.
+    #[must_use]
+    pub fn shown_motors(&self) -> Vec<(String, f64)> {
+        let values = self.motors().iter().enumerate();
+        let shown = values.filter_map(|(motor, &value)| {
+            let name = self.motor_name(motor)?.to_owned();
+            Some((name, if self.slides(motor) { value } else { value.to_degrees() }))
+        });
+        shown.collect()
+    }
+
+    /// The present pose of each link of the model: cosine, sine, x and y; none of a link that is not shown.
+    #[must_use]
+    pub fn poses(&self) -> Vec<Option<[f64; 4]>> {
+        let links = self.model.link_ids();
+        let pose = |link| {
+            let place = self.compiled.program.place_of(link)?;
+            self.position.poses.get(place).copied()
+        };
+        links.map(pose).collect()
+    }
+
     /// The name of a motor, by its number.
     #[must_use]
     pub fn motor_name(&self, motor: usize) -> Option<&str> {

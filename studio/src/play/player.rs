@@ -96,6 +96,46 @@ impl Player {
         self.keep_in_view();
     }
 
+    /// Goes on with another mechanism, which stands for the one that is shown: motors of the same name keep their values, as far as they
+    /// can come there.
+    pub fn replace(&mut self, mechanism: Mechanism) {
+        let before = std::mem::replace(&mut self.mechanism, mechanism);
+        self.driver = Driver::new(&self.mechanism);
+        self.direction = None;
+        self.limit = None;
+        self.held = None;
+        if before.is_at_start() {
+            return;
+        }
+        let from = self.mechanism.motors().to_vec();
+        let mut target = from.clone();
+        for (motor, value) in target.iter_mut().enumerate() {
+            if let Some(known) = self.mechanism.motor_name(motor).and_then(|name| before.value_of(name)) {
+                *value = known;
+            }
+        }
+        let obstacle = self.mechanism.move_toward(&target);
+        self.settle(obstacle, &from, &target);
+    }
+
+    /// Pauses, and moves a motor, by its number, to a value in radians or scene units, as far as possible.
+    pub fn drive(&mut self, motor: usize, value: f64) {
+        self.plays = false;
+        self.direction = None;
+        let from = self.mechanism.motors().to_vec();
+        let mut target = from.clone();
+        if let Some(known) = target.get_mut(motor).filter(|_| value.is_finite()) {
+            *known = value;
+            let obstacle = self.mechanism.move_toward(&target);
+            self.settle(obstacle, &from, &target);
+        }
+    }
+
+    /// Looks through another camera.
+    pub fn look(&mut self, camera: &Camera) {
+        self.camera.clone_from(camera);
+    }
+
     /// Plays for a time in seconds.
     pub fn advance(&mut self, seconds: f64) {
         let is_held = matches!(self.held, Some(Held::Link { .. }));
@@ -111,7 +151,7 @@ impl Player {
     }
 
     /// Draws what is seen.
-    pub(super) fn draw(&self, canvas: &mut impl Canvas<f64>) {
+    pub(crate) fn draw(&self, canvas: &mut impl Canvas<f64>) {
         let size = self.camera.symbol_size();
         self.mechanism.draw(canvas, &self.style(), &self.rates());
         if let Some(limit) = &self.limit {

@@ -1,0 +1,188 @@
+//! A file that is being edited: its text as it is now, and the steps that led there.
+
+use super::{Applied, Command, History, Refusal, apply};
+use crate::document::{Document, Listing, Source};
+use crate::failure::Failure;
+use crate::output;
+use std::path::{Path, PathBuf};
+
+/// A file that is being edited, its text as it is now, and the steps that led there.
+#[derive(Clone, Debug)]
+pub struct Workspace {
+    path: PathBuf,
+    /// The file as it was read or written last; none if there is no file yet.
+    source: Option<Source>,
+    history: History,
+    /// The number of the mechanism in the file.
+    index: usize,
+}
+
+impl Default for Workspace {
+    fn default() -> Self {
+        Self {
+            path: PathBuf::from("untitled.mech"),
+            source: None,
+            history: History::new(""),
+            index: 0,
+        }
+    }
+}
+
+impl Workspace {
+    /// A text that is in no file yet.
+    #[must_use]
+    pub fn unsaved(path: impl Into<PathBuf>, text: impl Into<String>) -> Self {
+        Self {
+            path: path.into(),
+            history: History::new(text),
+            ..Self::default()
+        }
+    }
+
+    /// Reads a file; of several mechanisms, the one of this name.
+    ///
+    /// # Errors
+    /// If it cannot be read, or has no such mechanism.
+    pub fn open(path: &Path, mechanism: Option<&str>) -> Result<Self, Failure> {
+        let document = Document::read(path)?;
+        let chosen = document.choose(mechanism)?;
+        Ok(Self {
+            path: path.to_owned(),
+            index: document.index_of(chosen)?,
+            history: History::new(document.source().text()),
+            source: Some(document.source().clone()),
+        })
+    }
+
+    /// The name of the file, whether it is there or not.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The text as it is now.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        self.history.text()
+    }
+
+    /// The steps that led there.
+    #[must_use]
+    pub const fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// The number of the mechanism in the file.
+    #[must_use]
+    pub const fn index(&self) -> usize {
+        self.index
+    }
+
+    /// The file as it is now.
+    #[must_use]
+    pub fn document(&self) -> Document {
+        Document::of(Source::new(&self.path, self.text()))
+    }
+
+    /// The names and numbers of the text as it is now, as far as they can be read.
+    #[must_use]
+    pub fn listing(&self) -> Listing {
+        let document = self.document();
+        let declaration = document.declarations().get(self.index);
+        let listing = declaration.map(|declaration| document.listing(declaration));
+        listing.and_then(Result::ok).flatten().unwrap_or_default()
+    }
+
+    /// Applies a command, as one step.
+    ///
+    /// # Errors
+    /// If the command is refused: nothing is changed then.
+    pub fn apply(&mut self, command: &Command) -> Result<Applied, Refusal> {
+        let applied = apply(&self.document(), self.index, command)?;
+        let text = applied.document.source().text();
+        self.push(applied.title.as_str(), text);
+        Ok(applied)
+    }
+
+    /// Makes a step to another text; none if it is the same.
+    pub fn push(&mut self, title: impl Into<String>, text: impl AsRef<str> + Into<String>) {
+        if text.as_ref() != self.text() {
+            self.history.push(title, text);
+        }
+    }
+
+    /// Makes a step to another text, or takes the last one there, if it has the same title and nothing was undone.
+    pub fn retype(&mut self, title: &str, text: &str) {
+        if text != self.text() && !self.history.amend(title, text) {
+            self.history.push(title, text);
+        }
+    }
+
+    /// Goes back by a step, and gives its title; none at the beginning.
+    pub fn undo(&mut self) -> Option<&str> {
+        self.history.undo()
+    }
+
+    /// Makes the next step again that was undone, and gives its title; none if there is none.
+    pub fn redo(&mut self) -> Option<&str> {
+        self.history.redo()
+    }
+
+    /// Whether the text is another than that of the file.
+    #[must_use]
+    pub fn is_changed(&self) -> bool {
+        let saved = self.source.as_ref().map_or("", Source::text);
+        saved != self.text()
+    }
+
+    /// Whether there is a file with this text, or with an earlier one.
+    #[must_use]
+    pub const fn has_file(&self) -> bool {
+        self.source.is_some()
+    }
+
+    /// What writes the text: over the file from which it was read, or to one that is not there yet. From then on it counts as written.
+    ///
+    /// # Errors
+    /// If no file is named, and there is none.
+    pub(crate) fn save_to(&mut self, path: Option<&Path>) -> Result<Saving, Failure> {
+        let path = match path {
+            Some(path) => path.to_owned(),
+            None if self.source.is_some() => self.path.clone(),
+            None => return Err(Failure::usage("the text has no file yet; say `save FILE`")),
+        };
+        let over = self.source.clone().filter(|_| path == self.path);
+        let text = self.text().to_owned();
+        self.source = Some(Source::new(&path, text.as_str()));
+        self.path.clone_from(&path);
+        Ok(Saving { path, over, text })
+    }
+}
+
+/// A text that is to be written.
+pub(crate) struct Saving {
+    path: PathBuf,
+    /// The file that it replaces.
+    over: Option<Source>,
+    text: String,
+}
+
+impl Saving {
+    /// Writes it, and gives the file.
+    ///
+    /// # Errors
+    /// If the file is not as it was read, is there although nobody has read it, or cannot be written. It then stays as it is.
+    pub(crate) fn write(self) -> Result<PathBuf, Failure> {
+        match self.over {
+            Some(source) => source.replace(&self.text)?,
+            None if self.path.exists() => {
+                return Err(Failure::file(format!(
+                    "`{}` is there already; `open` it to change it",
+                    self.path.display()
+                )));
+            }
+            None => output::replace(&self.path, self.text.as_bytes())?,
+        }
+        Ok(self.path)
+    }
+}

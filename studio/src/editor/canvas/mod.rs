@@ -1,0 +1,365 @@
+//! The canvas: what is drawn, and what the pointer does to it.
+
+mod paint;
+mod picture;
+
+use super::drawing::{Drawing, Handle, HandleKind, Hit};
+use super::snap::{REACH, Snapped, Snapping};
+use super::tool::Pick;
+use super::{Editor, Item, Tool};
+use crate::play::{Camera, Control};
+use eframe::egui;
+use eframe::egui::{Pos2, Rect, Response, Role, Sense, Vec2, WidgetInfo};
+use paint::Paint;
+use picture::Picture;
+
+/// The canvas.
+#[derive(Default)]
+pub(super) struct Canvas {
+    picture: Picture,
+    /// Where the pointer means, while a tool is used or something is dragged.
+    snapped: Option<Snapped>,
+    /// Whether the pointer has taken hold of a link or of the paper.
+    holds: Holds,
+}
+
+/// What the pointer has taken hold of.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Holds {
+    #[default]
+    Nothing,
+    /// A link, which follows it.
+    Link,
+    /// The paper.
+    Paper,
+    /// A corner of a frame around what is to be selected.
+    Frame(Pos2),
+}
+
+impl Canvas {
+    /// Shows what is drawn, and takes what the pointer does.
+    pub(super) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
+        let rect = ui.available_rect_before_wrap();
+        let background = ui.allocate_rect(rect, Sense::click_and_drag());
+        background.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "drawing"));
+        editor.camera.resize(size_of(rect));
+        self.zoom(editor, &background, ui);
+        self.picture.show(editor, rect, ui);
+        let handles = editor.seen_drawing().map(Drawing::handles).unwrap_or_default();
+        let shown = Shown { rect, camera: editor.camera.clone() };
+        Paint { editor, shown: &shown, snapped: self.snapped.as_ref() }.behind(ui);
+        self.on_paper(editor, &background, &shown, ui);
+        let mut hovered = None;
+        for handle in &handles {
+            self.on_handle(editor, handle, &shown, ui, &mut hovered);
+        }
+        editor.hovered = hovered.or_else(|| editor.under_text.clone());
+        Paint { editor, shown: &shown, snapped: self.snapped.as_ref() }.front(ui, &handles);
+        if let Holds::Frame(corner) = self.holds
+            && let Some(pointer) = background.interact_pointer_pos()
+        {
+            let frame = Rect::from_two_pos(corner, pointer);
+            let color = ui.visuals().selection.stroke.color;
+            ui.painter().rect_stroke(frame, 0.0, egui::Stroke::new(1.0, color), egui::StrokeKind::Middle);
+        }
+    }
+
+    /// Magnifies by the wheel or by two fingers, and moves the paper by two fingers.
+    fn zoom(&mut self, editor: &mut Editor, background: &Response, ui: &egui::Ui) {
+        let Some(pointer) = ui.input(|input| input.pointer.hover_pos()) else {
+            return;
+        };
+        if !background.rect.contains(pointer) || ui.ctx().layer_id_at(pointer).is_some_and(|layer| layer != ui.layer_id()) {
+            return;
+        }
+        let (factor, scrolled) = ui.input(|input| (input.zoom_delta(), input.smooth_scroll_delta()));
+        let factor = f64::from(factor) * f64::from(scrolled.y / 200.0).exp();
+        if factor != 1.0 {
+            let [x, y] = within(background.rect, pointer);
+            editor.camera.zoom([x, y], factor);
+        }
+        if let Some(touch) = ui.input(egui::InputState::multi_touch) {
+            editor.camera.pan([touch.translation_delta.x, touch.translation_delta.y].map(f64::from));
+        }
+    }
+
+    /// What the pointer does beside the handles.
+    fn on_paper(&mut self, editor: &mut Editor, response: &Response, shown: &Shown, ui: &egui::Ui) {
+        let modifiers = ui.input(|input| input.modifiers);
+        if editor.tool != Tool::Select {
+            self.use_tool(editor, response, None, shown, ui);
+            return;
+        }
+        self.snapped = None;
+        if response.drag_started()
+            && let Some(origin) = ui.input(|input| input.pointer.press_origin())
+        {
+            let place = shown.place(origin);
+            let on_link = editor.seen_drawing().map(|drawing| drawing.hit(place, REACH / shown.scale()));
+            let is_primary = response.drag_started_by(egui::PointerButton::Primary);
+            self.holds = match on_link {
+                Some(Hit::Link(_) | Hit::Joint(_)) if is_primary && editor.player.is_some() => {
+                    editor.hold(within(shown.rect, origin));
+                    Holds::Link
+                }
+                _ if modifiers.shift => Holds::Frame(origin),
+                _ => Holds::Paper,
+            };
+        }
+        if let Some(pointer) = response.interact_pointer_pos() {
+            match self.holds {
+                Holds::Link => editor.obey(Control::Point(within(shown.rect, pointer))),
+                Holds::Paper => {
+                    let moved = response.drag_delta();
+                    editor.camera.pan([moved.x, moved.y].map(f64::from));
+                }
+                Holds::Frame(_) | Holds::Nothing => {}
+            }
+        }
+        if response.drag_stopped() {
+            match self.holds {
+                Holds::Link => editor.obey(Control::Release),
+                Holds::Frame(corner) => {
+                    if let Some(pointer) = response.interact_pointer_pos() {
+                        let ends = [corner, pointer].map(|end| shown.place(end));
+                        editor.select_within(ends);
+                    }
+                }
+                Holds::Paper | Holds::Nothing => {}
+            }
+            self.holds = Holds::Nothing;
+        }
+        if response.clicked()
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let place = shown.place(pointer);
+            let item = editor.seen_drawing().and_then(|drawing| drawing.item_at(place, REACH / shown.scale()));
+            editor.select(item, modifiers.shift || modifiers.command);
+        }
+    }
+
+    /// What the pointer, the keyboard or a reader does to a handle.
+    fn on_handle(
+        &mut self,
+        editor: &mut Editor,
+        handle: &Handle,
+        shown: &Shown,
+        ui: &mut egui::Ui,
+        hovered: &mut Option<Item>,
+    ) {
+        let center = shown.pixel(handle.place);
+        let reach = if ui.input(egui::InputState::any_touches) { 2.0 * REACH } else { REACH };
+        #[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
+        let area = Rect::from_center_size(center, Vec2::splat(2.0 * reach as f32));
+        if !shown.rect.intersects(area) {
+            return;
+        }
+        let id = ui.scope_id().with(("handle", &handle.item));
+        let response = ui.interact(area, id, Sense::click_and_drag());
+        let is_selected = editor.selection.contains(&handle.item);
+        response.widget_info(|| {
+            WidgetInfo::selected(Role::Button, true, is_selected, handle.item.to_string())
+        });
+        if response.hovered() || response.has_focus() {
+            *hovered = Some(handle.item.clone());
+        }
+        if editor.tool == Tool::Select {
+            self.select_or_drag(editor, handle, &response, shown, ui);
+        } else {
+            self.use_tool(editor, &response, Some(handle), shown, ui);
+        }
+        let response = response.on_hover_text(describe(handle));
+        response.context_menu(|ui| menu(editor, handle, ui));
+    }
+
+    fn select_or_drag(
+        &mut self,
+        editor: &mut Editor,
+        handle: &Handle,
+        response: &Response,
+        shown: &Shown,
+        ui: &egui::Ui,
+    ) {
+        let modifiers = ui.input(|input| input.modifiers);
+        if response.drag_started_by(egui::PointerButton::Primary) {
+            editor.select(Some(handle.item.clone()), modifiers.shift);
+            editor.begin_drag(&handle.item);
+        }
+        let is_dragged = editor.dragging.as_ref().is_some_and(|dragging| dragging.item == handle.item);
+        if is_dragged && let Some(pointer) = response.interact_pointer_pos() {
+            let snapping = Snapping {
+                drawing: editor.drawing.as_ref(),
+                scale: shown.scale(),
+                is_on: editor.settings.snaps != modifiers.alt,
+                angles_from: None,
+                without: Some(&handle.item),
+            };
+            let snapped = snapping.snap(shown.place(pointer));
+            let place = snapped.pick.place;
+            self.snapped = Some(snapped);
+            editor.drag_to(place);
+        }
+        if is_dragged && response.drag_stopped() {
+            self.snapped = None;
+            editor.end_drag();
+        }
+        if response.clicked() {
+            editor.select(Some(handle.item.clone()), modifiers.shift || modifiers.command);
+            response.request_focus();
+        }
+        if response.has_focus() {
+            step_by_keys(editor, handle, shown, ui);
+        }
+    }
+
+    /// Picks places with a tool: by clicks, or from where the pointer is pressed to where it is released.
+    fn use_tool(
+        &mut self,
+        editor: &mut Editor,
+        response: &Response,
+        handle: Option<&Handle>,
+        shown: &Shown,
+        ui: &egui::Ui,
+    ) {
+        let modifiers = ui.input(|input| input.modifiers);
+        let meant = |editor: &Editor, place: [f64; 2]| {
+            let snapping = Snapping {
+                drawing: editor.drawing.as_ref(),
+                scale: shown.scale(),
+                is_on: editor.settings.snaps != modifiers.alt,
+                angles_from: editor.picks.last().filter(|_| modifiers.shift).map(|pick| pick.place),
+                without: None,
+            };
+            snapping.snap(place)
+        };
+        if response.drag_started()
+            && let Some(origin) = ui.input(|input| input.pointer.press_origin())
+        {
+            let pick = meant(editor, shown.place(origin)).pick;
+            // What wants one place only takes the one where the pointer is released.
+            if editor.tool.picks().len() > 1 {
+                editor.pick(pick);
+            }
+        }
+        let pointer = response.hover_pos().or(response.interact_pointer_pos());
+        if let Some(pointer) = pointer {
+            self.snapped = Some(meant(editor, shown.place(pointer)));
+        }
+        if response.drag_stopped() || response.clicked() {
+            let pick = match (response.interact_pointer_pos().or(pointer), handle) {
+                (Some(pointer), _) => Some(meant(editor, shown.place(pointer)).pick),
+                // By the keyboard, or by a reader.
+                (None, Some(handle)) => Some(meant(editor, handle.place).pick),
+                (None, None) => None,
+            };
+            if let Some(pick) = pick {
+                editor.pick(pick);
+            }
+        }
+    }
+}
+
+/// Moves a handle by the keys with arrows: by a line of the grid, with Shift by ten.
+fn step_by_keys(editor: &mut Editor, handle: &Handle, shown: &Shown, ui: &egui::Ui) {
+    let unit = super::snap::grid(shown.scale());
+    let (steps, is_far) = ui.input(|input| {
+        let count = |key| f64::from(u32::from(input.key_pressed(key)));
+        let x = count(egui::Key::ArrowRight) - count(egui::Key::ArrowLeft);
+        let y = count(egui::Key::ArrowUp) - count(egui::Key::ArrowDown);
+        ([x, y], input.modifiers.shift)
+    });
+    if steps != [0.0, 0.0] {
+        let unit = if is_far { 10.0 * unit } else { unit };
+        let [x, y] = handle.place;
+        editor.begin_drag(&handle.item);
+        editor.drag_to([x + steps[0] * unit, y + steps[1] * unit]);
+        editor.end_drag();
+    }
+    ui.memory_mut(|memory| {
+        let filter = egui::EventFilter {
+            horizontal_arrows: true,
+            vertical_arrows: true,
+            ..egui::EventFilter::default()
+        };
+        if let Some(focused) = memory.focused() {
+            memory.set_focus_lock_filter(focused, filter);
+        }
+    });
+}
+
+/// What can be done to a handle.
+fn menu(editor: &mut Editor, handle: &Handle, ui: &mut egui::Ui) {
+    ui.strong(handle.item.to_string());
+    let choose = |editor: &mut Editor, tool: Tool| {
+        let place = handle.place;
+        let hit = editor.drawing.as_ref().map_or(Hit::Paper, |drawing| drawing.hit(place, 1e-9));
+        editor.choose(tool);
+        editor.pick(Pick { place, hit });
+        editor.tool = Tool::Select;
+    };
+    for tool in [Tool::Motor, Tool::Pivot, Tool::Trace, Tool::Force] {
+        if ui.button(tool.name()).on_hover_text(tool.help()).clicked() {
+            choose(editor, tool);
+            ui.close();
+        }
+    }
+    if ui.button("Properties").clicked() {
+        editor.select(Some(handle.item.clone()), false);
+        editor.settings.panel = Some(super::panel::Panel::Properties);
+        ui.close();
+    }
+    if ui.button("Delete").clicked() {
+        editor.select(Some(handle.item.clone()), false);
+        editor.remove_selected();
+        ui.close();
+    }
+}
+
+fn describe(handle: &Handle) -> String {
+    let what = match handle.kind {
+        HandleKind::Pin => "turns",
+        HandleKind::Slide => "slides",
+        HandleKind::Weld => "is welded",
+        HandleKind::Point => "no joint is here",
+        HandleKind::Line => "no joint is on this line",
+    };
+    let [x, y] = handle.place.map(|part| crate::text::shortest(part, 1e-3));
+    format!("{}: {what}; ({x}, {y})", handle.item)
+}
+
+/// Where the scene is seen.
+pub(super) struct Shown {
+    rect: Rect,
+    camera: Camera,
+}
+
+impl Shown {
+    /// Pixels in a scene unit.
+    fn scale(&self) -> f64 {
+        self.camera.view().scale()
+    }
+
+    /// The place of the scene under a pixel of the window.
+    fn place(&self, pixel: Pos2) -> [f64; 2] {
+        self.camera.place(within(self.rect, pixel))
+    }
+
+    /// Where a place of the scene is seen in the window.
+    #[expect(clippy::cast_possible_truncation, reason = "pixels of a window")]
+    fn pixel(&self, place: [f64; 2]) -> Pos2 {
+        let [x, y] = self.camera.pixel(place);
+        self.rect.min + Vec2::new(x as f32, y as f32)
+    }
+}
+
+/// A pixel of the window, counted from the corner of the canvas.
+fn within(rect: Rect, pixel: Pos2) -> [f64; 2] {
+    let from = pixel - rect.min;
+    [f64::from(from.x), f64::from(from.y)]
+}
+
+/// The size of the canvas, in points of the window.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a size in pixels, not below 1")]
+fn size_of(rect: Rect) -> [usize; 2] {
+    [rect.width(), rect.height()].map(|side| side.round().max(1.0) as usize)
+}

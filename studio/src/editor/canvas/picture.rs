@@ -1,0 +1,65 @@
+//! The bodies of links, as the mechanism itself paints them.
+
+use super::size_of;
+use crate::editor::Editor;
+use eframe::egui;
+use eframe::egui::{Color32, ColorImage, Rect, TextureHandle, TextureOptions};
+use mech_runtime::{HeapSmooth, Palette, View};
+
+/// The bodies of links, painted by the runtime's own rasteriser.
+#[derive(Default)]
+pub(super) struct Picture {
+    painted: Option<HeapSmooth>,
+    texture: Option<TextureHandle>,
+}
+
+impl Picture {
+    /// Shows the bodies, if the mechanism moves and they are wanted; else the paper.
+    pub(super) fn show(&mut self, editor: &mut Editor, rect: Rect, ui: &egui::Ui) {
+        let paper = palette(editor).rgba(Palette::PAPER);
+        ui.painter().rect_filled(rect, 0.0, color(paper));
+        if editor.shows_bodies() && self.paint(editor, rect, ui.ctx()).is_some() {
+            if let Some(texture) = &self.texture {
+                let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+                ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
+            }
+        }
+    }
+
+    fn paint(&mut self, editor: &mut Editor, rect: Rect, context: &egui::Context) -> Option<()> {
+        let ratio = f64::from(context.pixels_per_point());
+        let points = size_of(rect);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "a number of pixels")]
+        let size = points.map(|side| (side as f64 * ratio).round().max(1.0) as usize);
+        let is_fit = self.painted.as_ref().is_some_and(|known| [known.width(), known.height()] == size);
+        if !is_fit {
+            self.painted = HeapSmooth::new(size[0], size[1]).ok();
+        }
+        let picture = self.painted.as_mut()?;
+        picture.set_palette(palette(editor));
+        let view = editor.camera.view();
+        picture.look_at(View::new(view.center(), view.scale() * ratio));
+        picture.clear();
+        editor.player.as_ref()?.draw(picture);
+        let pixels = picture.pixels().as_flattened();
+        let image = ColorImage::from_rgba_unmultiplied(size, pixels);
+        match &mut self.texture {
+            Some(texture) => texture.set(image, TextureOptions::LINEAR),
+            None => self.texture = Some(context.load_texture("bodies", image, TextureOptions::LINEAR)),
+        }
+        Some(())
+    }
+}
+
+fn palette(editor: &Editor) -> Palette {
+    if editor.settings.is_dark {
+        Palette::NIGHT
+    } else {
+        Palette::TEXTBOOK
+    }
+}
+
+fn color([red, green, blue, _]: [u8; 4]) -> Color32 {
+    Color32::from_rgb(red, green, blue)
+}
+

@@ -1,0 +1,351 @@
+//! Where everything is seen: a model with the poses of its links.
+
+use super::Item;
+use super::placement::placed;
+use mech_compiler::model::{AxisId, Between, AxisKind, JointId, JointKind, LinkId, Model};
+
+/// A pose: cosine, sine, x and y.
+pub(crate) type Pose = [f64; 4];
+
+/// The pose of the scene itself.
+pub(crate) const SCENE: Pose = [1.0, 0.0, 0.0, 0.0];
+
+/// A mechanism as it is drawn, whether or not it moves.
+#[derive(Clone, Debug)]
+pub struct Drawing {
+    pub(crate) model: Model,
+    /// The pose of each link.
+    poses: Vec<Pose>,
+}
+
+/// A place that can be taken hold of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Handle {
+    /// What is there.
+    pub item: Item,
+    /// Where, in the scene.
+    pub place: [f64; 2],
+    /// What it looks like.
+    pub kind: HandleKind,
+}
+
+/// What a handle looks like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HandleKind {
+    /// A joint that turns.
+    Pin,
+    /// A joint that slides.
+    Slide,
+    /// A joint that welds.
+    Weld,
+    /// A point without a joint.
+    Point,
+    /// A line without a joint.
+    Line,
+}
+
+/// What is at a place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Hit {
+    /// A joint.
+    Joint(JointId),
+    /// A point or a line that no joint has.
+    Axis(AxisId),
+    /// The body of a link.
+    Link(LinkId),
+    /// Nothing: the paper.
+    Paper,
+}
+
+impl Drawing {
+    /// A mechanism whose links have these poses, as far as these are known. The others are put where their joints want them.
+    pub(crate) fn new(model: Model, known: Vec<Option<Pose>>) -> Self {
+        let poses = placed(&model, known);
+        Self { model, poses }
+    }
+
+    /// Puts links where they are known to be.
+    pub(crate) fn set_poses(&mut self, known: Vec<Option<Pose>>) {
+        for (pose, known) in self.poses.iter_mut().zip(known) {
+            if let Some(known) = known {
+                *pose = known;
+            }
+        }
+    }
+
+    /// Whether something is there.
+    pub(crate) fn has(&self, item: &Item) -> bool {
+        match item {
+            Item::Link(name) => self.link(name).is_some(),
+            Item::Joint(name) => self.joint(name).is_some(),
+            Item::Axis(path) => self.axis(path).is_some(),
+            Item::Action(name) => {
+                let actions = &self.model.actions;
+                let springs = actions.springs.iter().map(|one| &one.name);
+                let dampers = actions.dampers.iter().map(|one| &one.name);
+                let loads = actions.loads.iter().map(|one| &one.name);
+                springs.chain(dampers).chain(loads).any(|one| one == name)
+            }
+        }
+    }
+
+    /// The pose of a link.
+    pub(crate) fn pose(&self, link: LinkId) -> Pose {
+        self.poses.get(link.index()).copied().unwrap_or(SCENE)
+    }
+
+    /// Whether coordinates of a link are those of the scene.
+    pub(crate) fn is_in_scene(&self, link: LinkId) -> bool {
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-9;
+        self.pose(link).iter().zip(&SCENE).all(near)
+    }
+
+    /// Where an axis is in the scene.
+    pub(crate) fn place(&self, axis: AxisId) -> [f64; 2] {
+        let axis = self.model.axis(axis);
+        apply(self.pose(axis.link), axis.at)
+    }
+
+    /// The direction of an axis in the scene.
+    pub(crate) fn direction(&self, axis: AxisId) -> [f64; 2] {
+        let axis = self.model.axis(axis);
+        let [cos, sin, ..] = self.pose(axis.link);
+        apply([cos, sin, 0.0, 0.0], axis.direction)
+    }
+
+    /// A place of the scene in the frame of a link.
+    pub(crate) fn in_frame(&self, link: LinkId, place: [f64; 2]) -> [f64; 2] {
+        relative(self.pose(link), place)
+    }
+
+    /// The link of this name.
+    pub(crate) fn link(&self, name: &str) -> Option<LinkId> {
+        let mut links = self.model.link_ids();
+        let is_it = |link: &LinkId| {
+            let link = self.model.link(*link);
+            link.die.is_none() && link.name == name
+        };
+        links.find(is_it)
+    }
+
+    /// The joint of this name that is shown.
+    pub(crate) fn joint(&self, name: &str) -> Option<JointId> {
+        let is_it = |id: &JointId| self.model.joint(*id).name == name;
+        self.model.declared_joints().find(is_it)
+    }
+
+    /// The path of an axis that has a name.
+    pub(crate) fn path(&self, axis: AxisId) -> Option<String> {
+        let axis = self.model.axis(axis);
+        let name = axis.name.as_ref()?;
+        Some(format!("{}.{name}", self.model.owner_of(axis)))
+    }
+
+    /// The axis of this path.
+    pub(crate) fn axis(&self, path: &str) -> Option<AxisId> {
+        let mut axes = (0..self.model.axes.len()).map(AxisId::new);
+        axes.find(|axis| self.path(*axis).as_deref() == Some(path))
+    }
+
+    /// The axis by which a joint is seen, and moved: the one on the link that is nearer to the ground.
+    pub(crate) fn axis_of_joint(&self, joint: JointId) -> Option<AxisId> {
+        let [a, b] = self.model.joint(joint).kind.axes()?;
+        // A slot is seen where its pin is.
+        let is_slot = self.model.link(self.model.axis(b).link).die.is_some();
+        Some(self.model.seen_axis(if is_slot { b } else { a }))
+    }
+
+    /// What has to be moved so that a joint comes to another place: the joint itself, if it was placed in the drawing, or else its point.
+    pub(crate) fn mover_of_joint(&self, joint: JointId) -> Option<(String, LinkId)> {
+        let axis = self.axis_of_joint(joint)?;
+        let link = self.model.axis(axis).link;
+        let own = || self.model.joint(joint).name.clone();
+        Some((self.path(axis).unwrap_or_else(own), link))
+    }
+
+    /// All that can be taken hold of, joints first.
+    pub fn handles(&self) -> Vec<Handle> {
+        let mut found = Vec::new();
+        for joint in self.model.declared_joints() {
+            let kind = match self.model.joint(joint).kind {
+                JointKind::Revolute(..) => HandleKind::Pin,
+                JointKind::Prismatic(..) => HandleKind::Slide,
+                JointKind::Weld(..) => HandleKind::Weld,
+                _ => continue,
+            };
+            if let Some(axis) = self.axis_of_joint(joint) {
+                found.push(Handle {
+                    item: Item::Joint(self.model.joint(joint).name.clone()),
+                    place: self.place(axis),
+                    kind,
+                });
+            }
+        }
+        for axis in self.loose_axes() {
+            if let Some(path) = self.path(axis) {
+                let kind = match self.model.axis(axis).kind {
+                    AxisKind::Point => HandleKind::Point,
+                    AxisKind::Line => HandleKind::Line,
+                };
+                found.push(Handle {
+                    item: Item::Axis(path),
+                    place: self.place(axis),
+                    kind,
+                });
+            }
+        }
+        found
+    }
+
+    /// The points and lines that no joint has.
+    fn loose_axes(&self) -> impl Iterator<Item = AxisId> {
+        let mut is_used = vec![false; self.model.axes.len()];
+        for joint in &self.model.joints {
+            for axis in joint.kind.axes().into_iter().flatten() {
+                is_used[axis.index()] = true;
+                is_used[self.model.seen_axis(axis).index()] = true;
+            }
+        }
+        let all = is_used.into_iter().enumerate();
+        all.filter_map(|(index, used)| (!used).then(|| AxisId::new(index)))
+    }
+
+    /// Whether a joint has a motor.
+    pub(crate) fn has_motor(&self, name: &str) -> bool {
+        let joint = self.joint(name);
+        joint.is_some_and(|joint| self.model.motor_of(joint).is_some())
+    }
+
+    /// What is drawn at a place, no farther away than `reach`.
+    pub(crate) fn item_at(&self, place: [f64; 2], reach: f64) -> Option<Item> {
+        for (name, [from, to]) in self.actions() {
+            if distance_to_bar(place, from, to) <= reach {
+                return Some(Item::Action(name.to_owned()));
+            }
+        }
+        match self.hit(place, reach) {
+            Hit::Joint(joint) => Some(Item::Joint(self.model.joint(joint).name.clone())),
+            Hit::Axis(axis) => self.path(axis).map(Item::Axis),
+            Hit::Link(link) => Some(Item::Link(self.model.link(link).name.clone())),
+            Hit::Paper => None,
+        }
+    }
+
+    /// The springs and dampers that go from a place to another, by their names.
+    pub(crate) fn actions(&self) -> impl Iterator<Item = (&str, [[f64; 2]; 2])> {
+        let actions = &self.model.actions;
+        let springs = actions.springs.iter().map(|one| (&*one.name, one.between));
+        let dampers = actions.dampers.iter().map(|one| (&*one.name, one.between));
+        springs.chain(dampers).filter_map(|(name, between)| match between {
+            Between::Points(a, b) => Some((name, [self.place(a), self.place(b)])),
+            Between::Joint(_) => None,
+        })
+    }
+
+    /// What is at a place, no farther away than `reach`.
+    pub(crate) fn hit(&self, place: [f64; 2], reach: f64) -> Hit {
+        let away = |other: [f64; 2]| distance(place, other);
+        let joints = self.model.declared_joints().filter_map(|joint| {
+            let axis = self.axis_of_joint(joint)?;
+            Some((away(self.place(axis)), Hit::Joint(joint)))
+        });
+        let axes = self.loose_axes().filter(|axis| self.path(*axis).is_some());
+        let axes = axes.map(|axis| (away(self.place(axis)), Hit::Axis(axis)));
+        let near = joints
+            .chain(axes)
+            .filter(|(away, _)| *away <= reach)
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((_, hit)) = near {
+            return hit;
+        }
+        let links = self.model.declared_links();
+        let links = links.map(|link| (self.distance_to(link, place), link));
+        let link = links
+            .filter(|(away, _)| *away <= reach)
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        link.map_or(Hit::Paper, |(_, link)| Hit::Link(link))
+    }
+
+    /// How far a place is from the bars of a link, or from its wheel.
+    fn distance_to(&self, link: LinkId, place: [f64; 2]) -> f64 {
+        let places = self.places_on(link);
+        let mut least = f64::INFINITY;
+        for (index, from) in places.iter().enumerate() {
+            for to in &places[index..] {
+                least = least.min(distance_to_bar(place, *from, *to));
+            }
+        }
+        if let Some((center, radius)) = self.wheel(link) {
+            least = least.min((distance(place, center) - radius).max(0.0));
+        }
+        least
+    }
+
+    /// Where the axes of a link are in the scene.
+    pub(crate) fn places_on(&self, link: LinkId) -> Vec<[f64; 2]> {
+        let all = (0..self.model.axes.len()).map(AxisId::new);
+        let own = all.filter(|axis| self.model.axis(*axis).link == link);
+        own.map(|axis| self.place(axis)).collect()
+    }
+
+    /// The pitch circle of a link that rolls on another, about a pivot.
+    pub(crate) fn wheel(&self, link: LinkId) -> Option<([f64; 2], f64)> {
+        self.model.joints.iter().find_map(|joint| {
+            let (JointKind::Gear { a, b, ratio, .. } | JointKind::Belt { a, b, ratio, .. }) =
+                joint.kind
+            else {
+                return None;
+            };
+            let index = [a, b].into_iter().position(|wheel| wheel == link)?;
+            let centers = [self.pivot(a)?, self.pivot(b)?];
+            let apart = distance(centers[0], centers[1]);
+            let radii = match joint.kind {
+                JointKind::Gear { .. } => ratio.pitch_radii(apart),
+                _ => ratio.pulley_radii(apart),
+            };
+            Some((centers[index], radii[index]))
+        })
+    }
+
+    /// Where a link turns: its first joint that does.
+    pub(crate) fn pivot(&self, link: LinkId) -> Option<[f64; 2]> {
+        self.model.declared_joints().find_map(|joint| {
+            let JointKind::Revolute(a, b) = self.model.joint(joint).kind else {
+                return None;
+            };
+            let of_link = |axis: AxisId| self.model.axis(axis).link == link;
+            (of_link(a) || of_link(b)).then(|| self.place(a))
+        })
+    }
+}
+
+/// A place in the frame of a pose, in the scene.
+pub(crate) fn apply([cos, sin, left, up]: Pose, [x, y]: [f64; 2]) -> [f64; 2] {
+    [left + cos * x - sin * y, up + sin * x + cos * y]
+}
+
+/// A place of the scene in the frame of a pose.
+pub(crate) fn relative([cos, sin, left, up]: Pose, [x, y]: [f64; 2]) -> [f64; 2] {
+    let [x, y] = [x - left, y - up];
+    [cos * x + sin * y, cos * y - sin * x]
+}
+
+pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// How far a place is from the stretch between two others.
+fn distance_to_bar(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let square = along[0] * along[0] + along[1] * along[1];
+    let part = if square > 0.0 {
+        let inner = (place[0] - from[0]) * along[0] + (place[1] - from[1]) * along[1];
+        (inner / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    distance(
+        place,
+        [from[0] + part * along[0], from[1] + part * along[1]],
+    )
+}

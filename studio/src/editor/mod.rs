@@ -1,0 +1,50 @@
+//! The studio: mechanisms are drawn, mended and played in a window, natively or in a browser.
+//!
+//! An [`Editor`] is the whole state; it knows no window and no clock. The text is its only document: what the user does becomes a
+//! [`Gesture`] of commands, whose replacements are tried before they are accepted. A worker analyses beside the window. [`Studio`] shows
+//! the editor by egui; every handle in the drawing is an accessible node, so that tests and screen readers find what the mouse does.
+
+mod action;
+mod canvas;
+mod dragging;
+mod drawing;
+mod gesture;
+mod ghost;
+mod item;
+mod journal;
+mod names;
+mod panel;
+mod path;
+mod placement;
+mod range;
+mod settings;
+mod snap;
+mod snapshot;
+mod state;
+mod studio;
+mod tool;
+mod touch;
+mod worker;
+
+pub use drawing::{Drawing, Handle, HandleKind};
+pub use gesture::Gesture;
+pub use item::Item;
+pub use state::{Editor, Notice};
+pub use studio::Studio;
+pub use tool::Tool;
+
+/// The box in which something is seen: of the drawing, or of what may become one.
+fn bounds_of(drawing: Option<&Drawing>) -> [[f64; 2]; 2] {
+    const EMPTY: [[f64; 2]; 2] = [[-5.0, -4.0], [5.0, 4.0]];
+    let places = drawing.into_iter().flat_map(Drawing::handles);
+    let bounds = places.fold(None, |bounds: Option<[[f64; 2]; 2]>, handle| {
+        let [x, y] = handle.place;
+        let [low, high] = bounds.unwrap_or([[x, y]; 2]);
+        Some([[low[0].min(x), low[1].min(y)], [high[0].max(x), high[1].max(y)]])
+    });
+    match bounds {
+        Some([low, high]) if low[0] < high[0] || low[1] < high[1] => [low, high],
+        Some([[x, y], _]) => [[x - 5.0, y - 4.0], [x + 5.0, y + 4.0]],
+        None => EMPTY,
+    }
+}

@@ -1,0 +1,103 @@
+//! The line in which commands are typed, and what is told.
+
+use crate::dialogue::complete;
+use crate::editor::Editor;
+use eframe::egui;
+
+/// The line in which commands are typed.
+#[derive(Debug, Default)]
+pub(in crate::editor) struct Line {
+    text: String,
+    /// How many lines ago the one was typed that is shown; 0 is the present one.
+    back: usize,
+    shows_journal: bool,
+}
+
+impl Line {
+    /// The line, what is told, and everything that was said so far, if that is wanted.
+    pub(in crate::editor) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
+        if self.shows_journal {
+            egui::ScrollArea::vertical()
+                .max_height(180.0)
+                .stick_to_bottom(true)
+                .auto_shrink([false, true])
+                .show(ui, |ui| ui.monospace(&editor.journal.text));
+        }
+        ui.horizontal(|ui| {
+            ui.toggle_value(&mut self.shows_journal, "Journal")
+                .on_hover_text("shows what was said so far");
+            let label = ui.label("Line");
+            let edit = egui::TextEdit::singleline(&mut self.text)
+                .hint_text("motor a, undo, help …")
+                .desired_width(220.0)
+                .lock_focus(true)
+                .font(egui::TextStyle::Monospace);
+            let response = ui.add(edit).labelled_by(label.id);
+            let has_key = |key| response.has_focus() && ui.input(|input| input.key_pressed(key));
+            if has_key(egui::Key::ArrowUp) {
+                self.recall(editor, self.back + 1);
+            } else if has_key(egui::Key::ArrowDown) {
+                self.recall(editor, self.back.saturating_sub(1));
+            } else if has_key(egui::Key::Tab) {
+                self.complete(editor);
+            }
+            if response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter)) {
+                let line = std::mem::take(&mut self.text);
+                self.back = 0;
+                if !line.trim().is_empty() {
+                    editor.say(&line);
+                }
+                response.request_focus();
+            }
+            self.told(editor, ui);
+        });
+    }
+
+    /// What is told; while a tool is used, what has to be picked.
+    fn told(&self, editor: &Editor, ui: &mut egui::Ui) {
+        if let Some(notice) = &editor.notice {
+            let first = notice.text.lines().next().unwrap_or_default();
+            let text = if notice.is_refusal {
+                egui::RichText::new(first).color(ui.visuals().error_fg_color)
+            } else {
+                egui::RichText::new(first)
+            };
+            ui.add(egui::Label::new(text).truncate());
+        } else if let Some(wanted) = editor.tool.picks().get(editor.picks.len()) {
+            ui.add(egui::Label::new(format!("{}: pick {wanted}", editor.tool.name())).truncate());
+        } else if let Some(player) = editor.player() {
+            ui.add(egui::Label::new(player.status()).truncate());
+        }
+    }
+
+    fn recall(&mut self, editor: &Editor, back: usize) {
+        let lines = &editor.journal.lines;
+        self.back = back.min(lines.len());
+        self.text = match self.back {
+            0 => String::new(),
+            back => lines[lines.len() - back].clone(),
+        };
+    }
+
+    /// Completes the last word as far as all that fits agrees.
+    fn complete(&mut self, editor: &Editor) {
+        let (start, words) = complete(&self.text, &editor.snapshot.listing);
+        let Some(first) = words.first() else {
+            return;
+        };
+        let shared = words.iter().fold(first.as_str(), |shared, word| {
+            let same = shared.char_indices().zip(word.chars());
+            let end = same.into_iter().find(|((_, a), b)| a != b);
+            match end {
+                Some(((at, _), _)) => &shared[..at],
+                None if word.len() < shared.len() => &shared[..word.len()],
+                None => shared,
+            }
+        });
+        self.text.truncate(start);
+        self.text.push_str(shared);
+        if words.len() == 1 {
+            self.text.push(' ');
+        }
+    }
+}

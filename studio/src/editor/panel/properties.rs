@@ -1,0 +1,148 @@
+//! The numbers of what is selected.
+
+use crate::edit::{Command, Kind};
+use crate::editor::{Editor, Gesture, Item};
+use eframe::egui;
+use std::collections::BTreeMap;
+
+/// What is typed into a field until it is taken over.
+type Typed = BTreeMap<String, String>;
+
+/// The numbers of what is selected, with what can be done to it.
+pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
+    let selected: Vec<Item> = editor.selection.iter().cloned().collect();
+    if selected.is_empty() {
+        ui.weak("Nothing is selected. Click a link, a joint or a point.");
+        whole(editor, ui);
+        return;
+    }
+    let mut gestures: Vec<Gesture> = Vec::new();
+    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        for item in &selected {
+            ui.heading(item.to_string());
+            buttons(editor, item, ui, &mut gestures);
+            numbers(editor, item.name(), ui, &mut gestures);
+            ui.separator();
+        }
+    });
+    for gesture in gestures {
+        editor.perform(gesture);
+    }
+}
+
+/// What is said of the whole mechanism.
+fn whole(editor: &mut Editor, ui: &mut egui::Ui) {
+    let mut gestures = Vec::new();
+    ui.separator();
+    let constants: Vec<String> = editor.snapshot.listing.constants().map(ToOwned::to_owned).collect();
+    for constant in constants {
+        ui.label(&constant);
+        numbers(editor, &constant, ui, &mut gestures);
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Look");
+        for look in ["machine", "diagram", "none"] {
+            if ui.button(look).clicked() {
+                gestures.push(Command::Setting { statement: format!("look {look}") }.into());
+            }
+        }
+    });
+    for gesture in gestures {
+        editor.perform(gesture);
+    }
+}
+
+/// What can be done to something.
+fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, gestures: &mut Vec<Gesture>) {
+    let name = item.name().to_owned();
+    ui.horizontal_wrapped(|ui| {
+        let (kind, word) = match item {
+            Item::Link(_) => (Kind::Link, "link"),
+            Item::Joint(_) => (Kind::Joint, "joint"),
+            Item::Axis(_) => (Kind::Axis, "point"),
+            Item::Action(_) => (Kind::Action, "action"),
+        };
+        if ui.button("Delete").on_hover_text(format!("removes the {word}")).clicked() {
+            gestures.push(Command::Remove { kind, name: name.clone() }.into());
+        }
+        match item {
+            Item::Link(_) => {
+                if ui.button("Mirror").on_hover_text("mirrors what is fixed to it").clicked() {
+                    gestures.push(Command::Mirror { name: name.clone() }.into());
+                }
+                if ui.button("Duplicate").on_hover_text("declares it once more").clicked() {
+                    gestures.push(editor.duplicate(&name));
+                }
+            }
+            Item::Joint(_) => {
+                let has_motor = editor.drawing().is_some_and(|drawing| drawing.has_motor(&name));
+                if has_motor {
+                    if ui.button("Take the motor away").clicked() {
+                        gestures.push(Command::Remove { kind: Kind::Motor, name: name.clone() }.into());
+                    }
+                } else if ui.button("Put a motor on it").clicked() {
+                    gestures.push(
+                        Command::Motor { joint: name.clone(), law: None, range: None, step: None }.into(),
+                    );
+                }
+            }
+            Item::Axis(_) => {
+                if ui.button("Trace").on_hover_text("records its path").clicked() {
+                    gestures.push(Command::Trace { point: name.clone(), length: "256".to_owned() }.into());
+                }
+            }
+            Item::Action(_) => {}
+        }
+    });
+    let last = name.rsplit('.').next().unwrap_or_default().to_owned();
+    field(ui, &format!("name of {name}"), "name", &last, |typed| {
+        gestures.push(Command::Rename { path: name.clone(), name: typed }.into());
+    });
+}
+
+/// The numbers of something, each as it stands in the text.
+fn numbers(editor: &Editor, owner: &str, ui: &mut egui::Ui, gestures: &mut Vec<Gesture>) {
+    let text = editor.snapshot.document.source().text();
+    let numbers = editor.snapshot.listing.numbers_of(owner);
+    let numbers: Vec<(String, String)> = numbers
+        .filter(|one| !one.is_pair)
+        .filter_map(|one| Some((one.role.clone(), text.get(one.place.clone())?.to_owned())))
+        .collect();
+    for (role, value) in numbers {
+        field(ui, &format!("{role} of {owner}"), &role, &value, |typed| {
+            gestures.push(
+                Command::Set { owner: owner.to_owned(), role: role.clone(), value: typed }.into(),
+            );
+        });
+    }
+}
+
+/// A field whose text is taken over when it is left.
+fn field(ui: &mut egui::Ui, label: &str, shown: &str, value: &str, done: impl FnOnce(String)) {
+    let id = ui.make_persistent_id(("field", label));
+    ui.horizontal(|ui| {
+        ui.add_sized([110.0, 18.0], egui::Label::new(shown).truncate());
+        let typed = ui.data(|data| data.get_temp::<Typed>(id)).unwrap_or_default();
+        let mut text = typed.get(label).cloned().unwrap_or_else(|| value.to_owned());
+        let edit = egui::TextEdit::singleline(&mut text)
+            .id(id)
+            .desired_width(150.0)
+            .font(egui::TextStyle::Monospace);
+        let response = ui.add(edit);
+        response.widget_info(|| {
+            let mut info = egui::WidgetInfo::labeled(egui::Role::TextInput, true, label);
+            info.current_text_value = Some(text.clone());
+            info
+        });
+        if response.lost_focus() {
+            ui.data_mut(|data| data.remove::<Typed>(id));
+            let is_given_up = ui.input(|input| input.key_pressed(egui::Key::Escape));
+            if text != value && !is_given_up && !text.trim().is_empty() {
+                done(text);
+            }
+        } else if response.changed() {
+            let typed = Typed::from([(label.to_owned(), text)]);
+            ui.data_mut(|data| data.insert_temp(id, typed));
+        }
+    });
+}

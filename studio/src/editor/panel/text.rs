@@ -1,0 +1,176 @@
+//! The text, beside the drawing, both ways: what is under the mouse lights up in both.
+
+use crate::editor::{Editor, Item};
+use crate::text::{Kind, Lexer};
+use eframe::egui;
+use eframe::egui::text::{LayoutJob, TextFormat};
+use std::ops::Range;
+
+/// Ranges of the text that are marked.
+#[derive(Clone, Debug, Default)]
+struct Marks {
+    /// Where something is wrong.
+    wrong: Vec<Range<usize>>,
+    /// What belongs to the selection.
+    selected: Vec<Range<usize>>,
+    /// What belongs to what is under the mouse.
+    hovered: Vec<Range<usize>>,
+}
+
+/// The text, to be read and typed in.
+pub(in crate::editor) fn text(editor: &mut Editor, ui: &mut egui::Ui) {
+    let marks = Marks {
+        wrong: editor.snapshot.messages().iter().map(|message| message.place.clone()).collect(),
+        selected: editor.selection.iter().flat_map(|item| editor.places_of(item)).collect(),
+        hovered: editor.hovered.iter().flat_map(|item| editor.places_of(item)).collect(),
+    };
+    let shown = editor.shown_text();
+    let mut typed = shown.clone();
+    let is_dragged = editor.dragging.is_some();
+    let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, width: f32| {
+        let mut job = colored(buffer.as_str(), &marks, ui.visuals());
+        job.wrap.max_width = width;
+        ui.fonts_mut(|fonts| fonts.layout_job(job))
+    };
+    let mut under = None;
+    egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+        let label = ui.label(editor.workspace().path().display().to_string());
+        let output = egui::TextEdit::multiline(&mut typed)
+            .code_editor()
+            .desired_width(f32::INFINITY)
+            .desired_rows(24)
+            .interactive(!is_dragged)
+            .layouter(&mut layouter)
+            .show(ui);
+        let response = &output.response.response;
+        let response = response.clone().labelled_by(label.id);
+        response.widget_info(|| {
+            let mut info = egui::WidgetInfo::labeled(egui::Role::MultilineTextInput, true, "text of the mechanism");
+            info.current_text_value = Some(shown.clone());
+            info
+        });
+        if let Some(pointer) = response.hover_pos() {
+            let cursor = output.galley.cursor_from_pos(pointer - output.galley_pos);
+            under = Some(byte_of(&typed, cursor.index.0));
+        } else if let Some(range) = output.cursor_range.filter(|_| response.has_focus()) {
+            under = Some(byte_of(&typed, range.primary.index.0));
+        }
+    });
+    if typed != shown {
+        editor.type_text(&typed);
+    }
+    editor.under_text = under.and_then(|byte| editor.item_at(byte));
+}
+
+/// Where a character begins, in bytes.
+fn byte_of(text: &str, index: usize) -> usize {
+    text.char_indices().nth(index).map_or(text.len(), |(byte, _)| byte)
+}
+
+/// The text in colours.
+fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
+    let dark = visuals.dark_mode;
+    let pick = |by_day: [u8; 3], by_night: [u8; 3]| {
+        let [red, green, blue] = if dark { by_night } else { by_day };
+        egui::Color32::from_rgb(red, green, blue)
+    };
+    let mut job = LayoutJob::default();
+    let mut at = 0;
+    let mut add = |range: Range<usize>, color: egui::Color32| {
+        for piece in pieces(range, marks) {
+            let within = |all: &[Range<usize>]| all.iter().any(|one| one.start <= piece.start && piece.end <= one.end);
+            let mut format = TextFormat {
+                font_id: egui::FontId::monospace(13.0),
+                color,
+                ..TextFormat::default()
+            };
+            if within(&marks.hovered) {
+                format.background = pick([255, 225, 130], [110, 85, 10]);
+            } else if within(&marks.selected) {
+                format.background = pick([205, 228, 250], [30, 66, 100]);
+            }
+            if within(&marks.wrong) {
+                format.underline = egui::Stroke::new(2.0, visuals.error_fg_color);
+            }
+            job.append(&text[piece], 0.0, format);
+        }
+    };
+    let plain = visuals.text_color();
+    for lexeme in Lexer::new(text, 0) {
+        let range = lexeme.start..lexeme.end;
+        if range.start > at {
+            // Comments and spaces.
+            add(at..range.start, visuals.weak_text_color());
+        }
+        let color = match lexeme.kind {
+            Kind::Word if text[range.clone()].starts_with(|first: char| first.is_ascii_digit()) => {
+                pick([150, 60, 0], [240, 170, 110])
+            }
+            Kind::Word if is_keyword(&text[range.clone()]) => pick([20, 70, 150], [130, 180, 250]),
+            _ => plain,
+        };
+        add(range.clone(), color);
+        at = range.end;
+    }
+    add(at..text.len(), visuals.weak_text_color());
+    job
+}
+
+/// A range, cut where marks begin and end.
+fn pieces(range: Range<usize>, marks: &Marks) -> Vec<Range<usize>> {
+    let all = marks.wrong.iter().chain(&marks.selected).chain(&marks.hovered);
+    let mut cuts: Vec<usize> = all.flat_map(|mark| [mark.start, mark.end]).collect();
+    cuts.retain(|cut| range.start < *cut && *cut < range.end);
+    cuts.extend([range.start, range.end]);
+    cuts.sort_unstable();
+    cuts.dedup();
+    cuts.windows(2).map(|ends| ends[0]..ends[1]).collect()
+}
+
+/// Whether a word begins a statement, or stands in one for something fixed.
+fn is_keyword(word: &str) -> bool {
+    const KEYWORDS: [&str; 44] = [
+        "struct", "link", "ground", "point", "line", "joint", "motor", "const", "param", "start", "near", "at",
+        "along", "on", "plane", "color", "revolute", "prismatic", "slot", "weld", "gear", "belt", "rack", "cam",
+        "spring", "damper", "load", "mass", "inertia", "part", "port", "use", "look", "trace", "show", "effects",
+        "circle", "polygon", "radius", "deg", "method", "accuracy", "gravity", "allow",
+    ];
+    KEYWORDS.contains(&word)
+}
+
+impl Editor {
+    /// The text as it is seen: while something is dragged, with the numbers as they are there.
+    pub(in crate::editor) fn shown_text(&self) -> String {
+        let text = self.workspace().text();
+        let dragged = self.dragging.as_ref().and_then(|dragging| dragging.dragged.as_ref());
+        match dragged {
+            Some(dragged) => crate::text::written(text, &dragged.edits),
+            None => text.to_owned(),
+        }
+    }
+
+    /// Where something is named in the text, or where a number of it stands.
+    pub(in crate::editor) fn places_of(&self, item: &Item) -> Vec<Range<usize>> {
+        if self.dragging.is_some() {
+            return Vec::new();
+        }
+        let listing = &self.snapshot.listing;
+        let name = item.name();
+        let names = listing.names.iter().filter(|one| one.part.is_none() && one.path == name);
+        let names = names.map(|one| one.place.clone());
+        let numbers = listing.numbers_of(name).map(|one| one.place.clone());
+        names.chain(numbers).collect()
+    }
+
+    /// What a place in the text is about.
+    fn item_at(&self, byte: usize) -> Option<Item> {
+        let drawing = self.drawing.as_ref()?;
+        let listing = &self.snapshot.listing;
+        let within = |place: &Range<usize>| place.start <= byte && byte <= place.end;
+        let number = listing.numbers.iter().find(|one| !one.is_pair && within(&one.place));
+        let name = listing.names.iter().find(|one| within(&one.place));
+        let path = number.map(|one| one.path()).or_else(|| name.map(|one| one.path.clone()))?;
+        let kinds = [Item::Joint, Item::Axis, Item::Link, Item::Action];
+        kinds.into_iter().map(|kind| kind(path.clone())).find(|item| drawing.has(item))
+    }
+}

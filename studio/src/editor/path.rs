@@ -1,0 +1,46 @@
+//! The whole paths of points, over the whole range of the first motor.
+
+use super::range::MotorRange;
+use mech_compiler::Compiled;
+use mech_compiler::evaluate::Machine;
+use mech_compiler::model::{AxisId, Model};
+
+/// How many places a path has.
+const PLACES: u32 = 180;
+
+/// A path in the scene: places that follow one another.
+pub(crate) type Path = Vec<[f64; 2]>;
+
+/// The paths of points over the whole range of the first motor, or of the time by laws. A path ends where the mechanism cannot go on.
+pub(crate) fn whole_paths(
+    model: &Model,
+    compiled: &Compiled,
+    ranges: &[MotorRange],
+    points: &[AxisId],
+) -> Vec<Path> {
+    let mut paths = vec![Path::new(); points.len()];
+    let Some(range) = ranges.first() else {
+        return paths;
+    };
+    let spots = points.iter().map(|point| {
+        let axis = model.axis(*point);
+        Some((compiled.program.place_of(axis.link)?, axis.at))
+    });
+    let spots: Vec<Option<(usize, [f64; 2])>> = spots.collect();
+    let mut machine = Machine::<f64>::new(&compiled.program);
+    let mut motors = machine.position().motors[..model.motors.len()].to_vec();
+    let [low, high] = range.ends;
+    for place in 0..=PLACES {
+        motors[0] = low + (high - low) * f64::from(place) / f64::from(PLACES);
+        if machine.move_to(&motors).is_err() {
+            continue;
+        }
+        for (path, spot) in paths.iter_mut().zip(&spots) {
+            if let Some((link, at)) = spot {
+                let pose = machine.position().poses[*link];
+                path.push(super::drawing::apply(pose, *at));
+            }
+        }
+    }
+    paths
+}

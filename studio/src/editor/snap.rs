@@ -1,0 +1,107 @@
+//! Where the pointer means.
+
+use super::drawing::{Drawing, Hit, distance};
+use super::tool::Pick;
+
+/// A place that the pointer means, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Snapped {
+    pub(super) pick: Pick,
+    /// Places with which it is aligned: lines to them are shown.
+    pub(super) guides: Vec<[f64; 2]>,
+}
+
+/// What there is to snap to, at a magnification.
+pub(super) struct Snapping<'d> {
+    pub(super) drawing: Option<&'d Drawing>,
+    /// Pixels in a scene unit.
+    pub(super) scale: f64,
+    /// Whether anything is snapped to.
+    pub(super) is_on: bool,
+    /// From where angles count, if they are to be multiples of 15 degrees.
+    pub(super) angles_from: Option<[f64; 2]>,
+    /// What is dragged, which does not snap to itself.
+    pub(super) without: Option<&'d super::Item>,
+}
+
+/// How near the pointer has to be, in pixels.
+pub(super) const REACH: f64 = 11.0;
+/// How near to an alignment.
+const ALIGNED: f64 = 6.0;
+/// The least distance of lines of the grid, in pixels.
+const APART: f64 = 12.0;
+
+impl Snapping<'_> {
+    /// The place that is meant by one under the pointer.
+    pub(super) fn snap(&self, place: [f64; 2]) -> Snapped {
+        let reach = REACH / self.scale;
+        let hit = self.drawing.map_or(Hit::Paper, |drawing| drawing.hit(place, reach));
+        if !self.is_on {
+            return Snapped {
+                pick: Pick { place, hit },
+                guides: Vec::new(),
+            };
+        }
+        if let Some(found) = self.handle(place, reach) {
+            return Snapped {
+                pick: Pick { place: found, hit },
+                guides: Vec::new(),
+            };
+        }
+        let (place, guides) = match self.angles_from {
+            Some(from) => (self.at_angle(from, place), vec![from]),
+            None => self.aligned(place),
+        };
+        Snapped {
+            pick: Pick { place, hit },
+            guides,
+        }
+    }
+
+    /// The handle that is near.
+    fn handle(&self, place: [f64; 2], reach: f64) -> Option<[f64; 2]> {
+        let handles = self.drawing?.handles().into_iter();
+        let others = handles.filter(|handle| Some(&handle.item) != self.without);
+        let near = others.map(|handle| (distance(handle.place, place), handle.place));
+        let near = near.filter(|(away, _)| *away <= reach);
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
+    }
+
+    /// A place on the grid, or aligned with handles.
+    fn aligned(&self, place: [f64; 2]) -> ([f64; 2], Vec<[f64; 2]>) {
+        let unit = grid(self.scale);
+        let mut found = place.map(|part| (part / unit).round() * unit + 0.0);
+        let mut guides = Vec::new();
+        let handles = self.drawing.map(Drawing::handles).unwrap_or_default();
+        let others = handles.iter().filter(|handle| Some(&handle.item) != self.without);
+        for part in 0..2 {
+            let away = |other: [f64; 2]| (other[part] - place[part]).abs();
+            let nearest = others.clone().map(|handle| handle.place);
+            let nearest = nearest.min_by(|a, b| away(*a).total_cmp(&away(*b)));
+            let own = (found[part] - place[part]).abs();
+            if let Some(nearest) = nearest.filter(|one| away(*one) <= (ALIGNED / self.scale).min(own + 1e-12)) {
+                found[part] = nearest[part];
+                guides.push(nearest);
+            }
+        }
+        (found, guides)
+    }
+
+    /// A place at a multiple of 15 degrees, and at a distance of the grid.
+    fn at_angle(&self, from: [f64; 2], place: [f64; 2]) -> [f64; 2] {
+        let unit = grid(self.scale);
+        let step = 15_f64.to_radians();
+        let [x, y] = [place[0] - from[0], place[1] - from[1]];
+        let angle = (y.atan2(x) / step).round() * step;
+        let length = (x.hypot(y) / unit).round() * unit;
+        [from[0] + length * angle.cos(), from[1] + length * angle.sin()]
+    }
+}
+
+/// The distance of the lines of the grid at a magnification: 1, 2 or 5 times a power of ten.
+pub(super) fn grid(scale: f64) -> f64 {
+    let least = APART / scale;
+    let power = 10_f64.powf(least.log10().floor());
+    let found = [1.0, 2.0, 5.0].map(|digit| digit * power);
+    found.into_iter().find(|unit| *unit >= least).unwrap_or(10.0 * power)
+}

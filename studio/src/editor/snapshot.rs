@@ -1,0 +1,142 @@
+//! What the compiler makes of a text.
+
+use super::drawing::{Drawing, Pose};
+use super::path::{Path, whole_paths};
+use super::range::{MotorRange, ranges};
+use crate::document::{Declaration, Document, Listing, Message, Reading};
+use crate::failure::Failure;
+use crate::mend::{Mending, mendings};
+use crate::play::Mechanism;
+use mech_compiler::Compiled;
+use mech_compiler::model::Model;
+use std::sync::Arc;
+
+/// What the compiler makes of a text.
+pub(crate) struct Snapshot {
+    /// The file with this text.
+    pub(crate) document: Document,
+    /// The number of the mechanism in it.
+    pub(crate) index: usize,
+    /// The mechanism, and what is wrong with it; none if the text has no mechanism.
+    pub(crate) reading: Option<Arc<Reading>>,
+    /// The names and numbers in the text.
+    pub(crate) listing: Listing,
+    /// What went wrong in the compiler itself.
+    pub(crate) failure: Option<Failure>,
+}
+
+impl Snapshot {
+    /// Reads and analyses a text.
+    pub(crate) fn of(document: Document, index: usize) -> Self {
+        let declaration = document.declarations().get(index);
+        let found = declaration.map(|declaration| read(&document, declaration));
+        let (reading, listing, failure) = match found {
+            None => (None, Listing::default(), None),
+            Some(Ok((reading, listing))) => (Some(Arc::new(reading)), listing, None),
+            Some(Err(failure)) => (None, Listing::default(), Some(failure)),
+        };
+        Self {
+            document,
+            index,
+            reading,
+            listing,
+            failure,
+        }
+    }
+
+    /// The same, where the mechanism was analysed already.
+    pub(crate) fn analysed(document: Document, index: usize, reading: Reading) -> Self {
+        let declaration = document.declarations().get(index);
+        let listing = declaration.map(|declaration| document.listing(declaration));
+        let (listing, failure) = match listing.transpose() {
+            Ok(listing) => (listing.flatten().unwrap_or_default(), None),
+            Err(failure) => (Listing::default(), Some(failure)),
+        };
+        Self {
+            document,
+            index,
+            reading: Some(Arc::new(reading)),
+            listing,
+            failure,
+        }
+    }
+
+    /// Whether the text says what a mechanism is, even one that does not move yet.
+    pub(crate) fn is_readable(&self) -> bool {
+        self.reading.as_ref().is_some_and(|reading| match &reading.result {
+            Ok(_) => true,
+            Err(faults) => !faults.diagnoses.is_empty(),
+        })
+    }
+
+    /// The compiled mechanism, if it moves.
+    pub(crate) fn compiled(&self) -> Option<&Compiled> {
+        self.reading.as_ref()?.result.as_deref().ok()
+    }
+
+    /// What is wrong, at its places.
+    pub(crate) fn messages(&self) -> &[Message] {
+        let faults = self.reading.as_ref().and_then(|reading| reading.result.as_ref().err());
+        faults.map_or(&[], |faults| &faults.messages)
+    }
+
+    /// The mechanism as it starts, or as its joints want it. Links that were seen before stay where they were, if it does not move, or if
+    /// it is not seen at the start.
+    pub(crate) fn drawing(&self, before: Option<&Drawing>, is_moved: bool) -> Option<Drawing> {
+        let reading = self.reading.as_ref()?;
+        let model = reading.model.clone();
+        let known = match &reading.result {
+            Ok(compiled) if !is_moved => starts(&reading.model, compiled),
+            _ => model
+                .link_ids()
+                .map(|link| {
+                    let before = before?;
+                    let name = &model.link(link).name;
+                    before.link(name).map(|link| before.pose(link))
+                })
+                .collect(),
+        };
+        Some(Drawing::new(model, known))
+    }
+
+    /// The mechanism to be played; none if it does not move.
+    pub(crate) fn played(&self) -> Option<Result<Played, Failure>> {
+        let compiled = self.compiled()?;
+        let model = &self.reading.as_ref()?.model;
+        Some(played(model, compiled))
+    }
+
+    /// The repairs of what is wrong, the likeliest first.
+    pub(crate) fn mendings(&self) -> Result<Vec<Mending>, Failure> {
+        match (self.document.declarations().get(self.index), &self.reading) {
+            (Some(declaration), Some(reading)) => mendings(&self.document, declaration, reading),
+            _ => Ok(Vec::new()),
+        }
+    }
+}
+
+/// A mechanism to be played, how far its motors go, and the whole paths of its traced points.
+pub(crate) type Played = (Mechanism, Vec<MotorRange>, Vec<Path>);
+
+fn played(model: &Model, compiled: &Compiled) -> Result<Played, Failure> {
+    let mechanism = Mechanism::new(model.clone(), compiled.clone())?;
+    let ranges = ranges(model, compiled)?;
+    let traced: Vec<_> = model.traces.iter().map(|trace| trace.point).collect();
+    let paths = whole_paths(model, compiled, &ranges, &traced);
+    Ok((mechanism, ranges, paths))
+}
+
+fn read(document: &Document, declaration: &Declaration) -> Result<(Reading, Listing), Failure> {
+    let reading = document.analyse(declaration)?;
+    let listing = document.listing(declaration)?.unwrap_or_default();
+    Ok((reading, listing))
+}
+
+/// The poses of all links at the start, as far as they are shown.
+fn starts(model: &Model, compiled: &Compiled) -> Vec<Option<Pose>> {
+    let start = &compiled.program.start.poses;
+    let links = model.link_ids();
+    links
+        .map(|link| start.get(compiled.program.place_of(link)?).copied())
+        .collect()
+}

@@ -1,0 +1,96 @@
+//! The editor in a window of egui.
+
+use super::Editor;
+use super::action;
+use super::canvas::Canvas;
+use super::panel::{self, Panel};
+use eframe::egui;
+
+/// The editor in a window of egui.
+pub struct Studio {
+    editor: Editor,
+    canvas: Canvas,
+    line: panel::Line,
+    plots: panel::Plots,
+}
+
+/// Below this width the window is that of a telephone: tools stand above the drawing, panels below it.
+const NARROW: f32 = 720.0;
+
+impl Studio {
+    /// Shows an editor.
+    #[must_use]
+    pub fn new(editor: Editor) -> Self {
+        Self {
+            editor,
+            canvas: Canvas::default(),
+            line: panel::Line::default(),
+            plots: panel::Plots::default(),
+        }
+    }
+
+    /// The editor that is shown.
+    #[must_use]
+    pub const fn editor(&self) -> &Editor {
+        &self.editor
+    }
+
+    /// The editor that is shown, to be told what to do.
+    pub const fn editor_mut(&mut self) -> &mut Editor {
+        &mut self.editor
+    }
+
+    /// Shows everything, and takes what the user does.
+    pub fn show(&mut self, ui: &mut egui::Ui) {
+        let editor = &mut self.editor;
+        editor.look();
+        let context = ui.ctx().clone();
+        editor.advance(f64::from(context.input(|input| input.stable_dt.min(0.1))));
+        if editor.player().is_some_and(crate::play::Player::plays) {
+            context.request_repaint();
+        }
+        action::obey_keys(editor, &context);
+        let is_narrow = ui.available_width() < NARROW;
+        egui::Panel::top("menu").show(ui, |ui| action::menu(editor, ui));
+        egui::Panel::bottom("line").show(ui, |ui| self.line.show(editor, ui));
+        egui::Panel::bottom("play").show(ui, |ui| panel::play(editor, ui));
+        if is_narrow {
+            egui::Panel::top("tools").show(ui, |ui| panel::tools(editor, ui, true));
+            egui::Panel::bottom("panel")
+                .resizable(true)
+                .default_size(220.0)
+                .show(ui, |ui| Self::panel(editor, &mut self.plots, ui));
+        } else {
+            egui::Panel::left("tools")
+                .resizable(false)
+                .show(ui, |ui| panel::tools(editor, ui, false));
+            egui::Panel::right("panel")
+                .resizable(true)
+                .default_size(380.0)
+                .show(ui, |ui| Self::panel(editor, &mut self.plots, ui));
+        }
+        egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
+        action::dialogs(editor, &context);
+    }
+
+    fn panel(editor: &mut Editor, plots: &mut panel::Plots, ui: &mut egui::Ui) {
+        panel::tabs(editor, ui);
+        ui.separator();
+        match editor.settings.panel {
+            Some(Panel::Text) => panel::text(editor, ui),
+            Some(Panel::Properties) => panel::properties(editor, ui),
+            Some(Panel::Diagnoses) => panel::diagnoses(editor, ui),
+            Some(Panel::Plots) => plots.show(editor, ui),
+            Some(Panel::Report) => panel::report(editor, ui),
+            Some(Panel::Steps) => panel::steps(editor, ui),
+            Some(Panel::Help) => panel::help(ui),
+            None => {}
+        }
+    }
+}
+
+impl eframe::App for Studio {
+    fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
+        self.show(ui);
+    }
+}

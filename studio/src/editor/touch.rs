@@ -1,0 +1,198 @@
+//! What the user does to what is seen: selecting, holding, dragging, copying.
+
+use super::dragging::Dragging;
+use super::drawing::Drawing;
+use super::ghost::Ghost;
+use super::names::Names;
+use super::path::Path;
+use super::{Editor, Gesture, Item};
+use crate::check::verdict_line;
+use crate::edit::Command;
+use crate::failure::Failure;
+use crate::play::Control;
+
+impl Editor {
+    /// What is seen: while something is dragged, the mechanism as it is then.
+    pub(super) fn seen_drawing(&self) -> Option<&Drawing> {
+        let preview = self.dragging.as_ref().and_then(|dragging| dragging.preview.as_ref());
+        preview.or(self.drawing.as_ref())
+    }
+
+    /// The whole paths of traced points, as they are known.
+    pub(super) fn seen_paths(&self) -> &[Path] {
+        &self.paths
+    }
+
+    /// Whether the bodies of links are seen, and not the schematic.
+    pub(super) fn shows_bodies(&self) -> bool {
+        let is_dragged = self.dragging.as_ref().is_some_and(|dragging| dragging.preview.is_some());
+        self.settings.shows_bodies && self.player.is_some() && !is_dragged
+    }
+
+    /// Whether the mechanism moves, in a line.
+    pub(super) fn verdict(&self) -> String {
+        match (&self.snapshot.reading, self.snapshot.compiled()) {
+            (Some(reading), Some(compiled)) => verdict_line(&reading.model, compiled),
+            (Some(_), None) => {
+                let first = self.snapshot.messages().first();
+                let line = first.and_then(|message| message.text.lines().next());
+                format!("not yet: {}", line.unwrap_or_default())
+            }
+            (None, _) => "Draw a bar, or open a file.".to_owned(),
+        }
+    }
+
+    /// Selects something, or adds it to what is selected, or takes it out of that.
+    pub fn select(&mut self, item: Option<Item>, adds: bool) {
+        match item {
+            Some(item) if adds => {
+                if !self.selection.remove(&item) {
+                    self.selection.insert(item);
+                }
+            }
+            Some(item) => self.selection = [item].into(),
+            None if adds => {}
+            None => self.selection.clear(),
+        }
+    }
+
+    /// Selects all links.
+    pub(super) fn select_all(&mut self) {
+        if let Some(drawing) = &self.drawing {
+            let links = drawing.model.declared_links();
+            let links = links.map(|link| Item::Link(drawing.model.link(link).name.clone()));
+            self.selection = links.collect();
+        }
+    }
+
+    /// Selects all handles within a frame with these corners.
+    pub(super) fn select_within(&mut self, [a, b]: [[f64; 2]; 2]) {
+        let handles = self.seen_drawing().map(Drawing::handles).unwrap_or_default();
+        let is_within = |place: [f64; 2]| {
+            (0..2).all(|part| (a[part].min(b[part])..=a[part].max(b[part])).contains(&place[part]))
+        };
+        let inside = handles.into_iter().filter(|handle| is_within(handle.place));
+        self.selection.extend(inside.map(|handle| handle.item));
+    }
+
+    /// Takes hold of the link under a pixel of the canvas, so that it follows the pointer.
+    pub(super) fn hold(&mut self, pixel: [f64; 2]) {
+        if let Some(player) = &mut self.player {
+            player.look(&self.camera);
+        }
+        self.obey(Control::Press(pixel));
+    }
+
+    /// Takes hold of a joint or a point, to put it elsewhere.
+    pub fn begin_drag(&mut self, item: &Item) {
+        let Some(drawing) = &self.drawing else {
+            return;
+        };
+        if let Some(player) = &mut self.player
+            && player.plays()
+        {
+            player.obey(Control::PlayOrPause);
+        }
+        let document = self.session.workspace.document();
+        let begun = Dragging::begin(&document, self.session.workspace.index(), drawing, item, self.seen_at());
+        match begun {
+            Ok(dragging) => self.dragging = Some(dragging),
+            Err(refusal) => self.refuse(refusal),
+        }
+    }
+
+    /// Moves what is dragged to a place of the scene.
+    pub fn drag_to(&mut self, place: [f64; 2]) {
+        let Some(dragging) = &mut self.dragging else {
+            return;
+        };
+        dragging.move_to(place);
+        if let Some(refusal) = &dragging.refusal {
+            let why = refusal.to_string();
+            self.refuse(why);
+        } else {
+            let notes = dragging.dragged.as_ref().map(|dragged| dragged.notes.join("; "));
+            let [x, y] = place.map(|part| crate::text::shortest(part, 1e-6));
+            let told = format!("{} to ({x}, {y}) {}", dragging.item, notes.unwrap_or_default());
+            self.tell(told);
+        }
+    }
+
+    /// Leaves what is dragged where it is, as one step.
+    pub fn end_drag(&mut self) {
+        let dragging = self.dragging.take();
+        if let Some(gesture) = dragging.and_then(|dragging| dragging.gesture()) {
+            self.perform(gesture);
+        }
+    }
+
+    /// What declares a link once more.
+    pub(super) fn duplicate(&self, name: &str) -> Gesture {
+        let mut names = Names::of(self.drawing.as_ref());
+        let word = name.trim_end_matches(|last: char| last.is_ascii_digit());
+        Command::Duplicate {
+            name: name.to_owned(),
+            copy: names.numbered(word),
+        }
+        .into()
+    }
+
+    /// Notes the selected links.
+    pub(super) fn copy(&mut self) {
+        let links = self.selection.iter().filter_map(|item| match item {
+            Item::Link(name) => Some(name.clone()),
+            _ => None,
+        });
+        self.copied = links.collect();
+        match self.copied.len() {
+            0 => self.refuse("links are copied; select one"),
+            count => self.tell(format!("copied {count} links")),
+        }
+    }
+
+    /// Declares the copied links once more.
+    pub(super) fn paste(&mut self) {
+        let mut names = Names::of(self.drawing.as_ref());
+        let copies = self.copied.iter().map(|name| Command::Duplicate {
+            name: name.clone(),
+            copy: names.numbered(name.trim_end_matches(|last: char| last.is_ascii_digit())),
+        });
+        let copies: Vec<Command> = copies.collect();
+        let copied = copies.iter().filter_map(|command| match command {
+            Command::Duplicate { copy, .. } => Some(Item::Link(copy.clone())),
+            _ => None,
+        });
+        self.selection = copied.collect();
+        if !copies.is_empty() {
+            self.perform(Gesture::new(format!("paste {} links", copies.len()), copies));
+        }
+    }
+
+    /// Whether the text may be left: it has no changes that are not written. If it may not, that is told.
+    pub(super) fn may_leave(&mut self) -> bool {
+        let may = !self.workspace().is_changed();
+        if !may {
+            self.refuse("the text has changes; save them, or undo them, first");
+        }
+        may
+    }
+
+    /// Tells why something could not be done.
+    pub(super) fn refuse_failed(&mut self, done: Result<(), Failure>) {
+        if let Err(failure) = done {
+            self.refuse(failure);
+        }
+    }
+
+    /// Shows what a repair would make of the mechanism, by its number from 1; or nothing any more.
+    pub(super) fn preview_mending(&mut self, number: Option<usize>) {
+        if self.ghost.as_ref().map(|ghost| ghost.number) == number {
+            return;
+        }
+        self.ghost = number.and_then(|number| {
+            let mending = self.mendings.get(number.checked_sub(1)?)?;
+            let document = self.snapshot.document.source();
+            Ghost::of(number, mending, document.path(), self.snapshot.index, self.drawing.as_ref())
+        });
+    }
+}
