@@ -4,6 +4,7 @@ use super::declare::{matter, unwritten};
 use super::{Change, Kind, Refusal, Scene};
 use crate::text::Statement;
 use mech_compiler::model::LinkId;
+use std::ops::Range;
 
 /// Takes something out, with what cannot be without it.
 pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Refusal> {
@@ -39,13 +40,17 @@ pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Re
         Kind::Axis => {
             refuse_used(scene, name)?;
             let (link, axis) = name.rsplit_once('.').ok_or_else(unknown)?;
-            let items = owner(&rewriter.statements, link)
-                .ok_or_else(unknown)?
-                .clauses();
+            let owner = owner(&rewriter.statements, link).ok_or_else(unknown)?;
+            let items = owner.clauses();
             let is_it =
                 |one: &&Statement<'_>| one.declares("point", axis) || one.declares("line", axis);
             let item = items.iter().find(is_it).ok_or_else(unknown)?;
-            rewriter.draft.remove(&item.range());
+            match emptied(scene.text(), &owner) {
+                Some(braces) if items.len() == 1 && link != "ground" => {
+                    rewriter.draft.replace(braces, ";");
+                }
+                _ => rewriter.draft.remove(&item.range()),
+            }
         }
         Kind::Constant => {
             refuse_used(scene, name)?;
@@ -86,6 +91,15 @@ pub(super) fn remove(scene: &Scene, kind: Kind, name: &str) -> Result<Change, Re
         return Err(unwritten());
     }
     Ok(change)
+}
+
+/// Where the braces of a link stand, with the space before them, if nothing but statements is within.
+fn emptied(text: &str, owner: &Statement<'_>) -> Option<Range<usize>> {
+    let (open, close) = (owner.find("{")?, owner.rfind("}")?);
+    let before = owner.place(open.checked_sub(1)?)?;
+    let braces = owner.place(open)?.start..owner.place(close)?.end;
+    let has_comment = text[braces.clone()].contains("//") || text[braces.clone()].contains("/*");
+    (!has_comment).then_some(before.end..braces.end)
 }
 
 /// The statement that declares what is fixed to a link, or to the ground.

@@ -63,7 +63,7 @@ const ACTIONS: &[Action] = &[
     },
     Action {
         menu: Menu::File,
-        name: "Open…",
+        name: "Open",
         help: "reads a file",
         key: with_command(Key::O),
         is_possible: ALWAYS,
@@ -86,7 +86,7 @@ const ACTIONS: &[Action] = &[
     },
     Action {
         menu: Menu::File,
-        name: "Save as…",
+        name: "Save as",
         help: "writes the text to a new file",
         key: Some(KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S)),
         is_possible: ALWAYS,

@@ -92,6 +92,7 @@ impl Editor {
     }
 
     fn with(workspace: Workspace, worker: Worker) -> Self {
+        let workspace_is_empty = workspace.text().trim().is_empty();
         let empty = Document::of(Source::new(workspace.path(), ""));
         let mut editor = Self {
             snapshot: Arc::new(Snapshot::of(empty, workspace.index())),
@@ -114,7 +115,10 @@ impl Editor {
             dragging: None,
             camera: Camera::new(bounds_of(None), SIZE),
             notice: None,
-            settings: Settings::default(),
+            settings: Settings {
+                has_begun: workspace_is_empty,
+                ..Settings::default()
+            },
             typed: None,
             copied: Vec::new(),
             hovered: None,
@@ -141,6 +145,12 @@ impl Editor {
     #[must_use]
     pub const fn player(&self) -> Option<&Player> {
         self.player.as_ref()
+    }
+
+    /// How the scene is seen.
+    #[must_use]
+    pub const fn camera(&self) -> &Camera {
+        &self.camera
     }
 
     /// What is selected.
@@ -510,7 +520,7 @@ impl Editor {
         let (settings, size) = (self.settings.clone(), self.camera.size());
         *self = Self::with(workspace, worker);
         self.settings = settings;
-        self.settings.has_begun = self.drawing.is_some();
+        self.settings.has_begun = true;
         self.camera.resize(size);
         self.fit();
     }

@@ -29,7 +29,7 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
             ui.separator();
         }
         if editor.is_mending {
-            ui.weak("Looking for repairs…");
+            ui.weak("Looking for repairs");
         }
         for (number, mending) in (1..).zip(&editor.mendings) {
             let note = match mending.remainder {

@@ -28,7 +28,7 @@ impl Line {
                 .on_hover_text("shows what was said so far");
             let label = ui.label("Line");
             let edit = egui::TextEdit::singleline(&mut self.text)
-                .hint_text("motor a, undo, help …")
+                .hint_text("motor a, undo, help")
                 .desired_width(220.0)
                 .lock_focus(true)
                 .font(egui::TextStyle::Monospace);

@@ -26,10 +26,10 @@ pub(in crate::editor) fn play(editor: &mut Editor, ui: &mut egui::Ui) {
                 control = Some(what);
             }
         };
-        button(ui, "⏮", "back to the start", Control::Reset);
-        button(ui, "◀ Step", "one step back", Control::Step(-1.0));
+        button(ui, "To start", "back to the start", Control::Reset);
+        button(ui, "Step back", "one step back", Control::Step(-1.0));
         button(ui, if plays { "Pause" } else { "Play" }, "plays, or pauses (Space)", Control::PlayOrPause);
-        button(ui, "Step ▶", "one step forward", Control::Step(1.0));
+        button(ui, "Step", "one step forward", Control::Step(1.0));
         button(ui, "Reverse", "plays the other way", Control::Reverse);
         button(ui, "Slower", "half as fast", Control::Slower);
         button(ui, "Faster", "twice as fast", Control::Faster);
@@ -55,7 +55,7 @@ fn motors(editor: &mut Editor, ui: &mut egui::Ui) {
     let mut next = false;
     for (motor, (range, value)) in editor.ranges.iter().zip(values).enumerate() {
         if driven == Selection::Motor(motor) {
-            ui.strong("▸");
+            ui.strong(">");
         }
         let shown = |value: f64| if range.turns { value.to_degrees() } else { value };
         let mut at = shown(value);
@@ -67,7 +67,9 @@ fn motors(editor: &mut Editor, ui: &mut egui::Ui) {
         let suffix = if range.turns { "°" } else { "" };
         let slider = egui::Slider::new(&mut at, low..=high)
             .suffix(suffix)
-            .max_decimals(2)
+            // Values that nobody has changed stay as they are.
+            .clamping(egui::SliderClamping::Edits)
+            .custom_formatter(|value, _| format!("{value:.1}"))
             .text(format!("motor {}", range.name));
         let response = ui.add(slider).on_hover_text(told(range));
         if response.changed() {
