@@ -10,6 +10,8 @@ use mech_compiler::plan::{self, Plan};
 pub struct Drag {
     scene: Scene,
     path: String,
+    /// What goes with it: other joints on the same pin.
+    others: Vec<String>,
     /// The values of motors at which it is seen, in degrees or scene units; none for the start.
     pose: Option<Vec<(String, f64)>>,
     renewal: Renewal,
@@ -63,9 +65,22 @@ impl Drag {
         Ok(Self {
             scene,
             path: path.to_owned(),
+            others: Vec::new(),
             pose,
             renewal,
         })
+    }
+
+    /// Lets other things go to the same place: joints on the same pin.
+    ///
+    /// # Errors
+    /// If one of them has no place of its own.
+    pub fn with(mut self, others: Vec<String>) -> Result<Self, Refusal> {
+        for path in &others {
+            place::find(&self.scene, path)?;
+        }
+        self.others = others;
+        Ok(self)
     }
 
     /// Moves it to a place in the scene.
@@ -73,8 +88,13 @@ impl Drag {
     /// # Errors
     /// As [`apply`](super::apply) of [`Command::Move`], as far as the text shows it; nothing is changed then.
     pub fn move_to(&self, to: [f64; 2]) -> Result<Dragged, Refusal> {
-        let change = place::shift(&self.scene, &self.path, to, self.pose.as_deref())?;
-        let place = change.place;
+        let motors = self.pose.as_deref();
+        let mut change = Change::default();
+        let mut places = Vec::new();
+        for path in self.paths() {
+            let place = place::shift_too(&self.scene, path, to, motors, &mut change)?;
+            places.push((path, place));
+        }
         let known = match &self.renewal {
             Renewal::Assembly(plan) => {
                 let model = self.scene.model_after(&change.edits)?;
@@ -92,8 +112,8 @@ impl Drag {
             },
             None => self.analyse(change)?,
         };
-        if let Some(place) = place {
-            place::judge(&dragged.model, &self.path, place)?;
+        for (path, place) in places {
+            place::judge(&dragged.model, path, place)?;
         }
         Ok(dragged)
     }
@@ -116,14 +136,21 @@ impl Drag {
         })
     }
 
-    /// The command that does all of it at once, with everything that has to be examined.
+    /// The commands that do all of it, with everything that has to be examined.
     #[must_use]
-    pub fn command(&self, to: [f64; 2]) -> Command {
-        Command::Move {
-            path: self.path.clone(),
+    pub fn commands(&self, to: [f64; 2]) -> Vec<Command> {
+        let commands = self.paths().map(|path| Command::Move {
+            path: path.to_owned(),
             to,
             pose: self.pose.clone(),
-        }
+        });
+        commands.collect()
+    }
+
+    /// All that is moved.
+    fn paths(&self) -> impl Iterator<Item = &str> {
+        let others = self.others.iter().map(String::as_str);
+        std::iter::once(self.path.as_str()).chain(others)
     }
 }
 

@@ -10,6 +10,19 @@ pub(super) fn shift(
     to: [f64; 2],
     motors: Option<&[(String, f64)]>,
 ) -> Result<Change, Refusal> {
+    let mut change = Change::default();
+    change.place = Some(shift_too(scene, path, to, motors, &mut change)?);
+    Ok(change)
+}
+
+/// Moves something besides what a change does already. Returns where it comes to stand, in the frame in which it is declared.
+pub(super) fn shift_too(
+    scene: &Scene,
+    path: &str,
+    to: [f64; 2],
+    motors: Option<&[(String, f64)]>,
+    change: &mut Change,
+) -> Result<[f64; 2], Refusal> {
     if !to.iter().all(|part| part.is_finite()) {
         return Err(Refusal::of("a place has two finite numbers"));
     }
@@ -17,10 +30,6 @@ pub(super) fn shift(
     let to = match motors {
         Some(motors) => pose::carry_back(scene, (path, axis), to, motors)?,
         None => to,
-    };
-    let mut change = Change {
-        place: Some(to),
-        ..Change::default()
     };
     for (index, role) in ["x", "y"].into_iter().enumerate() {
         let Some(number) = scene.listing.number(path, role) else {
@@ -33,9 +42,9 @@ pub(super) fn shift(
             value: to[index],
             read: &read,
         };
-        solve::reach(scene, &goal, &mut change)?;
+        solve::reach(scene, &goal, change)?;
     }
-    Ok(change)
+    Ok(to)
 }
 
 /// The axis of this path, which has a place of its own.

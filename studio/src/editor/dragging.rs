@@ -1,9 +1,12 @@
 //! A point that follows the pointer.
 
 use super::drawing::{Drawing, Pose, relative};
+use super::path::Path;
 use super::{Gesture, Item};
 use crate::document::Document;
 use crate::edit::{Drag, Dragged, Refusal};
+use crate::play::Player;
+use crate::text::Replacement;
 use mech_compiler::model::LinkId;
 
 /// A point that follows the pointer.
@@ -18,9 +21,26 @@ pub(crate) struct Dragging {
     /// What came of that.
     pub(crate) dragged: Option<Dragged>,
     /// How that looks.
-    pub(crate) preview: Option<Drawing>,
+    pub(crate) drawing: Option<Drawing>,
     /// Why it cannot go there.
     pub(crate) refusal: Option<Refusal>,
+    /// What the compiler makes of that; of a place a little before, while it works.
+    pub(crate) preview: Preview,
+}
+
+/// What the compiler makes of a text while something is dragged.
+#[derive(Default)]
+pub(crate) struct Preview {
+    /// Whether a text is being read.
+    pub(crate) is_awaited: bool,
+    /// The edits of the text that was given last.
+    given: Vec<Replacement>,
+    /// The mechanism, if it moves.
+    pub(crate) player: Option<Player>,
+    /// The whole paths of its traced points.
+    pub(crate) paths: Vec<Path>,
+    /// What is wrong first.
+    pub(crate) fault: Option<String>,
 }
 
 impl Dragging {
@@ -31,17 +51,23 @@ impl Dragging {
         drawing: &Drawing,
         item: &Item,
         seen_at: Option<Vec<(String, f64)>>,
+        is_alone: bool,
     ) -> Result<Self, Refusal> {
         let (path, link) = mover(drawing, item).unwrap_or((item.name().to_owned(), LinkId::GROUND));
+        let others = match item {
+            Item::Joint(name) if !is_alone && *name == path => drawing.on_same_pin(name),
+            _ => Vec::new(),
+        };
         let frame = seen_at.is_none().then(|| drawing.pose(link));
         Ok(Self {
             item: item.clone(),
-            drag: Drag::begin(document, index, &path, seen_at)?,
+            drag: Drag::begin(document, index, &path, seen_at)?.with(others)?,
             frame,
             to: None,
             dragged: None,
-            preview: None,
+            drawing: None,
             refusal: None,
+            preview: Preview::default(),
         })
     }
 
@@ -54,7 +80,7 @@ impl Dragging {
         match self.drag.move_to(to) {
             Ok(dragged) => {
                 let poses = dragged.poses.clone();
-                self.preview = Some(Drawing::new(dragged.model.clone(), poses));
+                self.drawing = Some(Drawing::new(dragged.model.clone(), poses));
                 self.dragged = Some(dragged);
                 self.refusal = None;
                 self.to = Some(to);
@@ -63,9 +89,23 @@ impl Dragging {
         }
     }
 
+    /// The edits of the text that is to be read next; none while one is being read, or if the last was given.
+    pub(crate) fn unread(&mut self) -> Option<Vec<Replacement>> {
+        let edits = &self.dragged.as_ref()?.edits;
+        if self.preview.is_awaited || self.preview.given == *edits {
+            return None;
+        }
+        self.preview.is_awaited = true;
+        self.preview.given.clone_from(edits);
+        Some(edits.clone())
+    }
+
     /// The gesture that leaves it where it is; none if it was not moved.
     pub(crate) fn gesture(&self) -> Option<Gesture> {
-        self.to.map(|to| self.drag.command(to).into())
+        let to = self.to?;
+        let commands = self.drag.commands(to);
+        let title = commands.first()?.title();
+        Some(Gesture::new(title, commands))
     }
 }
 

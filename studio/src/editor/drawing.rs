@@ -163,6 +163,22 @@ impl Drawing {
         Some((self.path(axis).unwrap_or_else(own), link))
     }
 
+    /// The other joints that were placed in the drawing where this one was.
+    pub(crate) fn on_same_pin(&self, name: &str) -> Vec<String> {
+        let Some(joint) = self.joint(name) else {
+            return Vec::new();
+        };
+        let place = |joint| self.axis_of_joint(joint).map(|axis| self.model.axis(axis).at);
+        let others = self.model.declared_joints().filter(|&other| {
+            let own_name = &self.model.joint(other).name;
+            let mover = self.mover_of_joint(other);
+            other != joint
+                && place(other) == place(joint)
+                && mover.is_some_and(|(path, _)| path == *own_name)
+        });
+        others.map(|other| self.model.joint(other).name.clone()).collect()
+    }
+
     /// All that can be taken hold of, joints first.
     pub fn handles(&self) -> Vec<Handle> {
         let mut found = Vec::new();

@@ -228,7 +228,7 @@ impl Editor {
         }
     }
 
-    fn give(&mut self, task: Task) {
+    pub(super) fn give(&mut self, task: Task) {
         if let Err(failure) = self.worker.give(task) {
             self.refuse(failure);
         }
@@ -274,6 +274,7 @@ impl Editor {
                     self.show(snapshot);
                 }
             }
+            Finding::Previewed(snapshot, played) => self.take_preview(&snapshot, *played),
             Finding::Moves(snapshot, made) => {
                 if Arc::ptr_eq(&snapshot, &self.snapshot) {
                     match *made {

@@ -44,6 +44,8 @@ impl Studio {
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let editor = &mut self.editor;
         editor.look();
+        let theme = if editor.settings.is_dark { egui::Theme::Dark } else { egui::Theme::Light };
+        ui.ctx().set_theme(theme);
         let context = ui.ctx().clone();
         editor.advance(f64::from(context.input(|input| input.stable_dt.min(0.1))));
         if editor.player().is_some_and(crate::play::Player::plays) {
@@ -63,6 +65,7 @@ impl Studio {
         } else {
             egui::Panel::left("tools")
                 .resizable(false)
+                .exact_size(92.0)
                 .show(ui, |ui| panel::tools(editor, ui, false));
             egui::Panel::right("panel")
                 .resizable(true)

@@ -5,28 +5,42 @@ use super::drawing::Drawing;
 use super::ghost::Ghost;
 use super::names::Names;
 use super::path::Path;
+use super::snapshot::{Played, Snapshot};
+use super::worker::Task;
 use super::{Editor, Gesture, Item};
 use crate::check::verdict_line;
 use crate::edit::Command;
 use crate::failure::Failure;
-use crate::play::Control;
+use crate::document::{Document, Source};
+use crate::play::{Control, Player};
+use crate::text::written;
 
 impl Editor {
     /// What is seen: while something is dragged, the mechanism as it is then.
     pub(super) fn seen_drawing(&self) -> Option<&Drawing> {
-        let preview = self.dragging.as_ref().and_then(|dragging| dragging.preview.as_ref());
-        preview.or(self.drawing.as_ref())
+        let dragged = self.dragging.as_ref().and_then(|dragging| dragging.drawing.as_ref());
+        dragged.or(self.drawing.as_ref())
+    }
+
+    /// What is painted: while something is dragged, the mechanism as it is then, as soon as that is known.
+    pub(super) fn seen_player(&self) -> Option<&Player> {
+        match &self.dragging {
+            Some(dragging) if dragging.drawing.is_some() => dragging.preview.player.as_ref(),
+            _ => self.player.as_ref(),
+        }
     }
 
     /// The whole paths of traced points, as they are known.
     pub(super) fn seen_paths(&self) -> &[Path] {
-        &self.paths
+        match &self.dragging {
+            Some(dragging) if dragging.drawing.is_some() => &dragging.preview.paths,
+            _ => &self.paths,
+        }
     }
 
     /// Whether the bodies of links are seen, and not the schematic.
     pub(super) fn shows_bodies(&self) -> bool {
-        let is_dragged = self.dragging.as_ref().is_some_and(|dragging| dragging.preview.is_some());
-        self.settings.shows_bodies && self.player.is_some() && !is_dragged
+        self.settings.shows_bodies && self.seen_player().is_some()
     }
 
     /// Whether the mechanism moves, in a line.
@@ -83,8 +97,8 @@ impl Editor {
         self.obey(Control::Press(pixel));
     }
 
-    /// Takes hold of a joint or a point, to put it elsewhere.
-    pub fn begin_drag(&mut self, item: &Item) {
+    /// Takes hold of a joint or a point, to put it elsewhere. Other joints on the same pin go with it, unless it is to go alone.
+    pub fn begin_drag(&mut self, item: &Item, is_alone: bool) {
         let Some(drawing) = &self.drawing else {
             return;
         };
@@ -94,7 +108,7 @@ impl Editor {
             player.obey(Control::PlayOrPause);
         }
         let document = self.session.workspace.document();
-        let begun = Dragging::begin(&document, self.session.workspace.index(), drawing, item, self.seen_at());
+        let begun = Dragging::begin(&document, self.session.workspace.index(), drawing, item, self.seen_at(), is_alone);
         match begun {
             Ok(dragging) => self.dragging = Some(dragging),
             Err(refusal) => self.refuse(refusal),
@@ -114,8 +128,48 @@ impl Editor {
             let notes = dragging.dragged.as_ref().map(|dragged| dragged.notes.join("; "));
             let [x, y] = place.map(|part| crate::text::shortest(part, 1e-6));
             let told = format!("{} to ({x}, {y}) {}", dragging.item, notes.unwrap_or_default());
-            self.tell(told);
+            match dragging.preview.fault.clone() {
+                Some(fault) => self.refuse(format!("{told}: {fault}")),
+                None => self.tell(told),
+            }
         }
+        self.give_preview();
+    }
+
+    /// Has the text read as it is while something is dragged, unless one is being read.
+    pub(super) fn give_preview(&mut self) {
+        let edits = self.dragging.as_mut().and_then(Dragging::unread);
+        if let Some(edits) = edits {
+            let source = Source::new(self.workspace().path(), written(self.workspace().text(), &edits));
+            let task = Task::Preview {
+                document: Document::of(source),
+                index: self.workspace().index(),
+            };
+            self.give(task);
+        }
+    }
+
+    /// Takes over what the compiler makes of a text while something is dragged.
+    pub(super) fn take_preview(&mut self, snapshot: &Snapshot, played: Option<Result<Played, Failure>>) {
+        let Some(dragging) = &mut self.dragging else {
+            return;
+        };
+        let preview = &mut dragging.preview;
+        preview.is_awaited = false;
+        let first = snapshot.messages().first();
+        preview.fault = first.and_then(|message| message.text.lines().next()).map(ToOwned::to_owned);
+        preview.player = None;
+        preview.paths.clear();
+        if let Some(Ok((mechanism, _, paths))) = played {
+            let mut player = Player::new(mechanism, Vec::new(), self.camera.size());
+            if let Some(before) = &self.player {
+                player.stand_as(before.mechanism());
+                player.show_layers(before.layers());
+            }
+            preview.player = Some(player);
+            preview.paths = paths;
+        }
+        self.give_preview();
     }
 
     /// Leaves what is dragged where it is, as one step.

@@ -18,6 +18,8 @@ pub(super) enum Task {
     },
     /// A text is read.
     Read { document: Document, index: usize },
+    /// A text is read that will be another at once: while something is dragged.
+    Preview { document: Document, index: usize },
 }
 
 /// What was found out, in this order.
@@ -26,6 +28,8 @@ pub(super) enum Finding {
     Tried(Box<Result<(Applied, Arc<Snapshot>), Refusal>>),
     /// What the compiler makes of a text.
     Read(Arc<Snapshot>),
+    /// What the compiler makes of a text while something is dragged, and the mechanism, if it moves.
+    Previewed(Arc<Snapshot>, Box<Option<Result<Played, Failure>>>),
     /// The mechanism of a snapshot, to be played.
     Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
     /// The repairs of a snapshot.
@@ -51,6 +55,12 @@ fn work(task: Task, tell: &mut dyn FnMut(Finding)) {
                 return;
             }
         },
+        Task::Preview { document, index } => {
+            let snapshot = Arc::new(Snapshot::of(document, index));
+            let played = snapshot.played();
+            tell(Finding::Previewed(snapshot, Box::new(played)));
+            return;
+        }
         Task::Read { document, index } => {
             let snapshot = Arc::new(Snapshot::of(document, index));
             tell(Finding::Read(snapshot.clone()));

@@ -104,6 +104,11 @@ impl Player {
         self.direction = None;
         self.limit = None;
         self.held = None;
+        self.stand_as(&before);
+    }
+
+    /// Moves the motors to the values that those of the same name have in another mechanism, as far as they can come there.
+    pub fn stand_as(&mut self, before: &Mechanism) {
         if before.is_at_start() {
             return;
         }
@@ -129,6 +134,11 @@ impl Player {
             let obstacle = self.mechanism.move_toward(&target);
             self.settle(obstacle, &from, &target);
         }
+    }
+
+    /// Shows these layers.
+    pub const fn show_layers(&mut self, layers: Layers) {
+        self.layers = layers;
     }
 
     /// Looks through another camera.

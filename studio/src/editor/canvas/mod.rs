@@ -183,7 +183,7 @@ impl Canvas {
         let modifiers = ui.input(|input| input.modifiers);
         if response.drag_started_by(egui::PointerButton::Primary) {
             editor.select(Some(handle.item.clone()), modifiers.shift);
-            editor.begin_drag(&handle.item);
+            editor.begin_drag(&handle.item, modifiers.alt);
         }
         let is_dragged = editor.dragging.as_ref().is_some_and(|dragging| dragging.item == handle.item);
         if is_dragged && let Some(pointer) = response.interact_pointer_pos() {
@@ -271,7 +271,7 @@ fn step_by_keys(editor: &mut Editor, handle: &Handle, shown: &Shown, ui: &egui::
     if steps != [0.0, 0.0] {
         let unit = if is_far { 10.0 * unit } else { unit };
         let [x, y] = handle.place;
-        editor.begin_drag(&handle.item);
+        editor.begin_drag(&handle.item, false);
         editor.drag_to([x + steps[0] * unit, y + steps[1] * unit]);
         editor.end_drag();
     }

@@ -40,7 +40,7 @@ impl Picture {
         let view = editor.camera.view();
         picture.look_at(View::new(view.center(), view.scale() * ratio));
         picture.clear();
-        editor.player.as_ref()?.draw(picture);
+        editor.seen_player()?.draw(picture);
         let pixels = picture.pixels().as_flattened();
         let image = ColorImage::from_rgba_unmultiplied(size, pixels);
         match &mut self.texture {

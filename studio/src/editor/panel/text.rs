@@ -27,9 +27,10 @@ pub(in crate::editor) fn text(editor: &mut Editor, ui: &mut egui::Ui) {
     let shown = editor.shown_text();
     let mut typed = shown.clone();
     let is_dragged = editor.dragging.is_some();
-    let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, width: f32| {
+    let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, _: f32| {
         let mut job = colored(buffer.as_str(), &marks, ui.visuals());
-        job.wrap.max_width = width;
+        // Lines stay as they are written.
+        job.wrap.max_width = f32::INFINITY;
         ui.fonts_mut(|fonts| fonts.layout_job(job))
     };
     let mut under = None;
