@@ -107,6 +107,9 @@ pub fn apply_all(
     let (last, before) = commands
         .split_last()
         .ok_or_else(|| Refusal::internal("a step without a command"))?;
+    if before.is_empty() {
+        return apply(document, index, last);
+    }
     let mut current = document.clone();
     let mut notes = Vec::new();
     for command in before {

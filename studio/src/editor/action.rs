@@ -22,7 +22,7 @@ impl Menu {
         (Self::File, "File"),
         (Self::Edit, "Edit"),
         (Self::View, "View"),
-        (Self::Play, "Play"),
+        (Self::Play, "Motion"),
     ];
 }
 
@@ -292,7 +292,10 @@ pub(super) const fn key_of_tool(tool: Tool) -> KeyboardShortcut {
 /// Does what the keys say, unless somebody types.
 pub(super) fn obey_keys(editor: &mut Editor, context: &egui::Context) {
     let types = context.text_edit_focused();
-    for action in ACTIONS {
+    let has_shift = |action: &Action| action.key.is_some_and(|key| key.modifiers.shift);
+    // A key without Shift is also found where Shift is held.
+    let (with_shift, others): (Vec<_>, Vec<_>) = ACTIONS.iter().partition(|action| has_shift(action));
+    for action in with_shift.into_iter().chain(others) {
         let Some(key) = action.key else {
             continue;
         };
@@ -301,7 +304,7 @@ pub(super) fn obey_keys(editor: &mut Editor, context: &egui::Context) {
             continue;
         }
         // What a focused button does is its own affair.
-        let is_of_button = key.logical_key == Key::Space && context.memory(|memory| memory.focused()).is_some();
+        let is_of_button = key.logical_key == Key::Space && !editor.is_canvas_focused && context.memory(|memory| memory.focused()).is_some();
         if !is_of_button && context.input_mut(|input| input.consume_shortcut(&key)) && (action.is_possible)(editor) {
             (action.perform)(editor);
         }

@@ -1,21 +1,23 @@
 //! A point that follows the pointer.
 
-use super::drawing::{Drawing, Pose, relative};
+use super::drawing::{Drawing, Pose, SCENE, relative};
 use super::path::Path;
 use super::{Gesture, Item};
 use crate::document::Document;
 use crate::edit::{Drag, Dragged, Refusal};
 use crate::play::Player;
-use crate::text::Replacement;
+use crate::text::{Replacement, rounded};
 use mech_compiler::model::LinkId;
 
 /// A point that follows the pointer.
 pub(crate) struct Dragging {
-    /// What is dragged.
-    pub(crate) item: Item,
+    /// What is dragged, and what goes with it.
+    pub(crate) items: Vec<Item>,
     drag: Drag,
     /// The pose of its link in the scene, if places are told in the frame of the link.
     frame: Option<Pose>,
+    /// By how much places may be rounded.
+    tolerance: f64,
     /// Where it was asked to go last, as the drag counts.
     to: Option<[f64; 2]>,
     /// What came of that.
@@ -60,9 +62,10 @@ impl Dragging {
         };
         let frame = seen_at.is_none().then(|| drawing.pose(link));
         Ok(Self {
-            item: item.clone(),
+            items: std::iter::once(item.clone()).chain(others.iter().cloned().map(Item::Joint)).collect(),
             drag: Drag::begin(document, index, &path, seen_at)?.with(others)?,
             frame,
+            tolerance: 1e-6 * drawing.model.size(),
             to: None,
             dragged: None,
             drawing: None,
@@ -73,7 +76,11 @@ impl Dragging {
 
     /// Moves it to a place of the scene. Where it cannot go, it stays where it was last.
     pub(crate) fn move_to(&mut self, place: [f64; 2]) {
-        let to = self.frame.map_or(place, |pose| relative(pose, place));
+        // In the frame of a link that is turned, places have many digits; those that nobody sees are left out.
+        let to = match self.frame {
+            Some(SCENE) | None => place,
+            Some(pose) => relative(pose, place).map(|part| rounded(part, self.tolerance)),
+        };
         if self.to == Some(to) {
             return;
         }

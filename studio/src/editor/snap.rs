@@ -21,11 +21,15 @@ pub(super) struct Snapping<'d> {
     /// From where angles count, if they are to be multiples of 15 degrees.
     pub(super) angles_from: Option<[f64; 2]>,
     /// What is dragged, which does not snap to itself.
-    pub(super) without: Option<&'d super::Item>,
+    pub(super) without: &'d [super::Item],
 }
 
 /// How near the pointer has to be, in pixels.
 pub(super) const REACH: f64 = 11.0;
+/// How near it has to be where nothing else is snapped to.
+const CLOSE: f64 = 3.0;
+/// How many places there are between two lines of the grid where nothing is snapped to. More would only give numbers more digits.
+const FINE: f64 = 100.0;
 /// How near to an alignment.
 const ALIGNED: f64 = 6.0;
 /// The least distance of lines of the grid, in pixels.
@@ -34,17 +38,18 @@ const APART: f64 = 12.0;
 impl Snapping<'_> {
     /// The place that is meant by one under the pointer.
     pub(super) fn snap(&self, place: [f64; 2]) -> Snapped {
-        let reach = REACH / self.scale;
+        let reach = if self.is_on { REACH } else { CLOSE } / self.scale;
         let hit = self.drawing.map_or(Hit::Paper, |drawing| drawing.hit(place, reach));
-        if !self.is_on {
+        if let Some(place) = self.handle(place, reach) {
             return Snapped {
                 pick: Pick { place, hit },
                 guides: Vec::new(),
             };
         }
-        if let Some(found) = self.handle(place, reach) {
+        if !self.is_on {
+            let fine = grid(self.scale) / FINE;
             return Snapped {
-                pick: Pick { place: found, hit },
+                pick: Pick { place: on_grid(place, fine), hit },
                 guides: Vec::new(),
             };
         }
@@ -61,7 +66,7 @@ impl Snapping<'_> {
     /// The handle that is near.
     fn handle(&self, place: [f64; 2], reach: f64) -> Option<[f64; 2]> {
         let handles = self.drawing?.handles().into_iter();
-        let others = handles.filter(|handle| Some(&handle.item) != self.without);
+        let others = handles.filter(|handle| !self.without.contains(&handle.item));
         let near = others.map(|handle| (distance(handle.place, place), handle.place));
         let near = near.filter(|(away, _)| *away <= reach);
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
@@ -70,10 +75,10 @@ impl Snapping<'_> {
     /// A place on the grid, or aligned with handles.
     fn aligned(&self, place: [f64; 2]) -> ([f64; 2], Vec<[f64; 2]>) {
         let unit = grid(self.scale);
-        let mut found = place.map(|part| (part / unit).round() * unit + 0.0);
+        let mut found = on_grid(place, unit);
         let mut guides = Vec::new();
         let handles = self.drawing.map(Drawing::handles).unwrap_or_default();
-        let others = handles.iter().filter(|handle| Some(&handle.item) != self.without);
+        let others = handles.iter().filter(|handle| !self.without.contains(&handle.item));
         for part in 0..2 {
             let away = |other: [f64; 2]| (other[part] - place[part]).abs();
             let nearest = others.clone().map(|handle| handle.place);
@@ -94,8 +99,18 @@ impl Snapping<'_> {
         let [x, y] = [place[0] - from[0], place[1] - from[1]];
         let angle = (y.atan2(x) / step).round() * step;
         let length = (x.hypot(y) / unit).round() * unit;
-        [from[0] + length * angle.cos(), from[1] + length * angle.sin()]
+        [from[0] + length * angle.cos(), from[1] + length * angle.sin()].map(|part| tidy(part, unit))
     }
+}
+
+/// The place on a grid that is nearest.
+fn on_grid(place: [f64; 2], unit: f64) -> [f64; 2] {
+    place.map(|part| tidy((part / unit).round() * unit, unit))
+}
+
+/// A number without the digits that rounding adds, if it counts in these units.
+fn tidy(value: f64, unit: f64) -> f64 {
+    crate::text::rounded(value, 1e-6 * unit)
 }
 
 /// The distance of the lines of the grid at a magnification: 1, 2 or 5 times a power of ten.

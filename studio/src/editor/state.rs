@@ -63,6 +63,8 @@ pub struct Editor {
     pub(super) typed: Option<String>,
     /// What was copied: links.
     pub(super) copied: Vec<String>,
+    /// Whether keys go to the drawing, or to something in it.
+    pub(super) is_canvas_focused: bool,
     /// What is under the mouse, in the drawing or in the text.
     pub(super) hovered: Option<Item>,
     /// What is under the mouse or the cursor in the text.
@@ -121,6 +123,7 @@ impl Editor {
             },
             typed: None,
             copied: Vec::new(),
+            is_canvas_focused: false,
             hovered: None,
             under_text: None,
             ghost: None,

@@ -127,7 +127,8 @@ impl Editor {
         } else {
             let notes = dragging.dragged.as_ref().map(|dragged| dragged.notes.join("; "));
             let [x, y] = place.map(|part| crate::text::shortest(part, 1e-6));
-            let told = format!("{} to ({x}, {y}) {}", dragging.item, notes.unwrap_or_default());
+            let items: Vec<String> = dragging.items.iter().map(ToString::to_string).collect();
+            let told = format!("{} to ({x}, {y}) {}", items.join(", "), notes.unwrap_or_default());
             match dragging.preview.fault.clone() {
                 Some(fault) => self.refuse(format!("{told}: {fault}")),
                 None => self.tell(told),

@@ -14,12 +14,18 @@ pub(crate) fn written_like(value: f64, old: &str) -> String {
 
 /// The shortest number that is no farther from this one than the tolerance.
 pub(crate) fn shortest(value: f64, tolerance: f64) -> String {
+    written_like(rounded(value, tolerance), "")
+}
+
+/// The number with the fewest decimal places that is no farther from this one than the tolerance.
+pub(crate) fn rounded(value: f64, tolerance: f64) -> f64 {
     let is_near = |short: &f64| (short - value).abs() <= tolerance;
-    let rounded = (0..=15).find_map(|places| {
+    let found = (0..=15).find_map(|places| {
         let short = format!("{value:.places$}").parse().ok();
         short.filter(is_near)
     });
-    written_like(rounded.unwrap_or(value), "")
+    // Zero has no sign.
+    found.unwrap_or(value) + 0.0
 }
 
 #[cfg(test)]

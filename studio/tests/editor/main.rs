@@ -1,4 +1,8 @@
 //! The studio, as somebody uses it: through its window's accessible nodes, by mouse and by keys.
 
+mod dragging;
 mod drawing;
+mod figure_1;
+mod keyboard;
+mod mistakes;
 mod user;

@@ -10,6 +10,7 @@ use mech_studio::editor::{Editor, Studio};
 pub(crate) struct User {
     harness: Harness<'static, Studio>,
     gestures: usize,
+    modifiers: Modifiers,
 }
 
 impl User {
@@ -20,13 +21,18 @@ impl User {
 
     /// Before this text.
     pub(crate) fn with_text(text: &str) -> Self {
-        let editor = Editor::immediate(Workspace::unsaved("test.mech", text));
+        Self::with_file("test.mech", text)
+    }
+
+    /// Before a file of this name with this text, which nobody has written.
+    pub(crate) fn with_file(name: &str, text: &str) -> Self {
+        let editor = Editor::immediate(Workspace::unsaved(name, text));
         let mut harness = Harness::builder()
             .with_size([1280.0, 800.0])
             .with_step_dt(1.0 / 60.0)
             .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), Studio::new(editor));
         harness.run_steps(2);
-        Self { harness, gestures: 0 }
+        Self { harness, gestures: 0, modifiers: Modifiers::NONE }
     }
 
     /// How many gestures were made: clicks, drags and keys.
@@ -59,6 +65,21 @@ impl User {
         self.gestures += 1;
     }
 
+    /// Clicks the one whose name begins with this.
+    #[track_caller]
+    pub(crate) fn click_on_beginning(&mut self, label: &str) {
+        let found = |node: &egui_kittest::kittest::AccessKitNode<'_>| node.label().is_some_and(|name| name.starts_with(label));
+        self.harness.get_by(found).click();
+        self.harness.run_steps(3);
+        self.gestures += 1;
+    }
+
+    /// All that may help to see what went wrong.
+    pub(crate) fn said(&self) -> String {
+        let editor = self.editor();
+        format!("{:?}\n{:#?}\n{}", editor.notice(), editor.messages(), self.text())
+    }
+
     /// Whether something of this name is in the window.
     pub(crate) fn sees(&self, label: &str) -> bool {
         self.harness.query_all_by_label_contains(label).next().is_some()
@@ -66,14 +87,26 @@ impl User {
 
     /// Clicks a place of the scene.
     pub(crate) fn click(&mut self, place: [f64; 2]) {
+        self.mean(&[place]);
         let at = self.pixel(place);
         self.press(at);
         self.release(at);
         self.gestures += 1;
     }
 
+    /// Drags what is at a place of the scene to another.
+    pub(crate) fn move_handle(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.mean(&[to]);
+        self.press_and_release(from, to);
+    }
+
     /// Presses at one place of the scene, and releases at another.
     pub(crate) fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.mean(&[from, to]);
+        self.press_and_release(from, to);
+    }
+
+    fn press_and_release(&mut self, from: [f64; 2], to: [f64; 2]) {
         let [from, to] = [from, to].map(|place| self.pixel(place));
         self.press(from);
         for part in [0.3, 0.7, 1.0] {
@@ -82,6 +115,35 @@ impl User {
         }
         self.release(to);
         self.gestures += 1;
+    }
+
+    /// Presses and releases with Alt held: nothing snaps.
+    pub(crate) fn drag_with_alt(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.harness.event(Event::ModifiersChanged(Modifiers::ALT));
+        self.modifiers = Modifiers::ALT;
+        self.press_and_release(from, to);
+    }
+
+    /// Lets the keys go to what has this name.
+    pub(crate) fn focus(&mut self, label: &str) {
+        self.harness.get_by_label(label).focus();
+        self.harness.run_steps(2);
+    }
+
+    /// Types.
+    pub(crate) fn type_text(&mut self, text: &str) {
+        self.harness.event(Event::Text(text.to_owned()));
+        self.harness.run_steps(2);
+        self.gestures += 1;
+    }
+
+    /// Places that are not on the grid are meant exactly: Alt is held.
+    fn mean(&mut self, places: &[[f64; 2]]) {
+        let is_on_grid = |part: &f64| (part * 5.0 - (part * 5.0).round()).abs() < 1e-9;
+        let alt = !places.as_flattened().iter().all(is_on_grid);
+        self.modifiers = if alt { Modifiers::ALT } else { Modifiers::NONE };
+        self.harness.event(Event::ModifiersChanged(self.modifiers));
+        self.harness.run_steps(1);
     }
 
     fn press(&mut self, at: Pos2) {
@@ -100,13 +162,15 @@ impl User {
             pos,
             button: PointerButton::Primary,
             pressed,
-            modifiers: Modifiers::NONE,
+            modifiers: self.modifiers,
         });
         self.harness.run_steps(1);
     }
 
     /// Presses a key.
     pub(crate) fn key(&mut self, key: Key) {
+        self.modifiers = Modifiers::NONE;
+        self.harness.event(Event::ModifiersChanged(self.modifiers));
         self.harness.key_press(key);
         self.harness.run_steps(2);
         self.gestures += 1;

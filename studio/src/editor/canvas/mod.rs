@@ -21,6 +21,8 @@ pub(super) struct Canvas {
     snapped: Option<Snapped>,
     /// Whether the pointer has taken hold of a link or of the paper.
     holds: Holds,
+    /// Where the keyboard points, in the scene.
+    cross: [f64; 2],
 }
 
 /// What the pointer has taken hold of.
@@ -49,6 +51,10 @@ impl Canvas {
         let shown = Shown { rect, camera: editor.camera.clone() };
         Paint { editor, shown: &shown, snapped: self.snapped.as_ref() }.behind(ui);
         self.on_paper(editor, &background, &shown, ui);
+        editor.is_canvas_focused = background.has_focus();
+        if background.has_focus() {
+            self.by_keys(editor, &background, &shown, ui);
+        }
         let mut hovered = None;
         for handle in &handles {
             self.on_handle(editor, handle, &shown, ui, &mut hovered);
@@ -61,6 +67,34 @@ impl Canvas {
             let frame = Rect::from_two_pos(corner, pointer);
             let color = ui.visuals().selection.stroke.color;
             ui.painter().rect_stroke(frame, 0.0, egui::Stroke::new(1.0, color), egui::StrokeKind::Middle);
+        }
+    }
+
+    /// Points by the keys with arrows, and picks or selects by Enter.
+    fn by_keys(&mut self, editor: &mut Editor, background: &Response, shown: &Shown, ui: &egui::Ui) {
+        let unit = super::snap::grid(shown.scale());
+        let ([x, y], is_far) = arrows(ui);
+        let unit = if is_far { 10.0 * unit } else { unit };
+        self.cross[0] += x * unit;
+        self.cross[1] += y * unit;
+        keep_arrows(ui, background);
+        let pick = Snapping {
+            drawing: editor.drawing.as_ref(),
+            scale: shown.scale(),
+            is_on: true,
+            angles_from: None,
+            without: &[],
+        }
+        .snap(self.cross);
+        self.snapped = Some(pick.clone());
+        if ui.input(|input| input.key_pressed(egui::Key::Enter)) {
+            if editor.tool == Tool::Select {
+                let found = editor.seen_drawing();
+                let item = found.and_then(|drawing| drawing.item_at(self.cross, REACH / shown.scale()));
+                editor.select(item, false);
+            } else {
+                editor.pick(pick.pick);
+            }
         }
     }
 
@@ -185,14 +219,16 @@ impl Canvas {
             editor.select(Some(handle.item.clone()), modifiers.shift);
             editor.begin_drag(&handle.item, modifiers.alt);
         }
-        let is_dragged = editor.dragging.as_ref().is_some_and(|dragging| dragging.item == handle.item);
+        let moved = editor.dragging.as_ref().map(|dragging| dragging.items.clone());
+        let moved = moved.filter(|items| items.first() == Some(&handle.item));
+        let is_dragged = moved.is_some();
         if is_dragged && let Some(pointer) = response.interact_pointer_pos() {
             let snapping = Snapping {
                 drawing: editor.drawing.as_ref(),
                 scale: shown.scale(),
                 is_on: editor.settings.snaps != modifiers.alt,
                 angles_from: None,
-                without: Some(&handle.item),
+                without: moved.as_deref().unwrap_or_default(),
             };
             let snapped = snapping.snap(shown.place(pointer));
             let place = snapped.pick.place;
@@ -208,7 +244,8 @@ impl Canvas {
             response.request_focus();
         }
         if response.has_focus() {
-            step_by_keys(editor, handle, shown, ui);
+            editor.is_canvas_focused = true;
+            step_by_keys(editor, handle, response, shown, ui);
         }
     }
 
@@ -228,7 +265,7 @@ impl Canvas {
                 scale: shown.scale(),
                 is_on: editor.settings.snaps != modifiers.alt,
                 angles_from: editor.picks.last().filter(|_| modifiers.shift).map(|pick| pick.place),
-                without: None,
+                without: &[],
             };
             snapping.snap(place)
         };
@@ -260,31 +297,38 @@ impl Canvas {
 }
 
 /// Moves a handle by the keys with arrows: by a line of the grid, with Shift by ten.
-fn step_by_keys(editor: &mut Editor, handle: &Handle, shown: &Shown, ui: &egui::Ui) {
+fn step_by_keys(editor: &mut Editor, handle: &Handle, response: &Response, shown: &Shown, ui: &egui::Ui) {
     let unit = super::snap::grid(shown.scale());
-    let (steps, is_far) = ui.input(|input| {
+    let (steps, is_far) = arrows(ui);
+    if steps != [0.0, 0.0] {
+        let unit = if is_far { 10.0 * unit } else { unit };
+        let to = [0, 1].map(|part| ((handle.place[part] + steps[part] * unit) / unit).round() * unit);
+        let to = [0, 1].map(|part| if steps[part] == 0.0 { handle.place[part] } else { to[part] });
+        editor.begin_drag(&handle.item, false);
+        editor.drag_to(to);
+        editor.end_drag();
+    }
+    keep_arrows(ui, response);
+}
+
+/// The steps that keys with arrows ask for, to the right and up; and whether these are long.
+fn arrows(ui: &egui::Ui) -> ([f64; 2], bool) {
+    ui.input(|input| {
         let count = |key| f64::from(u32::from(input.key_pressed(key)));
         let x = count(egui::Key::ArrowRight) - count(egui::Key::ArrowLeft);
         let y = count(egui::Key::ArrowUp) - count(egui::Key::ArrowDown);
         ([x, y], input.modifiers.shift)
-    });
-    if steps != [0.0, 0.0] {
-        let unit = if is_far { 10.0 * unit } else { unit };
-        let [x, y] = handle.place;
-        editor.begin_drag(&handle.item, false);
-        editor.drag_to([x + steps[0] * unit, y + steps[1] * unit]);
-        editor.end_drag();
-    }
-    ui.memory_mut(|memory| {
-        let filter = egui::EventFilter {
-            horizontal_arrows: true,
-            vertical_arrows: true,
-            ..egui::EventFilter::default()
-        };
-        if let Some(focused) = memory.focused() {
-            memory.set_focus_lock_filter(focused, filter);
-        }
-    });
+    })
+}
+
+/// Lets keys with arrows not move the focus.
+fn keep_arrows(ui: &egui::Ui, response: &Response) {
+    let filter = egui::EventFilter {
+        horizontal_arrows: true,
+        vertical_arrows: true,
+        ..egui::EventFilter::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
 }
 
 /// What can be done to a handle.

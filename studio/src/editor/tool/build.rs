@@ -133,9 +133,9 @@ pub(super) fn motor(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
 
 /// A point on a link.
 pub(super) fn point(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
-    let pick = one(picks)?;
-    let link = builder.link_at(pick).unwrap_or(LinkId::GROUND);
-    builder.point(&End::Link(link), pick.place, "p");
+    let [first, second] = two(picks)?;
+    let link = builder.link_at(first).unwrap_or(LinkId::GROUND);
+    builder.point(&End::Link(link), second.place, "p");
     Ok(())
 }
 

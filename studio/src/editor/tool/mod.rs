@@ -142,7 +142,7 @@ const ROWS: [Row; 17] = [
     Row {
         tool: Tool::Point,
         name: "Point",
-        picks: &["the place on a link"],
+        picks: &["a link, or the paper for the ground", "the place of the point"],
         help: "fixes a point to a link",
         build: build::point,
     },
