@@ -1,36 +1,120 @@
-//! What the studio's window costs in time, frame by frame, without what the graphics card does:
+//! What the studio's window costs in time, frame by frame, from an event to the triangles that the graphics card is given:
 //! `cargo run --release -p mech-studio --example editor_times`.
 
 mod chain;
 
 use chain::{chain, count};
-use eframe::egui::{Event, Modifiers, PointerButton, Pos2, Vec2};
-use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use eframe::egui::{self, Event, Modifiers, PointerButton, Pos2, Rect, Vec2};
 use mech_studio::editor::{Editor, Studio, Tool};
 use mech_studio::{Assembly, Command, JointForm, Workspace};
 use std::time::{Duration, Instant};
 
-type Window = Harness<'static, Studio>;
-
 fn main() {
     for loops in [10, 100, 333] {
         let joints = 3 * loops + 1;
-        let mut window = open(chain(loops));
-        window.state_mut().editor_mut().choose(Tool::Select);
-        let still = milliseconds(60, || frame(&mut window));
-        let from = pixel(&window, [4.0 * count(loops), 0.0]);
-        press(&mut window, from, true);
-        let mut at = from;
-        let dragged = milliseconds(120, || {
+        let mut window = Window::open(chain(loops));
+        let still = middle(60, || window.frame(vec![]));
+        window
+            .studio
+            .editor_mut()
+            .obey(mech_studio::play::Control::PlayOrPause);
+        let played = middle(60, || window.frame(vec![]));
+        window
+            .studio
+            .editor_mut()
+            .obey(mech_studio::play::Control::Reset);
+        window.settle();
+        let mut at = window.pixel([4.0 * count(loops), 0.0]);
+        window.press(at, true);
+        let dragged = times(120, || {
             at.x += 0.5;
-            window.event(Event::PointerMoved(at));
-            frame(&mut window);
+            window.frame(vec![Event::PointerMoved(at)]);
         });
-        press(&mut window, at, false);
-        let released = Instant::now();
-        settle(&mut window);
-        let known = released.elapsed().as_secs_f64() * 1e3;
+        let longest_of_drag = dragged[dragged.len() - 1];
+        let dragged = dragged[dragged.len() / 2];
+        window.press(at, false);
+        let known = window.settle();
+        let (refused, longest) = window.refuse(loops);
+        println!(
+            "{joints} joints: a frame {still:.1} ms, one of playing {played:.1} ms, one of a drag {dragged:.1} ms, the longest {longest_of_drag:.1} ms; everything known {known:.0} ms after it; a joint too many is told after {refused:.0} ms, the longest frame meanwhile {longest:.1} ms"
+        );
+    }
+}
+
+/// The studio, in a window that is not seen.
+struct Window {
+    context: egui::Context,
+    studio: Studio,
+    /// Where the drawing is.
+    canvas: Rect,
+}
+
+impl Window {
+    const SIZE: Vec2 = Vec2::new(1280.0, 800.0);
+
+    fn open(text: String) -> Self {
+        let editor = Editor::new(Workspace::unsaved("chain.mech", text), || {});
+        let mut window = Self {
+            context: egui::Context::default(),
+            studio: Studio::new(editor),
+            canvas: Rect::NOTHING,
+        };
+        window.settle();
+        window.canvas = window.find_canvas();
+        window.studio.editor_mut().choose(Tool::Select);
+        window.studio.editor_mut().fit();
+        window.frame(vec![]);
+        window
+    }
+
+    /// Shows everything once.
+    fn frame(&mut self, events: Vec<Event>) -> egui::FullOutput {
+        let input = egui::RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, Self::SIZE)),
+            events,
+            ..egui::RawInput::default()
+        };
+        let output = self.context.run_ui(input, |ui| self.studio.show(ui));
+        let shapes = output.shapes.clone();
+        std::hint::black_box(self.context.tessellate(shapes, output.pixels_per_point));
+        output
+    }
+
+    /// Where the drawing is, as a screen reader is told.
+    fn find_canvas(&mut self) -> Rect {
+        self.context.enable_accesskit();
+        let output = self.frame(vec![]);
+        self.context.disable_accesskit();
+        let update = output
+            .platform_output
+            .accesskit_update
+            .expect("it was asked for");
+        let found = update
+            .nodes
+            .iter()
+            .find(|(_, node)| node.label() == Some("drawing"));
+        let bounds = found
+            .and_then(|(_, node)| node.bounds())
+            .expect("the drawing has a place");
+        #[expect(clippy::cast_possible_truncation, reason = "pixels of a window")]
+        let [left, top, right, bottom] =
+            [bounds.x0, bounds.y0, bounds.x1, bounds.y1].map(|part| part as f32);
+        Rect::from_min_max(Pos2::new(left, top), Pos2::new(right, bottom))
+    }
+
+    /// Waits until everything is known, and tells how long that takes, in milliseconds.
+    fn settle(&mut self) -> f64 {
+        let start = Instant::now();
+        self.frame(vec![]);
+        while self.studio.editor().is_busy() || self.studio.editor().player().is_none() {
+            std::thread::sleep(Duration::from_millis(1));
+            self.frame(vec![]);
+        }
+        start.elapsed().as_secs_f64() * 1e3
+    }
+
+    /// Adds a joint that is too many. Tells after how long that is told, and the longest frame until then, in milliseconds.
+    fn refuse(&mut self, loops: usize) -> (f64, f64) {
         let join = Command::Join(Assembly {
             name: "extra".to_owned(),
             kind: JointForm::Revolute,
@@ -38,70 +122,52 @@ fn main() {
             at: Some(["1".to_owned(), "1".to_owned()]),
             along: None,
         });
-        let asked = Instant::now();
-        window.state_mut().editor_mut().perform(join);
+        let start = Instant::now();
+        self.studio.editor_mut().perform(join);
         let mut longest: f64 = 0.0;
-        while !window.state().editor().notice().is_some_and(|notice| notice.is_refusal) {
-            longest = longest.max(timed(|| frame(&mut window)));
+        while !self
+            .studio
+            .editor()
+            .notice()
+            .is_some_and(|notice| notice.is_refusal)
+        {
+            longest = longest.max(milliseconds(|| drop(self.frame(vec![]))));
         }
-        let refused = asked.elapsed().as_secs_f64() * 1e3;
-        println!(
-            "{joints} joints: a frame {still:.1} ms, one of a drag {dragged:.1} ms; everything known {known:.0} ms after it; a joint too many is told after {refused:.0} ms, the longest frame meanwhile {longest:.1} ms"
-        );
+        (start.elapsed().as_secs_f64() * 1e3, longest)
+    }
+
+    fn pixel(&self, place: [f64; 2]) -> Pos2 {
+        let [x, y] = self.studio.editor().camera().pixel(place);
+        #[expect(clippy::cast_possible_truncation, reason = "pixels of a window")]
+        let from = Vec2::new(x as f32, y as f32);
+        self.canvas.min + from
+    }
+
+    fn press(&mut self, pos: Pos2, pressed: bool) {
+        let button = Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        self.frame(vec![Event::PointerMoved(pos), button]);
     }
 }
 
-fn open(text: String) -> Window {
-    let editor = Editor::new(Workspace::unsaved("chain.mech", text), || {});
-    let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), Studio::new(editor));
-    settle(&mut window);
-    window.state_mut().editor_mut().fit();
-    frame(&mut window);
-    window
-}
-
-/// Waits until everything is known.
-fn settle(window: &mut Window) {
-    frame(window);
-    while window.state().editor().is_busy() || window.state().editor().player().is_none() {
-        std::thread::sleep(Duration::from_millis(1));
-        frame(window);
-    }
-}
-
-fn frame(window: &mut Window) {
-    window.step();
-}
-
-fn pixel(window: &Window, place: [f64; 2]) -> Pos2 {
-    let [x, y] = window.state().editor().camera().pixel(place);
-    #[expect(clippy::cast_possible_truncation, reason = "pixels of a window")]
-    let from = Vec2::new(x as f32, y as f32);
-    window.get_by_label("drawing").rect().min + from
-}
-
-fn press(window: &mut Window, pos: Pos2, pressed: bool) {
-    window.event(Event::PointerMoved(pos));
-    window.event(Event::PointerButton {
-        pos,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    });
-    frame(window);
-}
-
-fn timed(what: impl FnOnce()) -> f64 {
+fn milliseconds(what: impl FnOnce()) -> f64 {
     let start = Instant::now();
     what();
     start.elapsed().as_secs_f64() * 1e3
 }
 
-/// The middle of some times of the same, in milliseconds.
-fn milliseconds(times: usize, mut what: impl FnMut()) -> f64 {
-    let mut all: Vec<f64> = (0..times).map(|_| timed(&mut what)).collect();
+/// Some times of the same, the shortest first, in milliseconds.
+fn times<T>(count: usize, mut what: impl FnMut() -> T) -> Vec<f64> {
+    let mut all: Vec<f64> = (0..count).map(|_| milliseconds(|| drop(what()))).collect();
     all.sort_by(f64::total_cmp);
-    all[all.len() / 2]
+    all
+}
+
+/// The middle of some times of the same, in milliseconds.
+fn middle<T>(count: usize, what: impl FnMut() -> T) -> f64 {
+    times(count, what)[count / 2]
 }

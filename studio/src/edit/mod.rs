@@ -25,8 +25,8 @@ pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pa
 pub use drag::{Drag, Dragged};
 pub use history::{History, Step};
 pub use refusal::Refusal;
-pub use workspace::Workspace;
 pub(crate) use workspace::Saving;
+pub use workspace::Workspace;
 
 use crate::document::{Document, Reading, Source};
 use crate::failure::Failure;
@@ -121,9 +121,9 @@ pub fn apply_all(
         let change = change(&scene, command)?;
         if scene.is_readable && scene.model_after(&change.edits)?.is_none() {
             // The full answer says why.
-            return Err(apply(&current, index, command).err().unwrap_or_else(|| {
-                Refusal::of("the text could not be read any more")
-            }));
+            return Err(apply(&current, index, command)
+                .err()
+                .unwrap_or_else(|| Refusal::of("the text could not be read any more")));
         }
         notes.extend(change.notes);
         current = scene.document_after(&change.edits);

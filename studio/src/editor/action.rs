@@ -88,7 +88,10 @@ const ACTIONS: &[Action] = &[
         menu: Menu::File,
         name: "Save as",
         help: "writes the text to a new file",
-        key: Some(KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S)),
+        key: Some(KeyboardShortcut::new(
+            Modifiers::COMMAND.plus(Modifiers::SHIFT),
+            Key::S,
+        )),
         is_possible: ALWAYS,
         perform: |editor| editor.settings.dialog = Some(Dialog::Save(String::new())),
     },
@@ -104,7 +107,10 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Edit,
         name: "Redo",
         help: "makes it again",
-        key: Some(KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z)),
+        key: Some(KeyboardShortcut::new(
+            Modifiers::COMMAND.plus(Modifiers::SHIFT),
+            Key::Z,
+        )),
         is_possible: ALWAYS,
         perform: Editor::redo,
     },
@@ -294,18 +300,27 @@ pub(super) fn obey_keys(editor: &mut Editor, context: &egui::Context) {
     let types = context.text_edit_focused();
     let has_shift = |action: &Action| action.key.is_some_and(|key| key.modifiers.shift);
     // A key without Shift is also found where Shift is held.
-    let (with_shift, others): (Vec<_>, Vec<_>) = ACTIONS.iter().partition(|action| has_shift(action));
+    let (with_shift, others): (Vec<_>, Vec<_>) =
+        ACTIONS.iter().partition(|action| has_shift(action));
     for action in with_shift.into_iter().chain(others) {
         let Some(key) = action.key else {
             continue;
         };
         // In a text, its own keys count first.
-        if types && (key.modifiers.is_none() || [Key::A, Key::C, Key::V, Key::Z].contains(&key.logical_key)) {
+        if types
+            && (key.modifiers.is_none()
+                || [Key::A, Key::C, Key::V, Key::Z].contains(&key.logical_key))
+        {
             continue;
         }
         // What a focused button does is its own affair.
-        let is_of_button = key.logical_key == Key::Space && !editor.is_canvas_focused && context.memory(|memory| memory.focused()).is_some();
-        if !is_of_button && context.input_mut(|input| input.consume_shortcut(&key)) && (action.is_possible)(editor) {
+        let is_of_button = key.logical_key == Key::Space
+            && !editor.is_canvas_focused
+            && context.memory(|memory| memory.focused()).is_some();
+        if !is_of_button
+            && context.input_mut(|input| input.consume_shortcut(&key))
+            && (action.is_possible)(editor)
+        {
             (action.perform)(editor);
         }
     }
@@ -329,17 +344,27 @@ pub(super) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
                 }
             });
         }
-        for action in ACTIONS.iter().filter(|action| ["Undo", "Redo"].contains(&action.name)) {
+        for action in ACTIONS
+            .iter()
+            .filter(|action| ["Undo", "Redo"].contains(&action.name))
+        {
             entry(editor, action, ui);
         }
-        let mark = if editor.workspace().is_changed() { " •" } else { "" };
+        let mark = if editor.workspace().is_changed() {
+            " •"
+        } else {
+            ""
+        };
         ui.weak(format!("{}{mark}", editor.workspace().path().display()));
     });
 }
 
 fn entry(editor: &mut Editor, action: &Action, ui: &mut egui::Ui) {
     let mut button = egui::Button::new(action.name);
-    if let Some(key) = action.key.filter(|_| egui::containers::menu::is_in_menu(ui)) {
+    if let Some(key) = action
+        .key
+        .filter(|_| egui::containers::menu::is_in_menu(ui))
+    {
         button = button.shortcut_text(ui.ctx().format_shortcut(&key));
     }
     let response = ui.add_enabled((action.is_possible)(editor), button);
@@ -352,23 +377,34 @@ fn entry(editor: &mut Editor, action: &Action, ui: &mut egui::Ui) {
 /// All tools and actions, with their keys.
 pub(super) fn help(ui: &mut egui::Ui) {
     ui.heading("Tools");
-    egui::Grid::new("tools").num_columns(3).striped(true).show(ui, |ui| {
-        for tool in Tool::all() {
-            ui.strong(tool.name());
-            ui.monospace(ui.ctx().format_shortcut(&key_of_tool(tool)));
-            ui.label(tool.help());
-            ui.end_row();
-        }
-    });
+    egui::Grid::new("tools")
+        .num_columns(3)
+        .striped(true)
+        .show(ui, |ui| {
+            for tool in Tool::all() {
+                ui.strong(tool.name());
+                ui.monospace(ui.ctx().format_shortcut(&key_of_tool(tool)));
+                ui.label(tool.help());
+                ui.end_row();
+            }
+        });
     ui.heading("Actions");
-    egui::Grid::new("actions").num_columns(3).striped(true).show(ui, |ui| {
-        for action in ACTIONS {
-            ui.strong(action.name);
-            ui.monospace(action.key.map(|key| ui.ctx().format_shortcut(&key)).unwrap_or_default());
-            ui.label(action.help);
-            ui.end_row();
-        }
-    });
+    egui::Grid::new("actions")
+        .num_columns(3)
+        .striped(true)
+        .show(ui, |ui| {
+            for action in ACTIONS {
+                ui.strong(action.name);
+                ui.monospace(
+                    action
+                        .key
+                        .map(|key| ui.ctx().format_shortcut(&key))
+                        .unwrap_or_default(),
+                );
+                ui.label(action.help);
+                ui.end_row();
+            }
+        });
 }
 
 /// Something that is asked in a window of its own.
@@ -394,7 +430,9 @@ pub(super) fn dialogs(editor: &mut Editor, context: &egui::Context) {
     egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
         ui.heading(title);
         let label = ui.label("File");
-        let edit = egui::TextEdit::singleline(path).hint_text("four_bar.mech").desired_width(320.0);
+        let edit = egui::TextEdit::singleline(path)
+            .hint_text("four_bar.mech")
+            .desired_width(320.0);
         let response = ui.add(edit).labelled_by(label.id);
         if !response.has_focus() && !response.lost_focus() {
             response.request_focus();
@@ -402,7 +440,8 @@ pub(super) fn dialogs(editor: &mut Editor, context: &egui::Context) {
         is_done = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         ui.horizontal(|ui| {
             is_done |= ui.button(verb).clicked();
-            is_given_up = ui.button("Cancel").clicked() || ui.input(|input| input.key_pressed(Key::Escape));
+            is_given_up =
+                ui.button("Cancel").clicked() || ui.input(|input| input.key_pressed(Key::Escape));
         });
     });
     if is_done {

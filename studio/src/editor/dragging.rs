@@ -16,6 +16,8 @@ pub(crate) struct Dragging {
     drag: Drag,
     /// The pose of its link in the scene, if places are told in the frame of the link.
     frame: Option<Pose>,
+    /// The mechanism as it was.
+    before: Drawing,
     /// By how much places may be rounded.
     tolerance: f64,
     /// Where it was asked to go last, as the drag counts.
@@ -62,9 +64,12 @@ impl Dragging {
         };
         let frame = seen_at.is_none().then(|| drawing.pose(link));
         Ok(Self {
-            items: std::iter::once(item.clone()).chain(others.iter().cloned().map(Item::Joint)).collect(),
+            items: std::iter::once(item.clone())
+                .chain(others.iter().cloned().map(Item::Joint))
+                .collect(),
             drag: Drag::begin(document, index, &path, seen_at)?.with(others)?,
             frame,
+            before: drawing.clone(),
             tolerance: 1e-6 * drawing.model.size(),
             to: None,
             dragged: None,
@@ -87,7 +92,7 @@ impl Dragging {
         match self.drag.move_to(to) {
             Ok(dragged) => {
                 let poses = dragged.poses.clone();
-                self.drawing = Some(Drawing::new(dragged.model.clone(), poses));
+                self.drawing = Some(self.before.with_numbers(dragged.model.clone(), poses));
                 self.dragged = Some(dragged);
                 self.refusal = None;
                 self.to = Some(to);

@@ -1,8 +1,10 @@
 //! Where everything is seen: a model with the poses of its links.
 
 use super::Item;
+use super::index::{self, Index};
 use super::placement::placed;
-use mech_compiler::model::{AxisId, Between, AxisKind, JointId, JointKind, LinkId, Model};
+use mech_compiler::model::{AxisId, Between, JointId, JointKind, LinkId, Model};
+use std::sync::Arc;
 
 /// A pose: cosine, sine, x and y.
 pub(crate) type Pose = [f64; 4];
@@ -13,16 +15,17 @@ pub(crate) const SCENE: Pose = [1.0, 0.0, 0.0, 0.0];
 /// A mechanism as it is drawn, whether or not it moves.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    pub(crate) model: Model,
+    pub(crate) model: Arc<Model>,
     /// The pose of each link.
     poses: Vec<Pose>,
+    index: Arc<Index>,
 }
 
 /// A place that can be taken hold of.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Handle {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Handle<'d> {
     /// What is there.
-    pub item: Item,
+    pub item: &'d Item,
     /// Where, in the scene.
     pub place: [f64; 2],
     /// What it looks like.
@@ -61,7 +64,23 @@ impl Drawing {
     /// A mechanism whose links have these poses, as far as these are known. The others are put where their joints want them.
     pub(crate) fn new(model: Model, known: Vec<Option<Pose>>) -> Self {
         let poses = placed(&model, known);
-        Self { model, poses }
+        let index = Arc::new(Index::of(&model));
+        Self {
+            model: Arc::new(model),
+            poses,
+            index,
+        }
+    }
+
+    /// The same mechanism with other numbers.
+    pub(crate) fn with_numbers(&self, model: Model, known: Vec<Option<Pose>>) -> Self {
+        let poses = placed(&model, known);
+        let index = self.index.clone();
+        Self {
+            model: Arc::new(model),
+            poses,
+            index,
+        }
     }
 
     /// Puts links where they are known to be.
@@ -130,29 +149,22 @@ impl Drawing {
 
     /// The joint of this name that is shown.
     pub(crate) fn joint(&self, name: &str) -> Option<JointId> {
-        let is_it = |id: &JointId| self.model.joint(*id).name == name;
-        self.model.declared_joints().find(is_it)
+        self.index.joints.get(name).copied()
     }
 
     /// The path of an axis that has a name.
     pub(crate) fn path(&self, axis: AxisId) -> Option<String> {
-        let axis = self.model.axis(axis);
-        let name = axis.name.as_ref()?;
-        Some(format!("{}.{name}", self.model.owner_of(axis)))
+        index::path(&self.model, axis)
     }
 
     /// The axis of this path.
     pub(crate) fn axis(&self, path: &str) -> Option<AxisId> {
-        let mut axes = (0..self.model.axes.len()).map(AxisId::new);
-        axes.find(|axis| self.path(*axis).as_deref() == Some(path))
+        self.index.axes.get(path).copied()
     }
 
-    /// The axis by which a joint is seen, and moved: the one on the link that is nearer to the ground.
+    /// The axis by which a joint is seen, and moved.
     pub(crate) fn axis_of_joint(&self, joint: JointId) -> Option<AxisId> {
-        let [a, b] = self.model.joint(joint).kind.axes()?;
-        // A slot is seen where its pin is.
-        let is_slot = self.model.link(self.model.axis(b).link).die.is_some();
-        Some(self.model.seen_axis(if is_slot { b } else { a }))
+        index::axis_of_joint(&self.model, joint)
     }
 
     /// What has to be moved so that a joint comes to another place: the joint itself, if it was placed in the drawing, or else its point.
@@ -168,7 +180,10 @@ impl Drawing {
         let Some(joint) = self.joint(name) else {
             return Vec::new();
         };
-        let place = |joint| self.axis_of_joint(joint).map(|axis| self.model.axis(axis).at);
+        let place = |joint| {
+            self.axis_of_joint(joint)
+                .map(|axis| self.model.axis(axis).at)
+        };
         let others = self.model.declared_joints().filter(|&other| {
             let own_name = &self.model.joint(other).name;
             let mover = self.mover_of_joint(other);
@@ -176,54 +191,18 @@ impl Drawing {
                 && place(other) == place(joint)
                 && mover.is_some_and(|(path, _)| path == *own_name)
         });
-        others.map(|other| self.model.joint(other).name.clone()).collect()
+        others
+            .map(|other| self.model.joint(other).name.clone())
+            .collect()
     }
 
     /// All that can be taken hold of, joints first.
-    pub fn handles(&self) -> Vec<Handle> {
-        let mut found = Vec::new();
-        for joint in self.model.declared_joints() {
-            let kind = match self.model.joint(joint).kind {
-                JointKind::Revolute(..) => HandleKind::Pin,
-                JointKind::Prismatic(..) => HandleKind::Slide,
-                JointKind::Weld(..) => HandleKind::Weld,
-                _ => continue,
-            };
-            if let Some(axis) = self.axis_of_joint(joint) {
-                found.push(Handle {
-                    item: Item::Joint(self.model.joint(joint).name.clone()),
-                    place: self.place(axis),
-                    kind,
-                });
-            }
-        }
-        for axis in self.loose_axes() {
-            if let Some(path) = self.path(axis) {
-                let kind = match self.model.axis(axis).kind {
-                    AxisKind::Point => HandleKind::Point,
-                    AxisKind::Line => HandleKind::Line,
-                };
-                found.push(Handle {
-                    item: Item::Axis(path),
-                    place: self.place(axis),
-                    kind,
-                });
-            }
-        }
-        found
-    }
-
-    /// The points and lines that no joint has.
-    fn loose_axes(&self) -> impl Iterator<Item = AxisId> {
-        let mut is_used = vec![false; self.model.axes.len()];
-        for joint in &self.model.joints {
-            for axis in joint.kind.axes().into_iter().flatten() {
-                is_used[axis.index()] = true;
-                is_used[self.model.seen_axis(axis).index()] = true;
-            }
-        }
-        let all = is_used.into_iter().enumerate();
-        all.filter_map(|(index, used)| (!used).then(|| AxisId::new(index)))
+    pub fn handles(&self) -> impl Iterator<Item = Handle<'_>> + Clone {
+        self.index.handles.iter().map(|(item, axis, kind)| Handle {
+            item,
+            place: self.place(*axis),
+            kind: *kind,
+        })
     }
 
     /// Whether a joint has a motor.
@@ -252,27 +231,29 @@ impl Drawing {
         let actions = &self.model.actions;
         let springs = actions.springs.iter().map(|one| (&*one.name, one.between));
         let dampers = actions.dampers.iter().map(|one| (&*one.name, one.between));
-        springs.chain(dampers).filter_map(|(name, between)| match between {
-            Between::Points(a, b) => Some((name, [self.place(a), self.place(b)])),
-            Between::Joint(_) => None,
-        })
+        springs
+            .chain(dampers)
+            .filter_map(|(name, between)| match between {
+                Between::Points(a, b) => Some((name, [self.place(a), self.place(b)])),
+                Between::Joint(_) => None,
+            })
     }
 
     /// What is at a place, no farther away than `reach`.
     pub(crate) fn hit(&self, place: [f64; 2], reach: f64) -> Hit {
-        let away = |other: [f64; 2]| distance(place, other);
-        let joints = self.model.declared_joints().filter_map(|joint| {
-            let axis = self.axis_of_joint(joint)?;
-            Some((away(self.place(axis)), Hit::Joint(joint)))
-        });
-        let axes = self.loose_axes().filter(|axis| self.path(*axis).is_some());
-        let axes = axes.map(|axis| (away(self.place(axis)), Hit::Axis(axis)));
-        let near = joints
-            .chain(axes)
-            .filter(|(away, _)| *away <= reach)
-            .min_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((_, hit)) = near {
-            return hit;
+        let near = self
+            .handles()
+            .map(|handle| (distance(place, handle.place), handle.item));
+        let near = near.filter(|(away, _)| *away <= reach);
+        if let Some((_, item)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            let hit = match item {
+                Item::Joint(name) => self.joint(name).map(Hit::Joint),
+                Item::Axis(path) => self.axis(path).map(Hit::Axis),
+                Item::Link(_) | Item::Action(_) => None,
+            };
+            if let Some(hit) = hit {
+                return hit;
+            }
         }
         let links = self.model.declared_links();
         let links = links.map(|link| (self.distance_to(link, place), link));
@@ -299,39 +280,31 @@ impl Drawing {
 
     /// Where the axes of a link are in the scene.
     pub(crate) fn places_on(&self, link: LinkId) -> Vec<[f64; 2]> {
-        let all = (0..self.model.axes.len()).map(AxisId::new);
-        let own = all.filter(|axis| self.model.axis(*axis).link == link);
-        own.map(|axis| self.place(axis)).collect()
+        let own = self.index.on_link[link.index()].iter();
+        own.map(|axis| self.place(*axis)).collect()
     }
 
     /// The pitch circle of a link that rolls on another, about a pivot.
     pub(crate) fn wheel(&self, link: LinkId) -> Option<([f64; 2], f64)> {
-        self.model.joints.iter().find_map(|joint| {
-            let (JointKind::Gear { a, b, ratio, .. } | JointKind::Belt { a, b, ratio, .. }) =
-                joint.kind
-            else {
-                return None;
-            };
-            let index = [a, b].into_iter().position(|wheel| wheel == link)?;
-            let centers = [self.pivot(a)?, self.pivot(b)?];
-            let apart = distance(centers[0], centers[1]);
-            let radii = match joint.kind {
-                JointKind::Gear { .. } => ratio.pitch_radii(apart),
-                _ => ratio.pulley_radii(apart),
-            };
-            Some((centers[index], radii[index]))
-        })
+        let (joint, side) = self.index.wheels[link.index()]?;
+        let kind = &self.model.joint(joint).kind;
+        let (JointKind::Gear { a, b, ratio, .. } | JointKind::Belt { a, b, ratio, .. }) = kind
+        else {
+            return None;
+        };
+        let centers = [self.pivot(*a)?, self.pivot(*b)?];
+        let apart = distance(centers[0], centers[1]);
+        let radii = match kind {
+            JointKind::Gear { .. } => ratio.pitch_radii(apart),
+            _ => ratio.pulley_radii(apart),
+        };
+        Some((centers[side], radii[side]))
     }
 
     /// Where a link turns: its first joint that does.
     pub(crate) fn pivot(&self, link: LinkId) -> Option<[f64; 2]> {
-        self.model.declared_joints().find_map(|joint| {
-            let JointKind::Revolute(a, b) = self.model.joint(joint).kind else {
-                return None;
-            };
-            let of_link = |axis: AxisId| self.model.axis(axis).link == link;
-            (of_link(a) || of_link(b)).then(|| self.place(a))
-        })
+        let axis = self.index.pivots[link.index()]?;
+        Some(self.place(axis))
     }
 }
 

@@ -25,10 +25,15 @@ impl Journal {
     ) -> (Result<Turn, Failure>, String) {
         let said = Heard::default();
         let done = session.obey(line, &mut Console::to(said.clone(), said.clone()));
-        let said = String::from_utf8_lossy(&said.0.borrow()).trim_end().to_owned();
+        let said = String::from_utf8_lossy(&said.0.borrow())
+            .trim_end()
+            .to_owned();
         self.lines.push(line.to_owned());
         self.text += &format!("> {line}\n");
-        for text in [Some(said.clone()), done.as_ref().err().map(ToString::to_string)] {
+        for text in [
+            Some(said.clone()),
+            done.as_ref().err().map(ToString::to_string),
+        ] {
             if let Some(text) = text.filter(|text| !text.is_empty()) {
                 self.text += &format!("{text}\n");
             }

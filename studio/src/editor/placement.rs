@@ -41,7 +41,11 @@ fn beside(model: &Model, (fixed, pose): (AxisId, Pose), axis: AxisId, turns: boo
     let [cos, sin] = if turns {
         near(model, model.axis(axis).link)
     } else {
-        turn(pose, model.axis(fixed).direction, model.axis(axis).direction)
+        turn(
+            pose,
+            model.axis(fixed).direction,
+            model.axis(axis).direction,
+        )
     };
     let [left, up] = apply([cos, sin, 0.0, 0.0], model.axis(axis).at);
     [cos, sin, x - left, y - up]

@@ -41,7 +41,13 @@ pub(crate) fn ranges(model: &Model, compiled: &Compiled) -> Result<Vec<MotorRang
         let (ends, basis) = if let Some(ends) = range_of(model, motor) {
             (ends, Basis::Proved)
         } else {
-            let found = reach(model, compiled, motor, base, if turns { TAU } else { size / 2.0 })?;
+            let found = reach(
+                model,
+                compiled,
+                motor,
+                base,
+                if turns { TAU } else { size / 2.0 },
+            )?;
             let start = base[motor.index()];
             if turns && found.is_free {
                 ([start, start + TAU], Basis::Round)

@@ -39,7 +39,9 @@ impl Snapping<'_> {
     /// The place that is meant by one under the pointer.
     pub(super) fn snap(&self, place: [f64; 2]) -> Snapped {
         let reach = if self.is_on { REACH } else { CLOSE } / self.scale;
-        let hit = self.drawing.map_or(Hit::Paper, |drawing| drawing.hit(place, reach));
+        let hit = self
+            .drawing
+            .map_or(Hit::Paper, |drawing| drawing.hit(place, reach));
         if let Some(place) = self.handle(place, reach) {
             return Snapped {
                 pick: Pick { place, hit },
@@ -49,7 +51,10 @@ impl Snapping<'_> {
         if !self.is_on {
             let fine = grid(self.scale) / FINE;
             return Snapped {
-                pick: Pick { place: on_grid(place, fine), hit },
+                pick: Pick {
+                    place: on_grid(place, fine),
+                    hit,
+                },
                 guides: Vec::new(),
             };
         }
@@ -65,11 +70,12 @@ impl Snapping<'_> {
 
     /// The handle that is near.
     fn handle(&self, place: [f64; 2], reach: f64) -> Option<[f64; 2]> {
-        let handles = self.drawing?.handles().into_iter();
-        let others = handles.filter(|handle| !self.without.contains(&handle.item));
+        let handles = self.drawing?.handles();
+        let others = handles.filter(|handle| !self.without.contains(handle.item));
         let near = others.map(|handle| (distance(handle.place, place), handle.place));
         let near = near.filter(|(away, _)| *away <= reach);
-        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
+        near.min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, place)| place)
     }
 
     /// A place on the grid, or aligned with handles.
@@ -77,14 +83,19 @@ impl Snapping<'_> {
         let unit = grid(self.scale);
         let mut found = on_grid(place, unit);
         let mut guides = Vec::new();
-        let handles = self.drawing.map(Drawing::handles).unwrap_or_default();
-        let others = handles.iter().filter(|handle| !self.without.contains(&handle.item));
+        let handles = self.drawing.into_iter().flat_map(Drawing::handles);
+        let others: Vec<[f64; 2]> = handles
+            .filter(|handle| !self.without.contains(handle.item))
+            .map(|handle| handle.place)
+            .collect();
         for part in 0..2 {
             let away = |other: [f64; 2]| (other[part] - place[part]).abs();
-            let nearest = others.clone().map(|handle| handle.place);
+            let nearest = others.iter().copied();
             let nearest = nearest.min_by(|a, b| away(*a).total_cmp(&away(*b)));
             let own = (found[part] - place[part]).abs();
-            if let Some(nearest) = nearest.filter(|one| away(*one) <= (ALIGNED / self.scale).min(own + 1e-12)) {
+            if let Some(nearest) =
+                nearest.filter(|one| away(*one) <= (ALIGNED / self.scale).min(own + 1e-12))
+            {
                 found[part] = nearest[part];
                 guides.push(nearest);
             }
@@ -99,7 +110,11 @@ impl Snapping<'_> {
         let [x, y] = [place[0] - from[0], place[1] - from[1]];
         let angle = (y.atan2(x) / step).round() * step;
         let length = (x.hypot(y) / unit).round() * unit;
-        [from[0] + length * angle.cos(), from[1] + length * angle.sin()].map(|part| tidy(part, unit))
+        [
+            from[0] + length * angle.cos(),
+            from[1] + length * angle.sin(),
+        ]
+        .map(|part| tidy(part, unit))
     }
 }
 
@@ -118,5 +133,8 @@ pub(super) fn grid(scale: f64) -> f64 {
     let least = APART / scale;
     let power = 10_f64.powf(least.log10().floor());
     let found = [1.0, 2.0, 5.0].map(|digit| digit * power);
-    found.into_iter().find(|unit| *unit >= least).unwrap_or(10.0 * power)
+    found
+        .into_iter()
+        .find(|unit| *unit >= least)
+        .unwrap_or(10.0 * power)
 }

@@ -63,10 +63,12 @@ impl Snapshot {
 
     /// Whether the text says what a mechanism is, even one that does not move yet.
     pub(crate) fn is_readable(&self) -> bool {
-        self.reading.as_ref().is_some_and(|reading| match &reading.result {
-            Ok(_) => true,
-            Err(faults) => !faults.diagnoses.is_empty(),
-        })
+        self.reading
+            .as_ref()
+            .is_some_and(|reading| match &reading.result {
+                Ok(_) => true,
+                Err(faults) => !faults.diagnoses.is_empty(),
+            })
     }
 
     /// The compiled mechanism, if it moves.
@@ -76,7 +78,10 @@ impl Snapshot {
 
     /// What is wrong, at its places.
     pub(crate) fn messages(&self) -> &[Message] {
-        let faults = self.reading.as_ref().and_then(|reading| reading.result.as_ref().err());
+        let faults = self
+            .reading
+            .as_ref()
+            .and_then(|reading| reading.result.as_ref().err());
         faults.map_or(&[], |faults| &faults.messages)
     }
 

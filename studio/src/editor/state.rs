@@ -375,7 +375,11 @@ impl Editor {
 
     /// Puts the links of the drawing where the player has them.
     pub(super) fn pose(&mut self) {
-        let is_played = |drawn| self.played.as_ref().is_some_and(|played| Arc::ptr_eq(played, drawn));
+        let is_played = |drawn| {
+            self.played
+                .as_ref()
+                .is_some_and(|played| Arc::ptr_eq(played, drawn))
+        };
         if let (Some(player), Some(drawing)) = (&self.player, &mut self.drawing)
             && self.drawn.as_ref().is_some_and(is_played)
         {

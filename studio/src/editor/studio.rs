@@ -3,7 +3,7 @@
 use super::Editor;
 use super::action;
 use super::canvas::Canvas;
-use super::panel::{self, Panel};
+use super::panel;
 use eframe::egui;
 
 /// The editor in a window of egui.
@@ -11,7 +11,7 @@ pub struct Studio {
     editor: Editor,
     canvas: Canvas,
     line: panel::Line,
-    plots: panel::Plots,
+    panels: panel::Panels,
 }
 
 /// Below this width the window is that of a telephone: tools stand above the drawing, panels below it.
@@ -25,7 +25,7 @@ impl Studio {
             editor,
             canvas: Canvas::default(),
             line: panel::Line::default(),
-            plots: panel::Plots::default(),
+            panels: panel::Panels::default(),
         }
     }
 
@@ -44,7 +44,11 @@ impl Studio {
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let editor = &mut self.editor;
         editor.look();
-        let theme = if editor.settings.is_dark { egui::Theme::Dark } else { egui::Theme::Light };
+        let theme = if editor.settings.is_dark {
+            egui::Theme::Dark
+        } else {
+            egui::Theme::Light
+        };
         ui.ctx().set_theme(theme);
         let context = ui.ctx().clone();
         editor.advance(f64::from(context.input(|input| input.stable_dt.min(0.1))));
@@ -61,7 +65,7 @@ impl Studio {
             egui::Panel::bottom("panel")
                 .resizable(true)
                 .default_size(220.0)
-                .show(ui, |ui| Self::panel(editor, &mut self.plots, ui));
+                .show(ui, |ui| self.panels.show(editor, ui));
         } else {
             egui::Panel::left("tools")
                 .resizable(false)
@@ -70,25 +74,10 @@ impl Studio {
             egui::Panel::right("panel")
                 .resizable(true)
                 .default_size(380.0)
-                .show(ui, |ui| Self::panel(editor, &mut self.plots, ui));
+                .show(ui, |ui| self.panels.show(editor, ui));
         }
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);
-    }
-
-    fn panel(editor: &mut Editor, plots: &mut panel::Plots, ui: &mut egui::Ui) {
-        panel::tabs(editor, ui);
-        ui.separator();
-        match editor.settings.panel {
-            Some(Panel::Text) => panel::text(editor, ui),
-            Some(Panel::Properties) => panel::properties(editor, ui),
-            Some(Panel::Diagnoses) => panel::diagnoses(editor, ui),
-            Some(Panel::Plots) => plots.show(editor, ui),
-            Some(Panel::Report) => panel::report(editor, ui),
-            Some(Panel::Steps) => panel::steps(editor, ui),
-            Some(Panel::Help) => panel::help(ui),
-            None => {}
-        }
     }
 }
 

@@ -9,16 +9,19 @@ use super::snapshot::{Played, Snapshot};
 use super::worker::Task;
 use super::{Editor, Gesture, Item};
 use crate::check::verdict_line;
+use crate::document::{Document, Source};
 use crate::edit::Command;
 use crate::failure::Failure;
-use crate::document::{Document, Source};
 use crate::play::{Control, Player};
 use crate::text::written;
 
 impl Editor {
     /// What is seen: while something is dragged, the mechanism as it is then.
     pub(super) fn seen_drawing(&self) -> Option<&Drawing> {
-        let dragged = self.dragging.as_ref().and_then(|dragging| dragging.drawing.as_ref());
+        let dragged = self
+            .dragging
+            .as_ref()
+            .and_then(|dragging| dragging.drawing.as_ref());
         dragged.or(self.drawing.as_ref())
     }
 
@@ -81,12 +84,13 @@ impl Editor {
 
     /// Selects all handles within a frame with these corners.
     pub(super) fn select_within(&mut self, [a, b]: [[f64; 2]; 2]) {
-        let handles = self.seen_drawing().map(Drawing::handles).unwrap_or_default();
         let is_within = |place: [f64; 2]| {
             (0..2).all(|part| (a[part].min(b[part])..=a[part].max(b[part])).contains(&place[part]))
         };
-        let inside = handles.into_iter().filter(|handle| is_within(handle.place));
-        self.selection.extend(inside.map(|handle| handle.item));
+        let handles = self.seen_drawing().into_iter().flat_map(Drawing::handles);
+        let inside = handles.filter(|handle| is_within(handle.place));
+        let inside: Vec<Item> = inside.map(|handle| handle.item.clone()).collect();
+        self.selection.extend(inside);
     }
 
     /// Takes hold of the link under a pixel of the canvas, so that it follows the pointer.
@@ -108,7 +112,14 @@ impl Editor {
             player.obey(Control::PlayOrPause);
         }
         let document = self.session.workspace.document();
-        let begun = Dragging::begin(&document, self.session.workspace.index(), drawing, item, self.seen_at(), is_alone);
+        let begun = Dragging::begin(
+            &document,
+            self.session.workspace.index(),
+            drawing,
+            item,
+            self.seen_at(),
+            is_alone,
+        );
         match begun {
             Ok(dragging) => self.dragging = Some(dragging),
             Err(refusal) => self.refuse(refusal),
@@ -125,10 +136,17 @@ impl Editor {
             let why = refusal.to_string();
             self.refuse(why);
         } else {
-            let notes = dragging.dragged.as_ref().map(|dragged| dragged.notes.join("; "));
+            let notes = dragging
+                .dragged
+                .as_ref()
+                .map(|dragged| dragged.notes.join("; "));
             let [x, y] = place.map(|part| crate::text::shortest(part, 1e-6));
             let items: Vec<String> = dragging.items.iter().map(ToString::to_string).collect();
-            let told = format!("{} to ({x}, {y}) {}", items.join(", "), notes.unwrap_or_default());
+            let told = format!(
+                "{} to ({x}, {y}) {}",
+                items.join(", "),
+                notes.unwrap_or_default()
+            );
             match dragging.preview.fault.clone() {
                 Some(fault) => self.refuse(format!("{told}: {fault}")),
                 None => self.tell(told),
@@ -141,7 +159,10 @@ impl Editor {
     pub(super) fn give_preview(&mut self) {
         let edits = self.dragging.as_mut().and_then(Dragging::unread);
         if let Some(edits) = edits {
-            let source = Source::new(self.workspace().path(), written(self.workspace().text(), &edits));
+            let source = Source::new(
+                self.workspace().path(),
+                written(self.workspace().text(), &edits),
+            );
             let task = Task::Preview {
                 document: Document::of(source),
                 index: self.workspace().index(),
@@ -151,14 +172,20 @@ impl Editor {
     }
 
     /// Takes over what the compiler makes of a text while something is dragged.
-    pub(super) fn take_preview(&mut self, snapshot: &Snapshot, played: Option<Result<Played, Failure>>) {
+    pub(super) fn take_preview(
+        &mut self,
+        snapshot: &Snapshot,
+        played: Option<Result<Played, Failure>>,
+    ) {
         let Some(dragging) = &mut self.dragging else {
             return;
         };
         let preview = &mut dragging.preview;
         preview.is_awaited = false;
         let first = snapshot.messages().first();
-        preview.fault = first.and_then(|message| message.text.lines().next()).map(ToOwned::to_owned);
+        preview.fault = first
+            .and_then(|message| message.text.lines().next())
+            .map(ToOwned::to_owned);
         preview.player = None;
         preview.paths.clear();
         if let Some(Ok((mechanism, _, paths))) = played {
@@ -219,7 +246,10 @@ impl Editor {
         });
         self.selection = copied.collect();
         if !copies.is_empty() {
-            self.perform(Gesture::new(format!("paste {} links", copies.len()), copies));
+            self.perform(Gesture::new(
+                format!("paste {} links", copies.len()),
+                copies,
+            ));
         }
     }
 
@@ -247,7 +277,13 @@ impl Editor {
         self.ghost = number.and_then(|number| {
             let mending = self.mendings.get(number.checked_sub(1)?)?;
             let document = self.snapshot.document.source();
-            Ghost::of(number, mending, document.path(), self.snapshot.index, self.drawing.as_ref())
+            Ghost::of(
+                number,
+                mending,
+                document.path(),
+                self.snapshot.index,
+                self.drawing.as_ref(),
+            )
         });
     }
 }

@@ -141,9 +141,9 @@ mod implementation {
                 Self::Thread { findings, .. } => match findings.try_recv() {
                     Ok(finding) => Ok(Some(finding)),
                     Err(TryRecvError::Empty) => Ok(None),
-                    Err(TryRecvError::Disconnected) => {
-                        Err(Failure::internal("the analysis beside the window has ended"))
-                    }
+                    Err(TryRecvError::Disconnected) => Err(Failure::internal(
+                        "the analysis beside the window has ended",
+                    )),
                 },
             }
         }

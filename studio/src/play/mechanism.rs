@@ -133,7 +133,14 @@ impl Mechanism {
         let values = self.motors().iter().enumerate();
         let shown = values.filter_map(|(motor, &value)| {
             let name = self.motor_name(motor)?.to_owned();
-            Some((name, if self.slides(motor) { value } else { value.to_degrees() }))
+            Some((
+                name,
+                if self.slides(motor) {
+                    value
+                } else {
+                    value.to_degrees()
+                },
+            ))
         });
         shown.collect()
     }

@@ -3,7 +3,7 @@
 use super::bounds::Bounds;
 use super::{
     Camera, Control, Driver, Grip, Held, Layer, Layers, Limit, Mechanism, Obstacle, Pace, Rates,
-    Selection, Style, marks,
+    Revision, Selection, Style, marks,
 };
 use mech_runtime::Canvas;
 use mech_runtime::overlay::Spot;
@@ -35,6 +35,7 @@ pub struct Player {
     is_night: bool,
     camera: Camera,
     notice: Option<String>,
+    revision: Revision,
 }
 
 impl Player {
@@ -54,11 +55,13 @@ impl Player {
             held: None,
             is_night: false,
             notice: None,
+            revision: Revision::next(),
         }
     }
 
     /// Obeys a control. The front end obeys those for help, saving and stopping.
     pub fn obey(&mut self, control: Control) {
+        self.revision = Revision::next();
         if !matches!(control, Control::Point(_) | Control::Resize(_)) {
             self.notice = None;
         }
@@ -109,13 +112,18 @@ impl Player {
 
     /// Moves the motors to the values that those of the same name have in another mechanism, as far as they can come there.
     pub fn stand_as(&mut self, before: &Mechanism) {
+        self.revision = Revision::next();
         if before.is_at_start() {
             return;
         }
         let from = self.mechanism.motors().to_vec();
         let mut target = from.clone();
         for (motor, value) in target.iter_mut().enumerate() {
-            if let Some(known) = self.mechanism.motor_name(motor).and_then(|name| before.value_of(name)) {
+            if let Some(known) = self
+                .mechanism
+                .motor_name(motor)
+                .and_then(|name| before.value_of(name))
+            {
                 *value = known;
             }
         }
@@ -125,6 +133,7 @@ impl Player {
 
     /// Pauses, and moves a motor, by its number, to a value in radians or scene units, as far as possible.
     pub fn drive(&mut self, motor: usize, value: f64) {
+        self.revision = Revision::next();
         self.plays = false;
         self.direction = None;
         let from = self.mechanism.motors().to_vec();
@@ -137,12 +146,14 @@ impl Player {
     }
 
     /// Shows these layers.
-    pub const fn show_layers(&mut self, layers: Layers) {
+    pub fn show_layers(&mut self, layers: Layers) {
+        self.revision = Revision::next();
         self.layers = layers;
     }
 
     /// Looks through another camera.
     pub fn look(&mut self, camera: &Camera) {
+        self.revision = Revision::next();
         self.camera.clone_from(camera);
     }
 
@@ -152,6 +163,7 @@ impl Player {
         if !self.plays || is_held || !seconds.is_finite() {
             return;
         }
+        self.revision = Revision::next();
         let seconds = seconds.clamp(0.0, LONGEST);
         let share = self.pace.direction() * self.pace.speed() * seconds / self.driver.seconds();
         if !self.travel(share) {
@@ -177,6 +189,12 @@ impl Player {
         {
             marks::band(canvas, [place, aim], size);
         }
+    }
+
+    /// Which of all its pictures it shows: another after each change.
+    #[must_use]
+    pub const fn revision(&self) -> Revision {
+        self.revision
     }
 
     /// The mechanism that is shown.

@@ -33,11 +33,20 @@ joint d = revolute(ground, bar3) at (2, 0);
 motor c;
 ";
     assert_eq!(user.text(), expected, "{:?}", user.editor().notice());
-    assert!(user.editor().player().is_some(), "{:?}", user.editor().messages());
+    assert!(
+        user.editor().player().is_some(),
+        "{:?}",
+        user.editor().messages()
+    );
     user.key(Key::Space);
     user.wait(30);
     let motors = user.editor().player().expect("it moves").motors().to_vec();
     let player = user.editor().player().expect("it moves");
-    assert!(motors[0] > 0.1, "{motors:?} {} {:?}", player.status(), user.editor().notice());
+    assert!(
+        motors[0] > 0.1,
+        "{motors:?} {} {:?}",
+        player.status(),
+        user.editor().notice()
+    );
     assert_eq!(user.gestures(), 10);
 }

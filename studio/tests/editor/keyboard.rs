@@ -5,7 +5,8 @@ use eframe::egui::Key;
 
 #[test]
 fn a_pin_is_moved_by_the_arrows() {
-    let text = "struct Mechanism;\nlink crank;\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n";
+    let text =
+        "struct Mechanism;\nlink crank;\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n";
     let mut user = User::with_text(text);
     user.focus("joint a");
     user.key(Key::ArrowRight);
@@ -46,7 +47,9 @@ motor a;
 
 #[test]
 fn a_line_is_typed_completed_and_recalled() {
-    let mut user = User::with_text("struct Mechanism;\nlink crank;\njoint pivot = revolute(ground, crank) at (0, 0);\n");
+    let mut user = User::with_text(
+        "struct Mechanism;\nlink crank;\njoint pivot = revolute(ground, crank) at (0, 0);\n",
+    );
     user.focus("Line");
     user.type_text("motor pi");
     user.key(Key::Tab);

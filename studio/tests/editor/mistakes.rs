@@ -71,11 +71,22 @@ fn is_mended(user: &mut User, repair: &str) {
     user.click_on_beginning("Diagnoses");
     let offered = user.editor().mendings().iter();
     let offered: Vec<String> = offered.map(|mending| mending.words.clone()).collect();
-    let index = offered.iter().take(2).position(|words| words.contains(repair));
+    let index = offered
+        .iter()
+        .take(2)
+        .position(|words| words.contains(repair));
     let index = index.unwrap_or_else(|| panic!("{offered:#?}\n{said}"));
     user.click_on_beginning(&format!("Repair {}: ", index + 1));
-    assert!(user.editor().player().is_some(), "it does not move:\n{}", user.said());
-    let motors = |user: &User| user.editor().player().map(|player| player.motors().to_vec());
+    assert!(
+        user.editor().player().is_some(),
+        "it does not move:\n{}",
+        user.said()
+    );
+    let motors = |user: &User| {
+        user.editor()
+            .player()
+            .map(|player| player.motors().to_vec())
+    };
     let start = motors(user);
     user.key(Key::Space);
     user.wait(20);
@@ -85,7 +96,11 @@ fn is_mended(user: &mut User, repair: &str) {
 #[test]
 fn a_pivot_that_was_not_grounded() {
     Case {
-        bars: &[[[0.0, 0.0], [1.0, 2.0]], [[1.0, 2.0], [4.0, 3.0]], [[4.0, 3.0], [4.0, 0.0]]],
+        bars: &[
+            [[0.0, 0.0], [1.0, 2.0]],
+            [[1.0, 2.0], [4.0, 3.0]],
+            [[4.0, 3.0], [4.0, 0.0]],
+        ],
         grounds: &[[0.0, 0.0]],
         motor: &[[0.0, 0.0]],
         repair: "pin `bar3` to the ground",
@@ -106,7 +121,10 @@ fn the_last_pin_is_refused(case: &Case<'_>) {
     user.key(Key::G);
     user.click(case.grounds[case.grounds.len() - 1]);
     let notice = user.editor().notice().cloned().expect("it is told");
-    assert!(notice.is_refusal && notice.text.contains("a rule of assembly forbids it"), "{notice:?}");
+    assert!(
+        notice.is_refusal && notice.text.contains("a rule of assembly forbids it"),
+        "{notice:?}"
+    );
     assert_eq!(user.text(), text);
 }
 
@@ -146,8 +164,18 @@ fn a_crank_that_is_grounded_at_both_ends() {
         joint a = revolute(ground, ab) at (0, 0); joint b = revolute(ground, ab) at (1, 1);
         joint b2 = revolute(ab, bc) at (1, 1); motor a;",
     );
-    let words = |user: &User| user.editor().mendings().first().map(|mending| mending.words.clone());
-    assert_eq!(words(&user).as_deref(), Some("remove `joint b`"), "{}", user.said());
+    let words = |user: &User| {
+        user.editor()
+            .mendings()
+            .first()
+            .map(|mending| mending.words.clone())
+    };
+    assert_eq!(
+        words(&user).as_deref(),
+        Some("remove `joint b`"),
+        "{}",
+        user.said()
+    );
     user.click_on_beginning("Diagnoses");
     user.click_on_beginning("Repair 1: ");
     is_mended(&mut user, "add `motor b2;`");
@@ -177,7 +205,11 @@ fn a_frame_that_is_drawn_as_a_bar() {
 #[test]
 fn a_motor_on_a_point_that_is_no_joint() {
     let case = Case {
-        bars: &[[[0.0, 0.0], [0.6, 1.0]], [[0.6, 1.0], [3.0, 2.0]], [[3.0, 2.0], [4.0, 0.0]]],
+        bars: &[
+            [[0.0, 0.0], [0.6, 1.0]],
+            [[0.6, 1.0], [3.0, 2.0]],
+            [[3.0, 2.0], [4.0, 0.0]],
+        ],
         points: &[[[1.8, 1.5], [2.0, 2.4]]],
         grounds: &[[0.0, 0.0], [4.0, 0.0]],
         repair: "add `motor",
@@ -216,7 +248,11 @@ fn is_mended_as_text(text: &str, repair: &str) {
 #[test]
 fn a_rocker_dropped_beside_the_pin() {
     Case {
-        bars: &[[[0.0, 0.0], [0.5, 1.0]], [[0.5, 1.0], [3.0, 2.0]], [[4.0, 0.0], [3.08, 1.94]]],
+        bars: &[
+            [[0.0, 0.0], [0.5, 1.0]],
+            [[0.5, 1.0], [3.0, 2.0]],
+            [[4.0, 0.0], [3.08, 1.94]],
+        ],
         grounds: &[[0.0, 0.0], [4.0, 0.0]],
         motor: &[[0.0, 0.0]],
         repair: "join `bar2` and `bar3`, which are drawn 0.1 apart there",
@@ -245,7 +281,11 @@ fn a_link_that_hangs_from_a_pivot() {
 #[test]
 fn a_four_bar_with_two_motors() {
     Case {
-        bars: &[[[0.0, 0.0], [0.5, 1.0]], [[0.5, 1.0], [3.0, 2.0]], [[3.0, 2.0], [4.0, 0.0]]],
+        bars: &[
+            [[0.0, 0.0], [0.5, 1.0]],
+            [[0.5, 1.0], [3.0, 2.0]],
+            [[3.0, 2.0], [4.0, 0.0]],
+        ],
         grounds: &[[0.0, 0.0], [4.0, 0.0]],
         motor: &[[0.0, 0.0], [4.0, 0.0]],
         repair: "remove `motor d;`",

@@ -30,9 +30,16 @@ impl User {
         let mut harness = Harness::builder()
             .with_size([1280.0, 800.0])
             .with_step_dt(1.0 / 60.0)
-            .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), Studio::new(editor));
+            .build_ui_state(
+                |ui, studio: &mut Studio| studio.show(ui),
+                Studio::new(editor),
+            );
         harness.run_steps(2);
-        Self { harness, gestures: 0, modifiers: Modifiers::NONE }
+        Self {
+            harness,
+            gestures: 0,
+            modifiers: Modifiers::NONE,
+        }
     }
 
     /// How many gestures were made: clicks, drags and keys.
@@ -68,7 +75,9 @@ impl User {
     /// Clicks the one whose name begins with this.
     #[track_caller]
     pub(crate) fn click_on_beginning(&mut self, label: &str) {
-        let found = |node: &egui_kittest::kittest::AccessKitNode<'_>| node.label().is_some_and(|name| name.starts_with(label));
+        let found = |node: &egui_kittest::kittest::AccessKitNode<'_>| {
+            node.label().is_some_and(|name| name.starts_with(label))
+        };
         self.harness.get_by(found).click();
         self.harness.run_steps(3);
         self.gestures += 1;
@@ -77,12 +86,20 @@ impl User {
     /// All that may help to see what went wrong.
     pub(crate) fn said(&self) -> String {
         let editor = self.editor();
-        format!("{:?}\n{:#?}\n{}", editor.notice(), editor.messages(), self.text())
+        format!(
+            "{:?}\n{:#?}\n{}",
+            editor.notice(),
+            editor.messages(),
+            self.text()
+        )
     }
 
     /// Whether something of this name is in the window.
     pub(crate) fn sees(&self, label: &str) -> bool {
-        self.harness.query_all_by_label_contains(label).next().is_some()
+        self.harness
+            .query_all_by_label_contains(label)
+            .next()
+            .is_some()
     }
 
     /// Clicks a place of the scene.
@@ -110,7 +127,8 @@ impl User {
         let [from, to] = [from, to].map(|place| self.pixel(place));
         self.press(from);
         for part in [0.3, 0.7, 1.0] {
-            self.harness.event(Event::PointerMoved(from + part * (to - from)));
+            self.harness
+                .event(Event::PointerMoved(from + part * (to - from)));
             self.harness.run_steps(1);
         }
         self.release(to);

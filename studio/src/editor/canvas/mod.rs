@@ -47,31 +47,56 @@ impl Canvas {
         editor.camera.resize(size_of(rect));
         self.zoom(editor, &background, ui);
         self.picture.show(editor, rect, ui);
-        let handles = editor.seen_drawing().map(Drawing::handles).unwrap_or_default();
-        let shown = Shown { rect, camera: editor.camera.clone() };
-        Paint { editor, shown: &shown, snapped: self.snapped.as_ref() }.behind(ui);
+        let drawing = editor.seen_drawing().cloned();
+        let handles = drawing.iter().flat_map(Drawing::handles);
+        let shown = Shown {
+            rect,
+            camera: editor.camera.clone(),
+        };
+        Paint {
+            editor,
+            shown: &shown,
+            snapped: self.snapped.as_ref(),
+        }
+        .behind(ui);
         self.on_paper(editor, &background, &shown, ui);
         editor.is_canvas_focused = background.has_focus();
         if background.has_focus() {
             self.by_keys(editor, &background, &shown, ui);
         }
         let mut hovered = None;
-        for handle in &handles {
+        for handle in handles.clone() {
             self.on_handle(editor, handle, &shown, ui, &mut hovered);
         }
         editor.hovered = hovered.or_else(|| editor.under_text.clone());
-        Paint { editor, shown: &shown, snapped: self.snapped.as_ref() }.front(ui, &handles);
+        Paint {
+            editor,
+            shown: &shown,
+            snapped: self.snapped.as_ref(),
+        }
+        .front(ui, handles);
         if let Holds::Frame(corner) = self.holds
             && let Some(pointer) = background.interact_pointer_pos()
         {
             let frame = Rect::from_two_pos(corner, pointer);
             let color = ui.visuals().selection.stroke.color;
-            ui.painter().rect_stroke(frame, 0.0, egui::Stroke::new(1.0, color), egui::StrokeKind::Middle);
+            ui.painter().rect_stroke(
+                frame,
+                0.0,
+                egui::Stroke::new(1.0, color),
+                egui::StrokeKind::Middle,
+            );
         }
     }
 
     /// Points by the keys with arrows, and picks or selects by Enter.
-    fn by_keys(&mut self, editor: &mut Editor, background: &Response, shown: &Shown, ui: &egui::Ui) {
+    fn by_keys(
+        &mut self,
+        editor: &mut Editor,
+        background: &Response,
+        shown: &Shown,
+        ui: &egui::Ui,
+    ) {
         let unit = super::snap::grid(shown.scale());
         let ([x, y], is_far) = arrows(ui);
         let unit = if is_far { 10.0 * unit } else { unit };
@@ -90,7 +115,8 @@ impl Canvas {
         if ui.input(|input| input.key_pressed(egui::Key::Enter)) {
             if editor.tool == Tool::Select {
                 let found = editor.seen_drawing();
-                let item = found.and_then(|drawing| drawing.item_at(self.cross, REACH / shown.scale()));
+                let item =
+                    found.and_then(|drawing| drawing.item_at(self.cross, REACH / shown.scale()));
                 editor.select(item, false);
             } else {
                 editor.pick(pick.pick);
@@ -103,17 +129,25 @@ impl Canvas {
         let Some(pointer) = ui.input(|input| input.pointer.hover_pos()) else {
             return;
         };
-        if !background.rect.contains(pointer) || ui.ctx().layer_id_at(pointer).is_some_and(|layer| layer != ui.layer_id()) {
+        if !background.rect.contains(pointer)
+            || ui
+                .ctx()
+                .layer_id_at(pointer)
+                .is_some_and(|layer| layer != ui.layer_id())
+        {
             return;
         }
-        let (factor, scrolled) = ui.input(|input| (input.zoom_delta(), input.smooth_scroll_delta()));
+        let (factor, scrolled) =
+            ui.input(|input| (input.zoom_delta(), input.smooth_scroll_delta()));
         let factor = f64::from(factor) * f64::from(scrolled.y / 200.0).exp();
         if factor != 1.0 {
             let [x, y] = within(background.rect, pointer);
             editor.camera.zoom([x, y], factor);
         }
         if let Some(touch) = ui.input(egui::InputState::multi_touch) {
-            editor.camera.pan([touch.translation_delta.x, touch.translation_delta.y].map(f64::from));
+            editor
+                .camera
+                .pan([touch.translation_delta.x, touch.translation_delta.y].map(f64::from));
         }
     }
 
@@ -129,7 +163,9 @@ impl Canvas {
             && let Some(origin) = ui.input(|input| input.pointer.press_origin())
         {
             let place = shown.place(origin);
-            let on_link = editor.seen_drawing().map(|drawing| drawing.hit(place, REACH / shown.scale()));
+            let on_link = editor
+                .seen_drawing()
+                .map(|drawing| drawing.hit(place, REACH / shown.scale()));
             let is_primary = response.drag_started_by(egui::PointerButton::Primary);
             self.holds = match on_link {
                 Some(Hit::Link(_) | Hit::Joint(_)) if is_primary && editor.player.is_some() => {
@@ -167,7 +203,9 @@ impl Canvas {
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let place = shown.place(pointer);
-            let item = editor.seen_drawing().and_then(|drawing| drawing.item_at(place, REACH / shown.scale()));
+            let item = editor
+                .seen_drawing()
+                .and_then(|drawing| drawing.item_at(place, REACH / shown.scale()));
             editor.select(item, modifiers.shift || modifiers.command);
         }
     }
@@ -176,21 +214,25 @@ impl Canvas {
     fn on_handle(
         &mut self,
         editor: &mut Editor,
-        handle: &Handle,
+        handle: Handle,
         shown: &Shown,
         ui: &mut egui::Ui,
         hovered: &mut Option<Item>,
     ) {
         let center = shown.pixel(handle.place);
-        let reach = if ui.input(egui::InputState::any_touches) { 2.0 * REACH } else { REACH };
+        let reach = if ui.input(egui::InputState::any_touches) {
+            2.0 * REACH
+        } else {
+            REACH
+        };
         #[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
         let area = Rect::from_center_size(center, Vec2::splat(2.0 * reach as f32));
         if !shown.rect.intersects(area) {
             return;
         }
-        let id = ui.scope_id().with(("handle", &handle.item));
+        let id = ui.scope_id().with(("handle", handle.item));
         let response = ui.interact(area, id, Sense::click_and_drag());
-        let is_selected = editor.selection.contains(&handle.item);
+        let is_selected = editor.selection.contains(handle.item);
         response.widget_info(|| {
             WidgetInfo::selected(Role::Button, true, is_selected, handle.item.to_string())
         });
@@ -202,14 +244,14 @@ impl Canvas {
         } else {
             self.use_tool(editor, &response, Some(handle), shown, ui);
         }
-        let response = response.on_hover_text(describe(handle));
+        let response = response.on_hover_ui(|ui| drop(ui.label(describe(handle))));
         response.context_menu(|ui| menu(editor, handle, ui));
     }
 
     fn select_or_drag(
         &mut self,
         editor: &mut Editor,
-        handle: &Handle,
+        handle: Handle,
         response: &Response,
         shown: &Shown,
         ui: &egui::Ui,
@@ -217,10 +259,13 @@ impl Canvas {
         let modifiers = ui.input(|input| input.modifiers);
         if response.drag_started_by(egui::PointerButton::Primary) {
             editor.select(Some(handle.item.clone()), modifiers.shift);
-            editor.begin_drag(&handle.item, modifiers.alt);
+            editor.begin_drag(handle.item, modifiers.alt);
         }
-        let moved = editor.dragging.as_ref().map(|dragging| dragging.items.clone());
-        let moved = moved.filter(|items| items.first() == Some(&handle.item));
+        let moved = editor
+            .dragging
+            .as_ref()
+            .map(|dragging| dragging.items.clone());
+        let moved = moved.filter(|items| items.first() == Some(handle.item));
         let is_dragged = moved.is_some();
         if is_dragged && let Some(pointer) = response.interact_pointer_pos() {
             let snapping = Snapping {
@@ -240,7 +285,10 @@ impl Canvas {
             editor.end_drag();
         }
         if response.clicked() {
-            editor.select(Some(handle.item.clone()), modifiers.shift || modifiers.command);
+            editor.select(
+                Some(handle.item.clone()),
+                modifiers.shift || modifiers.command,
+            );
             response.request_focus();
         }
         if response.has_focus() {
@@ -254,7 +302,7 @@ impl Canvas {
         &mut self,
         editor: &mut Editor,
         response: &Response,
-        handle: Option<&Handle>,
+        handle: Option<Handle>,
         shown: &Shown,
         ui: &egui::Ui,
     ) {
@@ -264,7 +312,11 @@ impl Canvas {
                 drawing: editor.drawing.as_ref(),
                 scale: shown.scale(),
                 is_on: editor.settings.snaps != modifiers.alt,
-                angles_from: editor.picks.last().filter(|_| modifiers.shift).map(|pick| pick.place),
+                angles_from: editor
+                    .picks
+                    .last()
+                    .filter(|_| modifiers.shift)
+                    .map(|pick| pick.place),
                 without: &[],
             };
             snapping.snap(place)
@@ -297,14 +349,27 @@ impl Canvas {
 }
 
 /// Moves a handle by the keys with arrows: by a line of the grid, with Shift by ten.
-fn step_by_keys(editor: &mut Editor, handle: &Handle, response: &Response, shown: &Shown, ui: &egui::Ui) {
+fn step_by_keys(
+    editor: &mut Editor,
+    handle: Handle,
+    response: &Response,
+    shown: &Shown,
+    ui: &egui::Ui,
+) {
     let unit = super::snap::grid(shown.scale());
     let (steps, is_far) = arrows(ui);
     if steps != [0.0, 0.0] {
         let unit = if is_far { 10.0 * unit } else { unit };
-        let to = [0, 1].map(|part| ((handle.place[part] + steps[part] * unit) / unit).round() * unit);
-        let to = [0, 1].map(|part| if steps[part] == 0.0 { handle.place[part] } else { to[part] });
-        editor.begin_drag(&handle.item, false);
+        let to =
+            [0, 1].map(|part| ((handle.place[part] + steps[part] * unit) / unit).round() * unit);
+        let to = [0, 1].map(|part| {
+            if steps[part] == 0.0 {
+                handle.place[part]
+            } else {
+                to[part]
+            }
+        });
+        editor.begin_drag(handle.item, false);
         editor.drag_to(to);
         editor.end_drag();
     }
@@ -332,11 +397,14 @@ fn keep_arrows(ui: &egui::Ui, response: &Response) {
 }
 
 /// What can be done to a handle.
-fn menu(editor: &mut Editor, handle: &Handle, ui: &mut egui::Ui) {
+fn menu(editor: &mut Editor, handle: Handle, ui: &mut egui::Ui) {
     ui.strong(handle.item.to_string());
     let choose = |editor: &mut Editor, tool: Tool| {
         let place = handle.place;
-        let hit = editor.drawing.as_ref().map_or(Hit::Paper, |drawing| drawing.hit(place, 1e-9));
+        let hit = editor
+            .drawing
+            .as_ref()
+            .map_or(Hit::Paper, |drawing| drawing.hit(place, 1e-9));
         editor.choose(tool);
         editor.pick(Pick { place, hit });
         editor.tool = Tool::Select;
@@ -359,7 +427,7 @@ fn menu(editor: &mut Editor, handle: &Handle, ui: &mut egui::Ui) {
     }
 }
 
-fn describe(handle: &Handle) -> String {
+fn describe(handle: Handle) -> String {
     let what = match handle.kind {
         HandleKind::Pin => "turns",
         HandleKind::Slide => "slides",
@@ -403,7 +471,11 @@ fn within(rect: Rect, pixel: Pos2) -> [f64; 2] {
 }
 
 /// The size of the canvas, in points of the window.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a size in pixels, not below 1")]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a size in pixels, not below 1"
+)]
 fn size_of(rect: Rect) -> [usize; 2] {
     [rect.width(), rect.height()].map(|side| side.round().max(1.0) as usize)
 }

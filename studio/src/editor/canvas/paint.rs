@@ -7,6 +7,7 @@ use crate::editor::{Editor, Item};
 use eframe::egui;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{JointKind, LinkId, ShapeKind};
+use std::collections::HashSet;
 
 /// Colours of links that can be told apart by all readers, by day and by night.
 const COLORS: [Color32; 7] = [
@@ -55,10 +56,24 @@ impl Paint<'_> {
     }
 
     /// The handles, their names, and what a tool is about.
-    pub(super) fn front(&self, ui: &egui::Ui, handles: &[Handle]) {
+    pub(super) fn front<'h>(&self, ui: &egui::Ui, handles: impl Iterator<Item = Handle<'h>>) {
         let painter = ui.painter().with_clip_rect(self.shown.rect);
-        for handle in handles {
+        let mut names = NameSpaces::default();
+        for handle in handles.filter(|handle| self.is_on_canvas(handle.place)) {
             self.handle(&painter, handle, ui.visuals());
+            let center = self.shown.pixel(handle.place);
+            let is_marked = self.is_marked(handle.item);
+            if self.editor.settings.shows_names && (names.take(center) || is_marked) {
+                let visuals = ui.visuals();
+                let color = if is_marked {
+                    visuals.selection.stroke.color
+                } else {
+                    visuals.strong_text_color()
+                };
+                let at = center + Vec2::new(9.0, -9.0);
+                let font = FontId::proportional(12.0);
+                painter.text(at, Align2::LEFT_BOTTOM, handle.item.name(), font, color);
+            }
         }
         self.selected_links(&painter, ui.visuals());
         self.tool(&painter, ui.visuals());
@@ -67,7 +82,8 @@ impl Paint<'_> {
     fn grid(&self, painter: &Painter, visuals: &egui::Visuals) {
         let rect = self.shown.rect;
         let unit = grid(self.shown.scale());
-        let [low, high] = [rect.left_bottom(), rect.right_top()].map(|corner| self.shown.place(corner));
+        let [low, high] =
+            [rect.left_bottom(), rect.right_top()].map(|corner| self.shown.place(corner));
         let weak = visuals.text_color().gamma_multiply(0.07);
         let strong = visuals.text_color().gamma_multiply(0.18);
         for part in 0..2 {
@@ -100,7 +116,12 @@ impl Paint<'_> {
 
     /// Links as bars and plates, with the shapes that they declare.
     fn schematic(&self, painter: &Painter, drawing: &Drawing, strength: f32) {
-        self.shapes(painter, drawing, LinkId::GROUND, Color32::GRAY.gamma_multiply(0.3 * strength));
+        self.shapes(
+            painter,
+            drawing,
+            LinkId::GROUND,
+            Color32::GRAY.gamma_multiply(0.3 * strength),
+        );
         for (index, link) in drawing.model.declared_links().enumerate() {
             let color = COLORS[index % COLORS.len()].gamma_multiply(strength);
             self.shapes(painter, drawing, link, color.gamma_multiply(0.4));
@@ -113,14 +134,23 @@ impl Paint<'_> {
                 );
             }
             let places = outline(drawing.places_on(link));
-            let points: Vec<Pos2> = places.iter().map(|place| self.shown.pixel(*place)).collect();
+            let points: Vec<Pos2> = places
+                .iter()
+                .map(|place| self.shown.pixel(*place))
+                .collect();
             match points[..] {
                 [] => {}
                 [only] => drop(painter.circle_filled(only, 9.0, color.gamma_multiply(0.5))),
-                [from, to] => drop(painter.line_segment([from, to], Stroke::new(8.0, color.gamma_multiply(0.75)))),
+                [from, to] => drop(
+                    painter.line_segment([from, to], Stroke::new(8.0, color.gamma_multiply(0.75))),
+                ),
                 _ => {
                     let stroke = Stroke::new(6.0, color.gamma_multiply(0.75));
-                    painter.add(egui::Shape::convex_polygon(points, color.gamma_multiply(0.3), stroke));
+                    painter.add(egui::Shape::convex_polygon(
+                        points,
+                        color.gamma_multiply(0.3),
+                        stroke,
+                    ));
                 }
             }
         }
@@ -135,9 +165,17 @@ impl Paint<'_> {
                 ShapeKind::Circle { center, radius } => {
                     painter.circle_filled(pixel(center), self.length(*radius), color);
                 }
-                ShapeKind::Ring { center, radius, hole } => {
+                ShapeKind::Ring {
+                    center,
+                    radius,
+                    hole,
+                } => {
                     let [middle, width] = [f64::midpoint(*radius, *hole), radius - hole];
-                    painter.circle_stroke(pixel(center), self.length(middle), Stroke::new(self.length(width), color));
+                    painter.circle_stroke(
+                        pixel(center),
+                        self.length(middle),
+                        Stroke::new(self.length(width), color),
+                    );
                 }
                 ShapeKind::Bar { pins, width } => {
                     let points = pins.iter().map(pixel).collect();
@@ -160,8 +198,15 @@ impl Paint<'_> {
     /// Springs, dampers and loads.
     fn actions(&self, painter: &Painter, drawing: &Drawing, visuals: &egui::Visuals) {
         for (name, ends) in drawing.actions() {
-            let is_selected = self.editor.selection.contains(&Item::Action(name.to_owned()));
-            let color = if is_selected { visuals.selection.stroke.color } else { Color32::from_rgb(110, 70, 160) };
+            let is_selected = self
+                .editor
+                .selection
+                .contains(&Item::Action(name.to_owned()));
+            let color = if is_selected {
+                visuals.selection.stroke.color
+            } else {
+                Color32::from_rgb(110, 70, 160)
+            };
             let ends = ends.map(|end| self.shown.pixel(end));
             painter.add(egui::Shape::line(zigzag(ends), Stroke::new(1.5, color)));
         }
@@ -170,7 +215,9 @@ impl Paint<'_> {
     /// A green arc about each motor that turns, over the range in which it can.
     fn ranges(&self, painter: &Painter, drawing: &Drawing) {
         for range in self.editor.ranges.iter().filter(|range| range.turns) {
-            let center = drawing.joint(&range.name).and_then(|joint| drawing.axis_of_joint(joint));
+            let center = drawing
+                .joint(&range.name)
+                .and_then(|joint| drawing.axis_of_joint(joint));
             let Some(center) = center.map(|axis| self.shown.pixel(drawing.place(axis))) else {
                 continue;
             };
@@ -182,45 +229,66 @@ impl Paint<'_> {
                 center + 20.0 * Vec2::new(cos, -sin)
             };
             let green = Color32::from_rgb(30, 150, 60);
-            let width = if range.basis == super::super::range::Basis::Walked { 2.0 } else { 3.5 };
-            painter.add(egui::Shape::line((0..=64).map(point).collect(), Stroke::new(width, green)));
+            let width = if range.basis == super::super::range::Basis::Walked {
+                2.0
+            } else {
+                3.5
+            };
+            painter.add(egui::Shape::line(
+                (0..=64).map(point).collect(),
+                Stroke::new(width, green),
+            ));
         }
     }
 
-    fn handle(&self, painter: &Painter, handle: &Handle, visuals: &egui::Visuals) {
+    /// Whether a handle that is there can be seen.
+    fn is_on_canvas(&self, place: [f64; 2]) -> bool {
+        let around = self.shown.rect.expand(60.0);
+        around.contains(self.shown.pixel(place))
+    }
+
+    /// Whether something is selected or under the mouse.
+    fn is_marked(&self, item: &Item) -> bool {
+        self.editor.selection.contains(item) || self.editor.hovered.as_ref() == Some(item)
+    }
+
+    fn handle(&self, painter: &Painter, handle: Handle, visuals: &egui::Visuals) {
         let center = self.shown.pixel(handle.place);
         let drawing = self.editor.seen_drawing();
-        let is_selected = self.editor.selection.contains(&handle.item);
-        let is_hovered = self.editor.hovered.as_ref() == Some(&handle.item);
-        let ink = visuals.strong_text_color();
-        let accent = visuals.selection.stroke.color;
-        let color = if is_selected || is_hovered { accent } else { ink };
+        let is_selected = self.editor.selection.contains(handle.item);
+        let color = if self.is_marked(handle.item) {
+            visuals.selection.stroke.color
+        } else {
+            visuals.strong_text_color()
+        };
         let fill = visuals.extreme_bg_color;
         let stroke = Stroke::new(if is_selected { 3.0 } else { 1.5 }, color);
         match handle.kind {
-            HandleKind::Pin => drop(painter.circle(center, PIN, fill, stroke)),
+            HandleKind::Pin => ring(painter, center, PIN, fill, stroke),
             HandleKind::Slide | HandleKind::Weld => {
                 let rect = egui::Rect::from_center_size(center, Vec2::splat(2.0 * PIN));
                 painter.rect(rect, 1.0, fill, stroke, egui::StrokeKind::Middle);
             }
-            HandleKind::Point => drop(painter.circle(center, 4.0, color, stroke)),
-            HandleKind::Line => drop(painter.circle(center, 3.0, fill, stroke)),
+            HandleKind::Point => ring(painter, center, 4.0, color, stroke),
+            HandleKind::Line => ring(painter, center, 3.0, fill, stroke),
         }
         let Some(drawing) = drawing else {
             return;
         };
-        if let Item::Joint(name) = &handle.item {
+        if let Item::Joint(name) = handle.item {
             self.signs(painter, drawing, name, center, visuals);
-        }
-        if self.editor.settings.shows_names {
-            let last = handle.item.name();
-            let at = center + Vec2::new(9.0, -9.0);
-            painter.text(at, Align2::LEFT_BOTTOM, last, FontId::proportional(12.0), color);
         }
     }
 
     /// What a joint is besides a pin: on the ground, driven, in the way.
-    fn signs(&self, painter: &Painter, drawing: &Drawing, name: &str, center: Pos2, visuals: &egui::Visuals) {
+    fn signs(
+        &self,
+        painter: &Painter,
+        drawing: &Drawing,
+        name: &str,
+        center: Pos2,
+        visuals: &egui::Visuals,
+    ) {
         let Some(joint) = drawing.joint(name) else {
             return;
         };
@@ -231,9 +299,15 @@ impl Paint<'_> {
         } else if a == LinkId::GROUND || b == LinkId::GROUND {
             let foot = center + Vec2::new(0.0, 16.0);
             for side in [-9.0, 9.0] {
-                painter.line_segment([center + Vec2::new(0.0, PIN), foot + Vec2::new(side, 0.0)], ink);
+                painter.line_segment(
+                    [center + Vec2::new(0.0, PIN), foot + Vec2::new(side, 0.0)],
+                    ink,
+                );
             }
-            painter.line_segment([foot - Vec2::new(13.0, 0.0), foot + Vec2::new(13.0, 0.0)], ink);
+            painter.line_segment(
+                [foot - Vec2::new(13.0, 0.0), foot + Vec2::new(13.0, 0.0)],
+                ink,
+            );
             for dash in [-9.0, -3.0, 3.0, 9.0] {
                 let from = foot + Vec2::new(dash, 0.0);
                 painter.line_segment([from, from + Vec2::new(-4.0, 5.0)], ink);
@@ -274,7 +348,10 @@ impl Paint<'_> {
                 continue;
             };
             let places = outline(drawing.places_on(link));
-            let mut points: Vec<Pos2> = places.iter().map(|place| self.shown.pixel(*place)).collect();
+            let mut points: Vec<Pos2> = places
+                .iter()
+                .map(|place| self.shown.pixel(*place))
+                .collect();
             if points.len() > 2 {
                 points.push(points[0]);
             }
@@ -285,22 +362,66 @@ impl Paint<'_> {
     /// What was picked, where the pointer means, and with what that is aligned.
     fn tool(&self, painter: &Painter, visuals: &egui::Visuals) {
         let accent = visuals.selection.stroke.color;
-        let picked = self.editor.picks.iter().map(|pick| self.shown.pixel(pick.place));
+        let picked = self
+            .editor
+            .picks
+            .iter()
+            .map(|pick| self.shown.pixel(pick.place));
         let mut places: Vec<Pos2> = picked.collect();
         if let Some(snapped) = self.snapped {
             let at = self.shown.pixel(snapped.pick.place);
             for guide in &snapped.guides {
                 let from = self.shown.pixel(*guide);
-                painter.extend(egui::Shape::dashed_line(&[from, at], Stroke::new(1.0, accent), 4.0, 4.0));
+                painter.extend(egui::Shape::dashed_line(
+                    &[from, at],
+                    Stroke::new(1.0, accent),
+                    4.0,
+                    4.0,
+                ));
             }
             painter.circle_stroke(at, 5.0, Stroke::new(1.5, accent));
-            let [x, y] = snapped.pick.place.map(|part| crate::text::shortest(part, 0.5 / self.shown.scale()));
-            painter.text(at + Vec2::new(10.0, 12.0), Align2::LEFT_TOP, format!("({x}, {y})"), FontId::proportional(12.0), accent);
+            let [x, y] = snapped
+                .pick
+                .place
+                .map(|part| crate::text::shortest(part, 0.5 / self.shown.scale()));
+            painter.text(
+                at + Vec2::new(10.0, 12.0),
+                Align2::LEFT_TOP,
+                format!("({x}, {y})"),
+                FontId::proportional(12.0),
+                accent,
+            );
             places.push(at);
         }
         if places.len() > 1 && self.editor.tool != super::Tool::Select {
             painter.line(places, Stroke::new(3.0, accent.gamma_multiply(0.6)));
         }
+    }
+}
+
+/// A disc with a border. Two discs are painted sooner than one with a border.
+fn ring(painter: &Painter, center: Pos2, radius: f32, fill: Color32, border: Stroke) {
+    let half = 0.5 * border.width;
+    painter.circle_filled(center, radius + half, border.color);
+    if fill != border.color {
+        painter.circle_filled(center, radius - half, fill);
+    }
+}
+
+/// The places where names stand: where there is one, there is no room for another.
+#[derive(Default)]
+struct NameSpaces(HashSet<[i32; 2]>);
+
+impl NameSpaces {
+    /// The room that a name takes, in pixels.
+    const ROOM: Vec2 = Vec2::new(24.0, 14.0);
+
+    /// Takes the place of a name beside a handle, if it is free.
+    fn take(&mut self, center: Pos2) -> bool {
+        let cell = center.to_vec2() / Self::ROOM;
+        #[expect(clippy::cast_possible_truncation, reason = "pixels of a window")]
+        self.0
+            .insert([cell.x.floor() as i32, cell.y.floor() as i32])
     }
 }
 
@@ -355,6 +476,9 @@ mod tests {
         let mut all = square.to_vec();
         all.push([1.0, 1.0]);
         assert_eq!(outline(all), square);
-        assert_eq!(outline(vec![[1.0, 0.0], [0.0, 0.0]]), [[0.0, 0.0], [1.0, 0.0]]);
+        assert_eq!(
+            outline(vec![[1.0, 0.0], [0.0, 0.0]]),
+            [[0.0, 0.0], [1.0, 0.0]]
+        );
     }
 }

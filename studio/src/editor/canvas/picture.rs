@@ -2,6 +2,7 @@
 
 use super::size_of;
 use crate::editor::Editor;
+use crate::play::Revision;
 use eframe::egui;
 use eframe::egui::{Color32, ColorImage, Rect, TextureHandle, TextureOptions};
 use mech_runtime::{HeapSmooth, Palette, View};
@@ -11,6 +12,17 @@ use mech_runtime::{HeapSmooth, Palette, View};
 pub(super) struct Picture {
     painted: Option<HeapSmooth>,
     texture: Option<TextureHandle>,
+    /// What the texture shows.
+    subject: Option<Subject>,
+}
+
+/// What a picture is of.
+#[derive(Clone, Copy, PartialEq)]
+struct Subject {
+    revision: Revision,
+    view: View,
+    size: [usize; 2],
+    is_dark: bool,
 }
 
 impl Picture {
@@ -21,7 +33,8 @@ impl Picture {
         if editor.shows_bodies() && self.paint(editor, rect, ui.ctx()).is_some() {
             if let Some(texture) = &self.texture {
                 let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
-                ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
+                ui.painter()
+                    .image(texture.id(), rect, whole, Color32::WHITE);
             }
         }
     }
@@ -29,24 +42,44 @@ impl Picture {
     fn paint(&mut self, editor: &mut Editor, rect: Rect, context: &egui::Context) -> Option<()> {
         let ratio = f64::from(context.pixels_per_point());
         let points = size_of(rect);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "a number of pixels")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "a number of pixels"
+        )]
         let size = points.map(|side| (side as f64 * ratio).round().max(1.0) as usize);
-        let is_fit = self.painted.as_ref().is_some_and(|known| [known.width(), known.height()] == size);
+        let view = editor.camera.view();
+        let subject = Subject {
+            revision: editor.seen_player()?.revision(),
+            view: View::new(view.center(), view.scale() * ratio),
+            size,
+            is_dark: editor.settings.is_dark,
+        };
+        if self.subject == Some(subject) {
+            return Some(());
+        }
+        let is_fit = self
+            .painted
+            .as_ref()
+            .is_some_and(|known| [known.width(), known.height()] == size);
         if !is_fit {
             self.painted = HeapSmooth::new(size[0], size[1]).ok();
         }
         let picture = self.painted.as_mut()?;
         picture.set_palette(palette(editor));
-        let view = editor.camera.view();
-        picture.look_at(View::new(view.center(), view.scale() * ratio));
+        picture.look_at(subject.view);
         picture.clear();
         editor.seen_player()?.draw(picture);
         let pixels = picture.pixels().as_flattened();
         let image = ColorImage::from_rgba_unmultiplied(size, pixels);
         match &mut self.texture {
             Some(texture) => texture.set(image, TextureOptions::LINEAR),
-            None => self.texture = Some(context.load_texture("bodies", image, TextureOptions::LINEAR)),
+            None => {
+                self.texture = Some(context.load_texture("bodies", image, TextureOptions::LINEAR))
+            }
         }
+        self.subject = Some(subject);
         Some(())
     }
 }
@@ -62,4 +95,3 @@ fn palette(editor: &Editor) -> Palette {
 fn color([red, green, blue, _]: [u8; 4]) -> Color32 {
     Color32::from_rgb(red, green, blue)
 }
-

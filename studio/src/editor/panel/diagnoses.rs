@@ -9,45 +9,49 @@ pub(in crate::editor) fn diagnoses(editor: &mut Editor, ui: &mut egui::Ui) {
     let messages: Vec<_> = editor.snapshot.messages().to_vec();
     let mut chosen = None;
     let mut hovered = None;
-    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        if messages.is_empty() {
-            let line = editor.verdict();
-            ui.label(line);
-            return;
-        }
-        for message in &messages {
-            let mut lines = message.text.lines();
-            let first = lines.next().unwrap_or_default();
-            let spot = editor.snapshot.document.source().spot(message.place.start);
-            ui.horizontal_wrapped(|ui| {
-                ui.colored_label(ui.visuals().error_fg_color, first);
-                ui.weak(format!("line {}", spot.line));
-            });
-            for line in lines.filter(|line| !line.trim().is_empty()) {
-                ui.label(line.trim());
+    egui::ScrollArea::vertical()
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            if messages.is_empty() {
+                let line = editor.verdict();
+                ui.label(line);
+                return;
             }
-            ui.separator();
-        }
-        if editor.is_mending {
-            ui.weak("Looking for repairs");
-        }
-        for (number, mending) in (1..).zip(&editor.mendings) {
-            let note = match mending.remainder {
-                Remainder::Nothing => "",
-                Remainder::OtherStart => " (needs another start)",
-                Remainder::OtherFaults => " (other things stay wrong)",
-            };
-            let button = egui::Button::new(format!("Repair {number}: {}{note}", mending.words)).wrap();
-            let response = ui.add_enabled(mending.text.is_some(), button);
-            let response = response.on_disabled_hover_text("cannot be made by a change of the text alone");
-            if response.hovered() || response.has_focus() {
-                hovered = Some(number);
+            for message in &messages {
+                let mut lines = message.text.lines();
+                let first = lines.next().unwrap_or_default();
+                let spot = editor.snapshot.document.source().spot(message.place.start);
+                ui.horizontal_wrapped(|ui| {
+                    ui.colored_label(ui.visuals().error_fg_color, first);
+                    ui.weak(format!("line {}", spot.line));
+                });
+                for line in lines.filter(|line| !line.trim().is_empty()) {
+                    ui.label(line.trim());
+                }
+                ui.separator();
             }
-            if response.clicked() {
-                chosen = Some(number);
+            if editor.is_mending {
+                ui.weak("Looking for repairs");
             }
-        }
-    });
+            for (number, mending) in (1..).zip(&editor.mendings) {
+                let note = match mending.remainder {
+                    Remainder::Nothing => "",
+                    Remainder::OtherStart => " (needs another start)",
+                    Remainder::OtherFaults => " (other things stay wrong)",
+                };
+                let button =
+                    egui::Button::new(format!("Repair {number}: {}{note}", mending.words)).wrap();
+                let response = ui.add_enabled(mending.text.is_some(), button);
+                let response =
+                    response.on_disabled_hover_text("cannot be made by a change of the text alone");
+                if response.hovered() || response.has_focus() {
+                    hovered = Some(number);
+                }
+                if response.clicked() {
+                    chosen = Some(number);
+                }
+            }
+        });
     editor.preview_mending(hovered);
     if let Some(number) = chosen {
         editor.mend(number);

@@ -5,20 +5,22 @@ use eframe::egui;
 
 /// How to begin, all actions and tools with their keys, and all lines of the dialogue.
 pub(in crate::editor) fn help(ui: &mut egui::Ui) {
-    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        ui.heading("First mechanism");
-        for line in BEGINNING {
-            ui.label(*line);
-        }
-        ui.separator();
-        action::help(ui);
-        ui.separator();
-        ui.heading("Lines");
-        ui.label("The line at the foot of the window takes all of these. Tab completes.");
-        if let Ok(lines) = crate::dialogue::help(None) {
-            ui.monospace(lines);
-        }
-    });
+    egui::ScrollArea::vertical()
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            ui.heading("First mechanism");
+            for line in BEGINNING {
+                ui.label(*line);
+            }
+            ui.separator();
+            action::help(ui);
+            ui.separator();
+            ui.heading("Lines");
+            ui.label("The line at the foot of the window takes all of these. Tab completes.");
+            if let Ok(lines) = crate::dialogue::help(None) {
+                ui.monospace(lines);
+            }
+        });
 }
 
 const BEGINNING: &[&str] = &[

@@ -11,15 +11,15 @@ mod steps;
 mod text;
 mod tools;
 
-pub(super) use diagnoses::diagnoses;
-pub(super) use help::help;
+use diagnoses::diagnoses;
+use help::help;
 pub(super) use line::Line;
 pub(super) use play::play;
-pub(super) use plots::Plots;
-pub(super) use properties::properties;
-pub(super) use report::report;
-pub(super) use steps::steps;
-pub(super) use text::text;
+use plots::Plots;
+use properties::properties;
+use report::report;
+use steps::steps;
+use text::TextPanel;
 pub(super) use tools::tools;
 
 use super::Editor;
@@ -70,8 +70,33 @@ impl Panel {
     }
 }
 
+/// All panels beside the drawing, one of which is seen.
+#[derive(Default)]
+pub(super) struct Panels {
+    text: TextPanel,
+    plots: Plots,
+}
+
+impl Panels {
+    /// Shows the panel that is chosen.
+    pub(super) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
+        tabs(editor, ui);
+        ui.separator();
+        match editor.settings.panel {
+            Some(Panel::Text) => self.text.show(editor, ui),
+            Some(Panel::Properties) => properties(editor, ui),
+            Some(Panel::Diagnoses) => diagnoses(editor, ui),
+            Some(Panel::Plots) => self.plots.show(editor, ui),
+            Some(Panel::Report) => report(editor, ui),
+            Some(Panel::Steps) => steps(editor, ui),
+            Some(Panel::Help) => help(ui),
+            None => {}
+        }
+    }
+}
+
 /// The names of all panels, to choose one.
-pub(super) fn tabs(editor: &mut Editor, ui: &mut egui::Ui) {
+fn tabs(editor: &mut Editor, ui: &mut egui::Ui) {
     let count = editor.snapshot.messages().len();
     ui.horizontal_wrapped(|ui| {
         for panel in Panel::ALL {

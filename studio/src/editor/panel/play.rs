@@ -16,7 +16,9 @@ pub(in crate::editor) fn play(editor: &mut Editor, ui: &mut egui::Ui) {
     };
     let (plays, limit) = (
         player.plays(),
-        player.limit().map(|limit| limit.sentence(player.mechanism())),
+        player
+            .limit()
+            .map(|limit| limit.sentence(player.mechanism())),
     );
     let mut control = None;
     ui.horizontal_wrapped(|ui| {
@@ -28,7 +30,12 @@ pub(in crate::editor) fn play(editor: &mut Editor, ui: &mut egui::Ui) {
         };
         button(ui, "To start", "back to the start", Control::Reset);
         button(ui, "Step back", "one step back", Control::Step(-1.0));
-        button(ui, if plays { "Pause" } else { "Play" }, "plays, or pauses (Space)", Control::PlayOrPause);
+        button(
+            ui,
+            if plays { "Pause" } else { "Play" },
+            "plays, or pauses (Space)",
+            Control::PlayOrPause,
+        );
         button(ui, "Step", "one step forward", Control::Step(1.0));
         button(ui, "Reverse", "plays the other way", Control::Reverse);
         button(ui, "Slower", "half as fast", Control::Slower);
@@ -57,7 +64,13 @@ fn motors(editor: &mut Editor, ui: &mut egui::Ui) {
         if driven == Selection::Motor(motor) {
             ui.strong(">");
         }
-        let shown = |value: f64| if range.turns { value.to_degrees() } else { value };
+        let shown = |value: f64| {
+            if range.turns {
+                value.to_degrees()
+            } else {
+                value
+            }
+        };
         let mut at = shown(value);
         let [low, high] = range.ends.map(shown);
         // What goes on and on is shown within its range.
@@ -74,9 +87,20 @@ fn motors(editor: &mut Editor, ui: &mut egui::Ui) {
         let response = ui.add(slider).on_hover_text(told(range));
         if response.changed() {
             let turns = shown(value) - (low + (shown(value) - low).rem_euclid(360.0));
-            let whole = if range.basis == Basis::Round { turns } else { 0.0 };
+            let whole = if range.basis == Basis::Round {
+                turns
+            } else {
+                0.0
+            };
             let value = at + whole;
-            moved = Some((motor, if range.turns { value.to_radians() } else { value }));
+            moved = Some((
+                motor,
+                if range.turns {
+                    value.to_radians()
+                } else {
+                    value
+                },
+            ));
         }
     }
     if editor.ranges.len() > 1

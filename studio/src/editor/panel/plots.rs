@@ -14,7 +14,8 @@ impl Plots {
     /// Shows the graphs, with a line at the present value of the motor.
     pub(in crate::editor) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
         let label = ui.label("Quantities");
-        ui.text_edit_singleline(&mut self.wanted).labelled_by(label.id);
+        ui.text_edit_singleline(&mut self.wanted)
+            .labelled_by(label.id);
         let _ = editor;
     }
 }

@@ -17,14 +17,16 @@ pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
         return;
     }
     let mut gestures: Vec<Gesture> = Vec::new();
-    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        for item in &selected {
-            ui.heading(item.to_string());
-            buttons(editor, item, ui, &mut gestures);
-            numbers(editor, item.name(), ui, &mut gestures);
-            ui.separator();
-        }
-    });
+    egui::ScrollArea::vertical()
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            for item in &selected {
+                ui.heading(item.to_string());
+                buttons(editor, item, ui, &mut gestures);
+                numbers(editor, item.name(), ui, &mut gestures);
+                ui.separator();
+            }
+        });
     for gesture in gestures {
         editor.perform(gesture);
     }
@@ -34,7 +36,12 @@ pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
 fn whole(editor: &mut Editor, ui: &mut egui::Ui) {
     let mut gestures = Vec::new();
     ui.separator();
-    let constants: Vec<String> = editor.snapshot.listing.constants().map(ToOwned::to_owned).collect();
+    let constants: Vec<String> = editor
+        .snapshot
+        .listing
+        .constants()
+        .map(ToOwned::to_owned)
+        .collect();
     for constant in constants {
         ui.label(&constant);
         numbers(editor, &constant, ui, &mut gestures);
@@ -43,7 +50,12 @@ fn whole(editor: &mut Editor, ui: &mut egui::Ui) {
         ui.label("Look");
         for look in ["machine", "diagram", "none"] {
             if ui.button(look).clicked() {
-                gestures.push(Command::Setting { statement: format!("look {look}") }.into());
+                gestures.push(
+                    Command::Setting {
+                        statement: format!("look {look}"),
+                    }
+                    .into(),
+                );
             }
         }
     });
@@ -62,33 +74,75 @@ fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, gestures: &mut V
             Item::Axis(_) => (Kind::Axis, "point"),
             Item::Action(_) => (Kind::Action, "action"),
         };
-        if ui.button("Delete").on_hover_text(format!("removes the {word}")).clicked() {
-            gestures.push(Command::Remove { kind, name: name.clone() }.into());
+        if ui
+            .button("Delete")
+            .on_hover_text(format!("removes the {word}"))
+            .clicked()
+        {
+            gestures.push(
+                Command::Remove {
+                    kind,
+                    name: name.clone(),
+                }
+                .into(),
+            );
         }
         match item {
             Item::Link(_) => {
-                if ui.button("Mirror").on_hover_text("mirrors what is fixed to it").clicked() {
+                if ui
+                    .button("Mirror")
+                    .on_hover_text("mirrors what is fixed to it")
+                    .clicked()
+                {
                     gestures.push(Command::Mirror { name: name.clone() }.into());
                 }
-                if ui.button("Duplicate").on_hover_text("declares it once more").clicked() {
+                if ui
+                    .button("Duplicate")
+                    .on_hover_text("declares it once more")
+                    .clicked()
+                {
                     gestures.push(editor.duplicate(&name));
                 }
             }
             Item::Joint(_) => {
-                let has_motor = editor.drawing().is_some_and(|drawing| drawing.has_motor(&name));
+                let has_motor = editor
+                    .drawing()
+                    .is_some_and(|drawing| drawing.has_motor(&name));
                 if has_motor {
                     if ui.button("Take the motor away").clicked() {
-                        gestures.push(Command::Remove { kind: Kind::Motor, name: name.clone() }.into());
+                        gestures.push(
+                            Command::Remove {
+                                kind: Kind::Motor,
+                                name: name.clone(),
+                            }
+                            .into(),
+                        );
                     }
                 } else if ui.button("Put a motor on it").clicked() {
                     gestures.push(
-                        Command::Motor { joint: name.clone(), law: None, range: None, step: None }.into(),
+                        Command::Motor {
+                            joint: name.clone(),
+                            law: None,
+                            range: None,
+                            step: None,
+                        }
+                        .into(),
                     );
                 }
             }
             Item::Axis(_) => {
-                if ui.button("Trace").on_hover_text("records its path").clicked() {
-                    gestures.push(Command::Trace { point: name.clone(), length: "256".to_owned() }.into());
+                if ui
+                    .button("Trace")
+                    .on_hover_text("records its path")
+                    .clicked()
+                {
+                    gestures.push(
+                        Command::Trace {
+                            point: name.clone(),
+                            length: "256".to_owned(),
+                        }
+                        .into(),
+                    );
                 }
             }
             Item::Action(_) => {}
@@ -96,7 +150,13 @@ fn buttons(editor: &mut Editor, item: &Item, ui: &mut egui::Ui, gestures: &mut V
     });
     let last = name.rsplit('.').next().unwrap_or_default().to_owned();
     field(ui, &format!("name of {name}"), "name", &last, |typed| {
-        gestures.push(Command::Rename { path: name.clone(), name: typed }.into());
+        gestures.push(
+            Command::Rename {
+                path: name.clone(),
+                name: typed,
+            }
+            .into(),
+        );
     });
 }
 
@@ -111,7 +171,12 @@ fn numbers(editor: &Editor, owner: &str, ui: &mut egui::Ui, gestures: &mut Vec<G
     for (role, value) in numbers {
         field(ui, &format!("{role} of {owner}"), &role, &value, |typed| {
             gestures.push(
-                Command::Set { owner: owner.to_owned(), role: role.clone(), value: typed }.into(),
+                Command::Set {
+                    owner: owner.to_owned(),
+                    role: role.clone(),
+                    value: typed,
+                }
+                .into(),
             );
         });
     }
@@ -122,8 +187,13 @@ fn field(ui: &mut egui::Ui, label: &str, shown: &str, value: &str, done: impl Fn
     let id = ui.make_persistent_id(("field", label));
     ui.horizontal(|ui| {
         ui.add_sized([110.0, 18.0], egui::Label::new(shown).truncate());
-        let typed = ui.data(|data| data.get_temp::<Typed>(id)).unwrap_or_default();
-        let mut text = typed.get(label).cloned().unwrap_or_else(|| value.to_owned());
+        let typed = ui
+            .data(|data| data.get_temp::<Typed>(id))
+            .unwrap_or_default();
+        let mut text = typed
+            .get(label)
+            .cloned()
+            .unwrap_or_else(|| value.to_owned());
         let edit = egui::TextEdit::singleline(&mut text)
             .id(id)
             .desired_width(150.0)

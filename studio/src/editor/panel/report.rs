@@ -5,14 +5,14 @@ use eframe::egui;
 
 /// The report: how each loop is solved, what is proved, what it costs.
 pub(in crate::editor) fn report(editor: &Editor, ui: &mut egui::Ui) {
-    egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-        match editor.snapshot.compiled() {
+    egui::ScrollArea::both()
+        .auto_shrink(false)
+        .show(ui, |ui| match editor.snapshot.compiled() {
             Some(compiled) => {
                 ui.monospace(&compiled.report);
             }
             None => {
                 ui.weak("The mechanism does not move yet; see Diagnoses.");
             }
-        }
-    });
+        });
 }

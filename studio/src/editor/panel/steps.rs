@@ -17,14 +17,17 @@ pub(in crate::editor) fn steps(editor: &mut Editor, ui: &mut egui::Ui) {
     }
     let count = titles.len();
     let mut back = 0;
-    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        for (number, title) in titles.iter().enumerate() {
-            let response = ui.selectable_label(number + 1 == count, format!("{}. {title}", number + 1));
-            if response.on_hover_text("goes back to this step").clicked() {
-                back = count - 1 - number;
+    egui::ScrollArea::vertical()
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            for (number, title) in titles.iter().enumerate() {
+                let response =
+                    ui.selectable_label(number + 1 == count, format!("{}. {title}", number + 1));
+                if response.on_hover_text("goes back to this step").clicked() {
+                    back = count - 1 - number;
+                }
             }
-        }
-    });
+        });
     for _ in 0..back {
         editor.undo();
     }

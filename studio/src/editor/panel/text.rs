@@ -7,7 +7,7 @@ use eframe::egui::text::{LayoutJob, TextFormat};
 use std::ops::Range;
 
 /// Ranges of the text that are marked.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 struct Marks {
     /// Where something is wrong.
     wrong: Vec<Range<usize>>,
@@ -18,54 +18,85 @@ struct Marks {
 }
 
 /// The text, to be read and typed in.
-pub(in crate::editor) fn text(editor: &mut Editor, ui: &mut egui::Ui) {
-    let marks = Marks {
-        wrong: editor.snapshot.messages().iter().map(|message| message.place.clone()).collect(),
-        selected: editor.selection.iter().flat_map(|item| editor.places_of(item)).collect(),
-        hovered: editor.hovered.iter().flat_map(|item| editor.places_of(item)).collect(),
-    };
-    let shown = editor.shown_text();
-    let mut typed = shown.clone();
-    let is_dragged = editor.dragging.is_some();
-    let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, _: f32| {
-        let mut job = colored(buffer.as_str(), &marks, ui.visuals());
-        // Lines stay as they are written.
-        job.wrap.max_width = f32::INFINITY;
-        ui.fonts_mut(|fonts| fonts.layout_job(job))
-    };
-    let mut under = None;
-    egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-        let label = ui.label(editor.workspace().path().display().to_string());
-        let output = egui::TextEdit::multiline(&mut typed)
-            .code_editor()
-            .desired_width(f32::INFINITY)
-            .desired_rows(24)
-            .interactive(!is_dragged)
-            .layouter(&mut layouter)
-            .show(ui);
-        let response = &output.response.response;
-        let response = response.clone().labelled_by(label.id);
-        response.widget_info(|| {
-            let mut info = egui::WidgetInfo::labeled(egui::Role::MultilineTextInput, true, "text of the mechanism");
-            info.current_text_value = Some(shown.clone());
-            info
+#[derive(Default)]
+pub(in crate::editor) struct TextPanel {
+    /// The text as it was coloured last.
+    colored: Option<Colored>,
+}
+
+/// A text with its marks, in colours.
+struct Colored {
+    marks: Marks,
+    is_dark: bool,
+    job: LayoutJob,
+}
+
+impl TextPanel {
+    /// Shows the text, and takes what is typed.
+    pub(in crate::editor) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
+        let marks = editor.marks();
+        let shown = editor.shown_text();
+        let mut typed = shown.clone();
+        let is_dragged = editor.dragging.is_some();
+        let mut layouter = |ui: &egui::Ui, buffer: &dyn egui::TextBuffer, _: f32| {
+            let job = self.color(buffer.as_str(), &marks, ui.visuals());
+            ui.fonts_mut(|fonts| fonts.layout_job(job))
+        };
+        let mut under = None;
+        egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+            let label = ui.label(editor.workspace().path().display().to_string());
+            let output = egui::TextEdit::multiline(&mut typed)
+                .code_editor()
+                .desired_width(f32::INFINITY)
+                .desired_rows(24)
+                .interactive(!is_dragged)
+                .layouter(&mut layouter)
+                .show(ui);
+            let response = &output.response.response;
+            let response = response.clone().labelled_by(label.id);
+            response.widget_info(|| {
+                let mut info = egui::WidgetInfo::labeled(
+                    egui::Role::MultilineTextInput,
+                    true,
+                    "text of the mechanism",
+                );
+                info.current_text_value = Some(shown.clone());
+                info
+            });
+            if let Some(pointer) = response.hover_pos() {
+                let cursor = output.galley.cursor_from_pos(pointer - output.galley_pos);
+                under = Some(byte_of(&typed, cursor.index.0));
+            } else if let Some(range) = output.cursor_range.filter(|_| response.has_focus()) {
+                under = Some(byte_of(&typed, range.primary.index.0));
+            }
         });
-        if let Some(pointer) = response.hover_pos() {
-            let cursor = output.galley.cursor_from_pos(pointer - output.galley_pos);
-            under = Some(byte_of(&typed, cursor.index.0));
-        } else if let Some(range) = output.cursor_range.filter(|_| response.has_focus()) {
-            under = Some(byte_of(&typed, range.primary.index.0));
+        if typed != shown {
+            editor.type_text(&typed);
         }
-    });
-    if typed != shown {
-        editor.type_text(&typed);
+        editor.under_text = under.and_then(|byte| editor.item_at(byte));
     }
-    editor.under_text = under.and_then(|byte| editor.item_at(byte));
+
+    /// The text in colours: as it was before, if it is the same.
+    fn color(&mut self, text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
+        let is_dark = visuals.dark_mode;
+        let known = self.colored.take();
+        let known = known.filter(|known| {
+            known.job.text == text && known.marks == *marks && known.is_dark == is_dark
+        });
+        let known = known.unwrap_or_else(|| Colored {
+            marks: marks.clone(),
+            is_dark,
+            job: colored(text, marks, visuals),
+        });
+        self.colored.insert(known).job.clone()
+    }
 }
 
 /// Where a character begins, in bytes.
 fn byte_of(text: &str, index: usize) -> usize {
-    text.char_indices().nth(index).map_or(text.len(), |(byte, _)| byte)
+    text.char_indices()
+        .nth(index)
+        .map_or(text.len(), |(byte, _)| byte)
 }
 
 /// The text in colours.
@@ -76,10 +107,15 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
         egui::Color32::from_rgb(red, green, blue)
     };
     let mut job = LayoutJob::default();
+    // Lines stay as they are written.
+    job.wrap.max_width = f32::INFINITY;
     let mut at = 0;
     let mut add = |range: Range<usize>, color: egui::Color32| {
         for piece in pieces(range, marks) {
-            let within = |all: &[Range<usize>]| all.iter().any(|one| one.start <= piece.start && piece.end <= one.end);
+            let within = |all: &[Range<usize>]| {
+                all.iter()
+                    .any(|one| one.start <= piece.start && piece.end <= one.end)
+            };
             let mut format = TextFormat {
                 font_id: egui::FontId::monospace(13.0),
                 color,
@@ -93,15 +129,31 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
             if within(&marks.wrong) {
                 format.underline = egui::Stroke::new(2.0, visuals.error_fg_color);
             }
-            job.append(&text[piece], 0.0, format);
+            match job.sections.last_mut() {
+                // Fewer sections are laid out sooner.
+                Some(last) if last.format == format => {
+                    job.text.push_str(&text[piece]);
+                    last.byte_range.end = job.text.len().into();
+                }
+                _ => job.append(&text[piece], 0.0, format),
+            }
         }
     };
     let plain = visuals.text_color();
+    let mut last = plain;
     for lexeme in Lexer::new(text, 0) {
         let range = lexeme.start..lexeme.end;
         if range.start > at {
-            // Comments and spaces.
-            add(at..range.start, visuals.weak_text_color());
+            // Comments; spaces have no colour, and take that of what is before them.
+            let is_space = text[at..range.start].trim().is_empty();
+            add(
+                at..range.start,
+                if is_space {
+                    last
+                } else {
+                    visuals.weak_text_color()
+                },
+            );
         }
         let color = match lexeme.kind {
             Kind::Word if text[range.clone()].starts_with(|first: char| first.is_ascii_digit()) => {
@@ -111,6 +163,7 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
             _ => plain,
         };
         add(range.clone(), color);
+        last = color;
         at = range.end;
     }
     add(at..text.len(), visuals.weak_text_color());
@@ -119,7 +172,11 @@ fn colored(text: &str, marks: &Marks, visuals: &egui::Visuals) -> LayoutJob {
 
 /// A range, cut where marks begin and end.
 fn pieces(range: Range<usize>, marks: &Marks) -> Vec<Range<usize>> {
-    let all = marks.wrong.iter().chain(&marks.selected).chain(&marks.hovered);
+    let all = marks
+        .wrong
+        .iter()
+        .chain(&marks.selected)
+        .chain(&marks.hovered);
     let mut cuts: Vec<usize> = all.flat_map(|mark| [mark.start, mark.end]).collect();
     cuts.retain(|cut| range.start < *cut && *cut < range.end);
     cuts.extend([range.start, range.end]);
@@ -131,19 +188,77 @@ fn pieces(range: Range<usize>, marks: &Marks) -> Vec<Range<usize>> {
 /// Whether a word begins a statement, or stands in one for something fixed.
 fn is_keyword(word: &str) -> bool {
     const KEYWORDS: [&str; 44] = [
-        "struct", "link", "ground", "point", "line", "joint", "motor", "const", "param", "start", "near", "at",
-        "along", "on", "plane", "color", "revolute", "prismatic", "slot", "weld", "gear", "belt", "rack", "cam",
-        "spring", "damper", "load", "mass", "inertia", "part", "port", "use", "look", "trace", "show", "effects",
-        "circle", "polygon", "radius", "deg", "method", "accuracy", "gravity", "allow",
+        "struct",
+        "link",
+        "ground",
+        "point",
+        "line",
+        "joint",
+        "motor",
+        "const",
+        "param",
+        "start",
+        "near",
+        "at",
+        "along",
+        "on",
+        "plane",
+        "color",
+        "revolute",
+        "prismatic",
+        "slot",
+        "weld",
+        "gear",
+        "belt",
+        "rack",
+        "cam",
+        "spring",
+        "damper",
+        "load",
+        "mass",
+        "inertia",
+        "part",
+        "port",
+        "use",
+        "look",
+        "trace",
+        "show",
+        "effects",
+        "circle",
+        "polygon",
+        "radius",
+        "deg",
+        "method",
+        "accuracy",
+        "gravity",
+        "allow",
     ];
     KEYWORDS.contains(&word)
 }
 
 impl Editor {
+    /// What is marked in the text.
+    fn marks(&self) -> Marks {
+        let places = |item| self.places_of(item);
+        Marks {
+            wrong: self
+                .snapshot
+                .messages()
+                .iter()
+                .map(|message| message.place.clone())
+                .collect(),
+            selected: self.selection.iter().flat_map(places).collect(),
+            hovered: self.hovered.iter().flat_map(places).collect(),
+        }
+    }
+
     /// The text as it is seen: while something is dragged, with the numbers as they are there.
     pub(in crate::editor) fn shown_text(&self) -> String {
         let text = self.workspace().text();
-        let dragged = self.dragging.as_ref().and_then(|dragging| dragging.dragged.as_ref());
+        let dragged = self
+            .dragging
+            .as_ref()
+            .and_then(|dragging| dragging.dragged.as_ref());
         match dragged {
             Some(dragged) => crate::text::written(text, &dragged.edits),
             None => text.to_owned(),
@@ -157,7 +272,10 @@ impl Editor {
         }
         let listing = &self.snapshot.listing;
         let name = item.name();
-        let names = listing.names.iter().filter(|one| one.part.is_none() && one.path == name);
+        let names = listing
+            .names
+            .iter()
+            .filter(|one| one.part.is_none() && one.path == name);
         let names = names.map(|one| one.place.clone());
         let numbers = listing.numbers_of(name).map(|one| one.place.clone());
         names.chain(numbers).collect()
@@ -168,10 +286,18 @@ impl Editor {
         let drawing = self.drawing.as_ref()?;
         let listing = &self.snapshot.listing;
         let within = |place: &Range<usize>| place.start <= byte && byte <= place.end;
-        let number = listing.numbers.iter().find(|one| !one.is_pair && within(&one.place));
+        let number = listing
+            .numbers
+            .iter()
+            .find(|one| !one.is_pair && within(&one.place));
         let name = listing.names.iter().find(|one| within(&one.place));
-        let path = number.map(|one| one.path()).or_else(|| name.map(|one| one.path.clone()))?;
+        let path = number
+            .map(|one| one.path())
+            .or_else(|| name.map(|one| one.path.clone()))?;
         let kinds = [Item::Joint, Item::Axis, Item::Link, Item::Action];
-        kinds.into_iter().map(|kind| kind(path.clone())).find(|item| drawing.has(item))
+        kinds
+            .into_iter()
+            .map(|kind| kind(path.clone()))
+            .find(|item| drawing.has(item))
     }
 }

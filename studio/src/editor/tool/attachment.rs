@@ -1,10 +1,10 @@
 //! How links are joined where the user points.
 
 use super::Pick;
+use crate::edit::{Assembly, Command, JointForm, Kind, Pair};
 use crate::editor::Gesture;
 use crate::editor::drawing::{Drawing, Hit, distance};
 use crate::editor::names::Names;
-use crate::edit::{Assembly, Command, JointForm, Kind, Pair};
 use crate::text::shortest;
 use mech_compiler::model::{AxisId, JointKind, LinkId};
 
@@ -36,7 +36,11 @@ impl<'d> Builder<'d> {
         Self {
             drawing,
             names: Names::of(drawing),
-            commands: if drawing.is_none() { vec![begin] } else { Vec::new() },
+            commands: if drawing.is_none() {
+                vec![begin]
+            } else {
+                Vec::new()
+            },
             replaced: Vec::new(),
         }
     }
@@ -49,7 +53,10 @@ impl<'d> Builder<'d> {
                 name: path,
             });
         }
-        let first = self.commands.iter().find(|one| !matches!(one, Command::Mechanism { .. }));
+        let first = self
+            .commands
+            .iter()
+            .find(|one| !matches!(one, Command::Mechanism { .. }));
         let first = first.ok_or_else(|| format!("nothing was picked with {tool}"))?;
         Ok(Gesture::new(first.title(), self.commands))
     }
@@ -76,7 +83,8 @@ impl<'d> Builder<'d> {
     /// The link at a place: of a joint the second that moves, as it was drawn later.
     pub(super) fn link_at(&self, pick: &Pick) -> Option<LinkId> {
         let drawing = self.drawing?;
-        let moves = |link: &LinkId| *link != LinkId::GROUND && drawing.model.link(*link).die.is_none();
+        let moves =
+            |link: &LinkId| *link != LinkId::GROUND && drawing.model.link(*link).die.is_none();
         match pick.hit {
             Hit::Joint(joint) => {
                 let (a, b) = drawing.model.ends(joint);
@@ -129,10 +137,14 @@ impl<'d> Builder<'d> {
         let drawing = self.drawing?;
         let of_link = |axis: &AxisId| drawing.model.axis(*axis).link == link;
         match pick.hit {
-            Hit::Axis(axis) => Some(axis).filter(of_link).and_then(|axis| drawing.path(axis)),
+            Hit::Axis(axis) => Some(axis)
+                .filter(of_link)
+                .and_then(|axis| drawing.path(axis)),
             Hit::Joint(joint) => {
                 let axes = drawing.model.joint(joint).kind.axes()?;
-                axes.into_iter().filter(of_link).find_map(|axis| drawing.path(axis))
+                axes.into_iter()
+                    .filter(of_link)
+                    .find_map(|axis| drawing.path(axis))
             }
             _ => None,
         }
@@ -141,11 +153,16 @@ impl<'d> Builder<'d> {
     fn free_path(&self, link: &str, word: &str) -> String {
         let is_taken = |path: &String| {
             let is_new = |command: &Command| matches!(command, Command::Axis { path: known, .. } if known == path);
-            let is_old = self.drawing.is_some_and(|drawing| drawing.axis(path).is_some());
+            let is_old = self
+                .drawing
+                .is_some_and(|drawing| drawing.axis(path).is_some());
             is_old || self.commands.iter().any(is_new)
         };
         let paths = (1..).map(|number: u32| format!("{link}.{word}{number}"));
-        paths.into_iter().find(|path| !is_taken(path)).unwrap_or_default()
+        paths
+            .into_iter()
+            .find(|path| !is_taken(path))
+            .unwrap_or_default()
     }
 
     pub(super) fn name(&self, end: &End) -> String {
@@ -165,7 +182,13 @@ impl<'d> Builder<'d> {
     }
 
     /// Joins two links where one was picked.
-    pub(super) fn join(&mut self, ends: [&End; 2], pick: &Pick, form: JointForm, along: Option<String>) {
+    pub(super) fn join(
+        &mut self,
+        ends: [&End; 2],
+        pick: &Pick,
+        form: JointForm,
+        along: Option<String>,
+    ) {
         let name = self.names.joint();
         let is_drawn = ends.iter().all(|end| self.is_in_scene(end));
         let assembly = if is_drawn {
@@ -217,10 +240,19 @@ impl<'d> Builder<'d> {
             return;
         };
         let link = drawing.model.axis(*axis).link;
-        let is_of_end = ends.iter().any(|end| matches!(end, End::Link(one) if *one == link));
+        let is_of_end = ends
+            .iter()
+            .any(|end| matches!(end, End::Link(one) if *one == link));
         let is_there = distance(drawing.place(*axis), pick.place) < 1e-9;
-        let is_needed = drawing.model.traces.iter().any(|trace| trace.point == *axis);
-        if let Some(path) = drawing.path(*axis).filter(|_| is_of_end && is_there && !is_needed) {
+        let is_needed = drawing
+            .model
+            .traces
+            .iter()
+            .any(|trace| trace.point == *axis);
+        if let Some(path) = drawing
+            .path(*axis)
+            .filter(|_| is_of_end && is_there && !is_needed)
+        {
             self.replaced.push(path);
         }
     }
@@ -230,9 +262,16 @@ impl<'d> Builder<'d> {
         let drawing = self.drawing()?;
         let link = self.moving_link_at(pick)?;
         let is_pivot = matches!(pick.hit, Hit::Joint(joint) if matches!(drawing.model.joint(joint).kind, JointKind::Revolute(..)));
-        let center = if is_pivot { Some(pick.place) } else { drawing.pivot(link) };
+        let center = if is_pivot {
+            Some(pick.place)
+        } else {
+            drawing.pivot(link)
+        };
         let center = center.ok_or_else(|| {
-            format!("link `{}` turns about nothing; pin it first", drawing.model.link(link).name)
+            format!(
+                "link `{}` turns about nothing; pin it first",
+                drawing.model.link(link).name
+            )
         })?;
         Ok((link, center))
     }
@@ -245,7 +284,12 @@ pub(super) fn written(value: f64) -> String {
 
 /// A direction of the scene, `30 deg`, in the frame of a pose.
 fn turned(along: &str, [cos, sin, ..]: [f64; 4]) -> String {
-    let degrees = along.strip_suffix(" deg").and_then(|text| text.parse::<f64>().ok());
+    let degrees = along
+        .strip_suffix(" deg")
+        .and_then(|text| text.parse::<f64>().ok());
     let turned = degrees.map(|degrees| degrees - sin.atan2(cos).to_degrees());
-    turned.map_or_else(|| along.to_owned(), |degrees| format!("{} deg", written(degrees)))
+    turned.map_or_else(
+        || along.to_owned(),
+        |degrees| format!("{} deg", written(degrees)),
+    )
 }

@@ -55,7 +55,10 @@ pub(super) fn weld(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
 /// Joins two links. Where the places coincide, the joint is placed there; else the second point jumps to the first.
 fn assemble(builder: &mut Builder<'_>, picks: &[Pick], form: JointForm) -> Built {
     let [first, second] = two(picks)?;
-    let ends = [builder.link_at(first).unwrap_or(LinkId::GROUND), builder.moving_link_at(second)?];
+    let ends = [
+        builder.link_at(first).unwrap_or(LinkId::GROUND),
+        builder.moving_link_at(second)?,
+    ];
     if ends[0] == ends[1] {
         return Err("both places are on the same link; pick one on another".to_owned());
     }
@@ -64,7 +67,8 @@ fn assemble(builder: &mut Builder<'_>, picks: &[Pick], form: JointForm) -> Built
         builder.join([&a, &b], first, form, None);
         return Ok(());
     }
-    let [a, b] = [(first, ends[0]), (second, ends[1])].map(|(pick, link)| builder.point_at(pick, link));
+    let [a, b] =
+        [(first, ends[0]), (second, ends[1])].map(|(pick, link)| builder.point_at(pick, link));
     let name = builder.names().joint();
     builder.add(Command::Join(crate::edit::Assembly {
         name,
@@ -81,7 +85,10 @@ pub(super) fn slider(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     let [first, second] = two(picks)?;
     let along = direction(first, second)?;
     let block = builder.link("block");
-    if let Some(link) = builder.link_at(first).filter(|link| *link != LinkId::GROUND) {
+    if let Some(link) = builder
+        .link_at(first)
+        .filter(|link| *link != LinkId::GROUND)
+    {
         builder.join([&End::Link(link), &block], first, JointForm::Revolute, None);
     }
     builder.join([&GROUND, &block], first, JointForm::Prismatic, Some(along));
@@ -153,7 +160,13 @@ pub(super) fn trace(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
 
 /// A spring between two places.
 pub(super) fn spring(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
-    between(builder, picks, ActionKind::Spring, "spring", "stiffness 100")
+    between(
+        builder,
+        picks,
+        ActionKind::Spring,
+        "spring",
+        "stiffness 100",
+    )
 }
 
 /// A damper between two places.
@@ -161,7 +174,13 @@ pub(super) fn damper(builder: &mut Builder<'_>, picks: &[Pick]) -> Built {
     between(builder, picks, ActionKind::Damper, "damper", "damping 1")
 }
 
-fn between(builder: &mut Builder<'_>, picks: &[Pick], kind: ActionKind, word: &str, amount: &str) -> Built {
+fn between(
+    builder: &mut Builder<'_>,
+    picks: &[Pick],
+    kind: ActionKind,
+    word: &str,
+    amount: &str,
+) -> Built {
     let picks = two(picks)?;
     let [a, b] = picks.map(|pick| {
         let link = builder.link_at(pick).unwrap_or(LinkId::GROUND);

@@ -18,7 +18,11 @@ pub(super) fn gear(builder: &mut Builder<'_>, picks: &[Pick]) -> Result<(), Stri
     let [(a, center), (b, other)] = [builder.wheel_at(first)?, builder.wheel_at(second)?];
     let radii = [distance(center, touch.place), distance(other, touch.place)];
     let sizes = teeth(radii)?;
-    join(builder, [End::Link(a), End::Link(b)], JointForm::Gear { sizes, on: None })
+    join(
+        builder,
+        [End::Link(a), End::Link(b)],
+        JointForm::Gear { sizes, on: None },
+    )
 }
 
 /// A belt over two wheels of the same size.
@@ -28,7 +32,11 @@ pub(super) fn belt(builder: &mut Builder<'_>, picks: &[Pick]) -> Result<(), Stri
     };
     let [(a, _), (b, _)] = [builder.wheel_at(first)?, builder.wheel_at(second)?];
     let sizes = [TEETH, TEETH].map(|teeth| teeth.to_string());
-    join(builder, [End::Link(a), End::Link(b)], JointForm::Belt { sizes, on: None })
+    join(
+        builder,
+        [End::Link(a), End::Link(b)],
+        JointForm::Belt { sizes, on: None },
+    )
 }
 
 fn join(builder: &mut Builder<'_>, ends: [End; 2], kind: JointForm) -> Result<(), String> {
