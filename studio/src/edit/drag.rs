@@ -1,6 +1,6 @@
 //! A point that follows the pointer: the structure is analysed once, and then only numbers change.
 
-use super::{Change, Command, Refusal, Scene, accept, place, pose, refuse_unread};
+use super::{Change, Command, Known, Refusal, Scene, accept, place, pose, refuse_unread};
 use crate::document::{Document, Reading};
 use crate::text::Replacement;
 use mech_compiler::model::Model;
@@ -51,7 +51,22 @@ impl Drag {
         path: &str,
         pose: Option<Vec<(String, f64)>>,
     ) -> Result<Self, Refusal> {
-        let scene = Scene::open(document, index)?;
+        Self::of(Scene::open(document, index)?, path, pose)
+    }
+
+    /// Takes hold of something in a mechanism that was analysed already.
+    ///
+    /// # Errors
+    /// As [`begin`](Self::begin).
+    pub(crate) fn begin_known(
+        known: Known<'_>,
+        path: &str,
+        pose: Option<Vec<(String, f64)>>,
+    ) -> Result<Self, Refusal> {
+        Self::of(Scene::of(known)?, path, pose)
+    }
+
+    fn of(scene: Scene, path: &str, pose: Option<Vec<(String, f64)>>) -> Result<Self, Refusal> {
         if !scene.is_readable {
             return Err(Refusal::of(
                 "the text has mistakes; mend them before anything is dragged",

@@ -6,6 +6,17 @@ use crate::mend::Rewriter;
 use crate::text::{Replacement, written};
 use mech_compiler::model::Model;
 use std::cell::{OnceCell, RefCell};
+use std::sync::Arc;
+
+/// A mechanism in its file, which is right, and what the compiler makes of it.
+#[derive(Clone, Copy)]
+pub(crate) struct Known<'k> {
+    pub(crate) document: &'k Document,
+    /// The number of the mechanism in the file.
+    pub(crate) index: usize,
+    pub(crate) reading: &'k Arc<Reading>,
+    pub(crate) listing: &'k Listing,
+}
 
 /// A mechanism in its file, for commands to work on.
 pub(super) struct Scene {
@@ -19,7 +30,7 @@ pub(super) struct Scene {
     pub(super) is_readable: bool,
     pub(super) listing: Listing,
     /// What the compiler makes of it, once somebody asks.
-    reading: OnceCell<Reading>,
+    reading: OnceCell<Arc<Reading>>,
     /// The text as a tree, once somebody asks what the text says after a change; none if it cannot be read statement by statement.
     tree: OnceCell<Option<RefCell<TextTree>>>,
 }
@@ -36,7 +47,7 @@ impl Scene {
             model
         } else {
             let partial = document.analyse(&declaration)?;
-            reading.get_or_init(|| partial).model.clone()
+            reading.get_or_init(|| Arc::new(partial)).model.clone()
         };
         Ok(Self {
             document: document.clone(),
@@ -46,6 +57,20 @@ impl Scene {
             is_readable,
             listing,
             reading,
+            tree: OnceCell::new(),
+        })
+    }
+
+    /// The mechanism with this number in a file whose text could be read, and was.
+    pub(super) fn of(known: Known<'_>) -> Result<Self, Refusal> {
+        Ok(Self {
+            document: known.document.clone(),
+            declaration: declaration_of(known.document, known.index)?.clone(),
+            index: known.index,
+            model: known.reading.model.clone(),
+            is_readable: true,
+            listing: known.listing.clone(),
+            reading: known.reading.clone().into(),
             tree: OnceCell::new(),
         })
     }
@@ -60,7 +85,7 @@ impl Scene {
             return Ok(reading);
         }
         let reading = self.document.analyse(&self.declaration)?;
-        Ok(self.reading.get_or_init(|| reading))
+        Ok(self.reading.get_or_init(|| Arc::new(reading)))
     }
 
     /// A rewriter of the text.

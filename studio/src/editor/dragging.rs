@@ -3,7 +3,6 @@
 use super::drawing::{Drawing, Pose, SCENE, relative};
 use super::path::Path;
 use super::{Gesture, Item};
-use crate::document::Document;
 use crate::edit::{Drag, Dragged, Refusal};
 use crate::play::Player;
 use crate::text::{Replacement, rounded};
@@ -48,26 +47,25 @@ pub(crate) struct Preview {
 }
 
 impl Dragging {
-    /// Takes hold of a joint or a point, where the motors have these values.
+    /// Takes hold of a joint or a point by what begins a drag of a path.
     pub(crate) fn begin(
-        document: &Document,
-        index: usize,
         drawing: &Drawing,
         item: &Item,
-        seen_at: Option<Vec<(String, f64)>>,
         is_alone: bool,
+        is_at_start: bool,
+        drag: impl FnOnce(&str) -> Result<Drag, Refusal>,
     ) -> Result<Self, Refusal> {
         let (path, link) = mover(drawing, item).unwrap_or((item.name().to_owned(), LinkId::GROUND));
         let others = match item {
             Item::Joint(name) if !is_alone && *name == path => drawing.on_same_pin(name),
             _ => Vec::new(),
         };
-        let frame = seen_at.is_none().then(|| drawing.pose(link));
+        let frame = is_at_start.then(|| drawing.pose(link));
         Ok(Self {
             items: std::iter::once(item.clone())
                 .chain(others.iter().cloned().map(Item::Joint))
                 .collect(),
-            drag: Drag::begin(document, index, &path, seen_at)?.with(others)?,
+            drag: drag(&path)?.with(others)?,
             frame,
             before: drawing.clone(),
             tolerance: 1e-6 * drawing.model.size(),

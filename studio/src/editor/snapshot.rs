@@ -4,6 +4,7 @@ use super::drawing::{Drawing, Pose};
 use super::path::{Path, whole_paths};
 use super::range::{MotorRange, ranges};
 use crate::document::{Declaration, Document, Listing, Message, Reading};
+use crate::edit::Known;
 use crate::failure::Failure;
 use crate::mend::{Mending, mendings};
 use crate::play::Mechanism;
@@ -69,6 +70,17 @@ impl Snapshot {
                 Ok(_) => true,
                 Err(faults) => !faults.diagnoses.is_empty(),
             })
+    }
+
+    /// The mechanism in its file, if its text is right.
+    pub(crate) fn known(&self) -> Option<Known<'_>> {
+        let reading = self.reading.as_ref().filter(|_| self.is_readable())?;
+        Some(Known {
+            document: &self.document,
+            index: self.index,
+            reading,
+            listing: &self.listing,
+        })
     }
 
     /// The compiled mechanism, if it moves.

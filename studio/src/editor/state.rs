@@ -320,7 +320,7 @@ impl Editor {
     }
 
     /// Whether a snapshot is of the present text.
-    fn is_present(&self, snapshot: &Snapshot) -> bool {
+    pub(super) fn is_present(&self, snapshot: &Snapshot) -> bool {
         snapshot.document.source().text() == self.workspace().text()
     }
 

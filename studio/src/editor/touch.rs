@@ -10,7 +10,7 @@ use super::worker::Task;
 use super::{Editor, Gesture, Item};
 use crate::check::verdict_line;
 use crate::document::{Document, Source};
-use crate::edit::Command;
+use crate::edit::{Command, Drag, Refusal};
 use crate::failure::Failure;
 use crate::play::{Control, Player};
 use crate::text::written;
@@ -111,18 +111,27 @@ impl Editor {
         {
             player.obey(Control::PlayOrPause);
         }
-        let document = self.session.workspace.document();
-        let begun = Dragging::begin(
-            &document,
-            self.session.workspace.index(),
-            drawing,
-            item,
-            self.seen_at(),
-            is_alone,
-        );
+        let seen_at = self.seen_at();
+        let begun = Dragging::begin(drawing, item, is_alone, seen_at.is_none(), |path| {
+            self.drag(path, seen_at)
+        });
         match begun {
             Ok(dragging) => self.dragging = Some(dragging),
             Err(refusal) => self.refuse(refusal),
+        }
+    }
+
+    /// A drag in the present text, for which what is known of it already is not found out again.
+    fn drag(&self, path: &str, seen_at: Option<Vec<(String, f64)>>) -> Result<Drag, Refusal> {
+        let known = self.snapshot.known();
+        match known.filter(|_| self.is_present(&self.snapshot)) {
+            Some(known) => Drag::begin_known(known, path, seen_at),
+            None => Drag::begin(
+                &self.workspace().document(),
+                self.workspace().index(),
+                path,
+                seen_at,
+            ),
         }
     }
 
