@@ -1,6 +1,7 @@
 //! What can be done besides drawing: one table, from which come menus, keys, tooltips and help.
 
 use super::panel::Panel;
+use super::settings::Visible;
 use super::{Editor, Tool};
 use crate::edit::Workspace;
 use crate::play::Control;
@@ -36,12 +37,12 @@ struct Action {
     perform: fn(&mut Editor),
 }
 
-const fn with_command(key: Key) -> Option<KeyboardShortcut> {
-    Some(KeyboardShortcut::new(Modifiers::COMMAND, key))
+const fn with_command(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
 }
 
-const fn alone(key: Key) -> Option<KeyboardShortcut> {
-    Some(KeyboardShortcut::new(Modifiers::NONE, key))
+const fn alone(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
 }
 
 const ALWAYS: fn(&Editor) -> bool = |_| true;
@@ -53,7 +54,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::File,
         name: "New",
         help: "begins with an empty text",
-        key: with_command(Key::N),
+        key: Some(with_command(Key::N)),
         is_possible: ALWAYS,
         perform: |editor| {
             if editor.may_leave() {
@@ -65,7 +66,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::File,
         name: "Open",
         help: "reads a file",
-        key: with_command(Key::O),
+        key: Some(with_command(Key::O)),
         is_possible: ALWAYS,
         perform: |editor| editor.settings.dialog = Some(Dialog::Open(String::new())),
     },
@@ -73,7 +74,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::File,
         name: "Save",
         help: "writes the text",
-        key: with_command(Key::S),
+        key: Some(with_command(Key::S)),
         is_possible: ALWAYS,
         perform: |editor| {
             if editor.workspace().has_file() {
@@ -99,7 +100,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Edit,
         name: "Undo",
         help: "undoes the last step",
-        key: with_command(Key::Z),
+        key: Some(with_command(Key::Z)),
         is_possible: |editor| !editor.workspace().history().made().is_empty(),
         perform: Editor::undo,
     },
@@ -118,7 +119,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Edit,
         name: "Delete",
         help: "removes what is selected",
-        key: alone(Key::Delete),
+        key: Some(alone(Key::Delete)),
         is_possible: SELECTED,
         perform: Editor::remove_selected,
     },
@@ -126,7 +127,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Edit,
         name: "Select all",
         help: "selects all links",
-        key: with_command(Key::A),
+        key: Some(with_command(Key::A)),
         is_possible: |editor| editor.drawing().is_some(),
         perform: Editor::select_all,
     },
@@ -134,7 +135,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Edit,
         name: "Copy",
         help: "notes the selected links, to be pasted",
-        key: with_command(Key::C),
+        key: Some(with_command(Key::C)),
         is_possible: SELECTED,
         perform: Editor::copy,
     },
@@ -142,7 +143,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Edit,
         name: "Paste",
         help: "declares the copied links once more",
-        key: with_command(Key::V),
+        key: Some(with_command(Key::V)),
         is_possible: |editor| !editor.copied.is_empty(),
         perform: Editor::paste,
     },
@@ -150,7 +151,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Edit,
         name: "Stop the tool",
         help: "forgets what was picked, and selects again",
-        key: alone(Key::Escape),
+        key: Some(alone(Key::Escape)),
         is_possible: ALWAYS,
         perform: |editor| {
             editor.choose(Tool::Select);
@@ -161,7 +162,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::View,
         name: "See everything",
         help: "fits the whole motion into the window",
-        key: alone(Key::Home),
+        key: Some(alone(Key::Home)),
         is_possible: ALWAYS,
         perform: Editor::fit,
     },
@@ -169,7 +170,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::View,
         name: "Snap",
         help: "lets places snap to the grid and to what is near; Alt does the other",
-        key: alone(Key::Num1),
+        key: Some(alone(Key::Num1)),
         is_possible: ALWAYS,
         perform: |editor| editor.settings.snaps ^= true,
     },
@@ -177,39 +178,39 @@ const ACTIONS: &[Action] = &[
         menu: Menu::View,
         name: "Grid",
         help: "shows the grid",
-        key: alone(Key::Num2),
+        key: Some(alone(Key::Num2)),
         is_possible: ALWAYS,
-        perform: |editor| editor.settings.shows_grid ^= true,
+        perform: |editor| editor.settings.toggle(Visible::Grid),
     },
     Action {
         menu: Menu::View,
         name: "Names",
         help: "shows the names of joints and links",
-        key: alone(Key::Num3),
+        key: Some(alone(Key::Num3)),
         is_possible: ALWAYS,
-        perform: |editor| editor.settings.shows_names ^= true,
+        perform: |editor| editor.settings.toggle(Visible::Names),
     },
     Action {
         menu: Menu::View,
         name: "Bodies",
         help: "shows the bodies of links; without, the schematic",
-        key: alone(Key::Num4),
+        key: Some(alone(Key::Num4)),
         is_possible: ALWAYS,
-        perform: |editor| editor.settings.shows_bodies ^= true,
+        perform: |editor| editor.settings.toggle(Visible::Bodies),
     },
     Action {
         menu: Menu::View,
         name: "Paths",
         help: "shows the whole paths of traced points",
-        key: alone(Key::Num5),
+        key: Some(alone(Key::Num5)),
         is_possible: ALWAYS,
-        perform: |editor| editor.settings.shows_paths ^= true,
+        perform: |editor| editor.settings.toggle(Visible::Paths),
     },
     Action {
         menu: Menu::View,
         name: "Day or night",
         help: "dark on light, or light on dark",
-        key: alone(Key::Num6),
+        key: Some(alone(Key::Num6)),
         is_possible: ALWAYS,
         perform: |editor| editor.settings.is_dark ^= true,
     },
@@ -217,7 +218,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::View,
         name: "Help",
         help: "shows what can be done",
-        key: alone(Key::F1),
+        key: Some(alone(Key::F1)),
         is_possible: ALWAYS,
         perform: |editor| editor.settings.panel = Some(Panel::Help),
     },
@@ -225,7 +226,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Play,
         name: "Play or pause",
         help: "lets the motors move",
-        key: alone(Key::Space),
+        key: Some(alone(Key::Space)),
         is_possible: MOVES,
         perform: |editor| editor.obey(Control::PlayOrPause),
     },
@@ -233,7 +234,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Play,
         name: "Step forward",
         help: "moves by one step",
-        key: alone(Key::Period),
+        key: Some(alone(Key::Period)),
         is_possible: MOVES,
         perform: |editor| editor.obey(Control::Step(1.0)),
     },
@@ -241,7 +242,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Play,
         name: "Step back",
         help: "moves back by one step",
-        key: alone(Key::Comma),
+        key: Some(alone(Key::Comma)),
         is_possible: MOVES,
         perform: |editor| editor.obey(Control::Step(-1.0)),
     },
@@ -249,7 +250,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Play,
         name: "Reverse",
         help: "plays the other way",
-        key: alone(Key::Backspace),
+        key: Some(alone(Key::Backspace)),
         is_possible: MOVES,
         perform: |editor| editor.obey(Control::Reverse),
     },
@@ -257,7 +258,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Play,
         name: "Next motor",
         help: "plays the next motor alone; after the last, all",
-        key: alone(Key::Plus),
+        key: Some(alone(Key::Plus)),
         is_possible: MOVES,
         perform: |editor| editor.obey(Control::NextMotor),
     },
@@ -265,7 +266,7 @@ const ACTIONS: &[Action] = &[
         menu: Menu::Play,
         name: "Back to the start",
         help: "puts all motors where they start",
-        key: alone(Key::Num0),
+        key: Some(alone(Key::Num0)),
         is_possible: MOVES,
         perform: |editor| editor.obey(Control::Reset),
     },
@@ -316,7 +317,7 @@ pub(super) fn obey_keys(editor: &mut Editor, context: &egui::Context) {
         // What a focused button does is its own affair.
         let is_of_button = key.logical_key == Key::Space
             && !editor.is_canvas_focused
-            && context.memory(|memory| memory.focused()).is_some();
+            && context.memory(egui::Memory::focused).is_some();
         if !is_of_button
             && context.input_mut(|input| input.consume_shortcut(&key))
             && (action.is_possible)(editor)

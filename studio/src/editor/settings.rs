@@ -2,20 +2,28 @@
 
 use super::action::Dialog;
 use super::panel::Panel;
+use std::collections::BTreeSet;
+
+/// Something in the drawing that can be hidden.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Visible {
+    /// The grid.
+    Grid,
+    /// The names of joints and links.
+    Names,
+    /// The bodies of links; without, the schematic.
+    Bodies,
+    /// The whole paths of traced points.
+    Paths,
+}
 
 /// What the user has chosen of the window.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Settings {
     /// Whether places snap to the grid and to what is near.
     pub(crate) snaps: bool,
-    /// Whether the grid is seen.
-    pub(crate) shows_grid: bool,
-    /// Whether the names of joints are seen.
-    pub(crate) shows_names: bool,
-    /// Whether the bodies of links are seen.
-    pub(crate) shows_bodies: bool,
-    /// Whether the whole paths of traced points are seen.
-    pub(crate) shows_paths: bool,
+    /// What is seen beside the handles.
+    pub(crate) visible: BTreeSet<Visible>,
     /// The panel beside the drawing; none if all are closed.
     pub(crate) panel: Option<Panel>,
     /// Whether something was drawn: then the view is the user's.
@@ -26,14 +34,31 @@ pub(crate) struct Settings {
     pub(crate) dialog: Option<Dialog>,
 }
 
+impl Settings {
+    /// Whether something is seen.
+    pub(crate) fn shows(&self, what: Visible) -> bool {
+        self.visible.contains(&what)
+    }
+
+    /// Shows something, or hides it if it is seen.
+    pub(crate) fn toggle(&mut self, what: Visible) {
+        if !self.visible.remove(&what) {
+            self.visible.insert(what);
+        }
+    }
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self {
             snaps: true,
-            shows_grid: true,
-            shows_names: true,
-            shows_bodies: true,
-            shows_paths: true,
+            visible: [
+                Visible::Grid,
+                Visible::Names,
+                Visible::Bodies,
+                Visible::Paths,
+            ]
+            .into(),
             panel: Some(Panel::Text),
             has_begun: false,
             is_dark: false,

@@ -202,6 +202,7 @@ impl Editor {
     }
 
     /// Tells why something was refused.
+    #[expect(clippy::needless_pass_by_value, reason = "nobody needs it any more")]
     pub(super) fn refuse(&mut self, why: impl ToString) {
         self.notice = Some(Notice {
             text: why.to_string(),
@@ -360,13 +361,12 @@ impl Editor {
 
     /// Plays the mechanism of the present text, with its motors where they were.
     fn play(&mut self, mechanism: Mechanism, ranges: Vec<MotorRange>, paths: Vec<Path>) {
-        match &mut self.player {
-            Some(player) => player.replace(mechanism),
-            None => {
-                let mut player = Player::new(mechanism, Vec::new(), self.camera.size());
-                player.obey(Control::PlayOrPause);
-                self.player = Some(player);
-            }
+        if let Some(player) = &mut self.player {
+            player.replace(mechanism);
+        } else {
+            let mut player = Player::new(mechanism, Vec::new(), self.camera.size());
+            player.obey(Control::PlayOrPause);
+            self.player = Some(player);
         }
         self.ranges = ranges;
         self.paths = paths;

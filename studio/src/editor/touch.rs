@@ -5,6 +5,7 @@ use super::drawing::Drawing;
 use super::ghost::Ghost;
 use super::names::Names;
 use super::path::Path;
+use super::settings::Visible;
 use super::snapshot::{Played, Snapshot};
 use super::worker::Task;
 use super::{Editor, Gesture, Item};
@@ -43,7 +44,7 @@ impl Editor {
 
     /// Whether the bodies of links are seen, and not the schematic.
     pub(super) fn shows_bodies(&self) -> bool {
-        self.settings.shows_bodies && self.seen_player().is_some()
+        self.settings.shows(Visible::Bodies) && self.seen_player().is_some()
     }
 
     /// Whether the mechanism moves, in a line.

@@ -45,7 +45,7 @@ impl Canvas {
         let background = ui.allocate_rect(rect, Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "drawing"));
         editor.camera.resize(size_of(rect));
-        self.zoom(editor, &background, ui);
+        zoom(editor, &background, ui);
         self.picture.show(editor, rect, ui);
         let drawing = editor.seen_drawing().cloned();
         let handles = drawing.iter().flat_map(Drawing::handles);
@@ -121,33 +121,6 @@ impl Canvas {
             } else {
                 editor.pick(pick.pick);
             }
-        }
-    }
-
-    /// Magnifies by the wheel or by two fingers, and moves the paper by two fingers.
-    fn zoom(&mut self, editor: &mut Editor, background: &Response, ui: &egui::Ui) {
-        let Some(pointer) = ui.input(|input| input.pointer.hover_pos()) else {
-            return;
-        };
-        if !background.rect.contains(pointer)
-            || ui
-                .ctx()
-                .layer_id_at(pointer)
-                .is_some_and(|layer| layer != ui.layer_id())
-        {
-            return;
-        }
-        let (factor, scrolled) =
-            ui.input(|input| (input.zoom_delta(), input.smooth_scroll_delta()));
-        let factor = f64::from(factor) * f64::from(scrolled.y / 200.0).exp();
-        if factor != 1.0 {
-            let [x, y] = within(background.rect, pointer);
-            editor.camera.zoom([x, y], factor);
-        }
-        if let Some(touch) = ui.input(egui::InputState::multi_touch) {
-            editor
-                .camera
-                .pan([touch.translation_delta.x, touch.translation_delta.y].map(f64::from));
         }
     }
 
@@ -345,6 +318,32 @@ impl Canvas {
                 editor.pick(pick);
             }
         }
+    }
+}
+
+/// Magnifies by the wheel or by two fingers, and moves the paper by two fingers.
+fn zoom(editor: &mut Editor, background: &Response, ui: &egui::Ui) {
+    let Some(pointer) = ui.input(|input| input.pointer.hover_pos()) else {
+        return;
+    };
+    if !background.rect.contains(pointer)
+        || ui
+            .ctx()
+            .layer_id_at(pointer)
+            .is_some_and(|layer| layer != ui.layer_id())
+    {
+        return;
+    }
+    let (factor, scrolled) = ui.input(|input| (input.zoom_delta(), input.smooth_scroll_delta()));
+    let factor = f64::from(factor) * f64::from(scrolled.y / 200.0).exp();
+    if factor != 1.0 {
+        let [x, y] = within(background.rect, pointer);
+        editor.camera.zoom([x, y], factor);
+    }
+    if let Some(touch) = ui.input(egui::InputState::multi_touch) {
+        editor
+            .camera
+            .pan([touch.translation_delta.x, touch.translation_delta.y].map(f64::from));
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Shown;
 use crate::editor::drawing::{Drawing, Handle, HandleKind};
+use crate::editor::settings::Visible;
 use crate::editor::snap::{Snapped, grid};
 use crate::editor::{Editor, Item};
 use eframe::egui;
@@ -33,10 +34,10 @@ impl Paint<'_> {
     pub(super) fn behind(&self, ui: &egui::Ui) {
         let painter = ui.painter().with_clip_rect(self.shown.rect);
         let settings = &self.editor.settings;
-        if settings.shows_grid {
+        if settings.shows(Visible::Grid) {
             self.grid(&painter, ui.visuals());
         }
-        if settings.shows_paths {
+        if settings.shows(Visible::Paths) {
             self.paths(&painter);
         }
         if let Some(drawing) = self.editor.seen_drawing() {
@@ -63,7 +64,7 @@ impl Paint<'_> {
             self.handle(&painter, handle, ui.visuals());
             let center = self.shown.pixel(handle.place);
             let is_marked = self.is_marked(handle.item);
-            if self.editor.settings.shows_names && (names.take(center) || is_marked) {
+            if self.editor.settings.shows(Visible::Names) && (names.take(center) || is_marked) {
                 let visuals = ui.visuals();
                 let color = if is_marked {
                     visuals.selection.stroke.color

@@ -30,12 +30,13 @@ impl Picture {
     pub(super) fn show(&mut self, editor: &mut Editor, rect: Rect, ui: &egui::Ui) {
         let paper = palette(editor).rgba(Palette::PAPER);
         ui.painter().rect_filled(rect, 0.0, color(paper));
-        if editor.shows_bodies() && self.paint(editor, rect, ui.ctx()).is_some() {
-            if let Some(texture) = &self.texture {
-                let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
-                ui.painter()
-                    .image(texture.id(), rect, whole, Color32::WHITE);
-            }
+        if editor.shows_bodies()
+            && self.paint(editor, rect, ui.ctx()).is_some()
+            && let Some(texture) = &self.texture
+        {
+            let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+            ui.painter()
+                .image(texture.id(), rect, whole, Color32::WHITE);
         }
     }
 
@@ -76,7 +77,7 @@ impl Picture {
         match &mut self.texture {
             Some(texture) => texture.set(image, TextureOptions::LINEAR),
             None => {
-                self.texture = Some(context.load_texture("bodies", image, TextureOptions::LINEAR))
+                self.texture = Some(context.load_texture("bodies", image, TextureOptions::LINEAR));
             }
         }
         self.subject = Some(subject);

@@ -49,25 +49,8 @@ impl Line {
                 }
                 response.request_focus();
             }
-            self.told(editor, ui);
+            told(editor, ui);
         });
-    }
-
-    /// What is told; while a tool is used, what has to be picked.
-    fn told(&self, editor: &Editor, ui: &mut egui::Ui) {
-        if let Some(notice) = &editor.notice {
-            let first = notice.text.lines().next().unwrap_or_default();
-            let text = if notice.is_refusal {
-                egui::RichText::new(first).color(ui.visuals().error_fg_color)
-            } else {
-                egui::RichText::new(first)
-            };
-            ui.add(egui::Label::new(text).truncate());
-        } else if let Some(wanted) = editor.tool.picks().get(editor.picks.len()) {
-            ui.add(egui::Label::new(format!("{}: pick {wanted}", editor.tool.name())).truncate());
-        } else if let Some(player) = editor.player() {
-            ui.add(egui::Label::new(player.status()).truncate());
-        }
     }
 
     fn recall(&mut self, editor: &Editor, back: usize) {
@@ -99,5 +82,22 @@ impl Line {
         if words.len() == 1 {
             self.text.push(' ');
         }
+    }
+}
+
+/// What is told; while a tool is used, what has to be picked.
+fn told(editor: &Editor, ui: &mut egui::Ui) {
+    if let Some(notice) = &editor.notice {
+        let first = notice.text.lines().next().unwrap_or_default();
+        let text = if notice.is_refusal {
+            egui::RichText::new(first).color(ui.visuals().error_fg_color)
+        } else {
+            egui::RichText::new(first)
+        };
+        ui.add(egui::Label::new(text).truncate());
+    } else if let Some(wanted) = editor.tool.picks().get(editor.picks.len()) {
+        ui.add(egui::Label::new(format!("{}: pick {wanted}", editor.tool.name())).truncate());
+    } else if let Some(player) = editor.player() {
+        ui.add(egui::Label::new(player.status()).truncate());
     }
 }

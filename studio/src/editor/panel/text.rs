@@ -4,6 +4,7 @@ use crate::editor::{Editor, Item};
 use crate::text::{Kind, Lexer};
 use eframe::egui;
 use eframe::egui::text::{LayoutJob, TextFormat};
+use mech_compiler::syntax::ListedNumber;
 use std::ops::Range;
 
 /// Ranges of the text that are marked.
@@ -292,7 +293,7 @@ impl Editor {
             .find(|one| !one.is_pair && within(&one.place));
         let name = listing.names.iter().find(|one| within(&one.place));
         let path = number
-            .map(|one| one.path())
+            .map(ListedNumber::path)
             .or_else(|| name.map(|one| one.path.clone()))?;
         let kinds = [Item::Joint, Item::Axis, Item::Link, Item::Action];
         kinds
