@@ -35,7 +35,7 @@ pub use document::{
 };
 pub use edit::{
     ActionKind, Applied, Assembly, Command, Drag, Dragged, Expression, History, JointForm, Kind,
-    Pair, Refusal, Rule, Step, Workspace, apply, apply_all,
+    Known, Pair, Refusal, Rule, Step, Workspace, apply, apply_all,
 };
 pub use failure::{Failure, FailureKind};
 pub use mend::{Mending, Remainder, mendings};

@@ -58,7 +58,7 @@ impl Drag {
     ///
     /// # Errors
     /// As [`begin`](Self::begin).
-    pub(crate) fn begin_known(
+    pub fn begin_known(
         known: Known<'_>,
         path: &str,
         pose: Option<Vec<(String, f64)>>,

@@ -43,6 +43,12 @@ impl History {
         &self.steps[..self.made]
     }
 
+    /// The steps that are undone, the next to be made again first.
+    #[must_use]
+    pub fn undone(&self) -> &[Step] {
+        &self.steps[self.made..]
+    }
+
     /// Makes a step. Those that are undone are gone for ever.
     pub fn push(&mut self, title: impl Into<String>, text: impl Into<String>) {
         self.steps.truncate(self.made);

@@ -32,7 +32,7 @@ use crate::document::{Document, Reading, Source};
 use crate::failure::Failure;
 use crate::mend::{Rewriter, are_alike, mendings};
 use crate::text::{Replacement, written};
-pub(crate) use scene::Known;
+pub use scene::Known;
 use scene::{Scene, declaration_of};
 use similar::{DiffTag, TextDiff};
 

@@ -8,14 +8,17 @@ use mech_compiler::model::Model;
 use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 
-/// A mechanism in its file, which is right, and what the compiler makes of it.
+/// A mechanism in its file whose text is right, and what the compiler makes of it: what is known is not found out again.
 #[derive(Clone, Copy)]
-pub(crate) struct Known<'k> {
-    pub(crate) document: &'k Document,
+pub struct Known<'k> {
+    /// The file.
+    pub document: &'k Document,
     /// The number of the mechanism in the file.
-    pub(crate) index: usize,
-    pub(crate) reading: &'k Arc<Reading>,
-    pub(crate) listing: &'k Listing,
+    pub index: usize,
+    /// What [`Document::analyse`] gives.
+    pub reading: &'k Arc<Reading>,
+    /// What [`Document::listing`] gives.
+    pub listing: &'k Listing,
 }
 
 /// A mechanism in its file, for commands to work on.

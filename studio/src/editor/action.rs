@@ -112,7 +112,7 @@ const ACTIONS: &[Action] = &[
             Modifiers::COMMAND.plus(Modifiers::SHIFT),
             Key::Z,
         )),
-        is_possible: ALWAYS,
+        is_possible: |editor| !editor.workspace().history().undone().is_empty(),
         perform: Editor::redo,
     },
     Action {

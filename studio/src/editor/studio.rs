@@ -57,6 +57,10 @@ impl Studio {
         }
         action::obey_keys(editor, &context);
         let is_narrow = ui.available_width() < NARROW;
+        if is_narrow {
+            for_fingers(ui.spacing_mut());
+        }
+        let height = ui.available_height();
         egui::Panel::top("menu").show(ui, |ui| action::menu(editor, ui));
         egui::Panel::bottom("line").show(ui, |ui| self.line.show(editor, ui));
         egui::Panel::bottom("play").show(ui, |ui| panel::play(editor, ui));
@@ -64,7 +68,8 @@ impl Studio {
             egui::Panel::top("tools").show(ui, |ui| panel::tools(editor, ui, true));
             egui::Panel::bottom("panel")
                 .resizable(true)
-                .default_size(220.0)
+                .default_size(0.3 * height)
+                .max_size(0.4 * height)
                 .show(ui, |ui| self.panels.show(editor, ui));
         } else {
             egui::Panel::left("tools")
@@ -79,6 +84,12 @@ impl Studio {
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);
     }
+}
+
+/// Makes everything large enough for fingers.
+fn for_fingers(spacing: &mut egui::Spacing) {
+    spacing.interact_size.y = 32.0;
+    spacing.button_padding = egui::vec2(8.0, 7.0);
 }
 
 impl eframe::App for Studio {

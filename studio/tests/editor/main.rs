@@ -5,4 +5,6 @@ mod drawing;
 mod figure_1;
 mod keyboard;
 mod mistakes;
+mod properties;
+mod touch;
 mod user;

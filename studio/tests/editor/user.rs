@@ -1,10 +1,12 @@
 //! Somebody who uses the studio, and counts the gestures.
 
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2};
+use eframe::egui::{
+    Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2,
+};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use mech_studio::Workspace;
-use mech_studio::editor::{Editor, Studio};
+use mech_studio::editor::{Drawing, Editor, Studio};
 
 /// Somebody who uses the studio, and counts the gestures.
 pub(crate) struct User {
@@ -26,9 +28,18 @@ impl User {
 
     /// Before a file of this name with this text, which nobody has written.
     pub(crate) fn with_file(name: &str, text: &str) -> Self {
+        Self::before_window([1280.0, 800.0], name, text)
+    }
+
+    /// With a telephone, on which nothing is written yet.
+    pub(crate) fn with_telephone() -> Self {
+        Self::before_window([390.0, 760.0], "test.mech", "")
+    }
+
+    fn before_window(size: [f32; 2], name: &str, text: &str) -> Self {
         let editor = Editor::immediate(Workspace::unsaved(name, text));
         let mut harness = Harness::builder()
-            .with_size([1280.0, 800.0])
+            .with_size(size)
             .with_step_dt(1.0 / 60.0)
             .build_ui_state(
                 |ui, studio: &mut Studio| studio.show(ui),
@@ -94,12 +105,106 @@ impl User {
         )
     }
 
-    /// Whether something of this name is in the window.
-    pub(crate) fn sees(&self, label: &str) -> bool {
-        self.harness
-            .query_all_by_label_contains(label)
-            .next()
-            .is_some()
+    /// Where something of this name is in the window.
+    #[track_caller]
+    pub(crate) fn place_of(&self, label: &str) -> Rect {
+        self.harness.get_by_label(label).rect()
+    }
+
+    /// The names of all joints, points and lines that are seen, as a reader tells them.
+    pub(crate) fn handles(&self) -> Vec<String> {
+        let canvas = self.place_of("drawing").shrink(12.0);
+        let handles = self
+            .editor()
+            .drawing()
+            .into_iter()
+            .flat_map(Drawing::handles);
+        let seen = handles.filter(|handle| canvas.contains(self.pixel(handle.place)));
+        seen.map(|handle| handle.item.to_string()).collect()
+    }
+
+    /// Where a handle is in the scene.
+    pub(crate) fn scene_place_of(&self, label: &str) -> Option<[f64; 2]> {
+        let mut handles = self.editor().drawing()?.handles();
+        let found = handles.find(|handle| handle.item.to_string() == label);
+        found.map(|handle| handle.place)
+    }
+
+    /// Makes a repair that is offered, by its number from 1.
+    pub(crate) fn mend(&mut self, number: usize) {
+        self.click_on_beginning("Diagnoses");
+        self.click_on_beginning(&format!("Repair {number}:"));
+        self.click_on("Text");
+    }
+
+    /// Presses a key with Ctrl, perhaps with Shift.
+    pub(crate) fn shortcut(&mut self, key: Key, with_shift: bool) {
+        let modifiers = if with_shift {
+            Modifiers::COMMAND | Modifiers::SHIFT
+        } else {
+            Modifiers::COMMAND
+        };
+        self.harness.key_press_modifiers(modifiers, key);
+        self.harness.run_steps(2);
+        self.gestures += 1;
+    }
+
+    /// Copies what is selected, and pastes it.
+    pub(crate) fn copy_and_paste(&mut self) {
+        self.harness.event(Event::Copy);
+        self.harness.run_steps(1);
+        self.harness.event(Event::Paste(String::new()));
+        self.harness.run_steps(2);
+        self.gestures += 2;
+    }
+
+    /// Taps with a finger.
+    pub(crate) fn tap(&mut self, at: Pos2) {
+        self.touch(TouchPhase::Start, at);
+        self.press(at);
+        self.touch(TouchPhase::End, at);
+        self.release(at);
+        self.harness.event(Event::PointerGone);
+        self.harness.run_steps(2);
+        self.gestures += 1;
+    }
+
+    /// Taps what has this name.
+    #[track_caller]
+    pub(crate) fn tap_on(&mut self, label: &str) {
+        let at = self.place_of(label).center();
+        assert!(
+            self.harness.ctx.content_rect().contains(at),
+            "{label} is not in the window: {at:?}"
+        );
+        self.tap(at);
+    }
+
+    /// Moves a finger over the screen.
+    pub(crate) fn swipe(&mut self, from: Pos2, to: Pos2) {
+        self.touch(TouchPhase::Start, from);
+        self.press(from);
+        for part in [0.3, 0.7, 1.0] {
+            let at = from + part * (to - from);
+            self.touch(TouchPhase::Move, at);
+            self.harness.event(Event::PointerMoved(at));
+            self.harness.run_steps(1);
+        }
+        self.touch(TouchPhase::End, to);
+        self.release(to);
+        self.harness.event(Event::PointerGone);
+        self.harness.run_steps(2);
+        self.gestures += 1;
+    }
+
+    fn touch(&mut self, phase: TouchPhase, pos: Pos2) {
+        self.harness.event(Event::Touch {
+            device_id: TouchDeviceId(0),
+            id: TouchId(0),
+            phase,
+            pos,
+            force: None,
+        });
     }
 
     /// Clicks a place of the scene.

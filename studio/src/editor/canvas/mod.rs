@@ -200,7 +200,11 @@ impl Canvas {
         };
         #[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
         let area = Rect::from_center_size(center, Vec2::splat(2.0 * reach as f32));
-        if !shown.rect.intersects(area) {
+        let dragged = editor.dragging.as_ref();
+        let is_dragged =
+            dragged.is_some_and(|dragging| dragging.items.first() == Some(handle.item));
+        // What is dragged out of the window has to learn that it is let go.
+        if !shown.rect.intersects(area) && !is_dragged {
             return;
         }
         let id = ui.scope_id().with(("handle", handle.item));

@@ -106,7 +106,8 @@ fn tabs(editor: &mut Editor, ui: &mut egui::Ui) {
             };
             let is_chosen = editor.settings.panel == Some(panel);
             if ui.selectable_label(is_chosen, name).clicked() {
-                editor.settings.panel = Some(panel);
+                // The one that is seen is closed.
+                editor.settings.panel = (!is_chosen).then_some(panel);
             }
         }
     });
