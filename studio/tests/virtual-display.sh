@@ -4,81 +4,27 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-fail() {
-    echo "error: $*" >&2
-    exit 1
-}
-
-# What is needed besides Rust: each by the program or library that tells whether it is there.
-missing=()
-for need in Xvfb:xvfb xdotool:xdotool import:imagemagick convert:imagemagick; do
-    command -v "${need%%:*}" >/dev/null || missing+=("${need##*:}")
-done
-libraries=$(ldconfig -p 2>/dev/null || /sbin/ldconfig -p)
-for need in libX11.so.6:libx11-6 libX11-xcb.so.1:libx11-xcb1 libXcursor.so.1:libxcursor1 libXi.so.6:libxi6 \
-    libxkbcommon-x11.so.0:libxkbcommon-x11-0; do
-    [[ $libraries == *"${need%%:*}"* ]] || missing+=("${need##*:}")
-done
-if ((${#missing[@]} > 0)); then
-    [[ $(id -u) == 0 ]] && command -v apt-get >/dev/null ||
-        fail "the virtual display needs ${missing[*]}: install them, or run this as root where there is apt-get"
-    { apt-get update && apt-get install -y "${missing[@]}"; } >/dev/null || fail "cannot install ${missing[*]}"
-fi
+. studio/tests/display.sh
+install_display
 
 cargo build --release --bin mech
 shots=target/virtual-display
-rm -rf "$shots" && mkdir -p "$shots"
-
-processes=()
-cleanup() {
-    for process in "${processes[@]}"; do
-        kill "$process" 2>/dev/null || true
-    done
-}
-trap cleanup EXIT
-
-Xvfb -displayfd 3 -screen 0 1100x800x24 -nolisten tcp 3>"$shots/display" 2>"$shots/xvfb.log" &
-processes+=($!)
-for _ in {1..100}; do
-    [[ -s $shots/display ]] && break
-    sleep 0.1
-done
-[[ -s $shots/display ]] || fail "Xvfb does not start: $(cat "$shots/xvfb.log")"
-DISPLAY=:$(cat "$shots/display")
-export DISPLAY
-unset WAYLAND_DISPLAY WAYLAND_SOCKET
-# So that a pixel is a pixel.
-export WINIT_X11_SCALE_FACTOR=1
+begin_display 1100x800
 
 "${CARGO_TARGET_DIR:-target}/release/mech" play examples/gallery/src/mechanisms/crane.rs &
 player=$!
 processes+=("$player")
-window=$(timeout 20 xdotool search --sync --onlyvisible --name 'LuffingCrane' | head -n 1) || fail "no window comes up"
+window=$(window_of LuffingCrane)
 xdotool windowfocus "$window"
 
-shot() { import -window root "$shots/$1.png"; }
 # What a screenshot shows of the mechanism, below the words.
 scene() { convert "$shots/$1.png" -crop +0+80 +repage "ppm:$2"; }
-title() { xdotool getwindowname "$window"; }
-press() {
-    xdotool key "$@"
-    sleep 0.3
-}
 same() {
     scene "$1" "$shots/one.ppm" && scene "$2" "$shots/other.ppm" || fail "no screenshot"
     cmp -s "$shots/one.ppm" "$shots/other.ppm"
 }
 # How many pixels have the red of a mark.
 red() { scene "$1" - | convert ppm:- -fill black +opaque '#C94F45' -fill white -opaque '#C94F45' -format '%[fx:round(mean*w*h)]' info:; }
-# Waits until the title has these words in it.
-until_title() {
-    for _ in {1..100}; do
-        [[ $(title) == *"$1"* ]] && return
-        sleep 0.1
-    done
-    fail "the title is \"$(title)\", without \"$1\""
-}
-
 until_title 'playing own motion'
 shot moving-1
 sleep 0.4

@@ -4,6 +4,7 @@ use super::Editor;
 use super::action;
 use super::canvas::Canvas;
 use super::panel;
+use crate::edit::Workspace;
 use eframe::egui;
 
 /// The editor in a window of egui.
@@ -12,6 +13,8 @@ pub struct Studio {
     canvas: Canvas,
     line: panel::Line,
     panels: panel::Panels,
+    /// The title of the window.
+    title: String,
 }
 
 /// Below this width the window is that of a telephone: tools stand above the drawing, panels below it.
@@ -26,6 +29,7 @@ impl Studio {
             canvas: Canvas::default(),
             line: panel::Line::default(),
             panels: panel::Panels::default(),
+            title: String::new(),
         }
     }
 
@@ -56,6 +60,11 @@ impl Studio {
             context.request_repaint();
         }
         action::obey_keys(editor, &context);
+        let title = title(editor.workspace());
+        if title != self.title {
+            self.title.clone_from(&title);
+            context.send_viewport_cmd(egui::ViewportCommand::Title(title));
+        }
         let is_narrow = ui.available_width() < NARROW;
         if is_narrow {
             for_fingers(ui.spacing_mut());
@@ -84,6 +93,17 @@ impl Studio {
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);
     }
+}
+
+/// The title of the window: the file, and whether it has changes that are not saved.
+fn title(workspace: &Workspace) -> String {
+    let name = workspace.path().file_name().unwrap_or_default();
+    let changed = if workspace.is_changed() {
+        " (changed)"
+    } else {
+        ""
+    };
+    format!("{}{changed} - mech edit", name.display())
 }
 
 /// Makes everything large enough for fingers.
