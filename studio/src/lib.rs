@@ -34,8 +34,8 @@ pub use document::{
     Source, Spot,
 };
 pub use edit::{
-    ActionKind, Applied, Assembly, Command, Drag, Dragged, Expression, History, JointForm, Kind,
-    Known, Pair, Refusal, Rule, Step, Workspace, apply, apply_all,
+    ActionKind, Applied, Assembly, Command, Drag, Dragged, Expression, Follower, History,
+    JointForm, Kind, Known, Pair, Refusal, Rule, Step, Workspace, apply, apply_all,
 };
 pub use failure::{Failure, FailureKind};
 pub use mend::{Mending, Remainder, mendings};

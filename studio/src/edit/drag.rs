@@ -2,7 +2,7 @@
 
 use super::{Change, Command, Known, Refusal, Scene, accept, place, pose, refuse_unread};
 use crate::document::{Document, Reading};
-use crate::text::Replacement;
+use crate::text::{Replacement, rounded};
 use mech_compiler::model::Model;
 use mech_compiler::plan::{self, Plan};
 
@@ -10,11 +10,23 @@ use mech_compiler::plan::{self, Plan};
 pub struct Drag {
     scene: Scene,
     path: String,
-    /// What goes with it: other joints on the same pin.
-    others: Vec<String>,
+    /// What goes with it, and where it is itself at the beginning, as it is told.
+    followers: Vec<Follower>,
+    from: [f64; 2],
     /// The values of motors at which it is seen, in degrees or scene units; none for the start.
     pose: Option<Vec<(String, f64)>>,
     renewal: Renewal,
+}
+
+/// Something that goes with what is dragged, by the same way in the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Follower {
+    /// What it is, as [`Command::Move`] names it.
+    pub path: String,
+    /// Where it is at the beginning, as [`Command::Move`] counts.
+    pub from: [f64; 2],
+    /// The cosine and the sine of the turn from the frame in which what is dragged is told to its own.
+    pub turn: [f64; 2],
 }
 
 /// How the poses of links become known after a move.
@@ -80,21 +92,23 @@ impl Drag {
         Ok(Self {
             scene,
             path: path.to_owned(),
-            others: Vec::new(),
+            followers: Vec::new(),
+            from: [0.0; 2],
             pose,
             renewal,
         })
     }
 
-    /// Lets other things go to the same place: joints on the same pin.
+    /// Lets other things go with it: joints on the same pin, or what else is selected. It is here itself, as [`Command::Move`] counts.
     ///
     /// # Errors
     /// If one of them has no place of its own.
-    pub fn with(mut self, others: Vec<String>) -> Result<Self, Refusal> {
-        for path in &others {
-            place::find(&self.scene, path)?;
+    pub fn with(mut self, from: [f64; 2], followers: Vec<Follower>) -> Result<Self, Refusal> {
+        for follower in &followers {
+            place::find(&self.scene, &follower.path)?;
         }
-        self.others = others;
+        self.followers = followers;
+        self.from = from;
         Ok(self)
     }
 
@@ -106,7 +120,7 @@ impl Drag {
         let motors = self.pose.as_deref();
         let mut change = Change::default();
         let mut places = Vec::new();
-        for path in self.paths() {
+        for (path, to) in self.moves(to) {
             let place = place::shift_too(&self.scene, path, to, motors, &mut change)?;
             places.push((path, place));
         }
@@ -154,7 +168,7 @@ impl Drag {
     /// The commands that do all of it, with everything that has to be examined.
     #[must_use]
     pub fn commands(&self, to: [f64; 2]) -> Vec<Command> {
-        let commands = self.paths().map(|path| Command::Move {
+        let commands = self.moves(to).map(|(path, to)| Command::Move {
             path: path.to_owned(),
             to,
             pose: self.pose.clone(),
@@ -162,10 +176,28 @@ impl Drag {
         commands.collect()
     }
 
-    /// All that is moved.
-    fn paths(&self) -> impl Iterator<Item = &str> {
-        let others = self.others.iter().map(String::as_str);
-        std::iter::once(self.path.as_str()).chain(others)
+    /// All that is moved, and where it goes.
+    fn moves(&self, to: [f64; 2]) -> impl Iterator<Item = (&str, [f64; 2])> {
+        let tolerance = 1e-6 * self.scene.model.size();
+        let followers = self.followers.iter().map(move |follower| {
+            let to = follower.to(self.from, to, tolerance);
+            (follower.path.as_str(), to)
+        });
+        std::iter::once((self.path.as_str(), to)).chain(followers)
+    }
+}
+
+impl Follower {
+    /// Where it goes when what is dragged goes from one place to another, rounded by no more than a tolerance.
+    fn to(&self, from: [f64; 2], to: [f64; 2], tolerance: f64) -> [f64; 2] {
+        let is_on_same_pin = self.from == from && self.turn == [1.0, 0.0];
+        if is_on_same_pin {
+            return to;
+        }
+        let [cos, sin] = self.turn;
+        let [x, y] = [to[0] - from[0], to[1] - from[1]];
+        let moved = [cos * x - sin * y, sin * x + cos * y];
+        [0, 1].map(|part| rounded(self.from[part] + moved[part], tolerance))
     }
 }
 

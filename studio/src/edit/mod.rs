@@ -22,7 +22,7 @@ mod workspace;
 
 pub use assemble::Rule;
 pub use command::{ActionKind, Assembly, Command, Expression, JointForm, Kind, Pair};
-pub use drag::{Drag, Dragged};
+pub use drag::{Drag, Dragged, Follower};
 pub use history::{History, Step};
 pub use refusal::Refusal;
 pub(crate) use workspace::Saving;

@@ -17,7 +17,7 @@ pub struct Refusal {
 
 impl Refusal {
     /// One for this reason, which is lower-case and has no final period.
-    pub(super) fn of(reason: impl Into<String>) -> Self {
+    pub(crate) fn of(reason: impl Into<String>) -> Self {
         Self {
             reason: reason.into(),
             rule: None,

@@ -3,18 +3,19 @@
 use super::drawing::{Drawing, Pose, SCENE, relative};
 use super::path::Path;
 use super::{Gesture, Item};
-use crate::edit::{Drag, Dragged, Refusal};
+use crate::edit::{Drag, Dragged, Follower, Refusal};
 use crate::play::Player;
 use crate::text::{Replacement, rounded};
-use mech_compiler::model::LinkId;
+use mech_compiler::model::AxisId;
+use std::collections::BTreeSet;
 
 /// A point that follows the pointer.
 pub(crate) struct Dragging {
     /// What is dragged, and what goes with it.
     pub(crate) items: Vec<Item>,
     drag: Drag,
-    /// The pose of its link in the scene, if places are told in the frame of the link.
-    frame: Option<Pose>,
+    /// The pose in the scene of the frame in which its place is told.
+    frame: Pose,
     /// The mechanism as it was.
     before: Drawing,
     /// By how much places may be rounded.
@@ -47,26 +48,43 @@ pub(crate) struct Preview {
 }
 
 impl Dragging {
-    /// Takes hold of a joint or a point by what begins a drag of a path.
+    /// Takes hold of the first of some joints and points, by what begins a drag of a path. The others go with it.
     pub(crate) fn begin(
         drawing: &Drawing,
-        item: &Item,
-        is_alone: bool,
+        items: Vec<Item>,
         is_at_start: bool,
         drag: impl FnOnce(&str) -> Result<Drag, Refusal>,
     ) -> Result<Self, Refusal> {
-        let (path, link) = mover(drawing, item).unwrap_or((item.name().to_owned(), LinkId::GROUND));
-        let others = match item {
-            Item::Joint(name) if !is_alone && *name == path => drawing.on_same_pin(name),
-            _ => Vec::new(),
+        let mut movers = items.iter().filter_map(|item| drawing.mover(item));
+        let (path, axis) = movers
+            .next()
+            .ok_or_else(|| Refusal::of("what is not there cannot be dragged"))?;
+        let frame = |axis: AxisId| {
+            if is_at_start {
+                drawing.pose(drawing.model.axis(axis).link)
+            } else {
+                SCENE
+            }
         };
-        let frame = is_at_start.then(|| drawing.pose(link));
+        let from = |axis: AxisId| {
+            if is_at_start {
+                drawing.model.axis(axis).at
+            } else {
+                drawing.place(axis)
+            }
+        };
+        let mut taken = BTreeSet::from([path.clone()]);
+        let others = movers.filter(|(path, _)| taken.insert(path.clone()));
+        let followers = others.map(|(path, other)| Follower {
+            path,
+            from: from(other),
+            turn: turn(frame(axis), frame(other)),
+        });
+        let followers: Vec<Follower> = followers.collect();
         Ok(Self {
-            items: std::iter::once(item.clone())
-                .chain(others.iter().cloned().map(Item::Joint))
-                .collect(),
-            drag: drag(&path)?.with(others)?,
-            frame,
+            drag: drag(&path)?.with(from(axis), followers)?,
+            frame: frame(axis),
+            items,
             before: drawing.clone(),
             tolerance: 1e-6 * drawing.model.size(),
             to: None,
@@ -81,8 +99,8 @@ impl Dragging {
     pub(crate) fn move_to(&mut self, place: [f64; 2]) {
         // In the frame of a link that is turned, places have many digits; those that nobody sees are left out.
         let to = match self.frame {
-            Some(SCENE) | None => place,
-            Some(pose) => relative(pose, place).map(|part| rounded(part, self.tolerance)),
+            SCENE => place,
+            pose => relative(pose, place).map(|part| rounded(part, self.tolerance)),
         };
         if self.to == Some(to) {
             return;
@@ -119,14 +137,10 @@ impl Dragging {
     }
 }
 
-/// What is moved in the text, and the link in whose frame it is told.
-fn mover(drawing: &Drawing, item: &Item) -> Option<(String, LinkId)> {
-    match item {
-        Item::Joint(name) => drawing.mover_of_joint(drawing.joint(name)?),
-        Item::Axis(path) => {
-            let axis = drawing.axis(path)?;
-            Some((path.clone(), drawing.model.axis(axis).link))
-        }
-        Item::Link(_) | Item::Action(_) => None,
-    }
+/// The turn from one frame to another, as a direction.
+fn turn([cos, sin, ..]: Pose, [other_cos, other_sin, ..]: Pose) -> [f64; 2] {
+    [
+        cos * other_cos + sin * other_sin,
+        sin * other_cos - cos * other_sin,
+    ]
 }

@@ -167,33 +167,61 @@ impl Drawing {
         index::axis_of_joint(&self.model, joint)
     }
 
-    /// What has to be moved so that a joint comes to another place: the joint itself, if it was placed in the drawing, or else its point.
-    pub(crate) fn mover_of_joint(&self, joint: JointId) -> Option<(String, LinkId)> {
-        let axis = self.axis_of_joint(joint)?;
-        let link = self.model.axis(axis).link;
-        let own = || self.model.joint(joint).name.clone();
-        Some((self.path(axis).unwrap_or_else(own), link))
+    /// What has to be moved in the text so that a joint or a point comes to another place, and the axis that then is elsewhere: of a joint
+    /// itself, if it was placed in the drawing, or else its point.
+    pub(crate) fn mover(&self, item: &Item) -> Option<(String, AxisId)> {
+        match item {
+            Item::Joint(name) => {
+                let axis = self.axis_of_joint(self.joint(name)?)?;
+                Some((self.path(axis).unwrap_or_else(|| name.clone()), axis))
+            }
+            Item::Axis(path) => Some((path.clone(), self.axis(path)?)),
+            Item::Link(_) | Item::Action(_) => None,
+        }
     }
 
-    /// The other joints that were placed in the drawing where this one was.
-    pub(crate) fn on_same_pin(&self, name: &str) -> Vec<String> {
-        let Some(joint) = self.joint(name) else {
+    /// All joints that were placed in the drawing where this one was; this one is the first.
+    pub(crate) fn on_same_pin(&self, item: &Item) -> Vec<Item> {
+        let mut found = vec![item.clone()];
+        let is_placed = |item: &Item, path: &str| matches!(item, Item::Joint(name) if name == path);
+        let Some((_, axis)) = self.mover(item).filter(|(path, _)| is_placed(item, path)) else {
+            return found;
+        };
+        let at = self.model.axis(axis).at;
+        let others = self.index.handles.iter().map(|(other, ..)| other);
+        let others = others.filter(|other| *other != item && matches!(other, Item::Joint(_)));
+        let others = others.filter(|other| {
+            let mover = self.mover(other);
+            mover.is_some_and(|(path, axis)| {
+                is_placed(other, &path) && self.model.axis(axis).at == at
+            })
+        });
+        found.extend(others.cloned());
+        found
+    }
+
+    /// The joints and points that have to be moved so that something moves: of a link, all that give it its place.
+    pub(crate) fn handles_of(&self, item: &Item) -> Vec<Item> {
+        let Item::Link(name) = item else {
+            return self.on_same_pin(item);
+        };
+        let Some(link) = self.link(name) else {
             return Vec::new();
         };
-        let place = |joint| {
-            self.axis_of_joint(joint)
-                .map(|axis| self.model.axis(axis).at)
-        };
-        let others = self.model.declared_joints().filter(|&other| {
-            let own_name = &self.model.joint(other).name;
-            let mover = self.mover_of_joint(other);
-            other != joint
-                && place(other) == place(joint)
-                && mover.is_some_and(|(path, _)| path == *own_name)
+        let handles = self.index.handles.iter().map(|(item, ..)| item);
+        let own = handles.filter(|item| match item {
+            Item::Joint(name) => self.joint(name).is_some_and(|joint| {
+                let (a, b) = self.model.ends(joint);
+                a == link || b == link
+            }),
+            Item::Axis(path) => {
+                let axis = self.axis(path);
+                let is_drawn = self.model.link(link).drawn;
+                axis.is_some_and(|axis| is_drawn && self.model.axis(axis).link == link)
+            }
+            Item::Link(_) | Item::Action(_) => false,
         });
-        others
-            .map(|other| self.model.joint(other).name.clone())
-            .collect()
+        own.flat_map(|item| self.on_same_pin(item)).collect()
     }
 
     /// All that can be taken hold of, joints first.

@@ -79,7 +79,7 @@ impl Studio {
                 .resizable(true)
                 .default_size(0.3 * height)
                 .max_size(0.4 * height)
-                .show(ui, |ui| self.panels.show(editor, ui));
+                .show(ui, |ui| self.panels.show(editor, is_narrow, ui));
         } else {
             egui::Panel::left("tools")
                 .resizable(false)
@@ -88,7 +88,7 @@ impl Studio {
             egui::Panel::right("panel")
                 .resizable(true)
                 .default_size(380.0)
-                .show(ui, |ui| self.panels.show(editor, ui));
+                .show(ui, |ui| self.panels.show(editor, is_narrow, ui));
         }
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);

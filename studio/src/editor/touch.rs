@@ -113,13 +113,33 @@ impl Editor {
             player.obey(Control::PlayOrPause);
         }
         let seen_at = self.seen_at();
-        let begun = Dragging::begin(drawing, item, is_alone, seen_at.is_none(), |path| {
+        let items = if is_alone {
+            vec![item.clone()]
+        } else {
+            self.going_with(drawing, item)
+        };
+        let begun = Dragging::begin(drawing, items, seen_at.is_none(), |path| {
             self.drag(path, seen_at)
         });
         match begun {
             Ok(dragging) => self.dragging = Some(dragging),
             Err(refusal) => self.refuse(refusal),
         }
+    }
+
+    /// A joint or a point with all that goes with it: joints on the same pin, and what else is selected, if it is selected itself.
+    fn going_with(&self, drawing: &Drawing, item: &Item) -> Vec<Item> {
+        let mut items = drawing.on_same_pin(item);
+        if self.selection.contains(item) {
+            let selected = self.selection.iter();
+            let others = selected.flat_map(|one| drawing.handles_of(one));
+            for other in others {
+                if !items.contains(&other) {
+                    items.push(other);
+                }
+            }
+        }
+        items
     }
 
     /// A drag in the present text, for which what is known of it already is not found out again.

@@ -1,6 +1,7 @@
 //! Points that are dragged: only their numbers change.
 
 use super::user::User;
+use eframe::egui::Key;
 use mech_studio::editor::{Handle, Item};
 
 const JANSEN: &str = include_str!("../../../examples/gallery/src/mechanisms/jansen.rs");
@@ -84,4 +85,67 @@ fn a_drag_that_breaks_it_is_told_and_mended_by_undo() {
     user.click_on("Undo");
     assert_eq!(user.text(), before);
     assert!(user.editor().player().is_some());
+}
+
+#[test]
+fn what_is_selected_together_is_dragged_together() {
+    let text = "struct FourBar;
+link crank; link coupler; link rocker;
+joint a = revolute(ground, crank) at (-2, 0);
+joint b = revolute(crank, coupler) at (-2, 1);
+joint c = revolute(coupler, rocker) at (1, 3);
+joint d = revolute(rocker, ground) at (2, 0);
+motor a;
+";
+    let mut user = User::with_text(text);
+    user.click([-2.0, 1.0]);
+    user.click_with_shift([1.0, 3.0]);
+    user.drag([1.0, 3.0], [1.4, 3.4]);
+    let expected = text
+        .replace("at (-2, 1)", "at (-1.6, 1.4)")
+        .replace("at (1, 3)", "at (1.4, 3.4)");
+    assert_eq!(user.text(), expected, "{}", user.said());
+    user.shortcut(Key::Z, false);
+    assert_eq!(user.text(), text);
+    // All of it.
+    user.shortcut(Key::A, false);
+    user.click_with_shift([-2.0, 0.0]);
+    user.drag([-2.0, 0.0], [-1.0, 0.4]);
+    let expected = "at (-1, 0.4)|at (-1, 1.4)|at (2, 3.4)|at (3, 0.4)";
+    for place in expected.split('|') {
+        assert!(user.text().contains(place), "{}", user.said());
+    }
+}
+
+#[test]
+fn points_of_links_that_stand_elsewhere_go_by_the_same_way() {
+    let text = "struct Pair;
+link one { point o = (0, 0); point e = (2, 0); }
+link two { point o = (0, 0); point e = (1, 0); }
+ground { point o = (0, 0); }
+joint a = revolute(ground.o, one.o);
+joint b = revolute(one.e, two.o);
+motor a;
+motor b;
+start { a = 90 deg; b = 90 deg; }
+";
+    let mut user = User::with_text(text);
+    let before = user
+        .scene_place_of("point two.e")
+        .unwrap_or_else(|| panic!("{}", user.said()));
+    user.click([0.0, 2.0]);
+    user.click_with_shift(before);
+    user.drag([0.0, 2.0], [0.0, 2.4]);
+    let after = user.scene_place_of("point two.e").expect("it is seen");
+    // The second link goes with the end of the first, and its own end by as much again.
+    assert!(
+        (after[1] - before[1] - 0.8).abs() < 1e-6,
+        "{before:?} {after:?} {}",
+        user.said()
+    );
+    assert!(
+        (after[0] - before[0]).abs() < 1e-6,
+        "{before:?} {after:?} {}",
+        user.said()
+    );
 }

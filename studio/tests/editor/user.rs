@@ -216,6 +216,18 @@ impl User {
         self.gestures += 1;
     }
 
+    /// Clicks a place of the scene with Shift held.
+    pub(crate) fn click_with_shift(&mut self, place: [f64; 2]) {
+        self.modifiers = Modifiers::SHIFT;
+        self.harness.event(Event::ModifiersChanged(self.modifiers));
+        let at = self.pixel(place);
+        self.press(at);
+        self.release(at);
+        self.modifiers = Modifiers::NONE;
+        self.harness.event(Event::ModifiersChanged(self.modifiers));
+        self.gestures += 1;
+    }
+
     /// Drags what is at a place of the scene to another.
     pub(crate) fn move_handle(&mut self, from: [f64; 2], to: [f64; 2]) {
         self.mean(&[to]);

@@ -235,7 +235,10 @@ impl Canvas {
     ) {
         let modifiers = ui.input(|input| input.modifiers);
         if response.drag_started_by(egui::PointerButton::Primary) {
-            editor.select(Some(handle.item.clone()), modifiers.shift);
+            // What is selected already goes on with all that is.
+            if !editor.selection.contains(handle.item) {
+                editor.select(Some(handle.item.clone()), modifiers.shift);
+            }
             editor.begin_drag(handle.item, modifiers.alt);
         }
         let moved = editor

@@ -79,8 +79,8 @@ pub(super) struct Panels {
 
 impl Panels {
     /// Shows the panel that is chosen.
-    pub(super) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
-        tabs(editor, ui);
+    pub(super) fn show(&mut self, editor: &mut Editor, is_narrow: bool, ui: &mut egui::Ui) {
+        tabs(editor, is_narrow, ui);
         ui.separator();
         match editor.settings.panel {
             Some(Panel::Text) => self.text.show(editor, ui),
@@ -96,7 +96,7 @@ impl Panels {
 }
 
 /// The names of all panels, to choose one.
-fn tabs(editor: &mut Editor, ui: &mut egui::Ui) {
+fn tabs(editor: &mut Editor, is_narrow: bool, ui: &mut egui::Ui) {
     let count = editor.snapshot.messages().len();
     ui.horizontal_wrapped(|ui| {
         for panel in Panel::ALL {
@@ -106,8 +106,8 @@ fn tabs(editor: &mut Editor, ui: &mut egui::Ui) {
             };
             let is_chosen = editor.settings.panel == Some(panel);
             if ui.selectable_label(is_chosen, name).clicked() {
-                // The one that is seen is closed.
-                editor.settings.panel = (!is_chosen).then_some(panel);
+                // Where there is little room, the one that is seen is closed.
+                editor.settings.panel = (!is_chosen || !is_narrow).then_some(panel);
             }
         }
     });
