@@ -6,5 +6,6 @@ mod figure_1;
 mod keyboard;
 mod mistakes;
 mod properties;
+mod properties_panel;
 mod touch;
 mod user;

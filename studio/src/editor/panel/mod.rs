@@ -3,10 +3,12 @@
 mod diagnoses;
 mod help;
 mod line;
+mod motor;
 mod play;
 mod plots;
 mod properties;
 mod report;
+mod shapes;
 mod steps;
 mod text;
 mod tools;

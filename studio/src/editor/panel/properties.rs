@@ -1,5 +1,7 @@
 //! The numbers of what is selected.
 
+use super::motor::motor;
+use super::shapes::shapes;
 use crate::edit::{Command, Kind};
 use crate::editor::{Editor, Gesture, Item};
 use eframe::egui;
@@ -24,6 +26,14 @@ pub(in crate::editor) fn properties(editor: &mut Editor, ui: &mut egui::Ui) {
                 ui.heading(item.to_string());
                 buttons(editor, item, ui, &mut gestures);
                 numbers(editor, item.name(), ui, &mut gestures);
+                match item {
+                    Item::Link(name) => {
+                        mass(editor, name, ui, &mut gestures);
+                        shapes(editor, name, ui, &mut gestures);
+                    }
+                    Item::Joint(name) => motor(editor, name, ui, &mut gestures),
+                    Item::Axis(_) | Item::Action(_) => {}
+                }
                 ui.separator();
             }
         });
@@ -182,8 +192,32 @@ fn numbers(editor: &Editor, owner: &str, ui: &mut egui::Ui, gestures: &mut Vec<G
     }
 }
 
+/// The mass of a link, if it has none yet; else that is among its numbers.
+fn mass(editor: &Editor, link: &str, ui: &mut egui::Ui, gestures: &mut Vec<Gesture>) {
+    if editor.snapshot.listing.number(link, "mass").is_some() {
+        return;
+    }
+    field(ui, &format!("mass of {link}"), "mass", "", |typed| {
+        gestures.push(
+            Command::Mass {
+                link: link.to_owned(),
+                mass: typed,
+                at: None,
+                inertia: None,
+            }
+            .into(),
+        );
+    });
+}
+
 /// A field whose text is taken over when it is left.
-fn field(ui: &mut egui::Ui, label: &str, shown: &str, value: &str, done: impl FnOnce(String)) {
+pub(super) fn field(
+    ui: &mut egui::Ui,
+    label: &str,
+    shown: &str,
+    value: &str,
+    done: impl FnOnce(String),
+) {
     let id = ui.make_persistent_id(("field", label));
     ui.horizontal(|ui| {
         ui.add_sized([110.0, 18.0], egui::Label::new(shown).truncate());
