@@ -78,6 +78,11 @@ impl Workspace {
         self.index
     }
 
+    /// Goes on with another mechanism of the file, by its number.
+    pub const fn choose(&mut self, index: usize) {
+        self.index = index;
+    }
+
     /// The file as it is now.
     #[must_use]
     pub fn document(&self) -> Document {

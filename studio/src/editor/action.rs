@@ -3,6 +3,7 @@
 use super::panel::Panel;
 use super::settings::Visible;
 use super::{Editor, Tool};
+use crate::document::PartOffer;
 use crate::edit::Workspace;
 use crate::play::Control;
 use eframe::egui;
@@ -343,6 +344,9 @@ pub(super) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
                 for action in ACTIONS.iter().filter(|action| action.menu == menu) {
                     entry(editor, action, ui);
                 }
+                if menu == Menu::Edit {
+                    ui.menu_button("Use a part", |ui| parts(editor, ui));
+                }
             });
         }
         for action in ACTIONS
@@ -351,6 +355,7 @@ pub(super) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
         {
             entry(editor, action, ui);
         }
+        mechanisms(editor, ui);
         let mark = if editor.workspace().is_changed() {
             " •"
         } else {
@@ -358,6 +363,43 @@ pub(super) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
         };
         ui.weak(format!("{}{mark}", editor.workspace().path().display()));
     });
+}
+
+/// The parts of the library. What one needs is written into the line, to be completed there.
+fn parts(editor: &mut Editor, ui: &mut egui::Ui) {
+    for offer in PartOffer::all() {
+        let ports = offer.ports.join(", ");
+        let response = ui.button(&offer.name);
+        if response
+            .on_hover_text(format!("is lent: {ports}"))
+            .clicked()
+        {
+            editor.propose_part(&offer);
+            ui.close();
+        }
+    }
+}
+
+/// The mechanisms of the file, if there are several, to choose one.
+fn mechanisms(editor: &mut Editor, ui: &mut egui::Ui) {
+    let declarations = editor.snapshot.document.declarations();
+    if declarations.len() < 2 {
+        return;
+    }
+    let names = declarations.iter().map(|one| {
+        one.name
+            .clone()
+            .unwrap_or_else(|| "without a name".to_owned())
+    });
+    let names: Vec<String> = names.collect();
+    let index = editor.workspace().index();
+    let mut chosen = index;
+    egui::ComboBox::from_label("mechanism")
+        .selected_text(names.get(index).cloned().unwrap_or_default())
+        .show_index(ui, &mut chosen, names.len(), |index| names[index].clone());
+    if chosen != index {
+        editor.choose_mechanism(chosen);
+    }
 }
 
 fn entry(editor: &mut Editor, action: &Action, ui: &mut egui::Ui) {

@@ -63,6 +63,8 @@ pub struct Editor {
     pub(super) typed: Option<String>,
     /// What was copied: links.
     pub(super) copied: Vec<String>,
+    /// A line that is to be completed and said.
+    pub(super) proposed: Option<String>,
     /// Whether keys go to the drawing, or to something in it.
     pub(super) is_canvas_focused: bool,
     /// What is under the mouse, in the drawing or in the text.
@@ -123,6 +125,7 @@ impl Editor {
             },
             typed: None,
             copied: Vec::new(),
+            proposed: None,
             is_canvas_focused: false,
             hovered: None,
             under_text: None,
@@ -510,6 +513,17 @@ impl Editor {
                 self.perform(Gesture::new(title, commands));
             }
         }
+    }
+
+    /// Goes on with another mechanism of the file, by its number.
+    pub(super) fn choose_mechanism(&mut self, index: usize) {
+        self.session.workspace.choose(index);
+        self.player = None;
+        self.drawing = None;
+        self.selection.clear();
+        self.picks.clear();
+        self.settings.has_begun = false;
+        self.read();
     }
 
     /// Does what a line of the dialogue says.

@@ -10,7 +10,7 @@ use super::snapshot::{Played, Snapshot};
 use super::worker::Task;
 use super::{Editor, Gesture, Item};
 use crate::check::verdict_line;
-use crate::document::{Document, Source};
+use crate::document::{Document, PartOffer, Source};
 use crate::edit::{Command, Drag, Refusal};
 use crate::failure::Failure;
 use crate::play::{Control, Player};
@@ -72,6 +72,21 @@ impl Editor {
             None if adds => {}
             None => self.selection.clear(),
         }
+    }
+
+    /// Writes a use of a part into the line, with the links that are selected, to be completed there.
+    pub(super) fn propose_part(&mut self, offer: &PartOffer) {
+        let path = format!("mech_runtime::parts::{}", offer.name);
+        if !self.workspace().text().contains(&path) {
+            self.perform(Command::Use { body: path });
+        }
+        let links = self.selection.iter().filter_map(|item| match item {
+            Item::Link(name) => Some(name.clone()),
+            _ => None,
+        });
+        let links: Vec<String> = std::iter::once("ground".to_owned()).chain(links).collect();
+        let name = Names::of(self.drawing.as_ref()).numbered(&offer.name.to_lowercase());
+        self.proposed = Some(format!("use {}", offer.use_as(&name, &links)));
     }
 
     /// Selects all links.

@@ -63,3 +63,57 @@ fn a_line_is_typed_completed_and_recalled() {
     user.key(Key::Enter);
     assert!(user.text().contains("motor pivot"), "{}", user.said());
 }
+
+#[test]
+fn a_part_of_the_library_is_used_by_completing_a_line() {
+    let mut user = User::with_text(
+        "struct Boom;\nground { point foot = (0, 0); }\nlink boom { point eye = (1, 0); }\n",
+    );
+    user.click_on("Edit");
+    user.click_on("Use a part");
+    user.click_on("Cylinder");
+    user.wait(3);
+    user.key(Key::Enter);
+    // One link is still to be named.
+    let notice = user.editor().notice().expect("it is told");
+    assert!(
+        notice.is_refusal && notice.text.contains("LINK"),
+        "{notice:?}"
+    );
+    user.key(Key::ArrowUp);
+    user.shortcut(Key::A, false);
+    user.type_text("use ram: Cylinder { base = ground, load = boom }");
+    user.key(Key::Enter);
+    assert!(
+        user.text()
+            .contains("use ram: Cylinder { base = ground, load = boom }"),
+        "{}",
+        user.said()
+    );
+}
+
+#[test]
+fn another_mechanism_of_the_file_is_chosen() {
+    let one = |name: &str, at: &str| {
+        format!(
+            "mechanism! {{\n    struct {name};\n    link crank;\n    joint {at} = revolute(ground, crank) at (0, 0);\n    motor {at};\n}}\n"
+        )
+    };
+    let text = one("First", "a") + &one("Second", "b");
+    let mut user = User::with_file("two.rs", &text);
+    assert_eq!(user.handles(), ["joint a"]);
+    user.click_on("mechanism");
+    user.click_on("Second");
+    assert_eq!(user.handles(), ["joint b"], "{}", user.said());
+    user.move_handle([0.0, 0.0], [1.0, 0.0]);
+    assert!(
+        user.text()
+            .contains("joint a = revolute(ground, crank) at (0, 0);")
+    );
+    assert!(
+        user.text()
+            .contains("joint b = revolute(ground, crank) at (1, 0);"),
+        "{}",
+        user.said()
+    );
+}

@@ -159,9 +159,16 @@ impl PartText {
     /// The part of this name, if a `mechanism_part!` of this Rust source declares it.
     #[must_use]
     pub fn find(source: &str, name: &Ident) -> Option<Self> {
-        let parts = macro_calls(source.parse().ok()?, "mechanism_part");
-        let mut parts = parts.iter().filter_map(|part| Self::read(part).ok());
-        parts.find(|part| part.name == *name)
+        Self::all(source).find(|part| part.name == *name)
+    }
+
+    /// All parts of a Rust file that can be read.
+    pub fn all(source: &str) -> impl Iterator<Item = Self> {
+        let calls = source
+            .parse()
+            .map(|tokens| macro_calls(tokens, "mechanism_part"));
+        let calls = calls.unwrap_or_default().into_iter();
+        calls.filter_map(|part| Self::read(&part).ok())
     }
 
     /// The macro that adds the part to the text of a mechanism.

@@ -16,6 +16,11 @@ pub(in crate::editor) struct Line {
 impl Line {
     /// The line, what is told, and everything that was said so far, if that is wanted.
     pub(in crate::editor) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
+        let proposed = editor.proposed.take();
+        let is_proposed = proposed.is_some();
+        if let Some(proposed) = proposed {
+            self.text = proposed;
+        }
         if self.shows_journal {
             egui::ScrollArea::vertical()
                 .max_height(180.0)
@@ -33,6 +38,9 @@ impl Line {
                 .lock_focus(true)
                 .font(egui::TextStyle::Monospace);
             let response = ui.add(edit).labelled_by(label.id);
+            if is_proposed {
+                response.request_focus();
+            }
             let has_key = |key| response.has_focus() && ui.input(|input| input.key_pressed(key));
             if has_key(egui::Key::ArrowUp) {
                 self.recall(editor, self.back + 1);
