@@ -146,14 +146,20 @@ impl Workspace {
         self.source.is_some()
     }
 
+    /// Whether somebody has said which file it is, whether that is there or not.
+    #[must_use]
+    pub fn is_named(&self) -> bool {
+        self.has_file() || self.path != Self::default().path
+    }
+
     /// What writes the text: over the file from which it was read, or to one that is not there yet. From then on it counts as written.
     ///
     /// # Errors
-    /// If no file is named, and there is none.
+    /// If nobody has said which file.
     pub(crate) fn save_to(&mut self, path: Option<&Path>) -> Result<Saving, Failure> {
         let path = match path {
             Some(path) => path.to_owned(),
-            None if self.source.is_some() => self.path.clone(),
+            None if self.is_named() => self.path.clone(),
             None => return Err(Failure::usage("the text has no file yet; say `save FILE`")),
         };
         let over = self.source.clone().filter(|_| path == self.path);

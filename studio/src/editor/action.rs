@@ -78,7 +78,7 @@ const ACTIONS: &[Action] = &[
         key: Some(with_command(Key::S)),
         is_possible: ALWAYS,
         perform: |editor| {
-            if editor.workspace().has_file() {
+            if editor.workspace().is_named() {
                 let saved = editor.save(None);
                 editor.refuse_failed(saved);
             } else {
