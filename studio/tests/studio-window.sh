@@ -17,7 +17,8 @@ mech=$PWD/${CARGO_TARGET_DIR:-target}/release/mech
 shots=target/studio-window
 begin_display 1280x800
 
-folder=$(mktemp -d)
+folder=$shots/files
+mkdir "$folder"
 leg=$folder/jansen.rs
 cp examples/gallery/src/mechanisms/jansen.rs "$leg"
 git -C "$folder" init -q
@@ -155,5 +156,4 @@ if [[ -n ${UPDATE_PICTURES:-} ]]; then
         convert "$shots/$name.png" -strip -colors 256 "png8:docs/studio/$name.png"
     done
 fi
-rm -rf "$folder"
 echo "studio window: a drag changes one number, what is broken is told and mended by a click, it plays; figure 1 is drawn in 14 gestures and $took s (screenshots in $shots)"
