@@ -3,10 +3,12 @@
 mod library;
 mod listing;
 mod reading;
+mod rust;
 mod scanner;
 mod source;
 mod tree;
 
+pub(crate) use rust::in_rust;
 pub use listing::{Listing, NameText, NumberText};
 pub use reading::{Faults, Message, Reading};
 pub use source::{LONGEST, Source, Spot};

@@ -16,6 +16,12 @@ pub(crate) struct Settings {
     pub(crate) shows_bodies: bool,
     /// Whether the whole paths of traced points are seen.
     pub(crate) shows_paths: bool,
+    /// Whether the velocities of points are seen, as arrows.
+    pub(crate) shows_velocities: bool,
+    /// Whether their accelerations are seen.
+    pub(crate) shows_accelerations: bool,
+    /// Whether the forces in joints are seen.
+    pub(crate) shows_forces: bool,
     /// The panel beside the drawing; none if all are closed.
     pub(crate) panel: Option<Panel>,
     /// Whether something was drawn: then the view is the user's.
@@ -34,6 +40,9 @@ impl Default for Settings {
             shows_names: true,
             shows_bodies: true,
             shows_paths: true,
+            shows_velocities: false,
+            shows_accelerations: false,
+            shows_forces: false,
             panel: Some(Panel::Text),
             has_begun: false,
             is_dark: false,

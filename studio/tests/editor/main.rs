@@ -5,4 +5,5 @@ mod drawing;
 mod figure_1;
 mod keyboard;
 mod mistakes;
+mod plots;
 mod user;
