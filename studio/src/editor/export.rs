@@ -75,6 +75,17 @@ impl Export {
         }
     }
 
+    /// What tells its file from others with the same ending.
+    const fn suffix(self) -> &'static str {
+        match self {
+            Self::Gif | Self::Apng | Self::MovingDrawing => "_film",
+            Self::GraphDrawing | Self::GraphPicture => "_plots",
+            Self::LinkGraph => "_links",
+            Self::LoopGraph => "_loops",
+            _ => "",
+        }
+    }
+
     /// The words of the command that writes it; none if there is none.
     const fn words(self) -> &'static [&'static str] {
         match self {
@@ -106,8 +117,12 @@ pub(super) struct Order {
 
 impl Order {
     /// Writes it, and tells so.
-    #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn fulfil(self) -> Result<String, Failure> {
+        if cfg!(target_arch = "wasm32") {
+            return Err(Failure::file(
+                "a page in a browser cannot write files; use `mech edit` on a computer",
+            ));
+        }
         let Self {
             kind,
             words,
@@ -143,21 +158,15 @@ impl Order {
         }
         Ok(format!("wrote `{path}`"))
     }
-
-    /// A page has no files.
-    #[cfg(target_arch = "wasm32")]
-    pub(super) fn fulfil(self) -> Result<String, Failure> {
-        Err(Failure::file(
-            "a page in a browser cannot write files; use `mech edit` on a computer",
-        ))
-    }
 }
 
 impl Editor {
     /// A name for a file of this kind.
     pub(super) fn export_path(&self, kind: Export) -> String {
-        let path = self.workspace().path().with_extension(kind.ending());
-        path.display().to_string()
+        let path = self.workspace().path();
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let name = format!("{stem}{}.{}", kind.suffix(), kind.ending());
+        path.with_file_name(name).display().to_string()
     }
 
     /// Writes a file, beside the window. A picture shows the present pose, a table or a graph what is plotted.
@@ -167,10 +176,14 @@ impl Editor {
             self.refuse("no file is named");
             return;
         }
+        if Path::new(path) == self.workspace().path() {
+            self.refuse(format!("`{path}` is the file of the text; save it instead"));
+            return;
+        }
         let mut words: Vec<String> = kind.words().iter().map(|word| (*word).to_owned()).collect();
         match kind {
             Export::Picture | Export::Drawing => {
-                words.extend(at(self.seen_at().unwrap_or_default()))
+                words.extend(at(self.seen_at().unwrap_or_default()));
             }
             Export::Table | Export::GraphDrawing | Export::GraphPicture
                 if !self.plotted.names.is_empty() =>

@@ -73,7 +73,8 @@ fn a_quantity_is_added_from_the_menu_and_removed() {
     user.click_on_beginning("of point coupler.tip");
     user.click_on("velocity:coupler.tip.x");
     assert!(user.sees("graph of unit/s"), "{}", user.said());
-    user.click_on("remove velocity:coupler.tip.x");
+    user.click_on("Remove");
+    user.click_on("velocity:coupler.tip.x");
     assert!(!user.sees("graph of unit/s"));
 }
 

@@ -7,7 +7,7 @@ use eframe::egui::{
 use mech_compiler::graphs::{Edge, EdgeKind, Graph, Vertex, VertexKind};
 
 /// The room of a row and of a vertex, in points of the window.
-const ROW: f32 = 84.0;
+const ROW: f32 = 92.0;
 const VERTEX: Vec2 = Vec2::new(92.0, 30.0);
 const GAP: f32 = 46.0;
 const FONT: FontId = FontId::proportional(12.0);
@@ -132,7 +132,7 @@ fn line(
     let words = [edge.name.as_str(), edge.detail.as_str()];
     let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
     if !words.is_empty() {
-        label(painter, half, &words.join(": "), color, visuals);
+        label(painter, half, &words.join("\n"), color, visuals);
     }
 }
 

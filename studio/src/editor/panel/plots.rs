@@ -5,8 +5,8 @@ use crate::editor::curves::Curves;
 use crate::editor::range::{Basis, MotorRange};
 use crate::quantity::Table;
 use eframe::egui;
-use eframe::egui::{Color32, Role, WidgetInfo};
-use egui_plot::{Legend, Line, Plot, PlotPoint, VLine};
+use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
+use egui_plot::{Line, Plot, PlotPoint, VLine};
 
 /// Graphs of what moves.
 #[derive(Debug, Default)]
@@ -78,6 +78,7 @@ impl Plots {
             })
             .response
             .on_hover_text("adds a quantity to the graphs");
+            remove(editor, ui);
             let label = ui.label("Quantity");
             let edit = egui::TextEdit::singleline(&mut self.typed)
                 .hint_text("velocity:coupler.tip.norm")
@@ -88,19 +89,28 @@ impl Plots {
             }
             motor(editor, ui);
         });
+    }
+}
+
+/// Takes quantities out of the graphs.
+fn remove(editor: &mut Editor, ui: &mut egui::Ui) {
+    if editor.plotted.names.is_empty() {
+        return;
+    }
+    ui.menu_button("Remove", |ui| {
         let mut removed = None;
-        ui.horizontal_wrapped(|ui| {
-            for name in &editor.plotted.names {
-                let button = ui.small_button(format!("remove {name}"));
-                if button.on_hover_text("takes it out of the graphs").clicked() {
-                    removed = Some(name.clone());
-                }
+        for name in &editor.plotted.names {
+            if ui.button(name).clicked() {
+                removed = Some(name.clone());
             }
-        });
+        }
         if let Some(removed) = removed {
             editor.plotted.names.retain(|name| *name != removed);
+            ui.close();
         }
-    }
+    })
+    .response
+    .on_hover_text("takes a quantity out of the graphs");
 }
 
 /// Chooses the motor over which is plotted, if there are several.
@@ -204,28 +214,48 @@ fn graphs(table: &Table, is_present: bool, at: Option<f64>, ui: &mut egui::Ui) -
             .filter(|(_, (_, of))| of == unit)
             .map(|(number, _)| number)
             .collect();
-        readings(table, &columns, at, ui);
-        let height = (share - 26.0).clamp(LEAST, 320.0);
+        #[expect(clippy::cast_precision_loss, reason = "a few curves")]
+        let legend = 20.0 * columns.len() as f32 + 12.0;
+        readings(table, &columns, is_present, at, ui);
+        let height = (share - legend).clamp(LEAST, 320.0);
         scrubbed = scrubbed.or(graph(table, unit, &columns, is_present, at, height, ui));
     }
     scrubbed
 }
 
-/// The values of the curves at the line.
-fn readings(table: &Table, columns: &[usize], at: Option<f64>, ui: &mut egui::Ui) {
-    let Some(at) = at else {
-        return;
-    };
-    ui.horizontal_wrapped(|ui| {
-        for &column in columns {
-            let (name, unit) = &table.columns[column];
+/// The legend: each curve in its colour, with its value at the line. It stands above the graph, where it hides nothing.
+fn readings(
+    table: &Table,
+    columns: &[usize],
+    is_present: bool,
+    at: Option<f64>,
+    ui: &mut egui::Ui,
+) {
+    for &column in columns {
+        let (name, unit) = &table.columns[column];
+        let text = at.map_or(name.clone(), |at| {
             let value = value_at(table, column, at);
             let value = value.map_or("not determined".to_owned(), |value| {
                 format!("{value:.4} {unit}")
             });
-            ui.label(format!("{name} = {value}"));
-        }
-    });
+            format!("{name} = {value}")
+        });
+        ui.horizontal(|ui| {
+            let (rect, _) = ui.allocate_exact_size(Vec2::new(16.0, 14.0), Sense::hover());
+            let line = Stroke::new(3.0, color(column, is_present));
+            ui.painter().hline(rect.x_range(), rect.center().y, line);
+            ui.label(text);
+        });
+    }
+}
+
+/// The colour of a curve; what is of an earlier text is grey.
+fn color(column: usize, is_present: bool) -> Color32 {
+    if is_present {
+        COLORS[(column - 1) % COLORS.len()]
+    } else {
+        Color32::GRAY.gamma_multiply(0.6)
+    }
 }
 
 /// The value of a curve, between its steps in proportion.
@@ -266,15 +296,10 @@ fn graph(
         .allow_double_click_reset(false)
         .x_axis_label(format!("{driver} [{driver_unit}]"))
         .y_axis_label(format!("[{unit}]"))
-        .legend(Legend::default());
+        .y_axis_min_width(46.0);
     let shown = plot.show(ui, |plot| {
         for &column in columns {
-            let color = COLORS[(column - 1) % COLORS.len()];
-            let color = if is_present {
-                color
-            } else {
-                Color32::GRAY.gamma_multiply(0.6)
-            };
+            let color = color(column, is_present);
             for (number, part) in parts(table, column).into_iter().enumerate() {
                 let line = Line::new(table.columns[column].0.clone(), part).id((column, number));
                 plot.line(line.color(color).width(2.0));

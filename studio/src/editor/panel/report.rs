@@ -26,13 +26,13 @@ pub(in crate::editor) fn report(editor: &Editor, ui: &mut egui::Ui) {
             let loops = graphs::loops(&reading.model, &compiled.plan);
             if !loops.edges.is_empty() {
                 part(ui, "Loops, after what determines them", &mut |ui| {
-                    graph(&loops, ui)
+                    graph(&loops, ui);
                 });
             }
             let shared = graphs::common_joints(&reading.model, &compiled.plan);
             if !shared.edges.is_empty() {
                 part(ui, "Loops with joints in common", &mut |ui| {
-                    graph(&shared, ui)
+                    graph(&shared, ui);
                 });
             }
             part(ui, "Methods, errors and operations", &mut |ui| {
