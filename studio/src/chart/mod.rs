@@ -10,6 +10,8 @@ use mech_runtime::files::Picture;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::register_font;
+#[cfg(feature = "editor")]
+pub(crate) use scale::round_step;
 use scale::{Scale, tick};
 
 /// Graphs of what was measured: one for each unit, below each other.

@@ -8,8 +8,10 @@ use mech_compiler::graphs::{Edge, EdgeKind, Graph, Vertex, VertexKind};
 
 /// The room of a row and of a vertex, in points of the window.
 const ROW: f32 = 92.0;
-const VERTEX: Vec2 = Vec2::new(92.0, 30.0);
-const GAP: f32 = 46.0;
+const VERTEX: Vec2 = Vec2::new(76.0, 30.0);
+const GAP: f32 = 12.0;
+/// The parts of an arc.
+const PARTS: u8 = 24;
 const FONT: FontId = FontId::proportional(12.0);
 
 /// Draws a graph: a row for each level, and an arc for each edge.
@@ -19,27 +21,35 @@ pub(super) fn graph(graph: &Graph, ui: &mut egui::Ui) {
     #[expect(clippy::cast_precision_loss, reason = "a few vertices")]
     let [columns, count] = [widest, rows.len()].map(|count| count as f32);
     let width = (columns * (VERTEX.x + GAP)).max(ui.available_width().min(320.0));
-    let size = Vec2::new(width, (count - 1.0).max(0.0) * ROW + VERTEX.y + 24.0);
+    let has_arcs = graph
+        .edges
+        .iter()
+        .any(|edge| graph.vertices[edge.from].level == graph.vertices[edge.to].level);
+    let room = if has_arcs { 44.0 } else { 24.0 };
+    let size = Vec2::new(width, (count - 1.0).max(0.0) * ROW + VERTEX.y + room);
     egui::ScrollArea::horizontal()
         .id_salt(&graph.name)
         .show(ui, |ui| {
             let (response, painter) = ui.allocate_painter(size, Sense::hover());
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &graph.name));
             let places = places(graph, &rows, response.rect);
+            let mut lines = Vec::new();
             for (number, edge) in graph.edges.iter().enumerate() {
                 let before = graph.edges[..number]
                     .iter()
                     .filter(|other| joins_same(edge, other))
                     .count();
                 let (from, to) = (places[edge.from], places[edge.to]);
-                line(
-                    &painter,
-                    edge,
-                    [from, to],
-                    before,
-                    graph.directed,
-                    ui.visuals(),
-                );
+                let points = arc([from, to], before);
+                line(&painter, edge, &points, graph.directed, ui.visuals());
+                lines.push((edge, points));
+            }
+            let boxes = places
+                .iter()
+                .map(|place| Rect::from_center_size(*place, VERTEX));
+            let mut taken: Vec<Rect> = boxes.collect();
+            for (edge, points) in &lines {
+                label(&painter, edge, points, &mut taken, ui.visuals());
             }
             for (vertex, place) in graph.vertices.iter().zip(&places) {
                 self::vertex(&painter, vertex, *place, ui.visuals());
@@ -80,14 +90,7 @@ fn joins_same(a: &Edge, b: &Edge) -> bool {
 }
 
 /// An edge as an arc: each of several between the same vertices bends farther.
-fn line(
-    painter: &egui::Painter,
-    edge: &Edge,
-    [from, to]: [Pos2; 2],
-    before: usize,
-    is_directed: bool,
-    visuals: &egui::Visuals,
-) {
+fn arc([from, to]: [Pos2; 2], before: usize) -> Vec<Pos2> {
     #[expect(clippy::cast_precision_loss, reason = "a few edges")]
     let before = before as f32;
     // Those in a row go below it.
@@ -98,50 +101,80 @@ fn line(
         Vec2::new(26.0 * before, 0.0)
     };
     let middle = from + 0.5 * (to - from) + bend;
-    let points: Vec<Pos2> = (0..=24_u8)
-        .map(|part| {
-            let part = f32::from(part) / 24.0;
-            let (a, b) = (from + part * (middle - from), middle + part * (to - middle));
-            a + part * (b - a)
-        })
-        .collect();
-    let color = if edge.motor {
-        Color32::from_rgb(200, 40, 30)
-    } else {
-        visuals.text_color().gamma_multiply(0.7)
+    let point = |part: u8| {
+        let part = f32::from(part) / f32::from(PARTS);
+        let (a, b) = (from + part * (middle - from), middle + part * (to - middle));
+        a + part * (b - a)
     };
-    let stroke = Stroke::new(if edge.motor { 2.5 } else { 1.5 }, color);
-    let half = points[12];
-    if is_directed {
-        let outside = points
-            .iter()
-            .rev()
-            .find(|point| !Rect::from_center_size(to, VERTEX).contains(**point));
-        if let Some(&end) = outside {
+    (0..=PARTS).map(point).collect()
+}
+
+fn line(
+    painter: &egui::Painter,
+    edge: &Edge,
+    points: &[Pos2],
+    is_directed: bool,
+    visuals: &egui::Visuals,
+) {
+    let stroke = Stroke::new(if edge.motor { 2.5 } else { 1.5 }, color(edge, visuals));
+    if let Some(&to) = points.last().filter(|_| is_directed) {
+        let target = Rect::from_center_size(to, VERTEX + Vec2::new(0.0, 8.0));
+        if let Some(&end) = points.iter().rev().find(|point| !target.contains(**point)) {
             let along = (to - end).normalized();
             let side = 5.0 * along.rot90();
             let head = vec![end, end - 9.0 * along + side, end - 9.0 * along - side];
-            painter.add(egui::Shape::convex_polygon(head, color, Stroke::NONE));
+            painter.add(egui::Shape::convex_polygon(
+                head,
+                stroke.color,
+                Stroke::NONE,
+            ));
         }
     }
     if edge.kind == EdgeKind::Arm {
-        painter.extend(egui::Shape::dashed_line(&points, stroke, 5.0, 3.0));
+        painter.extend(egui::Shape::dashed_line(points, stroke, 5.0, 3.0));
     } else {
-        painter.line(points, stroke);
-    }
-    let words = [edge.name.as_str(), edge.detail.as_str()];
-    let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
-    if !words.is_empty() {
-        label(painter, half, &words.join("\n"), color, visuals);
+        painter.line(points.to_vec(), stroke);
     }
 }
 
-/// A text on its own ground, so that lines do not cross it.
-fn label(painter: &egui::Painter, at: Pos2, text: &str, color: Color32, visuals: &egui::Visuals) {
-    let galley = painter.layout_no_wrap(text.to_owned(), FONT, color);
-    let rect = Align2::CENTER_CENTER.anchor_size(at, galley.size());
+fn color(edge: &Edge, visuals: &egui::Visuals) -> Color32 {
+    if edge.motor {
+        Color32::from_rgb(200, 40, 30)
+    } else {
+        visuals.text_color().gamma_multiply(0.7)
+    }
+}
+
+/// The name of an edge on its own ground, where nothing else is written; else in its middle.
+fn label(
+    painter: &egui::Painter,
+    edge: &Edge,
+    points: &[Pos2],
+    taken: &mut Vec<Rect>,
+    visuals: &egui::Visuals,
+) {
+    // Most joints turn; that is said once, above the graph.
+    let detail = Some(edge.detail.as_str()).filter(|detail| *detail != "revolute");
+    let words = [edge.name.as_str(), detail.unwrap_or_default()];
+    let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
+    if words.is_empty() {
+        return;
+    }
+    let color = color(edge, visuals);
+    let galley = painter.layout_no_wrap(words.join("\n"), FONT, color);
+    let area = |place: usize| {
+        let center = points.get(place).copied().unwrap_or_default();
+        Align2::CENTER_CENTER.anchor_size(center, galley.size())
+    };
+    let middle = usize::from(PARTS / 2);
+    let mut areas = (0..8)
+        .flat_map(|away| [middle - away, middle + away])
+        .map(area);
+    let free = areas.find(|area| !taken.iter().any(|other| other.intersects(*area)));
+    let rect = free.unwrap_or_else(|| area(middle));
     painter.rect_filled(rect.expand(1.0), 2.0, visuals.panel_fill);
-    painter.galley(rect.min, galley, color);
+    taken.push(rect);
+    painter.galley(rect.min, galley.clone(), color);
 }
 
 fn vertex(painter: &egui::Painter, vertex: &Vertex, place: Pos2, visuals: &egui::Visuals) {
@@ -151,7 +184,7 @@ fn vertex(painter: &egui::Painter, vertex: &Vertex, place: Pos2, visuals: &egui:
     } else {
         format!("{}\n{}", vertex.name, vertex.detail)
     };
-    let galley = painter.layout(text, FONT, ink, VERTEX.x + GAP - 16.0);
+    let galley = painter.layout(text, FONT, ink, VERTEX.x + 24.0);
     let size = (galley.size() + Vec2::new(14.0, 8.0)).max(Vec2::new(44.0, VERTEX.y));
     let rect = Rect::from_center_size(place, size);
     let fill = match vertex.kind {

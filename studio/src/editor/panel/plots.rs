@@ -1,12 +1,13 @@
 //! Graphs of what moves.
 
+use crate::chart::round_step;
 use crate::editor::Editor;
 use crate::editor::curves::Curves;
 use crate::editor::range::{Basis, MotorRange};
 use crate::quantity::Table;
 use eframe::egui;
 use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
-use egui_plot::{Line, Plot, PlotPoint, VLine};
+use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, VLine};
 
 /// Graphs of what moves.
 #[derive(Debug, Default)]
@@ -296,7 +297,9 @@ fn graph(
         .allow_double_click_reset(false)
         .x_axis_label(format!("{driver} [{driver_unit}]"))
         .y_axis_label(format!("[{unit}]"))
-        .y_axis_min_width(46.0);
+        .y_axis_min_width(46.0)
+        .x_grid_spacer(|input| marks(input, driver_unit, 4))
+        .y_grid_spacer(|input| marks(input, unit, 6));
     let shown = plot.show(ui, |plot| {
         for &column in columns {
             let color = color(column, is_present);
@@ -315,6 +318,24 @@ fn graph(
     let pointer = response.interact_pointer_pos().filter(|_| is_pressed)?;
     let PlotPoint { x, .. } = shown.transform.value_from_position(pointer);
     Some(x)
+}
+
+/// Lines at round numbers, at most so many and one, as in the graphs that `mech plot` writes.
+fn marks(input: GridInput, unit: &str, most: u32) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    if !(low < high && high.is_finite() && low.is_finite()) {
+        return Vec::new();
+    }
+    let step = round_step(&(low..high), unit, most);
+    let first = (low / step).ceil();
+    let values = (0..=most).map(|number| (first + f64::from(number)) * step);
+    let marks = values.take_while(|value| *value <= high);
+    marks
+        .map(|value| GridMark {
+            value,
+            step_size: step,
+        })
+        .collect()
 }
 
 /// The places of a curve; where it is not determined it is broken.

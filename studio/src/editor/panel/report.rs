@@ -20,9 +20,13 @@ pub(in crate::editor) fn report(editor: &Editor, ui: &mut egui::Ui) {
                     .default_open(true)
                     .show(ui, |ui| show(ui));
             };
-            part(ui, "Links and joints", &mut |ui| {
-                graph(&graphs::kinematic(&reading.model, &compiled.structure), ui);
-            });
+            part(
+                ui,
+                "Links and joints, which turn where nothing else is said",
+                &mut |ui| {
+                    graph(&graphs::kinematic(&reading.model, &compiled.structure), ui);
+                },
+            );
             let loops = graphs::loops(&reading.model, &compiled.plan);
             if !loops.edges.is_empty() {
                 part(ui, "Loops, after what determines them", &mut |ui| {
