@@ -10,9 +10,10 @@ use mech_runtime::files::Picture;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::register_font;
+use scale::Scale;
+pub(crate) use scale::tick;
 #[cfg(feature = "editor")]
 pub(crate) use scale::round_step;
-use scale::{Scale, tick};
 
 /// Graphs of what was measured: one for each unit, below each other.
 pub(crate) struct Chart<'t> {

@@ -95,7 +95,7 @@ pub(crate) fn round_step(range: &Range<f64>, unit: &str, count: u32) -> f64 {
 }
 
 /// A number at an axis, without the digits that only rounding has put there.
-pub(super) fn tick(value: f64) -> String {
+pub(crate) fn tick(value: f64) -> String {
     let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
     let shown = if rounded.abs() < 1e-9 { 0.0 } else { rounded };
     if shown != 0.0 && !(1e-4..1e7).contains(&shown.abs()) {

@@ -1,6 +1,6 @@
 //! Graphs of what moves.
 
-use crate::chart::round_step;
+use crate::chart::{round_step, tick};
 use crate::editor::Editor;
 use crate::editor::curves::Curves;
 use crate::editor::range::{Basis, MotorRange};
@@ -298,8 +298,10 @@ fn graph(
         .x_axis_label(format!("{driver} [{driver_unit}]"))
         .y_axis_label(format!("[{unit}]"))
         .y_axis_min_width(46.0)
-        .x_grid_spacer(|input| marks(input, driver_unit, 4))
-        .y_grid_spacer(|input| marks(input, unit, 6));
+        .x_axis_formatter(|mark, _| tick(mark.value))
+        .y_axis_formatter(|mark, _| tick(mark.value))
+        .x_grid_spacer(|input| marks(&input, driver_unit, 4))
+        .y_grid_spacer(|input| marks(&input, unit, 6));
     let shown = plot.show(ui, |plot| {
         for &column in columns {
             let color = color(column, is_present);
@@ -321,7 +323,7 @@ fn graph(
 }
 
 /// Lines at round numbers, at most so many and one, as in the graphs that `mech plot` writes.
-fn marks(input: GridInput, unit: &str, most: u32) -> Vec<GridMark> {
+fn marks(input: &GridInput, unit: &str, most: u32) -> Vec<GridMark> {
     let (low, high) = input.bounds;
     if !(low < high && high.is_finite() && low.is_finite()) {
         return Vec::new();
