@@ -10,7 +10,10 @@ use mech_runtime::files::Picture;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::register_font;
-use scale::{Scale, tick};
+use scale::Scale;
+#[cfg(feature = "editor")]
+pub(crate) use scale::round_step;
+pub(crate) use scale::tick;
 
 /// Graphs of what was measured: one for each unit, below each other.
 pub(crate) struct Chart<'t> {

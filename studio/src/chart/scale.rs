@@ -72,6 +72,16 @@ fn range_of(values: impl Iterator<Item = f64>) -> Range<f64> {
 
 /// Round numbers in a range, about so many: of angles such as divide a turn.
 fn ticks(range: &Range<f64>, unit: &str, count: u32) -> Vec<f64> {
+    let step = round_step(range, unit, count);
+    let first = (range.start / step - 1e-9).ceil();
+    let ticks = (0..=2 * count).map(|number| (first + f64::from(number)) * step);
+    ticks
+        .take_while(|tick| *tick <= range.end + 1e-9 * step)
+        .collect()
+}
+
+/// A round step through a range, about so often: of angles one that divides a turn.
+pub(crate) fn round_step(range: &Range<f64>, unit: &str, count: u32) -> f64 {
     /// Steps of angles from a degree on.
     const ANGLES: [f64; 10] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0];
     let least = (range.end - range.start) / f64::from(count);
@@ -81,16 +91,11 @@ fn ticks(range: &Range<f64>, unit: &str, count: u32) -> Vec<f64> {
         round = ANGLES.to_vec();
     }
     let step = round.into_iter().find(|step| *step >= least);
-    let step = step.unwrap_or(10.0 * decade);
-    let first = (range.start / step - 1e-9).ceil();
-    let ticks = (0..=2 * count).map(|number| (first + f64::from(number)) * step);
-    ticks
-        .take_while(|tick| *tick <= range.end + 1e-9 * step)
-        .collect()
+    step.unwrap_or(10.0 * decade)
 }
 
 /// A number at an axis, without the digits that only rounding has put there.
-pub(super) fn tick(value: f64) -> String {
+pub(crate) fn tick(value: f64) -> String {
     let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
     let shown = if rounded.abs() < 1e-9 { 0.0 } else { rounded };
     if shown != 0.0 && !(1e-4..1e7).contains(&shown.abs()) {

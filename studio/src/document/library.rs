@@ -47,7 +47,7 @@ impl PartOffer {
         for tree in part.body.clone() {
             match tree {
                 TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => {
-                    numbers = group.to_string();
+                    numbers = group.to_string().replace(" ,", ",");
                 }
                 TokenTree::Group(group) => ports = ports_of(group.stream()),
                 _ => {}

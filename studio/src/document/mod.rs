@@ -3,6 +3,7 @@
 mod library;
 mod listing;
 mod reading;
+mod rust;
 mod scanner;
 mod source;
 mod tree;
@@ -10,6 +11,7 @@ mod tree;
 pub(crate) use library::PartOffer;
 pub use listing::{Listing, NameText, NumberText};
 pub use reading::{Faults, Message, Reading};
+pub(crate) use rust::in_rust;
 pub use source::{LONGEST, Source, Spot};
 pub(crate) use tree::TextTree;
 

@@ -1,5 +1,7 @@
 //! What can be done besides drawing: one table, from which come menus, keys, tooltips and help.
 
+use super::example::EXAMPLES;
+use super::export::Export;
 use super::panel::Panel;
 use super::settings::Visible;
 use super::{Editor, Tool};
@@ -66,7 +68,7 @@ const ACTIONS: &[Action] = &[
     Action {
         menu: Menu::File,
         name: "Open",
-        help: "reads a file",
+        help: "reads a file: of the language, of Linkage, or a link of PMKS+",
         key: Some(with_command(Key::O)),
         is_possible: ALWAYS,
         perform: |editor| editor.settings.dialog = Some(Dialog::Open(String::new())),
@@ -209,6 +211,30 @@ const ACTIONS: &[Action] = &[
     },
     Action {
         menu: Menu::View,
+        name: "Velocities",
+        help: "shows the velocities of points as arrows, at 1 rad or unit per second of the plotted motor",
+        key: Some(alone(Key::Num7)),
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::Velocities),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Accelerations",
+        help: "shows the accelerations of points as arrows, at the same rate",
+        key: Some(alone(Key::Num8)),
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::Accelerations),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Forces",
+        help: "shows the forces in joints as arrows; masses, springs and gravity act",
+        key: Some(alone(Key::Num9)),
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::Forces),
+    },
+    Action {
+        menu: Menu::View,
         name: "Day or night",
         help: "dark on light, or light on dark",
         key: Some(alone(Key::Num6)),
@@ -347,6 +373,9 @@ pub(super) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
                 if menu == Menu::Edit {
                     ui.menu_button("Use a part", |ui| parts(editor, ui));
                 }
+                if menu == Menu::File {
+                    files(editor, ui);
+                }
             });
         }
         for action in ACTIONS
@@ -400,6 +429,30 @@ fn mechanisms(editor: &mut Editor, ui: &mut egui::Ui) {
     if chosen != index {
         editor.choose_mechanism(chosen);
     }
+}
+
+/// What the menu of files offers besides: examples, and all kinds of files that can be written.
+fn files(editor: &mut Editor, ui: &mut egui::Ui) {
+    ui.menu_button("Examples", |ui| {
+        for example in &EXAMPLES {
+            if ui
+                .button(example.name)
+                .on_hover_text(example.help)
+                .clicked()
+            {
+                editor.open_example(example);
+                ui.close();
+            }
+        }
+    });
+    ui.menu_button("Export", |ui| {
+        for kind in Export::ALL {
+            if ui.button(kind.name()).clicked() {
+                editor.settings.dialog = Some(Dialog::Export(kind, editor.export_path(kind)));
+                ui.close();
+            }
+        }
+    });
 }
 
 fn entry(editor: &mut Editor, action: &Action, ui: &mut egui::Ui) {
@@ -457,6 +510,8 @@ pub(crate) enum Dialog {
     Open(String),
     /// Where the text is written.
     Save(String),
+    /// Where something of this kind is written.
+    Export(Export, String),
 }
 
 /// Asks what has to be asked.
@@ -467,8 +522,9 @@ pub(super) fn dialogs(editor: &mut Editor, context: &egui::Context) {
     let (title, verb) = match dialog {
         Dialog::Open(_) => ("Open a file", "Open"),
         Dialog::Save(_) => ("Save to a file", "Save"),
+        Dialog::Export(kind, _) => (kind.name(), "Write"),
     };
-    let (Dialog::Open(path) | Dialog::Save(path)) = &mut dialog;
+    let (Dialog::Open(path) | Dialog::Save(path) | Dialog::Export(_, path)) = &mut dialog;
     let (mut is_done, mut is_given_up) = (false, false);
     egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
         ui.heading(title);
@@ -498,14 +554,8 @@ impl Editor {
     /// Does what was asked for.
     fn finish(&mut self, dialog: &Dialog) {
         match dialog {
-            Dialog::Open(path) => {
-                if self.may_leave() {
-                    match Workspace::open(&PathBuf::from(path), None) {
-                        Ok(workspace) => self.open(workspace),
-                        Err(failure) => self.refuse(failure),
-                    }
-                }
-            }
+            Dialog::Open(path) => self.open_named(path),
+            Dialog::Export(kind, path) => self.export(*kind, path),
             Dialog::Save(path) => {
                 let saved = self.save(Some(&PathBuf::from(path)));
                 self.refuse_failed(saved);

@@ -25,9 +25,7 @@ impl Journal {
     ) -> (Result<Turn, Failure>, String) {
         let said = Heard::default();
         let done = session.obey(line, &mut Console::to(said.clone(), said.clone()));
-        let said = String::from_utf8_lossy(&said.0.borrow())
-            .trim_end()
-            .to_owned();
+        let said = said.text().trim_end().to_owned();
         self.lines.push(line.to_owned());
         self.text += &format!("> {line}\n");
         for text in [
@@ -44,7 +42,14 @@ impl Journal {
 
 /// What a console has said.
 #[derive(Clone, Default)]
-struct Heard(Rc<RefCell<Vec<u8>>>);
+pub(crate) struct Heard(Rc<RefCell<Vec<u8>>>);
+
+impl Heard {
+    /// All of it.
+    pub(crate) fn text(&self) -> String {
+        String::from_utf8_lossy(&self.0.borrow()).into_owned()
+    }
+}
 
 impl Write for Heard {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {

@@ -5,18 +5,24 @@
 //! the editor by egui; every handle in the drawing is an accessible node, so that tests and screen readers find what the mouse does.
 
 mod action;
+mod arrow;
 mod canvas;
+mod curves;
 mod dragging;
 mod drawing;
+mod example;
+mod export;
 mod gesture;
 mod ghost;
 mod index;
 mod item;
 mod journal;
 mod names;
+mod opening;
 mod panel;
 mod path;
 mod placement;
+mod plotted;
 mod range;
 mod settings;
 mod snap;
@@ -27,6 +33,7 @@ mod tool;
 mod touch;
 mod worker;
 
+pub use arrow::{Arrow, ArrowKind};
 pub use drawing::{Drawing, Handle, HandleKind};
 pub use gesture::Gesture;
 pub use item::Item;

@@ -15,6 +15,12 @@ pub(crate) enum Visible {
     Bodies,
     /// The whole paths of traced points.
     Paths,
+    /// The velocities of points, as arrows.
+    Velocities,
+    /// Their accelerations.
+    Accelerations,
+    /// The forces in joints.
+    Forces,
 }
 
 /// What the user has chosen of the window.

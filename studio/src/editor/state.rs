@@ -6,6 +6,7 @@ use super::drawing::Drawing;
 use super::ghost::Ghost;
 use super::journal::Journal;
 use super::path::Path;
+use super::plotted::Plotted;
 use super::range::MotorRange;
 use super::settings::Settings;
 use super::snapshot::Snapshot;
@@ -73,6 +74,8 @@ pub struct Editor {
     pub(super) under_text: Option<Item>,
     /// What a repair would make of the mechanism.
     pub(super) ghost: Option<Ghost>,
+    /// What is plotted.
+    pub(super) plotted: Plotted,
 }
 
 impl Editor {
@@ -130,6 +133,7 @@ impl Editor {
             hovered: None,
             under_text: None,
             ghost: None,
+            plotted: Plotted::default(),
         };
         editor.read();
         editor
@@ -293,6 +297,8 @@ impl Editor {
                     }
                 }
             }
+            Finding::Exported(done) => self.take_export(done),
+            Finding::Measured(curves) => self.take_curves(*curves),
             Finding::Mended(snapshot, found) => {
                 if Arc::ptr_eq(&snapshot, &self.snapshot) {
                     self.is_mending = false;
@@ -374,6 +380,13 @@ impl Editor {
         self.ranges = ranges;
         self.paths = paths;
         self.pose();
+    }
+
+    /// Whether the player has the mechanism of the present text.
+    pub(super) fn is_played_present(&self) -> bool {
+        self.played
+            .as_ref()
+            .is_some_and(|played| Arc::ptr_eq(played, &self.snapshot))
     }
 
     /// Puts the links of the drawing where the player has them.

@@ -300,7 +300,9 @@ impl Editor {
 
     /// Whether the text may be left: it has no changes that are not written. If it may not, that is told.
     pub(super) fn may_leave(&mut self) -> bool {
-        let may = !self.workspace().is_changed();
+        // Nothing is lost of what nobody has changed: an example, or what was imported.
+        let workspace = self.workspace();
+        let may = !workspace.is_changed() || workspace.history().made().is_empty();
         if !may {
             self.refuse("the text has changes; save them, or undo them, first");
         }

@@ -1,6 +1,8 @@
 //! The analysis beside the window: gestures are tried, and texts read, without a stutter.
 
 use super::Gesture;
+use super::curves::{Curves, Wanted};
+use super::export::Order;
 use super::snapshot::{Played, Snapshot};
 use crate::document::Document;
 use crate::edit::{Applied, Refusal, apply_all};
@@ -20,6 +22,13 @@ pub(super) enum Task {
     Read { document: Document, index: usize },
     /// A text is read that will be another at once: while something is dragged.
     Preview { document: Document, index: usize },
+    /// A mechanism is measured.
+    Measure {
+        snapshot: Arc<Snapshot>,
+        wanted: Wanted,
+    },
+    /// A file is written.
+    Export(Box<Order>),
 }
 
 /// What was found out, in this order.
@@ -34,6 +43,10 @@ pub(super) enum Finding {
     Moves(Arc<Snapshot>, Box<Result<Played, Failure>>),
     /// The repairs of a snapshot.
     Mended(Arc<Snapshot>, Result<Vec<Mending>, Failure>),
+    /// What was measured.
+    Measured(Box<Curves>),
+    /// What was written, or why nothing was.
+    Exported(Result<String, Failure>),
 }
 
 /// Does a task, and tells what is found out as soon as it is.
@@ -59,6 +72,14 @@ fn work(task: Task, tell: &mut dyn FnMut(Finding)) {
             let snapshot = Arc::new(Snapshot::of(document, index));
             let played = snapshot.played();
             tell(Finding::Previewed(snapshot, Box::new(played)));
+            return;
+        }
+        Task::Export(order) => {
+            tell(Finding::Exported(order.fulfil()));
+            return;
+        }
+        Task::Measure { snapshot, wanted } => {
+            tell(Finding::Measured(Box::new(Curves::of(snapshot, wanted))));
             return;
         }
         Task::Read { document, index } => {

@@ -2,6 +2,7 @@
 
 use super::drawing::{Direction, Drawing, End, Form, Joint, Link, Pair, Sizes};
 use super::names::Names;
+use crate::document::in_rust;
 use crate::failure::Failure;
 use crate::text::{shortest, written_like};
 
@@ -36,14 +37,7 @@ pub(crate) fn text(drawing: &Drawing, name: &str, kind: FileKind) -> Result<Stri
     let lines = writer.lines(name, kind);
     Ok(match kind {
         FileKind::Mechanism => lines.join("\n") + "\n",
-        FileKind::Rust => {
-            let inside = lines.iter().map(|line| match &**line {
-                "" => "\n".to_owned(),
-                line => format!("    {line}\n"),
-            });
-            let inside: String = inside.collect();
-            format!("use mech_runtime::mechanism;\n\nmechanism! {{\n{inside}}}\n")
-        }
+        FileKind::Rust => in_rust(lines.iter().map(String::as_str)),
     })
 }
 

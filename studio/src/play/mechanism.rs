@@ -3,13 +3,13 @@
 use super::distance::{distance_to_shape, nearest};
 use super::landmarks::Landmarks;
 use super::motion::Motion;
-use super::{Layer, Layers, Obstacle, Rates, Style};
+use super::{Layer, Layers, Obstacle, PointRates, Rates, Style};
 use crate::failure::Failure;
 use crate::motion::{Paths, joints_in_the_way, motor_name, obstacle, range_of, turns};
 use crate::painting::{Painting, number_of, poses_of};
 use mech_compiler::evaluate::{Machine, Prepared, Stop};
 use mech_compiler::model::{JointId, Look, Model, MotorId};
-use mech_compiler::program::Position;
+use mech_compiler::program::{Forces, Position};
 use mech_compiler::{Compiled, compile, symbols};
 use mech_runtime::overlay::{Arrows, Spot};
 use mech_runtime::{Acceleration, Canvas, Overlay, Palette, Pose, Velocity};
@@ -21,6 +21,8 @@ pub struct Mechanism {
     compiled: Compiled,
     /// The same with the rates of all links and of laws, once they are asked for; none if that is not possible.
     with_rates: OnceCell<Option<Compiled>>,
+    /// The same with the forces in all joints.
+    with_forces: OnceCell<Option<Compiled>>,
     painting: Painting,
     landmarks: Landmarks,
     /// The points whose velocities are drawn.
@@ -48,6 +50,7 @@ impl Mechanism {
         });
         Ok(Self {
             with_rates: OnceCell::new(),
+            with_forces: OnceCell::new(),
             points: points.collect(),
             landmarks: Landmarks::new(&model, &compiled),
             motion: Motion::new(&model, &compiled, size)?,
@@ -358,61 +361,109 @@ impl Mechanism {
             .size(style.size);
         self.painting.paint_diagram(&poses, &overlay, canvas);
         if has(Layer::Velocities) || has(Layer::Accelerations) {
-            self.draw_arrows(canvas, style, rates, &poses);
+            self.draw_arrows(canvas, style, rates);
         }
     }
 
     /// Draws velocities and accelerations, where they are determined.
-    fn draw_arrows(
-        &self,
-        canvas: &mut impl Canvas<f64>,
-        style: &Style,
-        rates: &Rates,
-        poses: &[Pose<f64>],
-    ) {
-        let program = self.with_rates().and_then(|found| found.moving.as_ref());
-        let Some(program) = program else {
-            return;
-        };
-        let given = |rates: &[f64]| {
-            let mut all = vec![0.0; self.model.motors.len()];
-            for (value, rate) in all.iter_mut().zip(rates) {
-                *value = *rate;
-            }
-            all
-        };
-        let mut machine = Machine::new(program);
-        machine.put_back(self.position.clone());
-        let Ok(found) = machine.motion(&given(&rates.first), &given(&rates.second)) else {
-            return;
-        };
+    fn draw_arrows(&self, canvas: &mut impl Canvas<f64>, style: &Style, rates: &Rates) {
         let arrows = |length, color| Arrows::new(length, color).size(style.size);
-        let accelerations = found.accelerations.as_deref().unwrap_or_default();
         let red = arrows(style.acceleration, Palette::RED);
         let blue = arrows(style.velocity, Palette::BLUE);
-        let points = || {
-            let on_links = self.points.iter();
-            on_links.filter_map(|spot| {
-                let link = spot.link.checked_sub(1)?;
-                let &[angular, x, y] = found.velocities.get(link)?;
-                let velocity = Velocity { angular, x, y };
-                Some((link, *poses.get(link)?, velocity, spot.at))
-            })
-        };
+        let points = self.point_rates(rates);
         if style.layers.has(Layer::Accelerations) {
-            for (link, pose, velocity, at) in points() {
-                if let Some(&[angular, x, y]) = accelerations.get(link) {
-                    let acceleration = Acceleration { angular, x, y };
-                    let vector = acceleration.of_point(pose, velocity.angular, at);
-                    red.draw(canvas, pose.apply(at), vector);
+            for point in &points {
+                if let Some(vector) = point.acceleration {
+                    red.draw(canvas, point.place, vector);
                 }
             }
         }
         if style.layers.has(Layer::Velocities) {
-            for (_, pose, velocity, at) in points() {
-                blue.draw(canvas, pose.apply(at), velocity.of_point(pose, at));
+            for point in &points {
+                blue.draw(canvas, point.place, point.velocity);
             }
         }
+    }
+
+    /// The velocities and accelerations of its points, while its motors have these rates; none where they are not determined.
+    #[must_use]
+    pub fn point_rates(&self, rates: &Rates) -> Vec<PointRates> {
+        let program = self.with_rates().and_then(|found| found.moving.as_ref());
+        let Some(program) = program else {
+            return Vec::new();
+        };
+        let mut machine = Machine::new(program);
+        machine.put_back(self.position.clone());
+        let [first, second] = self.all_rates(rates);
+        let Ok(found) = machine.motion(&first, &second) else {
+            return Vec::new();
+        };
+        let poses = poses_of(&self.position.poses);
+        let accelerations = found.accelerations.as_deref().unwrap_or_default();
+        let points = self.points.iter().filter_map(|spot| {
+            let link = spot.link.checked_sub(1)?;
+            let &[angular, x, y] = found.velocities.get(link)?;
+            let velocity = Velocity { angular, x, y };
+            let pose = *poses.get(link)?;
+            let acceleration = accelerations.get(link).map(|&[angular, x, y]| {
+                let acceleration = Acceleration { angular, x, y };
+                acceleration.of_point(pose, velocity.angular, spot.at)
+            });
+            Some(PointRates {
+                place: pose.apply(spot.at),
+                velocity: velocity.of_point(pose, spot.at),
+                acceleration,
+            })
+        });
+        points.collect()
+    }
+
+    /// The force that the first link of each joint exerts on the second, with the place of the joint, while its motors have these rates and
+    /// no load acts; none where forces are not determined.
+    #[must_use]
+    pub fn reactions(&self, rates: &Rates) -> Vec<([f64; 2], [f64; 2])> {
+        let program = self
+            .with_forces()
+            .and_then(|found| found.forced.inverse_dynamics.as_ref());
+        let Some(program) = program else {
+            return Vec::new();
+        };
+        let mut machine = Machine::new(program);
+        machine.put_back(self.position.clone());
+        let loads = self.model.actions.loads.iter();
+        let loads = vec![0.0; loads.map(|load| load.kind.numbers()).sum()];
+        let [first, second] = self.all_rates(rates);
+        let Ok(Forces::InverseDynamics(found)) = machine.forces(&first, &second, &loads) else {
+            return Vec::new();
+        };
+        let joints = self.model.declared_joints().zip(&found.reactions);
+        let reactions = joints.filter_map(|(joint, &[x, y, _])| Some((self.joint(joint)?, [x, y])));
+        reactions.collect()
+    }
+
+    /// The mechanism with the forces in all joints. Where they are not declared, it is compiled once more, with them.
+    fn with_forces(&self) -> Option<&Compiled> {
+        let found = self.with_forces.get_or_init(|| {
+            let mut model = self.model.clone();
+            model.effects.velocity = true;
+            model.effects.acceleration = true;
+            model.effects.force = true;
+            // Positions have to mean the same in both.
+            let compiled = compile(&model).ok();
+            compiled.filter(|other| other.program == self.compiled.program)
+        });
+        found.as_ref()
+    }
+
+    /// The rates of all motors, and their second rates.
+    fn all_rates(&self, rates: &Rates) -> [Vec<f64>; 2] {
+        [&rates.first, &rates.second].map(|given| {
+            let mut all = vec![0.0; self.model.motors.len()];
+            for (value, rate) in all.iter_mut().zip(given) {
+                *value = *rate;
+            }
+            all
+        })
     }
 }
 

@@ -45,7 +45,7 @@ pub use player::Player;
 pub use revision::Revision;
 pub use selection::Selection;
 pub use stage::Stage;
-pub use style::{Rates, Style};
+pub use style::{PointRates, Rates, Style};
 
 /// The size of a picture at first, in pixels.
 pub const SIZE: [usize; 2] = [960, 720];

@@ -11,6 +11,17 @@ pub struct Rates {
     pub second: Vec<f64>,
 }
 
+/// What a point of a mechanism does while its motors have rates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointRates {
+    /// Where it is in the scene.
+    pub place: [f64; 2],
+    /// Its velocity.
+    pub velocity: [f64; 2],
+    /// Its acceleration, where it is determined.
+    pub acceleration: Option<[f64; 2]>,
+}
+
 /// How a mechanism is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {

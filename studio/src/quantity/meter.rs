@@ -12,6 +12,7 @@ use mech_compiler::{Compiled, compile};
 use std::f64::consts::TAU;
 
 /// What was measured: a row for each position.
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Table {
     /// The name and the unit of each column. The first is what the mechanism is driven by.
     pub(crate) columns: Vec<(String, String)>,

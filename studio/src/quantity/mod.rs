@@ -4,9 +4,13 @@ mod kind;
 mod load;
 mod meter;
 mod naming;
+#[cfg(feature = "editor")]
+mod offer;
 mod unit;
 
 pub(crate) use load::Load;
 pub(crate) use meter::{Measurement, Table, measure};
 pub(crate) use naming::{dyads, quantities, usual};
+#[cfg(feature = "editor")]
+pub(crate) use offer::{Offer, offers};
 pub(crate) use unit::Units;

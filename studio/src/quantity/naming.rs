@@ -157,7 +157,7 @@ fn point_of(model: &Model, name: &str) -> Option<AxisId> {
     points(model).find(|&id| point_name(model, id).as_deref() == Some(name))
 }
 
-fn points(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
+pub(super) fn points(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
     let all = (0..model.axes.len()).map(AxisId::new);
     all.filter(|&id| {
         let axis = model.axis(id);
@@ -165,13 +165,13 @@ fn points(model: &Model) -> impl Iterator<Item = AxisId> + '_ {
     })
 }
 
-fn point_name(model: &Model, id: AxisId) -> Option<String> {
+pub(super) fn point_name(model: &Model, id: AxisId) -> Option<String> {
     let axis = model.axis(id);
     let name = axis.name.as_ref()?;
     Some(format!("{}.{name}", model.owner_of(axis)))
 }
 
-fn has_coordinate(model: &Model, joint: JointId) -> bool {
+pub(super) fn has_coordinate(model: &Model, joint: JointId) -> bool {
     matches!(
         model.joint(joint).kind,
         JointKind::Revolute(..) | JointKind::Prismatic(..)

@@ -5,6 +5,7 @@ mod drawing;
 mod figure_1;
 mod keyboard;
 mod mistakes;
+mod plots;
 mod properties;
 mod properties_panel;
 mod touch;

@@ -1,10 +1,11 @@
 //! Somebody who uses the studio, and counts the gestures.
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2,
 };
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use mech_studio::Workspace;
 use mech_studio::editor::{Drawing, Editor, Studio};
 
@@ -103,6 +104,14 @@ impl User {
             editor.messages(),
             self.text()
         )
+    }
+
+    /// Whether something of this name is in the window.
+    pub(crate) fn sees(&self, label: &str) -> bool {
+        self.harness
+            .query_all_by_label_contains(label)
+            .next()
+            .is_some()
     }
 
     /// Where something of this name is in the window.
@@ -314,5 +323,84 @@ impl User {
     /// Waits for so many pictures.
     pub(crate) fn wait(&mut self, pictures: usize) {
         self.harness.run_steps(pictures);
+    }
+
+    /// Types into the field of this name, and presses Enter.
+    #[track_caller]
+    pub(crate) fn enter(&mut self, label: &str, text: &str) {
+        let field =
+            |node: &egui_kittest::kittest::AccessKitNode<'_>| node.role() == Role::TextInput;
+        self.harness
+            .get_by(|node| field(node) && node.label().as_deref() == Some(label))
+            .focus();
+        self.harness.run_steps(2);
+        self.type_text(text);
+        self.key(Key::Enter);
+    }
+
+    /// Replaces the whole text, as somebody does who types.
+    pub(crate) fn type_all(&mut self, text: &str) {
+        self.harness.state_mut().editor_mut().type_text(text);
+        self.harness.run_steps(3);
+    }
+
+    /// Moves the first motor to a value in radians or scene units.
+    pub(crate) fn scrub(&mut self, value: f64) {
+        self.harness.state_mut().editor_mut().scrub(0, value);
+        self.harness.run_steps(2);
+    }
+
+    /// Clicks what has this name, at a part of its width and height.
+    #[track_caller]
+    pub(crate) fn click_within(&mut self, label: &str, [x, y]: [f32; 2]) {
+        let rect = self.harness.get_by_label(label).rect();
+        let at = rect.min + Vec2::new(x * rect.width(), y * rect.height());
+        self.press(at);
+        self.release(at);
+        self.gestures += 1;
+    }
+
+    /// Writes what the menu calls so to a file.
+    #[track_caller]
+    pub(crate) fn export(&mut self, kind: &str, path: &str) {
+        self.click_on("File");
+        self.click_on_beginning("Export");
+        self.click_on(kind);
+        self.fill(path);
+        self.click_on("Write");
+    }
+
+    /// Opens a file by its name.
+    #[track_caller]
+    pub(crate) fn open(&mut self, path: &str) {
+        self.click_on("File");
+        self.click_on_beginning("Open");
+        self.fill(path);
+        self.key(Key::Enter);
+    }
+
+    /// Names a file where one is asked for.
+    #[track_caller]
+    fn fill(&mut self, path: &str) {
+        self.wait(2);
+        self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        self.wait(1);
+        self.type_text(path);
+    }
+
+    /// Switches something of the menu View on or off.
+    #[track_caller]
+    pub(crate) fn show(&mut self, name: &str) {
+        self.click_on("View");
+        self.click_on_beginning(name);
+    }
+
+    /// The names of all that is in the window.
+    pub(crate) fn labels(&self) -> String {
+        let all = self.harness.query_all_by(|node| node.label().is_some());
+        let labels: Vec<String> = all
+            .filter_map(|node| node.accesskit_node().label())
+            .collect();
+        labels.join("\n")
     }
 }

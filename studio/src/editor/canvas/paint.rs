@@ -4,7 +4,7 @@ use super::Shown;
 use crate::editor::drawing::{Drawing, Handle, HandleKind};
 use crate::editor::settings::Visible;
 use crate::editor::snap::{Snapped, grid};
-use crate::editor::{Editor, Item};
+use crate::editor::{Arrow, ArrowKind, Editor, Item};
 use eframe::egui;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, Vec2};
 use mech_compiler::model::{JointKind, LinkId, ShapeKind};
@@ -76,6 +76,7 @@ impl Paint<'_> {
                 painter.text(at, Align2::LEFT_BOTTOM, handle.item.name(), font, color);
             }
         }
+        self.arrows(&painter);
         self.selected_links(&painter, ui.visuals());
         self.tool(&painter, ui.visuals());
     }
@@ -336,6 +337,29 @@ impl Paint<'_> {
         Some([center - along, center + along])
     }
 
+    /// Velocities, accelerations and forces.
+    fn arrows(&self, painter: &Painter) {
+        for Arrow {
+            kind,
+            place,
+            vector,
+            scale,
+        } in self.editor.arrows()
+        {
+            let tip = [place[0] + scale * vector[0], place[1] + scale * vector[1]];
+            let [from, to] = [place, tip].map(|end| self.shown.pixel(end));
+            let color = match kind {
+                ArrowKind::Velocity => Color32::from_rgb(0, 114, 178),
+                ArrowKind::Acceleration => Color32::from_rgb(200, 40, 30),
+                ArrowKind::Force => Color32::from_rgb(0, 140, 90),
+            };
+            // What is shorter than a pin is not seen beside it.
+            if from.distance(to) > 2.0 {
+                arrow(painter, [from, to], Stroke::new(2.0, color));
+            }
+        }
+    }
+
     fn selected_links(&self, painter: &Painter, visuals: &egui::Visuals) {
         let Some(drawing) = self.editor.seen_drawing() else {
             return;
@@ -451,6 +475,19 @@ fn outline(mut places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     let mut corners = half(&mut places.iter().copied());
     corners.extend(half(&mut places.iter().rev().copied()));
     corners
+}
+
+/// A line with a filled head, which is never longer than half of it.
+fn arrow(painter: &Painter, [from, to]: [Pos2; 2], stroke: Stroke) {
+    let along = (to - from).normalized();
+    let head = (0.5 * from.distance(to)).min(9.0);
+    let (base, side) = (to - head * along, 0.45 * head * along.rot90());
+    painter.line_segment([from, base], stroke);
+    painter.add(egui::Shape::convex_polygon(
+        vec![to, base + side, base - side],
+        stroke.color,
+        Stroke::NONE,
+    ));
 }
 
 /// A zigzag from one place to another.

@@ -1,6 +1,7 @@
 //! What stands beside the drawing.
 
 mod diagnoses;
+mod graph;
 mod help;
 mod line;
 mod motor;

@@ -1,21 +1,358 @@
 //! Graphs of what moves.
 
+use crate::chart::{round_step, tick};
 use crate::editor::Editor;
+use crate::editor::curves::Curves;
+use crate::editor::range::{Basis, MotorRange};
+use crate::quantity::Table;
 use eframe::egui;
+use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
+use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, VLine};
 
 /// Graphs of what moves.
 #[derive(Debug, Default)]
 pub(in crate::editor) struct Plots {
-    /// What is plotted, as `mech plot` names it, separated by spaces.
-    wanted: String,
+    /// What is typed: a quantity, as `mech plot` names it.
+    typed: String,
 }
+
+/// Colours of curves, which all readers can tell apart, by day and by night.
+const COLORS: [Color32; 6] = [
+    Color32::from_rgb(0, 114, 178),
+    Color32::from_rgb(213, 94, 0),
+    Color32::from_rgb(0, 158, 115),
+    Color32::from_rgb(204, 121, 167),
+    Color32::from_rgb(230, 159, 0),
+    Color32::from_rgb(86, 180, 233),
+];
+/// The least height of a graph, in points of the window.
+const LEAST: f32 = 170.0;
 
 impl Plots {
     /// Shows the graphs, with a line at the present value of the motor.
     pub(in crate::editor) fn show(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
-        let label = ui.label("Quantities");
-        ui.text_edit_singleline(&mut self.wanted)
-            .labelled_by(label.id);
-        let _ = editor;
+        self.choose(editor, ui);
+        editor.renew_curves();
+        if editor.plotted.names.is_empty() {
+            ui.weak("Add a quantity: a place, a rate or a force. It is drawn over the range of the motor.");
+            return;
+        }
+        let is_present = editor.are_curves_present();
+        let mut scrubbed = None;
+        if let Some(curves) = &editor.plotted.curves {
+            told(curves, is_present, editor.player().is_some(), ui);
+            if let Ok(table) = &curves.table {
+                let at = cursor(editor);
+                egui::ScrollArea::vertical()
+                    .auto_shrink(false)
+                    .show(ui, |ui| {
+                        scrubbed = graphs(table, is_present, at, ui);
+                    });
+            }
+        } else {
+            ui.weak("measuring");
+        }
+        if let Some(value) = scrubbed {
+            scrub(editor, value);
+        }
     }
+
+    /// Chooses what is plotted, over which motor.
+    fn choose(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
+        let offers = editor.offers();
+        ui.horizontal_wrapped(|ui| {
+            ui.menu_button("Add", |ui| {
+                egui::ScrollArea::vertical()
+                    .max_height(420.0)
+                    .show(ui, |ui| {
+                        for offer in &offers {
+                            ui.menu_button(format!("of {}", offer.of), |ui| {
+                                for name in &offer.names {
+                                    if ui.button(name).clicked() {
+                                        editor.plot(name);
+                                        ui.close();
+                                    }
+                                }
+                            });
+                        }
+                    });
+            })
+            .response
+            .on_hover_text("adds a quantity to the graphs");
+            remove(editor, ui);
+            let label = ui.label("Quantity");
+            let edit = egui::TextEdit::singleline(&mut self.typed)
+                .hint_text("velocity:coupler.tip.norm")
+                .desired_width(180.0);
+            let response = ui.add(edit).labelled_by(label.id);
+            if response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter)) {
+                editor.plot(&std::mem::take(&mut self.typed));
+            }
+            motor(editor, ui);
+        });
+    }
+}
+
+/// Takes quantities out of the graphs.
+fn remove(editor: &mut Editor, ui: &mut egui::Ui) {
+    if editor.plotted.names.is_empty() {
+        return;
+    }
+    ui.menu_button("Remove", |ui| {
+        let mut removed = None;
+        for name in &editor.plotted.names {
+            if ui.button(name).clicked() {
+                removed = Some(name.clone());
+            }
+        }
+        if let Some(removed) = removed {
+            editor.plotted.names.retain(|name| *name != removed);
+            ui.close();
+        }
+    })
+    .response
+    .on_hover_text("takes a quantity out of the graphs");
+}
+
+/// Chooses the motor over which is plotted, if there are several.
+fn motor(editor: &mut Editor, ui: &mut egui::Ui) {
+    if editor.ranges.len() < 2 {
+        return;
+    }
+    let Some((_, chosen)) = editor.plotted_motor() else {
+        return;
+    };
+    let mut chosen = chosen.to_owned();
+    egui::ComboBox::from_label("over motor")
+        .selected_text(&chosen)
+        .show_ui(ui, |ui| {
+            for range in &editor.ranges {
+                ui.selectable_value(&mut chosen, range.name.clone(), &range.name);
+            }
+        });
+    if editor.plotted.motor.as_ref() != Some(&chosen) {
+        editor.plotted.motor = Some(chosen);
+    }
+}
+
+/// What is missing, and whether the graphs are of an earlier text.
+fn told(curves: &Curves, is_present: bool, moves: bool, ui: &mut egui::Ui) {
+    let red = ui.visuals().error_fg_color;
+    if !moves {
+        ui.colored_label(
+            red,
+            "The mechanism does not move; the graphs are of an earlier text.",
+        );
+    } else if !is_present {
+        ui.weak("The graphs are of an earlier text or pose; they are measured anew.");
+    }
+    let failed = curves.table.as_ref().err();
+    for failure in curves.missing.iter().chain(failed) {
+        ui.colored_label(red, failure.to_string());
+    }
+}
+
+/// The value of the motor over which is plotted, as graphs show it.
+fn cursor(editor: &Editor) -> Option<f64> {
+    let (motor, _) = editor.plotted_motor()?;
+    let value = *editor.player()?.motors().get(motor)?;
+    let range = editor.ranges.get(motor)?;
+    Some(shown(range, value - whole_turns(range, value)))
+}
+
+/// The turns that a motor has made beyond its range, where it goes round and round.
+fn whole_turns(range: &MotorRange, value: f64) -> f64 {
+    let [low, high] = range.ends;
+    if range.basis == Basis::Round && !(low..=high).contains(&value) {
+        let turn = high - low;
+        ((value - low) / turn).floor() * turn
+    } else {
+        0.0
+    }
+}
+
+fn shown(range: &MotorRange, value: f64) -> f64 {
+    if range.turns {
+        value.to_degrees()
+    } else {
+        value
+    }
+}
+
+/// Moves the motor to a value as graphs show it.
+fn scrub(editor: &mut Editor, at: f64) {
+    let Some((motor, _)) = editor.plotted_motor() else {
+        return;
+    };
+    let (Some(range), Some(now)) = (
+        editor.ranges.get(motor),
+        editor
+            .player()
+            .and_then(|player| player.motors().get(motor)),
+    ) else {
+        return;
+    };
+    let [low, high] = range.ends;
+    let value = if range.turns { at.to_radians() } else { at };
+    let value = value.clamp(low, high) + whole_turns(range, *now);
+    editor.scrub(motor, value);
+}
+
+/// A graph for each unit, one below the other. Where the pointer presses, the motor is to go.
+fn graphs(table: &Table, is_present: bool, at: Option<f64>, ui: &mut egui::Ui) -> Option<f64> {
+    let mut units: Vec<&str> = Vec::new();
+    for (_, unit) in table.columns.iter().skip(1) {
+        if !units.contains(&unit.as_str()) {
+            units.push(unit);
+        }
+    }
+    let mut scrubbed = None;
+    #[expect(clippy::cast_precision_loss, reason = "a few graphs")]
+    let share = ui.available_height() / units.len().max(1) as f32;
+    for unit in units {
+        let columns = table.columns.iter().enumerate().skip(1);
+        let columns: Vec<usize> = columns
+            .filter(|(_, (_, of))| of == unit)
+            .map(|(number, _)| number)
+            .collect();
+        #[expect(clippy::cast_precision_loss, reason = "a few curves")]
+        let legend = 20.0 * columns.len() as f32 + 12.0;
+        readings(table, &columns, is_present, at, ui);
+        let height = (share - legend).clamp(LEAST, 320.0);
+        scrubbed = scrubbed.or(graph(table, unit, &columns, is_present, at, height, ui));
+    }
+    scrubbed
+}
+
+/// The legend: each curve in its colour, with its value at the line. It stands above the graph, where it hides nothing.
+fn readings(
+    table: &Table,
+    columns: &[usize],
+    is_present: bool,
+    at: Option<f64>,
+    ui: &mut egui::Ui,
+) {
+    for &column in columns {
+        let (name, unit) = &table.columns[column];
+        let text = at.map_or(name.clone(), |at| {
+            let value = value_at(table, column, at);
+            let value = value.map_or("not determined".to_owned(), |value| {
+                format!("{value:.4} {unit}")
+            });
+            format!("{name} = {value}")
+        });
+        ui.horizontal(|ui| {
+            let (rect, _) = ui.allocate_exact_size(Vec2::new(16.0, 14.0), Sense::hover());
+            let line = Stroke::new(3.0, color(column, is_present));
+            ui.painter().hline(rect.x_range(), rect.center().y, line);
+            ui.label(text);
+        });
+    }
+}
+
+/// The colour of a curve; what is of an earlier text is grey.
+fn color(column: usize, is_present: bool) -> Color32 {
+    if is_present {
+        COLORS[(column - 1) % COLORS.len()]
+    } else {
+        Color32::GRAY.gamma_multiply(0.6)
+    }
+}
+
+/// The value of a curve, between its steps in proportion.
+fn value_at(table: &Table, column: usize, at: f64) -> Option<f64> {
+    let place = |row: &[Option<f64>]| (*row.first()?).zip(*row.get(column)?);
+    let rows: Vec<&Vec<Option<f64>>> = table.rows.iter().collect();
+    let pair = rows.windows(2).find(|pair| {
+        let ends = [pair[0][0], pair[1][0]];
+        matches!(ends, [Some(low), Some(high)] if (low..=high).contains(&at))
+    })?;
+    let ((from, low), (to, high)) = (place(pair[0])?, place(pair[1])?);
+    let part = if to > from {
+        (at - from) / (to - from)
+    } else {
+        0.0
+    };
+    Some(low + (high - low) * part)
+}
+
+fn graph(
+    table: &Table,
+    unit: &str,
+    columns: &[usize],
+    is_present: bool,
+    at: Option<f64>,
+    height: f32,
+    ui: &mut egui::Ui,
+) -> Option<f64> {
+    let (driver, driver_unit) = &table.columns[0];
+    let ink = ui.visuals().strong_text_color();
+    let plot = Plot::new(("graph", unit))
+        .height(height)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_axis_zoom_drag(false)
+        .allow_double_click_reset(false)
+        .x_axis_label(format!("{driver} [{driver_unit}]"))
+        .y_axis_label(format!("[{unit}]"))
+        .y_axis_min_width(46.0)
+        .x_axis_formatter(|mark, _| tick(mark.value))
+        .y_axis_formatter(|mark, _| tick(mark.value))
+        .x_grid_spacer(|input| marks(&input, driver_unit, 4))
+        .y_grid_spacer(|input| marks(&input, unit, 6));
+    let shown = plot.show(ui, |plot| {
+        for &column in columns {
+            let color = color(column, is_present);
+            for (number, part) in parts(table, column).into_iter().enumerate() {
+                let line = Line::new(table.columns[column].0.clone(), part).id((column, number));
+                plot.line(line.color(color).width(2.0));
+            }
+        }
+        if let Some(at) = at {
+            plot.vline(VLine::new("", at).color(ink).width(1.5));
+        }
+    });
+    let response = shown.response;
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, format!("graph of {unit}")));
+    let is_pressed = response.dragged() || response.clicked();
+    let pointer = response.interact_pointer_pos().filter(|_| is_pressed)?;
+    let PlotPoint { x, .. } = shown.transform.value_from_position(pointer);
+    Some(x)
+}
+
+/// Lines at round numbers, at most so many and one, as in the graphs that `mech plot` writes.
+fn marks(input: &GridInput, unit: &str, most: u32) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    if !(low < high && high.is_finite() && low.is_finite()) {
+        return Vec::new();
+    }
+    let step = round_step(&(low..high), unit, most);
+    let first = (low / step).ceil();
+    let values = (0..=most).map(|number| (first + f64::from(number)) * step);
+    let marks = values.take_while(|value| *value <= high);
+    marks
+        .map(|value| GridMark {
+            value,
+            step_size: step,
+        })
+        .collect()
+}
+
+/// The places of a curve; where it is not determined it is broken.
+fn parts(table: &Table, column: usize) -> Vec<Vec<[f64; 2]>> {
+    let mut parts = vec![Vec::new()];
+    for row in &table.rows {
+        match (row[0], row[column]) {
+            (Some(x), Some(y)) => {
+                if let Some(part) = parts.last_mut() {
+                    part.push([x, y]);
+                }
+            }
+            _ => parts.push(Vec::new()),
+        }
+    }
+    parts.retain(|part| !part.is_empty());
+    parts
 }

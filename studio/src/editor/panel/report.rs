@@ -1,18 +1,51 @@
 //! What the compiler tells of the mechanism.
 
+use super::graph::graph;
 use crate::editor::Editor;
 use eframe::egui;
+use mech_compiler::graphs;
 
-/// The report: how each loop is solved, what is proved, what it costs.
+/// The report: how each loop is solved, what is proved, what it costs; with the graphs of links and of loops.
 pub(in crate::editor) fn report(editor: &Editor, ui: &mut egui::Ui) {
-    egui::ScrollArea::both()
+    let snapshot = &editor.snapshot;
+    let (Some(compiled), Some(reading)) = (snapshot.compiled(), &snapshot.reading) else {
+        ui.weak("The mechanism does not move yet; see Diagnoses.");
+        return;
+    };
+    egui::ScrollArea::vertical()
         .auto_shrink(false)
-        .show(ui, |ui| match editor.snapshot.compiled() {
-            Some(compiled) => {
-                ui.monospace(&compiled.report);
+        .show(ui, |ui| {
+            let part = |ui: &mut egui::Ui, title: &str, show: &mut dyn FnMut(&mut egui::Ui)| {
+                egui::CollapsingHeader::new(title)
+                    .default_open(true)
+                    .show(ui, |ui| show(ui));
+            };
+            part(
+                ui,
+                "Links and joints, which turn where nothing else is said",
+                &mut |ui| {
+                    graph(&graphs::kinematic(&reading.model, &compiled.structure), ui);
+                },
+            );
+            let loops = graphs::loops(&reading.model, &compiled.plan);
+            if !loops.edges.is_empty() {
+                part(ui, "Loops, after what determines them", &mut |ui| {
+                    graph(&loops, ui);
+                });
             }
-            None => {
-                ui.weak("The mechanism does not move yet; see Diagnoses.");
+            let shared = graphs::common_joints(&reading.model, &compiled.plan);
+            if !shared.edges.is_empty() {
+                part(ui, "Loops with joints in common", &mut |ui| {
+                    graph(&shared, ui);
+                });
             }
+            part(ui, "Methods, errors and operations", &mut |ui| {
+                egui::ScrollArea::horizontal()
+                    .id_salt("report")
+                    .show(ui, |ui| {
+                        let text = egui::RichText::new(&compiled.report).monospace();
+                        ui.add(egui::Label::new(text).extend());
+                    });
+            });
         });
 }

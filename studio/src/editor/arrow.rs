@@ -1,0 +1,110 @@
+//! Arrows over the drawing: velocities, accelerations and forces at the present pose.
+
+use super::Editor;
+use super::settings::Visible;
+use crate::play::{Mechanism, Rates};
+
+/// What an arrow shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArrowKind {
+    /// The velocity of a point.
+    Velocity,
+    /// The acceleration of a point.
+    Acceleration,
+    /// The force that the first link of a joint exerts on the second.
+    Force,
+}
+
+/// An arrow over the drawing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrow {
+    /// What it shows.
+    pub kind: ArrowKind,
+    /// Where it begins, in the scene.
+    pub place: [f64; 2],
+    /// What it shows, while the plotted motor moves by 1 radian or scene unit in a second, and the others rest.
+    pub vector: [f64; 2],
+    /// How long it is, in scene units for each unit of what it shows.
+    pub scale: f64,
+}
+
+/// The length of a velocity or an acceleration of 1, in scene units: at 1 radian in a second, half of the crank.
+const RATE: f64 = 0.5;
+/// The length of the longest arrow of its kind, at most, as a part of the size of the mechanism.
+const LONGEST: f64 = 0.3;
+
+impl Editor {
+    /// The arrows that are wanted, at the present pose.
+    #[must_use]
+    pub fn arrows(&self) -> Vec<Arrow> {
+        let (Some(player), Some((motor, _))) = (self.seen_player(), self.plotted_motor()) else {
+            return Vec::new();
+        };
+        let mechanism = player.mechanism();
+        let mut first = vec![0.0; mechanism.motors().len()];
+        if let Some(rate) = first.get_mut(motor) {
+            *rate = 1.0;
+        }
+        let rates = Rates {
+            first,
+            second: Vec::new(),
+        };
+        let settings = &self.settings;
+        let mut arrows = Vec::new();
+        if settings.shows(Visible::Velocities) || settings.shows(Visible::Accelerations) {
+            let points = mechanism.point_rates(&rates);
+            if settings.shows(Visible::Velocities) {
+                let vectors = points.iter().map(|point| (point.place, point.velocity));
+                arrows.extend(scaled(ArrowKind::Velocity, vectors.collect(), mechanism));
+            }
+            if settings.shows(Visible::Accelerations) {
+                let vectors = points
+                    .iter()
+                    .filter_map(|point| Some((point.place, point.acceleration?)));
+                arrows.extend(scaled(
+                    ArrowKind::Acceleration,
+                    vectors.collect(),
+                    mechanism,
+                ));
+            }
+        }
+        if settings.shows(Visible::Forces) {
+            arrows.extend(scaled(
+                ArrowKind::Force,
+                mechanism.reactions(&rates),
+                mechanism,
+            ));
+        }
+        arrows
+    }
+}
+
+/// Arrows of one kind. Those of rates have a fixed scale, as long as they fit; forces have units of their own, so that the longest counts.
+fn scaled(
+    kind: ArrowKind,
+    vectors: Vec<([f64; 2], [f64; 2])>,
+    mechanism: &Mechanism,
+) -> Vec<Arrow> {
+    let [low, high] = mechanism.bounds();
+    let most = LONGEST * (high[0] - low[0]).max(high[1] - low[1]);
+    let longest = vectors
+        .iter()
+        .map(|(_, [x, y])| x.hypot(*y))
+        .fold(0.0, f64::max);
+    if longest == 0.0 || !longest.is_finite() {
+        return Vec::new();
+    }
+    let fit = most / longest;
+    let scale = if kind == ArrowKind::Force {
+        fit
+    } else {
+        fit.min(RATE)
+    };
+    let arrow = |(place, vector)| Arrow {
+        kind,
+        place,
+        vector,
+        scale,
+    };
+    vectors.into_iter().map(arrow).collect()
+}

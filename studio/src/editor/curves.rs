@@ -1,0 +1,107 @@
+//! Curves: what is measured while a motor moves through its range.
+
+use super::range::ranges;
+use super::snapshot::Snapshot;
+use crate::failure::Failure;
+use crate::motion::{Drive, Setting, Span, motor_of, range_of, turns};
+use crate::quantity::{self, Measurement, Table, Units};
+use mech_compiler::Compiled;
+use mech_compiler::model::Model;
+use std::sync::Arc;
+
+/// How many steps a curve has, as that of `mech table`.
+const STEPS: u32 = 360;
+
+/// What is to be measured, and in which motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Wanted {
+    /// The quantities, as `mech table` calls them.
+    pub(crate) names: Vec<String>,
+    /// The motor that moves; none for the laws of all.
+    pub(crate) motor: Option<String>,
+    /// Where the other motors stand, in degrees or scene units.
+    pub(crate) others: Vec<(String, f64)>,
+}
+
+/// What was measured of a text.
+pub(crate) struct Curves {
+    /// The text, and what the compiler makes of it.
+    pub(crate) snapshot: Arc<Snapshot>,
+    /// What was asked for.
+    pub(crate) wanted: Wanted,
+    /// What was found, or why nothing was.
+    pub(crate) table: Result<Table, Failure>,
+    /// Why some quantities cannot be measured.
+    pub(crate) missing: Vec<Failure>,
+}
+
+impl Curves {
+    /// Measures what is wanted of a mechanism.
+    pub(crate) fn of(snapshot: Arc<Snapshot>, wanted: Wanted) -> Self {
+        let mut missing = Vec::new();
+        let table = measured(&snapshot, &wanted, &mut missing);
+        Self {
+            snapshot,
+            wanted,
+            table,
+            missing,
+        }
+    }
+}
+
+fn measured(
+    snapshot: &Snapshot,
+    wanted: &Wanted,
+    missing: &mut Vec<Failure>,
+) -> Result<Table, Failure> {
+    let (Some(reading), Some(compiled)) = (&snapshot.reading, snapshot.compiled()) else {
+        return Err(Failure::mechanism(
+            "the mechanism does not move; see Diagnoses",
+        ));
+    };
+    let model = &reading.model;
+    let dyads = quantity::dyads(model, &compiled.plan);
+    let mut quantities = Vec::new();
+    for name in &wanted.names {
+        match quantity::quantities(model, &dyads, name) {
+            Ok(found) => quantities.extend(found),
+            // What an edit has taken away does not take the others with it.
+            Err(failure) => missing.push(failure),
+        }
+    }
+    let settings = wanted.others.iter().map(|(motor, value)| Setting {
+        motor: motor.clone(),
+        value: *value,
+    });
+    let settings: Vec<Setting> = settings.collect();
+    let span = span(model, compiled, wanted.motor.as_deref())?;
+    let drive = Drive::new(model, compiled, wanted.motor.as_deref(), span, &settings)?;
+    let measurement = Measurement {
+        model,
+        drive: &drive,
+        rate: 1.0,
+        steps: STEPS,
+        loads: &[],
+        units: &Units {
+            length: "unit".to_owned(),
+            force: "force".to_owned(),
+        },
+    };
+    quantity::measure(&measurement, &quantities)
+}
+
+/// The range of a motor that slides and declares none: as far as the bar of its slider goes. Others know their own.
+fn span(model: &Model, compiled: &Compiled, motor: Option<&str>) -> Result<Span, Failure> {
+    let Some(name) = motor else {
+        return Ok(Span::default());
+    };
+    let motor = motor_of(model, name)?;
+    if turns(model, model.motor(motor).joint) || range_of(model, motor).is_some() {
+        return Ok(Span::default());
+    }
+    let found = ranges(model, compiled)?
+        .into_iter()
+        .find(|range| range.name == name);
+    let [from, to] = found.map(|range| range.ends.map(Some)).unwrap_or_default();
+    Ok(Span { from, to })
+}

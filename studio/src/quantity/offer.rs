@@ -1,0 +1,68 @@
+//! What can be measured of a mechanism, by name, to choose from.
+
+use super::naming::{has_coordinate, point_name, points};
+use mech_compiler::model::Model;
+
+/// Quantities that belong together, by their names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Offer {
+    /// What they are of: `point coupler.tip`.
+    pub(crate) of: String,
+    /// How they are called: `velocity:coupler.tip.x`.
+    pub(crate) names: Vec<String>,
+}
+
+/// Everything that can be measured, in the order of its declaration: points, joints, links, forces.
+pub(crate) fn offers(model: &Model, dyads: &[String]) -> Vec<Offer> {
+    let mut offers = Vec::new();
+    for name in points(model).filter_map(|point| point_name(model, point)) {
+        let of = format!("point {name}");
+        let orders = ["", "velocity:", "acceleration:"].into_iter();
+        let names = orders.flat_map(|order| {
+            // The distance from the origin says little.
+            let parts: &[&str] = if order.is_empty() {
+                &["x", "y"]
+            } else {
+                &["x", "y", "norm"]
+            };
+            parts
+                .iter()
+                .map(|part| format!("{order}{name}.{part}"))
+                .collect::<Vec<_>>()
+        });
+        offers.push(Offer {
+            of,
+            names: names.collect(),
+        });
+    }
+    for joint in model.declared_joints() {
+        let name = &model.joint(joint).name;
+        let mut names = Vec::new();
+        if has_coordinate(model, joint) {
+            names.extend(["", "velocity:", "acceleration:"].map(|order| format!("{order}{name}")));
+        }
+        if model.motor_of(joint).is_some() {
+            names.push(format!("torque:{name}"));
+        }
+        names.extend(["x", "y", "norm"].map(|part| format!("reaction:{name}.{part}")));
+        offers.push(Offer {
+            of: format!("joint {name}"),
+            names,
+        });
+    }
+    for link in model.declared_links() {
+        let name = &model.link(link).name;
+        let names = ["", "velocity:", "acceleration:"].map(|order| format!("{order}{name}"));
+        offers.push(Offer {
+            of: format!("link {name}"),
+            names: names.into(),
+        });
+    }
+    if !dyads.is_empty() {
+        offers.push(Offer {
+            of: "loops".to_owned(),
+            names: vec!["transmission".to_owned()],
+        });
+    }
+    offers
+}

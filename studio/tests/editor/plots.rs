@@ -1,0 +1,309 @@
+//! Plots, exports, examples and arrows.
+
+use super::user::User;
+use mech_studio::editor::ArrowKind;
+use std::fs;
+use std::path::PathBuf;
+
+const FOUR_BAR: &str = "\
+struct FourBar;
+link crank;
+link coupler { point tip = (2.5, 3); }
+link rocker;
+joint a = revolute(ground, crank) at (0, 0);
+joint b = revolute(crank, coupler) at (0.8, 0.6);
+joint c = revolute(coupler, rocker) at (3.3, 2.9);
+joint d = revolute(ground, rocker) at (4, 0);
+motor a;
+";
+
+/// A folder of its own for what a test writes.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("mech-plots-{}-{name}", std::process::id()));
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    fn file(&self, name: &str) -> String {
+        self.0.join(name).display().to_string()
+    }
+
+    /// What `mech` writes to a file.
+    fn mech(&self, words: &[&str]) -> Vec<u8> {
+        let text = self.file("text.mech");
+        fs::write(&text, FOUR_BAR).expect("the text");
+        let answer = self.file(words[words.len() - 1]);
+        let mut all = vec!["mech".to_owned(), words[0].to_owned(), text];
+        all.extend(
+            words[1..words.len() - 1]
+                .iter()
+                .map(|word| (*word).to_owned()),
+        );
+        all.extend(["-o".to_owned(), answer.clone()]);
+        let mut console = mech_studio::Console::to(std::io::sink(), std::io::sink());
+        mech_studio::run(all.into_iter().map(Into::into), &mut console);
+        fs::read(answer).expect("what mech wrote")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Somebody who plots two quantities of a four-bar linkage.
+fn plotting() -> User {
+    let mut user = User::with_text(FOUR_BAR);
+    user.click_on("Plots");
+    for name in ["d", "velocity:coupler.tip.norm"] {
+        user.enter("Quantity", name);
+    }
+    user
+}
+
+#[test]
+fn a_quantity_is_added_from_the_menu_and_removed() {
+    let mut user = User::with_text(FOUR_BAR);
+    user.click_on("Plots");
+    user.click_on("Add");
+    user.click_on_beginning("of point coupler.tip");
+    user.click_on("velocity:coupler.tip.x");
+    assert!(user.sees("graph of unit/s"), "{}", user.said());
+    user.click_on("Remove");
+    user.click_on("velocity:coupler.tip.x");
+    assert!(!user.sees("graph of unit/s"));
+}
+
+#[test]
+fn a_table_is_what_mech_writes_and_what_the_graph_says() {
+    let mut user = plotting();
+    assert!(user.sees("graph of deg") && user.sees("graph of unit/s"));
+    let folder = Folder::new("table");
+    let path = folder.file("window.csv");
+    user.export("Table as CSV", &path);
+    let written = fs::read_to_string(&path).expect(&user.said());
+    let table = folder.mech(&["table", "d", "velocity:coupler.tip.norm", "mech.csv"]);
+    assert_eq!(written.as_bytes(), table);
+    // The graphs say the same numbers where the motor stands.
+    for row in [0, 90, 217] {
+        let cells: Vec<f64> = written
+            .lines()
+            .nth(row + 1)
+            .expect("a row")
+            .split(',')
+            .map(|cell| cell.parse().expect("a number"))
+            .collect();
+        user.scrub(cells[0].to_radians());
+        assert!(
+            user.sees(&format!("d = {:.4} deg", cells[1])),
+            "{row}: {}",
+            user.labels()
+        );
+        assert!(
+            user.sees(&format!(
+                "velocity:coupler.tip.norm = {:.4} unit/s",
+                cells[2]
+            )),
+            "{row}"
+        );
+    }
+}
+
+#[test]
+fn a_click_in_a_graph_moves_the_mechanism() {
+    let mut user = plotting();
+    user.click_within("graph of deg", [0.75, 0.5]);
+    let [motor] = user.editor().player().expect("it moves").motors() else {
+        panic!("one motor");
+    };
+    assert!((3.8..5.6).contains(motor), "{motor}");
+    user.click_within("graph of deg", [0.4, 0.5]);
+    let [motor] = user.editor().player().expect("it moves").motors() else {
+        panic!("one motor");
+    };
+    assert!((1.2..3.2).contains(motor), "{motor}");
+}
+
+#[test]
+fn a_quantity_that_an_edit_takes_away_is_told() {
+    let mut user = plotting();
+    user.type_all(&FOUR_BAR.replace(" { point tip = (2.5, 3); }", ";"));
+    assert!(
+        user.sees("has no joint, link or point `coupler.tip.norm`"),
+        "{}",
+        user.labels()
+    );
+    // The other one is still there.
+    assert!(user.sees("graph of deg"));
+    // A mechanism that does not move has no curves: the old ones stay, greyed.
+    user.type_all(&FOUR_BAR.replace("motor a;", ""));
+    assert!(
+        user.sees("The mechanism does not move; the graphs are of an earlier text."),
+        "{}",
+        user.labels()
+    );
+    assert!(user.sees("graph of deg"));
+}
+
+#[test]
+fn exports_are_what_mech_writes() {
+    let mut user = User::with_text(FOUR_BAR);
+    let folder = Folder::new("exports");
+    let kinds = [
+        ("Picture as PNG", "draw", "png"),
+        ("Picture as SVG", "draw", "svg"),
+        ("Film as moving SVG", "film", "svg"),
+        ("Plots as SVG", "plot", "svg"),
+    ];
+    for (name, command, ending) in kinds {
+        let path = folder.file(&format!("window-{command}.{ending}"));
+        user.export(name, &path);
+        let written = fs::read(&path).expect(&user.said());
+        let expected = folder.mech(&[command, &format!("mech-{command}.{ending}")]);
+        assert_eq!(written, expected, "{name}");
+    }
+    let path = folder.file("four_bar.rs");
+    user.export("Rust source", &path);
+    let document = mech_studio::Document::of(mech_studio::Source::new(
+        &path,
+        fs::read_to_string(&path).expect("the source"),
+    ));
+    let reading = document
+        .analyse(document.choose(None).expect("a mechanism"))
+        .expect("it is read");
+    assert!(reading.result.is_ok());
+    user.export("Picture as PNG", &folder.file("nowhere/picture.png"));
+    assert!(
+        user.editor()
+            .notice()
+            .is_some_and(|notice| notice.is_refusal),
+        "{}",
+        user.said()
+    );
+}
+
+#[test]
+fn an_example_opens_and_plays() {
+    let mut user = User::new();
+    for name in ["Geared piston", "Scissor lift", "Quick return"] {
+        user.click_on("File");
+        user.click_on_beginning("Examples");
+        user.click_on(name);
+        user.click_on("Play");
+        user.wait(30);
+        let player = user.editor().player().expect(&user.said());
+        assert!(
+            player.plays() && !player.mechanism().is_at_start(),
+            "{}",
+            user.said()
+        );
+    }
+}
+
+#[test]
+fn what_another_program_wrote_is_opened_with_its_losses() {
+    let mut user = User::new();
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/samples/four_bar.linkage2"
+    );
+    user.open(path);
+    assert!(
+        user.editor()
+            .notice()
+            .is_some_and(|notice| notice.text.starts_with("imported as")),
+        "{}",
+        user.said()
+    );
+    assert!(
+        user.text().starts_with("// From four_bar.linkage2.")
+            || user.text().contains("From four_bar.linkage2.")
+    );
+    assert!(user.editor().player().is_some(), "{}", user.said());
+    user.open("/nowhere/four_bar.linkage2");
+    assert!(
+        user.editor()
+            .notice()
+            .is_some_and(|notice| notice.is_refusal)
+    );
+}
+
+#[test]
+fn arrows_are_what_the_path_says() {
+    let mut user = User::with_text(FOUR_BAR);
+    user.show("Velocities");
+    user.show("Accelerations");
+    user.show("Forces");
+    let at = 1.0;
+    let step = 1e-4;
+    let places: Vec<Vec<[f64; 2]>> = [at - step, at + step, at]
+        .into_iter()
+        .map(|value| {
+            user.scrub(value);
+            let arrows = user.editor().arrows();
+            arrows
+                .iter()
+                .filter(|arrow| arrow.kind == ArrowKind::Velocity)
+                .map(|arrow| arrow.place)
+                .collect()
+        })
+        .collect();
+    let arrows = user.editor().arrows();
+    let of = |kind| arrows.iter().filter(move |arrow| arrow.kind == kind);
+    assert!(of(ArrowKind::Velocity).count() >= 3);
+    for (number, (velocity, acceleration)) in of(ArrowKind::Velocity)
+        .zip(of(ArrowKind::Acceleration))
+        .enumerate()
+    {
+        for part in 0..2 {
+            let [before, after, here] = [0, 1, 2].map(|place: usize| places[place][number][part]);
+            let speed = (after - before) / (2.0 * step);
+            let change = (after - 2.0 * here + before) / (step * step);
+            assert!(
+                (velocity.vector[part] - speed).abs() < 1e-6,
+                "{velocity:?} {speed}"
+            );
+            assert!(
+                (acceleration.vector[part] - change).abs() < 1e-4,
+                "{acceleration:?} {change}"
+            );
+        }
+    }
+}
+
+#[test]
+fn forces_are_seen_where_masses_act() {
+    let mut user = User::with_text(
+        &FOUR_BAR
+            .replace("link rocker;", "link rocker;\ngravity (0, -9.81);")
+            .replace(
+                "{ point tip = (2.5, 3); }",
+                "{ point tip = (2.5, 3); mass 2 at (2, 2); }",
+            ),
+    );
+    user.show("Forces");
+    let arrows = user.editor().arrows();
+    assert_eq!(
+        arrows
+            .iter()
+            .filter(|arrow| arrow.kind == ArrowKind::Force)
+            .count(),
+        4,
+        "{}",
+        user.said()
+    );
+    user.show("Forces");
+    assert!(user.editor().arrows().is_empty());
+}
+
+#[test]
+fn the_report_draws_its_graphs() {
+    let mut user = User::with_text(FOUR_BAR);
+    user.click_on("Report");
+    assert!(user.sees("FourBar: links and joints"), "{}", user.labels());
+    assert!(user.sees("Methods, errors and operations"));
+}
