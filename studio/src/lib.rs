@@ -8,10 +8,17 @@
 //! A [`Command`] is a change of a mechanism; [`apply`] turns it into replacements in the text, and tries these. The dialogue, `mech run` and
 //! programs with a window all change mechanisms by commands alone. In [`play`] they move.
 
+// In a browser there is no command line, and nobody asks for what only that needs.
+#![cfg_attr(target_arch = "wasm32", allow(dead_code, unused_imports))]
+
+#[cfg(not(target_arch = "wasm32"))]
 mod chart;
 mod check;
+#[cfg(not(target_arch = "wasm32"))]
 mod command;
+#[cfg(not(target_arch = "wasm32"))]
 mod console;
+#[cfg(not(target_arch = "wasm32"))]
 mod dialogue;
 mod document;
 mod edit;
@@ -27,7 +34,9 @@ pub mod play;
 mod quantity;
 mod text;
 
+#[cfg(not(target_arch = "wasm32"))]
 pub use command::run;
+#[cfg(not(target_arch = "wasm32"))]
 pub use console::Console;
 pub use document::{
     Declaration, Document, Faults, LONGEST, Listing, Message, NameText, NumberText, Reading,

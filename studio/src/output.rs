@@ -16,6 +16,10 @@ pub(crate) fn replace(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // A page in a browser has no files, and its process no number for a draft.
+    if cfg!(target_arch = "wasm32") {
+        return Err(io::ErrorKind::Unsupported.into());
+    }
     // What a link leads to is replaced, not the link.
     let path = &fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let known = fs::metadata(path).ok();
