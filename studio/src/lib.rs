@@ -16,9 +16,7 @@ mod chart;
 mod check;
 #[cfg(not(target_arch = "wasm32"))]
 mod command;
-#[cfg(not(target_arch = "wasm32"))]
 mod console;
-#[cfg(not(target_arch = "wasm32"))]
 mod dialogue;
 mod document;
 mod edit;
@@ -36,7 +34,6 @@ mod text;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use command::run;
-#[cfg(not(target_arch = "wasm32"))]
 pub use console::Console;
 pub use document::{
     Declaration, Document, Faults, LONGEST, Listing, Message, NameText, NumberText, Reading,

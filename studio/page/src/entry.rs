@@ -1,8 +1,8 @@
 //! What the page calls.
 
-use crate::stand_in::StandIn;
+use crate::page::Page;
 use eframe::web_sys::HtmlCanvasElement;
-use eframe::{AppCreator, CreationContext, WebOptions, WebRunner};
+use eframe::{AppCreator, WebOptions, WebRunner};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 /// The editor that runs in a canvas.
@@ -20,8 +20,7 @@ pub async fn start(
     text: String,
 ) -> Result<Running, JsValue> {
     let runner = WebRunner::new();
-    let editor = move |context: &CreationContext<'_>| StandIn::new(context, &name, &text);
-    let app: AppCreator<'static> = Box::new(move |context| Ok(Box::new(editor(context))));
+    let app: AppCreator<'static> = Box::new(move |_| Ok(Box::new(Page::new(&name, &text))));
     runner.start(canvas, WebOptions::default(), app).await?;
     Ok(Running(runner))
 }
