@@ -2,8 +2,8 @@
 
 use eframe::egui::Ui;
 use eframe::{App, Frame, web_sys};
-use mech_studio::Workspace;
 use mech_studio::editor::{Editor, Studio};
+use mech_studio::{Source, Workspace};
 
 /// The studio in a canvas of a page.
 pub(crate) struct Page {
@@ -15,7 +15,7 @@ pub(crate) struct Page {
 impl Page {
     /// With a text that has this name.
     pub(crate) fn new(name: &str, text: &str) -> Self {
-        let workspace = Workspace::unsaved(name, text);
+        let workspace = Workspace::of(Source::new(name, text));
         // There is no thread that could have something new to show.
         let editor = Editor::new(workspace, || {});
         Self {
