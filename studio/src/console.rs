@@ -1,7 +1,9 @@
 //! Where a command writes what it says.
 
+#[cfg(not(target_arch = "wasm32"))]
+mod progress;
+
 use crate::failure::Failure;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
 /// Where a command writes what it says.
@@ -38,16 +40,6 @@ impl Console {
     #[must_use]
     pub fn has_colors(&self) -> bool {
         self.has_colors
-    }
-
-    /// Shows how far long work of so many steps is, to somebody who watches.
-    #[must_use]
-    pub fn progress(steps: u64) -> ProgressBar {
-        let bar = ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr());
-        match ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}") {
-            Ok(style) => bar.with_style(style),
-            Err(_) => bar,
-        }
     }
 
     /// Writes an answer.

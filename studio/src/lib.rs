@@ -8,8 +8,13 @@
 //! A [`Command`] is a change of a mechanism; [`apply`] turns it into replacements in the text, and tries these. The dialogue, `mech run` and
 //! programs with a window all change mechanisms by commands alone. In [`play`] they move.
 
+// In a browser there is no command line, and nobody asks for what only that needs.
+#![cfg_attr(target_arch = "wasm32", allow(dead_code, unused_imports))]
+
+#[cfg(not(target_arch = "wasm32"))]
 mod chart;
 mod check;
+#[cfg(not(target_arch = "wasm32"))]
 mod command;
 mod console;
 mod dialogue;
@@ -27,6 +32,7 @@ pub mod play;
 mod quantity;
 mod text;
 
+#[cfg(not(target_arch = "wasm32"))]
 pub use command::run;
 pub use console::Console;
 pub use document::{

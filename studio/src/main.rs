@@ -1,8 +1,10 @@
 //! The command `mech`.
 
-use mech_studio::{Console, run};
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    run(std::env::args_os(), &mut Console::standard())
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
+    mech_studio::run(std::env::args_os(), &mut mech_studio::Console::standard())
 }
+
+/// In a browser there is no command line: the package `mech-page` shows the window alone.
+#[cfg(target_arch = "wasm32")]
+fn main() {}

@@ -1,10 +1,8 @@
 # A virtual display for the scripts beside this file, which source it: `begin_display SIZE` starts one, and `shot NAME` takes a screenshot
 # into the folder `$shots`. Installs what is missing where it can.
 
-fail() {
-    echo "error: $*" >&2
-    exit 1
-}
+# shellcheck source=packages.sh
+. studio/tests/packages.sh
 
 # Installs what is needed besides Rust: each by the program or library that tells whether it is there.
 install_display() {
@@ -19,22 +17,6 @@ install_display() {
     done
     ((${#missing[@]} == 0)) || install_packages "${missing[@]}"
 }
-
-# Installs these packages of Debian, where that can be.
-install_packages() {
-    [[ $(id -u) == 0 ]] && command -v apt-get >/dev/null ||
-        fail "the virtual display needs $*: install them, or run this as root where there is apt-get"
-    { apt-get update && apt-get install -y "$@"; } >/dev/null || fail "cannot install $*"
-}
-
-processes=()
-end_processes() {
-    local process
-    for process in "${processes[@]}"; do
-        kill "$process" 2>/dev/null || true
-    done
-}
-trap end_processes EXIT
 
 # Starts a display of this size, in pixels.
 begin_display() {

@@ -17,6 +17,7 @@ fn showcase() -> Showcase<FourBar> {
         slug: "four-bar",
         title: "Four bars & a <rocker>",
         caption: "A crank turns, a rocker rocks, and the coupler between them draws a curve that no compass can draw.",
+        file: None,
         source: "",
         motion: |phase| [phase * TAU],
         frames: FRAMES,
@@ -86,8 +87,8 @@ fn files_and_page() {
         assert!(page.contains(file), "{file}");
     }
     assert!(!page.contains("http") && !page.contains("//"));
-    // Written by hand, it has no declaration to find graphs in.
-    assert!(!page.contains("<svg"));
+    // Written by hand, it has no declaration to find graphs in, nor one for the studio.
+    assert!(!page.contains("<svg") && !page.contains("studio"));
 
     let still = fs::read_to_string(folder.join("four-bar.svg")).expect("an SVG");
     assert!(still.contains("<title>Four bars &amp; a &lt;rocker&gt;</title>"));
@@ -140,6 +141,7 @@ fn graphs_hang_below() {
         }";
     let folder = folder("graphs");
     let showcase = Showcase {
+        file: Some("four_bar.rs"),
         source,
         frames: 2,
         ..showcase()
@@ -151,6 +153,7 @@ fn graphs_hang_below() {
     assert_eq!(page.matches("<svg").count(), 2);
     assert!(page.contains(">coupler</text>") && page.contains(">loop 1</text>"));
     assert!(page.contains(r#"href="four-bar-links.dot""#));
+    assert!(page.contains(r#"href="../page/index.html?file=four_bar.rs""#));
     let links = fs::read_to_string(folder.join("four-bar-links.dot")).expect("a graph");
     assert!(links.contains(r#"n0 -- n1 [label="a\nrevolute\nmotor", style=bold];"#));
     let loops = fs::read_to_string(folder.join("four-bar-loops.dot")).expect("a graph");

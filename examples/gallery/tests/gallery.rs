@@ -32,6 +32,13 @@ fn every_exhibit_has_its_graphs() {
 }
 
 #[test]
+fn the_studio_opens_every_exhibit() {
+    for exhibit in exhibits() {
+        assert!(exhibit.file().is_some(), "{}", exhibit.slug());
+    }
+}
+
+#[test]
 fn slugs_are_unique() {
     let exhibits = exhibits();
     for (n, exhibit) in exhibits.iter().enumerate() {

@@ -2,7 +2,10 @@
 
 mod completion;
 mod line;
+#[cfg(target_arch = "wasm32")]
+mod page;
 mod pattern;
+#[cfg(not(target_arch = "wasm32"))]
 mod prompt;
 mod request;
 mod session;
@@ -13,5 +16,6 @@ mod words;
 pub(crate) use completion::complete;
 #[cfg(feature = "editor")]
 pub(crate) use line::help;
+#[cfg(not(target_arch = "wasm32"))]
 pub(crate) use prompt::converse;
 pub(crate) use session::{Session, Turn};

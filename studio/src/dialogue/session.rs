@@ -1,8 +1,11 @@
 //! A session: a file, its text as it is now, and the steps that led there.
 
 use super::line::{help, request};
+#[cfg(target_arch = "wasm32")]
+use super::page::obey_within;
 use super::request::Request;
 use crate::check::verdict_line;
+#[cfg(not(target_arch = "wasm32"))]
 use crate::command::obey_within;
 use crate::console::Console;
 use crate::document::{Declaration, Document, Listing, Reading};

@@ -39,6 +39,17 @@ impl Workspace {
         }
     }
 
+    /// A file that was read elsewhere, at its first mechanism.
+    #[must_use]
+    pub fn of(source: Source) -> Self {
+        Self {
+            path: source.path().to_owned(),
+            history: History::new(source.text()),
+            source: Some(source),
+            ..Self::default()
+        }
+    }
+
     /// Reads a file; of several mechanisms, the one of this name.
     ///
     /// # Errors

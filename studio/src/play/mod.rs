@@ -26,8 +26,9 @@ mod revision;
 mod selection;
 mod stage;
 mod style;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod terminal;
-#[cfg(feature = "window")]
+#[cfg(all(feature = "window", not(target_arch = "wasm32")))]
 pub mod window;
 
 pub use camera::Camera;

@@ -2,6 +2,7 @@
 
 mod dragging;
 mod drawing;
+mod exhibits;
 mod figure_1;
 mod keyboard;
 mod mistakes;

@@ -44,12 +44,7 @@ mechanism! {
     effects { acceleration; overlay; }
 }
 
-exhibited!(
-    AndrewsSqueezer,
-    "andrews-squeezer",
-    include_str!("andrews.rs"),
-    motion
-);
+exhibited!(AndrewsSqueezer, "andrews-squeezer", "andrews.rs", motion);
 
 /// One turn of the crank.
 fn motion<T: Real>(phase: T) -> [T; 1] {

@@ -66,12 +66,7 @@ mechanism! {
     joint h2_i1 = gear(h.wheel, exeligmos.wheel, 15 : 60);
 }
 
-exhibited!(
-    Antikythera,
-    "antikythera",
-    include_str!("antikythera.rs"),
-    motion
-);
+exhibited!(Antikythera, "antikythera", "antikythera.rs", motion);
 
 /// A year forwards and back.
 fn motion<T: Real>(phase: T) -> [T; 1] {

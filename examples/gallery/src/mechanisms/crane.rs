@@ -33,12 +33,7 @@ mechanism! {
     effects { acceleration; overlay; trace nose.tip 720 on plane 5 color red; }
 }
 
-exhibited!(
-    LuffingCrane,
-    "luffing-crane",
-    include_str!("crane.rs"),
-    motion
-);
+exhibited!(LuffingCrane, "luffing-crane", "crane.rs", motion);
 
 /// The jib is let down and hauled in once.
 fn motion<T: Real>(phase: T) -> [T; 1] {

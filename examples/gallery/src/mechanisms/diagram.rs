@@ -30,12 +30,7 @@ mechanism! {
     effects { acceleration; overlay; }
 }
 
-exhibited!(
-    PistonDiagram,
-    "geared-piston-diagram",
-    include_str!("diagram.rs"),
-    motion
-);
+exhibited!(PistonDiagram, "geared-piston-diagram", "diagram.rs", motion);
 
 /// Two turns of the pinion are one of the wheel.
 fn motion<T: Real>(phase: T) -> [T; 1] {

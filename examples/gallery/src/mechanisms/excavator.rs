@@ -53,7 +53,7 @@ mechanism! {
     effects { acceleration; overlay; trace bucket.teeth 360 on plane 20 color red; }
 }
 
-exhibited!(Excavator, "excavator", include_str!("excavator.rs"), motion);
+exhibited!(Excavator, "excavator", "excavator.rs", motion);
 
 /// The bucket reaches out, digs, lifts and empties.
 fn motion<T: Real>(phase: T) -> [T; 3] {

@@ -6,6 +6,8 @@ use mech_runtime::Mechanism;
 pub trait Exhibited: Mechanism {
     /// Its name in files and on the command line: `lower-case-with-hyphens`. The same in both precisions.
     const SLUG: &'static str;
+    /// The name of the file that declares it.
+    const FILE: &'static str;
     /// The Rust source that declares it, by a `mechanism!` that stands by itself.
     const SOURCE: &'static str;
 

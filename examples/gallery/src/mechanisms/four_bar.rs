@@ -30,7 +30,7 @@ mechanism! {
     effects { acceleration; overlay; trace coupler.tip 256 color red; }
 }
 
-exhibited!(CrankRocker, "four-bar", include_str!("four_bar.rs"), motion);
+exhibited!(CrankRocker, "four-bar", "four_bar.rs", motion);
 
 /// One turn of the crank.
 fn motion<T: Real>(phase: T) -> [T; 1] {

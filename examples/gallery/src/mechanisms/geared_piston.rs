@@ -43,12 +43,7 @@ mechanism! {
     effects { acceleration; overlay; }
 }
 
-exhibited!(
-    GearedPiston,
-    "geared-piston",
-    include_str!("geared_piston.rs"),
-    motion
-);
+exhibited!(GearedPiston, "geared-piston", "geared_piston.rs", motion);
 
 /// Two turns of the pinion are one of the wheel.
 fn motion<T: Real>(phase: T) -> [T; 1] {

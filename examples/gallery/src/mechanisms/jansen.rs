@@ -29,7 +29,7 @@ mechanism! {
     effects { acceleration; overlay; trace lower_plate.foot 256 color red; }
 }
 
-exhibited!(JansenLeg, "jansen-leg", include_str!("jansen.rs"), motion);
+exhibited!(JansenLeg, "jansen-leg", "jansen.rs", motion);
 
 /// One turn of the crank.
 fn motion<T: Real>(phase: T) -> [T; 1] {

@@ -21,16 +21,17 @@ macro_rules! mechanism {
     };
 }
 
-/// Makes a mechanism [`Exhibited`](crate::Exhibited) in both precisions, from its slug, its source and the function of its motor values.
+/// Makes a mechanism [`Exhibited`](crate::Exhibited) in both precisions, from its slug, the file where it stands and the function of its motor values.
 macro_rules! exhibited {
-    ($mechanism:ident, $slug:literal, $source:expr, $motion:ident) => {
-        $crate::mechanisms::precisions::exhibited!(in f64: $mechanism, $slug, $source, $motion);
-        $crate::mechanisms::precisions::exhibited!(in f32: single::$mechanism, $slug, $source, $motion);
+    ($mechanism:ident, $slug:literal, $file:literal, $motion:ident) => {
+        $crate::mechanisms::precisions::exhibited!(in f64: $mechanism, $slug, $file, $motion);
+        $crate::mechanisms::precisions::exhibited!(in f32: single::$mechanism, $slug, $file, $motion);
     };
-    (in $float:ident: $mechanism:path, $slug:literal, $source:expr, $motion:ident) => {
+    (in $float:ident: $mechanism:path, $slug:literal, $file:literal, $motion:ident) => {
         impl $crate::Exhibited for $mechanism {
             const SLUG: &'static str = $slug;
-            const SOURCE: &'static str = $source;
+            const FILE: &'static str = $file;
+            const SOURCE: &'static str = include_str!($file);
 
             fn motion(phase: $float) -> Self::Motors {
                 $motion(phase)

@@ -42,12 +42,7 @@ mechanism! {
     effects { acceleration; overlay; }
 }
 
-exhibited!(
-    RockerArm,
-    "rocker-arm",
-    include_str!("rocker_arm.rs"),
-    motion
-);
+exhibited!(RockerArm, "rocker-arm", "rocker_arm.rs", motion);
 
 /// One turn of the crank, while the arm reaches out once and the hand nods twice.
 fn motion<T: Real>(phase: T) -> [T; 3] {

@@ -72,7 +72,7 @@ mechanism! {
         leg[0].tibia.turn = -0.39; leg[1].femur.turn = 0.06; leg[1].tibia.turn = -0.65; leg[1].talus.turn = 0.49; }
 }
 
-exhibited!(Skeleton, "skeleton", include_str!("skeleton.rs"), motion);
+exhibited!(Skeleton, "skeleton", "skeleton.rs", motion);
 
 /// Two steps of each leg forwards, and the same backwards.
 fn motion<T: Real>(phase: T) -> [T; 8] {

@@ -31,12 +31,7 @@ mechanism! {
     effects { acceleration; overlay; trace coupler.tracer 720 color RED; }
 }
 
-exhibited!(
-    CouplerCurve,
-    "four-bar-velocities",
-    include_str!("velocities.rs"),
-    motion
-);
+exhibited!(CouplerCurve, "four-bar-velocities", "velocities.rs", motion);
 
 /// The trace is that of one turn: after it, every new place is one that it was at before.
 fn motion<T: Real>(phase: T) -> [T; 1] {

@@ -23,7 +23,7 @@ mechanism! {
     effects { trace left[0].foot.tip 720 color red; trace right[0].foot.tip 720 color blue; }
 }
 
-exhibited!(Walker, "walker", include_str!("walker.rs"), motion);
+exhibited!(Walker, "walker", "walker.rs", motion);
 
 /// One turn of the axle.
 fn motion<T: Real>(phase: T) -> [T; 1] {

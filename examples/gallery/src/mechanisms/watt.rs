@@ -24,7 +24,7 @@ mechanism! {
     effects { acceleration; overlay; }
 }
 
-exhibited!(Watt, "watt-six-bar", include_str!("watt.rs"), motion);
+exhibited!(Watt, "watt-six-bar", "watt.rs", motion);
 
 /// One turn of the crank.
 fn motion<T: Real>(phase: T) -> [T; 1] {

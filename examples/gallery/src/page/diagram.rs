@@ -38,6 +38,10 @@ impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Diagram<M> {
         self.showcase.graphs()
     }
 
+    fn file(&self) -> Option<&'static str> {
+        self.showcase.file()
+    }
+
     fn still(&self) -> f64 {
         self.showcase.still()
     }

@@ -19,6 +19,8 @@ pub trait Exhibit {
     fn report(&self) -> &'static str;
     /// The graphs of its mechanism, if a `mechanism!` declares it.
     fn graphs(&self) -> Option<Graphs>;
+    /// The file with which the studio's page opens it, if it has that.
+    fn file(&self) -> Option<&'static str>;
     /// The most characteristic phase of its motion, in `0.0..1.0`.
     fn still(&self) -> f64;
     /// The film of its whole motion.
@@ -40,6 +42,7 @@ pub trait Exhibit {
 ///     slug: "four-bar",
 ///     title: "Four-bar linkage",
 ///     caption: "A crank turns, a rocker rocks.",
+///     file: None,
 ///     source: include_str!("exhibit.rs"),
 ///     motion: |phase| [phase * TAU],
 ///     frames: FRAMES,
@@ -54,6 +57,8 @@ pub struct Showcase<M: Mechanism<Scalar = f64>> {
     pub title: &'static str,
     /// A paragraph about the mechanism.
     pub caption: &'static str,
+    /// The name of the file that declares it, if the studio's page has that.
+    pub file: Option<&'static str>,
     /// The source file that declares the mechanism, for its graphs.
     pub source: &'static str,
     /// The values of its motors, in radians or scene units, at a phase in `0.0..1.0`. The motion should continue smoothly from the last
@@ -89,6 +94,10 @@ impl<M: Mechanism<Scalar = f64> + 'static> Exhibit for Showcase<M> {
         Graphs::find(self.source, M::NAME)
     }
 
+    fn file(&self) -> Option<&'static str> {
+        self.file
+    }
+
     fn still(&self) -> f64 {
         self.still
     }
@@ -108,6 +117,7 @@ impl<M: Exhibited<Scalar = f64>> Showcase<M> {
             slug: M::SLUG,
             title: "",
             caption: "",
+            file: Some(M::FILE),
             source: M::SOURCE,
             motion: M::motion,
             frames: FRAMES,

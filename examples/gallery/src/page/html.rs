@@ -64,7 +64,7 @@ links with the joints between them, and its loops in the order in which they are
 </header>
 "#;
 
-/// The page with these exhibits. It refers to the pictures beside it only.
+/// The page with these exhibits. It refers to the pictures beside it, and to the page of the studio.
 pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> String {
     let (mut entries, mut articles) = (String::new(), String::new());
     for exhibit in exhibits {
@@ -84,6 +84,7 @@ pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> Strin
         let graphs = exhibit
             .graphs()
             .map_or(String::new(), |graphs| graphs_of(&slug, &graphs));
+        let studio = exhibit.file().map_or(String::new(), studio_of);
         // Writing to a `String` cannot fail.
         let _ = writeln!(entries, "<a href=\"#{slug}\">{title}</a>");
         let _ = write!(
@@ -98,7 +99,7 @@ pub(crate) fn page<'a>(exhibits: impl Iterator<Item = &'a dyn Exhibit>) -> Strin
 <p>{caption}</p>
 <pre>{report}</pre>
 <p class="files">Still: <a href="{slug}.png">PNG</a>, <a href="{slug}.svg">SVG</a>. In motion: <a
-href="{slug}.gif">GIF</a>, <a href="{moving}">SVG</a>.</p>
+href="{slug}.gif">GIF</a>, <a href="{moving}">SVG</a>.{studio}</p>
 </div>
 {graphs}</article>
 "#
@@ -106,6 +107,12 @@ href="{slug}.gif">GIF</a>, <a href="{moving}">SVG</a>.</p>
     }
     let head = HEAD.replace("%STYLE%", graph_svg::STYLE);
     format!("{head}<nav>\n{entries}</nav>\n<main>\n{articles}</main>\n</html>\n")
+}
+
+/// The way to the studio, whose page opens a file of the gallery.
+fn studio_of(file: &str) -> String {
+    let file = escape(file);
+    format!(" <a\nhref=\"../page/index.html?file={file}\">Open in the studio</a>.")
 }
 
 /// The name of the SVG of an exhibit that moves.

@@ -1,4 +1,4 @@
-//! Files that are written whole or not at all.
+//! Files on a disk.
 
 use crate::failure::Failure;
 use std::ffi::OsString;

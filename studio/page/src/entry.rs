@@ -1,0 +1,35 @@
+//! What the page calls.
+
+use crate::page::Page;
+use eframe::web_sys::HtmlCanvasElement;
+use eframe::{AppCreator, WebOptions, WebRunner};
+use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
+
+/// The editor that runs in a canvas.
+#[wasm_bindgen]
+pub struct Running(WebRunner);
+
+/// Runs the editor in a canvas, with a text that has this name.
+///
+/// # Errors
+/// If the browser has no WebGL.
+#[wasm_bindgen]
+pub async fn start(
+    canvas: HtmlCanvasElement,
+    name: String,
+    text: String,
+) -> Result<Running, JsValue> {
+    let runner = WebRunner::new();
+    let app: AppCreator<'static> = Box::new(move |_| Ok(Box::new(Page::new(&name, &text))));
+    runner.start(canvas, WebOptions::default(), app).await?;
+    Ok(Running(runner))
+}
+
+#[wasm_bindgen]
+impl Running {
+    /// What broke the editor, if something did: it does not go on then.
+    #[must_use]
+    pub fn panic(&self) -> Option<String> {
+        self.0.panic_summary().map(|panic| panic.message())
+    }
+}

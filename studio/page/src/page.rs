@@ -1,0 +1,49 @@
+//! The studio in a canvas of a page.
+
+use eframe::egui::Ui;
+use eframe::{App, Frame, web_sys};
+use mech_studio::editor::{Editor, Studio};
+use mech_studio::{Source, Workspace};
+
+/// The studio in a canvas of a page.
+pub(crate) struct Page {
+    studio: Studio,
+    /// Whether the page knows that a mechanism is seen.
+    is_announced: bool,
+}
+
+impl Page {
+    /// With a text that has this name.
+    pub(crate) fn new(name: &str, text: &str) -> Self {
+        let workspace = Workspace::of(Source::new(name, text));
+        // There is no thread that could have something new to show.
+        let editor = Editor::new(workspace, || {});
+        Self {
+            studio: Studio::new(editor),
+            is_announced: false,
+        }
+    }
+
+    /// Tells the page that a mechanism is seen, so that a program that looks at the page knows when to.
+    fn announce(&mut self) {
+        let document = web_sys::window().and_then(|window| window.document());
+        let body = document.and_then(|document| document.body());
+        let told = body.map(|body| body.set_attribute("data-ready", "1"));
+        self.is_announced = matches!(told, Some(Ok(())));
+    }
+}
+
+impl App for Page {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut Frame) {
+        self.studio.ui(ui, frame);
+        if self.is_announced || self.studio.editor().drawing().is_none() {
+            return;
+        }
+        // The first frame with it is shown when the next one is made.
+        if ui.ctx().cumulative_frame_nr() > 0 {
+            self.announce();
+        } else {
+            ui.ctx().request_repaint();
+        }
+    }
+}

@@ -1,0 +1,228 @@
+"""Visits the studio's page in Chromium: visit.py BROWSER FOLDER SHOTS.
+
+FOLDER has the page in its folder `page`. Screenshots are written to SHOTS. Fails if the page writes an error to the console.
+"""
+
+import base64
+import fcntl
+import functools
+import http.server
+import json
+import os
+import select
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import urllib.parse
+from pathlib import Path
+
+# The text of a mechanism that somebody shares.
+SHARED = """struct Shared;
+ground { point shaft = (0, 0); line rail = (0, 0) along (1, 0); }
+link crank { point shaft = (0, 0); point pin = (1, 0); }
+link rod { point pin = (0, 0); point end = (3, 0); }
+link block { point pin = (0, 0); }
+joint a = revolute(ground.shaft, crank.shaft);
+joint b = revolute(crank.pin, rod.pin);
+joint c = revolute(rod.end, block.pin);
+joint d = prismatic(ground.rail, block);
+motor a;
+"""
+
+# How long a page may take on a busy machine, in seconds. There is no graphics hardware either.
+PATIENCE = 120
+
+
+class Browser:
+    """Chromium, which is told what to do over two pipes: one JSON text after the other, with a zero byte between."""
+
+    def __init__(self, program, profile):
+        from_us, self.to_browser = os.pipe()
+        self.from_browser, to_us = os.pipe()
+
+        def connect():
+            # The browser reads from 3 and writes to 4. Neither end may be lost while the other is put there.
+            ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (from_us, to_us)]
+            os.dup2(ends[0], 3)
+            os.dup2(ends[1], 4)
+
+        flags = (
+            "--headless=new --remote-debugging-pipe --no-sandbox --use-gl=angle --use-angle=swiftshader "
+            "--enable-unsafe-swiftshader --no-first-run --disable-dev-shm-usage --window-size=1280,800"
+        )
+        with open(Path(profile, "log"), "w", encoding="utf-8") as log:
+            self.process = subprocess.Popen(
+                [program, *flags.split(), f"--user-data-dir={profile}", "about:blank"],
+                preexec_fn=connect,
+                close_fds=False,
+                stdout=log,
+                stderr=log,
+            )
+        os.close(from_us)
+        os.close(to_us)
+        self.waiting = b""
+        self.number = 0
+        self.events = []
+
+    def hear(self, seconds):
+        """The next that the browser says; none if it says nothing for so long."""
+        end = time.monotonic() + seconds
+        while b"\0" not in self.waiting:
+            left = end - time.monotonic()
+            if left <= 0 or not select.select([self.from_browser], [], [], left)[0]:
+                return None
+            read = os.read(self.from_browser, 1 << 20)
+            if not read:
+                raise SystemExit("error: the browser ends")
+            self.waiting += read
+        message, self.waiting = self.waiting.split(b"\0", 1)
+        return json.loads(message)
+
+    def say(self, method, session=None, **parameters):
+        """Tells the browser something, and gives its answer. What happens meanwhile is kept."""
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": parameters}
+        if session:
+            message["sessionId"] = session
+        os.write(self.to_browser, json.dumps(message).encode() + b"\0")
+        while True:
+            heard = self.hear(PATIENCE)
+            if heard is None:
+                raise SystemExit(f"error: the browser does not answer {method}")
+            if heard.get("id") == self.number:
+                if "error" in heard:
+                    raise SystemExit(f"error: {method}: {heard['error']}")
+                return heard["result"]
+            self.events.append(heard)
+
+
+class Visit:
+    """One page, in a tab of its own."""
+
+    def __init__(self, browser, address):
+        self.browser, self.address = browser, address
+        self.target = browser.say("Target.createTarget", url="about:blank")["targetId"]
+        attached = browser.say("Target.attachToTarget", targetId=self.target, flatten=True)
+        self.session = attached["sessionId"]
+        for domain in "Runtime", "Log", "Page":
+            self.say(f"{domain}.enable")
+        self.begun = time.monotonic()
+        self.say("Page.navigate", url=address)
+
+    def say(self, method, **parameters):
+        return self.browser.say(method, self.session, **parameters)
+
+    def value(self, expression):
+        return self.say("Runtime.evaluate", expression=expression)["result"].get("value")
+
+    def complaints(self):
+        """The errors that the page has written to the console."""
+        found = []
+        for event in self.browser.events:
+            if event.get("sessionId") != self.session:
+                continue
+            what = event["params"]
+            if event["method"] == "Runtime.exceptionThrown":
+                found.append(what["exceptionDetails"])
+            elif event["method"] == "Runtime.consoleAPICalled" and what["type"] in ("error", "assert"):
+                found.append(what["args"])
+            elif event["method"] == "Log.entryAdded" and what["entry"]["level"] == "error":
+                found.append(what["entry"])
+        return found
+
+    def until(self, expression, what):
+        """Waits until this is so, and gives the seconds since the page was called."""
+        while not self.value(expression):
+            if self.complaints() or time.monotonic() - self.begun > PATIENCE:
+                self.fail(what)
+            time.sleep(0.05)
+        return time.monotonic() - self.begun
+
+    def until_ready(self):
+        return self.until("document.body?.dataset.ready === '1'", "no mechanism is seen")
+
+    def fail(self, what):
+        told = self.value("document.querySelector('#told')?.textContent")
+        for complaint in self.complaints():
+            print(json.dumps(complaint, indent=1)[:4000], file=sys.stderr)
+        raise SystemExit(f"error: {self.address}: {what}; the page tells {told!r}")
+
+    def press(self, key, code, number):
+        key = {"key": key, "code": code, "windowsVirtualKeyCode": number}
+        self.say("Input.dispatchKeyEvent", type="keyDown", text=key["key"], **key)
+        self.say("Input.dispatchKeyEvent", type="keyUp", **key)
+
+    def shoot(self, path):
+        picture = self.say("Page.captureScreenshot", format="png")["data"]
+        Path(path).write_bytes(base64.b64decode(picture))
+
+    def end(self, may_complain=False):
+        if self.complaints() and not may_complain:
+            self.fail("it complains")
+        self.browser.say("Target.closeTarget", targetId=self.target)
+
+
+class Server(http.server.SimpleHTTPRequestHandler):
+    """A server of files that does not tell each of them."""
+
+    def log_message(self, *_):
+        pass
+
+
+def visit_all(browser, site, folder, shots):
+    # One that has everything: it does not move until somebody says so.
+    visit = Visit(browser, f"{site}?file=four_bar.rs")
+    seconds = visit.until_ready()
+    time.sleep(0.5)
+    visit.shoot(shots / "exhibit.png")
+    time.sleep(0.5)
+    visit.shoot(shots / "still.png")
+    visit.press(" ", "Space", 32)
+    time.sleep(1)
+    visit.shoot(shots / "playing.png")
+    visit.end()
+    print(f"the page is ready after {seconds:.1f} s")
+
+    for file in sorted(Path(folder, "page/mechanisms").iterdir()):
+        visit = Visit(browser, f"{site}?file={file.name}")
+        seconds = visit.until_ready()
+        visit.shoot(shots / f"{file.stem}.png")
+        visit.end()
+        print(f"  {file.name} {seconds:.1f} s")
+
+    for name, address in ("nothing", site), ("shared", f"{site}#text={urllib.parse.quote(SHARED)}"):
+        visit = Visit(browser, address)
+        visit.until_ready()
+        visit.shoot(shots / f"{name}.png")
+        visit.end()
+
+    # What is not there is told, instead of an empty window.
+    visit = Visit(browser, f"{site}?file=nobody.rs")
+    told = "document.querySelector('#told')?.textContent"
+    while "nobody.rs" not in (visit.value(told) or ""):
+        if time.monotonic() - visit.begun > PATIENCE:
+            visit.fail("a mechanism that is not there is not told")
+        time.sleep(0.05)
+    visit.shoot(shots / "missing.png")
+    visit.end(may_complain=True)
+
+
+def main():
+    program, folder, shots = sys.argv[1:]
+    handler = functools.partial(Server, directory=folder)
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        site = f"http://127.0.0.1:{server.server_port}/page/index.html"
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
+            browser = Browser(program, profile)
+            try:
+                visit_all(browser, site, folder, Path(shots))
+            finally:
+                browser.process.terminate()
+                browser.process.wait()
+        server.shutdown()
+
+
+main()
