@@ -18,6 +18,15 @@ install_display() {
     ((${#missing[@]} == 0)) || install_packages "${missing[@]}"
 }
 
+# The program: `$MECH`, or one that is built in a release.
+mech_program() {
+    if [[ -z ${MECH:-} ]]; then
+        cargo build --release --bin mech >&2
+        MECH=${CARGO_TARGET_DIR:-target}/release/mech
+    fi
+    realpath "$MECH"
+}
+
 # Starts a display of this size, in pixels.
 begin_display() {
     rm -rf "$shots" && mkdir -p "$shots"

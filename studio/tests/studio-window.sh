@@ -11,9 +11,7 @@ drivers=(/usr/lib/*/dri/swrast_dri.so /usr/lib/*/libgallium-*.so)
 [[ -e ${drivers[0]} || -e ${drivers[-1]} ]] || install_packages libgl1-mesa-dri
 export LIBGL_ALWAYS_SOFTWARE=1
 
-cargo build --release --bin mech
-mech=$PWD/${CARGO_TARGET_DIR:-target}/release/mech
-[[ ${CARGO_TARGET_DIR:-target} == /* ]] && mech=$CARGO_TARGET_DIR/release/mech
+mech=$(mech_program)
 shots=target/studio-window
 begin_display 1280x800
 

@@ -7,11 +7,11 @@ cd "$(dirname "$0")/../.."
 . studio/tests/display.sh
 install_display
 
-cargo build --release --bin mech
+mech=$(mech_program)
 shots=target/virtual-display
 begin_display 1100x800
 
-"${CARGO_TARGET_DIR:-target}/release/mech" play examples/gallery/src/mechanisms/crane.rs &
+"$mech" play examples/gallery/src/mechanisms/crane.rs &
 player=$!
 processes+=("$player")
 window=$(window_of LuffingCrane)
