@@ -20,14 +20,11 @@ from pathlib import Path
 
 # The text of a mechanism that somebody shares.
 SHARED = """struct Shared;
-ground { point shaft = (0, 0); line rail = (0, 0) along (1, 0); }
-link crank { point shaft = (0, 0); point pin = (1, 0); }
-link rod { point pin = (0, 0); point end = (3, 0); }
-link block { point pin = (0, 0); }
-joint a = revolute(ground.shaft, crank.shaft);
-joint b = revolute(crank.pin, rod.pin);
-joint c = revolute(rod.end, block.pin);
-joint d = prismatic(ground.rail, block);
+link crank; link coupler; link rocker;
+joint a = revolute(ground, crank) at (0, 0);
+joint b = revolute(crank, coupler) at (0, 1);
+joint c = revolute(coupler, rocker) at (3, 2);
+joint d = revolute(rocker, ground) at (3, 0);
 motor a;
 """
 
@@ -147,7 +144,7 @@ class Visit:
         told = self.value("document.querySelector('#told')?.textContent")
         for complaint in self.complaints():
             print(json.dumps(complaint, indent=1)[:4000], file=sys.stderr)
-        raise SystemExit(f"error: {self.address}: {what}; the page tells {told!r}")
+        raise SystemExit(f"error: {self.address[:200]}: {what}; the page tells {told!r}")
 
     def press(self, key, code, number):
         key = {"key": key, "code": code, "windowsVirtualKeyCode": number}

@@ -8,6 +8,7 @@ mod scanner;
 mod source;
 mod tree;
 
+#[cfg(feature = "editor")]
 pub(crate) use library::PartOffer;
 pub use listing::{Listing, NameText, NumberText};
 pub use reading::{Faults, Message, Reading};

@@ -8,7 +8,6 @@ mod statement;
 pub use draft::Replacement;
 pub(crate) use draft::{Draft, written};
 pub(crate) use lexer::{Kind, Lexeme, Lexer, is_of_word};
-#[cfg(feature = "editor")]
 pub(crate) use number::rounded;
 pub(crate) use number::{shortest, written_like};
 pub(crate) use statement::{Statement, statements};
