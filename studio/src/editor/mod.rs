@@ -10,6 +10,8 @@ mod dragging;
 mod drawing;
 mod gesture;
 mod ghost;
+#[cfg(not(target_arch = "wasm32"))]
+mod guard;
 mod index;
 mod item;
 mod journal;

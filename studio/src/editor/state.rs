@@ -37,7 +37,7 @@ pub struct Editor {
     worker: Worker,
     /// Gestures that wait for the one that is being tried.
     waiting: VecDeque<Gesture>,
-    is_trying: bool,
+    pub(super) is_trying: bool,
     /// What the compiler makes of the present text; of an earlier one, while it works.
     pub(super) snapshot: Arc<Snapshot>,
     /// What the compiler made of the last text that could be read, and how that is drawn.

@@ -7,5 +7,6 @@ mod keyboard;
 mod mistakes;
 mod properties;
 mod properties_panel;
+mod safety;
 mod touch;
 mod user;
