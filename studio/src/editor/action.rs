@@ -8,7 +8,7 @@ use crate::edit::Workspace;
 use crate::play::Control;
 use eframe::egui;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
-use std::path::PathBuf;
+use std::path::Path;
 
 /// The menus, from left to right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -299,6 +299,10 @@ pub(super) const fn key_of_tool(tool: Tool) -> KeyboardShortcut {
 
 /// Does what the keys say, unless somebody types.
 pub(super) fn obey_keys(editor: &mut Editor, context: &egui::Context) {
+    // While something is asked, keys answer it.
+    if editor.settings.dialog.is_some() {
+        return;
+    }
     let types = context.text_edit_focused();
     let has_shift = |action: &Action| action.key.is_some_and(|key| key.modifiers.shift);
     // A key without Shift is also found where Shift is held.
@@ -468,19 +472,28 @@ pub(super) fn dialogs(editor: &mut Editor, context: &egui::Context) {
         Dialog::Open(_) => ("Open a file", "Open"),
         Dialog::Save(_) => ("Save to a file", "Save"),
     };
-    let (Dialog::Open(path) | Dialog::Save(path)) = &mut dialog;
+    #[cfg(not(target_arch = "wasm32"))]
+    let beside = editor.workspace().path().parent().map(Path::to_owned);
     let (mut is_done, mut is_given_up) = (false, false);
     egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
         ui.heading(title);
         let label = ui.label("File");
+        let (Dialog::Open(path) | Dialog::Save(path)) = &mut dialog;
         let edit = egui::TextEdit::singleline(path)
             .hint_text("four_bar.mech")
             .desired_width(320.0);
         let response = ui.add(edit).labelled_by(label.id);
-        if !response.has_focus() && !response.lost_focus() {
+        if !response.lost_focus() && !is_focus_in(ui) {
             response.request_focus();
         }
         is_done = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            let is_saved = matches!(dialog, Dialog::Save(_));
+            let is_chosen = super::files::choose(&mut dialog, &beside.unwrap_or_default(), ui);
+            // A file that is there is not written over by a slip.
+            is_done |= is_chosen && !is_saved;
+        }
         ui.horizontal(|ui| {
             is_done |= ui.button(verb).clicked();
             is_given_up =
@@ -494,20 +507,20 @@ pub(super) fn dialogs(editor: &mut Editor, context: &egui::Context) {
     }
 }
 
+/// Whether the keys go to something in this window of its own.
+fn is_focus_in(ui: &egui::Ui) -> bool {
+    let focused = ui.memory(egui::Memory::focused);
+    let focused = focused.and_then(|focused| ui.ctx().read_response(focused));
+    focused.is_some_and(|focused| focused.layer_id == ui.layer_id())
+}
+
 impl Editor {
     /// Does what was asked for.
     fn finish(&mut self, dialog: &Dialog) {
         match dialog {
-            Dialog::Open(path) => {
-                if self.may_leave() {
-                    match Workspace::open(&PathBuf::from(path), None) {
-                        Ok(workspace) => self.open(workspace),
-                        Err(failure) => self.refuse(failure),
-                    }
-                }
-            }
+            Dialog::Open(path) => self.open_file(Path::new(path)),
             Dialog::Save(path) => {
-                let saved = self.save(Some(&PathBuf::from(path)));
+                let saved = self.save(Some(Path::new(path)));
                 self.refuse_failed(saved);
             }
         }

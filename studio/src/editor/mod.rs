@@ -8,6 +8,8 @@ mod action;
 mod canvas;
 mod dragging;
 mod drawing;
+#[cfg(not(target_arch = "wasm32"))]
+mod files;
 mod gesture;
 mod ghost;
 #[cfg(not(target_arch = "wasm32"))]
@@ -16,6 +18,7 @@ mod index;
 mod item;
 mod journal;
 mod names;
+mod opening;
 mod panel;
 mod path;
 mod placement;

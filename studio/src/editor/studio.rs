@@ -75,6 +75,8 @@ impl Studio {
         if editor.player().is_some_and(crate::play::Player::plays) {
             context.request_repaint();
         }
+        #[cfg(not(target_arch = "wasm32"))]
+        super::files::take_dropped(editor, &context);
         action::obey_keys(editor, &context);
         let title = title(editor.workspace());
         if title != self.title {

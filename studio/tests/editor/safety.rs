@@ -295,3 +295,69 @@ fn a_file_that_comes_back_is_taken_over() {
     user.wait_until("it is taken over", |user| user.text() == THEIRS);
     assert!(!user.editor().workspace().is_changed());
 }
+
+#[test]
+fn a_file_is_chosen_from_the_list_by_keys_alone() {
+    let folder = Folder::new();
+    fs::write(folder.0.join("arm.mech"), THEIRS).expect("it is written");
+    fs::write(folder.0.join("notes.txt"), "").expect("it is written");
+    let mut user = User::at_file(&folder.file());
+    user.shortcut(Key::O, false);
+    assert!(user.sees("arm.mech") && !user.sees("notes.txt"));
+    // The system's own dialog, the folder above, and the first file.
+    for _ in 0..3 {
+        user.key(Key::Tab);
+    }
+    user.key(Key::Enter);
+    assert_eq!(user.text(), THEIRS, "{}", user.said());
+    assert!(!user.sees("Open a file"));
+}
+
+#[test]
+fn a_file_in_another_folder_is_found_by_clicks() {
+    let folder = Folder::new();
+    let inner = folder.0.join("inner");
+    fs::create_dir(&inner).expect("a folder");
+    fs::write(inner.join("arm.mech"), THEIRS).expect("it is written");
+    let mut user = User::at_file(&folder.file());
+    user.shortcut(Key::O, false);
+    user.click_on("inner/");
+    user.click_on("..");
+    user.click_on("inner/");
+    user.click_on("arm.mech");
+    assert_eq!(user.text(), THEIRS, "{}", user.said());
+}
+
+#[test]
+fn a_file_that_is_dropped_on_the_window_is_opened() {
+    let folder = Folder::new();
+    let other = folder.0.join("arm.mech");
+    fs::write(&other, THEIRS).expect("it is written");
+    let mut user = User::at_file(&folder.file());
+    user.drop_file(&other);
+    assert_eq!(user.text(), THEIRS);
+    // What is not saved is not left for it.
+    draw(&mut user);
+    let drawn = user.text().to_owned();
+    user.drop_file(&folder.file());
+    assert_eq!(user.text(), drawn);
+    assert!(tells(&user, "the text has changes"), "{}", user.said());
+}
+
+#[test]
+fn a_document_of_linkage_is_opened_as_a_new_text() {
+    let folder = Folder::new();
+    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/samples/four_bar.linkage2");
+    fs::copy(&sample, folder.0.join("four_bar.linkage2")).expect("it is copied");
+    let mut user = User::at_file(&folder.file());
+    user.shortcut(Key::O, false);
+    user.click_on("four_bar.linkage2");
+    assert!(user.editor().drawing().is_some(), "{}", user.said());
+    assert!(user.editor().workspace().is_changed());
+    user.shortcut(Key::S, false);
+    assert!(folder.names().contains(&"four_bar.mech".to_owned()));
+    assert_eq!(
+        fs::read(&sample).expect("a sample"),
+        fs::read(folder.0.join("four_bar.linkage2")).expect("a copy")
+    );
+}

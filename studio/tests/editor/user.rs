@@ -1,15 +1,30 @@
 //! Somebody who uses the studio, and counts the gestures.
 
 use eframe::egui::{
-    Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2,
-    ViewportCommand, ViewportEvent, ViewportId,
+    DroppedFile, Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId,
+    TouchPhase, Vec2, ViewportCommand, ViewportEvent, ViewportId,
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use mech_studio::Workspace;
 use mech_studio::editor::{Drawing, Editor, Studio};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
+
+/// A file that is dropped on the window.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
 
 /// Somebody who uses the studio, and counts the gestures.
 pub(crate) struct User {
@@ -346,6 +361,14 @@ impl User {
         }
     }
 
+    /// Drops a file on the window.
+    pub(crate) fn drop_file(&mut self, path: &Path) {
+        let dropped = Arc::new(Dropped(path.to_owned()));
+        self.harness.input_mut().dropped_files.push(dropped);
+        self.harness.run_steps(3);
+        self.gestures += 1;
+    }
+
     /// Wants to close the window. Returns whether it is closed.
     pub(crate) fn close(&mut self) -> bool {
         let viewports = &mut self.harness.input_mut().viewports;
@@ -370,10 +393,8 @@ impl User {
     }
 
     fn has_said(&self, command: &ViewportCommand) -> bool {
-        let viewports = self.harness.output().viewport_output.values();
-        viewports
-            .into_iter()
-            .any(|viewport| viewport.commands.contains(command))
+        let mut viewports = self.harness.output().viewport_output.values();
+        viewports.any(|viewport| viewport.commands.contains(command))
     }
 
     /// Waits for so many pictures.

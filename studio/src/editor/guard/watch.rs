@@ -121,7 +121,7 @@ impl Watch {
         let is_untouched = !workspace.is_changed() || self.deleted.as_deref() == Some(text);
         self.theirs = None;
         match on_disk {
-            Some(theirs) if known == Some(&theirs) => {}
+            Some(theirs) if known == Some(theirs.as_str()) => {}
             Some(theirs) if text == theirs => {
                 editor.session.workspace.note_file(Some(&theirs));
             }
