@@ -300,7 +300,7 @@ pub(super) const fn key_of_tool(tool: Tool) -> KeyboardShortcut {
 /// Does what the keys say, unless somebody types.
 pub(super) fn obey_keys(editor: &mut Editor, context: &egui::Context) {
     // While something is asked, keys answer it.
-    if editor.settings.dialog.is_some() {
+    if context.memory(|memory| memory.top_modal_layer().is_some()) {
         return;
     }
     let types = context.text_edit_focused();

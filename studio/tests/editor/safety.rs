@@ -6,10 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const TEXT: &str =
-    "// A crank alone.\nlink crank;\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n";
-const THEIRS: &str =
-    "// By somebody else.\nlink arm;\njoint b = revolute(ground, arm) at (1, 0);\nmotor b;\n";
+const TEXT: &str = "// A crank alone.\nstruct Crank;\nlink crank;\njoint a = revolute(ground, crank) at (0, 0);\nmotor a;\n";
+const THEIRS: &str = "// By somebody else.\nstruct Arm;\nlink arm;\njoint b = revolute(ground, arm) at (1, 0);\nmotor b;\n";
 
 /// A folder of its own with a file, removed at the end.
 struct Folder(PathBuf);

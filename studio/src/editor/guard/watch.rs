@@ -10,6 +10,7 @@ use eframe::egui;
 use notify::{Event, EventKind, RecommendedWatcher, RecursiveMode, Watcher};
 use std::ffi::OsStr;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -68,8 +69,7 @@ impl Watch {
     /// Watches the folder of the file.
     fn begin(&mut self) -> notify::Result<()> {
         self.watcher = None;
-        // What happened between reading and watching is found by a first look.
-        self.stirred = Arc::new(Mutex::new(Some(Instant::now())));
+        self.stirred = Stirred::default();
         // Where a link leads, there it is written.
         let path = fs::canonicalize(&self.path).unwrap_or_else(|_| self.path.clone());
         let name = path.file_name().unwrap_or_default().to_owned();
@@ -90,6 +90,8 @@ impl Watch {
         })?;
         watcher.watch(&folder, RecursiveMode::NonRecursive)?;
         self.watcher = Some(watcher);
+        // What happened between reading and watching is found by a first look.
+        note(&self.stirred, Some(Instant::now()));
         Ok(())
     }
 
@@ -168,6 +170,7 @@ fn take(editor: &mut Editor, theirs: &str) {
 fn read(path: &Path) -> Result<Option<String>, Failure> {
     match path.try_exists() {
         Ok(false) => Ok(None),
+        Err(error) if error.kind() == ErrorKind::NotADirectory => Ok(None),
         _ => Source::read(path).map(|source| Some(source.text().to_owned())),
     }
 }
