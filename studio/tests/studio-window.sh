@@ -149,50 +149,6 @@ until_title 'figure_1.mech - '
 "$mech" check "$folder/figure_1.mech" >"$shots/check" 2>&1 || fail "figure 1 is wrong: $(cat "$shots/check")"
 kill "$studio"
 
-# The studio is killed in the middle of work: a bar offers what was not saved, and a click brings it back.
-cp examples/gallery/src/mechanisms/jansen.rs "$leg"
-# Opens the leg, and goes on when it is drawn.
-open_leg() {
-    "$mech" edit "$leg" &
-    studio=$!
-    processes+=("$studio")
-    window=$(window_of jansen.rs)
-    xdotool windowfocus "$window"
-    sleep 1.5
-}
-kept=$folder/.jansen.rs.autosave
-open_leg
-drag 278 255 262 240
-until_title changed
-cp "$kept" "$folder/kept" || fail "nothing is kept"
-kill -9 "$studio"
-wait "$studio" 2>/dev/null || true
-cmp -s examples/gallery/src/mechanisms/jansen.rs "$leg" || fail "the file changes without being saved"
-open_leg
-shot left
-# The button is the first after the words of the bar.
-click 560 36
-until_title changed
-shot restored
-! same left restored || fail "nothing is restored"
-press ctrl+s
-until_title 'jansen.rs - '
-cmp -s "$folder/kept" "$leg" || fail "something else is restored than was kept"
-[[ ! -e $kept ]] || fail "what is saved is still kept beside"
-
-# Another program changes the file: without changes here it is taken over, with changes a bar asks.
-sed -i 's/^/ /' "$leg"
-sleep 1
-shot taken
-drag 262 240 278 255
-until_title changed
-cp examples/gallery/src/mechanisms/jansen.rs "$folder/theirs"
-mv "$folder/theirs" "$leg"
-sleep 1
-shot theirs
-! same taken theirs || fail "nobody asks whose change counts"
-kill "$studio"
-
 if [[ -n ${UPDATE_PICTURES:-} ]]; then
     mkdir -p docs/studio
     for name in opened broken ghost figure-1; do
@@ -200,4 +156,4 @@ if [[ -n ${UPDATE_PICTURES:-} ]]; then
     done
 fi
 rm -rf "$folder"
-echo "studio window: a drag changes one number, what is broken is told and mended by a click, it plays; figure 1 is drawn in 14 gestures and $took s; kill -9 loses nothing (screenshots in $shots)"
+echo "studio window: a drag changes one number, what is broken is told and mended by a click, it plays; figure 1 is drawn in 14 gestures and $took s (screenshots in $shots)"

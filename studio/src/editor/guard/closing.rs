@@ -20,6 +20,11 @@ pub(super) enum Closing {
 }
 
 impl Closing {
+    /// Whether the user has answered: what is given up is not kept again before the window is gone.
+    pub(super) const fn is_answered(&self) -> bool {
+        matches!(self, Self::May)
+    }
+
     /// Asks if there is something to lose. Returns whether the user gives the changes up.
     pub(super) fn ask(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
         let is_changed = editor.workspace().is_changed();

@@ -45,7 +45,9 @@ impl Guard {
         if let Some(watch) = &mut self.watch {
             watch.look(editor, context);
         }
-        if let Some(autosave) = &mut self.autosave {
+        if !self.closing.is_answered()
+            && let Some(autosave) = &mut self.autosave
+        {
             autosave.keep(editor);
         }
         let is_left = self.closing.ask(editor, context);
