@@ -48,8 +48,9 @@ impl Edit {
             options,
             Box::new(|context| {
                 let window = context.egui_ctx.clone();
-                let editor = Editor::new(workspace, move || window.request_repaint());
-                Ok(Box::new(Studio::new(editor)))
+                let wake = move || window.request_repaint();
+                let editor = Editor::new(workspace, wake.clone());
+                Ok(Box::new(Studio::guarded(editor, wake)))
             }),
         );
         opened.map_err(|error| Failure::usage(format!("no window can be opened: {error}")))

@@ -157,6 +157,17 @@ impl Workspace {
         self.source.is_some()
     }
 
+    /// The text of the file as it was read or written last; none if there is no file yet.
+    #[must_use]
+    pub fn saved(&self) -> Option<&str> {
+        self.source.as_ref().map(Source::text)
+    }
+
+    /// Notes what the file says since another program has changed it; none if it is gone. The text stays as it is.
+    pub fn note_file(&mut self, text: Option<&str>) {
+        self.source = text.map(|text| Source::new(&self.path, text));
+    }
+
     /// Whether somebody has said which file it is, whether that is there or not.
     #[must_use]
     pub fn is_named(&self) -> bool {

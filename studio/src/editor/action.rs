@@ -10,7 +10,7 @@ use crate::edit::Workspace;
 use crate::play::Control;
 use eframe::egui;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
-use std::path::PathBuf;
+use std::path::Path;
 
 /// The menus, from left to right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -325,6 +325,10 @@ pub(super) const fn key_of_tool(tool: Tool) -> KeyboardShortcut {
 
 /// Does what the keys say, unless somebody types.
 pub(super) fn obey_keys(editor: &mut Editor, context: &egui::Context) {
+    // While something is asked, keys answer it.
+    if context.memory(|memory| memory.top_modal_layer().is_some()) {
+        return;
+    }
     let types = context.text_edit_focused();
     let has_shift = |action: &Action| action.key.is_some_and(|key| key.modifiers.shift);
     // A key without Shift is also found where Shift is held.
@@ -524,19 +528,28 @@ pub(super) fn dialogs(editor: &mut Editor, context: &egui::Context) {
         Dialog::Save(_) => ("Save to a file", "Save"),
         Dialog::Export(kind, _) => (kind.name(), "Write"),
     };
-    let (Dialog::Open(path) | Dialog::Save(path) | Dialog::Export(_, path)) = &mut dialog;
+    #[cfg(not(target_arch = "wasm32"))]
+    let beside = editor.workspace().path().parent().map(Path::to_owned);
     let (mut is_done, mut is_given_up) = (false, false);
     egui::Modal::new(egui::Id::unique("dialog")).show(context, |ui| {
         ui.heading(title);
         let label = ui.label("File");
+        let (Dialog::Open(path) | Dialog::Save(path) | Dialog::Export(_, path)) = &mut dialog;
         let edit = egui::TextEdit::singleline(path)
             .hint_text("four_bar.mech")
             .desired_width(320.0);
         let response = ui.add(edit).labelled_by(label.id);
-        if !response.has_focus() && !response.lost_focus() {
+        if !response.lost_focus() && !is_focus_in(ui) {
             response.request_focus();
         }
         is_done = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            let is_saved = !matches!(dialog, Dialog::Open(_));
+            let is_chosen = super::files::choose(&mut dialog, &beside.unwrap_or_default(), ui);
+            // A file that is there is not written over by a slip.
+            is_done |= is_chosen && !is_saved;
+        }
         ui.horizontal(|ui| {
             is_done |= ui.button(verb).clicked();
             is_given_up =
@@ -550,6 +563,13 @@ pub(super) fn dialogs(editor: &mut Editor, context: &egui::Context) {
     }
 }
 
+/// Whether the keys go to something in this window of its own.
+fn is_focus_in(ui: &egui::Ui) -> bool {
+    let focused = ui.memory(egui::Memory::focused);
+    let focused = focused.and_then(|focused| ui.ctx().read_response(focused));
+    focused.is_some_and(|focused| focused.layer_id == ui.layer_id())
+}
+
 impl Editor {
     /// Does what was asked for.
     fn finish(&mut self, dialog: &Dialog) {
@@ -557,7 +577,7 @@ impl Editor {
             Dialog::Open(path) => self.open_named(path),
             Dialog::Export(kind, path) => self.export(*kind, path),
             Dialog::Save(path) => {
-                let saved = self.save(Some(&PathBuf::from(path)));
+                let saved = self.save(Some(Path::new(path)));
                 self.refuse_failed(saved);
             }
         }

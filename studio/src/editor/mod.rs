@@ -12,8 +12,12 @@ mod dragging;
 mod drawing;
 mod example;
 mod export;
+#[cfg(not(target_arch = "wasm32"))]
+mod files;
 mod gesture;
 mod ghost;
+#[cfg(not(target_arch = "wasm32"))]
+mod guard;
 mod index;
 mod item;
 mod journal;

@@ -8,6 +8,12 @@ use crate::import::{self, FileKind};
 use std::path::Path;
 
 impl Editor {
+    /// Opens a file, if the text may be left.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn open_file(&mut self, path: &Path) {
+        self.open_named(&path.to_string_lossy());
+    }
+
     /// Opens a file, or what a link of PMKS+ holds, if the text may be left.
     pub(super) fn open_named(&mut self, name: &str) {
         if !self.may_leave() {
@@ -79,8 +85,11 @@ fn imported(name: &str) -> Result<(Workspace, Vec<String>), Failure> {
     let found = import::read(&source).map_err(|message| Failure::file(message.text))?;
     let text = found.text(&title, &import::type_name(&wish)?, FileKind::Mechanism)?;
     let losses = found.omissions.iter().map(ToString::to_string).collect();
-    Ok((
-        Workspace::unsaved(format!("{}.mech", wish.to_lowercase()), text),
-        losses,
-    ))
+    // A file stays beside that of the other program.
+    let file = if import::is_link(name) {
+        "imported.mech".into()
+    } else {
+        path.with_extension("mech")
+    };
+    Ok((Workspace::unsaved(file, text), losses))
 }

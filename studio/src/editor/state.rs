@@ -38,7 +38,7 @@ pub struct Editor {
     worker: Worker,
     /// Gestures that wait for the one that is being tried.
     waiting: VecDeque<Gesture>,
-    is_trying: bool,
+    pub(super) is_trying: bool,
     /// What the compiler makes of the present text; of an earlier one, while it works.
     pub(super) snapshot: Arc<Snapshot>,
     /// What the compiler made of the last text that could be read, and how that is drawn.
@@ -62,6 +62,8 @@ pub struct Editor {
     pub(super) settings: Settings,
     /// The text as somebody types it, until it is taken over.
     pub(super) typed: Option<String>,
+    /// Whether all of the motion is to be seen, once it is known.
+    fits_motion: bool,
     /// What was copied: links.
     pub(super) copied: Vec<String>,
     /// A line that is to be completed and said.
@@ -127,6 +129,7 @@ impl Editor {
                 ..Settings::default()
             },
             typed: None,
+            fits_motion: false,
             copied: Vec::new(),
             proposed: None,
             is_canvas_focused: false,
@@ -351,6 +354,7 @@ impl Editor {
             self.forget_what_is_gone();
             if was_empty && !self.settings.has_begun {
                 self.settings.has_begun = true;
+                self.fits_motion = true;
                 self.fit();
             }
         } else if self.workspace().text().trim().is_empty() {
@@ -380,6 +384,9 @@ impl Editor {
         self.ranges = ranges;
         self.paths = paths;
         self.pose();
+        if std::mem::take(&mut self.fits_motion) {
+            self.fit();
+        }
     }
 
     /// Whether the player has the mechanism of the present text.
@@ -440,10 +447,19 @@ impl Editor {
 
     /// Sees everything.
     pub fn fit(&mut self) {
-        let bounds = match (&self.player, &self.drawing) {
-            (Some(player), _) => player.mechanism().bounds(),
-            (None, drawing) => bounds_of(drawing.as_ref()),
-        };
+        let moving = self
+            .player
+            .as_ref()
+            .map(|player| player.mechanism().bounds());
+        // A single pivot is seen with room around it.
+        let mut places = self
+            .drawing
+            .iter()
+            .flat_map(Drawing::handles)
+            .map(|handle| handle.place);
+        let first = places.next();
+        let moving = moving.filter(|_| places.any(|place| Some(place) != first));
+        let bounds = moving.unwrap_or_else(|| bounds_of(self.drawing.as_ref()));
         self.camera = Camera::new(bounds, self.camera.size());
     }
 

@@ -3,6 +3,8 @@
 use super::Editor;
 use super::action;
 use super::canvas::Canvas;
+#[cfg(not(target_arch = "wasm32"))]
+use super::guard::Guard;
 use super::panel;
 use crate::edit::Workspace;
 use eframe::egui;
@@ -15,6 +17,8 @@ pub struct Studio {
     panels: panel::Panels,
     /// The title of the window.
     title: String,
+    #[cfg(not(target_arch = "wasm32"))]
+    guard: Guard,
 }
 
 /// Below this width the window is that of a telephone: tools stand above the drawing, panels below it.
@@ -30,6 +34,18 @@ impl Studio {
             line: panel::Line::default(),
             panels: panel::Panels::default(),
             title: String::new(),
+            #[cfg(not(target_arch = "wasm32"))]
+            guard: Guard::default(),
+        }
+    }
+
+    /// Shows an editor, keeps its text beside its file, and watches the file. Calls `wake` when the file has changed.
+    #[cfg(not(target_arch = "wasm32"))]
+    #[must_use]
+    pub fn guarded(editor: Editor, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        Self {
+            guard: Guard::of(wake),
+            ..Self::new(editor)
         }
     }
 
@@ -59,6 +75,8 @@ impl Studio {
         if editor.player().is_some_and(crate::play::Player::plays) {
             context.request_repaint();
         }
+        #[cfg(not(target_arch = "wasm32"))]
+        super::files::take_dropped(editor, &context);
         action::obey_keys(editor, &context);
         let title = title(editor.workspace());
         if title != self.title {
@@ -71,6 +89,8 @@ impl Studio {
         }
         let height = ui.available_height();
         egui::Panel::top("menu").show(ui, |ui| action::menu(editor, ui));
+        #[cfg(not(target_arch = "wasm32"))]
+        self.guard.bars(editor, ui);
         egui::Panel::bottom("line").show(ui, |ui| self.line.show(editor, ui));
         egui::Panel::bottom("play").show(ui, |ui| panel::play(editor, ui));
         if is_narrow {
@@ -92,6 +112,8 @@ impl Studio {
         }
         egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.show(editor, ui));
         action::dialogs(editor, &context);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.guard.stand(editor, &context);
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// Writes a file. One that is there already is replaced when everything is written, so that an error leaves it as it was.
@@ -11,8 +11,25 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// If the file cannot be written.
 pub(crate) fn replace(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    write(path, bytes)
-        .map_err(|error| Failure::file(format!("cannot write `{}`: {error}", path.display())))
+    write(path, bytes).map_err(|error| {
+        let (path, why) = (path.display(), words(&error));
+        Failure::file(format!("cannot write `{path}`: {why}"))
+    })
+}
+
+/// Why something cannot be written, as far as there are plain words for it.
+pub(crate) fn words(error: &io::Error) -> String {
+    let words = match error.kind() {
+        ErrorKind::StorageFull => "the disk is full",
+        ErrorKind::QuotaExceeded => "your share of the disk is full",
+        ErrorKind::PermissionDenied => "you have no permission to write there",
+        ErrorKind::ReadOnlyFilesystem => "the disk can only be read",
+        ErrorKind::NotFound => "there is no such folder",
+        ErrorKind::NotADirectory => "a part of the path is a file, not a folder",
+        ErrorKind::IsADirectory => "it is a folder",
+        _ => return error.to_string(),
+    };
+    words.to_owned()
 }
 
 fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {

@@ -7,5 +7,7 @@ mod download;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use disk::replace;
+#[cfg(all(not(target_arch = "wasm32"), feature = "editor"))]
+pub(crate) use disk::words;
 #[cfg(target_arch = "wasm32")]
 pub(crate) use download::replace;

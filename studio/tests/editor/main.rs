@@ -9,5 +9,6 @@ mod mistakes;
 mod plots;
 mod properties;
 mod properties_panel;
+mod safety;
 mod touch;
 mod user;

@@ -2,12 +2,30 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2,
+    DroppedFile, Event, Key, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId,
+    TouchPhase, Vec2, ViewportCommand, ViewportEvent, ViewportId,
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use mech_studio::Workspace;
 use mech_studio::editor::{Drawing, Editor, Studio};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// A file that is dropped on the window.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
 
 /// Somebody who uses the studio, and counts the gestures.
 pub(crate) struct User {
@@ -39,13 +57,25 @@ impl User {
 
     fn before_window(size: [f32; 2], name: &str, text: &str) -> Self {
         let editor = Editor::immediate(Workspace::unsaved(name, text));
+        Self::before_studio(size, Studio::new(editor))
+    }
+
+    /// Before a file on the disk, which is watched; its text is kept while it is not saved.
+    pub(crate) fn at_file(path: &Path) -> Self {
+        let workspace = if path.exists() {
+            Workspace::open(path, None).expect("it can be read")
+        } else {
+            Workspace::unsaved(path, "")
+        };
+        let editor = Editor::immediate(workspace);
+        Self::before_studio([1280.0, 800.0], Studio::guarded(editor, || {}))
+    }
+
+    fn before_studio(size: [f32; 2], studio: Studio) -> Self {
         let mut harness = Harness::builder()
             .with_size(size)
             .with_step_dt(1.0 / 60.0)
-            .build_ui_state(
-                |ui, studio: &mut Studio| studio.show(ui),
-                Studio::new(editor),
-            );
+            .build_ui_state(|ui, studio: &mut Studio| studio.show(ui), studio);
         harness.run_steps(2);
         Self {
             harness,
@@ -318,6 +348,57 @@ impl User {
         self.harness.key_press(key);
         self.harness.run_steps(2);
         self.gestures += 1;
+    }
+
+    /// Waits until something is so, or for far too long.
+    #[track_caller]
+    pub(crate) fn wait_until(&mut self, what: &str, is_so: impl Fn(&Self) -> bool) {
+        let begin = Instant::now();
+        while !is_so(self) {
+            assert!(
+                begin.elapsed() < Duration::from_secs(30),
+                "{what}: {}",
+                self.said()
+            );
+            std::thread::sleep(Duration::from_millis(5));
+            self.harness.run_steps(1);
+        }
+    }
+
+    /// Drops a file on the window.
+    pub(crate) fn drop_file(&mut self, path: &Path) {
+        let dropped = Arc::new(Dropped(path.to_owned()));
+        self.harness.input_mut().dropped_files.push(dropped);
+        self.harness.run_steps(3);
+        self.gestures += 1;
+    }
+
+    /// Wants to close the window. Returns whether it is closed.
+    pub(crate) fn close(&mut self) -> bool {
+        let viewports = &mut self.harness.input_mut().viewports;
+        let viewport = viewports.entry(ViewportId::ROOT).or_default();
+        viewport.events.push(ViewportEvent::Close);
+        self.harness.run_steps(1);
+        let is_closed = !self.has_said(&ViewportCommand::CancelClose);
+        self.harness.run_steps(1);
+        is_closed
+    }
+
+    /// Clicks what has this name. Returns whether that closes the window.
+    pub(crate) fn closes_by(&mut self, label: &str) -> bool {
+        self.harness.get_by_label(label).click();
+        let mut is_closed = false;
+        for _ in 0..3 {
+            self.harness.run_steps(1);
+            is_closed |= self.has_said(&ViewportCommand::Close);
+        }
+        // The window wants to be closed once more then.
+        is_closed && self.close()
+    }
+
+    fn has_said(&self, command: &ViewportCommand) -> bool {
+        let mut viewports = self.harness.output().viewport_output.values();
+        viewports.any(|viewport| viewport.commands.contains(command))
     }
 
     /// Waits for so many pictures.

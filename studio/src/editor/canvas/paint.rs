@@ -91,6 +91,10 @@ impl Paint<'_> {
         for part in 0..2 {
             let first = (low[part] / unit).ceil();
             let count = ((high[part] - low[part]) / unit).min(400.0);
+            // Far from the origin and much enlarged, a next line has no number of its own.
+            if first + 1.0 == first {
+                continue;
+            }
             let mut number = first;
             while number <= first + count {
                 let mut place = [0.0; 2];

@@ -1,0 +1,168 @@
+//! Files to choose from: in a list, in the system's own dialog, or dropped on the window.
+
+use super::Editor;
+use super::action::Dialog;
+use eframe::egui;
+use rfd::AsyncFileDialog;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+
+/// How the names of files end that can be opened.
+const ENDINGS: [&str; 3] = ["mech", "rs", "linkage2"];
+
+/// A name in a folder.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Entry {
+    Folder(String),
+    File(String),
+}
+
+/// Offers what is in the folder that a path names, and the system's own dialog. Returns whether a file was chosen.
+pub(super) fn choose(dialog: &mut Dialog, beside: &Path, ui: &mut egui::Ui) -> bool {
+    let is_saved = !matches!(dialog, Dialog::Open(_));
+    let (Dialog::Open(path) | Dialog::Save(path) | Dialog::Export(_, path)) = dialog;
+    let folder = folder_of(path, beside);
+    let mut is_chosen = browse(is_saved, path, &folder, ui);
+    let entries = match entries(&folder) {
+        Ok(entries) => entries,
+        Err(error) => {
+            ui.weak(format!("cannot read the folder: {error}"));
+            return is_chosen;
+        }
+    };
+    egui::ScrollArea::vertical()
+        .max_height(240.0)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            if let Some(above) = above(&folder)
+                && ui.button("..").on_hover_text("the folder above").clicked()
+            {
+                *path = format!("{}/", above.display());
+            }
+            for entry in entries {
+                match entry {
+                    Entry::Folder(name) => {
+                        if ui.button(format!("{name}/")).clicked() {
+                            *path = format!("{}/", folder.join(name).display());
+                        }
+                    }
+                    Entry::File(name) => {
+                        if ui.button(&name).clicked() {
+                            *path = folder.join(name).display().to_string();
+                            is_chosen = true;
+                        }
+                    }
+                }
+            }
+        });
+    is_chosen
+}
+
+/// The folder that a path names, or that of the file it names.
+fn folder_of(path: &str, beside: &Path) -> PathBuf {
+    let named = Path::new(path);
+    if path.is_empty() {
+        beside.to_owned()
+    } else if path.ends_with(std::path::is_separator) {
+        named.to_owned()
+    } else {
+        named.parent().unwrap_or(named).to_owned()
+    }
+}
+
+/// The folder that has this one in it.
+fn above(folder: &Path) -> Option<PathBuf> {
+    let folder = std::path::absolute(present(folder)).ok()?;
+    folder.parent().map(Path::to_owned)
+}
+
+/// The folder itself, where a path without a folder means the present one.
+fn present(folder: &Path) -> &Path {
+    if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    }
+}
+
+/// The folders in a folder, and then the files that can be opened. What is hidden is left out.
+fn entries(folder: &Path) -> std::io::Result<Vec<Entry>> {
+    let mut entries = Vec::new();
+    for entry in fs::read_dir(present(folder))? {
+        let entry = entry?;
+        let Ok(name) = entry.file_name().into_string() else {
+            continue;
+        };
+        let path = entry.path();
+        let ending = path.extension().and_then(|ending| ending.to_str());
+        let can_be_opened = ending.is_some_and(|ending| ENDINGS.contains(&ending));
+        let is_hidden = name.starts_with('.');
+        if path.is_dir() && !is_hidden {
+            entries.push(Entry::Folder(name));
+        } else if can_be_opened && !is_hidden {
+            entries.push(Entry::File(name));
+        }
+    }
+    entries.sort();
+    Ok(entries)
+}
+
+/// What the system's own dialog has answered, until it is looked at.
+type Answer = Arc<Mutex<Option<PathBuf>>>;
+
+/// Opens the system's own dialog if that is wanted. Returns whether it has answered.
+fn browse(is_saved: bool, path: &mut String, folder: &Path, ui: &mut egui::Ui) -> bool {
+    let answer: Answer = ui.data_mut(|data| {
+        let answer = data.get_temp_mut_or_default::<Answer>(egui::Id::unique("browse"));
+        answer.clone()
+    });
+    if ui
+        .button("Browse")
+        .on_hover_text("opens the system's own dialog")
+        .clicked()
+    {
+        ask_system(is_saved, folder, answer.clone(), ui.ctx().clone());
+    }
+    let chosen = answer.lock().unwrap_or_else(PoisonError::into_inner).take();
+    if let Some(chosen) = &chosen {
+        *path = chosen.display().to_string();
+    }
+    chosen.is_some()
+}
+
+/// Lets the system ask, and waits for its answer beside the window.
+fn ask_system(is_saved: bool, folder: &Path, answer: Answer, window: egui::Context) {
+    let mut dialog = AsyncFileDialog::new().add_filter("mechanisms", &ENDINGS);
+    if let Ok(folder) = std::path::absolute(present(folder)) {
+        dialog = dialog.set_directory(folder);
+    }
+    let wait = move |chosen: Option<rfd::FileHandle>| {
+        let chosen = chosen.map(|file| file.path().to_owned());
+        *answer.lock().unwrap_or_else(PoisonError::into_inner) = chosen;
+        window.request_repaint();
+    };
+    // It has to be opened here, and may be waited for elsewhere.
+    if is_saved {
+        let asked = dialog.save_file();
+        thread::spawn(move || wait(pollster::block_on(asked)));
+    } else {
+        let asked = dialog.pick_file();
+        thread::spawn(move || wait(pollster::block_on(asked)));
+    }
+}
+
+/// Opens the file that is dropped on the window.
+pub(super) fn take_dropped(editor: &mut Editor, context: &egui::Context) {
+    let dropped = context.input(|input| {
+        let dropped = input.raw.dropped_files.iter();
+        let paths: Vec<PathBuf> = dropped.map(|file| file.path().to_owned()).collect();
+        paths
+    });
+    match &dropped[..] {
+        [] => {}
+        [path] => editor.open_file(path),
+        _ => editor.refuse("drop one file at a time"),
+    }
+}

@@ -1,0 +1,135 @@
+//! The text, kept beside its file while it is not saved.
+//!
+//! It is written whole after each step, so that a crash loses nothing that was accepted. A window writes only under a name that it has
+//! taken itself: what an earlier one has left waits for an answer.
+
+use super::super::Editor;
+use super::bar::bar;
+use super::left::{Left, claim, left_at, place_of, remove};
+use crate::edit::Workspace;
+use crate::failure::Failure;
+use crate::output;
+use eframe::egui;
+use std::fs;
+use std::path::PathBuf;
+
+/// The text, kept beside its file while it is not saved.
+#[derive(Default)]
+pub(super) struct Autosave {
+    /// The file beside which it is kept.
+    place: PathBuf,
+    /// Where it is kept, and how it reads there.
+    kept: Option<Left>,
+    /// What was left by windows that were never closed.
+    left: Vec<Left>,
+    /// Whether it was told that nothing can be kept.
+    has_failed: bool,
+}
+
+impl Autosave {
+    /// Keeps the text, if it has changed and is not saved.
+    pub(super) fn keep(&mut self, editor: &mut Editor) {
+        let place = place_of(editor.workspace());
+        if place != self.place {
+            let moved = self.move_to(place, editor.workspace());
+            editor.refuse_failed(moved);
+        }
+        if !editor.workspace().is_changed() {
+            self.forget(editor);
+            return;
+        }
+        let text = editor.workspace().text();
+        if self.kept.as_ref().is_some_and(|kept| kept.text == text) {
+            return;
+        }
+        match self.write(text) {
+            Ok(()) => self.has_failed = false,
+            // Told once, not after each step.
+            Err(_) if self.has_failed => {}
+            Err(failure) => {
+                self.has_failed = true;
+                editor.refuse(format!("a crash would lose what is not saved: {failure}"));
+            }
+        }
+    }
+
+    /// Goes on beside another file, and looks for what was left there.
+    fn move_to(&mut self, place: PathBuf, workspace: &Workspace) -> Result<(), Failure> {
+        self.place = place;
+        self.left.clear();
+        let removed = self.remove_kept();
+        self.left = left_at(&self.place, workspace.text())?;
+        removed
+    }
+
+    fn write(&mut self, text: &str) -> Result<(), Failure> {
+        let path = match &self.kept {
+            Some(kept) => kept.path.clone(),
+            None => self.claim()?,
+        };
+        let written = output::replace(&path, text.as_bytes());
+        match written {
+            Ok(()) => {
+                let text = text.to_owned();
+                self.kept = Some(Left { path, text });
+                Ok(())
+            }
+            Err(failure) if self.kept.is_none() => remove(&path).and(Err(failure)),
+            Err(failure) => Err(failure),
+        }
+    }
+
+    fn claim(&self) -> Result<PathBuf, Failure> {
+        if let Some(folder) = self.place.parent()
+            && !folder.as_os_str().is_empty()
+        {
+            // If it cannot be made, the next step tells why.
+            let _ = fs::create_dir_all(folder);
+        }
+        claim(&self.place)
+    }
+
+    /// Removes what is kept of the present text.
+    pub(super) fn forget(&mut self, editor: &mut Editor) {
+        let removed = self.remove_kept();
+        editor.refuse_failed(removed);
+    }
+
+    fn remove_kept(&mut self) -> Result<(), Failure> {
+        self.kept.take().map_or(Ok(()), |kept| remove(&kept.path))
+    }
+
+    /// Asks what becomes of a text that was left.
+    pub(super) fn ask(&mut self, editor: &mut Editor, ui: &mut egui::Ui) {
+        let Some(first) = self.left.first() else {
+            return;
+        };
+        let name = editor.workspace().path().file_name().unwrap_or_default();
+        let question = format!(
+            "{} was not saved when the studio ended. What was not saved is kept.",
+            name.display()
+        );
+        match bar("left", &question, ["Restore", "Discard"], ui) {
+            Some(0) if editor.is_at_rest() => {
+                let text = first.text.clone();
+                editor.take_over("restored", &text);
+                if let Err(failure) = self.adopt() {
+                    editor.refuse(failure);
+                }
+            }
+            Some(1) => {
+                let removed = remove(&first.path);
+                self.left.remove(0);
+                editor.refuse_failed(removed);
+            }
+            _ => {}
+        }
+    }
+
+    /// Goes on under the name of the text that was restored, so that it is kept all the time.
+    fn adopt(&mut self) -> Result<(), Failure> {
+        let restored = self.left.remove(0);
+        let before = self.kept.replace(restored);
+        before.map_or(Ok(()), |before| remove(&before.path))
+    }
+}

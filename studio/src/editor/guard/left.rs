@@ -1,0 +1,99 @@
+//! Texts that were kept beside a file and never saved, as after a crash.
+
+use crate::document::Source;
+use crate::edit::Workspace;
+use crate::failure::Failure;
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// A text that was kept and never saved.
+pub(super) struct Left {
+    pub(super) path: PathBuf,
+    pub(super) text: String,
+}
+
+/// How many texts are kept beside a file at most: one for each window in which it is edited.
+const MOST: usize = 9;
+
+/// The file beside which a text is kept. One without a name is kept in the user's folder for such things.
+pub(super) fn place_of(workspace: &Workspace) -> PathBuf {
+    if workspace.is_named() {
+        return workspace.path().to_owned();
+    }
+    let folder = cache().unwrap_or_else(std::env::temp_dir);
+    folder.join("mech").join(workspace.path())
+}
+
+/// The user's folder for what can be lost; none if nobody knows.
+fn cache() -> Option<PathBuf> {
+    let folder = |name: &str| {
+        let folder = PathBuf::from(std::env::var_os(name)?);
+        folder.is_absolute().then_some(folder)
+    };
+    if cfg!(windows) {
+        return folder("LOCALAPPDATA");
+    }
+    let home = if cfg!(target_os = "macos") {
+        "Library/Caches"
+    } else {
+        ".cache"
+    };
+    folder("XDG_CACHE_HOME").or_else(|| Some(folder("HOME")?.join(home)))
+}
+
+/// The names under which texts are kept beside a file.
+fn slots(place: &Path) -> impl Iterator<Item = PathBuf> {
+    (1..=MOST).map(move |number| {
+        let mut name = OsString::from(".");
+        name.push(place.file_name().unwrap_or_default());
+        if number > 1 {
+            name.push(format!(".{number}"));
+        }
+        name.push(".autosave");
+        place.with_file_name(name)
+    })
+}
+
+/// The texts that were left beside a file, other than this one. Those that tell nothing are removed.
+pub(super) fn left_at(place: &Path, text: &str) -> Result<Vec<Left>, Failure> {
+    let mut found = Vec::new();
+    for path in slots(place).filter(|path| path.is_file()) {
+        let source = Source::read(&path)?;
+        let left = source.text();
+        if left.is_empty() || left == text {
+            remove(&path)?;
+        } else {
+            let text = left.to_owned();
+            found.push(Left { path, text });
+        }
+    }
+    Ok(found)
+}
+
+/// Takes the first name beside a file that no other window has, and that no text was left under.
+pub(super) fn claim(place: &Path) -> Result<PathBuf, Failure> {
+    let failed = |path: &Path, error: &dyn std::fmt::Display| {
+        Failure::file(format!("cannot write `{}`: {error}", path.display()))
+    };
+    for path in slots(place) {
+        match File::create_new(&path) {
+            Ok(_) => return Ok(path),
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(failed(&path, &crate::output::words(&error))),
+        }
+    }
+    Err(failed(place, &"too many texts are kept beside it"))
+}
+
+/// Removes a text that was kept.
+pub(super) fn remove(path: &Path) -> Result<(), Failure> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => {
+            let path = path.display();
+            Err(Failure::file(format!("cannot remove `{path}`: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
