@@ -4,6 +4,17 @@ use super::action::Dialog;
 use super::panel::Panel;
 use std::collections::BTreeSet;
 
+/// Whose the view of the drawing is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum View {
+    /// It is to show everything that will be there.
+    Ours,
+    /// It shows everything as it starts, and is to show all of its motion when that is known.
+    Started,
+    /// It stays as the user has it.
+    Users,
+}
+
 /// Something in the drawing that can be hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Visible {
@@ -32,8 +43,8 @@ pub(crate) struct Settings {
     pub(crate) visible: BTreeSet<Visible>,
     /// The panel beside the drawing; none if all are closed.
     pub(crate) panel: Option<Panel>,
-    /// Whether something was drawn: then the view is the user's.
-    pub(crate) has_begun: bool,
+    /// Whose the view is.
+    pub(crate) view: View,
     /// Whether the window is dark.
     pub(crate) is_dark: bool,
     /// What is asked in a window of its own.
@@ -66,7 +77,7 @@ impl Default for Settings {
             ]
             .into(),
             panel: Some(Panel::Text),
-            has_begun: false,
+            view: View::Ours,
             is_dark: false,
             dialog: None,
         }

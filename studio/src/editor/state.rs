@@ -8,7 +8,7 @@ use super::journal::Journal;
 use super::path::Path;
 use super::plotted::Plotted;
 use super::range::MotorRange;
-use super::settings::Settings;
+use super::settings::{Settings, View};
 use super::snapshot::Snapshot;
 use super::tool::{Pick, Tool};
 use super::worker::{Finding, Task, Worker};
@@ -62,8 +62,6 @@ pub struct Editor {
     pub(super) settings: Settings,
     /// The text as somebody types it, until it is taken over.
     pub(super) typed: Option<String>,
-    /// Whether all of the motion is to be seen, once it is known.
-    fits_motion: bool,
     /// What was copied: links.
     pub(super) copied: Vec<String>,
     /// A line that is to be completed and said.
@@ -125,11 +123,14 @@ impl Editor {
             camera: Camera::new(bounds_of(None), SIZE),
             notice: None,
             settings: Settings {
-                has_begun: workspace_is_empty,
+                view: if workspace_is_empty {
+                    View::Users
+                } else {
+                    View::Ours
+                },
                 ..Settings::default()
             },
             typed: None,
-            fits_motion: false,
             copied: Vec::new(),
             proposed: None,
             is_canvas_focused: false,
@@ -352,9 +353,8 @@ impl Editor {
                 self.paths.clear();
             }
             self.forget_what_is_gone();
-            if was_empty && !self.settings.has_begun {
-                self.settings.has_begun = true;
-                self.fits_motion = true;
+            if was_empty && self.settings.view == View::Ours {
+                self.settings.view = View::Started;
                 self.fit();
             }
         } else if self.workspace().text().trim().is_empty() {
@@ -384,7 +384,8 @@ impl Editor {
         self.ranges = ranges;
         self.paths = paths;
         self.pose();
-        if std::mem::take(&mut self.fits_motion) {
+        if self.settings.view == View::Started {
+            self.settings.view = View::Users;
             self.fit();
         }
     }
@@ -551,7 +552,7 @@ impl Editor {
         self.drawing = None;
         self.selection.clear();
         self.picks.clear();
-        self.settings.has_begun = false;
+        self.settings.view = View::Ours;
         self.read();
     }
 
@@ -570,8 +571,10 @@ impl Editor {
         let worker = std::mem::replace(&mut self.worker, Worker::immediate());
         let (settings, size) = (self.settings.clone(), self.camera.size());
         *self = Self::with(workspace, worker);
-        self.settings = settings;
-        self.settings.has_begun = true;
+        self.settings = Settings {
+            view: self.settings.view,
+            ..settings
+        };
         self.camera.resize(size);
         self.fit();
     }

@@ -85,7 +85,7 @@ fn a_table_is_what_mech_writes_and_what_the_graph_says() {
     let folder = Folder::new("table");
     let path = folder.file("window.csv");
     user.export("Table as CSV", &path);
-    let written = fs::read_to_string(&path).expect(&user.said());
+    let written = fs::read_to_string(&path).unwrap_or_else(|_| panic!("{}", user.said()));
     let table = folder.mech(&["table", "d", "velocity:coupler.tip.norm", "mech.csv"]);
     assert_eq!(written.as_bytes(), table);
     // The graphs say the same numbers where the motor stands.
@@ -162,7 +162,7 @@ fn exports_are_what_mech_writes() {
     for (name, command, ending) in kinds {
         let path = folder.file(&format!("window-{command}.{ending}"));
         user.export(name, &path);
-        let written = fs::read(&path).expect(&user.said());
+        let written = fs::read(&path).unwrap_or_else(|_| panic!("{}", user.said()));
         let expected = folder.mech(&[command, &format!("mech-{command}.{ending}")]);
         assert_eq!(written, expected, "{name}");
     }
@@ -195,7 +195,10 @@ fn an_example_opens_and_plays() {
         user.click_on(name);
         user.click_on("Play");
         user.wait(30);
-        let player = user.editor().player().expect(&user.said());
+        let player = user
+            .editor()
+            .player()
+            .unwrap_or_else(|| panic!("{}", user.said()));
         assert!(
             player.plays() && !player.mechanism().is_at_start(),
             "{}",
@@ -240,18 +243,15 @@ fn arrows_are_what_the_path_says() {
     user.show("Forces");
     let at = 1.0;
     let step = 1e-4;
-    let places: Vec<Vec<[f64; 2]>> = [at - step, at + step, at]
-        .into_iter()
-        .map(|value| {
-            user.scrub(value);
-            let arrows = user.editor().arrows();
-            arrows
-                .iter()
-                .filter(|arrow| arrow.kind == ArrowKind::Velocity)
-                .map(|arrow| arrow.place)
-                .collect()
-        })
-        .collect();
+    let mut places = |value| -> Vec<[f64; 2]> {
+        user.scrub(value);
+        let arrows = user.editor().arrows();
+        let velocities = arrows
+            .iter()
+            .filter(|arrow| arrow.kind == ArrowKind::Velocity);
+        velocities.map(|arrow| arrow.place).collect()
+    };
+    let places = [at - step, at + step, at].map(&mut places);
     let arrows = user.editor().arrows();
     let of = |kind| arrows.iter().filter(move |arrow| arrow.kind == kind);
     assert!(of(ArrowKind::Velocity).count() >= 3);
@@ -260,7 +260,7 @@ fn arrows_are_what_the_path_says() {
         .enumerate()
     {
         for part in 0..2 {
-            let [before, after, here] = [0, 1, 2].map(|place: usize| places[place][number][part]);
+            let [before, after, here] = places.each_ref().map(|places| places[number][part]);
             let speed = (after - before) / (2.0 * step);
             let change = (after - 2.0 * here + before) / (step * step);
             assert!(

@@ -25,7 +25,7 @@ impl Closing {
         matches!(self, Self::May)
     }
 
-    /// Asks if there is something to lose. Returns whether the user gives the changes up.
+    /// Asks if there is something to lose. Returns whether nothing has to be kept any more.
     pub(super) fn ask(&mut self, editor: &mut Editor, context: &egui::Context) -> bool {
         let is_changed = editor.workspace().is_changed();
         let wants_to_close = context.input(|input| input.viewport().close_requested());
@@ -36,10 +36,7 @@ impl Closing {
         }
         match self {
             Self::Asks => self.answer(editor, context),
-            Self::Saves if editor.settings.dialog.is_none() => {
-                self.close_if_saved(editor, context);
-                false
-            }
+            Self::Saves if editor.settings.dialog.is_none() => self.close_if_saved(editor, context),
             Self::Not | Self::Saves | Self::May => false,
         }
     }
@@ -59,8 +56,7 @@ impl Closing {
             Some(Answer::Save) if editor.workspace().is_named() => {
                 let saved = editor.save(None);
                 editor.refuse_failed(saved);
-                self.close_if_saved(editor, context);
-                false
+                self.close_if_saved(editor, context)
             }
             Some(Answer::Save) => {
                 editor.settings.dialog = Some(Dialog::Save(String::new()));
@@ -70,13 +66,13 @@ impl Closing {
         }
     }
 
-    fn close_if_saved(&mut self, editor: &Editor, context: &egui::Context) {
-        if editor.workspace().is_changed() {
-            *self = Self::Not;
-        } else {
-            *self = Self::May;
+    fn close_if_saved(&mut self, editor: &Editor, context: &egui::Context) -> bool {
+        let is_saved = !editor.workspace().is_changed();
+        *self = if is_saved { Self::May } else { Self::Not };
+        if is_saved {
             context.send_viewport_cmd(ViewportCommand::Close);
         }
+        is_saved
     }
 }
 

@@ -50,8 +50,8 @@ impl Guard {
         {
             autosave.keep(editor);
         }
-        let is_left = self.closing.ask(editor, context);
-        if is_left && let Some(autosave) = &mut self.autosave {
+        let is_done = self.closing.ask(editor, context);
+        if is_done && let Some(autosave) = &mut self.autosave {
             autosave.forget(editor);
         }
     }
