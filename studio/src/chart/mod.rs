@@ -3,7 +3,7 @@
 mod scale;
 
 use crate::failure::Failure;
-use crate::quantity::Table;
+use crate::quantity::{Table, tick};
 use epaint_default_fonts::UBUNTU_LIGHT;
 use mech_runtime::Palette;
 use mech_runtime::files::Picture;
@@ -11,9 +11,6 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::register_font;
 use scale::Scale;
-#[cfg(feature = "editor")]
-pub(crate) use scale::round_step;
-pub(crate) use scale::tick;
 
 /// Graphs of what was measured: one for each unit, below each other.
 pub(crate) struct Chart<'t> {

@@ -2,15 +2,17 @@
 
 mod library;
 mod listing;
+#[cfg(feature = "editor")]
+mod part_offer;
 mod reading;
 mod rust;
 mod scanner;
 mod source;
 mod tree;
 
-#[cfg(feature = "editor")]
-pub(crate) use library::PartOffer;
 pub use listing::{Listing, NameText, NumberText};
+#[cfg(feature = "editor")]
+pub(crate) use part_offer::PartOffer;
 pub use reading::{Faults, Message, Reading};
 pub(crate) use rust::in_rust;
 pub use source::{LONGEST, Source, Spot};

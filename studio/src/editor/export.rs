@@ -1,9 +1,12 @@
 //! What `mech` writes to files, from the window.
 
 use super::Editor;
+#[cfg(not(target_arch = "wasm32"))]
 use super::journal::Heard;
 use super::worker::Task;
+#[cfg(not(target_arch = "wasm32"))]
 use crate::command::obey_within;
+#[cfg(not(target_arch = "wasm32"))]
 use crate::console::Console;
 use crate::document::{Document, in_rust};
 use crate::failure::Failure;
@@ -118,45 +121,46 @@ pub(super) struct Order {
 impl Order {
     /// Writes it, and tells so.
     pub(super) fn fulfil(self) -> Result<String, Failure> {
-        if cfg!(target_arch = "wasm32") {
-            return Err(Failure::file(
-                "a page in a browser cannot write files; use `mech edit` on a computer",
-            ));
-        }
-        let Self {
-            kind,
-            words,
-            document,
-            index,
-            path,
-        } = self;
-        if kind == Export::Rust {
-            let source = document.source();
-            let is_inside = source
-                .path()
-                .extension()
-                .is_some_and(|ending| ending == "mech");
+        if self.kind == Export::Rust {
+            let source = self.document.source();
+            let ending = source.path().extension();
+            let is_inside = ending.is_some_and(|ending| ending == "mech");
             let text = if is_inside {
                 in_rust(source.text().lines())
             } else {
                 source.text().to_owned()
             };
-            output::replace(Path::new(&path), text.as_bytes())?;
-            return Ok(format!("wrote `{path}`"));
+            output::replace(Path::new(&self.path), text.as_bytes())?;
+            return Ok(format!("wrote `{}`", self.path));
         }
+        self.obey()
+    }
+
+    /// Writes what a command of `mech` writes.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn obey(self) -> Result<String, Failure> {
         let (answer, complaint) = (Heard::default(), Heard::default());
         let mut console = Console::to(answer.clone(), complaint.clone());
-        obey_within(&words, document, index, &mut console).map_err(|failure| {
+        let done = obey_within(&self.words, self.document, self.index, &mut console);
+        done.map_err(|failure| {
             if failure.is_reported() {
                 Failure::new(failure.kind(), complaint.text())
             } else {
                 failure
             }
         })?;
-        if kind.is_answer() {
-            output::replace(Path::new(&path), answer.text().as_bytes())?;
+        if self.kind.is_answer() {
+            output::replace(Path::new(&self.path), answer.text().as_bytes())?;
         }
-        Ok(format!("wrote `{path}`"))
+        Ok(format!("wrote `{}`", self.path))
+    }
+
+    /// The commands of `mech` are not in a page.
+    #[cfg(target_arch = "wasm32")]
+    fn obey(self) -> Result<String, Failure> {
+        Err(Failure::file(
+            "a page in a browser writes texts alone; use `mech edit` on a computer",
+        ))
     }
 }
 

@@ -6,6 +6,7 @@ mod meter;
 mod naming;
 #[cfg(feature = "editor")]
 mod offer;
+mod round;
 mod unit;
 
 pub(crate) use load::Load;
@@ -13,4 +14,5 @@ pub(crate) use meter::{Measurement, Table, measure};
 pub(crate) use naming::{dyads, quantities, usual};
 #[cfg(feature = "editor")]
 pub(crate) use offer::{Offer, offers};
+pub(crate) use round::{round_step, tick};
 pub(crate) use unit::Units;

@@ -1,10 +1,9 @@
 //! Graphs of what moves.
 
-use crate::chart::{round_step, tick};
 use crate::editor::Editor;
 use crate::editor::curves::Curves;
 use crate::editor::range::{Basis, MotorRange};
-use crate::quantity::Table;
+use crate::quantity::{Table, round_step, tick};
 use eframe::egui;
 use eframe::egui::{Color32, Role, Sense, Stroke, Vec2, WidgetInfo};
 use egui_plot::{GridInput, GridMark, Line, Plot, PlotPoint, VLine};
