@@ -9,7 +9,10 @@ use mech_compiler::model::{
     Axis, AxisId, AxisKind, Joint, JointId, JointKind, Link, LinkId, Model, Motor, Near, Origin,
     Ratio, StartValue,
 };
+use mech_compiler::plan::{self, Step};
+use mech_compiler::structure;
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 /// A mechanism and what is known about it.
 #[derive(Clone, Debug)]
@@ -400,10 +403,9 @@ pub fn in_own_frames(model: &Model, dice: &mut Dice) -> (Model, Vec<[f64; 4]>) {
             origin: Origin::default(),
         });
     }
-    for joint in own.joint_ids().collect::<Vec<_>>() {
+    for joint in free_joints(model) {
         let (a, b) = own.ends(joint);
-        let free = own.motor_of(joint).is_some() || is_driven(&own, joint);
-        if let (JointKind::Revolute(..), true) = (own.joint(joint).kind, free) {
+        if let JointKind::Revolute(..) = own.joint(joint).kind {
             let value = angles[b.index()] - angles[a.index()];
             own.start.values.push(StartValue {
                 joint,
@@ -415,9 +417,14 @@ pub fn in_own_frames(model: &Model, dice: &mut Dice) -> (Model, Vec<[f64; 4]>) {
     (own, poses)
 }
 
-/// Whether this is the pivot of the younger wheel of a gear: the one that was grown with it.
-fn is_driven(model: &Model, joint: JointId) -> bool {
-    let next = JointId::new(joint.index() + 1);
-    let is_gear = next.index() < model.joints.len() && model.joint(next).kind.rolls();
-    is_gear && model.motor_of(joint).is_none()
+/// The joints whose starts may be chosen: those of motors, and of what a gear could be said to move, those that the plan says it moves.
+fn free_joints(model: &Model) -> BTreeSet<JointId> {
+    let structure = structure::analyse(model).expect("coherent");
+    let plan = plan::plan(model, &structure).expect("sequential");
+    let meshed = plan.steps.iter().filter_map(|step| match step {
+        Step::Mesh(mesh) => Some(mesh.connection.joint),
+        _ => None,
+    });
+    let motored = model.motors.iter().map(|motor| motor.joint);
+    meshed.chain(motored).collect()
 }

@@ -57,21 +57,10 @@ fn it_starts_as_it_was_drawn() {
 
 #[test]
 fn in_own_frames_it_has_the_same_assembly() {
-    let [mut all, mut others] = [0, 0];
-    // None of these; where there are more, so many that a rate of one in a thousand shows.
     for_all(CASES, &samples(1..=8), |Sample { grown, mut dice }| {
-        all += 1;
         let (model, poses) = in_own_frames(&grown.model, &mut dice);
-        let compiled = match compile(&model) {
-            Ok(compiled) => compiled,
-            // Of several joints that one wheel could be said to move, only one is free to start anywhere: not always the one
-            // that was grown with it.
-            Err(wrong) if matches!(wrong[..], [Diagnosis::StartNotFree { .. }]) => {
-                others += 1;
-                return;
-            }
-            Err(wrong) => panic!("{}", messages(&wrong, &model)),
-        };
+        let compiled =
+            compile(&model).unwrap_or_else(|wrong| panic!("{}", messages(&wrong, &model)));
         let start = with_ground(&model, &compiled.program.start.poses);
         let declared = 1 + model.declared_links().count();
         for (link, (is, should)) in start.iter().zip(&poses).enumerate().take(declared) {
@@ -81,8 +70,6 @@ fn in_own_frames_it_has_the_same_assembly() {
             );
         }
     });
-    println!("{others} of {all}");
-    assert!(1_000 * others <= all, "{others} of {all}");
 }
 
 #[test]

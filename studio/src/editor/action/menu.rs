@@ -1,0 +1,117 @@
+//! The row of menus.
+
+use super::table::ACTIONS;
+use super::{Action, Dialog, Menu};
+use crate::document::PartOffer;
+use crate::editor::Editor;
+use crate::editor::example::EXAMPLES;
+use crate::editor::export::Export;
+use eframe::egui;
+
+/// The row of menus.
+pub(in crate::editor) fn menu(editor: &mut Editor, ui: &mut egui::Ui) {
+    egui::MenuBar::new().ui(ui, |ui| {
+        for (menu, name) in Menu::ALL {
+            ui.menu_button(name, |ui| {
+                for action in ACTIONS.iter().filter(|action| action.menu == menu) {
+                    entry(editor, action, ui);
+                }
+                if menu == Menu::Edit {
+                    ui.menu_button("Use a part", |ui| parts(editor, ui));
+                }
+                if menu == Menu::File {
+                    files(editor, ui);
+                }
+            });
+        }
+        for action in ACTIONS
+            .iter()
+            .filter(|action| ["Undo", "Redo"].contains(&action.name))
+        {
+            entry(editor, action, ui);
+        }
+        mechanisms(editor, ui);
+        let mark = if editor.workspace().is_changed() {
+            " •"
+        } else {
+            ""
+        };
+        ui.weak(format!("{}{mark}", editor.workspace().path().display()));
+    });
+}
+
+/// The parts of the library. What one needs is written into the line, to be completed there.
+fn parts(editor: &mut Editor, ui: &mut egui::Ui) {
+    for offer in PartOffer::all() {
+        let ports = offer.ports.join(", ");
+        let response = ui.button(&offer.name);
+        if response
+            .on_hover_text(format!("is lent: {ports}"))
+            .clicked()
+        {
+            editor.propose_part(&offer);
+            ui.close();
+        }
+    }
+}
+
+/// The mechanisms of the file, if there are several, to choose one.
+fn mechanisms(editor: &mut Editor, ui: &mut egui::Ui) {
+    let declarations = editor.snapshot.document.declarations();
+    if declarations.len() < 2 {
+        return;
+    }
+    let names = declarations.iter().map(|one| {
+        one.name
+            .clone()
+            .unwrap_or_else(|| "without a name".to_owned())
+    });
+    let names: Vec<String> = names.collect();
+    let index = editor.workspace().index();
+    let mut chosen = index;
+    egui::ComboBox::from_label("mechanism")
+        .selected_text(names.get(index).cloned().unwrap_or_default())
+        .show_index(ui, &mut chosen, names.len(), |index| names[index].clone());
+    if chosen != index {
+        editor.choose_mechanism(chosen);
+    }
+}
+
+/// What the menu of files offers besides: examples, and all kinds of files that can be written.
+fn files(editor: &mut Editor, ui: &mut egui::Ui) {
+    ui.menu_button("Examples", |ui| {
+        for example in &EXAMPLES {
+            if ui
+                .button(example.name)
+                .on_hover_text(example.help)
+                .clicked()
+            {
+                editor.open_example(example);
+                ui.close();
+            }
+        }
+    });
+    ui.menu_button("Export", |ui| {
+        for kind in Export::ALL {
+            if ui.button(kind.name()).clicked() {
+                editor.settings.dialog = Some(Dialog::Export(kind, editor.export_path(kind)));
+                ui.close();
+            }
+        }
+    });
+}
+
+fn entry(editor: &mut Editor, action: &Action, ui: &mut egui::Ui) {
+    let mut button = egui::Button::new(action.name);
+    if let Some(key) = action
+        .key
+        .filter(|_| egui::containers::menu::is_in_menu(ui))
+    {
+        button = button.shortcut_text(ui.ctx().format_shortcut(&key));
+    }
+    let response = ui.add_enabled((action.is_possible)(editor), button);
+    if response.on_hover_text(action.help).clicked() {
+        (action.perform)(editor);
+        ui.close();
+    }
+}

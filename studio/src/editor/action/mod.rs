@@ -1,0 +1,43 @@
+//! What can be done besides drawing: one table, from which come menus, keys, tooltips and help.
+
+mod dialog;
+mod help;
+mod keys;
+mod menu;
+mod table;
+
+pub(super) use dialog::{Dialog, dialogs};
+pub(super) use help::help;
+pub(super) use keys::{key_of_tool, obey_keys};
+pub(super) use menu::menu;
+
+use super::Editor;
+use eframe::egui::KeyboardShortcut;
+
+/// The menus, from left to right.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Menu {
+    File,
+    Edit,
+    View,
+    Play,
+}
+
+impl Menu {
+    const ALL: [(Self, &'static str); 4] = [
+        (Self::File, "File"),
+        (Self::Edit, "Edit"),
+        (Self::View, "View"),
+        (Self::Play, "Motion"),
+    ];
+}
+
+/// A thing that can be done.
+struct Action {
+    menu: Menu,
+    name: &'static str,
+    help: &'static str,
+    key: Option<KeyboardShortcut>,
+    is_possible: fn(&Editor) -> bool,
+    perform: fn(&mut Editor),
+}

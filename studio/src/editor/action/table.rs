@@ -1,0 +1,268 @@
+//! The table.
+
+use super::{Action, Dialog, Menu};
+use crate::edit::Workspace;
+use crate::editor::panel::Panel;
+use crate::editor::settings::Visible;
+use crate::editor::{Editor, Tool};
+use crate::play::Control;
+use eframe::egui::{Key, KeyboardShortcut, Modifiers};
+
+const fn with_command(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+const fn alone(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
+}
+
+const ALWAYS: fn(&Editor) -> bool = |_| true;
+const MOVES: fn(&Editor) -> bool = |editor| editor.player().is_some();
+const SELECTED: fn(&Editor) -> bool = |editor| !editor.selection().is_empty();
+
+pub(super) const ACTIONS: &[Action] = &[
+    Action {
+        menu: Menu::File,
+        name: "New",
+        help: "begins with an empty text",
+        key: Some(with_command(Key::N)),
+        is_possible: ALWAYS,
+        perform: |editor| {
+            if editor.may_leave() {
+                editor.open(Workspace::default());
+            }
+        },
+    },
+    Action {
+        menu: Menu::File,
+        name: "Open",
+        help: "reads a file: of the language, of Linkage, or a link of PMKS+",
+        key: Some(with_command(Key::O)),
+        is_possible: ALWAYS,
+        perform: |editor| editor.settings.dialog = Some(Dialog::Open(String::new())),
+    },
+    Action {
+        menu: Menu::File,
+        name: "Save",
+        help: "writes the text",
+        key: Some(with_command(Key::S)),
+        is_possible: ALWAYS,
+        perform: |editor| {
+            if editor.workspace().is_named() {
+                let saved = editor.save(None);
+                editor.refuse_failed(saved);
+            } else {
+                editor.settings.dialog = Some(Dialog::Save(String::new()));
+            }
+        },
+    },
+    Action {
+        menu: Menu::File,
+        name: "Save as",
+        help: "writes the text to a new file",
+        key: Some(KeyboardShortcut::new(
+            Modifiers::COMMAND.plus(Modifiers::SHIFT),
+            Key::S,
+        )),
+        is_possible: ALWAYS,
+        perform: |editor| editor.settings.dialog = Some(Dialog::Save(String::new())),
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Undo",
+        help: "undoes the last step",
+        key: Some(with_command(Key::Z)),
+        is_possible: |editor| !editor.workspace().history().made().is_empty(),
+        perform: Editor::undo,
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Redo",
+        help: "makes it again",
+        key: Some(KeyboardShortcut::new(
+            Modifiers::COMMAND.plus(Modifiers::SHIFT),
+            Key::Z,
+        )),
+        is_possible: |editor| !editor.workspace().history().undone().is_empty(),
+        perform: Editor::redo,
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Delete",
+        help: "removes what is selected",
+        key: Some(alone(Key::Delete)),
+        is_possible: SELECTED,
+        perform: Editor::remove_selected,
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Select all",
+        help: "selects all links",
+        key: Some(with_command(Key::A)),
+        is_possible: |editor| editor.drawing().is_some(),
+        perform: Editor::select_all,
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Copy",
+        help: "notes the selected links, to be pasted",
+        key: Some(with_command(Key::C)),
+        is_possible: SELECTED,
+        perform: Editor::copy,
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Paste",
+        help: "declares the copied links once more",
+        key: Some(with_command(Key::V)),
+        is_possible: |editor| !editor.copied.is_empty(),
+        perform: Editor::paste,
+    },
+    Action {
+        menu: Menu::Edit,
+        name: "Stop the tool",
+        help: "forgets what was picked, and selects again",
+        key: Some(alone(Key::Escape)),
+        is_possible: ALWAYS,
+        perform: |editor| {
+            editor.choose(Tool::Select);
+            editor.selection.clear();
+        },
+    },
+    Action {
+        menu: Menu::View,
+        name: "See everything",
+        help: "fits the whole motion into the window",
+        key: Some(alone(Key::Home)),
+        is_possible: ALWAYS,
+        perform: Editor::fit,
+    },
+    Action {
+        menu: Menu::View,
+        name: "Snap",
+        help: "lets places snap to the grid and to what is near; Alt does the other",
+        key: Some(alone(Key::Num1)),
+        is_possible: ALWAYS,
+        perform: |editor| editor.settings.snaps ^= true,
+    },
+    Action {
+        menu: Menu::View,
+        name: "Grid",
+        help: "shows the grid",
+        key: Some(alone(Key::Num2)),
+        is_possible: ALWAYS,
+        perform: |editor| editor.settings.toggle(Visible::Grid),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Names",
+        help: "shows the names of joints and links",
+        key: Some(alone(Key::Num3)),
+        is_possible: ALWAYS,
+        perform: |editor| editor.settings.toggle(Visible::Names),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Bodies",
+        help: "shows the bodies of links; without, the schematic",
+        key: Some(alone(Key::Num4)),
+        is_possible: ALWAYS,
+        perform: |editor| editor.settings.toggle(Visible::Bodies),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Paths",
+        help: "shows the whole paths of traced points",
+        key: Some(alone(Key::Num5)),
+        is_possible: ALWAYS,
+        perform: |editor| editor.settings.toggle(Visible::Paths),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Velocities",
+        help: "shows the velocities of points as arrows, at 1 rad or unit per second of the plotted motor",
+        key: Some(alone(Key::Num7)),
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::Velocities),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Accelerations",
+        help: "shows the accelerations of points as arrows, at the same rate",
+        key: Some(alone(Key::Num8)),
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::Accelerations),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Forces",
+        help: "shows the forces in joints as arrows; masses, springs and gravity act",
+        key: Some(alone(Key::Num9)),
+        is_possible: MOVES,
+        perform: |editor| editor.settings.toggle(Visible::Forces),
+    },
+    Action {
+        menu: Menu::View,
+        name: "Day or night",
+        help: "dark on light, or light on dark",
+        key: Some(alone(Key::Num6)),
+        is_possible: ALWAYS,
+        perform: |editor| editor.settings.is_dark ^= true,
+    },
+    Action {
+        menu: Menu::View,
+        name: "Help",
+        help: "shows what can be done",
+        key: Some(alone(Key::F1)),
+        is_possible: ALWAYS,
+        perform: |editor| editor.settings.panel = Some(Panel::Help),
+    },
+    Action {
+        menu: Menu::Play,
+        name: "Play or pause",
+        help: "lets the motors move",
+        key: Some(alone(Key::Space)),
+        is_possible: MOVES,
+        perform: |editor| editor.obey(Control::PlayOrPause),
+    },
+    Action {
+        menu: Menu::Play,
+        name: "Step forward",
+        help: "moves by one step",
+        key: Some(alone(Key::Period)),
+        is_possible: MOVES,
+        perform: |editor| editor.obey(Control::Step(1.0)),
+    },
+    Action {
+        menu: Menu::Play,
+        name: "Step back",
+        help: "moves back by one step",
+        key: Some(alone(Key::Comma)),
+        is_possible: MOVES,
+        perform: |editor| editor.obey(Control::Step(-1.0)),
+    },
+    Action {
+        menu: Menu::Play,
+        name: "Reverse",
+        help: "plays the other way",
+        key: Some(alone(Key::Backspace)),
+        is_possible: MOVES,
+        perform: |editor| editor.obey(Control::Reverse),
+    },
+    Action {
+        menu: Menu::Play,
+        name: "Next motor",
+        help: "plays the next motor alone; after the last, all",
+        key: Some(alone(Key::Plus)),
+        is_possible: MOVES,
+        perform: |editor| editor.obey(Control::NextMotor),
+    },
+    Action {
+        menu: Menu::Play,
+        name: "Back to the start",
+        help: "puts all motors where they start",
+        key: Some(alone(Key::Num0)),
+        is_possible: MOVES,
+        perform: |editor| editor.obey(Control::Reset),
+    },
+];

@@ -1,0 +1,140 @@
+//! What the user does with the text: by tools, by typing, by lines of the dialogue, by steps back and forth.
+
+use super::Editor;
+use crate::dialogue::Turn;
+use crate::edit::{Command, Kind, Workspace};
+use crate::editor::settings::{Settings, View};
+use crate::editor::tool::{Pick, Tool};
+use crate::editor::worker::Worker;
+use crate::editor::{Gesture, Item};
+use crate::failure::Failure;
+use std::path::Path;
+
+impl Editor {
+    /// Chooses a tool.
+    pub fn choose(&mut self, tool: Tool) {
+        self.tool = tool;
+        self.picks.clear();
+        self.dragging = None;
+        self.notice = None;
+    }
+
+    /// Picks a place with the tool that is chosen. When all are picked, the gesture is made.
+    pub(in crate::editor) fn pick(&mut self, pick: Pick) {
+        self.picks.push(pick);
+        if self.picks.len() < self.tool.picks().len() {
+            return;
+        }
+        let picks = std::mem::take(&mut self.picks);
+        match self.tool.gesture(self.drawing.as_ref(), &picks) {
+            Ok(gesture) => self.perform(gesture),
+            Err(why) => self.refuse(why),
+        }
+    }
+
+    /// Goes back by a step.
+    pub fn undo(&mut self) {
+        let title = self.session.workspace.undo().map(ToOwned::to_owned);
+        self.stepped("undone", title);
+    }
+
+    /// Makes the step again that was undone.
+    pub fn redo(&mut self) {
+        let title = self.session.workspace.redo().map(ToOwned::to_owned);
+        self.stepped("done again", title);
+    }
+
+    fn stepped(&mut self, word: &str, title: Option<String>) {
+        if let Some(title) = title {
+            self.picks.clear();
+            self.read();
+            self.tell(format!("{word}: {title}"));
+        }
+    }
+
+    /// Takes over a text that was typed, as one step. Typing on is the same step.
+    pub fn type_text(&mut self, text: &str) {
+        self.session.workspace.retype("text", text);
+        self.read();
+    }
+
+    /// Makes a repair, by its number from 1.
+    pub fn mend(&mut self, number: usize) {
+        self.perform(Command::Repair { number });
+    }
+
+    /// Takes out what is selected.
+    pub fn remove_selected(&mut self) {
+        let commands = self.selection.iter().map(|item| Command::Remove {
+            kind: match item {
+                Item::Link(_) => Kind::Link,
+                Item::Joint(_) => Kind::Joint,
+                Item::Axis(_) => Kind::Axis,
+                Item::Action(_) => Kind::Action,
+            },
+            name: item.name().to_owned(),
+        });
+        let commands: Vec<Command> = commands.collect();
+        match &commands[..] {
+            [] => self.refuse("nothing is selected"),
+            [only] => self.perform(only.clone()),
+            several => {
+                let title = format!("remove {} things", several.len());
+                self.perform(Gesture::new(title, commands));
+            }
+        }
+    }
+
+    /// Goes on with another mechanism of the file, by its number.
+    pub(in crate::editor) fn choose_mechanism(&mut self, index: usize) {
+        self.session.workspace.choose(index);
+        self.player = None;
+        self.drawing = None;
+        self.selection.clear();
+        self.picks.clear();
+        self.settings.view = View::Ours;
+        self.read();
+    }
+
+    /// Does what a line of the dialogue says.
+    pub fn say(&mut self, line: &str) {
+        let (turn, said) = self.journal.obey(line, &mut self.session);
+        match turn {
+            Ok(Turn::GoOn | Turn::End) => self.tell(said),
+            Err(failure) => self.refuse(failure),
+        }
+        self.read();
+    }
+
+    /// Edits another text.
+    pub fn open(&mut self, workspace: Workspace) {
+        let worker = std::mem::replace(&mut self.worker, Worker::immediate());
+        let (settings, size) = (self.settings.clone(), self.camera.size());
+        *self = Self::with(workspace, worker);
+        self.settings = Settings {
+            view: self.settings.view,
+            ..settings
+        };
+        self.camera.resize(size);
+        self.fit();
+    }
+
+    /// Writes the text.
+    ///
+    /// # Errors
+    /// If there is no file yet and none is named, or if it cannot be written.
+    pub fn save(&mut self, path: Option<&Path>) -> Result<(), Failure> {
+        let before = self.session.workspace.clone();
+        let saving = self.session.workspace.save_to(path)?;
+        match saving.write() {
+            Ok(path) => {
+                self.tell(format!("saved `{}`", path.display()));
+                Ok(())
+            }
+            Err(failure) => {
+                self.session.workspace = before;
+                Err(failure)
+            }
+        }
+    }
+}

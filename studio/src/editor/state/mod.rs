@@ -1,0 +1,225 @@
+//! The editor's state, without a window and without a clock.
+
+mod editing;
+mod findings;
+mod playing;
+
+use super::dragging::Dragging;
+use super::drawing::Drawing;
+use super::ghost::Ghost;
+use super::journal::Journal;
+use super::path::Path;
+use super::plotted::Plotted;
+use super::range::MotorRange;
+use super::settings::{Settings, View};
+use super::snapshot::Snapshot;
+use super::tool::{Pick, Tool};
+use super::worker::Worker;
+use super::{Gesture, Item, bounds_of};
+use crate::dialogue::Session;
+use crate::document::{Document, Source};
+use crate::edit::Workspace;
+use crate::mend::Mending;
+use crate::play::{Camera, Player, SIZE};
+use std::collections::{BTreeSet, VecDeque};
+use std::sync::Arc;
+
+/// What is told at the foot of the window.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Notice {
+    /// What is told.
+    pub text: String,
+    /// Whether something was refused.
+    pub is_refusal: bool,
+}
+
+/// The editor: a text, what the compiler makes of it, and what the user is about.
+pub struct Editor {
+    pub(in crate::editor) session: Session,
+    pub(in crate::editor) journal: Journal,
+    worker: Worker,
+    /// Gestures that wait for the one that is being tried.
+    waiting: VecDeque<Gesture>,
+    pub(in crate::editor) is_trying: bool,
+    /// What the compiler makes of the present text; of an earlier one, while it works.
+    pub(in crate::editor) snapshot: Arc<Snapshot>,
+    /// What the compiler made of the last text that could be read, and how that is drawn.
+    drawn: Option<Arc<Snapshot>>,
+    pub(in crate::editor) drawing: Option<Drawing>,
+    /// What the compiler made of the text of the mechanism that the player has.
+    played: Option<Arc<Snapshot>>,
+    /// What moves, if the text that is drawn moves.
+    pub(in crate::editor) player: Option<Player>,
+    pub(in crate::editor) ranges: Vec<MotorRange>,
+    pub(in crate::editor) paths: Vec<Path>,
+    pub(in crate::editor) mendings: Vec<Mending>,
+    /// Whether repairs are still looked for.
+    pub(in crate::editor) is_mending: bool,
+    pub(in crate::editor) selection: BTreeSet<Item>,
+    pub(in crate::editor) tool: Tool,
+    pub(in crate::editor) picks: Vec<Pick>,
+    pub(in crate::editor) dragging: Option<Dragging>,
+    pub(in crate::editor) camera: Camera,
+    pub(in crate::editor) notice: Option<Notice>,
+    pub(in crate::editor) settings: Settings,
+    /// The text as somebody types it, until it is taken over.
+    pub(in crate::editor) typed: Option<String>,
+    /// What was copied: links.
+    pub(in crate::editor) copied: Vec<String>,
+    /// A line that is to be completed and said.
+    pub(in crate::editor) proposed: Option<String>,
+    /// Whether keys go to the drawing, or to something in it.
+    pub(in crate::editor) is_canvas_focused: bool,
+    /// What is under the mouse, in the drawing or in the text.
+    pub(in crate::editor) hovered: Option<Item>,
+    /// What is under the mouse or the cursor in the text.
+    pub(in crate::editor) under_text: Option<Item>,
+    /// What a repair would make of the mechanism.
+    pub(in crate::editor) ghost: Option<Ghost>,
+    /// What is plotted.
+    pub(in crate::editor) plotted: Plotted,
+}
+
+impl Editor {
+    /// An editor of this text, which analyses in a thread of its own and calls `wake` when there is something new to show.
+    #[must_use]
+    pub fn new(workspace: Workspace, wake: impl Fn() + Send + 'static) -> Self {
+        #[cfg(not(target_arch = "wasm32"))]
+        let worker = Worker::beside(wake);
+        #[cfg(target_arch = "wasm32")]
+        let worker = {
+            drop(wake);
+            Worker::immediate()
+        };
+        Self::with(workspace, worker)
+    }
+
+    /// One that does everything at once, so that nothing has to be waited for.
+    #[must_use]
+    pub fn immediate(workspace: Workspace) -> Self {
+        Self::with(workspace, Worker::immediate())
+    }
+
+    fn with(workspace: Workspace, worker: Worker) -> Self {
+        let workspace_is_empty = workspace.text().trim().is_empty();
+        let empty = Document::of(Source::new(workspace.path(), ""));
+        let mut editor = Self {
+            snapshot: Arc::new(Snapshot::of(empty, workspace.index())),
+            session: Session::of(workspace),
+            journal: Journal::default(),
+            worker,
+            waiting: VecDeque::new(),
+            is_trying: false,
+            drawn: None,
+            drawing: None,
+            played: None,
+            player: None,
+            ranges: Vec::new(),
+            paths: Vec::new(),
+            mendings: Vec::new(),
+            is_mending: false,
+            selection: BTreeSet::new(),
+            tool: Tool::Select,
+            picks: Vec::new(),
+            dragging: None,
+            camera: Camera::new(bounds_of(None), SIZE),
+            notice: None,
+            settings: Settings {
+                view: if workspace_is_empty {
+                    View::Users
+                } else {
+                    View::Ours
+                },
+                ..Settings::default()
+            },
+            typed: None,
+            copied: Vec::new(),
+            proposed: None,
+            is_canvas_focused: false,
+            hovered: None,
+            under_text: None,
+            ghost: None,
+            plotted: Plotted::default(),
+        };
+        editor.read();
+        editor
+    }
+
+    /// The file that is edited.
+    #[must_use]
+    pub const fn workspace(&self) -> &Workspace {
+        &self.session.workspace
+    }
+
+    /// What is drawn, if anything is.
+    #[must_use]
+    pub const fn drawing(&self) -> Option<&Drawing> {
+        self.drawing.as_ref()
+    }
+
+    /// What moves, if the mechanism does.
+    #[must_use]
+    pub const fn player(&self) -> Option<&Player> {
+        self.player.as_ref()
+    }
+
+    /// How the scene is seen.
+    #[must_use]
+    pub const fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// What is selected.
+    #[must_use]
+    pub const fn selection(&self) -> &BTreeSet<Item> {
+        &self.selection
+    }
+
+    /// The repairs that are offered.
+    #[must_use]
+    pub fn mendings(&self) -> &[Mending] {
+        &self.mendings
+    }
+
+    /// What is told at the foot of the window.
+    #[must_use]
+    pub const fn notice(&self) -> Option<&Notice> {
+        self.notice.as_ref()
+    }
+
+    /// What is wrong, in the compiler's words.
+    #[must_use]
+    pub fn messages(&self) -> Vec<&str> {
+        let messages = self.snapshot.messages().iter();
+        messages.map(|message| &*message.text).collect()
+    }
+
+    /// Whether the text can be read; if not, what is drawn is of an earlier one.
+    #[must_use]
+    pub fn is_readable(&self) -> bool {
+        self.snapshot.is_readable()
+    }
+
+    /// Whether the analysis is not done yet.
+    #[must_use]
+    pub fn is_busy(&self) -> bool {
+        self.is_trying || self.is_mending
+    }
+
+    /// Tells something.
+    pub(in crate::editor) fn tell(&mut self, text: impl Into<String>) {
+        self.notice = Some(Notice {
+            text: text.into(),
+            is_refusal: false,
+        });
+    }
+
+    /// Tells why something was refused.
+    #[expect(clippy::needless_pass_by_value, reason = "nobody needs it any more")]
+    pub(in crate::editor) fn refuse(&mut self, why: impl ToString) {
+        self.notice = Some(Notice {
+            text: why.to_string(),
+            is_refusal: true,
+        });
+    }
+}

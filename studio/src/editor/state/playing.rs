@@ -1,0 +1,104 @@
+//! The mechanism in motion, and how it is seen.
+
+use super::Editor;
+use crate::editor::bounds_of;
+use crate::editor::drawing::Drawing;
+use crate::editor::path::Path;
+use crate::editor::range::MotorRange;
+use crate::editor::settings::View;
+use crate::play::{Camera, Control, Mechanism, Player};
+use std::sync::Arc;
+
+impl Editor {
+    /// Plays the mechanism of the present text, with its motors where they were.
+    pub(super) fn play(&mut self, mechanism: Mechanism, ranges: Vec<MotorRange>, paths: Vec<Path>) {
+        if let Some(player) = &mut self.player {
+            player.replace(mechanism);
+        } else {
+            let mut player = Player::new(mechanism, Vec::new(), self.camera.size());
+            player.obey(Control::PlayOrPause);
+            self.player = Some(player);
+        }
+        self.ranges = ranges;
+        self.paths = paths;
+        self.pose();
+        if self.settings.view == View::Started {
+            self.settings.view = View::Users;
+            self.fit();
+        }
+    }
+
+    /// Whether the player has the mechanism of the present text.
+    pub(in crate::editor) fn is_played_present(&self) -> bool {
+        self.played
+            .as_ref()
+            .is_some_and(|played| Arc::ptr_eq(played, &self.snapshot))
+    }
+
+    /// Puts the links of the drawing where the player has them.
+    pub(in crate::editor) fn pose(&mut self) {
+        let is_played = |drawn| {
+            self.played
+                .as_ref()
+                .is_some_and(|played| Arc::ptr_eq(played, drawn))
+        };
+        if let (Some(player), Some(drawing)) = (&self.player, &mut self.drawing)
+            && self.drawn.as_ref().is_some_and(is_played)
+        {
+            drawing.set_poses(player.mechanism().poses());
+        }
+    }
+
+    /// Lets time pass, in seconds.
+    pub fn advance(&mut self, seconds: f64) {
+        if self.dragging.is_none()
+            && let Some(player) = &mut self.player
+        {
+            player.advance(seconds);
+            self.pose();
+        }
+    }
+
+    /// Gives the player a control.
+    pub fn obey(&mut self, control: Control) {
+        if let Some(player) = &mut self.player {
+            player.obey(control);
+            self.pose();
+        }
+    }
+
+    /// Moves a motor, by its number, to a value in radians or scene units.
+    pub fn scrub(&mut self, motor: usize, value: f64) {
+        if let Some(player) = &mut self.player {
+            player.drive(motor, value);
+            self.pose();
+        }
+    }
+
+    /// The values of motors at which the mechanism is seen, in degrees or scene units; none at the start.
+    pub(in crate::editor) fn seen_at(&self) -> Option<Vec<(String, f64)>> {
+        let mechanism = self.player.as_ref()?.mechanism();
+        if mechanism.is_at_start() {
+            return None;
+        }
+        Some(mechanism.shown_motors())
+    }
+
+    /// Sees everything.
+    pub fn fit(&mut self) {
+        let moving = self
+            .player
+            .as_ref()
+            .map(|player| player.mechanism().bounds());
+        // A single pivot is seen with room around it.
+        let mut places = self
+            .drawing
+            .iter()
+            .flat_map(Drawing::handles)
+            .map(|handle| handle.place);
+        let first = places.next();
+        let moving = moving.filter(|_| places.any(|place| Some(place) != first));
+        let bounds = moving.unwrap_or_else(|| bounds_of(self.drawing.as_ref()));
+        self.camera = Camera::new(bounds, self.camera.size());
+    }
+}
