@@ -172,11 +172,23 @@ fn shuffled_declarations_of_what_is_solved_together_make_the_same_mechanism() {
     println!("{compiled} compiled");
 }
 
+/// In whichever order these statements stand, the mechanism moves by so many loops.
+fn is_solved_in_any_order(statements: &[&str], end: &str, loops: usize) {
+    let mut dice = Dice::new(0);
+    for _ in 0..60 {
+        let order = permutation(statements.len(), &mut dice, false);
+        let statements: String = order.iter().map(|&place| statements[place]).collect();
+        let text = format!("struct M; {statements} {end} allow coupled;");
+        let found = outcome(&model(&text)).expect("it moves");
+        assert_eq!(found.len(), loops, "{found:?}");
+    }
+}
+
 /// A platform on three legs, of which one drives a wheel that carries a chain.
 #[test]
 fn a_chain_behind_a_platform_is_solved_after_it() {
-    let text = |order: &[usize]| {
-        let statements = [
+    is_solved_in_any_order(
+        &[
             "link l1;",
             "link l2; link l3;",
             "link l4; link l5;",
@@ -194,16 +206,36 @@ fn a_chain_behind_a_platform_is_solved_after_it() {
             "joint j15 = revolute(l3, l11) at (-3.55, 0.92);",
             "joint j16 = revolute(l11, l12) at (-2.97, 2.06);",
             "joint j17 = prismatic(l6, l12) at (-1.52, 1.4) along (0.58, -0.82);",
-        ];
-        let statements: String = order.iter().map(|&place| statements[place]).collect();
-        format!("struct M; {statements} motor j0; allow coupled;")
-    };
-    let mut dice = Dice::new(0);
-    for _ in 0..60 {
-        let text = text(&permutation(17, &mut dice, false));
-        let found = outcome(&model(&text)).expect("it moves");
-        assert_eq!(found.len(), 2, "{found:?}");
-    }
+        ],
+        "motor j0;",
+        2,
+    );
+}
+
+/// Slides keep the direction of one wheel of a gear, so that it moves its other wheel at once, and ties nothing in the loops.
+#[test]
+fn a_gear_that_slides_hold_ties_no_loop() {
+    is_solved_in_any_order(
+        &[
+            "link l1; link l2;",
+            "link l3; link l4;",
+            "link l5;",
+            "link l6; link l7;",
+            "joint j0 = prismatic(ground, l1) at (-2.45, 2.94) along (-0.81, 0.58);",
+            "joint j1 = revolute(ground, l2) at (-2.74, 4.27);",
+            "joint j2 = revolute(l2, l3) at (3.37, -1.44);",
+            "joint j3 = prismatic(l3, l4) at (0.33, -2.12) along (-0.87, -0.5);",
+            "joint j4 = revolute(l4, l1) at (-2.65, -1.13);",
+            "joint j5 = rack(l2, l4, radius -0.53 on l3);",
+            "joint j6 = prismatic(l4, l5) at (2.11, -3.31) along (0.83, -0.56);",
+            "joint j7 = revolute(l5, l6) at (-2.0, -1.73);",
+            "joint j8 = prismatic(l3, l6) at (1.65, 2.59) along (-0.12, 0.99);",
+            "joint j9 = revolute(l6, l7) at (2.5, -0.99);",
+            "joint j10 = gear(l5, l7, 31 : -60);",
+        ],
+        "motor j0;",
+        2,
+    );
 }
 
 #[test]

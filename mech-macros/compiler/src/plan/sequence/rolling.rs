@@ -147,7 +147,7 @@ impl Search<'_> {
         }
     }
 
-    /// The clusters of each gear, belt or rack that are still apart.
+    /// The clusters of each gear, belt or rack that still ties them.
     pub(super) fn rolling_clusters(&self) -> Vec<Vec<LinkId>> {
         let of = |rolling: &Rolling| {
             let ends = rolling.ends.iter().map(|(end, _)| end.link());
@@ -157,7 +157,20 @@ impl Search<'_> {
             bases.dedup();
             bases
         };
-        self.structure.rollings.iter().map(of).collect()
+        let rollings = self.structure.rollings.iter();
+        rollings
+            .filter(|rolling| self.ties_clusters(rolling))
+            .map(of)
+            .collect()
+    }
+
+    /// Whether a gear, belt or rack ties anything unknown. One that moves a wheel has nothing left to say: its other wheel may keep its
+    /// direction on the carrier by slides, without being joined to it.
+    fn ties_clusters(&self, rolling: &Rolling) -> bool {
+        rolling.ends.iter().any(|&(end, _)| {
+            let quantity = quantity(rolling, end);
+            self.relations.value(&quantity).is_none()
+        })
     }
 
     /// Finds a ring whose unknown directions or displacements rolling ties, so that two unknowns remain.
@@ -226,23 +239,25 @@ pub(super) fn coordinate(connection: Connection, (from, to): (LinkId, LinkId)) -
 
 /// The linear form that rolling holds constant.
 fn relation(rolling: &Rolling) -> LinearForm {
-    rolling
-        .ends
-        .iter()
-        .fold(LinearForm::default(), |sum, (end, factor)| {
-            let factor = exactly(*factor);
-            match *end {
-                RollingEnd::Wheel(wheel) => {
-                    sum.plus(&factor, &LinearForm::turn(rolling.carrier, wheel))
-                }
-                RollingEnd::Bar {
-                    slide, forwards, ..
-                } => {
-                    let factor = if forwards { factor } else { -factor };
-                    sum.plus(&factor, &LinearForm::slide(slide))
-                }
-            }
-        })
+    let ends = rolling.ends.iter();
+    ends.fold(LinearForm::default(), |sum, &(end, factor)| {
+        sum.plus(&exactly(factor), &quantity(rolling, end))
+    })
+}
+
+/// What a wheel or bar has moved on its carrier.
+fn quantity(rolling: &Rolling, end: RollingEnd) -> LinearForm {
+    match end {
+        RollingEnd::Wheel(wheel) => LinearForm::turn(rolling.carrier, wheel),
+        RollingEnd::Bar {
+            slide,
+            forwards: true,
+            ..
+        } => LinearForm::slide(slide),
+        RollingEnd::Bar { slide, .. } => {
+            LinearForm::default().plus(&-one(), &LinearForm::slide(slide))
+        }
+    }
 }
 
 fn exactly(factor: Factor) -> Rational {
